@@ -1,0 +1,31 @@
+#pragma once
+
+#include "model/bristle.hpp"
+
+namespace bristle {
+
+// Potential energy: springs, slab wall and axis repulsion. Dimensionless (m V0^2).
+template <class T, class P>
+T potential_energy(const Bristle<P>& b, const Vector3<T>& position, const T& theta, const T& phi) {
+  const Frame<T> f = frame_at(position);
+  const T stretch = f.r - 1.0, twist = theta - b.theta_0, bend = phi - b.phi_0;
+  return b.k_r * stretch * stretch / 2 + b.k_theta * twist * twist / 2 + b.k_phi * bend * bend / 2 +
+         short_range_energy(T(b.z_0 - position[2]), b.beta, b.lambda_z) +
+         short_range_energy(f.s, b.alpha, b.lambda);
+}
+
+// Total energy E of the tip in contact. Dimensionless (m V0^2).
+template <class T, class P>
+T energy(const Bristle<P>& b, const State<T>& state) {
+  return T(state.v.squaredNorm() / 2) + potential_energy(b, state.r, state.theta, state.phi);
+}
+
+// dE/dt as the forces give it: the slab's work on the tip (F_fx V0) less friction and damping losses.
+// Equals the rate of energy() when theta' is kinematic.
+template <class T, class P>
+T power(const Bristle<P>& b, const Motion<T>& m) {
+  return -m.slab.F_f * m.slab.e_x - m.slab.F_f * m.slab.V_R - b.c_theta * m.rates.theta * m.rates.theta -
+         b.c_phi * m.rates.phi * m.rates.phi;
+}
+
+}  // namespace bristle

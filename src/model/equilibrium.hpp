@@ -1,0 +1,19 @@
+#pragma once
+
+#include "model/bristle.hpp"
+
+namespace bristle {
+
+// The frictionless static equilibrium in the vertical plane theta = theta_0: the point of least
+// potential energy over (r, phi) with 0 < phi <= phi_0. Lengths dimensionless, phi in rad.
+struct Equilibrium {
+  double r, phi;
+};
+
+// Throws std::runtime_error if there is no equilibrium (parameters far outside the physical ranges).
+Equilibrium static_equilibrium(const Bristle<double>& b);
+
+// The bristle at rest in that equilibrium, at the azimuth theta_0 of b.
+State<double> state_at_rest(const Bristle<double>& b, const Equilibrium& e);
+
+}  // namespace bristle
