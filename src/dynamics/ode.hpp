@@ -1,0 +1,93 @@
+#pragma once
+
+#include "model/energy.hpp"
+
+#include <Eigen/Core>
+#include <array>
+#include <unsupported/Eigen/AutoDiff>
+
+// Eigen's AutoDiffScalar lacks atan.
+namespace Eigen {
+template <class D>
+AutoDiffScalar<typename internal::remove_all<D>::type::PlainObject> atan(const AutoDiffScalar<D>& u) {
+  const double x = u.value();
+  return {std::atan(x), u.derivatives() / (1 + x * x)};
+}
+}  // namespace Eigen
+
+namespace bristle {
+
+// One passage as an initial value problem: the tip's state, then integrals along the way that no
+// force depends on. Each integral is over local time xi from 0; dimensionless.
+enum Component {
+  X,
+  Y,
+  Z,
+  VX,
+  VY,
+  VZ,
+  THETA,
+  PHI,
+  NORMAL,      // F_n
+  FRICTION_X,  // F_fx as the slab feels it: the component that opposes its motion
+  FRICTION_Y,
+  MODULATION,  // F_n chi, numerator of Eq. (24)
+  ALIGNMENT,   // -F_n e_f.i, numerator of Eq. (25)
+  AREA,        // F_n^(2/3), numerator of Eq. (26)
+  WORK,        // power(): the energy budget's right-hand side
+  COMPONENTS
+};
+constexpr int kState = NORMAL;  // components that forces depend on
+constexpr int kIntegrals = COMPONENTS - NORMAL;
+
+using OdeState = std::array<double, COMPONENTS>;
+using StateJacobian = Eigen::Matrix<double, kState, kState>;
+using IntegralJacobian = Eigen::Matrix<double, kIntegrals, kState>;
+
+template <class T, class Array>
+State<T> unpack(const Array& y) {
+  State<T> state;
+  state.r << y[X], y[Y], y[Z];
+  state.v << y[VX], y[VY], y[VZ];
+  state.theta = y[THETA];
+  state.phi = y[PHI];
+  return state;
+}
+
+inline OdeState pack(const State<double>& s) {
+  return {s.r[0], s.r[1], s.r[2], s.v[0], s.v[1], s.v[2], s.theta, s.phi};
+}
+
+// Time derivative of every component.
+template <class T, class P, class In, class Out>
+void derivative(const Bristle<P>& b, const In& y, Out& dydt) {
+  const State<T> state = unpack<T>(y);
+  const Motion<T> m = motion(b, state);
+  for (int i = 0; i < 3; ++i) {
+    dydt[X + i] = state.v[i];
+    dydt[VX + i] = m.acceleration[i];
+  }
+  dydt[THETA] = m.rates.theta;
+  dydt[PHI] = m.rates.phi;
+  dydt[NORMAL] = m.slab.F_n;
+  dydt[FRICTION_X] = -m.slab.F_f * m.slab.e_x;
+  dydt[FRICTION_Y] = -m.slab.F_f * m.slab.e_y;
+  dydt[MODULATION] = m.slab.F_n * m.slab.chi;
+  dydt[ALIGNMENT] = -m.slab.F_n * m.slab.e_x;
+  dydt[AREA] = m.slab.F_n_23;
+  dydt[WORK] = power(b, m);
+}
+
+// Derivatives of derivative() with respect to the state, by automatic differentiation of the same code.
+inline void jacobian(const Bristle<double>& b, const OdeState& y, StateJacobian& of_state,
+                     IntegralJacobian& of_integrals) {
+  using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<double, kState, 1>>;
+  std::array<Dual, kState> in;
+  std::array<Dual, COMPONENTS> out;
+  for (int i = 0; i < kState; ++i) in[i] = Dual(y[i], kState, i);
+  derivative<Dual>(b, in, out);
+  for (int i = 0; i < kState; ++i) of_state.row(i) = out[i].derivatives();
+  for (int i = 0; i < kIntegrals; ++i) of_integrals.row(i) = out[NORMAL + i].derivatives();
+}
+
+}  // namespace bristle

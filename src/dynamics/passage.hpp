@@ -1,0 +1,55 @@
+#pragma once
+
+#include "dynamics/ode.hpp"
+#include "model/equilibrium.hpp"
+
+#include <functional>
+
+namespace bristle {
+
+// How a passage ended. Data, not an error.
+enum class Outcome {
+  left,        // over the vertical, or never there, and out at the trailing edge
+  pinned,      // out at the trailing edge, but held upright at the axis by the repulsion
+  step_limit,  // the cap on derivative evaluations was reached
+  not_finite   // no finite step could be made
+};
+const char* to_string(Outcome outcome);
+
+enum class Method {
+  automatic,
+  explicit_only,
+  implicit_only
+};
+
+struct IntegratorOptions {
+  double rtol = 1e-6;
+  double atol = 1e-8;
+  Method method = Method::automatic;  // automatic: explicit, then implicit once the bristle is stiff
+  long max_evaluations = 2'000'000;   // of derivative(), rejected steps included
+};
+
+// One bristle from leading to trailing edge. Times and integrals dimensionless, see Component.
+struct Passage {
+  Outcome outcome = Outcome::not_finite;
+  double theta_0 = 0;                            // rad
+  double contact_time = 0;                       // T = Delta xi
+  OdeState end{};                                // state and integrals at the exit
+  double gamma_1 = 0, gamma_2 = 0, gamma_3 = 0;  // this bristle's ratios in Eqs. (24-26)
+  double energy_residual = 0;                    // |E(T) - E(0) - work| over the energy dissipated
+  long steps = 0, evaluations = 0;
+  int reflections = 0;    // at the pole, s = s_min
+  bool implicit = false;  // the implicit method finished it
+
+  bool complete() const { return outcome == Outcome::left || outcome == Outcome::pinned; }
+};
+
+// Called with time and state at the start, after each step and at the exit.
+using Observer = std::function<void(double xi, const OdeState&)>;
+
+// Integrates Eqs. (13, 17, 18) from rest until the slip xi - (x - x(0)) reaches L_x (Eq. A2).
+// Never throws for a numerical outcome.
+Passage run_passage(const Parameters& p, const Bristle<double>& b, const Equilibrium& start,
+                    const IntegratorOptions& options, const Observer& observe = {});
+
+}  // namespace bristle
