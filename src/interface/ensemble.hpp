@@ -1,0 +1,60 @@
+#pragma once
+
+#include "dynamics/passage.hpp"
+#include "interface/orientation.hpp"
+
+#include <array>
+#include <functional>
+#include <vector>
+
+namespace bristle {
+
+// What is averaged over theta_0. Dimensionless; forces per N_c0.
+enum Observable {
+  N_C_RATIO,  // <T>/L_x
+  R_N,        // <int F_n dxi>/L_x
+  R_X,        // <int F_fx dxi>/L_x
+  R_Y,
+  GAMMA_1,  // Eqs. (24-26)
+  GAMMA_2,
+  GAMMA_3,
+  PINNED_FRACTION,
+  PINNED_R_N,  // the pinned bristles' part of R_n and R_x
+  PINNED_R_X,
+  ENERGY_RESIDUAL,
+  OBSERVABLES
+};
+using ObservableArray = std::array<double, OBSERVABLES>;
+
+// Bristles, slab and how to compute them: everything a mean over theta_0 depends on but the gap.
+struct Interface {
+  Parameters parameters;
+  Orientation orientation;
+  IntegratorOptions integrator;
+};
+
+struct Ensemble {
+  double z_0 = 0;
+  ObservableArray mean{}, error{};  // error: the quadrature's estimate
+  bool converged = true;            // error within rtol
+  long passages = 0;
+  long incomplete = 0;            // passages that reached no exit; > 0: mean and error mean nothing
+  double incomplete_theta_0 = 0;  // the first of them, rad
+  std::vector<double> jumps;      // theta_0 at which the outcome changes, rad
+};
+
+using PassageObserver = std::function<void(const Passage&)>;
+
+// Mean over theta_0 of single passages at the gap z_0 (model: docs/model.md, section "The slab").
+// R_n, R_x, N_c and gamma_1..3 to orientation.rtol. observe sees every passage computed. A numerical
+// failure is reported in the result.
+Ensemble ensemble_mean(const Interface& interface, double z_0, const PassageObserver& observe = {});
+
+// The same for the load search: only as accurate as it takes to tell R_n from R_n_target, and at most
+// R_n to orientation.rtol. Far from the target this is a rough mean of few bristles.
+Ensemble ensemble_against_target(const Interface& interface, double z_0, double R_n_target);
+
+// R_rigid of Eqs. (22, 23) per N_c0, at the normal load R_n/N_c0. Dimensionless.
+double rigid_friction(const Parameters& p, double R_n);
+
+}  // namespace bristle
