@@ -1,0 +1,113 @@
+#include "experiment/axes.hpp"
+
+#include "experiment/input_error.hpp"
+#include "experiment/parameters_table.hpp"
+#include "experiment/schema.hpp"
+#include "experiment/suggest.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <cmath>
+
+namespace bristle {
+namespace {
+
+class AxisReader {
+ public:
+  AxisReader(const Document& document, const std::string& name)
+      : document_(document), at_(JsonPointer("/sweep") / name), name_(name), json_(document.json().at(at_)) {}
+
+  Axis read() {
+    const auto known = sweepable_parameters();
+    if (std::find(known.begin(), known.end(), name_) == known.end())
+      fail(at_, fmt::format("{} cannot be swept{}; allowed: {}", name_, did_you_mean(name_, known),
+                            fmt::join(known, ", ")));
+    Axis axis{name_, all_values()};
+    for (std::size_t i = 1; i < axis.values.size(); ++i)
+      if (!(axis.values[i] > axis.values[i - 1]))
+        fail(at_,
+             fmt::format("the values must ascend, but {} follows {}", axis.values[i], axis.values[i - 1]));
+    for (double value : {axis.values.front(), axis.values.back()}) check_range(value);
+    if (json_.contains("take")) axis.values = taken(axis.values);
+    return axis;
+  }
+
+ private:
+  [[noreturn]] void fail(const JsonPointer& at, const std::string& what) const {
+    throw InputError(fmt::format("{}: {}: {}", document_.origin(at), at.to_string(), what));
+  }
+
+  std::vector<double> all_values() const {
+    std::vector<std::string> given;
+    for (const char* kind : {"values", "linspace", "logspace"})
+      if (json_.contains(kind)) given.push_back(kind);
+    if (given.size() != 1)
+      fail(at_, fmt::format("an axis is one of values, linspace, logspace; this has {}",
+                            given.empty() ? "none" : fmt::format("{}", fmt::join(given, " and "))));
+    if (given[0] == "values") return json_["values"].get<std::vector<double>>();
+    return range(given[0] == "logspace", at_ / given[0]);
+  }
+
+  std::vector<double> range(bool logarithmic, const JsonPointer& at) const {
+    const Json& r = document_.json().at(at);
+    const double from = r[0], to = r[1], count = r[2];
+    if (count != std::floor(count) || count < 1)
+      fail(at, fmt::format("the count {} is not a positive integer", count));
+    if (count > kMostPoints)
+      fail(at, fmt::format("{} points; allowed: at most {:.0e} in all", count, kMostPoints));
+    if (logarithmic && !(from > 0))
+      fail(at, fmt::format("a logarithmic axis cannot start at {}; allowed: greater than 0", from));
+    const auto n = std::size_t(count);
+    std::vector<double> values(n, from);
+    for (std::size_t i = 1; i < n; ++i) {
+      const double t = double(i) / double(n - 1);
+      values[i] = logarithmic ? from * std::pow(to / from, t) : from + (to - from) * t;
+    }
+    if (n > 1) values.back() = to;
+    return values;
+  }
+
+  std::vector<double> taken(const std::vector<double>& values) const {
+    std::vector<double> kept;
+    long last = -1;
+    for (const long index : json_["take"]) {
+      if (index <= last || index >= long(values.size()))
+        fail(at_ / "take",
+             fmt::format("{}; allowed: ascending indices from 0 to {}", index, values.size() - 1));
+      kept.push_back(values[std::size_t(index)]);
+      last = index;
+    }
+    return kept;
+  }
+
+  void check_range(double value) const {
+    if (name_ == "R_n" && !(value > 0)) fail(at_, fmt::format("R_n = {}; allowed: greater than 0", value));
+    if (name_ == "z_0" && value < 0.01) fail(at_, fmt::format("z_0 = {}; allowed: at least 0.01", value));
+    if (name_ != "R_n" && name_ != "z_0") check_parameter(document_, at_, name_, value);
+  }
+
+  const Document& document_;
+  JsonPointer at_;
+  std::string name_;
+  const Json& json_;
+};
+
+}  // namespace
+
+std::vector<Axis> read_axes(const Document& document) {
+  std::vector<Axis> axes;
+  if (!document.json().contains("sweep")) return axes;
+  double points = 1;
+  for (const auto& [name, json] : document.json()["sweep"].items()) {
+    axes.push_back(AxisReader(document, name).read());
+    points *= double(axes.back().values.size());
+    if (points > kMostPoints) {
+      const JsonPointer at("/sweep");
+      throw InputError(fmt::format("{}: /sweep: {:.3g} points or more; allowed: at most {:.0e}",
+                                   document.origin(at), points, kMostPoints));
+    }
+  }
+  return axes;
+}
+
+}  // namespace bristle

@@ -1,0 +1,163 @@
+#include "experiment/document.hpp"
+
+#include "experiment/input_error.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+namespace bristle {
+namespace fs = std::filesystem;
+namespace {
+
+// The library's messages begin with "[json.exception.parse_error.101] ".
+std::string without_tag(const std::string& message) {
+  const auto end = message.find("] ");
+  return end == std::string::npos ? message : message.substr(end + 2);
+}
+
+Json parse_file(const std::string& path) {
+  std::ifstream in(path);
+  if (!in || fs::is_directory(path))
+    throw InputError(fmt::format("{}: cannot be read: {}", path,
+                                 fs::exists(path) ? "not a readable file" : "no such file"));
+  std::vector<std::set<std::string>> keys;
+  const auto watch = [&](int, Json::parse_event_t event, Json& parsed) {
+    if (event == Json::parse_event_t::object_start) keys.emplace_back();
+    if (event == Json::parse_event_t::object_end) keys.pop_back();
+    if (event == Json::parse_event_t::key && !keys.back().insert(parsed.get<std::string>()).second)
+      throw InputError(fmt::format("{}: the key {} appears twice in one object", path, parsed.dump()));
+    return true;
+  };
+  try {
+    Json content = Json::parse(in, watch);
+    if (!content.is_object())
+      throw InputError(
+          fmt::format("{}: an experiment is a JSON object {{...}}, this is {}", path, shown(content)));
+    return content;
+  } catch (const Json::exception& e) {
+    throw InputError(fmt::format("{}: not JSON: {}", path, without_tag(e.what())));
+  }
+}
+
+// Experiments extend each other within one folder: the outermost "experiments" above the file, or
+// the file's own.
+fs::path experiments_folder(const fs::path& file) {
+  fs::path folder = fs::canonical(file).parent_path(), root = folder;
+  for (fs::path p = folder; p != p.root_path(); p = p.parent_path())
+    if (p.filename() == "experiments") root = p;
+  return root;
+}
+
+bool inside(const fs::path& file, const fs::path& folder) {
+  const fs::path relative = file.lexically_relative(folder);
+  return !relative.empty() && *relative.begin() != "..";
+}
+
+void collect(const std::string& path, const fs::path& root, std::vector<std::string>& chain,
+             std::vector<Document::Source>& out) {
+  const Json content = parse_file(path);
+  chain.push_back(fs::canonical(path).string());
+  if (content.contains("extends")) {
+    const Json& extends = content["extends"];
+    const auto fail = [&](const std::string& why) {
+      throw InputError(fmt::format("{}: /extends: {} {}", path, shown(extends), why));
+    };
+    if (!extends.is_string()) fail("is not a file name");
+    const fs::path parent = fs::path(path).parent_path() / extends.get<std::string>();
+    if (!inside(fs::weakly_canonical(parent), root))
+      fail(fmt::format("lies outside the experiments folder {}; copy it there", root.string()));
+    if (!fs::is_regular_file(parent)) fail(fmt::format("does not exist (looked for {})", parent.string()));
+    if (std::count(chain.begin(), chain.end(), fs::canonical(parent).string()))
+      fail("extends this file in turn: a circle");
+    collect(parent.lexically_normal().string(), root, chain, out);
+  }
+  out.push_back({path, content});
+  out.back().content.erase("extends");
+}
+
+Document::Source parse_set(const std::string& argument) {
+  const auto equals = argument.find('=');
+  const auto fail = [&](const std::string& why) {
+    throw InputError(fmt::format("--set {}: {}; write --set /model/k_r=20", argument, why));
+  };
+  if (equals == std::string::npos) fail("there is no '='");
+  const std::string text = argument.substr(equals + 1);
+  Json value;
+  try {
+    value = Json::parse(text);
+  } catch (const Json::exception&) {
+    if (!text.empty() && (std::isdigit(text[0]) || std::string("-[{\"").find(text[0]) != std::string::npos))
+      fail(fmt::format("'{}' is not JSON", text));
+    value = text;  // a bare word is a string
+  }
+  try {
+    const JsonPointer pointer(argument.substr(0, equals));
+    if (pointer.empty()) fail("the pointer is empty");
+    Json patch;
+    patch[pointer] = value;
+    return {"--set " + argument, patch};
+  } catch (const Json::exception& e) {
+    fail(without_tag(e.what()));
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string shown(const Json& value) {
+  std::string text = value.dump();
+  if (text.size() > 60) text = text.substr(0, 57) + "...";
+  return text;
+}
+
+Document Document::load(const std::string& path, const DocumentOptions& options) {
+  Document d;
+  d.path_ = path;
+  d.tier_ = options.tier;
+  std::vector<std::string> chain;
+  parse_file(path);  // so that a missing file is reported before its folder
+  collect(path, experiments_folder(path), chain, d.files_);
+  for (const std::string& argument : options.set) d.set_.push_back(parse_set(argument));
+  d.merge();
+  return d;
+}
+
+Document Document::with_tier(const std::string& tier) const {
+  Document d = *this;
+  d.tier_ = tier;
+  d.merge();
+  return d;
+}
+
+void Document::merge() {
+  merged_ = Json::object();
+  for (const Source& s : files_) merged_.merge_patch(s.content);
+  const JsonPointer patch("/tiers/" + tier_);
+  if (merged_.contains(patch) && merged_[patch].is_object()) {
+    const Json tier = merged_[patch];
+    merged_.merge_patch(tier);
+  }
+  for (const Source& s : set_) {
+    try {
+      merged_.merge_patch(s.content);
+    } catch (const Json::exception& e) {
+      throw InputError(fmt::format("{}: {}", s.name, without_tag(e.what())));
+    }
+  }
+}
+
+std::string Document::origin(const JsonPointer& pointer) const {
+  for (auto s = set_.rbegin(); s != set_.rend(); ++s)
+    if (s->content.contains(pointer)) return s->name;
+  const JsonPointer in_tier = JsonPointer("/tiers/" + tier_) / pointer;
+  for (auto s = files_.rbegin(); s != files_.rend(); ++s) {
+    if (s->content.contains(in_tier)) return fmt::format("{} (tier {})", s->name, tier_);
+    if (s->content.contains(pointer)) return s->name;
+  }
+  return path_;
+}
+
+}  // namespace bristle

@@ -1,0 +1,157 @@
+#include "experiment/experiment.hpp"
+
+#include "experiment/axes.hpp"
+#include "experiment/input_error.hpp"
+#include "experiment/parameters_table.hpp"
+#include "experiment/schema.hpp"
+#include "experiment/si_units.hpp"
+
+#include <fmt/format.h>
+#include <cmath>
+
+namespace bristle {
+namespace {
+
+constexpr double kDegree = M_PI / 180;
+
+[[noreturn]] void fail(const Document& d, const char* at, const std::string& what) {
+  throw InputError(fmt::format("{}: {}: {}", d.origin(JsonPointer(at)), at, what));
+}
+
+Parameters read_model(const Document& d) {
+  const Json& model = d.json()["model"];
+  Parameters p;
+  p.friction = model["friction"] == "nss" ? FrictionLaw::nss : FrictionLaw::coulomb;
+  if (model.value("azimuth_rate", "kinematic") == "as_printed") p.azimuth_rate = AzimuthRate::as_printed;
+  for (const ParameterEntry& entry : parameters_table())
+    if (model.contains(entry.name) && model[entry.name].is_number())
+      p.*entry.member = model[entry.name].get<double>() * entry.unit;
+  return p;
+}
+
+Orientation read_orientation(const Document& d) {
+  const Json& json = d.json()["orientation"];
+  Orientation o;
+  o.distribution = json["distribution"] == "uniform" ? Distribution::uniform : Distribution::von_mises;
+  o.sampling = json["sampling"] == "list" ? Sampling::list : Sampling::quadrature;
+  o.mean = json.value("mean_deg", 0.0) * kDegree;
+  o.concentration = json.value("concentration", 0.0);
+  o.full_circle = json.value("full_circle", false);
+  o.rtol = json.value("rtol", o.rtol);
+  if (o.distribution == Distribution::von_mises && !json.contains("concentration"))
+    fail(d, "/orientation/concentration", "is missing; a von Mises distribution needs it, and mean_deg");
+  if (o.sampling == Sampling::list) {
+    if (!json.contains("theta_0_deg"))
+      fail(d, "/orientation/theta_0_deg", "is missing; sampling by list needs the azimuths in degrees");
+    for (const double degrees : json["theta_0_deg"]) o.theta_0.push_back(degrees * kDegree);
+  } else if (json.contains("theta_0_deg")) {
+    fail(d, "/orientation/theta_0_deg", "is used with \"sampling\": \"list\" only");
+  }
+  return o;
+}
+
+IntegratorOptions read_integrator(const Document& d) {
+  const Json& json = d.json()["integrator"];
+  IntegratorOptions options;
+  options.rtol = json["rtol"];
+  options.atol = json["atol"];
+  options.max_evaluations = json.value("max_evaluations", options.max_evaluations);
+  return options;
+}
+
+bool swept(const std::vector<Axis>& axes, const std::string& name) {
+  return std::any_of(axes.begin(), axes.end(), [&](const Axis& a) { return a.name == name; });
+}
+
+Loading read_loading(const Document& d, const std::vector<Axis>& axes) {
+  const Json& json = d.json()["load"];
+  const bool by_load = json.contains("R_n") || swept(axes, "R_n");
+  const bool by_gap = json.contains("z_0") || swept(axes, "z_0");
+  if (by_load == by_gap)
+    fail(d, "/load",
+         by_load ? "both R_n and z_0 are given; remove one (null removes what extends brings)"
+                 : "neither R_n nor z_0 is given, here or in the sweep");
+  Loading loading;
+  if (by_gap) loading.z_0 = json.value("z_0", 0.0);
+  loading.R_n = json.value("R_n", 0.0);
+  loading.path = json.value("path", "loading") == "unloading" ? LoadPath::unloading : LoadPath::loading;
+  return loading;
+}
+
+// C = peak_at_V_s follows A, at every point.
+void set_peak(const Json& model, Parameters& p) {
+  if (!model.contains("C") || model["C"].is_string()) p.C = chi_C_peak_at_V_s(p.A);
+}
+
+void check_gap(const Document& d, const Experiment& e) {
+  for (std::size_t i = 0; i < e.points(); ++i) {
+    const PointInput point = e.point(i);
+    const double highest = std::sin(point.interface.parameters.phi_0);
+    if (!point.loading.z_0) return;
+    if (*point.loading.z_0 > highest)
+      fail(d, d.json()["load"].contains("z_0") ? "/load/z_0" : "/sweep/z_0",
+           fmt::format("{} is above first contact; allowed: at most sin(phi_0) = {:.6f}", *point.loading.z_0,
+                       highest));
+  }
+}
+
+Experiment read(const Document& d) {
+  check_schema(d);
+  const Json& json = d.json();
+  Experiment e;
+  e.path = d.path();
+  e.name = json["name"];
+  e.title = json.value("title", e.name);
+  e.figure = json.value("figure", "");
+  e.axes = read_axes(d);
+  if (swept(e.axes, "C") && json["model"].value("C", Json("")).is_string())
+    fail(d, "/model/C", "is swept, so give it a number here");
+  e.base.interface = {read_model(d), read_orientation(d), read_integrator(d)};
+  e.base.loading = read_loading(d, e.axes);
+  apply_si_units(d, e.base);
+  for (const Json& what : json.value("record", Json::array()))
+    e.record_bristles = e.record_bristles || what == "bristles";
+  e.checks = json.value("checks", Json::array());
+  e.document = json;
+  e.document.erase("tiers");
+  check_gap(d, e);
+  return e;
+}
+
+}  // namespace
+
+std::size_t Experiment::points() const {
+  std::size_t n = 1;
+  for (const Axis& axis : axes) n *= axis.values.size();
+  return n;
+}
+
+std::vector<std::size_t> Experiment::shape() const {
+  std::vector<std::size_t> s;
+  for (const Axis& axis : axes) s.push_back(axis.values.size());
+  return s;
+}
+
+PointInput Experiment::point(std::size_t index) const {
+  PointInput point = base;
+  for (auto axis = axes.rbegin(); axis != axes.rend(); ++axis) {
+    const double value = axis->values[index % axis->values.size()];
+    index /= axis->values.size();
+    if (axis->name == "R_n") point.loading.R_n = value;
+    if (axis->name == "z_0") point.loading.z_0 = value;
+    for (const ParameterEntry& entry : parameters_table())
+      if (axis->name == entry.name) point.interface.parameters.*entry.member = value * entry.unit;
+  }
+  set_peak(document["model"], point.interface.parameters);
+  return point;
+}
+
+Experiment load_experiment(const std::string& path, const DocumentOptions& options) {
+  const Document document = Document::load(path, options);
+  const Experiment experiment = read(document);
+  for (const char* tier : {"smoke", "full"})  // a mistake in the other tier is found now, not later
+    if (tier != options.tier) read(document.with_tier(tier));
+  return experiment;
+}
+
+}  // namespace bristle

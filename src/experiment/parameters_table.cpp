@@ -1,0 +1,50 @@
+#include "experiment/parameters_table.hpp"
+
+#include <cmath>
+
+namespace bristle {
+
+const std::vector<ParameterEntry>& parameters_table() {
+  using P = Parameters;
+  static const std::vector<ParameterEntry> table = {
+      {"k_r", &P::k_r, 1, R"(\tilde{k}_r)", "radial stiffness"},
+      {"k_theta", &P::k_theta, 1, R"(\tilde{k}_\theta)", "azimuthal stiffness"},
+      {"k_phi", &P::k_phi, 1, R"(\tilde{k}_\varphi)", "polar stiffness"},
+      {"phi_0_deg", &P::phi_0, M_PI / 180, R"(\varphi_0)", "undeformed elevation"},
+      {"zeta_theta", &P::zeta_theta, 1, R"(\zeta_\theta)", "azimuthal damping ratio"},
+      {"zeta_phi", &P::zeta_phi, 1, R"(\zeta_\varphi)", "polar damping ratio"},
+      {"mu_c", &P::mu_c, 1, R"(\mu_c)", "Coulomb friction coefficient"},
+      {"tau_f", &P::tau_f, 1, R"(\tilde{\tau}_f)", "shear stress"},
+      {"R_c", &P::R_c, 1, R"(\tilde{R}_c)", "tip radius"},
+      {"E_star", &P::E_star, 1, R"(\tilde{E}^*)", "contact modulus"},
+      {"A", &P::A, 1, "A", "maximum of chi"},
+      {"C", &P::C, 1, "C", "shape of chi"},
+      {"V_s", &P::V_s, 1, "V_s/V_0", "threshold speed"},
+      {"lambda", &P::lambda, 1, R"(\lambda)", "range of the axis repulsion"},
+      {"lambda_z", &P::lambda_z, 1, R"(\lambda_z)", "range of the slab's wall"},
+      {"alpha", &P::alpha, 1, R"(\alpha)", "strength of the axis repulsion"},
+      {"beta", &P::beta, 1, R"(\beta)", "strength of the slab's wall"},
+      {"s_min", &P::s_min, 1, R"(s_{\min})", "distance of reflection at the axis"},
+      {"L_x", &P::L_x, 1, R"(\tilde{L}_x)", "slab length"},
+      {"L_y", &P::L_y, 1, R"(\tilde{L}_y)", "slab width"},
+      {"spacing", &P::spacing, 1, R"(\tilde{\Delta})", "lattice spacing"},
+  };
+  return table;
+}
+
+std::vector<std::string> sweepable_parameters() {
+  std::vector<std::string> names;
+  for (const ParameterEntry& entry : parameters_table()) names.push_back(entry.name);
+  names.insert(names.end(), {"R_n", "z_0"});
+  return names;
+}
+
+AxisLabel axis_label(const std::string& name) {
+  if (name == "R_n") return {R"(\tilde{R}_n/N_{c,0})", "target normal load per bristle", "1"};
+  if (name == "z_0") return {R"(\tilde{z}_0)", "gap between slab and ground", "1"};
+  for (const ParameterEntry& entry : parameters_table())
+    if (name == entry.name) return {entry.symbol, entry.description, name == "phi_0_deg" ? "degree" : "1"};
+  return {name, name, "1"};
+}
+
+}  // namespace bristle

@@ -1,0 +1,154 @@
+#include "experiment/schema.hpp"
+
+#include "experiment/input_error.hpp"
+#include "experiment/suggest.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <valijson/adapters/nlohmann_json_adapter.hpp>
+#include <valijson/schema.hpp>
+#include <valijson/schema_parser.hpp>
+#include <valijson/validation_results.hpp>
+#include <valijson/validator.hpp>
+
+namespace bristle {
+namespace {
+
+using Plain = nlohmann::json;  // what valijson's adapter takes
+
+const Json& schema_json() {
+  static const Json schema = Json::parse(experiment_schema());
+  return schema;
+}
+
+const Json& resolve(const Json& schema) {
+  if (!schema.contains("$ref")) return schema;
+  return schema_json().at(JsonPointer(schema["$ref"].get<std::string>().substr(1)));
+}
+
+// The subschema that governs one step down, or null.
+const Json& step_down(const Json& schema, const std::string& token) {
+  static const Json none;
+  const Json& here = resolve(schema);
+  if (here.contains("properties") && here["properties"].contains(token))
+    return resolve(here["properties"][token]);
+  if (here.contains("items")) return resolve(here["items"]);
+  if (here.contains("additionalProperties") && here["additionalProperties"].is_object())
+    return resolve(here["additionalProperties"]);
+  return none;
+}
+
+std::vector<std::string> keys_of(const Json& object) {
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : object.items()) keys.push_back(key);
+  return keys;
+}
+
+std::string number_range(const Json& s) {
+  std::vector<std::string> limits;
+  const auto add = [&](const char* keyword, const char* words) {
+    if (s.contains(keyword)) limits.push_back(fmt::format("{} {}", words, s[keyword].dump()));
+  };
+  add("exclusiveMinimum", "greater than");
+  add("minimum", "at least");
+  add("exclusiveMaximum", "less than");
+  add("maximum", "at most");
+  std::string text = s["type"] == "integer" ? "an integer" : "a number";
+  return limits.empty() ? text : fmt::format("{} {}", text, fmt::join(limits, " and "));
+}
+
+[[noreturn]] void fail(const Document& d, const JsonPointer& at, const std::string& what) {
+  throw InputError(fmt::format("{}: {}: {}", d.origin(at), at.to_string(), what));
+}
+
+// Explains what is wrong with the value at this place.
+[[noreturn]] void explain(const Document& d, const JsonPointer& at, const Json& schema) {
+  const Json& value = d.json().at(at);
+  if (value.is_object() && schema.contains("properties")) {
+    const auto known = keys_of(schema["properties"]);
+    for (const auto& [key, child] : value.items())
+      if (!schema["properties"].contains(key) && schema.value("additionalProperties", Json(true)) == false)
+        fail(d, at / key,
+             fmt::format("unknown key{}; allowed: {}", did_you_mean(key, known), fmt::join(known, ", ")));
+    if (schema.contains("required"))
+      for (const std::string key : schema["required"])
+        if (!value.contains(key))
+          fail(d, at / key,
+               fmt::format("is missing; allowed: {}", allowed_by_schema(resolve(schema["properties"][key]))));
+  }
+  std::string hint;
+  if (value.is_string() && schema.contains("enum"))
+    hint = did_you_mean(value, schema["enum"].get<std::vector<std::string>>());
+  fail(d, at, fmt::format("{} is not allowed{}; allowed: {}", shown(value), hint, allowed_by_schema(schema)));
+}
+
+// valijson's context is "<root>", "[model]", "[k_r]".
+JsonPointer pointer_from(const std::vector<std::string>& context) {
+  JsonPointer pointer;
+  for (std::size_t i = 1; i < context.size(); ++i) pointer /= context[i].substr(1, context[i].size() - 2);
+  return pointer;
+}
+
+bool matches(const Plain& schema_document, const Json& value,
+             std::vector<std::vector<std::string>>* contexts) {
+  valijson::Schema schema;
+  valijson::SchemaParser parser;
+  const valijson::adapters::NlohmannJsonAdapter schema_adapter(schema_document);
+  parser.populateSchema(schema_adapter, schema);
+  const Plain plain = value;
+  const valijson::adapters::NlohmannJsonAdapter target(plain);
+  valijson::ValidationResults results;
+  const bool fine = valijson::Validator().validate(schema, target, &results);
+  valijson::ValidationResults::Error error;
+  while (contexts && results.popError(error)) contexts->push_back(error.context);
+  return fine;
+}
+
+}  // namespace
+
+std::string allowed_by_schema(const Json& schema) {
+  const Json& s = resolve(schema);
+  std::string text;
+  if (s.contains("const")) {
+    text = s["const"].dump();
+  } else if (s.contains("enum")) {
+    std::vector<std::string> options;
+    for (const Json& option : s["enum"]) options.push_back(option.dump());
+    text = fmt::format("{}", fmt::join(options, ", "));
+  } else if (s.contains("anyOf")) {
+    std::vector<std::string> options;
+    for (const Json& option : s["anyOf"]) options.push_back(allowed_by_schema(option));
+    text = fmt::format("{}", fmt::join(options, " or "));
+  } else if (s.contains("type")) {
+    const std::string type = s["type"];
+    if (type == "number" || type == "integer") text = number_range(s);
+    else if (type == "array")
+      text = s.contains("items") ? "an array, each " + allowed_by_schema(s["items"]) : "an array";
+    else text = (type == "object" ? "an " : "a ") + type;
+  }
+  if (s.contains("description")) text += fmt::format(" ({})", s["description"].get<std::string>());
+  return text;
+}
+
+void check_schema(const Document& document) {
+  std::vector<std::vector<std::string>> contexts;
+  if (matches(Plain::parse(experiment_schema()), document.json(), &contexts)) return;
+  // The deepest place is the cause; the places above follow from it.
+  const auto deepest = std::max_element(contexts.begin(), contexts.end(),
+                                        [](const auto& a, const auto& b) { return a.size() < b.size(); });
+  const JsonPointer at = pointer_from(*deepest);
+  const Json* schema = &resolve(schema_json());
+  for (std::size_t i = 1; i < deepest->size(); ++i)
+    schema = &step_down(*schema, (*deepest)[i].substr(1, (*deepest)[i].size() - 2));
+  explain(document, at, *schema);
+}
+
+void check_parameter(const Document& document, const JsonPointer& at, const std::string& parameter,
+                     double value) {
+  const Json& schema = schema_json()["definitions"]["model"]["properties"].at(parameter);
+  if (!matches(Plain(schema), Json(value), nullptr))
+    fail(document, at,
+         fmt::format("{} is out of range for {}; allowed: {}", value, parameter, allowed_by_schema(schema)));
+}
+
+}  // namespace bristle

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "experiment/document.hpp"
+
+namespace bristle {
+
+// Checks the document, as merged, against the experiment schema (src/experiment/experiment.schema.json).
+// Throws InputError that names source, JSON pointer, offending value and what is allowed.
+void check_schema(const Document& document);
+
+// The schema's text, and what it allows at a place: "a number greater than 0 (radial stiffness)".
+const char* experiment_schema();
+std::string allowed_by_schema(const Json& schema);
+
+// The schema of one model parameter. Throws InputError if the value is outside it.
+void check_parameter(const Document& document, const JsonPointer& at, const std::string& parameter,
+                     double value);
+
+}  // namespace bristle
