@@ -1,0 +1,86 @@
+#include "experiment/input_error.hpp"
+#include "results/sha256.hpp"
+#include "results/writer.hpp"
+
+#include <fmt/format.h>
+#include <filesystem>
+
+namespace bristle {
+namespace {
+
+// Feeds a dataset's rows to the digest a block at a time.
+void add_values(Sha256& digest, hid_t dataset, const h5::Shape& shape) {
+  const h5::Handle type(H5Dget_type(dataset), H5Tclose, "reading a dataset's type");
+  const std::size_t bytes = H5Tget_size(type);
+  hsize_t row = 1;
+  for (std::size_t d = 1; d < shape.size(); ++d) row *= shape[d];
+  const hsize_t rows = shape.empty() ? 1 : shape[0];
+  const hsize_t block = std::max<hsize_t>(1, 65536 / std::max<hsize_t>(1, row));
+  std::vector<char> buffer;
+  for (hsize_t from = 0; from < rows; from += block) {
+    h5::Shape start(shape.size(), 0), count = shape;
+    if (!shape.empty()) {
+      start[0] = from;
+      count[0] = std::min(block, rows - from);
+    }
+    buffer.resize(std::size_t(shape.empty() ? 1 : count[0] * row) * bytes);
+    h5::read_part(dataset, type, start, count, buffer.data());
+    digest.add(buffer.data(), buffer.size());
+  }
+}
+
+void add_group(Sha256& digest, hid_t group, const std::string& prefix) {
+  for (const std::string& name : h5::children(group)) {
+    const std::string path = prefix + "/" + name;
+    if (path == "/checks" || path == "/provenance") continue;
+    if (h5::is_group(group, name)) {
+      const h5::Handle child(H5Gopen2(group, name.c_str(), H5P_DEFAULT), H5Gclose, "opening " + path);
+      add_group(digest, child, path);
+      continue;
+    }
+    const h5::Handle dataset = h5::open_dataset(group, name);
+    const h5::Handle type(H5Dget_type(dataset), H5Tclose, "reading the type of " + path);
+    const h5::Shape shape = h5::shape_of(dataset);
+    std::string head =
+        fmt::format("{} {}{}", path, H5Tget_class(type) == H5T_FLOAT ? "f" : "i", H5Tget_size(type));
+    for (const hsize_t n : shape) head += fmt::format(" {}", n);
+    digest.add(head + "\n");
+    add_values(digest, dataset, shape);
+  }
+}
+
+}  // namespace
+
+std::string payload_sha256(hid_t file) {
+  Sha256 digest;
+  add_group(digest, file, "");
+  return digest.hex();
+}
+
+std::string inputs_sha256(const Json& document) {
+  nlohmann::json inputs = document;  // sorted keys: the order of a file's keys does not matter
+  for (const char* name : {"name", "title", "figure", "checks"}) inputs.erase(name);
+  // ... but the order of the axes is that of the dimensions
+  nlohmann::json axes = nlohmann::json::array();
+  if (document.contains("sweep"))
+    for (const auto& [name, axis] : document["sweep"].items()) axes.push_back(name);
+  inputs["axes"] = axes;
+  return sha256_of(inputs.dump());
+}
+
+bool up_to_date(const std::string& path, const Experiment& experiment) {
+  if (!std::filesystem::is_regular_file(path)) return false;
+  try {
+    const h5::Handle file = h5::open_file(path, false);
+    for (const char* name : {"schema_version", "inputs_sha256", "numerics_version", "payload_sha256"})
+      if (!h5::has_attribute(file, name)) return false;
+    return h5::read_text_attribute(file, "schema_version") == kResultSchema &&
+           h5::read_number_attribute(file, "numerics_version") == double(kNumericsVersion) &&
+           h5::read_text_attribute(file, "inputs_sha256") == inputs_sha256(experiment.document) &&
+           h5::read_text_attribute(file, "payload_sha256") == payload_sha256(file);
+  } catch (const RunError&) {
+    return false;  // not a result file that can be read: computed anew
+  }
+}
+
+}  // namespace bristle

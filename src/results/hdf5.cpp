@@ -1,0 +1,240 @@
+#include "results/hdf5.hpp"
+
+#include "experiment/input_error.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <hdf5_hl.h>
+#include <limits>
+
+namespace bristle::h5 {
+namespace {
+
+herr_t keep_innermost(unsigned, const H5E_error2_t* error, void* out) {
+  if (error->desc) *static_cast<std::string*>(out) = error->desc;
+  return 0;
+}
+
+Handle space_of(hid_t dataset) { return {H5Dget_space(dataset), H5Sclose, "reading a dataset's shape"}; }
+
+Handle selection(hid_t dataset, const Shape& start, const Shape& count) {
+  Handle space = space_of(dataset);
+  if (!start.empty())
+    check(H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr),
+          "selecting a part of a dataset");
+  return space;
+}
+
+Handle memory_space(const Shape& count) {
+  if (count.empty()) return {H5Screate(H5S_SCALAR), H5Sclose, "creating a scalar space"};
+  return {H5Screate_simple(int(count.size()), count.data(), nullptr), H5Sclose, "creating a space"};
+}
+
+void put_attribute(hid_t object, const std::string& name, hid_t type, hid_t space, const void* data) {
+  if (has_attribute(object, name)) check(H5Adelete(object, name.c_str()), "replacing attribute " + name);
+  const Handle attribute(H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
+                         "creating attribute " + name);
+  check(H5Awrite(attribute, type, data), "writing attribute " + name);
+}
+
+Handle open_attribute(hid_t object, const std::string& name) {
+  return {H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose, "opening attribute " + name};
+}
+
+void set_fill_and_chunks(hid_t properties, hid_t type, const Shape& shape) {
+  if (H5Tequal(type, H5T_NATIVE_DOUBLE) > 0) {
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    check(H5Pset_fill_value(properties, type, &none), "setting the fill value");
+  }
+  if (shape.empty() || shape[0] != H5S_UNLIMITED) return;
+  Shape chunk = shape;
+  chunk[0] = 4096;
+  check(H5Pset_chunk(properties, int(chunk.size()), chunk.data()), "setting the chunk size");
+}
+
+}  // namespace
+
+void fail(const std::string& what) {
+  std::string reason;
+  H5Ewalk2(H5E_DEFAULT, H5E_WALK_DOWNWARD, keep_innermost, &reason);
+  H5Eclear2(H5E_DEFAULT);
+  throw RunError(fmt::format("HDF5: {} failed{}", what, reason.empty() ? "" : ": " + reason));
+}
+
+void silence() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
+
+Handle& Handle::operator=(Handle&& other) noexcept {
+  std::swap(id_, other.id_);
+  std::swap(close_, other.close_);
+  return *this;
+}
+
+Handle::~Handle() {
+  if (id_ >= 0) close_(id_);
+}
+
+void Handle::close(const std::string& what) {
+  const hid_t id = id_;
+  id_ = -1;
+  if (id >= 0) check(close_(id), what);
+}
+
+Handle create_file(const std::string& path) {
+  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "creating file properties");
+  check(H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V18), "choosing the file format");
+  const Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose, "creating file properties");
+  check(H5Pset_obj_track_times(creation, false), "switching time stamps off");
+  check(H5Pset_link_creation_order(creation, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED),
+        "tracking creation order");
+  return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access), H5Fclose, "creating " + path};
+}
+
+Handle open_file(const std::string& path, bool writable) {
+  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "creating file properties");
+  check(H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V18), "choosing the file format");
+  return {H5Fopen(path.c_str(), writable ? H5F_ACC_RDWR : H5F_ACC_RDONLY, access), H5Fclose,
+          "opening " + path};
+}
+
+Handle create_group(hid_t parent, const std::string& name) {
+  const Handle creation(H5Pcreate(H5P_GROUP_CREATE), H5Pclose, "creating group properties");
+  check(H5Pset_obj_track_times(creation, false), "switching time stamps off");
+  return {H5Gcreate2(parent, name.c_str(), H5P_DEFAULT, creation, H5P_DEFAULT), H5Gclose,
+          "creating group " + name};
+}
+
+Handle open_dataset(hid_t parent, const std::string& name) {
+  return {H5Dopen2(parent, name.c_str(), H5P_DEFAULT), H5Dclose, "opening dataset " + name};
+}
+
+bool exists(hid_t parent, const std::string& name) {
+  return check(H5Lexists(parent, name.c_str(), H5P_DEFAULT), "looking for " + name) > 0;
+}
+
+Handle create_dataset(hid_t parent, const std::string& name, hid_t type, const Shape& shape) {
+  const Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "creating dataset properties");
+  check(H5Pset_obj_track_times(creation, false), "switching time stamps off");
+  set_fill_and_chunks(creation, type, shape);
+  Shape now = shape;
+  if (!now.empty() && now[0] == H5S_UNLIMITED) now[0] = 0;
+  const Handle space = shape.empty() ? memory_space({})
+                                     : Handle(H5Screate_simple(int(shape.size()), now.data(), shape.data()),
+                                              H5Sclose, "creating the space of " + name);
+  return {H5Dcreate2(parent, name.c_str(), type, space, H5P_DEFAULT, creation, H5P_DEFAULT), H5Dclose,
+          "creating dataset " + name};
+}
+
+Shape shape_of(hid_t dataset) {
+  const Handle space = space_of(dataset);
+  Shape shape(std::size_t(check(H5Sget_simple_extent_ndims(space), "reading a dataset's rank")));
+  if (!shape.empty())
+    check(H5Sget_simple_extent_dims(space, shape.data(), nullptr), "reading a dataset's shape");
+  return shape;
+}
+
+void write_part(hid_t dataset, hid_t type, const Shape& start, const Shape& count, const void* data) {
+  Shape shape = shape_of(dataset);
+  if (!shape.empty() && start[0] + count[0] > shape[0]) {
+    shape[0] = start[0] + count[0];
+    check(H5Dset_extent(dataset, shape.data()), "extending a dataset");
+  }
+  const Handle file = selection(dataset, start, count), memory = memory_space(count);
+  check(H5Dwrite(dataset, type, memory, file, H5P_DEFAULT, data), "writing a dataset");
+}
+
+void read_part(hid_t dataset, hid_t type, const Shape& start, const Shape& count, void* data) {
+  const Handle file = selection(dataset, start, count), memory = memory_space(count);
+  check(H5Dread(dataset, type, memory, file, H5P_DEFAULT, data), "reading a dataset");
+}
+
+void write_attribute(hid_t object, const std::string& name, const std::string& text) {
+  const Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "creating a string type");
+  check(H5Tset_size(type, std::max<std::size_t>(1, text.size())), "sizing a string type");
+  check(H5Tset_cset(type, H5T_CSET_UTF8), "choosing UTF-8");
+  check(H5Tset_strpad(type, H5T_STR_NULLPAD), "choosing string padding");
+  put_attribute(object, name, type, memory_space({}), text.empty() ? "\0" : text.data());
+}
+
+void write_attribute(hid_t object, const std::string& name, const char* text) {
+  write_attribute(object, name, std::string(text));
+}
+
+void write_attribute(hid_t object, const std::string& name, double value) {
+  put_attribute(object, name, H5T_NATIVE_DOUBLE, memory_space({}), &value);
+}
+
+void write_attribute(hid_t object, const std::string& name, long value) {
+  put_attribute(object, name, H5T_NATIVE_LONG, memory_space({}), &value);
+}
+
+void write_attribute(hid_t object, const std::string& name, const std::vector<signed char>& values) {
+  put_attribute(object, name, H5T_NATIVE_SCHAR, memory_space({values.size()}), values.data());
+}
+
+std::string read_text_attribute(hid_t object, const std::string& name) {
+  const Handle attribute = open_attribute(object, name);
+  const Handle type(H5Aget_type(attribute), H5Tclose, "reading the type of attribute " + name);
+  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0)
+    fail("reading attribute " + name + " as text of fixed length");
+  std::string text(H5Tget_size(type), '\0');
+  check(H5Aread(attribute, type, text.data()), "reading attribute " + name);
+  text.erase(std::find(text.begin(), text.end(), '\0'), text.end());
+  return text;
+}
+
+double read_number_attribute(hid_t object, const std::string& name) {
+  double value = 0;
+  check(H5Aread(open_attribute(object, name), H5T_NATIVE_DOUBLE, &value), "reading attribute " + name);
+  return value;
+}
+
+bool has_attribute(hid_t object, const std::string& name) {
+  return check(H5Aexists(object, name.c_str()), "looking for attribute " + name) > 0;
+}
+
+std::vector<std::string> attribute_names(hid_t object) {
+  std::vector<std::string> names;
+  const auto add = [](hid_t, const char* name, const H5A_info_t*, void* out) -> herr_t {
+    static_cast<std::vector<std::string>*>(out)->push_back(name);
+    return 0;
+  };
+  check(H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_INC, nullptr, add, &names), "listing attributes");
+  return names;
+}
+
+std::vector<std::string> children(hid_t group) {
+  std::vector<std::string> names;
+  const auto add = [](hid_t, const char* name, const H5L_info_t*, void* out) -> herr_t {
+    static_cast<std::vector<std::string>*>(out)->push_back(name);
+    return 0;
+  };
+  check(H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, nullptr, add, &names), "listing a group");
+  return names;
+}
+
+bool is_group(hid_t parent, const std::string& name) {
+  const Handle object(H5Oopen(parent, name.c_str(), H5P_DEFAULT), H5Oclose, "opening " + name);
+  return H5Iget_type(object) == H5I_GROUP;
+}
+
+void make_scale(hid_t dataset, const std::string& name) {
+  check(H5DSset_scale(dataset, name.c_str()), "making a dimension scale of " + name);
+}
+
+void attach_scale(hid_t dataset, hid_t scale, unsigned dimension) {
+  check(H5DSattach_scale(dataset, scale, dimension), "attaching a dimension scale");
+}
+
+std::string scale_name(hid_t dataset, unsigned dimension) {
+  std::string name;
+  const auto visit = [](hid_t, unsigned, hid_t scale, void* out) -> herr_t {
+    char buffer[256] = "";
+    H5DSget_scale_name(scale, buffer, sizeof buffer);
+    *static_cast<std::string*>(out) = buffer;
+    return 1;
+  };
+  check(H5DSiterate_scales(dataset, dimension, nullptr, visit, &name), "reading dimension scales");
+  return name;
+}
+
+}  // namespace bristle::h5

@@ -1,0 +1,60 @@
+#include "results/reader.hpp"
+
+#include "experiment/input_error.hpp"
+#include "experiment/suggest.hpp"
+#include "results/writer.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <filesystem>
+
+namespace bristle {
+
+ResultReader::ResultReader(const std::string& path) : path_(path) {
+  if (!std::filesystem::is_regular_file(path))
+    throw InputError(
+        fmt::format("{}: no such file; `bristle run EXPERIMENT.json -o {}` makes it", path, path));
+  if (H5Fis_hdf5(path.c_str()) <= 0) throw InputError(fmt::format("{}: not an HDF5 file", path));
+  file_ = h5::open_file(path, false);
+  if (!h5::has_attribute(file_, "schema_version"))
+    throw InputError(fmt::format("{}: not a result of bristle: there is no attribute schema_version", path));
+  const std::string version = text("schema_version");
+  if (version != kResultSchema)
+    throw InputError(
+        fmt::format("{}: schema version {}; this program reads {}", path, version, kResultSchema));
+}
+
+std::vector<std::string> ResultReader::variables() const {
+  std::vector<std::string> names;
+  for (const std::string& name : h5::children(file_))
+    if (!h5::is_group(file_, name)) names.push_back(name);
+  return names;
+}
+
+Variable ResultReader::variable(const std::string& name) const {
+  if (!h5::exists(file_, name) || h5::is_group(file_, name))
+    throw InputError(
+        fmt::format("{}: there is no variable {}{}", path_, name, did_you_mean(name, variables())));
+  const h5::Handle dataset = h5::open_dataset(file_, name);
+  Variable out;
+  const h5::Shape shape = h5::shape_of(dataset);
+  std::size_t size = 1;
+  for (unsigned d = 0; d < shape.size(); ++d) {
+    out.shape.push_back(shape[d]);
+    out.dimensions.push_back(h5::scale_name(dataset, d));
+    size *= shape[d];
+  }
+  out.values.resize(size);
+  h5::read_part(dataset, H5T_NATIVE_DOUBLE, h5::Shape(shape.size(), 0), shape, out.values.data());
+  return out;
+}
+
+std::string ResultReader::text(const std::string& attribute) const {
+  if (!h5::has_attribute(file_, attribute))
+    throw InputError(fmt::format("{}: there is no attribute {}", path_, attribute));
+  return h5::read_text_attribute(file_, attribute);
+}
+
+Json ResultReader::experiment() const { return Json::parse(text("experiment")); }
+
+}  // namespace bristle

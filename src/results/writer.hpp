@@ -1,0 +1,61 @@
+#pragma once
+
+#include "experiment/experiment.hpp"
+#include "results/hdf5.hpp"
+
+#include <map>
+
+namespace bristle {
+
+constexpr const char* kResultSchema = "bristle-result/1";
+// Version of physics and numerics together: raised by hand when results may change.
+constexpr long kNumericsVersion = 1;
+
+// Writes a result file point by point, under a temporary name beside the final one; publish() gives
+// it its name. Without publish() the final name is untouched and the temporary file removed.
+class ResultWriter {
+ public:
+  // Throws InputError if the output cannot be written there.
+  ResultWriter(const Experiment& experiment, const std::string& path);
+  ~ResultWriter();
+
+  // Call in ascending order of index when bristles are recorded: they are appended.
+  void write_point(std::size_t index, const PointResult& result, const std::vector<Passage>& bristles);
+
+  // Adds attributes, digest and provenance (name -> text), closes, and reads back what was written.
+  void close(const std::map<std::string, std::string>& provenance);
+  // The closed file under its temporary name, for what else is to be added.
+  const std::string& partial() const { return partial_; }
+  // Gives the closed file its name.
+  void publish();
+
+ private:
+  void create_variables();
+  void create_bristles();
+  h5::Handle create_variable(const std::string& name, hid_t type, const std::string& long_name,
+                             const std::string& symbol, const std::string& equation);
+  void append_bristles(std::size_t index, const std::vector<Passage>& bristles);
+
+  const Experiment& experiment_;
+  std::string path_, partial_;
+  h5::Handle file_, bristles_;
+  h5::Shape shape_;
+  std::vector<h5::Handle> axes_;
+  std::map<std::string, h5::Handle> variables_, bristle_fields_;
+  hsize_t bristle_count_ = 0;
+  bool published_ = false;
+};
+
+// Writes the root attributes that describe the numbers: title, the experiment as run, its digests.
+void annotate(const std::string& path, const Experiment& experiment);
+
+// Digest of the experiment's parts that decide the numbers: all but name, title, figure and checks.
+std::string inputs_sha256(const Json& document);
+
+// SHA-256 over name, type, shape and values of every dataset outside /checks and /provenance.
+std::string payload_sha256(hid_t file);
+
+// The output holds this experiment's numbers already, complete and intact.
+bool up_to_date(const std::string& path, const Experiment& experiment);
+
+}  // namespace bristle
