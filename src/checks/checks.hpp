@@ -1,0 +1,35 @@
+#pragma once
+
+#include "checks/predicates.hpp"
+
+namespace bristle {
+
+// undecided: the threshold lies within the measurement's uncertainty, or too few points have values.
+enum class Verdict {
+  supported,
+  refuted,
+  undecided
+};
+const char* to_string(Verdict verdict);
+
+// A claim of the paper against a result.
+struct CheckResult {
+  std::string claim, statement;
+  Measurement measured;
+  bool at_most;  // or at least
+  double threshold;
+  double margin;  // distance from the threshold, positive on the claim's side
+  Verdict verdict;
+};
+
+// Evaluates the checks of the experiment stored in the result. Throws InputError for a check that names
+// what the result does not have.
+std::vector<CheckResult> evaluate_checks(const ResultReader& result);
+
+// Replaces the group /checks of a result file by these.
+void write_checks(const std::string& path, const std::vector<CheckResult>& checks);
+
+// A table for people, one line per claim.
+std::string checks_table(const std::vector<CheckResult>& checks);
+
+}  // namespace bristle
