@@ -1,0 +1,7 @@
+# Writes OUTPUT: a C++ file with function NAME returning the text of INPUT.
+file(READ ${INPUT} text)
+file(CONFIGURE OUTPUT ${OUTPUT} @ONLY CONTENT [[
+namespace bristle {
+const char* @NAME@() { return R"__embedded__(@text@)__embedded__"; }
+}
+]])

@@ -1,0 +1,13 @@
+# Writes OUTPUT from INPUT with the version and the commit that is being built; touches it only on change.
+execute_process(COMMAND git -C ${SOURCE_DIR} rev-parse HEAD
+  OUTPUT_VARIABLE BRISTLE_COMMIT OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE failed)
+if(failed)
+  set(BRISTLE_COMMIT "unknown")
+else()
+  execute_process(COMMAND git -C ${SOURCE_DIR} status --porcelain
+    OUTPUT_VARIABLE changes OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+  if(changes)
+    string(APPEND BRISTLE_COMMIT "-dirty")
+  endif()
+endif()
+configure_file(${INPUT} ${OUTPUT} @ONLY)

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+// One function per command of `bristle`; each returns the exit code and throws InputError or RunError.
+namespace bristle {
+
+enum ExitCode {
+  kFine = 0,
+  kCheckFailed = 1,
+  kBadInput = 2,
+  kCouldNotFinish = 3
+};
+
+struct RunOptions {
+  std::string experiment, output;  // empty output: results/<name>.h5
+  std::vector<std::string> set;
+  std::string tier = "full";
+  int threads = 0;  // 0: all cores
+  bool force = false, quiet = false;
+  std::string command_line;
+};
+
+int run_command(const RunOptions& options);
+int validate_command(const RunOptions& options);
+int info_command(const std::string& file);
+
+struct CheckOptions {
+  std::string file;
+  bool report_only = false;  // exit 0 whatever the verdicts
+};
+int check_command(const CheckOptions& options);
+
+}  // namespace bristle

@@ -1,0 +1,85 @@
+#include "checks/checks.hpp"
+#include "cli/commands.hpp"
+#include "experiment/input_error.hpp"
+#include "results/variables.hpp"
+#include "results/writer.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <algorithm>
+#include <cmath>
+
+namespace bristle {
+namespace {
+
+void print_variable(const ResultReader& result, const std::string& name) {
+  const Variable v = result.variable(name);
+  double low = INFINITY, high = -INFINITY;
+  std::size_t values = 0;
+  for (const double x : v.values)
+    if (std::isfinite(x)) {
+      low = std::min(low, x);
+      high = std::max(high, x);
+      ++values;
+    }
+  const std::string where = v.dimensions.empty() ? "" : fmt::format("({})", fmt::join(v.dimensions, ", "));
+  if (values == 0) {
+    fmt::print("  {:<22} {:<20} no values\n", name, where);
+    return;
+  }
+  fmt::print("  {:<22} {:<20} {:>12.6g} .. {:<12.6g}{}\n", name, where, low, high,
+             values < v.values.size() ? fmt::format(" {} without a value", v.values.size() - values) : "");
+}
+
+void print_statuses(const ResultReader& result) {
+  const Variable status = result.variable("status");
+  fmt::print("points:");
+  for (std::size_t s = 0; s < kPointStatusNames.size(); ++s)
+    if (const auto n = std::count(status.values.begin(), status.values.end(), double(s)))
+      fmt::print(" {} {}", n, kPointStatusNames[s]);
+  fmt::print("\n");
+}
+
+void print_provenance(const ResultReader& result) {
+  if (!h5::exists(result.file(), "provenance")) return;
+  const h5::Handle group(H5Gopen2(result.file(), "provenance", H5P_DEFAULT), H5Gclose, "opening /provenance");
+  fmt::print("provenance:\n");
+  for (const std::string& name : h5::attribute_names(group))
+    fmt::print("  {:<22} {}\n", name, h5::read_text_attribute(group, name));
+}
+
+}  // namespace
+
+int info_command(const std::string& file) {
+  const ResultReader result(file);
+  const std::string stored = result.text("payload_sha256");
+  const bool intact = payload_sha256(result.file()) == stored;
+  fmt::print("{}: {}\n", file, result.text("title"));
+  fmt::print("schema {}, experiment {}\npayload sha256 {}{}\n", result.text("schema_version"),
+             result.text("name"), stored, intact ? " (verified)" : " DOES NOT MATCH THE NUMBERS");
+  print_statuses(result);
+  fmt::print("variables (smallest .. largest):\n");
+  for (const std::string& name : result.variables()) print_variable(result, name);
+  print_provenance(result);
+  return intact ? kFine : kCheckFailed;
+}
+
+int check_command(const CheckOptions& options) {
+  const ResultReader result(options.file);
+  const auto checks = evaluate_checks(result);
+  if (checks.empty()) {
+    fmt::print("{}: the experiment has no checks\n", options.file);
+    return kFine;
+  }
+  fmt::print("{}", checks_table(checks));
+  const auto count = [&](Verdict verdict) {
+    return std::count_if(checks.begin(), checks.end(),
+                         [=](const CheckResult& c) { return c.verdict == verdict; });
+  };
+  fmt::print("{} supported, {} refuted, {} undecided\n", count(Verdict::supported), count(Verdict::refuted),
+             count(Verdict::undecided));
+  const bool all = count(Verdict::supported) == long(checks.size());
+  return all || options.report_only ? kFine : kCheckFailed;
+}
+
+}  // namespace bristle
