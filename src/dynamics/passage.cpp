@@ -152,13 +152,14 @@ class Run {
       ++steps_;
       const double pole = pole_contact(stepper, from, to);
       const double end = std::min(pole, to);
-      const bool exits = slip(end, state_at(stepper, end)) >= p_.L_x;
+      const OdeState at_end = end < to ? state_at(stepper, end) : stepper.current_state();
+      const bool exits = slip(end, at_end) >= p_.L_x;
       if (exits) {
         t_ = root_in([&](double t) { return slip(t, state_at(stepper, t)) - p_.L_x; }, from, end);
         y_ = state_at(stepper, t_);
       } else {
         t_ = end;
-        y_ = end < to ? state_at(stepper, end) : stepper.current_state();
+        y_ = at_end;
         dt_ = stepper.current_time_step();
       }
       if (!exits && pole <= to) {

@@ -8,6 +8,9 @@
 namespace bristle {
 namespace {
 
+// A decision against a target stops at this many times the tolerance: nearer, the full mean has to say.
+constexpr double kDecisionFactor = 4;
+
 ObservableArray observables(const Passage& passage, double L_x) {
   const bool pinned = passage.outcome == Outcome::pinned;
   const double R_n = passage.end[NORMAL] / L_x, R_x = passage.end[FRICTION_X] / L_x;
@@ -33,7 +36,7 @@ QuadratureOptions<OBSERVABLES> quadrature_options(const Orientation& orientation
   options.scale[R_Y] = R_X;  // R_y is near zero: measured against R_x
   options.decide_about = R_n_target;
   if (R_n_target) {
-    options.rtol[R_N] = orientation.rtol;
+    options.rtol[R_N] = kDecisionFactor * orientation.rtol;
   } else {
     for (Observable k : {N_C_RATIO, R_N, R_X, GAMMA_1, GAMMA_2, GAMMA_3}) options.rtol[k] = orientation.rtol;
     if (!half_circle) options.rtol[R_Y] = orientation.rtol;

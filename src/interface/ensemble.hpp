@@ -50,8 +50,8 @@ using PassageObserver = std::function<void(const Passage&)>;
 // failure is reported in the result.
 Ensemble ensemble_mean(const Interface& interface, double z_0, const PassageObserver& observe = {});
 
-// The same for the load search: only as accurate as it takes to tell R_n from R_n_target, and at most
-// R_n to orientation.rtol. Far from the target this is a rough mean of few bristles.
+// The same for the load search: only as accurate as it takes to tell R_n from R_n_target, a quarter of their
+// distance, and at most 4 orientation.rtol. Far from the target this is a rough mean of few bristles.
 Ensemble ensemble_against_target(const Interface& interface, double z_0, double R_n_target);
 
 // R_rigid of Eqs. (22, 23) per N_c0, at the normal load R_n/N_c0. Dimensionless.

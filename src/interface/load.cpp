@@ -134,7 +134,8 @@ class Path {
     out.z_0 = final.z_0;
     out.load = final.load;
     const double noise = near.load.error + far.load.error;
-    const bool jumps = !met && far.excess - near.excess > 2 * noise;
+    const bool at_target = met || far.excess <= 2 * far.load.error;
+    const bool jumps = !at_target && far.excess - near.excess > 2 * noise;
     out.status = jumps ? LoadStatus::jump : LoadStatus::reached;
     if (jumps) {
       out.jump_z_0 = near.z_0;

@@ -1,5 +1,6 @@
 #include "interface/point.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -8,6 +9,8 @@ namespace bristle {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+// R_n is told from the target when this many of its errors lie between: less than a decision asks for.
+constexpr double kDecided = 3;
 
 PointResult without_values(PointStatus status) {
   PointResult out;
@@ -19,9 +22,6 @@ PointResult without_values(PointStatus status) {
   out.jump_z_0 = out.jump_R_n = out.incomplete_theta_0 = kNone;
   return out;
 }
-
-// Ensemble means at the gaps of a load search.
-using Visited = std::map<double, Ensemble>;
 
 // Adds to the errors what a load off its target by off (R_n units) changes, from the secant through
 // the scan's gaps on both sides of the crossing.
@@ -44,69 +44,113 @@ void normalise(PointResult& out, const Parameters& p) {
   out.R_y_norm_error = out.error[R_Y] / R_rigid + std::abs(out.R_y_norm) * load;
 }
 
+class PointSolver {
+ public:
+  PointSolver(const Interface& interface, const Loading& loading, std::vector<Passage>* bristles)
+      : interface_(interface), loading_(loading), bristles_(bristles) {}
+
+  PointResult solve() {
+    PointResult out = values();
+    out.passages = passages_;
+    return out;
+  }
+
+ private:
+  PointResult values() {
+    if (loading_.z_0) return at_gap(*loading_.z_0, LoadStatus::reached);
+    const LoadPoint found = search();
+    if (found.status == LoadStatus::unreachable) return without_values(PointStatus::unreachable);
+    if (found.status == LoadStatus::failed) return incomplete();
+    PointResult out = at_gap(found.z_0, found.status);
+    if (out.status == PointStatus::incomplete) return out;
+    if (found.status == LoadStatus::jump) {
+      out.jump_z_0 = found.jump_z_0;
+      out.jump_R_n = found.jump_R_n;
+    } else {
+      const double off = std::abs(out.value[R_N] - loading_.R_n) + out.error[R_N];
+      add_load_error(out, rough_.at(found.z_0_near), rough_.at(found.z_0_far), off);
+      normalise(out, interface_.parameters);
+    }
+    return out;
+  }
+
+  LoadPoint search() {
+    LoadSearch search;
+    search.target = loading_.R_n;
+    search.path = loading_.path;
+    search.rtol = interface_.orientation.rtol;
+    search.first_contact = std::sin(interface_.parameters.phi_0);
+    return first_crossing([this](double z_0) { return load_at(z_0); }, search);
+  }
+
+  // A rough mean, or the full one where that does not tell R_n from the target.
+  Load load_at(double z_0) {
+    auto it = rough_.find(z_0);
+    if (it == rough_.end()) {
+      it = rough_.emplace(z_0, ensemble_against_target(interface_, z_0, loading_.R_n)).first;
+      passages_ += it->second.passages;
+    }
+    const Ensemble& rough = it->second;
+    const bool decided = std::abs(rough.mean[R_N] - loading_.R_n) > kDecided * rough.error[R_N];
+    const Ensemble& e = decided || rough.incomplete > 0 ? rough : full_mean(z_0).ensemble;
+    if (e.incomplete == 0) return {e.mean[R_N], e.error[R_N]};
+    lost_ = e.incomplete_theta_0;
+    return {kNone, kNone};
+  }
+
+  struct Full {
+    Ensemble ensemble;
+    std::vector<Passage> bristles;
+  };
+
+  const Full& full_mean(double z_0) {
+    const auto known = full_.find(z_0);
+    if (known != full_.end()) return known->second;
+    Full& full = full_[z_0];
+    PassageObserver observe;
+    if (bristles_) observe = [&full](const Passage& passage) { full.bristles.push_back(passage); };
+    full.ensemble = ensemble_mean(interface_, z_0, observe);
+    passages_ += full.ensemble.passages;
+    return full;
+  }
+
+  PointResult incomplete() const {
+    PointResult out = without_values(PointStatus::incomplete);
+    out.incomplete_theta_0 = lost_;
+    return out;
+  }
+
+  PointResult at_gap(double z_0, LoadStatus status) {
+    const Full& full = full_mean(z_0);
+    if (bristles_) *bristles_ = full.bristles;
+    if (full.ensemble.incomplete > 0) {
+      lost_ = full.ensemble.incomplete_theta_0;
+      return incomplete();
+    }
+    PointResult out = without_values(status == LoadStatus::jump ? PointStatus::jump
+                                     : full.ensemble.converged  ? PointStatus::ok
+                                                                : PointStatus::not_converged);
+    out.z_0 = z_0;
+    out.z_0_error = 0;
+    out.value = full.ensemble.mean;
+    out.error = full.ensemble.error;
+    normalise(out, interface_.parameters);
+    return out;
+  }
+
+  const Interface& interface_;
+  const Loading& loading_;
+  std::vector<Passage>* bristles_;
+  std::map<double, Ensemble> rough_;  // by gap: means of the load search
+  std::map<double, Full> full_;       // by gap: means to the tolerance asked for
+  long passages_ = 0;
+  double lost_ = kNone;  // theta_0 of a passage without an exit
+};
+
 }  // namespace
 
-PointResult solve_point(const Interface& interface, const Loading& loading, const PassageObserver& observe) {
-  Visited visited;
-  long passages = 0;
-  double lost = kNone;  // theta_0 of a passage without an exit
-  LoadPoint found;
-  if (loading.z_0) {
-    found.status = LoadStatus::reached;
-    found.z_0 = *loading.z_0;
-  } else {
-    LoadSearch search;
-    search.target = loading.R_n;
-    search.path = loading.path;
-    search.rtol = interface.orientation.rtol;
-    search.first_contact = std::sin(interface.parameters.phi_0);
-    const LoadCurve curve = [&](double z_0) -> Load {
-      auto it = visited.find(z_0);
-      if (it == visited.end()) {
-        it = visited.emplace(z_0, ensemble_against_target(interface, z_0, loading.R_n)).first;
-        passages += it->second.passages;
-      }
-      const Ensemble& e = it->second;
-      if (e.incomplete > 0) {
-        lost = e.incomplete_theta_0;
-        return {kNone, kNone};
-      }
-      return {e.mean[R_N], e.error[R_N]};
-    };
-    found = first_crossing(curve, search);
-  }
-  PointResult out = without_values(PointStatus::unreachable);
-  out.passages = passages;
-  if (found.status == LoadStatus::unreachable) return out;
-  if (found.status == LoadStatus::failed) {
-    out.status = PointStatus::incomplete;
-    out.incomplete_theta_0 = lost;
-    return out;
-  }
-
-  const Ensemble final = ensemble_mean(interface, found.z_0, observe);
-  out.passages += final.passages;
-  if (final.incomplete > 0) {
-    out.status = PointStatus::incomplete;
-    out.incomplete_theta_0 = final.incomplete_theta_0;
-    return out;
-  }
-  out.status = found.status == LoadStatus::jump ? PointStatus::jump
-               : final.converged                ? PointStatus::ok
-                                                : PointStatus::not_converged;
-  out.z_0 = found.z_0;
-  out.z_0_error = 0;
-  out.value = final.mean;
-  out.error = final.error;
-  if (found.status == LoadStatus::jump) {
-    out.jump_z_0 = found.jump_z_0;
-    out.jump_R_n = found.jump_R_n;
-  } else if (!loading.z_0) {
-    const double off = std::abs(final.mean[R_N] - loading.R_n) + final.error[R_N];
-    add_load_error(out, visited.at(found.z_0_near), visited.at(found.z_0_far), off);
-  }
-  normalise(out, interface.parameters);
-  return out;
+PointResult solve_point(const Interface& interface, const Loading& loading, std::vector<Passage>* bristles) {
+  return PointSolver(interface, loading, bristles).solve();
 }
 
 }  // namespace bristle

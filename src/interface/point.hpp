@@ -35,8 +35,9 @@ struct PointResult {
   long passages = 0;                  // bristles integrated for this point
 };
 
-// observe sees the passages of the final ensemble.
+// Where the status is ok and a load was asked for, R_n is within orientation.rtol of it. bristles, if given,
+// receives the passages of the ensemble that the values come from.
 PointResult solve_point(const Interface& interface, const Loading& loading,
-                        const PassageObserver& observe = {});
+                        std::vector<Passage>* bristles = nullptr);
 
 }  // namespace bristle

@@ -26,7 +26,7 @@ struct QuadratureOptions {
   // Enough is known of a component once its error is a quarter of its distance from this value: what
   // a root-finder or a scan asks for.
   std::optional<double> decide_about;
-  long max_samples = 4000;
+  long max_samples = 16000;
 };
 
 enum class QuadratureStatus {

@@ -57,11 +57,12 @@ typename Quadrature<N>::Panel Quadrature<N>::make_panel(double from, double to) 
 template <std::size_t N>
 void Quadrature<N>::locate(Change change) {
   auto& [left, right] = change;
-  while (result_.status != QuadratureStatus::invalid && right.at - left.at > kSmallestPanel &&
-         severity(uncertainty(change)) > kJumpShare) {
+  // At least one step: a jump narrowed before is passed again when it has become the worst.
+  do {
+    if (right.at - left.at <= kSmallestPanel) break;
     const Node middle = evaluate(left.at + (right.at - left.at) / 2);
     (middle.sample.label == left.sample.label ? left : right) = middle;
-  }
+  } while (result_.status != QuadratureStatus::invalid && severity(uncertainty(change)) > kJumpShare);
   jumps_.push_back(change);
   const double cut = place(change);
   const auto ends_after = [](double at, const Panel& p) { return at < p.to; };
