@@ -89,6 +89,7 @@ void write_checks(const std::string& path, const std::vector<CheckResult>& check
     };
     texts("claim", [](const CheckResult& c) { return c.claim; });
     texts("statement", [](const CheckResult& c) { return c.statement; });
+    texts("is", [](const CheckResult& c) { return std::string(c.at_most ? "at_most" : "at_least"); });
     texts("verdict", [](const CheckResult& c) { return std::string(to_string(c.verdict)); });
     numbers("measured", [](const CheckResult& c) { return c.measured.value; });
     numbers("uncertainty", [](const CheckResult& c) { return c.measured.uncertainty; });

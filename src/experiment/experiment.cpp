@@ -148,7 +148,8 @@ PointInput Experiment::point(std::size_t index) const {
 
 Experiment load_experiment(const std::string& path, const DocumentOptions& options) {
   const Document document = Document::load(path, options);
-  const Experiment experiment = read(document);
+  Experiment experiment = read(document);
+  experiment.tier = options.tier;
   for (const char* tier : {"smoke", "full"})  // a mistake in the other tier is found now, not later
     if (tier != options.tier) read(document.with_tier(tier));
   return experiment;

@@ -22,7 +22,7 @@ struct PointInput {
 
 // A validated experiment in dimensionless form.
 struct Experiment {
-  std::string name, title, figure, path;
+  std::string name, title, figure, path, tier;
   PointInput base;         // before the sweep's values
   std::vector<Axis> axes;  // in the file's order; the last varies fastest
   bool record_bristles = false;

@@ -27,6 +27,7 @@ std::string caption(const Experiment& e) {
   if (!nss) add("mu_c", R"(\mu_c)", p.mu_c);
   if (e.base.loading.z_0) add("z_0", R"(\tilde{z}_0)", *e.base.loading.z_0);
   else add("R_n", R"(\tilde{R}_n/N_{c,0})", e.base.loading.R_n);
+  if (e.tier != "full") parts.push_back(e.tier + " tier: a subset of the points");
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 

@@ -21,10 +21,8 @@ bool run_sweep(const Experiment& experiment, int threads, const std::function<vo
     auto report = std::make_shared<PointReport>();
     report->index = index;
     const PointInput input = experiment.point(index);
-    PassageObserver observe;
-    if (experiment.record_bristles)
-      observe = [&report](const Passage& passage) { report->bristles.push_back(passage); };
-    report->result = solve_point(input.interface, input.loading, observe);
+    auto* bristles = experiment.record_bristles ? &report->bristles : nullptr;
+    report->result = solve_point(input.interface, input.loading, bristles);
     return report;
   };
   const auto hand_over = [&](const Report& report) { sink(std::move(*report)); };
