@@ -1,0 +1,52 @@
+"""Upright contour labels that keep clear of each other, of markers and of the frame.
+
+matplotlib's own labels sit on the vertices of a line, which on a coarse grid are at the frame.
+"""
+
+import numpy as np
+from matplotlib import patheffects
+
+FONT_SIZE = 8
+MARKER_INCHES = 0.06
+HALO = [patheffects.withStroke(linewidth=2, foreground="white")]
+
+# Where along a line a label may sit, best first.
+PLACES = (0.5, 0.35, 0.65, 0.2, 0.8)
+
+
+def label_contours(axes, contours, markers):
+    """Label each line once, where there is room, clear of the markers (x, y in rows)."""
+    frame = axes.get_window_extent()
+    to_inches = 1 / axes.figure.dpi
+    size = np.array([frame.width, frame.height]) * to_inches
+    taken = [(place, MARKER_INCHES)
+             for place in (axes.transData.transform(markers) - frame.min) * to_inches]
+    for level, lines in zip(contours.levels, contours.allsegs):
+        room = label_size(f"{level:g}")
+        for line in lines:
+            path = (axes.transData.transform(line) - frame.min) * to_inches
+            place = free_place(path, room, size, taken)
+            if place is not None:
+                taken.append((place, room))
+                axes.text(*place / size, f"{level:g}", transform=axes.transAxes, ha="center",
+                          va="center", fontsize=FONT_SIZE, path_effects=HALO)
+
+
+def label_size(string):
+    """Width and height in inches, with a margin."""
+    return np.array([0.68 * len(string) + 0.4, 1.6]) * FONT_SIZE / 72
+
+
+def free_place(path, room, size, taken):
+    """The first place along the path (inches) where a label of this size fits, or None."""
+    lengths = np.hypot(*np.diff(path, axis=0).T)
+    travelled = np.concatenate([[0], np.cumsum(lengths)])
+    if travelled[-1] < room[0]:
+        return None
+    for share in PLACES:
+        place = np.array([np.interp(share * travelled[-1], travelled, along) for along in path.T])
+        inside = (place > room / 2).all() and (place < size - room / 2).all()
+        if inside and not any((abs(place - other) < (room + space) / 2).all()
+                              for other, space in taken):
+            return place
+    return None

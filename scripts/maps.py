@@ -1,0 +1,170 @@
+"""A quantity over two stiffnesses: a surface, and below it the flat map with contours."""
+
+import numpy as np
+from matplotlib import colormaps, colors, patches, ticker
+from matplotlib.collections import PatchCollection
+from matplotlib.lines import Line2D
+from mpl_toolkits.mplot3d.art3d import Poly3DCollection
+
+from contours import label_contours
+from grid import oriented
+from style import COLORMAP, attribute, dataset, label, prose
+
+COLUMN_INCHES = (3.2, 5.9)
+
+# By status; the first is a point without remark.
+MARKERS = " o^sDvP"
+HATCHES = ["....", "----", "////", "xxxx", "\\\\\\\\", "||||", "++++"]
+
+
+def value_ticks(bins=5):
+    return ticker.MaxNLocator(bins, steps=[1, 2, 2.5, 5, 10], min_n_ticks=3)
+
+
+def column(figure, file, grid, name, letter, left, bottom):
+    """One quantity with its lower left corner there (inches); returns legend entries by text."""
+    size = figure.get_size_inches()
+
+    def axes(x, y, width, height, **options):
+        box = (left + x) / size[0], (bottom + y) / size[1], width / size[0], height / size[1]
+        return figure.add_axes(box, **options)
+
+    data = dataset(file, name)
+    field = np.ma.masked_invalid(oriented(data, *grid.axes))
+    norm = colour_range(field)
+    titles = [label(dataset(file, axis)) for axis in grid.axes]
+    width, height = COLUMN_INCHES
+
+    space = axes(0, 2.95, width, height - 3.3, projection="3d")
+    draw_surface(space, grid, field, norm)
+    label_surface(space, grid, norm, titles, label(data))
+
+    flat = axes(0.62, 0.5, width - 0.85, 1.8)
+    image = draw_map(flat, grid, field, norm)
+    label_map(flat, grid, titles)
+
+    bar = figure.colorbar(image, cax=axes(0.62, 2.4, width - 0.85, 0.1), orientation="horizontal",
+                          ticks=value_ticks())
+    bar.ax.xaxis.set_ticks_position("top")
+    bar.ax.set_ylabel(label(data), rotation=0, ha="right", va="center")
+
+    heading = axes(0, height - 0.4, width, 0.4)
+    heading.axis("off")
+    heading.text(0.03, 1, letter, weight="bold", fontsize=13, va="top")
+    heading.text(0.12, 0.97, prose(attribute(data, "long_name"), 36), va="top")
+    return draw_status(flat, grid, field)
+
+
+def colour_range(field):
+    if field.count() == 0:
+        return colors.Normalize(0, 1)
+    low, high = field.min(), field.max()
+    # A constant still needs a range, and its last digits are not worth a colour.
+    missing = max(0, 1e-3 * (max(abs(low), abs(high)) or 1) - (high - low))
+    return colors.Normalize(low - missing / 2, high + missing / 2)
+
+
+def log_ticks(low, high):
+    """Positions (log10) and texts of 1-2-5 ticks within the range, or of decades if it is long."""
+    decades = np.arange(np.floor(low), np.ceil(high) + 1)
+    steps = [0] if high - low > 2.5 else np.log10([1, 2, 5])
+    places = np.add.outer(decades, steps).ravel()
+    places = places[(places > low - 1e-9) & (places < high + 1e-9)]
+    if places.size < 2:  # too short for round numbers
+        places = np.array([low, high])
+    return places, [f"{10 ** place:.3g}" for place in places]
+
+
+def draw_surface(space, grid, field, norm):
+    """Faces between neighbouring points with values, coloured by their mean."""
+    x, y = np.meshgrid(grid.x, grid.y)
+    points = np.stack([x, y, field.filled(np.nan)], axis=-1)
+    faces = []
+    for j in range(len(grid.y) - 1):
+        for i in range(len(grid.x) - 1):
+            corners = points[[j, j, j + 1, j + 1], [i, i + 1, i + 1, i]]
+            corners = corners[np.isfinite(corners[:, 2])]
+            if len(corners) >= 3:
+                faces.append(corners)
+    if faces:
+        shades = colormaps[COLORMAP](norm([face[:, 2].mean() for face in faces]))
+        space.add_collection3d(Poly3DCollection(faces, facecolors=shades, edgecolors="#00000070",
+                                                linewidths=0.35))
+
+
+def label_surface(space, grid, norm, titles, z_title):
+    for axis, line, title in zip("xy", (grid.x, grid.y), titles):
+        places, texts = log_ticks(line[0], line[-1])
+        getattr(space, f"set_{axis}lim")(line[0], line[-1])
+        getattr(space, f"set_{axis}ticks")(places, texts)
+        getattr(space, f"set_{axis}label")(title, labelpad=-3)
+    space.set_zlim(norm.vmin, norm.vmax)
+    space.zaxis.set_major_locator(value_ticks())
+    space.text2D(0.97, 0.83, z_title, transform=space.transAxes, ha="center", fontsize=11)
+    space.tick_params(pad=-3, labelsize=8)
+    space.tick_params(axis="z", pad=0)
+    for axis in (space.xaxis, space.yaxis, space.zaxis):
+        axis.set_pane_color((0.97, 0.97, 0.97, 1))
+        axis.set_rotate_label(False)
+    # Seen from large k_r and small k_theta, so that a fall with k_r comes towards the reader.
+    space.view_init(elev=24, azim=-52)
+    space.set_box_aspect((1.15, 1.0, 0.95))
+
+
+def cell_edges(line):
+    """Borders halfway between the points, so that every point owns one cell of the map."""
+    middle = (line[1:] + line[:-1]) / 2
+    return np.concatenate([[2 * line[0] - middle[0]], middle, [2 * line[-1] - middle[-1]]])
+
+
+def draw_map(flat, grid, field, norm):
+    flat.set_facecolor("#dddddd")
+    image = flat.pcolormesh(cell_edges(grid.x), cell_edges(grid.y), field, norm=norm,
+                            rasterized=True)  # vector cells show seams in PDF viewers
+    # The outer cells are cut in half: the map ends where the sweep does.
+    flat.set(xlim=grid.x[[0, -1]], ylim=grid.y[[0, -1]])
+    if field.count() and np.ptp(field.compressed()) > 0:
+        levels = value_ticks(7).tick_values(norm.vmin, norm.vmax)
+        levels = levels[(levels > norm.vmin) & (levels < norm.vmax)]
+        lines = flat.contour(grid.x, grid.y, field, levels, colors="black", linewidths=0.7)
+        j, i = np.nonzero(remarked(grid, field))
+        label_contours(flat, lines, np.column_stack([grid.x[i], grid.y[j]]))
+    return image
+
+
+def label_map(flat, grid, titles):
+    for axis, line, title in zip("xy", (grid.x, grid.y), titles):
+        places, texts = log_ticks(line[0], line[-1])
+        getattr(flat, f"set_{axis}ticks")(places, texts)
+        getattr(flat, f"set_{axis}label")(title, labelpad=1)
+
+
+def remarked(grid, field):
+    """Points with a value whose status says more than that all went well."""
+    return (grid.status > 0) & ~np.ma.getmaskarray(field)
+
+
+def draw_status(flat, grid, field):
+    """Hatch the cells without a value and mark the points with a remark; legend entries by text."""
+    entries = {}
+    empty = np.ma.getmaskarray(field)
+    x, y = cell_edges(grid.x), cell_edges(grid.y)
+    for status in np.unique(grid.status):
+        here = grid.status == status
+        meaning = grid.meanings[status]
+        cells = [patches.Rectangle((x[i], y[j]), x[i + 1] - x[i], y[j + 1] - y[j])
+                 for j, i in np.argwhere(here & empty)]
+        if cells:
+            look = dict(facecolor="#dddddd", edgecolor="#555555", linewidth=0,
+                        hatch=HATCHES[status % len(HATCHES)])
+            flat.add_collection(PatchCollection(cells, **look))
+            entries[f"no value: {meaning}"] = patches.Patch(**look)
+        marked = here & remarked(grid, field)
+        if marked.any():
+            look = dict(marker=MARKERS[status % len(MARKERS)], markersize=4, linestyle="",
+                        markerfacecolor="white", markeredgecolor="black", markeredgewidth=0.7,
+                        clip_on=False)
+            j, i = np.nonzero(marked)
+            flat.plot(grid.x[i], grid.y[j], **look)
+            entries[f"status: {meaning}"] = Line2D([], [], **look)
+    return entries
