@@ -1,0 +1,63 @@
+#!/bin/bash
+# Exit codes and messages of the program as a user meets them. usage: cli_test.sh BRISTLE RESULT.h5
+set -u
+bristle=$1 result=$2
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+failures=0
+
+# expect CODE TEXT COMMAND...: the command ends with this code and its output holds the text.
+expect() {
+  local code=$1 text=$2 output got
+  shift 2
+  output=$("$@" 2>&1)
+  got=$?
+  if [ "$got" != "$code" ] || ! grep -qF -- "$text" <<<"$output"; then
+    printf 'FAILED: %s\n  expected exit code %s and: %s\n  got exit code %s and: %s\n' "$*" "$code" "$text" "$got" "$output"
+    failures=$((failures + 1))
+  fi
+}
+
+expect 0 "validate" "$bristle" --help
+expect 0 "--threads" "$bristle" run --help
+expect 0 "bristle " "$bristle" --version
+expect 2 "subcommand" "$bristle"
+expect 2 "not expected" "$bristle" run experiments/paper.json --tread 2
+expect 2 "EXPERIMENT is required" "$bristle" run
+expect 2 "--tier" "$bristle" run experiments/paper.json --tier medium
+expect 0 "325 points" "$bristle" validate experiments/fig4.json
+expect 0 "15 points" "$bristle" validate experiments/fig4.json --tier smoke
+expect 2 "no such file" "$bristle" run nowhere.json
+expect 2 "/model/k_r: -1 is not allowed" "$bristle" run experiments/paper.json --set /model/k_r=-1
+expect 2 "cannot be written" "$bristle" run experiments/paper.json -o /proc/nowhere/r.h5
+expect 2 "no such file" "$bristle" info nowhere.h5
+expect 2 "not an HDF5 file" "$bristle" check CMakeLists.txt
+expect 0 "(verified)" "$bristle" info "$result"
+expect 0 "R_x_norm" "$bristle" info "$result"
+expect 1 "refuted" "$bristle" check "$result"
+expect 0 "refuted" "$bristle" check --report-only "$result"
+
+quick=(experiments/paper.json -o "$folder/r.h5" --set /load='{"z_0":0.5,"R_n":null}'
+  --set /orientation='{"sampling":"list","theta_0_deg":[10,100]}')
+expect 0 "points: 1 ok" "$bristle" run "${quick[@]}"
+expect 0 "is up to date" "$bristle" run "${quick[@]}"
+expect 0 "points: 1 ok" "$bristle" run "${quick[@]}" --force
+expect 0 "points: 1 ok" "$bristle" run "${quick[@]}" --set /model/k_r=11
+expect 0 "the experiment has no checks" "$bristle" check "$folder/r.h5"
+
+# Numbers changed by hand are noticed.
+cp "$result" "$folder/tampered.h5"
+offset=$(grep -obUaP '\x00\x00\x00\x00\x00\x00\x59\x40' "$folder/tampered.h5" | head -n 1 | cut -d: -f1)  # k_r = 100
+printf '\x01' | dd of="$folder/tampered.h5" bs=1 seek="$offset" conv=notrunc status=none
+expect 1 "DOES NOT MATCH" "$bristle" info "$folder/tampered.h5"
+
+# An interrupted run says so and leaves the previous result as it was.
+before=$(sha256sum "$result")
+"$bristle" run experiments/fig4.json -o "$result" --force 2>"$folder/log" &
+sleep 1
+kill -INT $!
+wait $!
+[ $? = 3 ] || { echo "FAILED: exit code after an interrupt"; failures=$((failures + 1)); }
+grep -q "interrupted" "$folder/log" || { echo "FAILED: message after an interrupt"; failures=$((failures + 1)); }
+[ "$before" = "$(sha256sum "$result")" ] || { echo "FAILED: the result changed"; failures=$((failures + 1)); }
+exit $((failures > 0))

@@ -1,0 +1,119 @@
+#include "interface/point.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+using namespace bristle;
+
+namespace {
+
+Interface paper(double k_r, double rtol = 1e-3) {
+  Interface i;
+  i.parameters.k_r = k_r;
+  i.parameters.C = chi_C_peak_at_V_s(i.parameters.A);
+  i.orientation.rtol = rtol;
+  return i;
+}
+
+}  // namespace
+
+TEST_CASE("ensemble means: the error estimates hold against a much finer mean") {
+  // Rough and smooth in theta_0, with and without many pinned bristles. The estimates are one standard
+  // deviation of independent parts or more, so twice them must hold for each of these.
+  struct Case {
+    double k_r, z_0;
+  };
+  for (const Case c : {Case{2, 0.12}, {10, 0.1}, {25, 0.5}, {50, 0.62}, {10, 0.9}}) {
+    CAPTURE(c.k_r, c.z_0);
+    const Ensemble coarse = ensemble_mean(paper(c.k_r, 3e-3), c.z_0);
+    const Ensemble fine = ensemble_mean(paper(c.k_r, 3e-4), c.z_0);
+    CHECK(coarse.converged);
+    CHECK(coarse.passages < fine.passages);
+    for (const Observable k : {N_C_RATIO, R_N, R_X, GAMMA_1, GAMMA_2, GAMMA_3}) {
+      CAPTURE(k);
+      CHECK(coarse.error[k] <= 3e-3 * std::abs(coarse.mean[k]));
+      CHECK(std::abs(coarse.mean[k] - fine.mean[k]) <= 2 * (coarse.error[k] + fine.error[k]));
+    }
+  }
+}
+
+TEST_CASE("the pinned range near head-on is found and located") {
+  const Ensemble e = ensemble_mean(paper(50), 0.62);
+  REQUIRE(!e.jumps.empty());
+  const double border = e.jumps.back() * 180 / M_PI;
+  CHECK(border == Approx(178.1).margin(0.1));
+  CHECK(e.mean[PINNED_FRACTION] == Approx((180 - border) / 180).epsilon(0.02));
+  CHECK(e.mean[PINNED_R_X] / e.mean[R_X] > 0.2);  // one per cent of the bristles, a quarter of the friction
+}
+
+TEST_CASE("R_y vanishes over the full circle without using the symmetry, and the halves agree") {
+  Interface whole = paper(10, 3e-3);
+  whole.orientation.full_circle = true;
+  const Ensemble full = ensemble_mean(whole, 0.5), half = ensemble_mean(paper(10, 3e-3), 0.5);
+  CHECK(full.error[R_Y] > 0);
+  CHECK(std::abs(full.mean[R_Y]) <= full.error[R_Y]);
+  CHECK(full.error[R_Y] <= 3e-3 * full.mean[R_X]);
+  CHECK(half.mean[R_Y] == 0);
+  for (const Observable k : {N_C_RATIO, R_N, R_X, GAMMA_1, GAMMA_2, GAMMA_3})
+    CHECK(std::abs(full.mean[k] - half.mean[k]) <= 2 * (full.error[k] + half.error[k]));
+}
+
+TEST_CASE("a von Mises distribution: isotropic without concentration, R_y with it") {
+  Interface i = paper(10, 3e-3);
+  const Ensemble uniform = ensemble_mean(i, 0.5);
+  i.orientation.distribution = Distribution::von_mises;
+  i.orientation.full_circle = true;
+  const Ensemble flat = ensemble_mean(i, 0.5);
+  CHECK(std::abs(flat.mean[R_X] - uniform.mean[R_X]) <= 2 * (flat.error[R_X] + uniform.error[R_X]));
+  i.orientation.concentration = 5;
+  i.orientation.mean = M_PI / 2;
+  const Ensemble sideways = ensemble_mean(i, 0.5);
+  i.orientation.mean = -M_PI / 2;
+  const Ensemble mirrored = ensemble_mean(i, 0.5);
+  CHECK(std::abs(sideways.mean[R_Y]) > 10 * sideways.error[R_Y]);
+  CHECK(std::abs(sideways.mean[R_Y] + mirrored.mean[R_Y]) <= 2 * (sideways.error[R_Y] + mirrored.error[R_Y]));
+}
+
+TEST_CASE("a list of azimuths is averaged as given") {
+  Interface i = paper(10);
+  i.orientation.sampling = Sampling::list;
+  i.orientation.theta_0 = {0.5, 2.5};
+  std::vector<Passage> seen;
+  const Ensemble e = ensemble_mean(i, 0.5, [&](const Passage& p) { seen.push_back(p); });
+  REQUIRE(seen.size() == 2);
+  CHECK(e.mean[R_N] == Approx((seen[0].end[NORMAL] + seen[1].end[NORMAL]) / 10));
+  CHECK(e.error[R_N] == 0);
+}
+
+TEST_CASE("a decision against a target takes fewer bristles") {
+  const Ensemble decision = ensemble_against_target(paper(50), 0.62, 1.0);
+  CHECK(decision.passages < ensemble_mean(paper(50), 0.62).passages);
+  CHECK(decision.error[R_N] <= std::abs(decision.mean[R_N] - 1.0) / 4);
+}
+
+TEST_CASE("an ensemble with a passage that reached no exit says so and has no values") {
+  Interface i = paper(10);
+  i.integrator.max_evaluations = 5000;
+  const PointResult r = solve_point(i, Loading{0.3, 0, LoadPath::loading});
+  CHECK(r.status == PointStatus::incomplete);
+  CHECK(std::isnan(r.R_x_norm));
+  CHECK(std::isfinite(r.incomplete_theta_0));
+}
+
+TEST_CASE("a point at a given load carries it, within its error and the tolerance") {
+  const PointResult r = solve_point(paper(30, 3e-3), Loading{});
+  CHECK(r.status == PointStatus::ok);
+  CHECK(std::abs(r.value[R_N] - 2) <= 2 * 3e-3 * 2);
+  CHECK(r.R_x_norm == Approx(r.value[R_X] / rigid_friction(paper(30).parameters, r.value[R_N])));
+  CHECK(r.z_0_error > 0);
+  const PointResult same = solve_point(paper(30, 3e-3), Loading{r.z_0, 0, LoadPath::loading});
+  CHECK(same.value == r.value);  // the values belong to the gap that is reported
+}
+
+TEST_CASE("rigid friction: Eqs. (22, 23)") {
+  Parameters p;
+  CHECK(rigid_friction(p, 2) == Approx(3e4 * M_PI * std::pow(3.0 / 17 / (4 * 5.849e4) * 2, 2.0 / 3)));
+  p.friction = FrictionLaw::coulomb;
+  p.mu_c = 0.7;
+  CHECK(rigid_friction(p, 2) == Approx(1.4));
+}

@@ -1,0 +1,208 @@
+#include "experiment/experiment.hpp"
+#include "experiment/input_error.hpp"
+#include "scratch.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+using namespace bristle;
+using namespace bristle::testing;
+
+namespace {
+
+const std::string kExperiments = BRISTLE_EXPERIMENTS;
+
+// The error that this experiment, beside a copy of paper.json, gives; the folder's name replaced by "@".
+std::string error_of(const std::string& text, const DocumentOptions& options = {}) {
+  Scratch s;
+  std::filesystem::copy_file(kExperiments + "/paper.json", s.path("paper.json"));
+  const std::string file = s.write("e.json", text);
+  try {
+    load_experiment(file, options);
+  } catch (const InputError& e) {
+    std::string message = e.what();
+    const std::string folder = s.path("");
+    for (auto at = message.find(folder); at != std::string::npos; at = message.find(folder))
+      message.replace(at, folder.size(), "@/");
+    return message;
+  }
+  return "(no error)";
+}
+
+std::string with(const std::string& members) { return R"({"extends": "paper.json", )" + members + "}"; }
+
+}  // namespace
+
+TEST_CASE("malformed experiments: the message names file, place, value and what is allowed") {
+  struct Row {
+    std::string text, message;
+  };
+  const std::vector<Row> table = {
+      {"{ \"schema\": ",
+       "@/e.json: not JSON: parse error at line 1, column 13: syntax error while parsing value - "
+       "unexpected end of input; expected '[', '{', or a literal"},
+      {"[1]", "@/e.json: an experiment is a JSON object {...}, this is [1]"},
+      {with(R"("model": {"k_r": 1, "k_r": 2})"), "@/e.json: the key \"k_r\" appears twice in one object"},
+      {with(R"("schema": "bristle-experiment/2")"),
+       "@/e.json: /schema: \"bristle-experiment/2\" is not allowed; allowed: \"bristle-experiment/1\" "
+       "(version of "
+       "this format)"},
+      {with(R"("modle": {})"),
+       "@/e.json: /modle: unknown key (did you mean model?); allowed: schema, name, title, figure, model, "
+       "si, load, "
+       "orientation, integrator, sweep, record, tiers, checks"},
+      {with(R"("model": {"k_tehta": 1})"),
+       "@/e.json: /model/k_tehta: unknown key (did you mean k_theta?); allowed: friction, k_r, k_theta, "
+       "k_phi, "
+       "phi_0_deg, zeta_theta, zeta_phi, mu_c, tau_f, R_c, E_star, A, C, V_s, lambda, lambda_z, alpha, beta, "
+       "azimuth_rate, initial_state, s_min, L_x, L_y, spacing"},
+      {with(R"("model": {"k_r": "ten"})"),
+       "@/e.json: /model/k_r: \"ten\" is not allowed; allowed: a number greater than 0 (radial stiffness, "
+       "dimensionless)"},
+      {with(R"("model": {"k_r": 1e999})"), "@/e.json: not JSON: number overflow parsing '1e999'"},
+      {with(R"("model": {"A": 0.9})"),
+       "@/e.json: /model/A: 0.9 is not allowed; allowed: a number at least 1 (maximum of chi, Eq. (7))"},
+      {with(R"("model": {"lambda": 0})"),
+       "@/e.json: /model/lambda: 0 is not allowed; allowed: a number greater than 0 (range of the axis "
+       "repulsion in "
+       "units of r0)"},
+      {with(R"("model": {"C": "peak"})"),
+       "@/e.json: /model/C: \"peak\" is not allowed; allowed: a number at most 1 or \"peak_at_V_s\" (shape "
+       "of chi, "
+       "Eq. (7))"},
+      {with(R"("model": {"friction": "columb"})"),
+       "@/e.json: /model/friction: \"columb\" is not allowed (did you mean coulomb?); allowed: \"nss\", "
+       "\"coulomb\" "
+       "(local friction law)"},
+      {with(R"("model": {"friction": null})"),
+       "@/e.json: /model/friction: is missing; allowed: \"nss\", \"coulomb\" (local friction law)"},
+      {with(R"("load": {"z_0": 0.5})"),
+       "@/e.json: /load: both R_n and z_0 are given; remove one (null removes what extends brings)"},
+      {with(R"("load": {"R_n": null})"),
+       "@/e.json: /load: neither R_n nor z_0 is given, here or in the sweep"},
+      {with(R"("load": {"R_n": null, "z_0": 0.99})"),
+       "@/e.json: /load/z_0: 0.99 is above first contact; allowed: at most sin(phi_0) = 0.984808"},
+      {with(R"("sweep": {"k_r": {"values": []}})"),
+       "@/e.json: /sweep/k_r/values: [] is not allowed; allowed: an array, each a number (ascending "
+       "numbers)"},
+      {with(R"("sweep": {"k_r": {"values": [2, 1]}})"),
+       "@/e.json: /sweep/k_r: the values must ascend, but 1 follows 2"},
+      {with(R"("sweep": {"k_r": {}})"),
+       "@/e.json: /sweep/k_r: an axis is one of values, linspace, logspace; this has none"},
+      {with(R"("sweep": {"k_r": {"logspace": [0, 10, 5]}})"),
+       "@/e.json: /sweep/k_r/logspace: a logarithmic axis cannot start at 0; allowed: greater than 0"},
+      {with(R"("sweep": {"k_r": {"linspace": [1, 10, 2.5]}})"),
+       "@/e.json: /sweep/k_r/linspace: the count 2.5 is not a positive integer"},
+      {with(R"("sweep": {"A": {"linspace": [0.5, 1.5, 3]}})"),
+       "@/e.json: /sweep/A: 0.5 is out of range for A; allowed: a number at least 1 (maximum of chi, Eq. "
+       "(7))"},
+      {with(R"("sweep": {"kr": {"values": [1]}})"),
+       "@/e.json: /sweep/kr: kr cannot be swept (did you mean k_r?); allowed: k_r, k_theta, k_phi, "
+       "phi_0_deg, "
+       "zeta_theta, zeta_phi, mu_c, tau_f, R_c, E_star, A, C, V_s, lambda, lambda_z, alpha, beta, s_min, "
+       "L_x, L_y, "
+       "spacing, R_n, z_0"},
+      {with(R"("sweep": {"k_r": {"linspace": [1, 2, 1e12]}})"),
+       "@/e.json: /sweep/k_r/linspace: 1000000000000 points; allowed: at most 1e+07 in all"},
+      {with(R"("sweep": {"k_r": {"linspace": [1, 2, 1e6]}, "k_phi": {"linspace": [1, 2, 1e6]}})"),
+       "@/e.json: /sweep: 1e+12 points or more; allowed: at most 1e+07"},
+      {with(R"("sweep": {"k_r": {"values": [1, 2], "take": [2]}})"),
+       "@/e.json: /sweep/k_r/take: 2; allowed: ascending indices from 0 to 1"},
+      {with(R"("tiers": {"smoke": {"model": {"k_r": -1}}})"),
+       "@/e.json (tier smoke): /model/k_r: -1 is not allowed; allowed: a number greater than 0 (radial "
+       "stiffness, "
+       "dimensionless)"},
+      {with(R"("orientation": {"sampling": "list"})"),
+       "@/e.json: /orientation/theta_0_deg: is missing; sampling by list needs the azimuths in degrees"},
+      {with(R"("orientation": {"distribution": "von_mises"})"),
+       "@/e.json: /orientation/concentration: is missing; a von Mises distribution needs it, and mean_deg"},
+      {with(R"("checks": [{"claim": "1"}])"),
+       "@/e.json: /checks/0/statement: is missing; allowed: a string (what the paper says)"},
+      {R"({"extends": "nowhere.json"})",
+       "@/e.json: /extends: \"nowhere.json\" does not exist (looked for @/nowhere.json)"},
+      {R"({"extends": "e.json"})", "@/e.json: /extends: \"e.json\" extends this file in turn: a circle"},
+      {R"({"extends": 3})", "@/e.json: /extends: 3 is not a file name"},
+  };
+  for (const Row& row : table) {
+    CAPTURE(row.text);
+    CHECK(error_of(row.text) == row.message);
+  }
+}
+
+TEST_CASE("extends: chains, folders and what lies outside") {
+  Scratch s;
+  s.write("experiments/paper.json", bytes_of(kExperiments + "/paper.json"));
+  const auto child =
+      s.write("experiments/more/a.json", R"({"extends": "../paper.json", "model": {"k_r": 7}})");
+  CHECK(load_experiment(child, {}).base.interface.parameters.k_r == 7);
+  const auto grandchild =
+      s.write("experiments/more/b.json", R"({"extends": "a.json", "model": {"k_phi": 3}})");
+  const Experiment e = load_experiment(grandchild, {});
+  CHECK(e.base.interface.parameters.k_r == 7);
+  CHECK(e.base.interface.parameters.k_phi == 3);
+  s.write("outside.json", "{}");
+  const auto outside = s.write("experiments/c.json", R"({"extends": "../outside.json"})");
+  CHECK_THROWS_WITH(load_experiment(outside, {}), Catch::Contains("lies outside the experiments folder"));
+  s.write("experiments/d.json", R"({"extends": "e.json"})");
+  const auto circle = s.write("experiments/e.json", R"({"extends": "d.json"})");
+  CHECK_THROWS_WITH(load_experiment(circle, {}), Catch::Contains("a circle"));
+  CHECK_THROWS_WITH(load_experiment(s.path("nothing.json"), {}),
+                    Catch::EndsWith("cannot be read: no such file"));
+}
+
+TEST_CASE("the option --set changes a value, names itself in errors, and refuses nonsense") {
+  const std::string file = kExperiments + "/paper.json";
+  CHECK(load_experiment(file, {{"/model/k_r=33"}, "full"}).base.interface.parameters.k_r == 33);
+  CHECK(load_experiment(file, {{"/model/friction=coulomb"}, "full"}).base.interface.parameters.friction ==
+        FrictionLaw::coulomb);
+  const Experiment swept = load_experiment(file, {{R"(/sweep/k_r={"values":[1,2]})"}, "full"});
+  CHECK(swept.points() == 2);
+  CHECK(error_of(with(R"("title": "x")"), {{"/model/k_r=-1"}, "full"}) ==
+        "--set /model/k_r=-1: /model/k_r: -1 is not allowed; allowed: a number greater than 0 (radial "
+        "stiffness, "
+        "dimensionless)");
+  CHECK_THROWS_WITH(load_experiment(file, {{"/model/k_r"}, "full"}), Catch::Contains("there is no '='"));
+  CHECK_THROWS_WITH(load_experiment(file, {{"model/k_r=1"}, "full"}),
+                    Catch::Contains("must be empty or begin with '/'"));
+  CHECK_THROWS_WITH(load_experiment(file, {{"/model/k_r=1x"}, "full"}), Catch::Contains("is not JSON"));
+}
+
+TEST_CASE("axes: values as asked, ends exact, the smoke tier a subset of the full one bit for bit") {
+  const Experiment full = load_experiment(kExperiments + "/fig4.json", {});
+  const Experiment smoke = load_experiment(kExperiments + "/fig4.json", {{}, "smoke"});
+  REQUIRE(full.axes.size() == 2);
+  CHECK(full.axes[0].name == "k_r");
+  CHECK(full.points() == 325);
+  CHECK(full.axes[0].values.front() == 2);
+  CHECK(full.axes[0].values.back() == 100);
+  for (std::size_t i = 1; i < 25; ++i)
+    CHECK(full.axes[0].values[i] / full.axes[0].values[i - 1] == Approx(std::pow(50.0, 1.0 / 24)));
+  for (std::size_t d = 0; d < 2; ++d)
+    for (const double value : smoke.axes[d].values)
+      CHECK(std::count(full.axes[d].values.begin(), full.axes[d].values.end(), value) == 1);
+}
+
+TEST_CASE("points: row-major over the axes, C follows A where it is to peak at V_s") {
+  const Experiment e =
+      load_experiment(kExperiments + "/paper.json",
+                      {{R"(/sweep/A={"values":[1.2,1.5]})", R"(/sweep/R_n={"values":[1,2,3]})"}, "full"});
+  CHECK(e.points() == 6);
+  const PointInput p = e.point(4);
+  CHECK(p.interface.parameters.A == 1.5);
+  CHECK(p.loading.R_n == 2);
+  CHECK(p.interface.parameters.C == Approx(chi_C_peak_at_V_s(1.5)));
+  CHECK(e.point(0).interface.parameters.C == Approx(chi_C_peak_at_V_s(1.2)));
+}
+
+TEST_CASE("an SI block gives the paper's dimensionless values") {
+  const Experiment e = load_experiment(
+      kExperiments + "/paper.json",
+      {{R"(/si={"m_kg":1e-4,"r0_m":0.017,"V0_m_per_s":10,"R_c_m":0.001,"E_star_Pa":1.190476e8,"k_theta_N_m":0.01,
+           "k_r_N_per_m":346.0207612})"},
+       "full"});
+  const Parameters& p = e.base.interface.parameters;
+  CHECK(p.R_c == Approx(1.0 / 17));
+  CHECK(p.E_star == Approx(5.849e4).epsilon(1e-3));
+  CHECK(p.k_theta == Approx(1));
+  CHECK(p.k_r == Approx(10));
+}

@@ -1,0 +1,36 @@
+"""A plotting script makes its PDF and PNG, the same bytes each time, and explains a file it cannot use."""
+import hashlib
+import pathlib
+import shutil
+import subprocess
+import sys
+
+import h5py
+
+script, result, folder = sys.argv[1], sys.argv[2], pathlib.Path(sys.argv[3])
+shutil.rmtree(folder, ignore_errors=True)
+
+
+def plot(source, target):
+    return subprocess.run([sys.executable, script, str(source), "-o", str(target)], capture_output=True, text=True)
+
+
+digests = []
+for run in ("first", "second"):
+    done = plot(result, folder / run)
+    assert done.returncode == 0, done.stderr
+    made = sorted((folder / run).iterdir())
+    assert [p.suffix for p in made] == [".pdf", ".png"], made
+    assert all(p.stat().st_size > 20_000 for p in made)
+    digests.append([hashlib.sha256(p.read_bytes()).hexdigest() for p in made])
+assert digests[0] == digests[1], "two runs gave different bytes"
+
+assert plot(folder / "none.h5", folder).returncode == 2
+(folder / "text.h5").write_text("not HDF5")
+assert plot(folder / "text.h5", folder).returncode == 2
+shutil.copy(result, folder / "lacking.h5")
+with h5py.File(folder / "lacking.h5", "a") as f:
+    del f["gamma_2"]
+lacking = plot(folder / "lacking.h5", folder)
+assert lacking.returncode == 2 and "gamma_2" in lacking.stderr, lacking.stderr
+assert "Traceback" not in lacking.stderr

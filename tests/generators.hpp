@@ -1,0 +1,40 @@
+#pragma once
+
+#include "model/energy.hpp"
+
+#include <cmath>
+#include <rapidcheck/catch.h>
+
+// Random input for the properties.
+namespace bristle::testing {
+
+inline double uniform(double from, double to) {
+  constexpr int steps = 1 << 20;
+  return from + (to - from) * *rc::gen::inRange(0, steps + 1) / steps;
+}
+
+inline double log_uniform(double from, double to) { return std::exp(uniform(std::log(from), std::log(to))); }
+
+// Parameters within the paper's ranges, either friction law.
+inline Parameters random_parameters() {
+  Parameters p;
+  p.friction = *rc::gen::arbitrary<bool>() ? FrictionLaw::nss : FrictionLaw::coulomb;
+  p.k_r = log_uniform(2, 100);
+  p.k_theta = log_uniform(0.3, 10);
+  p.k_phi = uniform(1.5, 3.5);
+  p.C = chi_C_peak_at_V_s(p.A);
+  return p;
+}
+
+// A tip off the axis and near the wall, with angles that need not fit its position.
+inline State<double> random_state(double z_0) {
+  const double theta = uniform(-3, 3), s = uniform(0.01, 1), z = z_0 - uniform(-2e-3, 0.1);
+  State<double> state;
+  state.r << s * std::cos(theta), s * std::sin(theta), z;
+  state.v << uniform(-1, 2), uniform(-1, 1), uniform(-1, 1);
+  state.theta = theta + uniform(-1, 1);
+  state.phi = std::atan2(z, s) + uniform(-0.5, 0.5);
+  return state;
+}
+
+}  // namespace bristle::testing

@@ -1,0 +1,86 @@
+#include "interface/load.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+using namespace bristle;
+
+namespace {
+
+constexpr double kContact = 0.98;
+
+LoadPoint search(const std::function<double(double)>& R_n, double target, LoadPath path = LoadPath::loading) {
+  LoadSearch s;
+  s.target = target;
+  s.path = path;
+  s.first_contact = kContact;
+  return first_crossing([&](double z_0) { return Load{R_n(z_0), 1e-6}; }, s);
+}
+
+double rising(double z_0) { return 4 * (kContact - z_0); }
+// Rises to 1.5 at z_0 = 0.7, falls to 0.5 at 0.4, rises again: a fold.
+double folded(double z_0) {
+  const double x = kContact - z_0;
+  return 1.5 * std::exp(-std::pow((x - 0.28) / 0.12, 2)) + 5 * x * x * x;
+}
+double jumping(double z_0) { return rising(z_0) + (z_0 < 0.6 ? 1.0 : 0.0); }
+
+}  // namespace
+
+TEST_CASE("load control: a monotonic curve, both ways") {
+  for (const auto path : {LoadPath::loading, LoadPath::unloading}) {
+    const LoadPoint p = search(rising, 2, path);
+    CHECK(p.status == LoadStatus::reached);
+    CHECK(p.z_0 == Approx(kContact - 0.5).margin(5e-4));
+    CHECK(p.load.R_n == Approx(2).epsilon(1e-3));
+  }
+}
+
+TEST_CASE("load control: at a fold the loading path takes the first crossing, unloading the last") {
+  const LoadPoint loading = search(folded, 1.2), unloading = search(folded, 1.2, LoadPath::unloading);
+  REQUIRE(loading.status == LoadStatus::reached);
+  REQUIRE(unloading.status == LoadStatus::reached);
+  CHECK(loading.z_0 > 0.7);
+  CHECK(unloading.z_0 < 0.5);
+  CHECK(folded(loading.z_0) == Approx(1.2).epsilon(1e-3));
+  CHECK(folded(unloading.z_0) == Approx(1.2).epsilon(1e-3));
+}
+
+TEST_CASE("load control: a target just below the fold's top is met at the fold, just above beyond it") {
+  double top = 0;
+  for (double z_0 = 0.8; z_0 > 0.5; z_0 -= 1e-5) top = std::max(top, folded(z_0));
+  CHECK(search(folded, top * 0.998).z_0 > 0.65);
+  CHECK(search(folded, top * 1.002).z_0 < 0.4);
+}
+
+TEST_CASE("load control: a jump across the target is reported with both sides") {
+  const LoadPoint p = search(jumping, 2);
+  CHECK(p.status == LoadStatus::jump);
+  CHECK(p.z_0 == Approx(0.6).margin(1e-5));
+  CHECK(p.load.R_n == Approx(rising(0.6) + 1).epsilon(1e-4));
+  CHECK(p.jump_z_0 == Approx(0.6).margin(1e-5));
+  CHECK(p.jump_R_n == Approx(rising(0.6)).epsilon(1e-4));
+  CHECK(p.jump_z_0 > p.z_0);
+}
+
+TEST_CASE("load control: a jump elsewhere does not matter") {
+  const LoadPoint p = search(jumping, 1);
+  CHECK(p.status == LoadStatus::reached);
+  CHECK(p.z_0 == Approx(kContact - 0.25).margin(5e-4));
+}
+
+TEST_CASE("load control: a load that no gap carries is unreachable, not an error") {
+  CHECK(search(rising, 100).status == LoadStatus::unreachable);
+  CHECK(search(rising, 100, LoadPath::unloading).status == LoadStatus::unreachable);
+}
+
+TEST_CASE("load control: a load below that of the soft wall at first contact is met above it") {
+  const auto soft = [](double z_0) { return std::exp((kContact - z_0) / 0.005); };
+  const LoadPoint p = search(soft, 0.5);
+  CHECK(p.status == LoadStatus::reached);
+  CHECK(p.z_0 > kContact);
+}
+
+TEST_CASE("load control: a curve that cannot be computed fails as such") {
+  CHECK(search([](double z_0) { return z_0 < 0.7 ? NAN : 0.1; }, 2).status == LoadStatus::failed);
+}

@@ -1,0 +1,193 @@
+#include "generators.hpp"
+
+#include "dynamics/ode.hpp"
+#include "model/equilibrium.hpp"
+
+#include <Eigen/Geometry>
+#include <catch2/catch.hpp>
+
+using namespace bristle;
+using namespace bristle::testing;
+
+namespace {
+
+constexpr double kRounding = 1e-12;
+
+double nss_chi(double u) { return chi(u, 1.2, chi_B(1.2), chi_C_peak_at_V_s(1.2)); }
+
+}  // namespace
+
+TEST_CASE("friction law: chi vanishes at rest, peaks with A at V_s and tends to 1") {
+  CHECK(nss_chi(0) == 0);
+  CHECK(nss_chi(1) == Approx(1.2).epsilon(kRounding));
+  CHECK(nss_chi(1 - 1e-3) < 1.2);
+  CHECK(nss_chi(1 + 1e-3) < 1.2);
+  CHECK(nss_chi(1e9) == Approx(1).epsilon(1e-8));
+  CHECK(nss_chi(100) == Approx(1.001).margin(5e-4));  // V_0 when V_s = 0.01
+  CHECK(chi_C_peak_at_V_s(1.2) == Approx(-5.592).margin(1e-3));
+}
+
+TEST_CASE("friction law: chi is odd and bounded by A") {
+  rc::prop("for any speed", [] {
+    const double u = log_uniform(1e-8, 1e8);
+    RC_ASSERT(nss_chi(-u) == -nss_chi(u));
+    RC_ASSERT(nss_chi(u) > 0);
+    RC_ASSERT(nss_chi(u) <= 1.2 * (1 + kRounding));
+  });
+}
+
+TEST_CASE("Hertz area: pi (3 R_c F_n / (4 E*))^(2/3)") {
+  const double R_c = 1.0 / 17, E_star = 5.849e4, F_n = 3.7;
+  const double radius = std::cbrt(3 * R_c * F_n / (4 * E_star));  // of the contact circle
+  CHECK(hertz_area_factor(R_c, E_star) * std::pow(F_n, 2.0 / 3) == Approx(M_PI * radius * radius));
+  const auto wall = wall_force(0.0123, std::cbrt(500.0), 1e-3);
+  CHECK(wall.F_n == Approx(short_range_force(0.0123, 1.0, 1e-3)));
+  CHECK(wall.F_n_23 == Approx(std::pow(wall.F_n, 2.0 / 3)));
+}
+
+TEST_CASE("unit vectors are orthonormal, and right-handed as Eq. (2) has them") {
+  rc::prop("for any position off the axis", [] {
+    const auto f = frame_at(random_state(0.6).r);
+    RC_ASSERT(std::abs(f.e_r.dot(f.e_theta)) < kRounding);
+    RC_ASSERT(std::abs(f.e_r.dot(f.e_phi)) < kRounding);
+    RC_ASSERT(std::abs(f.e_theta.dot(f.e_phi)) < kRounding);
+    for (const auto& e : {f.e_r, f.e_theta, f.e_phi, f.e_s}) RC_ASSERT(std::abs(e.norm() - 1) < kRounding);
+    RC_ASSERT((f.e_r.cross(f.e_theta) - f.e_phi).norm() < kRounding);
+  });
+}
+
+TEST_CASE("without friction and damping the force is minus the gradient of the potential") {
+  rc::prop("for any place", [] {
+    Parameters p = random_parameters();
+    p.friction = FrictionLaw::coulomb;
+    p.mu_c = p.zeta_theta = p.zeta_phi = 0;
+    const auto b = make_bristle(p, 0.6, 0.5);
+    State<double> state = random_state(0.6);
+    state.theta = std::atan2(state.r[1], state.r[0]);  // angles that fit the position
+    state.phi = std::atan2(state.r[2], std::hypot(state.r[0], state.r[1]));
+    const auto potential = [&](const Vector3<double>& at) {
+      return potential_energy(b, at, std::atan2(at[1], at[0]), std::atan2(at[2], std::hypot(at[0], at[1])));
+    };
+    const auto force = motion(b, state).acceleration;
+    const double scale = 1 + force.norm();
+    for (int i = 0; i < 3; ++i) {
+      // Central differences err by h^2/6 times the third derivative, 1/lambda^2 times the force.
+      const double h = 1e-6;
+      Vector3<double> step = Vector3<double>::Zero();
+      step[i] = h;
+      const double slope = (potential(state.r + step) - potential(state.r - step)) / (2 * h);
+      RC_ASSERT(std::abs(force[i] + slope) < 1e-5 * scale);
+    }
+  });
+}
+
+TEST_CASE("closing equations: theta' exact or as printed, phi' exact") {
+  rc::prop("against differences along the motion", [] {
+    const State<double> s = random_state(0.6);
+    const auto f = frame_at(s.r);
+    const auto exact = angular_rates(AzimuthRate::kinematic, f, s.v);
+    const auto printed = angular_rates(AzimuthRate::as_printed, f, s.v);
+    const double cross = s.r[0] * s.v[1] - s.r[1] * s.v[0];
+    RC_ASSERT(std::abs(exact.theta - cross / (f.s * f.s)) < 1e-10 * (1 + std::abs(exact.theta)));
+    RC_ASSERT(std::abs(printed.theta - cross / (f.r * f.r)) < 1e-10 * (1 + std::abs(printed.theta)));
+    const double Eq18 = (s.v[2] - s.r[2] * s.r.dot(s.v) / (f.r * f.r)) / f.s;
+    RC_ASSERT(std::abs(exact.phi - Eq18) < 1e-10 * (1 + std::abs(Eq18)));
+    const double h = 1e-7;
+    const auto elevation = [&](double t) {
+      const Vector3<double> at = s.r + t * s.v;
+      return std::asin(at[2] / at.norm());
+    };
+    const double slope = (elevation(h) - elevation(-h)) / (2 * h);
+    RC_ASSERT(std::abs(exact.phi - slope) < 1e-5 * (1 + std::abs(slope)));
+  });
+}
+
+TEST_CASE("V_R = 0 is an ordinary point of the friction force") {
+  const auto b = make_bristle(Parameters{}, 0.6, 0);
+  State<double> s{{0.5, 0.1, 0.6}, {1, 0, 0}, 0.2, 0.9};
+  const auto at_rest = slab_contact(b, s);
+  CHECK(at_rest.F_f * at_rest.e_x == 0);
+  s.v[0] = 1 - 1e-9;
+  const auto slow = slab_contact(b, s);
+  const double slope = b.A * b.B * b.inverse_V_s * b.friction_factor * slow.F_n_23;
+  CHECK(slow.F_f == Approx(slope * 1e-9).epsilon(1e-6));
+  CHECK(slow.e_x == Approx(-1));
+}
+
+TEST_CASE("the power of the forces is the rate of the energy, for the exact closure only") {
+  rc::prop("by differences along the flow", [] {
+    Parameters p = random_parameters();
+    const double z_0 = 0.6;
+    State<double> s = random_state(z_0);
+    const double h = 1e-7;
+    for (const auto rule : {AzimuthRate::kinematic, AzimuthRate::as_printed}) {
+      p.azimuth_rate = rule;
+      const auto b = make_bristle(p, z_0, 0.3);
+      const auto m = motion(b, s);
+      const auto at = [&](double t) {
+        return State<double>{s.r + t * s.v, s.v + t * m.acceleration, s.theta + t * m.rates.theta,
+                             s.phi + t * m.rates.phi};
+      };
+      const double rate = (energy(b, at(h)) - energy(b, at(-h))) / (2 * h);
+      const double defect = std::abs(rate - power(b, m));
+      const auto exact = angular_rates(AzimuthRate::kinematic, frame_at(s.r), s.v);
+      const double printed_defect = std::abs((b.k_theta * (s.theta - b.theta_0) + b.c_theta * m.rates.theta) *
+                                             (m.rates.theta - exact.theta));
+      const double scale = 1 + std::abs(rate) + m.acceleration.norm() * s.v.norm();
+      RC_ASSERT(std::abs(defect - printed_defect) < 1e-4 * scale);
+    }
+  });
+}
+
+TEST_CASE("Eqs. (11, 12): damping coefficients") {
+  Parameters p;
+  p.k_theta = 4;
+  p.k_phi = 2.25;
+  const auto b = make_bristle(p, 0.5, 0);
+  CHECK(b.c_theta == Approx(2 * 0.1 * 2 * std::cos(p.phi_0)));
+  CHECK(b.c_phi == Approx(2 * 0.1 * 1.5));
+}
+
+TEST_CASE("static equilibrium: no force, and no lower energy nearby") {
+  rc::prop("for any parameters and gap", [] {
+    Parameters p = random_parameters();
+    p.friction = FrictionLaw::coulomb;
+    p.mu_c = 0;
+    const auto b = make_bristle(p, uniform(0.05, 0.98), uniform(-3, 3));
+    const Equilibrium e = static_equilibrium(b);
+    const State<double> s = state_at_rest(b, e);
+    const Vector3<double> force = motion(b, s).acceleration;
+    // The wall's stiffness F_n/lambda_z turns the last bit of z into this much force.
+    RC_ASSERT(force.norm() < 1e-8 * (1 + p.k_r));
+    const auto U = [&](double r, double phi) {
+      return potential_energy(b, Vector3<double>(r * std::cos(phi), 0, r * std::sin(phi)), b.theta_0, phi);
+    };
+    for (const double d : {-1e-4, 1e-4}) {
+      RC_ASSERT(U(e.r + d, e.phi) > U(e.r, e.phi));
+      RC_ASSERT(U(e.r, e.phi + d) > U(e.r, e.phi));
+    }
+  });
+}
+
+TEST_CASE("automatic differentiation gives the derivatives of the equations") {
+  rc::prop("against differences", [] {
+    const auto b = make_bristle(random_parameters(), 0.6, 0.4);
+    const OdeState y = pack(random_state(0.6));
+    StateJacobian J;
+    IntegralJacobian J_integrals;
+    jacobian(b, y, J, J_integrals);
+    for (int j = 0; j < kState; ++j) {
+      const double h = 1e-7;
+      OdeState up = y, down = y, f_up, f_down;
+      up[j] += h;
+      down[j] -= h;
+      derivative<double>(b, up, f_up);
+      derivative<double>(b, down, f_down);
+      for (int i = 0; i < COMPONENTS; ++i) {
+        const double exact = i < kState ? J(i, j) : J_integrals(i - kState, j);
+        const double scale = 1 + J.cwiseAbs().maxCoeff() + J_integrals.cwiseAbs().maxCoeff();
+        RC_ASSERT(std::abs((f_up[i] - f_down[i]) / (2 * h) - exact) < 1e-3 * scale);
+      }
+    }
+  });
+}
