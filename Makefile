@@ -1,0 +1,46 @@
+# `make` lists the targets. Each installs, builds and computes what it needs and is missing.
+.DEFAULT_GOAL := help
+
+FIGURES := fig4
+.PHONY: help packages build test bench clean figures $(FIGURES)
+JOBS ?= $(shell nproc 2>/dev/null || echo 1)
+BUILD := build
+# TIER=smoke computes a small subset of the points, in seconds.
+TIER ?= full
+SUFFIX := $(if $(filter full,$(TIER)),,-$(TIER))
+
+help: ## list the targets
+	@echo "bristle: friction of a bristle lattice under a sliding slab"
+	@sed -n 's/^\([a-z%][a-z0-9 %-]*\):.*## \(.*\)/\1\t\2/p' $(MAKEFILE_LIST) | \
+	  while IFS="$$(printf '\t')" read -r target text; do printf '  make %-10s %s\n' "$$target" "$$text"; done
+	@echo "Figures so far: $(FIGURES). TIER=smoke makes a quick, coarse one."
+
+packages: ## install the missing Debian packages (root or sudo)
+	@scripts/install-packages
+
+$(BUILD)/build.ninja: CMakeLists.txt tests/CMakeLists.txt benchmarks/CMakeLists.txt CMakePresets.json | packages
+	@log=$$(mktemp); cmake --preset release -G Ninja >$$log 2>&1 || { cat $$log; rm -f $$log; exit 1; }; rm -f $$log
+
+build: packages $(BUILD)/build.ninja ## build the program: build/bristle
+	@test -x $(BUILD)/bristle || echo "Building, about a minute ..."
+	@ninja -C $(BUILD) --quiet -j $(JOBS) bristle
+
+fig4: %: build ## make Figure 4: results/fig4.h5, figures/fig4.pdf and .png, and the claims' verdicts
+	$(BUILD)/bristle run experiments/$*.json --tier $(TIER) -o results/$*$(SUFFIX).h5
+	@$$(scripts/find-python) scripts/$*.py results/$*$(SUFFIX).h5 -o figures$(SUFFIX)
+	@echo "The paper's claims (docs/claims.md):"
+	@$(BUILD)/bristle check --report-only results/$*$(SUFFIX).h5
+
+figures: $(FIGURES) ## make all figures
+
+test: packages $(BUILD)/build.ninja ## build everything and run the tests
+	@echo "Building program and tests ..."
+	@ninja -C $(BUILD) --quiet -j $(JOBS)
+	cd $(BUILD) && ctest --output-on-failure --parallel $(JOBS)
+
+bench: build ## benchmarks: ratios against peers in the same run
+	@ninja -C $(BUILD) --quiet -j $(JOBS) bench_passage
+	$(BUILD)/benchmarks/bench_passage
+
+clean: ## remove what was built; results and figures stay
+	rm -rf $(BUILD)
