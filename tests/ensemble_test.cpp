@@ -110,6 +110,17 @@ TEST_CASE("a point at a given load carries it, within its error and the toleranc
   CHECK(same.value == r.value);  // the values belong to the gap that is reported
 }
 
+TEST_CASE("load control on the model: loading and unloading paths differ where R_n(z_0) folds") {
+  const Interface i = paper(27, 1e-2);
+  Loading loading, unloading;
+  unloading.path = LoadPath::unloading;
+  const PointResult down = solve_point(i, loading), up = solve_point(i, unloading);
+  CHECK(down.z_0 > 0.55);
+  CHECK(up.z_0 < 0.25);
+  for (const PointResult& r : {down, up}) CHECK(r.value[R_N] == Approx(2).epsilon(1e-2));
+  CHECK(up.R_x_norm > 3 * down.R_x_norm);
+}
+
 TEST_CASE("rigid friction: Eqs. (22, 23)") {
   Parameters p;
   CHECK(rigid_friction(p, 2) == Approx(3e4 * M_PI * std::pow(3.0 / 17 / (4 * 5.849e4) * 2, 2.0 / 3)));
