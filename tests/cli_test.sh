@@ -45,6 +45,19 @@ expect 0 "points: 1 ok" "$bristle" run "${quick[@]}" --force
 expect 0 "points: 1 ok" "$bristle" run "${quick[@]}" --set /model/k_r=11
 expect 0 "the experiment has no checks" "$bristle" check "$folder/r.h5"
 
+# A check that names what the result will not have is found before anything is computed.
+check='[{"claim":"1","statement":"s","predicate":"trend","variable":"gama_1","along":"k_r","is":"at_most","threshold":1}]'
+expect 2 'did you mean gamma_1?' "$bristle" validate experiments/fig4.json --set "/checks=$check"
+expect 2 '/checks/0/along: "k_r" is not in the result' \
+  "$bristle" run "${quick[@]}" --set "/checks=${check/gama/gamma}"
+
+# No room left: a reason, an exit code, nothing left behind, the previous result as it was.
+limited() { (trap '' XFSZ; ulimit -f 16; "$@"); }
+before=$(sha256sum "$folder/r.h5")
+expect 3 "File too large" limited "$bristle" run "${quick[@]}" --force
+[ ! -e "$folder/r.h5.partial" ] || { echo "FAILED: a partial file was left"; failures=$((failures + 1)); }
+[ "$before" = "$(sha256sum "$folder/r.h5")" ] || { echo "FAILED: the result changed"; failures=$((failures + 1)); }
+
 # Numbers changed by hand are noticed.
 cp "$result" "$folder/tampered.h5"
 offset=$(grep -obUaP '\x00\x00\x00\x00\x00\x00\x59\x40' "$folder/tampered.h5" | head -n 1 | cut -d: -f1)  # k_r = 100

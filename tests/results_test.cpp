@@ -113,6 +113,19 @@ TEST_CASE("output that cannot be written is refused before anything is computed"
   CHECK_THROWS_WITH(ResultWriter(e, s.path("file/r.h5")), Catch::Contains("cannot be written"));
 }
 
+TEST_CASE("two runs into one file: one writes, the other says so and does no harm") {
+  const Scratch s;
+  const Experiment e = quick(s);
+  const std::string undisturbed = run_to(e, s.path("alone.h5"), 1);
+  ResultWriter first(e, s.path("r.h5"));
+  run_sweep(
+      e, 1, [&](PointReport&& r) { first.write_point(r.index, r.result, r.bristles); }, [] { return false; });
+  CHECK_THROWS_WITH(ResultWriter(e, s.path("r.h5")), Catch::Contains("another run is writing it"));
+  first.close({});
+  first.publish();
+  CHECK(ResultReader(s.path("r.h5")).text("payload_sha256") == undisturbed);
+}
+
 TEST_CASE("up to date: the same inputs and intact numbers, whatever the title and the checks") {
   const Scratch s;
   const std::string path = s.path("r.h5");

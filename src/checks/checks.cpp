@@ -1,8 +1,13 @@
 #include "checks/checks.hpp"
 
 #include "experiment/input_error.hpp"
+#include "experiment/suggest.hpp"
+#include "results/variables.hpp"
+#include "results/writer.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <algorithm>
 #include <cmath>
 
 namespace bristle {
@@ -52,6 +57,25 @@ const char* to_string(Verdict verdict) {
     case Verdict::undecided: return "undecided";
   }
   return "?";
+}
+
+void validate_checks(const Experiment& experiment) {
+  std::vector<std::string> variables, axes;
+  for (const ResultVariable& v : result_variables()) variables.push_back(v.name);
+  for (const Axis& axis : experiment.axes) axes.push_back(axis_variable(axis.name));
+  for (std::size_t i = 0; i < experiment.checks.size(); ++i) {
+    const Json& check = experiment.checks[i];
+    const auto known = [&](const char* key, const std::vector<std::string>& names) {
+      const std::string name = check.value(key, "");
+      if (std::find(names.begin(), names.end(), name) == names.end())
+        throw InputError(fmt::format("{}: /checks/{}/{}: \"{}\" is not in the result{}; allowed: {}",
+                                     experiment.path, i, key, name, did_you_mean(name, names),
+                                     fmt::join(names, ", ")));
+    };
+    known("variable", variables);
+    known("along", axes);
+    if (check["predicate"] == "range_ratio") known("against", axes);
+  }
 }
 
 std::vector<CheckResult> evaluate_checks(const ResultReader& result) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "checks/predicates.hpp"
+#include "experiment/experiment.hpp"
 
 namespace bristle {
 
@@ -21,6 +22,10 @@ struct CheckResult {
   double margin;  // distance from the threshold, positive on the claim's side
   Verdict verdict;
 };
+
+// Throws InputError if a check names a variable or an axis that the experiment's result will not have: before
+// anything is computed.
+void validate_checks(const Experiment& experiment);
 
 // Evaluates the checks of the experiment stored in the result. Throws InputError for a check that names
 // what the result does not have.

@@ -28,7 +28,7 @@ void add_checks(const std::string& path) {
 // The numbers are there; what describes them has changed.
 void refresh(const std::string& path, const Experiment& experiment) {
   if (ResultReader(path).experiment() == experiment.document) return;
-  const std::string copy = path + ".partial";
+  const std::string copy = path + ".refresh";
   std::filesystem::copy_file(path, copy, std::filesystem::copy_options::overwrite_existing);
   annotate(copy, experiment);
   add_checks(copy);
@@ -74,10 +74,16 @@ void compute(const Experiment& experiment, const std::string& path, int threads,
   if (!options.quiet) fmt::print("{}: points: {}\n", path, tally.text());
 }
 
+Experiment load_checked(const RunOptions& options) {
+  Experiment experiment = load_experiment(options.experiment, {options.set, options.tier});
+  validate_checks(experiment);
+  return experiment;
+}
+
 }  // namespace
 
 int run_command(const RunOptions& options) {
-  const Experiment experiment = load_experiment(options.experiment, {options.set, options.tier});
+  const Experiment experiment = load_checked(options);
   const std::string path =
       options.output.empty() ? fmt::format("results/{}.h5", experiment.name) : options.output;
   if (!options.force && up_to_date(path, experiment)) {
@@ -91,7 +97,7 @@ int run_command(const RunOptions& options) {
 }
 
 int validate_command(const RunOptions& options) {
-  const Experiment e = load_experiment(options.experiment, {options.set, options.tier});
+  const Experiment e = load_checked(options);
   std::string sweep;
   for (const Axis& axis : e.axes)
     sweep += fmt::format("{}{} ({} from {:.6g} to {:.6g})", sweep.empty() ? "" : " x ", axis.name,

@@ -226,16 +226,6 @@ void derive_ratios(Passage& out) {
 
 }  // namespace
 
-const char* to_string(Outcome outcome) {
-  switch (outcome) {
-    case Outcome::left: return "left";
-    case Outcome::pinned: return "pinned";
-    case Outcome::step_limit: return "step_limit";
-    case Outcome::not_finite: return "not_finite";
-  }
-  return "?";
-}
-
 Passage run_passage(const Parameters& p, const Bristle<double>& b, const Equilibrium& start,
                     const IntegratorOptions& options, const Observer& observe) {
   Passage out;

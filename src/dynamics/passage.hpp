@@ -14,7 +14,6 @@ enum class Outcome {
   step_limit,  // the cap on derivative evaluations was reached
   not_finite   // no finite step could be made
 };
-const char* to_string(Outcome outcome);
 
 enum class Method {
   automatic,

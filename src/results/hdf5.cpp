@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <cstdlib>
+#include <cstring>
 #include <hdf5_hl.h>
 #include <limits>
 
@@ -58,10 +60,17 @@ void fail(const std::string& what) {
   std::string reason;
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_DOWNWARD, keep_innermost, &reason);
   H5Eclear2(H5E_DEFAULT);
+  // The library's own text buries the system's word for it: "..., errno = 28, error message = ...".
+  if (const auto at = reason.find("errno = "); at != std::string::npos)
+    reason = std::strerror(std::atoi(reason.c_str() + at + 8));
   throw RunError(fmt::format("HDF5: {} failed{}", what, reason.empty() ? "" : ": " + reason));
 }
 
-void silence() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
+void silence() {
+  // NOTE: after a write that failed (a full disk) HDF5 1.10 crashes in its own clean-up at exit.
+  H5dont_atexit();
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
 
 Handle& Handle::operator=(Handle&& other) noexcept {
   std::swap(id_, other.id_);
@@ -157,10 +166,6 @@ void write_attribute(hid_t object, const std::string& name, const std::string& t
 
 void write_attribute(hid_t object, const std::string& name, const char* text) {
   write_attribute(object, name, std::string(text));
-}
-
-void write_attribute(hid_t object, const std::string& name, double value) {
-  put_attribute(object, name, H5T_NATIVE_DOUBLE, memory_space({}), &value);
 }
 
 void write_attribute(hid_t object, const std::string& name, long value) {

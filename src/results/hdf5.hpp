@@ -12,7 +12,8 @@ template <class Code>
 Code check(Code code, const std::string& what);
 [[noreturn]] void fail(const std::string& what);
 
-// Stops HDF5 from printing its error stack: errors become exceptions.
+// Call first. Stops HDF5 from printing its error stack (errors become exceptions) and from cleaning up at
+// exit.
 void silence();
 
 class Handle {
@@ -51,7 +52,6 @@ void read_part(hid_t dataset, hid_t type, const Shape& start, const Shape& count
 
 void write_attribute(hid_t object, const std::string& name, const std::string& text);
 void write_attribute(hid_t object, const std::string& name, const char* text);
-void write_attribute(hid_t object, const std::string& name, double value);
 void write_attribute(hid_t object, const std::string& name, long value);
 void write_attribute(hid_t object, const std::string& name, const std::vector<signed char>& values);
 std::string read_text_attribute(hid_t object, const std::string& name);

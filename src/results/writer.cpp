@@ -8,8 +8,9 @@
 #include <fmt/ranges.h>
 #include <cerrno>
 #include <cstring>
+#include <fcntl.h>
 #include <filesystem>
-#include <fstream>
+#include <unistd.h>
 
 namespace bristle {
 namespace fs = std::filesystem;
@@ -37,32 +38,50 @@ h5::Shape unravel(std::size_t index, const h5::Shape& shape) {
   return at;
 }
 
-// Fails before anything is computed rather than after.
-void make_writable(const std::string& path, const std::string& partial) {
+// Creates the temporary file if need be and locks it; fails before anything is computed rather than after.
+// NOTE: HDF5 truncates before it locks, so its own lock comes too late for the other run.
+int lock_output(const std::string& path, const std::string& partial) {
   std::error_code error;
   const fs::path folder = fs::path(path).parent_path();
   if (!folder.empty()) fs::create_directories(folder, error);
   const std::string reason = error ? error.message() : "";
   if (fs::is_directory(path)) throw InputError(fmt::format("-o {}: is a folder; give a file name", path));
-  const bool existed = fs::exists(partial);
-  std::ofstream probe(partial, std::ios::app);
-  if (!probe)
+  const int descriptor = open(partial.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  if (descriptor < 0)
     throw InputError(fmt::format("-o {}: cannot be written: {}; give another place with -o", path,
                                  reason.empty() ? std::strerror(errno) : reason));
-  probe.close();
-  if (!existed) fs::remove(partial, error);
+  struct flock whole {};
+  whole.l_type = F_WRLCK;
+  if (fcntl(descriptor, F_OFD_SETLK, &whole) != 0) {
+    ::close(descriptor);
+    throw RunError(
+        fmt::format("{}: another run is writing it; wait for that, or give another place with -o", path));
+  }
+  return descriptor;
 }
 
 }  // namespace
 
+std::string axis_variable(const std::string& name) {
+  return name == "R_n" || name == "z_0" ? name + "_target" : name;
+}
+
 ResultWriter::ResultWriter(const Experiment& experiment, const std::string& path)
     : experiment_(experiment), path_(path), partial_(path + ".partial") {
-  make_writable(path_, partial_);
+  lock_ = lock_output(path_, partial_);
+  try {
+    create();
+  } catch (...) {
+    discard();
+    throw;
+  }
+}
+
+void ResultWriter::create() {
   file_ = h5::create_file(partial_);
-  for (const std::size_t n : experiment.shape()) shape_.push_back(n);
-  for (const Axis& axis : experiment.axes) {
-    // A swept R_n or z_0 is an input; the values reached are the variables of those names.
-    const std::string name = axis.name == "R_n" || axis.name == "z_0" ? axis.name + "_target" : axis.name;
+  for (const std::size_t n : experiment_.shape()) shape_.push_back(n);
+  for (const Axis& axis : experiment_.axes) {
+    const std::string name = axis_variable(axis.name);
     h5::Handle scale = h5::create_dataset(file_, name, H5T_NATIVE_DOUBLE, {axis.values.size()});
     h5::write_part(scale, H5T_NATIVE_DOUBLE, {0}, {axis.values.size()}, axis.values.data());
     const AxisLabel label = axis_label(axis.name);
@@ -71,12 +90,16 @@ ResultWriter::ResultWriter(const Experiment& experiment, const std::string& path
     axes_.push_back(std::move(scale));
   }
   create_variables();
-  if (experiment.record_bristles) create_bristles();
+  if (experiment_.record_bristles) create_bristles();
 }
 
-ResultWriter::~ResultWriter() {
+ResultWriter::~ResultWriter() { discard(); }
+
+void ResultWriter::discard() {
   std::error_code ignored;
   if (!published_) fs::remove(partial_, ignored);
+  if (lock_ >= 0) ::close(lock_);
+  lock_ = -1;
 }
 
 h5::Handle ResultWriter::create_variable(const std::string& name, hid_t type, const std::string& long_name,

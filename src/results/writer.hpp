@@ -30,6 +30,8 @@ class ResultWriter {
   void publish();
 
  private:
+  void create();
+  void discard();
   void create_variables();
   void create_bristles();
   h5::Handle create_variable(const std::string& name, hid_t type, const std::string& long_name,
@@ -38,6 +40,7 @@ class ResultWriter {
 
   const Experiment& experiment_;
   std::string path_, partial_;
+  int lock_ = -1;  // descriptor that keeps other runs off the temporary file
   h5::Handle file_, bristles_;
   h5::Shape shape_;
   std::vector<h5::Handle> axes_;
@@ -45,6 +48,10 @@ class ResultWriter {
   hsize_t bristle_count_ = 0;
   bool published_ = false;
 };
+
+// Name that an axis has in the file: a swept R_n or z_0 is an input, the values reached are the variables of
+// those names.
+std::string axis_variable(const std::string& name);
 
 // Writes the root attributes that describe the numbers: title, the experiment as run, its digests.
 void annotate(const std::string& path, const Experiment& experiment);
