@@ -49,7 +49,7 @@ Passage pass(double k_r, double z_0, double degrees, Method method) {
   IntegratorOptions options;
   options.method = method;
   options.max_evaluations = 100'000'000;
-  return run_passage(p, b, static_equilibrium(b), options);
+  return run_passage({&p, b, static_equilibrium(b), options});
 }
 
 constexpr int kSteps = 2000;
@@ -58,7 +58,10 @@ constexpr int kSteps = 2000;
 struct System {
   Bristle<double> b;
   void derivative(const OdeState& y, OdeState& dydt) { bristle::derivative<double>(b, y, dydt); }
-  void jacobian(const OdeState& y, StateJacobian& J, IntegralJacobian& I) { bristle::jacobian(b, y, J, I); }
+  void jacobian(const OdeState& y, StateJacobian& J, IntegralJacobian& I) {
+    OdeState slope;
+    bristle::jacobian(b, y, slope, J, I);
+  }
 };
 
 void steps_on_eigen(System system, OdeState y) {

@@ -3,7 +3,6 @@
 #include "dynamics/ode.hpp"
 #include "model/equilibrium.hpp"
 
-#include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 
 using namespace bristle;
@@ -40,20 +39,27 @@ TEST_CASE("Hertz area: pi (3 R_c F_n / (4 E*))^(2/3)") {
   const double R_c = 1.0 / 17, E_star = 5.849e4, F_n = 3.7;
   const double radius = std::cbrt(3 * R_c * F_n / (4 * E_star));  // of the contact circle
   CHECK(hertz_area_factor(R_c, E_star) * std::pow(F_n, 2.0 / 3) == Approx(M_PI * radius * radius));
-  const auto wall = wall_force(0.0123, std::cbrt(500.0), 1e-3);
-  CHECK(wall.F_n == Approx(short_range_force(0.0123, 1.0, 1e-3)));
+  const auto wall = wall_force(0.0123, std::cbrt(500.0), 1e3 / 3);
+  CHECK(wall.F_n == Approx(short_range_force(0.0123, 500.0, 1e3)));
   CHECK(wall.F_n_23 == Approx(std::pow(wall.F_n, 2.0 / 3)));
 }
 
-TEST_CASE("unit vectors are orthonormal, and right-handed as Eq. (2) has them") {
+TEST_CASE("the frame of Eq. (2) fits the position") {
   rc::prop("for any position off the axis", [] {
-    const auto f = frame_at(random_state(0.6).r);
-    RC_ASSERT(std::abs(f.e_r.dot(f.e_theta)) < kRounding);
-    RC_ASSERT(std::abs(f.e_r.dot(f.e_phi)) < kRounding);
-    RC_ASSERT(std::abs(f.e_theta.dot(f.e_phi)) < kRounding);
-    for (const auto& e : {f.e_r, f.e_theta, f.e_phi, f.e_s}) RC_ASSERT(std::abs(e.norm() - 1) < kRounding);
-    RC_ASSERT((f.e_r.cross(f.e_theta) - f.e_phi).norm() < kRounding);
+    const Vector3<double> r = random_state(0.6).r;
+    const auto f = frame_at(r);
+    RC_ASSERT(std::abs(f.s * f.one_s - 1) < kRounding);
+    RC_ASSERT(std::abs(f.r * f.one_r - 1) < kRounding);
+    RC_ASSERT(std::abs(std::hypot(f.cos_theta, f.sin_theta) - 1) < kRounding);
+    const Vector3<double> e_r(f.cos_phi * f.cos_theta, f.cos_phi * f.sin_theta, f.sin_phi);
+    RC_ASSERT((f.r * e_r - r).norm() < kRounding);
   });
+}
+
+TEST_CASE("a short-range force is cut off where it is below rounding") {
+  CHECK(short_range_force(0.0399, 500.0, 1e3) > 0);
+  CHECK(short_range_force(0.0401, 500.0, 1e3) == 0);
+  CHECK(short_range_force(0.0399, 500.0, 1e3) < 1e-14);
 }
 
 TEST_CASE("without friction and damping the force is minus the gradient of the potential") {
@@ -175,7 +181,10 @@ TEST_CASE("automatic differentiation gives the derivatives of the equations") {
     const OdeState y = pack(random_state(0.6));
     StateJacobian J;
     IntegralJacobian J_integrals;
-    jacobian(b, y, J, J_integrals);
+    OdeState value, plain;
+    jacobian(b, y, value, J, J_integrals);
+    derivative<double>(b, y, plain);
+    RC_ASSERT(value == plain);
     for (int j = 0; j < kState; ++j) {
       const double h = 1e-7;
       OdeState up = y, down = y, f_up, f_down;

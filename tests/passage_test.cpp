@@ -12,7 +12,7 @@ constexpr double kDegree = M_PI / 180;
 
 Passage pass(const Parameters& p, double z_0, double theta_0, const IntegratorOptions& options = {}) {
   const auto b = make_bristle(p, z_0, theta_0);
-  return run_passage(p, b, static_equilibrium(b), options);
+  return run_passage({&p, b, static_equilibrium(b), options});
 }
 
 Parameters stiff_paper_point() {  // model.md section 6
@@ -45,7 +45,7 @@ TEST_CASE("a passage ends when the slip is L_x, to rounding") {
     const double z_0 = uniform(0.3, 0.9);
     const auto b = make_bristle(p, z_0, uniform(-2, 2));
     const Equilibrium e = static_equilibrium(b);
-    const Passage r = run_passage(p, b, e, {});
+    const Passage r = run_passage({&p, b, e, {}});
     RC_ASSERT(r.complete());
     const double x_0 = state_at_rest(b, e).r[0];
     RC_ASSERT(std::abs(r.contact_time - (r.end[X] - x_0) - p.L_x) < 1e-10);
@@ -157,7 +157,7 @@ TEST_CASE("a passage that cannot be computed says so") {
   auto b = make_bristle(p, 0.4, 1);
   const Equilibrium e = static_equilibrium(b);
   b.k_r = std::numeric_limits<double>::quiet_NaN();
-  CHECK(run_passage(p, b, e, {}).outcome == Outcome::not_finite);
+  CHECK(run_passage({&p, b, e, {}}).outcome == Outcome::not_finite);
 }
 
 TEST_CASE("the observer sees a passage from start to exit") {
@@ -165,7 +165,7 @@ TEST_CASE("the observer sees a passage from start to exit") {
   const auto b = make_bristle(p, 0.4, 1);
   std::vector<double> times;
   const Passage r =
-      run_passage(p, b, static_equilibrium(b), {}, [&](double xi, const OdeState&) { times.push_back(xi); });
+      run_passage({&p, b, static_equilibrium(b), {}}, [&](double xi, const OdeState&) { times.push_back(xi); });
   REQUIRE(times.size() == std::size_t(r.steps) + 1);
   CHECK(times.front() == 0);
   CHECK(times.back() == r.contact_time);

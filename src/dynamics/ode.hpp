@@ -6,12 +6,25 @@
 #include <array>
 #include <unsupported/Eigen/AutoDiff>
 
-// Eigen's AutoDiffScalar lacks atan.
+// What Eigen's AutoDiffScalar lacks; T is a scalar or a vector of lanes.
 namespace Eigen {
 template <class D>
 AutoDiffScalar<typename internal::remove_all<D>::type::PlainObject> atan(const AutoDiffScalar<D>& u) {
-  const double x = u.value();
-  return {std::atan(x), u.derivatives() / (1 + x * x)};
+  using std::atan;
+  const auto x = u.value();
+  return {atan(x), u.derivatives() * decltype(x)(1.0 / (1.0 + x * x))};
+}
+template <class D>
+AutoDiffScalar<D> inverse_sqrt(const AutoDiffScalar<D>& u) {
+  using bristle::inverse_sqrt;
+  const auto y = inverse_sqrt(u.value());
+  return {y, u.derivatives() * decltype(y)(-0.5 * y * y * y)};
+}
+template <class D>
+AutoDiffScalar<D> decay(const AutoDiffScalar<D>& u) {
+  using bristle::decay;
+  const auto y = decay(u.value());
+  return {y, u.derivatives() * y};
 }
 }  // namespace Eigen
 
@@ -41,8 +54,12 @@ constexpr int kState = NORMAL;  // components that forces depend on
 constexpr int kIntegrals = COMPONENTS - NORMAL;
 
 using OdeState = std::array<double, COMPONENTS>;
-using StateJacobian = Eigen::Matrix<double, kState, kState>;
-using IntegralJacobian = Eigen::Matrix<double, kIntegrals, kState>;
+template <class T>
+using StateJacobianOf = Eigen::Matrix<T, kState, kState>;
+template <class T>
+using IntegralJacobianOf = Eigen::Matrix<T, kIntegrals, kState>;
+using StateJacobian = StateJacobianOf<double>;
+using IntegralJacobian = IntegralJacobianOf<double>;
 
 template <class T, class Array>
 State<T> unpack(const Array& y) {
@@ -78,14 +95,17 @@ void derivative(const Bristle<P>& b, const In& y, Out& dydt) {
   dydt[WORK] = power(b, m);
 }
 
-// Derivatives of derivative() with respect to the state, by automatic differentiation of the same code.
-inline void jacobian(const Bristle<double>& b, const OdeState& y, StateJacobian& of_state,
-                     IntegralJacobian& of_integrals) {
-  using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<double, kState, 1>>;
+// Derivatives of derivative() with respect to the state, by automatic differentiation of the same code, and
+// derivative() itself.
+template <class T, class In, class Out>
+void jacobian(const Bristle<T>& b, const In& y, Out& dydt, StateJacobianOf<T>& of_state,
+              IntegralJacobianOf<T>& of_integrals) {
+  using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<T, kState, 1>>;
   std::array<Dual, kState> in;
   std::array<Dual, COMPONENTS> out;
   for (int i = 0; i < kState; ++i) in[i] = Dual(y[i], kState, i);
   derivative<Dual>(b, in, out);
+  for (int i = 0; i < COMPONENTS; ++i) dydt[i] = out[i].value();
   for (int i = 0; i < kState; ++i) of_state.row(i) = out[i].derivatives();
   for (int i = 0; i < kIntegrals; ++i) of_integrals.row(i) = out[NORMAL + i].derivatives();
 }

@@ -43,12 +43,19 @@ struct Passage {
   bool complete() const { return outcome == Outcome::left || outcome == Outcome::pinned; }
 };
 
+// A passage to be computed. The parameters must outlive it.
+struct PassageTask {
+  const Parameters* parameters;
+  Bristle<double> bristle;
+  Equilibrium start;  // at rest in it, at the bristle's theta_0
+  IntegratorOptions integrator;
+};
+
 // Called with time and state at the start, after each step and at the exit.
 using Observer = std::function<void(double xi, const OdeState&)>;
 
-// Integrates Eqs. (13, 17, 18) from rest until the slip xi - (x - x(0)) reaches L_x (Eq. A2).
-// Never throws for a numerical outcome.
-Passage run_passage(const Parameters& p, const Bristle<double>& b, const Equilibrium& start,
-                    const IntegratorOptions& options, const Observer& observe = {});
+// Integrates Eqs. (13, 17, 18) from rest until the slip xi - (x - x(0)) reaches L_x (Eq. A2), by Boost.Odeint: the
+// reference that the lanes are held against. Never throws for a numerical outcome.
+Passage run_passage(const PassageTask& task, const Observer& observe = {});
 
 }  // namespace bristle

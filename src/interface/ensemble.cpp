@@ -59,7 +59,7 @@ class Average {
         out_(out) {}
 
   Passage passage(double theta_0) {
-    const Passage result = run_passage(p_, make_bristle(p_, z_0_, theta_0), start_, integrator_);
+    const Passage result = run_passage({&p_, make_bristle(p_, z_0_, theta_0), start_, integrator_});
     ++out_.passages;
     if (!result.complete() && out_.incomplete++ == 0) out_.incomplete_theta_0 = theta_0;
     if (observe_) observe_(result);

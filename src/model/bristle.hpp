@@ -21,8 +21,21 @@ struct Bristle {
   P k_r, k_theta, k_phi, c_theta, c_phi, theta_0, phi_0;
   P A, B, C, inverse_V_s;
   P friction_factor;  // mu_c (Coulomb) or tau_f times the Hertz area at F_n = 1 (NSS)
-  P alpha, lambda, beta, lambda_z, cbrt_wall_peak, z_0;
+  P axis_peak, axis_rate;  // of Eq. (4): alpha/(2 lambda), 1/lambda
+  P wall_peak, wall_rate;  // of Eq. (3): beta/(2 lambda_z), 1/lambda_z
+  P wall_root_peak, wall_root_rate;
+  P z_0;
 };
+
+// Calls visit with every constant, in a fixed order.
+template <class B, class Visit>
+void for_each_constant(B& b, Visit visit) {
+  for (auto* constant : {&b.k_r, &b.k_theta, &b.k_phi, &b.c_theta, &b.c_phi, &b.theta_0, &b.phi_0, &b.A, &b.B,
+                         &b.C, &b.inverse_V_s, &b.friction_factor, &b.axis_peak, &b.axis_rate, &b.wall_peak,
+                         &b.wall_rate, &b.wall_root_peak, &b.wall_root_rate, &b.z_0})
+    visit(*constant);
+}
+constexpr int kConstants = 19;  // that for_each_constant visits
 
 // Eqs. (11, 12) and the derived constants of Eqs. (3, 7, 14-16), for the gap z_0 and the azimuth theta_0
 // (rad).
@@ -42,11 +55,12 @@ inline Bristle<double> make_bristle(const Parameters& p, double z_0, double thet
   b.C = p.C;
   b.inverse_V_s = 1 / p.V_s;
   b.friction_factor = p.friction == FrictionLaw::nss ? p.tau_f * hertz_area_factor(p.R_c, p.E_star) : p.mu_c;
-  b.alpha = p.alpha;
-  b.lambda = p.lambda;
-  b.beta = p.beta;
-  b.lambda_z = p.lambda_z;
-  b.cbrt_wall_peak = std::cbrt(p.beta / (2 * p.lambda_z));
+  b.axis_peak = p.alpha / (2 * p.lambda);
+  b.axis_rate = 1 / p.lambda;
+  b.wall_peak = p.beta / (2 * p.lambda_z);
+  b.wall_rate = 1 / p.lambda_z;
+  b.wall_root_peak = std::cbrt(b.wall_peak);
+  b.wall_root_rate = b.wall_rate / 3;
   b.z_0 = z_0;
   return b;
 }
@@ -58,30 +72,27 @@ struct State {
   T theta, phi;
 };
 
-// Lengths and unit vectors of Eq. (2) at a position off the axis (s > 0).
+// Lengths and directions of Eq. (2) at a position off the axis (s > 0): e_s = (cos_theta, sin_theta, 0),
+// e_theta = (-sin_theta, cos_theta, 0), e_r = cos_phi e_s + sin_phi k, e_phi = -sin_phi e_s + cos_phi k.
 template <class T>
 struct Frame {
-  T s, r;
-  Vector3<T> e_r, e_theta, e_phi, e_s;
+  T s, r, one_s, one_r;  // one_s = 1/s
+  T cos_theta, sin_theta, cos_phi, sin_phi;
 };
 
 template <class T>
 Frame<T> frame_at(const Vector3<T>& position) {
-  using std::sqrt;
   const T &x = position[0], &y = position[1], &z = position[2];
-  const T zero = T(x - x);
-  const T s2 = x * x + y * y;
+  const T s2 = x * x + y * y, r2 = s2 + z * z;
   Frame<T> f;
-  f.s = T(sqrt(s2));
-  f.r = T(sqrt(T(s2 + z * z)));
-  const T one_s = 1.0 / f.s;
-  const T one_r = 1.0 / f.r;
-  const T cos_theta = x * one_s, sin_theta = y * one_s;
-  const T sin_phi = z * one_r, cos_phi = f.s * one_r;
-  f.e_r << T(x * one_r), T(y * one_r), sin_phi;
-  f.e_theta << T(-sin_theta), cos_theta, zero;
-  f.e_phi << T(-cos_theta * sin_phi), T(-sin_theta * sin_phi), cos_phi;
-  f.e_s << cos_theta, sin_theta, zero;
+  f.one_s = inverse_sqrt(s2);
+  f.one_r = inverse_sqrt(r2);
+  f.s = s2 * f.one_s;
+  f.r = r2 * f.one_r;
+  f.cos_theta = x * f.one_s;
+  f.sin_theta = y * f.one_s;
+  f.cos_phi = f.s * f.one_r;
+  f.sin_phi = z * f.one_r;
   return f;
 }
 
@@ -93,11 +104,12 @@ struct AngularRates {
 
 template <class T>
 AngularRates<T> angular_rates(AzimuthRate rule, const Frame<T>& f, const Vector3<T>& v) {
-  const T tangential = f.e_theta.dot(v);  // (x v_y - y v_x)/s
-  const T polar = f.e_phi.dot(v);         // r phi', the same as Eq. (18)
+  const T along_s = f.cos_theta * v[0] + f.sin_theta * v[1];
+  const T along_theta = f.cos_theta * v[1] - f.sin_theta * v[0];  // (x v_y - y v_x)/s
+  const T along_phi = f.cos_phi * v[2] - f.sin_phi * along_s;     // r phi', the same as Eq. (18)
   const T theta_rate =
-      rule == AzimuthRate::kinematic ? T(tangential / f.s) : T(tangential * f.s / (f.r * f.r));
-  return {theta_rate, T(polar / f.r)};
+      rule == AzimuthRate::kinematic ? T(along_theta * f.one_s) : T(along_theta * T(f.s * T(f.one_r * f.one_r)));
+  return {theta_rate, T(along_phi * f.one_r)};
 }
 
 // What the slab does to the tip. V_R = 0 is an ordinary point: F_f/V_R keeps its finite limit.
@@ -110,14 +122,16 @@ struct SlabContact {
 
 template <class T, class P>
 SlabContact<T> slab_contact(const Bristle<P>& b, const State<T>& state) {
-  using std::sqrt;
-  const WallForce<T> wall = wall_force(T(b.z_0 - state.r[2]), b.cbrt_wall_peak, b.lambda_z);
+  const WallForce<T> wall = wall_force(T(b.z_0 - state.r[2]), b.wall_root_peak, b.wall_root_rate);
   const T V_x = state.v[0] - 1.0, V_y = state.v[1];
   // The offset is below rounding for V_R > 1e-8 and gives V_R = 0 the limit chi/V_R = A B/V_s.
-  const T V_R = T(sqrt(T(V_x * V_x + V_y * V_y + 1e-32)));
+  const T V_R2 = V_x * V_x + V_y * V_y + 1e-32;
+  const T one_V_R = inverse_sqrt(V_R2);
+  const T V_R = V_R2 * one_V_R;
   const T chi_V = chi(T(V_R * b.inverse_V_s), b.A, b.B, b.C);
   const T load = b.friction == FrictionLaw::nss ? wall.F_n_23 : wall.F_n;
-  return {wall.F_n, wall.F_n_23, V_R, chi_V, T(b.friction_factor * chi_V * load), T(V_x / V_R), T(V_y / V_R)};
+  return {wall.F_n,      wall.F_n_23,        V_R, chi_V, T(T(b.friction_factor * chi_V) * load),
+          T(V_x * one_V_R), T(V_y * one_V_R)};
 }
 
 // Everything the integrators and diagnostics need at one instant.
@@ -128,7 +142,7 @@ struct Motion {
   SlabContact<T> slab;
 };
 
-// Eq. (13) with the closing equations (17, 18).
+// Eq. (13), collected along e_s, e_theta and k, with the closing equations (17, 18).
 template <class T, class P>
 Motion<T> motion(const Bristle<P>& b, const State<T>& state) {
   Motion<T> m;
@@ -136,14 +150,13 @@ Motion<T> motion(const Bristle<P>& b, const State<T>& state) {
   m.rates = angular_rates(b.azimuth_rate, f, state.v);
   m.slab = slab_contact(b, state);
   const T radial = b.k_r * T(f.r - 1.0);
-  const T azimuthal = (b.k_theta * T(state.theta - b.theta_0) + b.c_theta * m.rates.theta) / f.s;
-  const T polar = (b.k_phi * T(state.phi - b.phi_0) + b.c_phi * m.rates.phi) / f.r;
-  const T axis = short_range_force(f.s, b.alpha, b.lambda);
-  for (int i = 0; i < 3; ++i)
-    m.acceleration[i] = axis * f.e_s[i] - radial * f.e_r[i] - azimuthal * f.e_theta[i] - polar * f.e_phi[i];
-  m.acceleration[0] -= m.slab.F_f * m.slab.e_x;
-  m.acceleration[1] -= m.slab.F_f * m.slab.e_y;
-  m.acceleration[2] -= m.slab.F_n;
+  const T azimuthal = T(b.k_theta * T(state.theta - b.theta_0) + b.c_theta * m.rates.theta) * f.one_s;
+  const T polar = T(b.k_phi * T(state.phi - b.phi_0) + b.c_phi * m.rates.phi) * f.one_r;
+  const T axis = short_range_force(f.s, b.axis_peak, b.axis_rate);
+  const T along_s = axis - radial * f.cos_phi + polar * f.sin_phi;
+  m.acceleration[0] = along_s * f.cos_theta + azimuthal * f.sin_theta - m.slab.F_f * m.slab.e_x;
+  m.acceleration[1] = along_s * f.sin_theta - azimuthal * f.cos_theta - m.slab.F_f * m.slab.e_y;
+  m.acceleration[2] = -radial * f.sin_phi - polar * f.cos_phi - m.slab.F_n;
   return m;
 }
 

@@ -10,8 +10,8 @@ T potential_energy(const Bristle<P>& b, const Vector3<T>& position, const T& the
   const Frame<T> f = frame_at(position);
   const T stretch = f.r - 1.0, twist = theta - b.theta_0, bend = phi - b.phi_0;
   return b.k_r * stretch * stretch / 2 + b.k_theta * twist * twist / 2 + b.k_phi * bend * bend / 2 +
-         short_range_energy(T(b.z_0 - position[2]), b.beta, b.lambda_z) +
-         short_range_energy(f.s, b.alpha, b.lambda);
+         short_range_energy(T(b.z_0 - position[2]), b.wall_peak, b.wall_rate) +
+         short_range_energy(f.s, b.axis_peak, b.axis_rate);
 }
 
 // Total energy E of the tip in contact. Dimensionless (m V0^2).

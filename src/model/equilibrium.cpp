@@ -20,10 +20,10 @@ double middle(const std::pair<double, double>& bracket) {
 double radial_balance(const Bristle<double>& b, double phi) {
   const double sin_phi = std::sin(phi), cos_phi = std::cos(phi);
   const auto residual = [&](double r) {
-    return b.k_r * (r - 1) + sin_phi * short_range_force(b.z_0 - r * sin_phi, b.beta, b.lambda_z) -
-           cos_phi * short_range_force(r * cos_phi, b.alpha, b.lambda);
+    return b.k_r * (r - 1) + sin_phi * short_range_force(b.z_0 - r * sin_phi, b.wall_peak, b.wall_rate) -
+           cos_phi * short_range_force(r * cos_phi, b.axis_peak, b.axis_rate);
   };
-  const double longest = 1 + b.alpha / (2 * b.lambda * b.k_r);
+  const double longest = 1 + b.axis_peak / b.k_r;
   return middle(bisect(residual, 0.0, longest, eps_tolerance<double>(52)));
 }
 
@@ -31,8 +31,8 @@ double radial_balance(const Bristle<double>& b, double phi) {
 double polar_residual(const Bristle<double>& b, double phi) {
   const double r = radial_balance(b, phi);
   const double z = r * std::sin(phi), s = r * std::cos(phi);
-  return b.k_phi * (phi - b.phi_0) + s * short_range_force(b.z_0 - z, b.beta, b.lambda_z) +
-         z * short_range_force(s, b.alpha, b.lambda);
+  return b.k_phi * (phi - b.phi_0) + s * short_range_force(b.z_0 - z, b.wall_peak, b.wall_rate) +
+         z * short_range_force(s, b.axis_peak, b.axis_rate);
 }
 
 }  // namespace

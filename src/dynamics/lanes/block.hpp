@@ -1,0 +1,47 @@
+#pragma once
+
+#include "dynamics/ode.hpp"
+
+#include <cstdint>
+
+namespace bristle {
+
+// Room for the widest instruction set: two vectors of eight numbers.
+constexpr int kLanes = 16;
+struct alignas(64) Row {
+  double lane[kLanes];
+};
+
+// Passages under way, one per lane, each with its own time and step size. Plain data: the kernels, compiled once
+// per instruction set, step it; the engine, compiled once, fills lanes and answers events.
+struct Block {
+  FrictionLaw friction;
+  AzimuthRate azimuth_rate;
+  std::uint32_t occupied = 0;  // lanes that hold a passage, one bit each
+  std::uint32_t fresh = 0;     // lanes whose slope is not that of their state
+
+  Row constants[kConstants];       // of Bristle, in the order of for_each_constant
+  Row rtol, atol, L_x, x_0;        // slip is xi - (x - x_0)
+  Row near_axis, pole;             // distances s: below near_axis the explicit kernel stops, pole is s_min
+  Row t, y[COMPONENTS], slope[COMPONENTS];  // at the last accepted step
+  Row h;                           // next step to try
+  Row attempts, max_attempts;
+
+  // The step that was just tried, for lanes with an event: it is not yet accepted.
+  Row t_new, h_next, y_new[COMPONENTS], slope_new[COMPONENTS];
+};
+
+// The exit is met when the slip is this close to L_x.
+constexpr double kSlipTolerance = 1e-10;
+constexpr double kSmallestStep = 1e-15;
+
+// Why a kernel stopped. One bit per lane in each; lanes without a bit go on.
+struct Events {
+  std::uint32_t exit = 0;       // the step is good, and the slip reaches L_x in it
+  std::uint32_t axis = 0;       // the step is good, and comes near the axis (explicit) or the pole (implicit)
+  std::uint32_t exhausted = 0;  // max_attempts
+  std::uint32_t stuck = 0;      // no step is small enough, or a state is not finite
+  std::uint32_t any() const { return exit | axis | exhausted | stuck; }
+};
+
+}  // namespace bristle

@@ -1,0 +1,249 @@
+#include "dynamics/lanes/engine.hpp"
+
+#include "dynamics/rules.hpp"
+
+#include <algorithm>
+
+namespace bristle {
+namespace {
+
+constexpr double kFractionTolerance = 1e-14;
+// A tip this close to s_min, relatively, is at the pole.
+constexpr double kPoleTolerance = 1e-2;
+constexpr long kEvaluationsPerStep = 6;
+
+// A passage under way.
+struct Flight {
+  PassageTask task;
+  std::size_t ticket;
+  OdeState y;
+  double t = 0, h = kFirstStep, x_0 = 0;
+  long steps = 0;
+  int reflections = 0;
+  bool implicit = false;
+};
+
+long max_steps(const IntegratorOptions& options) { return options.max_evaluations / kEvaluationsPerStep; }
+
+// Cubic through position and velocity at both ends of a step, as a function of its fraction u.
+class Arc {
+ public:
+  Arc(const OdeState& from, const OdeState& to, double h) : from_(from), to_(to), h_(h) {}
+  OdeState operator()(double u) const {
+    OdeState at{};
+    for (const int c : {X, Y}) {
+      const double p = from_[c], q = to_[c], v = h_ * from_[VX + c], w = h_ * to_[VX + c];
+      const double b = 3 * (q - p) - 2 * v - w, a = 2 * (p - q) + v + w;
+      at[c] = p + u * (v + u * (b + u * a));
+      at[VX + c] = (v + u * (2 * b + 3 * u * a)) / h_;
+    }
+    return at;
+  }
+
+ private:
+  const OdeState &from_, &to_;
+  double h_;
+};
+
+}  // namespace
+
+// The lanes of one method for one friction law and closure, and the passages that wait for one.
+class LaneEngine::Set {
+ public:
+  Set(LaneEngine& engine, FrictionLaw friction, AzimuthRate rate, bool implicit)
+      : engine_(engine), implicit_(implicit) {
+    block_.friction = friction;
+    block_.azimuth_rate = rate;
+  }
+
+  bool serves(const PassageTask& task, bool implicit) const {
+    return implicit == implicit_ && task.bristle.friction == block_.friction &&
+           task.bristle.azimuth_rate == block_.azimuth_rate;
+  }
+  int occupied() const { return __builtin_popcount(block_.occupied); }
+  std::size_t load() const { return waiting_.size() + std::size_t(occupied()); }
+
+  void add(Flight&& flight) { waiting_.push_back(std::move(flight)); }
+
+  // Fills free lanes, steps until an event, answers it.
+  void run() {
+    for (int lane = 0; lane < kLanes && !waiting_.empty(); ++lane) {
+      if (block_.occupied >> lane & 1) continue;
+      put(lane, std::move(waiting_.front()));
+      waiting_.pop_front();
+    }
+    const auto steps = implicit_ ? engine_.kernels_.implicit_steps : engine_.kernels_.explicit_steps;
+    const Events events = steps(block_);
+    for (int lane = 0; lane < kLanes; ++lane)
+      if (events.any() >> lane & 1) answer(lane, events);
+  }
+
+ private:
+  void put(int lane, Flight&& flight) {
+    const PassageTask& task = flight.task;
+    const double factor = implicit_ ? kImplicitFactor : 1;
+    const auto set = [lane](Row& row, double value) { row.lane[lane] = value; };
+    int i = 0;
+    for_each_constant(task.bristle, [&](double constant) { set(block_.constants[i++], constant); });
+    set(block_.rtol, factor * task.integrator.rtol);
+    set(block_.atol, factor * task.integrator.atol);
+    set(block_.L_x, task.parameters->L_x);
+    set(block_.x_0, flight.x_0);
+    set(block_.near_axis, task.integrator.method == Method::automatic ? kStiffRanges * task.parameters->lambda
+                                                                      : task.parameters->s_min);
+    set(block_.pole, task.parameters->s_min);
+    set(block_.attempts, 0);
+    long limit = max_steps(task.integrator) - flight.steps;
+    if (!implicit_ && task.integrator.method == Method::automatic) limit = std::min(limit, kExplicitSteps);
+    set(block_.max_attempts, double(limit));
+    block_.occupied |= 1u << lane;
+    flights_[lane] = std::move(flight);
+    restart(lane);
+  }
+
+  // Hands the flight's time, step size and state to its lane.
+  void restart(int lane) {
+    const Flight& flight = flights_[lane];
+    block_.t.lane[lane] = flight.t;
+    block_.h.lane[lane] = flight.h;
+    for (int c = 0; c < COMPONENTS; ++c) block_.y[c].lane[lane] = flight.y[c];
+    block_.fresh |= 1u << lane;
+  }
+
+  void answer(int lane, const Events& events) {
+    const auto has = [lane](std::uint32_t bits) { return (bits >> lane & 1) != 0; };
+    Flight& flight = flights_[lane];
+    for (int c = 0; c < COMPONENTS; ++c) flight.y[c] = block_.y[c].lane[lane];
+    flight.t = block_.t.lane[lane];
+    if (has(events.stuck)) return end(lane, Outcome::not_finite);
+    if (has(events.axis) && !implicit_) return hand_over(lane);
+    if (has(events.axis | events.exit)) {
+      if (answer_step(lane, has(events.axis), has(events.exit))) return;
+    }
+    if (!has(events.exhausted)) return;
+    const bool gives_up = flight.steps + attempts(lane) >= max_steps(flight.task.integrator);
+    if (implicit_ || gives_up || flight.task.integrator.method != Method::automatic)
+      return end(lane, Outcome::step_limit);
+    hand_over(lane);
+  }
+
+  // A step in which the tip may meet the pole or reach its exit: accepts it if that is where it ends, otherwise
+  // asks for a step that ends there. True if the passage is over.
+  bool answer_step(int lane, bool axis, bool exit) {
+    Flight& flight = flights_[lane];
+    const double h = block_.t_new.lane[lane] - flight.t;
+    OdeState y_new;
+    for (int c = 0; c < COMPONENTS; ++c) y_new[c] = block_.y_new[c].lane[lane];
+    const Arc arc(flight.y, y_new, h);
+    const double L_x = flight.task.parameters->L_x, s_min = flight.task.parameters->s_min;
+    constexpr double never = std::numeric_limits<double>::infinity();
+
+    double pole = never, exit_at = never;
+    if (axis) pole = pole_contact(arc, s_min, 0, 1, kFractionTolerance);
+    if (axis && pole > 0.5 && in_plane_distance(y_new) < (1 + kPoleTolerance) * s_min && in_plane_distance(y_new) > (1 - kPoleTolerance) * s_min) pole = 1;
+    const auto slip = [&](double u) { return flight.t + u * h - (arc(u)[X] - flight.x_0) - L_x; };
+    if (exit) exit_at = slip(1) <= kSlipTolerance ? 1 : root_in(slip, 0, 1, kFractionTolerance);
+    const double first = std::min(pole, exit_at);
+    if (first < 1) {
+      if (first == pole && in_plane_distance(flight.y) <= s_min * (1 + kPoleTolerance)) {
+        reflect_at(lane);
+      } else {
+        block_.h.lane[lane] = first * h;
+      }
+      return false;
+    }
+    accept(lane, y_new);
+    if (exit_at == 1) {
+      end(lane, Outcome::left);
+      return true;
+    }
+    if (pole == 1) reflect_at(lane);
+    return false;
+  }
+
+  void accept(int lane, const OdeState& y_new) {
+    Flight& flight = flights_[lane];
+    flight.y = y_new;
+    flight.t = block_.t_new.lane[lane];
+    flight.h = block_.h_next.lane[lane];
+    restart(lane);
+  }
+
+  void reflect_at(int lane) {
+    Flight& flight = flights_[lane];
+    if (reflect(flight.y)) ++flight.reflections;
+    flight.h = std::min(block_.h_next.lane[lane], kFirstStep);
+    restart(lane);
+  }
+
+  long attempts(int lane) const { return long(block_.attempts.lane[lane]); }
+
+  void release(int lane) {
+    flights_[lane].steps += attempts(lane);
+    block_.occupied &= ~(1u << lane);
+  }
+
+  void hand_over(int lane) {
+    release(lane);
+    Flight flight = std::move(flights_[lane]);
+    flight.h = std::min(block_.h.lane[lane], kFirstStep);
+    flight.implicit = true;
+    engine_.set_for(flight.task, true).add(std::move(flight));
+  }
+
+  void end(int lane, Outcome outcome) {
+    release(lane);
+    const Flight& flight = flights_[lane];
+    Passage out;
+    out.outcome = outcome;
+    out.theta_0 = flight.task.bristle.theta_0;
+    out.contact_time = flight.t;
+    out.end = flight.y;
+    out.steps = flight.steps;
+    out.evaluations = kEvaluationsPerStep * flight.steps;
+    out.reflections = flight.reflections;
+    out.implicit = flight.implicit;
+    if (out.complete()) complete(flight.task, out);
+    ++engine_.ended_;
+    engine_.done_(flight.ticket, std::move(out));
+  }
+
+  LaneEngine& engine_;
+  bool implicit_;
+  Block block_{};
+  std::array<Flight, kLanes> flights_;
+  std::deque<Flight> waiting_;
+};
+
+LaneEngine::LaneEngine(const Kernels& kernels, Done done) : kernels_(kernels), done_(std::move(done)) {}
+LaneEngine::~LaneEngine() = default;
+
+LaneEngine::Set& LaneEngine::set_for(const PassageTask& task, bool implicit) {
+  for (const auto& set : sets_)
+    if (set->serves(task, implicit)) return *set;
+  const Bristle<double>& b = task.bristle;
+  sets_.push_back(std::make_unique<Set>(*this, b.friction, b.azimuth_rate, implicit));
+  return *sets_.back();
+}
+
+void LaneEngine::submit(const PassageTask& task, std::size_t ticket) {
+  Flight flight{task, ticket, pack(state_at_rest(task.bristle, task.start))};
+  flight.x_0 = flight.y[X];
+  flight.implicit = task.integrator.method == Method::implicit_only;
+  set_for(task, flight.implicit).add(std::move(flight));
+}
+
+bool LaneEngine::advance() {
+  const auto lighter = [](const auto& a, const auto& b) {
+    return std::min<std::size_t>(a->load(), kLanes) < std::min<std::size_t>(b->load(), kLanes);
+  };
+  ended_ = 0;
+  while (ended_ == 0) {
+    const auto busiest = std::max_element(sets_.begin(), sets_.end(), lighter);
+    if (busiest == sets_.end() || (*busiest)->load() == 0) return false;
+    (*busiest)->run();
+  }
+  return true;
+}
+
+}  // namespace bristle
