@@ -110,4 +110,20 @@ void jacobian(const Bristle<T>& b, const In& y, Out& dydt, StateJacobianOf<T>& o
   for (int i = 0; i < kIntegrals; ++i) of_integrals.row(i) = out[NORMAL + i].derivatives();
 }
 
+// Derivatives of the in-plane acceleration with respect to the in-plane velocity, and derivative(): friction and
+// the damping of the azimuth, which make the equations stiff, are in this block.
+template <class T, class In, class Out>
+Eigen::Matrix<T, 2, 2> in_plane_damping(const Bristle<T>& b, const In& y, Out& dydt) {
+  using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<T, 2, 1>>;
+  std::array<Dual, kState> in;
+  std::array<Dual, COMPONENTS> out;
+  for (int i = 0; i < kState; ++i) in[i] = Dual(y[i], Eigen::Matrix<T, 2, 1>(T(i == VX), T(i == VY)));
+  derivative<Dual>(b, in, out);
+  for (int i = 0; i < COMPONENTS; ++i) dydt[i] = out[i].value();
+  Eigen::Matrix<T, 2, 2> J;
+  J.row(0) = out[VX].derivatives();
+  J.row(1) = out[VY].derivatives();
+  return J;
+}
+
 }  // namespace bristle

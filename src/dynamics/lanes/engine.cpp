@@ -3,6 +3,7 @@
 #include "dynamics/rules.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace bristle {
 namespace {
@@ -11,6 +12,9 @@ constexpr double kFractionTolerance = 1e-14;
 // A tip this close to s_min, relatively, is at the pole.
 constexpr double kPoleTolerance = 1e-2;
 constexpr long kEvaluationsPerStep = 6;
+// The explicit method goes on once the tip is this much farther from the axis than where it stopped.
+constexpr double kReturnFactor = 2;
+long es(){static const long e=getenv("ES")?atol(getenv("ES")):6000; return e;}
 
 // A passage under way.
 struct Flight {
@@ -20,7 +24,8 @@ struct Flight {
   double t = 0, h = kFirstStep, x_0 = 0;
   long steps = 0;
   int reflections = 0;
-  bool implicit = false;
+  bool implicit = false;  // the implicit method had a part in it
+  bool slow = false;      // the explicit method took too many steps
 };
 
 long max_steps(const IntegratorOptions& options) { return options.max_evaluations / kEvaluationsPerStep; }
@@ -60,7 +65,7 @@ class LaneEngine::Set {
     return implicit == implicit_ && task.bristle.friction == block_.friction &&
            task.bristle.azimuth_rate == block_.azimuth_rate;
   }
-  int occupied() const { return __builtin_popcount(block_.occupied); }
+  int occupied() const { return __builtin_popcountll(block_.occupied); }
   std::size_t load() const { return waiting_.size() + std::size_t(occupied()); }
 
   void add(Flight&& flight) { waiting_.push_back(std::move(flight)); }
@@ -81,7 +86,7 @@ class LaneEngine::Set {
  private:
   void put(int lane, Flight&& flight) {
     const PassageTask& task = flight.task;
-    const double factor = implicit_ ? kImplicitFactor : 1;
+    static const double ff=getenv("FF")?atof(getenv("FF")):10; const double factor = implicit_ ? ff : 1;
     const auto set = [lane](Row& row, double value) { row.lane[lane] = value; };
     int i = 0;
     for_each_constant(task.bristle, [&](double constant) { set(block_.constants[i++], constant); });
@@ -89,16 +94,24 @@ class LaneEngine::Set {
     set(block_.atol, factor * task.integrator.atol);
     set(block_.L_x, task.parameters->L_x);
     set(block_.x_0, flight.x_0);
-    set(block_.near_axis, task.integrator.method == Method::automatic ? kStiffRanges * task.parameters->lambda
-                                                                      : task.parameters->s_min);
+    set(block_.near_axis, method_border(flight));
     set(block_.pole, task.parameters->s_min);
     set(block_.attempts, 0);
     long limit = max_steps(task.integrator) - flight.steps;
-    if (!implicit_ && task.integrator.method == Method::automatic) limit = std::min(limit, kExplicitSteps);
+    if (!implicit_ && task.integrator.method == Method::automatic) limit = std::min(limit, es());
     set(block_.max_attempts, double(limit));
-    block_.occupied |= 1u << lane;
+    block_.occupied |= std::uint64_t{1} << lane;
     flights_[lane] = std::move(flight);
     restart(lane);
+  }
+
+  // The distance from the axis at which the other method takes over.
+  double method_border(const Flight& flight) const {
+    const PassageTask& task = flight.task;
+    const bool automatic = task.integrator.method == Method::automatic;
+    const double stiff = kStiffRanges * task.parameters->lambda;
+    if (!implicit_) return automatic ? stiff : task.parameters->s_min;
+    return automatic && !flight.slow ? kReturnFactor * stiff : std::numeric_limits<double>::infinity();
   }
 
   // Hands the flight's time, step size and state to its lane.
@@ -107,16 +120,17 @@ class LaneEngine::Set {
     block_.t.lane[lane] = flight.t;
     block_.h.lane[lane] = flight.h;
     for (int c = 0; c < COMPONENTS; ++c) block_.y[c].lane[lane] = flight.y[c];
-    block_.fresh |= 1u << lane;
+    block_.fresh |= std::uint64_t{1} << lane;
   }
 
   void answer(int lane, const Events& events) {
-    const auto has = [lane](std::uint32_t bits) { return (bits >> lane & 1) != 0; };
+    const auto has = [lane](std::uint64_t bits) { return (bits >> lane & 1) != 0; };
     Flight& flight = flights_[lane];
     for (int c = 0; c < COMPONENTS; ++c) flight.y[c] = block_.y[c].lane[lane];
     flight.t = block_.t.lane[lane];
     if (has(events.stuck)) return end(lane, Outcome::not_finite);
     if (has(events.axis) && !implicit_) return hand_over(lane);
+    if (has(events.away)) return hand_over(lane);
     if (has(events.axis | events.exit)) {
       if (answer_step(lane, has(events.axis), has(events.exit))) return;
     }
@@ -124,6 +138,7 @@ class LaneEngine::Set {
     const bool gives_up = flight.steps + attempts(lane) >= max_steps(flight.task.integrator);
     if (implicit_ || gives_up || flight.task.integrator.method != Method::automatic)
       return end(lane, Outcome::step_limit);
+    flight.slow = true;
     hand_over(lane);
   }
 
@@ -180,7 +195,7 @@ class LaneEngine::Set {
 
   void release(int lane) {
     flights_[lane].steps += attempts(lane);
-    block_.occupied &= ~(1u << lane);
+    block_.occupied &= ~(std::uint64_t{1} << lane);
   }
 
   void hand_over(int lane) {
@@ -188,7 +203,7 @@ class LaneEngine::Set {
     Flight flight = std::move(flights_[lane]);
     flight.h = std::min(block_.h.lane[lane], kFirstStep);
     flight.implicit = true;
-    engine_.set_for(flight.task, true).add(std::move(flight));
+    engine_.set_for(flight.task, !implicit_).add(std::move(flight));
   }
 
   void end(int lane, Outcome outcome) {

@@ -13,7 +13,7 @@ class ExplicitStep {
   static void refresh(Group& g) { derivative<Lanes>(g.bristle, g.y, g.slope); }
 
   // Fills y_new and slope_new; returns the largest error over tolerance.
-  static Lanes attempt(Group& g) {
+  static HWY_FLATTEN Lanes attempt(Group& g) {
     constexpr int S = Tableau::stages;
     std::array<std::array<Lanes, COMPONENTS>, S> k;
     k[0] = g.slope;
@@ -31,7 +31,10 @@ class ExplicitStep {
   }
 
   // Near the axis the equations are stiff, and an explicit step could cross it.
-  static Lanes::Mask axis_event(const Group& g) { return near_axis(g, g.y_new) | passes_axis(g); }
+  static Lanes::Mask axis_event(const Group& g) {
+    return (in_plane_square(g.y_new) < Lanes(g.near_axis * g.near_axis)) | passes_axis(g);
+  }
+  static Lanes::Mask leaves_axis(const Group&) { return Lanes(0.0) < Lanes(0.0); }
 
  private:
   template <class Slopes>
@@ -40,10 +43,6 @@ class ExplicitStep {
     for (int j = 1; j < count; ++j)
       if (weight[j] != 0) out = out + k[j][component] * Lanes(weight[j]);
     return out;
-  }
-
-  static Lanes::Mask near_axis(const Group& g, const std::array<Lanes, COMPONENTS>& y) {
-    return Lanes(y[X] * y[X] + y[Y] * y[Y]) < Lanes(g.near_axis * g.near_axis);
   }
 
   // It was approaching, it recedes, and a straight line would have passed within near_axis.

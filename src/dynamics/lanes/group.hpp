@@ -13,6 +13,7 @@ struct Group {
   std::array<Lanes, COMPONENTS> y, slope, y_new, slope_new;
 };
 
+inline Lanes in_plane_square(const std::array<Lanes, COMPONENTS>& y) { return y[X] * y[X] + y[Y] * y[Y]; }
 inline Lanes radial_product(const std::array<Lanes, COMPONENTS>& y) { return y[X] * y[VX] + y[Y] * y[VY]; }
 
 // The largest error over tolerance; NaN if any error is. One division in all: fractions are compared crosswise.
@@ -52,7 +53,7 @@ class Kernel {
     Events events;
     while (events.any() == 0)
       for (int first = 0; first < kLanes; first += Lanes::kSize) {
-        constexpr std::uint32_t all = (1u << Lanes::kSize) - 1;
+        constexpr std::uint64_t all = (std::uint64_t{1} << Lanes::kSize) - 1;
         if ((block.occupied >> first) & all) step(block, first, events);
       }
     return events;
@@ -63,10 +64,10 @@ class Kernel {
     Group g;
     load(block, first, g);
     const auto row = [first](Row& r) { return r.lane + first; };
-    if ((block.fresh >> first) & ((1u << Lanes::kSize) - 1)) {
+    if ((block.fresh >> first) & ((std::uint64_t{1} << Lanes::kSize) - 1)) {
       Step::refresh(g);
       for (int c = 0; c < COMPONENTS; ++c) g.slope[c].store(row(block.slope[c]));
-      block.fresh &= ~(((1u << Lanes::kSize) - 1) << first);
+      block.fresh &= ~(((std::uint64_t{1} << Lanes::kSize) - 1) << first);
     }
     const Lanes error = Step::attempt(g);
     const Lanes t_new = Lanes::load(row(block.t)) + g.h;
@@ -80,6 +81,7 @@ class Kernel {
     const Lanes::Mask meets_axis = good & Step::axis_event(g);
     const Lanes::Mask commits = good & !(exits | meets_axis);
     const Lanes::Mask stuck = (!good) & (h_next < kSmallestStep);
+    const Lanes::Mask away = commits & Step::leaves_axis(g);
     const Lanes::Mask exhausted = attempts >= Lanes::load(row(block.max_attempts));
 
     select(commits, t_new, Lanes::load(row(block.t))).store(row(block.t));
@@ -89,10 +91,11 @@ class Kernel {
       select(commits, g.slope_new[c], g.slope[c]).store(row(block.slope[c]));
     }
     const auto bits = [&](const Lanes::Mask& m) { return (m.bits() << first) & block.occupied; };
-    const std::uint32_t any = bits(exits | meets_axis | stuck | exhausted);
+    const std::uint64_t any = bits(exits | meets_axis | away | stuck | exhausted);
     if (any == 0) return;
     events.exit |= bits(exits);
     events.axis |= bits(meets_axis);
+    events.away |= bits(away);
     events.stuck |= bits(stuck);
     events.exhausted |= bits(exhausted);
     t_new.store(row(block.t_new));

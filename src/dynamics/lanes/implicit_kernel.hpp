@@ -50,7 +50,7 @@ class RosenbrockStep {
 
   static void refresh(Group&) {}
 
-  static Lanes attempt(Group& g) {
+  static HWY_FLATTEN Lanes attempt(Group& g) {
     constexpr int S = Tableau::stages;
     StateJacobianOf<Lanes> J;
     IntegralJacobianOf<Lanes> J_integrals;
@@ -87,15 +87,17 @@ class RosenbrockStep {
   // or may have been near.
   static Lanes::Mask axis_event(const Group& g) {
     const Lanes zero = 0.0, reach = Lanes(g.pole * g.pole);
-    const auto s2 = [](const auto& y) { return Lanes(y[X] * y[X] + y[Y] * y[Y]); };
     const auto aims_at_it = [&](const auto& y) {
       const Lanes moment = y[X] * y[VY] - y[Y] * y[VX];
       return Lanes(moment * moment) < Lanes(Lanes(4.0 * reach) * Lanes(y[VX] * y[VX] + y[VY] * y[VY]));
     };
-    const Lanes::Mask within = (s2(g.y_new) < 1.01 * reach) & (radial_product(g.y_new) < zero);
+    const Lanes::Mask within = (in_plane_square(g.y_new) < 1.01 * reach) & (radial_product(g.y_new) < zero);
     const Lanes::Mask turned = (radial_product(g.y) < zero) & (radial_product(g.y_new) >= zero);
-    const Lanes::Mask near = (s2(g.y) < 100.0 * reach) | (s2(g.y_new) < 100.0 * reach);
+    const Lanes::Mask near = (in_plane_square(g.y) < 100.0 * reach) | (in_plane_square(g.y_new) < 100.0 * reach);
     return within | (turned & (near | aims_at_it(g.y) | aims_at_it(g.y_new)));
+  }
+  static Lanes::Mask leaves_axis(const Group& g) {
+    return Lanes(g.near_axis * g.near_axis) < in_plane_square(g.y_new);
   }
 };
 

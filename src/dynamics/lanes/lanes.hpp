@@ -119,12 +119,12 @@ struct Lanes::Mask {
     return make([&](int i) { return hn::Not(a.m[i]); });
   }
   // Bit i is lane i.
-  unsigned bits() const {
-    unsigned out = 0;
+  std::uint64_t bits() const {
+    std::uint64_t out = 0;
     for (int i = 0; i < kVectors; ++i) {
       std::uint8_t byte[8] = {};
       hn::StoreMaskBits(tag, m[i], byte);
-      out |= unsigned(byte[0]) << (i * kWidth);
+      out |= std::uint64_t(byte[0]) << (i * kWidth);
     }
     return out;
   }
