@@ -58,10 +58,7 @@ constexpr int kSteps = 2000;
 struct System {
   Bristle<double> b;
   void derivative(const OdeState& y, OdeState& dydt) { bristle::derivative<double>(b, y, dydt); }
-  void jacobian(const OdeState& y, StateJacobian& J, IntegralJacobian& I) {
-    OdeState slope;
-    bristle::jacobian(b, y, slope, J, I);
-  }
+  void jacobian(const OdeState& y, StateJacobian& J, IntegralJacobian& I) { bristle::jacobian(b, y, J, I); }
 };
 
 void steps_on_eigen(System system, OdeState y) {

@@ -14,10 +14,7 @@ struct System {
   Bristle<double> b;
   void derivative(const OdeState& y, OdeState& dydt) { bristle::derivative<double>(b, y, dydt); }
   void operator()(const OdeState& y, OdeState& dydt, double) { derivative(y, dydt); }
-  void jacobian(const OdeState& y, StateJacobian& J, IntegralJacobian& I) {
-    OdeState slope;
-    bristle::jacobian(b, y, slope, J, I);
-  }
+  void jacobian(const OdeState& y, StateJacobian& J, IntegralJacobian& I) { bristle::jacobian(b, y, J, I); }
 };
 
 System smooth_system() {

@@ -54,12 +54,8 @@ constexpr int kState = NORMAL;  // components that forces depend on
 constexpr int kIntegrals = COMPONENTS - NORMAL;
 
 using OdeState = std::array<double, COMPONENTS>;
-template <class T>
-using StateJacobianOf = Eigen::Matrix<T, kState, kState>;
-template <class T>
-using IntegralJacobianOf = Eigen::Matrix<T, kIntegrals, kState>;
-using StateJacobian = StateJacobianOf<double>;
-using IntegralJacobian = IntegralJacobianOf<double>;
+using StateJacobian = Eigen::Matrix<double, kState, kState>;
+using IntegralJacobian = Eigen::Matrix<double, kIntegrals, kState>;
 
 template <class T, class Array>
 State<T> unpack(const Array& y) {
@@ -95,17 +91,14 @@ void derivative(const Bristle<P>& b, const In& y, Out& dydt) {
   dydt[WORK] = power(b, m);
 }
 
-// Derivatives of derivative() with respect to the state, by automatic differentiation of the same code, and
-// derivative() itself.
-template <class T, class In, class Out>
-void jacobian(const Bristle<T>& b, const In& y, Out& dydt, StateJacobianOf<T>& of_state,
-              IntegralJacobianOf<T>& of_integrals) {
-  using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<T, kState, 1>>;
+// Derivatives of derivative() with respect to the state, by automatic differentiation of the same code.
+inline void jacobian(const Bristle<double>& b, const OdeState& y, StateJacobian& of_state,
+                     IntegralJacobian& of_integrals) {
+  using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<double, kState, 1>>;
   std::array<Dual, kState> in;
   std::array<Dual, COMPONENTS> out;
   for (int i = 0; i < kState; ++i) in[i] = Dual(y[i], kState, i);
   derivative<Dual>(b, in, out);
-  for (int i = 0; i < COMPONENTS; ++i) dydt[i] = out[i].value();
   for (int i = 0; i < kState; ++i) of_state.row(i) = out[i].derivatives();
   for (int i = 0; i < kIntegrals; ++i) of_integrals.row(i) = out[NORMAL + i].derivatives();
 }

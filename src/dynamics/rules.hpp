@@ -16,10 +16,6 @@ constexpr double kPinnedRanges = 20;
 constexpr long kExplicitSteps = 6000;
 constexpr double kStiffRanges = 4;
 
-// A pinned bristle oscillates undamped about its place; its means do not depend on the phase, so its
-// tolerance may be looser (docs/numerics.md has the measurement).
-constexpr double kImplicitFactor = 10;
-
 constexpr double kFirstStep = 1e-5;
 
 inline double in_plane_distance(const OdeState& y) { return std::sqrt(y[X] * y[X] + y[Y] * y[Y]); }

@@ -7,10 +7,7 @@
 namespace bristle {
 
 // Room for the widest instruction set: two vectors of eight numbers.
-#ifndef BRISTLE_LANES
-#define BRISTLE_LANES 16
-#endif
-constexpr int kLanes = BRISTLE_LANES;
+constexpr int kLanes = 16;
 struct alignas(64) Row {
   double lane[kLanes];
 };
@@ -20,8 +17,8 @@ struct alignas(64) Row {
 struct Block {
   FrictionLaw friction;
   AzimuthRate azimuth_rate;
-  std::uint64_t occupied = 0;  // lanes that hold a passage, one bit each
-  std::uint64_t fresh = 0;     // lanes whose slope is not that of their state
+  std::uint32_t occupied = 0;  // lanes that hold a passage, one bit each
+  std::uint32_t fresh = 0;     // lanes whose slope is not that of their state
 
   Row constants[kConstants];       // of Bristle, in the order of for_each_constant
   Row rtol, atol, L_x, x_0;        // slip is xi - (x - x_0)
@@ -40,12 +37,12 @@ constexpr double kSmallestStep = 1e-15;
 
 // Why a kernel stopped. One bit per lane in each; lanes without a bit go on.
 struct Events {
-  std::uint64_t exit = 0;       // the step is good, and the slip reaches L_x in it
-  std::uint64_t axis = 0;       // the step is good, and comes near the axis (explicit) or the pole (implicit)
-  std::uint64_t away = 0;       // implicit: the step was good and accepted, and left the axis behind
-  std::uint64_t exhausted = 0;  // max_attempts
-  std::uint64_t stuck = 0;      // no step is small enough, or a state is not finite
-  std::uint64_t any() const { return exit | axis | away | exhausted | stuck; }
+  std::uint32_t exit = 0;       // the step is good, and the slip reaches L_x in it
+  std::uint32_t axis = 0;       // the step is good, and comes near the axis (explicit) or the pole (implicit)
+  std::uint32_t away = 0;       // implicit: the step was good and accepted, and left the axis behind
+  std::uint32_t exhausted = 0;  // max_attempts
+  std::uint32_t stuck = 0;      // no step is small enough, or a state is not finite
+  std::uint32_t any() const { return exit | axis | away | exhausted | stuck; }
 };
 
 }  // namespace bristle

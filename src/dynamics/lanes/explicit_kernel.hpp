@@ -10,23 +10,21 @@ class ExplicitStep {
  public:
   static constexpr double kExponent = Tableau::exponent;
 
-  static void refresh(Group& g) { derivative<Lanes>(g.bristle, g.y, g.slope); }
+  static void refresh(Group& g) { evaluate(g.bristle, g.y, g.slope); }
 
   // Fills y_new and slope_new; returns the largest error over tolerance.
-  static HWY_FLATTEN Lanes attempt(Group& g) {
-    constexpr int S = Tableau::stages;
-    std::array<std::array<Lanes, COMPONENTS>, S> k;
+  static Lanes attempt(Group& g) {
+    Slopes<S> k;
     k[0] = g.slope;
-    for (int i = 1; i < S; ++i) {
-      std::array<Lanes, kState> at;
-      for (int c = 0; c < kState; ++c) at[c] = g.y[c] + g.h * sum(k, Tableau::a[i], i, c);
-      derivative<Lanes>(g.bristle, at, k[i]);
-    }
-    for (int c = 0; c < COMPONENTS; ++c) g.y_new[c] = g.y[c] + g.h * sum(k, Tableau::b, S, c);
-    derivative<Lanes>(g.bristle, g.y_new, g.slope_new);
-    ErrorNorm norm(g);
+    stages(g, k, std::make_index_sequence<S>());
     for (int c = 0; c < COMPONENTS; ++c)
-      norm.add(c, g.h * Lanes(sum(k, Tableau::error, S, c) + g.slope_new[c] * Lanes(Tableau::error[S])));
+      g.y_new[c] = g.y[c] + g.h * combine<S>(k, c, [](int j) { return Tableau::b[j]; });
+    evaluate(g.bristle, g.y_new, g.slope_new);
+    ErrorNorm norm(g);
+    for (int c = 0; c < COMPONENTS; ++c) {
+      const Lanes others = combine<S>(k, c, [](int j) { return Tableau::error[j]; });
+      norm.add(c, g.h * Lanes(others + g.slope_new[c] * Lanes(Tableau::error[S])));
+    }
     return norm.value();
   }
 
@@ -37,12 +35,20 @@ class ExplicitStep {
   static Lanes::Mask leaves_axis(const Group&) { return Lanes(0.0) < Lanes(0.0); }
 
  private:
-  template <class Slopes>
-  static Lanes sum(const Slopes& k, const double* weight, int count, int component) {
-    Lanes out = k[0][component] * Lanes(weight[0]);
-    for (int j = 1; j < count; ++j)
-      if (weight[j] != 0) out = out + k[j][component] * Lanes(weight[j]);
-    return out;
+  static constexpr int S = Tableau::stages;
+
+  template <std::size_t... I>
+  static HWY_INLINE void stages(const Group& g, Slopes<S>& k, std::index_sequence<I...>) {
+    (stage<int(I)>(g, k), ...);
+  }
+  template <int I>
+  static HWY_INLINE void stage(const Group& g, Slopes<S>& k) {
+    if constexpr (I > 0) {
+      std::array<Lanes, kState> at;
+      for (int c = 0; c < kState; ++c)
+        at[c] = g.y[c] + g.h * combine<I>(k, c, [](int j) { return Tableau::a[I][j]; });
+      evaluate(g.bristle, at, k[I]);
+    }
   }
 
   // It was approaching, it recedes, and a straight line would have passed within near_axis.

@@ -16,6 +16,31 @@ struct Group {
 inline Lanes in_plane_square(const std::array<Lanes, COMPONENTS>& y) { return y[X] * y[X] + y[Y] * y[Y]; }
 inline Lanes radial_product(const std::array<Lanes, COMPONENTS>& y) { return y[X] * y[VX] + y[Y] * y[VY]; }
 
+// The slope of every component, from the state. One copy of it: inlined everywhere it would not fit the caches.
+template <class State>
+HWY_NOINLINE HWY_FLATTEN void evaluate(const Bristle<Lanes>& b, const State& y,
+                                                    std::array<Lanes, COMPONENTS>& slope) {
+  derivative<Lanes>(b, y, slope);
+}
+
+template <int Stages, int Components = COMPONENTS>
+using Slopes = std::array<std::array<Lanes, Components>, Stages>;
+
+// sum_j weight(j) k_j over the first Count slopes of a component; weight is a constant expression.
+template <int Count, class AllSlopes, class Weight, std::size_t... J>
+HWY_INLINE Lanes combine(const AllSlopes& k, int component, Weight weight, std::index_sequence<J...>) {
+  Lanes sum = k[0][component] * Lanes(weight(0));
+  const auto add = [&](auto j) {
+    if constexpr (j > 0 && Weight{}(j) != 0) sum += k[j][component] * Lanes(Weight{}(j));
+  };
+  (add(std::integral_constant<int, int(J)>{}), ...);
+  return sum;
+}
+template <int Count, class AllSlopes, class Weight>
+HWY_INLINE Lanes combine(const AllSlopes& k, int component, Weight weight) {
+  return combine<Count>(k, component, weight, std::make_index_sequence<Count>());
+}
+
 // The largest error over tolerance; NaN if any error is. One division in all: fractions are compared crosswise.
 class ErrorNorm {
  public:
@@ -53,7 +78,7 @@ class Kernel {
     Events events;
     while (events.any() == 0)
       for (int first = 0; first < kLanes; first += Lanes::kSize) {
-        constexpr std::uint64_t all = (std::uint64_t{1} << Lanes::kSize) - 1;
+        constexpr std::uint32_t all = (1u << Lanes::kSize) - 1;
         if ((block.occupied >> first) & all) step(block, first, events);
       }
     return events;
@@ -64,10 +89,10 @@ class Kernel {
     Group g;
     load(block, first, g);
     const auto row = [first](Row& r) { return r.lane + first; };
-    if ((block.fresh >> first) & ((std::uint64_t{1} << Lanes::kSize) - 1)) {
+    if ((block.fresh >> first) & ((1u << Lanes::kSize) - 1)) {
       Step::refresh(g);
       for (int c = 0; c < COMPONENTS; ++c) g.slope[c].store(row(block.slope[c]));
-      block.fresh &= ~(((std::uint64_t{1} << Lanes::kSize) - 1) << first);
+      block.fresh &= ~(((1u << Lanes::kSize) - 1) << first);
     }
     const Lanes error = Step::attempt(g);
     const Lanes t_new = Lanes::load(row(block.t)) + g.h;
@@ -91,7 +116,7 @@ class Kernel {
       select(commits, g.slope_new[c], g.slope[c]).store(row(block.slope[c]));
     }
     const auto bits = [&](const Lanes::Mask& m) { return (m.bits() << first) & block.occupied; };
-    const std::uint64_t any = bits(exits | meets_axis | away | stuck | exhausted);
+    const std::uint32_t any = bits(exits | meets_axis | away | stuck | exhausted);
     if (any == 0) return;
     events.exit |= bits(exits);
     events.axis |= bits(meets_axis);

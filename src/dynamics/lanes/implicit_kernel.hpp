@@ -1,92 +1,42 @@
 #pragma once
 
 #include "dynamics/lanes/group.hpp"
-#include "dynamics/lanes/tableau.hpp"
 
 namespace bristle::HWY_NAMESPACE {
 
-// Solves (diagonal I - J) g = rhs for state and integrals by elimination without pivoting: damping and
-// springs keep the pivots positive, and a bad pivot shows in the error estimate.
-class Elimination {
- public:
-  Elimination(const StateJacobianOf<Lanes>& J, const IntegralJacobianOf<Lanes>& integrals, const Lanes& diagonal)
-      : integrals_(integrals), one_diagonal_(1.0 / diagonal) {
-    for (int i = 0; i < kState; ++i)
-      for (int j = 0; j < kState; ++j) lu_[i][j] = i == j ? diagonal - J(i, j) : -J(i, j);
-    for (int k = 0; k < kState; ++k) {
-      one_pivot_[k] = 1.0 / lu_[k][k];
-      for (int i = k + 1; i < kState; ++i) {
-        lu_[i][k] *= one_pivot_[k];
-        for (int j = k + 1; j < kState; ++j) lu_[i][j] -= lu_[i][k] * lu_[k][j];
-      }
-    }
-  }
-
-  void solve(std::array<Lanes, COMPONENTS>& g) const {
-    for (int i = 1; i < kState; ++i)
-      for (int j = 0; j < i; ++j) g[i] -= lu_[i][j] * g[j];
-    for (int i = kState - 1; i >= 0; --i) {
-      for (int j = i + 1; j < kState; ++j) g[i] -= lu_[i][j] * g[j];
-      g[i] *= one_pivot_[i];
-    }
-    for (int i = 0; i < kIntegrals; ++i) {
-      Lanes& integral = g[NORMAL + i];
-      for (int j = 0; j < kState; ++j) integral += integrals_(i, j) * g[j];
-      integral *= one_diagonal_;
-    }
-  }
-
- private:
-  const IntegralJacobianOf<Lanes>& integrals_;
-  Lanes one_diagonal_;
-  Lanes lu_[kState][kState], one_pivot_[kState];
-};
-
-// Steps by a Rosenbrock method; the Jacobian is automatic differentiation of the equations.
+// Steps by an additive Runge-Kutta pair. What makes the equations stiff is the damping of the in-plane velocity v
+// by friction and by the azimuth's damper: J (v - v_n), with J its derivative at the step's start, is
+// the implicit part, the rest the explicit one. J is 2 x 2, so that a stage costs no more than an explicit
+// method's, and the order does not depend on how good J is.
 template <class Tableau>
-class RosenbrockStep {
+class AdditiveStep {
  public:
   static constexpr double kExponent = Tableau::exponent;
 
   static void refresh(Group&) {}
 
-  static HWY_FLATTEN Lanes attempt(Group& g) {
-    constexpr int S = Tableau::stages;
-    StateJacobianOf<Lanes> J;
-    IntegralJacobianOf<Lanes> J_integrals;
-    std::array<std::array<Lanes, COMPONENTS>, S> k;
-    jacobian(g.bristle, g.y, k[0], J, J_integrals);
-    const Lanes one_h = 1.0 / g.h;
-    const Elimination system(J, J_integrals, one_h * Lanes(1 / Tableau::gamma));
-    system.solve(k[0]);
-    for (int i = 1; i < S; ++i) {
-      for (int c = 0; c < COMPONENTS; ++c) {
-        g.y_new[c] = g.y[c];
-        for (int j = 0; j < i; ++j)
-          if (Tableau::a[i][j] != 0) g.y_new[c] += k[j][c] * Lanes(Tableau::a[i][j]);
-      }
-      derivative<Lanes>(g.bristle, g.y_new, k[i]);
-      for (int c = 0; c < COMPONENTS; ++c) {
-        Lanes memory = k[0][c] * Lanes(Tableau::c[i][0]);
-        for (int j = 1; j < i; ++j) memory += k[j][c] * Lanes(Tableau::c[i][j]);
-        k[i][c] += memory * one_h;
-      }
-      system.solve(k[i]);
-    }
-    // Stiffly accurate: the last stage is the step's error.
-    ErrorNorm norm(g);
+  // Fills y_new; returns the largest error over tolerance.
+  static Lanes attempt(Group& g) {
+    Slopes<S> k;
+    Slopes<S, 2> implicit;  // J (v - v_n) at the stages
+    const Damping damping(g, evaluate_damping(g.bristle, g.y, k[0]));
+    implicit[0] = {0.0, 0.0};
+    stages(g, damping, k, implicit, std::make_index_sequence<S>());
+    std::array<Lanes, COMPONENTS> error;
     for (int c = 0; c < COMPONENTS; ++c) {
-      g.y_new[c] += k[S - 1][c];
-      norm.add(c, k[S - 1][c]);
+      g.y_new[c] = g.y[c] + g.h * combine<S>(k, c, [](int j) { return Tableau::b[j]; });
+      error[c] = g.h * combine<S>(k, c, [](int j) { return Tableau::error[j]; });
     }
-    g.slope_new = g.slope;
+    ErrorNorm norm(g);
+    for (int c = 0; c < COMPONENTS; ++c) norm.add(c, error[c]);
+    g.slope_new = g.slope;  // not used
     return norm.value();
   }
 
   // It may have come down to the pole: it is within at the end, or it was approaching, recedes, and was
   // or may have been near.
   static Lanes::Mask axis_event(const Group& g) {
-    const Lanes zero = 0.0, reach = Lanes(g.pole * g.pole);
+    const Lanes zero = 0.0, reach = g.pole * g.pole;
     const auto aims_at_it = [&](const auto& y) {
       const Lanes moment = y[X] * y[VY] - y[Y] * y[VX];
       return Lanes(moment * moment) < Lanes(Lanes(4.0 * reach) * Lanes(y[VX] * y[VX] + y[VY] * y[VY]));
@@ -96,8 +46,56 @@ class RosenbrockStep {
     const Lanes::Mask near = (in_plane_square(g.y) < 100.0 * reach) | (in_plane_square(g.y_new) < 100.0 * reach);
     return within | (turned & (near | aims_at_it(g.y) | aims_at_it(g.y_new)));
   }
+
   static Lanes::Mask leaves_axis(const Group& g) {
     return Lanes(g.near_axis * g.near_axis) < in_plane_square(g.y_new);
+  }
+
+ private:
+  static constexpr int S = Tableau::stages;
+
+  static HWY_NOINLINE HWY_FLATTEN Eigen::Matrix<Lanes, 2, 2> evaluate_damping(
+      const Bristle<Lanes>& b, const std::array<Lanes, COMPONENTS>& y, std::array<Lanes, COMPONENTS>& slope) {
+    return in_plane_damping(b, y, slope);
+  }
+
+  // The inverse of I - h gamma J.
+  struct Damping {
+    Damping(const Group& g, const Eigen::Matrix<Lanes, 2, 2>& J)
+        : h_gamma(g.h * Lanes(Tableau::gamma)), one_h_gamma(1.0 / h_gamma) {
+      const Lanes a = 1.0 - h_gamma * J(0, 0), b = h_gamma * J(0, 1);
+      const Lanes c = h_gamma * J(1, 0), d = 1.0 - h_gamma * J(1, 1);
+      const Lanes one_det = 1.0 / (a * d - b * c);
+      xx = d * one_det;
+      xy = b * one_det;
+      yx = c * one_det;
+      yy = a * one_det;
+    }
+    Lanes h_gamma, one_h_gamma, xx, xy, yx, yy;
+  };
+
+  template <std::size_t... I>
+  static HWY_INLINE void stages(const Group& g, const Damping& damping, Slopes<S>& k, Slopes<S, 2>& implicit,
+                                std::index_sequence<I...>) {
+    (stage<int(I)>(g, damping, k, implicit), ...);
+  }
+  template <int I>
+  static HWY_INLINE void stage(const Group& g, const Damping& damping, Slopes<S>& k, Slopes<S, 2>& implicit) {
+    if constexpr (I > 0) {
+      std::array<Lanes, kState> at;
+      for (int c = 0; c < kState; ++c)
+        at[c] = g.y[c] + g.h * combine<I>(k, c, [](int j) { return Tableau::a[I][j]; });
+      // Of the slopes' sum the implicit part is to be weighted otherwise, and this stage's is yet to be found.
+      const auto missing = [&](int c) {
+        return combine<I>(implicit, c, [](int j) { return Tableau::a_implicit[I][j] - Tableau::a[I][j]; });
+      };
+      const Lanes x = (at[VX] - g.y[VX]) + g.h * missing(0), y = (at[VY] - g.y[VY]) + g.h * missing(1);
+      const Lanes v_x = damping.xx * x + damping.xy * y, v_y = damping.yx * x + damping.yy * y;
+      implicit[I] = {Lanes(v_x - x) * damping.one_h_gamma, Lanes(v_y - y) * damping.one_h_gamma};
+      at[VX] = g.y[VX] + v_x;
+      at[VY] = g.y[VY] + v_y;
+      evaluate(g.bristle, at, k[I]);
+    }
   }
 };
 

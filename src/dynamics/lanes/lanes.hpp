@@ -14,10 +14,6 @@ namespace bristle::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-#ifndef BRISTLE_VECTORS
-#define BRISTLE_VECTORS 2
-#endif
-
 // A number type for the equations: one bristle per lane, in two vectors, so that the latency of one hides
 // behind the other. A product is a type of its own: adding to it is one fused multiply-add, whatever the
 // compiler does. Every operation gives equal bits on every instruction set.
@@ -27,7 +23,7 @@ class Lanes {
   using V = hn::Vec<D>;
   using Flags = hn::Mask<D>;
   static constexpr D tag{};
-  static constexpr int kVectors = BRISTLE_VECTORS;
+  static constexpr int kVectors = 2;
   static constexpr int kWidth = int(hn::MaxLanes(tag));
   static constexpr int kSize = kVectors * kWidth;  // numbers in one Lanes
 
@@ -119,12 +115,12 @@ struct Lanes::Mask {
     return make([&](int i) { return hn::Not(a.m[i]); });
   }
   // Bit i is lane i.
-  std::uint64_t bits() const {
-    std::uint64_t out = 0;
+  std::uint32_t bits() const {
+    std::uint32_t out = 0;
     for (int i = 0; i < kVectors; ++i) {
       std::uint8_t byte[8] = {};
       hn::StoreMaskBits(tag, m[i], byte);
-      out |= std::uint64_t(byte[0]) << (i * kWidth);
+      out |= std::uint32_t(byte[0]) << (i * kWidth);
     }
     return out;
   }
@@ -144,9 +140,6 @@ inline Lanes max(const Lanes& a, const Lanes& b) { return select(a < b, b, a); }
 
 inline Lanes abs(const Lanes& x) {
   return Lanes::make([&](int i) { return hn::Abs(x.v[i]); });
-}
-inline Lanes sqrt(const Lanes& x) {
-  return Lanes::make([&](int i) { return hn::Sqrt(x.v[i]); });
 }
 inline Lanes sin(const Lanes& x) {
   return Lanes::make([&](int i) { return hn::Sin(Lanes::tag, x.v[i]); });
