@@ -106,6 +106,7 @@ Experiment read(const Document& d) {
   e.axes = read_axes(d);
   if (swept(e.axes, "C") && json["model"].value("C", Json("")).is_string())
     fail(d, "/model/C", "is swept, so give it a number here");
+  if (d.json()["integrator"].value("engine", "fast") == "reference") e.engine = Engine::reference;
   e.base.interface = {read_model(d), read_orientation(d), read_integrator(d)};
   e.base.loading = read_loading(d, e.axes);
   apply_si_units(d, e.base);

@@ -26,6 +26,7 @@ struct Experiment {
   PointInput base;         // before the sweep's values
   std::vector<Axis> axes;  // in the file's order; the last varies fastest
   bool record_bristles = false;
+  Engine engine = Engine::fast;
   Json checks = Json::array();
   Json document;  // as run: extends, tier and --set applied
 

@@ -1,9 +1,6 @@
 #include "interface/ensemble.hpp"
 
-#include "interface/quadrature.hpp"
-
 #include <cmath>
-#include <optional>
 
 namespace bristle {
 namespace {
@@ -29,98 +26,99 @@ ObservableArray observables(const Passage& passage, double L_x) {
   return o;
 }
 
-QuadratureOptions<OBSERVABLES> quadrature_options(const Orientation& orientation, bool half_circle,
-                                                  std::optional<double> R_n_target) {
-  QuadratureOptions<OBSERVABLES> options;
-  for (std::size_t k = 0; k < OBSERVABLES; ++k) options.scale[k] = int(k);
-  options.scale[R_Y] = R_X;  // R_y is near zero: measured against R_x
-  options.decide_about = R_n_target;
-  if (R_n_target) {
-    options.rtol[R_N] = kDecisionFactor * orientation.rtol;
-  } else {
-    for (Observable k : {N_C_RATIO, R_N, R_X, GAMMA_1, GAMMA_2, GAMMA_3}) options.rtol[k] = orientation.rtol;
-    if (!half_circle) options.rtol[R_Y] = orientation.rtol;
-  }
+std::vector<double> first_edges(bool half_circle) {
   // Bristles that point against the motion decide most: a panel of their own.
   const double head_on = M_PI / 6;
-  if (half_circle) options.edges = {0, M_PI - head_on, M_PI};
-  else options.edges = {-M_PI, -M_PI + head_on, 0, M_PI - head_on, M_PI};
-  return options;
-}
-
-class Average {
- public:
-  Average(const Interface& interface, double z_0, const PassageObserver& observe, Ensemble& out)
-      : p_(interface.parameters),
-        z_0_(z_0),
-        start_(static_equilibrium(make_bristle(p_, z_0, 0))),
-        integrator_(interface.integrator),
-        observe_(observe),
-        out_(out) {}
-
-  Passage passage(double theta_0) {
-    const Passage result = run_passage({&p_, make_bristle(p_, z_0_, theta_0), start_, integrator_});
-    ++out_.passages;
-    if (!result.complete() && out_.incomplete++ == 0) out_.incomplete_theta_0 = theta_0;
-    if (observe_) observe_(result);
-    return result;
-  }
-
-  void by_quadrature(const Orientation& orientation, std::optional<double> R_n_target) {
-    const bool half_circle = mirror_symmetric(orientation) && !orientation.full_circle;
-    const double images = half_circle ? 2 : 1;
-    const Quadrature<OBSERVABLES>::Function integrand = [&](double theta_0) {
-      const Passage one = passage(theta_0);
-      Sample<OBSERVABLES> sample;
-      sample.label = int(one.outcome);
-      sample.valid = one.complete();
-      sample.value = observables(one, p_.L_x);
-      if (half_circle) sample.value[R_Y] = 0;  // cancels against the mirror image
-      for (double& value : sample.value) value *= images * density(orientation, theta_0);
-      return sample;
-    };
-    const auto options = quadrature_options(orientation, half_circle, R_n_target);
-    const auto result = Quadrature<OBSERVABLES>(integrand, options).integrate();
-    out_.mean = result.integral;
-    out_.error = result.error;
-    out_.converged = result.status == QuadratureStatus::converged;
-    out_.jumps = result.jumps;
-  }
-
-  void by_list(const std::vector<double>& theta_0) {
-    for (double angle : theta_0) {
-      const ObservableArray value = observables(passage(angle), p_.L_x);
-      for (std::size_t k = 0; k < OBSERVABLES; ++k) out_.mean[k] += value[k] / double(theta_0.size());
-    }
-  }
-
- private:
-  const Parameters& p_;
-  double z_0_;
-  Equilibrium start_;
-  const IntegratorOptions& integrator_;
-  const PassageObserver& observe_;
-  Ensemble& out_;
-};
-
-Ensemble average(const Interface& interface, double z_0, std::optional<double> R_n_target,
-                 const PassageObserver& observe) {
-  Ensemble out;
-  out.z_0 = z_0;
-  Average average(interface, z_0, observe, out);
-  if (interface.orientation.sampling == Sampling::list) average.by_list(interface.orientation.theta_0);
-  else average.by_quadrature(interface.orientation, R_n_target);
-  return out;
+  if (half_circle) return {0, M_PI - head_on, M_PI};
+  return {-M_PI, -M_PI + head_on, 0, M_PI - head_on, M_PI};
 }
 
 }  // namespace
 
-Ensemble ensemble_mean(const Interface& interface, double z_0, const PassageObserver& observe) {
-  return average(interface, z_0, std::nullopt, observe);
+EnsembleMean::EnsembleMean(const Interface& interface, double z_0, PassageRunner run)
+    : interface_(interface),
+      run_(std::move(run)),
+      start_(static_equilibrium(make_bristle(interface.parameters, z_0, 0))),
+      half_circle_(mirror_symmetric(interface.orientation) && !interface.orientation.full_circle) {
+  out_.z_0 = z_0;
+  if (interface.orientation.sampling == Sampling::quadrature)
+    quadrature_.emplace([this](const std::vector<double>& at) { return samples(at); }, first_edges(half_circle_));
 }
 
-Ensemble ensemble_against_target(const Interface& interface, double z_0, double R_n_target) {
-  return average(interface, z_0, R_n_target, {});
+std::vector<Passage> EnsembleMean::run(const std::vector<double>& theta_0) {
+  std::vector<PassageTask> tasks;
+  for (double angle : theta_0)
+    tasks.push_back({&interface_.parameters, make_bristle(interface_.parameters, out_.z_0, angle), start_,
+                     interface_.integrator});
+  std::vector<Passage> results = run_(tasks);
+  for (const Passage& one : results)
+    if (!one.complete() && out_.incomplete++ == 0) out_.incomplete_theta_0 = one.theta_0;
+  out_.passages += long(results.size());
+  passages_.insert(passages_.end(), results.begin(), results.end());
+  return results;
+}
+
+std::vector<Sample<OBSERVABLES>> EnsembleMean::samples(const std::vector<double>& theta_0) {
+  std::vector<Sample<OBSERVABLES>> out;
+  for (const Passage& one : run(theta_0)) {
+    Sample<OBSERVABLES> sample;
+    sample.label = int(one.outcome);
+    sample.valid = one.complete();
+    sample.value = observables(one, interface_.parameters.L_x);
+    if (half_circle_) sample.value[R_Y] = 0;  // cancels against the mirror image
+    const double weight = (half_circle_ ? 2 : 1) * density(interface_.orientation, one.theta_0);
+    for (double& value : sample.value) value *= weight;
+    out.push_back(sample);
+  }
+  return out;
+}
+
+EnsembleMean::Goal EnsembleMean::goal() const {
+  Goal goal;
+  for (std::size_t k = 0; k < OBSERVABLES; ++k) goal.scale[k] = int(k);
+  goal.scale[R_Y] = R_X;  // R_y is near zero: measured against R_x
+  return goal;
+}
+
+const Ensemble& EnsembleMean::against(double R_n_target) {
+  Goal rough = goal();
+  rough.rtol[R_N] = kDecisionFactor * interface_.orientation.rtol;
+  rough.decide_about = R_n_target;
+  return refine(rough);
+}
+
+const Ensemble& EnsembleMean::near_target() {
+  Goal close = goal();
+  close.rtol[R_N] = interface_.orientation.rtol / 2;
+  return refine(close);
+}
+
+const Ensemble& EnsembleMean::full() {
+  Goal all = goal();
+  for (Observable k : {N_C_RATIO, R_N, R_X, GAMMA_1, GAMMA_2, GAMMA_3}) all.rtol[k] = interface_.orientation.rtol;
+  if (!half_circle_) all.rtol[R_Y] = interface_.orientation.rtol;
+  return refine(all);
+}
+
+const Ensemble& EnsembleMean::refine(const Goal& goal) {
+  if (!quadrature_) {
+    if (passages_.empty()) average_list();
+    return out_;
+  }
+  const auto& result = quadrature_->refine(goal);
+  out_.mean = result.integral;
+  out_.error = result.error;
+  out_.converged = result.status == QuadratureStatus::converged;
+  out_.jumps = result.jumps;
+  return out_;
+}
+
+void EnsembleMean::average_list() {
+  const std::vector<Passage> all = run(interface_.orientation.theta_0);
+  for (const Passage& one : all) {
+    const ObservableArray value = observables(one, interface_.parameters.L_x);
+    for (std::size_t k = 0; k < OBSERVABLES; ++k) out_.mean[k] += value[k] / double(all.size());
+  }
 }
 
 double rigid_friction(const Parameters& p, double R_n) {

@@ -1,10 +1,11 @@
 #pragma once
 
-#include "dynamics/passage.hpp"
+#include "dynamics/runner.hpp"
 #include "interface/orientation.hpp"
+#include "interface/quadrature.hpp"
 
 #include <array>
-#include <functional>
+#include <optional>
 #include <vector>
 
 namespace bristle {
@@ -43,16 +44,42 @@ struct Ensemble {
   std::vector<double> jumps;      // theta_0 at which the outcome changes, rad
 };
 
-using PassageObserver = std::function<void(const Passage&)>;
+// The mean over theta_0 of single passages at the gap z_0 (model: docs/model.md, section "The slab"). Every passage counts
+// for all that is asked of it later. A numerical failure is reported in the result. The interface must outlive it.
+class EnsembleMean {
+ public:
+  EnsembleMean(const Interface& interface, double z_0, PassageRunner run);
+  EnsembleMean(const EnsembleMean&) = delete;
+  EnsembleMean& operator=(const EnsembleMean&) = delete;
 
-// Mean over theta_0 of single passages at the gap z_0 (model: docs/model.md, section "The slab").
-// R_n, R_x, N_c and gamma_1..3 to orientation.rtol. observe sees every passage computed. A numerical
-// failure is reported in the result.
-Ensemble ensemble_mean(const Interface& interface, double z_0, const PassageObserver& observe = {});
+  // R_n only, as accurate as it takes to tell it from R_n_target: a quarter of their distance, and at most
+  // 4 orientation.rtol. Far from the target this is a rough mean of few bristles.
+  const Ensemble& against(double R_n_target);
+  // R_n to half of orientation.rtol: what a root-finder needs near the target.
+  const Ensemble& near_target();
+  // R_n, R_x, N_c and gamma_1..3 to orientation.rtol.
+  const Ensemble& full();
 
-// The same for the load search: only as accurate as it takes to tell R_n from R_n_target, a quarter of their
-// distance, and at most 4 orientation.rtol. Far from the target this is a rough mean of few bristles.
-Ensemble ensemble_against_target(const Interface& interface, double z_0, double R_n_target);
+  // All passages computed, in the order asked.
+  const std::vector<Passage>& passages() const { return passages_; }
+
+ private:
+  using Goal = QuadratureGoal<OBSERVABLES>;
+
+  std::vector<Sample<OBSERVABLES>> samples(const std::vector<double>& theta_0);
+  std::vector<Passage> run(const std::vector<double>& theta_0);
+  const Ensemble& refine(const Goal& goal);
+  void average_list();
+  Goal goal() const;
+
+  const Interface& interface_;
+  PassageRunner run_;
+  Equilibrium start_;
+  bool half_circle_;
+  Ensemble out_;
+  std::vector<Passage> passages_;
+  std::optional<Quadrature<OBSERVABLES>> quadrature_;  // none for a list
+};
 
 // R_rigid of Eqs. (22, 23) per N_c0, at the normal load R_n/N_c0. Dimensionless.
 double rigid_friction(const Parameters& p, double R_n);

@@ -46,12 +46,13 @@ void normalise(PointResult& out, const Parameters& p) {
 
 class PointSolver {
  public:
-  PointSolver(const Interface& interface, const Loading& loading, std::vector<Passage>* bristles)
-      : interface_(interface), loading_(loading), bristles_(bristles) {}
+  PointSolver(const Interface& interface, const Loading& loading, const PassageRunner& run,
+              std::vector<Passage>* bristles)
+      : interface_(interface), loading_(loading), run_(run), bristles_(bristles) {}
 
   PointResult solve() {
     PointResult out = values();
-    out.passages = passages_;
+    for (const auto& [z_0, mean] : means_) out.passages += long(mean.passages().size());
     return out;
   }
 
@@ -68,7 +69,8 @@ class PointSolver {
       out.jump_R_n = found.jump_R_n;
     } else {
       const double off = std::abs(out.value[R_N] - loading_.R_n) + out.error[R_N];
-      add_load_error(out, rough_.at(found.z_0_near), rough_.at(found.z_0_far), off);
+      const double target = loading_.R_n;
+      add_load_error(out, mean_at(found.z_0_near).against(target), mean_at(found.z_0_far).against(target), off);
       normalise(out, interface_.parameters);
     }
     return out;
@@ -78,40 +80,24 @@ class PointSolver {
     LoadSearch search;
     search.target = loading_.R_n;
     search.path = loading_.path;
-    search.rtol = interface_.orientation.rtol;
+    search.rtol = interface_.orientation.rtol / 2;  // the mean's error may take up the other half
     search.first_contact = std::sin(interface_.parameters.phi_0);
     return first_crossing([this](double z_0) { return load_at(z_0); }, search);
   }
 
-  // A rough mean, or the full one where that does not tell R_n from the target.
+  // A rough mean, or a better one where that does not tell R_n from the target.
   Load load_at(double z_0) {
-    auto it = rough_.find(z_0);
-    if (it == rough_.end()) {
-      it = rough_.emplace(z_0, ensemble_against_target(interface_, z_0, loading_.R_n)).first;
-      passages_ += it->second.passages;
-    }
-    const Ensemble& rough = it->second;
-    const bool decided = std::abs(rough.mean[R_N] - loading_.R_n) > kDecided * rough.error[R_N];
-    const Ensemble& e = decided || rough.incomplete > 0 ? rough : full_mean(z_0).ensemble;
-    if (e.incomplete == 0) return {e.mean[R_N], e.error[R_N]};
-    lost_ = e.incomplete_theta_0;
+    EnsembleMean& mean = mean_at(z_0);
+    const Ensemble* e = &mean.against(loading_.R_n);
+    const bool decided = std::abs(e->mean[R_N] - loading_.R_n) > kDecided * e->error[R_N];
+    if (!decided && e->incomplete == 0) e = &mean.near_target();
+    if (e->incomplete == 0) return {e->mean[R_N], e->error[R_N]};
+    lost_ = e->incomplete_theta_0;
     return {kNone, kNone};
   }
 
-  struct Full {
-    Ensemble ensemble;
-    std::vector<Passage> bristles;
-  };
-
-  const Full& full_mean(double z_0) {
-    const auto known = full_.find(z_0);
-    if (known != full_.end()) return known->second;
-    Full& full = full_[z_0];
-    PassageObserver observe;
-    if (bristles_) observe = [&full](const Passage& passage) { full.bristles.push_back(passage); };
-    full.ensemble = ensemble_mean(interface_, z_0, observe);
-    passages_ += full.ensemble.passages;
-    return full;
+  EnsembleMean& mean_at(double z_0) {
+    return means_.try_emplace(z_0, interface_, z_0, run_).first->second;
   }
 
   PointResult incomplete() const {
@@ -121,36 +107,37 @@ class PointSolver {
   }
 
   PointResult at_gap(double z_0, LoadStatus status) {
-    const Full& full = full_mean(z_0);
-    if (bristles_) *bristles_ = full.bristles;
-    if (full.ensemble.incomplete > 0) {
-      lost_ = full.ensemble.incomplete_theta_0;
+    EnsembleMean& mean = mean_at(z_0);
+    const Ensemble& ensemble = mean.full();
+    if (bristles_) *bristles_ = mean.passages();
+    if (ensemble.incomplete > 0) {
+      lost_ = ensemble.incomplete_theta_0;
       return incomplete();
     }
     PointResult out = without_values(status == LoadStatus::jump ? PointStatus::jump
-                                     : full.ensemble.converged  ? PointStatus::ok
+                                     : ensemble.converged       ? PointStatus::ok
                                                                 : PointStatus::not_converged);
     out.z_0 = z_0;
     out.z_0_error = 0;
-    out.value = full.ensemble.mean;
-    out.error = full.ensemble.error;
+    out.value = ensemble.mean;
+    out.error = ensemble.error;
     normalise(out, interface_.parameters);
     return out;
   }
 
   const Interface& interface_;
   const Loading& loading_;
+  const PassageRunner& run_;
   std::vector<Passage>* bristles_;
-  std::map<double, Ensemble> rough_;  // by gap: means of the load search
-  std::map<double, Full> full_;       // by gap: means to the tolerance asked for
-  long passages_ = 0;
+  std::map<double, EnsembleMean> means_;  // by gap
   double lost_ = kNone;  // theta_0 of a passage without an exit
 };
 
 }  // namespace
 
-PointResult solve_point(const Interface& interface, const Loading& loading, std::vector<Passage>* bristles) {
-  return PointSolver(interface, loading, bristles).solve();
+PointResult solve_point(const Interface& interface, const Loading& loading, const PassageRunner& run,
+                        std::vector<Passage>* bristles) {
+  return PointSolver(interface, loading, run, bristles).solve();
 }
 
 }  // namespace bristle

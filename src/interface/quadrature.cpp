@@ -1,53 +1,46 @@
 #include "interface/quadrature.hpp"
 
-#include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <stdexcept>
 
 namespace bristle {
 namespace {
 
-// Lagrange's factors for the polynomial through the Gauss nodes, at every node.
-void add_interpolation(KronrodRule& rule) {
-  const std::size_t n = rule.node.size();
-  rule.interpolation.assign(n, std::vector<double>(n, 0));
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j < n; ++j) {
-      if (rule.gauss_weight[j] == 0) continue;
-      double factor = 1;
-      for (std::size_t m = 0; m < n; ++m)
-        if (m != j && rule.gauss_weight[m] > 0)
-          factor *= (rule.node[i] - rule.node[m]) / (rule.node[j] - rule.node[m]);
-      rule.interpolation[i][j] = factor;
-    }
+// Value at x of the i-th Lagrange polynomial over nodes 0, 1, .. count - 1.
+double lagrange(std::size_t i, std::size_t count, double x) {
+  double value = 1;
+  for (std::size_t j = 0; j < count; ++j)
+    if (j != i) value *= (x - double(j)) / (double(i) - double(j));
+  return value;
 }
 
-template <unsigned Points>
-KronrodRule make_rule() {
-  using Kronrod = boost::math::quadrature::gauss_kronrod<double, Points>;
-  using Gauss = boost::math::quadrature::gauss<double, (Points - 1) / 2>;
-  // Boost lists the non-negative half, ascending; every second node is a Gauss node, such that the
-  // largest is not.
-  const auto& x = Kronrod::abscissa();
-  const auto& w = Kronrod::weights();
-  const auto& g = Gauss::weights();
-  const std::size_t half = x.size();
-  const std::size_t parity = half % 2;  // index parity of the Gauss nodes
-  KronrodRule rule;
-  const auto add = [&](std::size_t i, double sign) {
-    rule.node.push_back(sign * x[i]);
-    rule.weight.push_back(w[i]);
-    rule.gauss_weight.push_back(i % 2 == parity ? g[i / 2] : 0.0);
-  };
-  for (std::size_t i = half; i-- > 1;) add(i, -1);
-  for (std::size_t i = 0; i < half; ++i) add(i, 1);
-  add_interpolation(rule);
+NestedRule make_rule(std::vector<double> weight, const NestedRule* coarse) {
+  NestedRule rule{std::move(weight), coarse, {}};
+  const std::size_t even = (rule.weight.size() + 1) / 2;
+  if (!coarse) return rule;
+  for (std::size_t i = 0; i + 1 < even; ++i) {
+    rule.between.emplace_back();
+    for (std::size_t j = 0; j < even; ++j) rule.between.back().push_back(lagrange(j, even, double(i) + 0.5));
+  }
   return rule;
 }
 
 }  // namespace
 
-const KronrodRule& kronrod_rule(double width) {
-  static const KronrodRule many = make_rule<15>(), few = make_rule<7>();
-  return width > 0.7 ? many : few;
+const NestedRule& nested_rule(std::size_t nodes) {
+  static const NestedRule two = make_rule({1. / 2, 1. / 2}, nullptr);
+  static const NestedRule three = make_rule({1. / 6, 4. / 6, 1. / 6}, &two);
+  static const NestedRule five = make_rule({7. / 90, 32. / 90, 12. / 90, 32. / 90, 7. / 90}, &three);
+  constexpr double w = 28350;
+  static const NestedRule nine = make_rule({989 / w, 5888 / w, -928 / w, 10496 / w, -4540 / w, 10496 / w,
+                                            -928 / w, 5888 / w, 989 / w},
+                                           &five);
+  switch (nodes) {
+    case 2: return two;
+    case 3: return three;
+    case 5: return five;
+    case 9: return nine;
+  }
+  throw std::logic_error("no rule of this many nodes");
 }
 
 }  // namespace bristle

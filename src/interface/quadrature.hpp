@@ -3,14 +3,14 @@
 #include <array>
 #include <functional>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace bristle {
 
-// Adaptive Gauss-Kronrod quadrature of several functions at once, for integrands that are smooth between
-// jumps. A sample carries a label; where neighbouring labels differ there is a jump, which is located by
-// bisecting on the label (one sample a step) and becomes a panel border.
+// Adaptive quadrature of several functions at once, for integrands that are smooth between jumps and dear to
+// sample. Samples are asked for in batches and never thrown away: a panel holds 3, 5 or 9 equidistant nodes, ends
+// included; it is refined by nodes between them, and at 17 becomes two. A sample carries a label; where
+// neighbours' labels differ there is a jump, which is located by bisecting on the label (one sample a step).
 template <std::size_t N>
 struct Sample {
   std::array<double, N> value{};
@@ -19,14 +19,12 @@ struct Sample {
 };
 
 template <std::size_t N>
-struct QuadratureOptions {
+struct QuadratureGoal {
   std::array<double, N> rtol{};  // per component; 0: not controlled
   std::array<int, N> scale{};    // component whose integral rtol refers to
-  std::vector<double> edges;     // first panels: ascending, at least two
   // Enough is known of a component once its error is a quarter of its distance from this value: what
   // a root-finder or a scan asks for.
   std::optional<double> decide_about;
-  long max_samples = 16000;
 };
 
 enum class QuadratureStatus {
@@ -38,33 +36,36 @@ enum class QuadratureStatus {
 template <std::size_t N>
 struct QuadratureResult {
   QuadratureStatus status = QuadratureStatus::converged;
-  // error: root of the sum of squares over the panels and over the jumps' unknown places. A panel's is
-  // |Kronrod - Gauss|, which can be small by accident where the integrand is rough, and not less than
-  // the misfit between the samples and the polynomial through the Gauss nodes says (Gonnet 2010).
+  // error: root of the sum of squares over the panels and over the jumps' unknown places. A panel's is the
+  // difference between its rule and that of every second node, scaled by how fast such differences fall; not
+  // less than the misfit between its nodes and the polynomial through every second one says, as that
+  // difference can be small by accident where the integrand is rough (Gonnet 2010).
   std::array<double, N> integral{}, error{};
   std::vector<double> jumps;  // ascending
   long samples = 0;
 };
 
-// Nodes and weights on [-1, 1]; gauss_weight is 0 at the nodes that Kronrod added. interpolation[i][j] is the
-// factor of the value at Gauss node j in the value, at node i, of the polynomial through the Gauss nodes.
-struct KronrodRule {
-  std::vector<double> node, weight, gauss_weight;
-  std::vector<std::vector<double>> interpolation;
+// Closed Newton-Cotes rule of 2, 3, 5 or 9 nodes on [0, 1].
+struct NestedRule {
+  std::vector<double> weight;
+  const NestedRule* coarse;  // the rule of every second node; none for 2 nodes
+  // between[i][j]: factor of the value at node 2 j in the value, at node 2 i + 1, of the polynomial through them.
+  std::vector<std::vector<double>> between;
 };
-
-// The rule for a panel of this width: many nodes for wide panels, few for slivers. width in the
-// integrand's own variable (rad).
-const KronrodRule& kronrod_rule(double width);
+const NestedRule& nested_rule(std::size_t nodes);
 
 template <std::size_t N>
 class Quadrature {
  public:
-  using Function = std::function<Sample<N>(double)>;
+  using Function = std::function<std::vector<Sample<N>>(const std::vector<double>&)>;
+  using Values = std::array<double, N>;
 
-  Quadrature(const Function& f, const QuadratureOptions<N>& options) : f_(f), options_(options) {}
+  // edges: of the first panels, ascending, at least two.
+  Quadrature(Function f, std::vector<double> edges, long max_samples = 16000)
+      : f_(std::move(f)), edges_(std::move(edges)), max_samples_(max_samples) {}
 
-  QuadratureResult<N> integrate();
+  // Samples until the goal is met. Called again with another goal it goes on from what is there.
+  const QuadratureResult<N>& refine(const QuadratureGoal<N>& goal);
 
  private:
   struct Node {
@@ -72,31 +73,40 @@ class Quadrature {
     Sample<N> sample{};
   };
   struct Panel {
-    double from, to;
-    std::array<double, N> integral{}, error{};
-    std::vector<Node> nodes;
+    std::vector<Node> nodes;  // 2^k + 1, equidistant
+    Values integral{}, error{};
+    double width() const { return nodes.back().at - nodes.front().at; }
   };
-  using Change = std::pair<Node, Node>;  // neighbours with different labels
+  // Neighbours with different labels. As a jump: the panels end here and go on there.
+  struct Change {
+    Node left, right;
+  };
 
-  Node evaluate(double at);
-  Panel make_panel(double from, double to);
-  void locate(Change change);
-  void find_changes();
-  static double place(const Change& jump) { return jump.first.at + (jump.second.at - jump.first.at) / 2; }
-  static std::array<double, N> uncertainty(const Change& change);
+  std::vector<Node> evaluate(const std::vector<double>& at);
+  void start();
+  void measure(Panel& panel) const;
+  Values rule(const Panel& panel, std::size_t stride) const;
+  Panel make_panel(std::vector<Node> nodes) const;
+  void densify(std::size_t panel);
+  void replace(std::size_t panel, const std::vector<Panel>& panels);
+  void refine_worst();
+  void locate(std::size_t panel);
+  void narrow(Change& jump);
+  void bisect(Change& change, std::vector<Node>& left_trail, std::vector<Node>& right_trail);
+  void cut(std::vector<Panel>& out, const std::vector<Node>& nodes, bool from_right) const;
+  std::optional<Change> change_in(const Panel& panel) const;
+  static Values uncertainty(const Change& change);
   void sum();
   double allowed(std::size_t component) const;
-  double severity(const std::array<double, N>& error) const;
-  double lacking(std::array<double, N> error) const;
-  std::optional<std::size_t> worse(const std::vector<Change>& changes, double& most) const;
-  void refine_worst();
+  double severity(const Values& error) const;
+  double lacking(Values error) const;
 
-  const Function& f_;
-  const QuadratureOptions<N>& options_;
-  std::vector<Panel> panels_;    // ascending, adjoining
-  std::vector<Change> jumps_;    // located: a panel border lies between the two
-  std::vector<Change> changes_;  // not located
-  std::array<Node, 2> ends_{};   // samples at the two ends of the range
+  Function f_;
+  std::vector<double> edges_;
+  long max_samples_;
+  QuadratureGoal<N> goal_;
+  std::vector<Panel> panels_;  // ascending
+  std::vector<Change> jumps_;  // located
   QuadratureResult<N> result_;
 };
 

@@ -1,15 +1,26 @@
 #include "run/provenance.hpp"
 
+#include "dynamics/lanes/kernels.hpp"
+
 #include <Eigen/Core>
 #include <boost/version.hpp>
 #include <ctime>
 #include <fmt/format.h>
 #include <hdf5.h>
 #include <nlohmann/json.hpp>
-#include <tbb/version.h>
 #include <unistd.h>
 
 namespace bristle {
+
+namespace {
+
+// Of the fast engine's kernels.
+std::string instruction_set() {
+  const auto available = available_kernels();
+  return available.empty() ? "none with fused multiply-add" : available.front()->target;
+}
+
+}  // namespace
 
 std::string utc_now() {
   const std::time_t now = std::time(nullptr);
@@ -34,7 +45,7 @@ std::map<std::string, std::string> provenance(const std::string& command_line, i
       {"nlohmann_json", fmt::format("{}.{}.{}", NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR,
                                     NLOHMANN_JSON_VERSION_PATCH)},
       {"fmt", fmt::format("{}", FMT_VERSION)},
-      {"tbb", TBB_VERSION_STRING},
+      {"instruction_set", instruction_set()},
       {"host", host},
       {"threads", fmt::format("{}", threads)},
       {"command_line", command_line},

@@ -6,6 +6,9 @@
 #include "dynamics/lanes/implicit_kernel.hpp"
 #include "dynamics/lanes/tableau.hpp"
 
+// A missing compiler option would silently choose a lesser set.
+static_assert(HWY_TARGET == BRISTLE_TARGET, "not the instruction set that this file is compiled for");
+
 namespace bristle::HWY_NAMESPACE {
 
 extern const Kernels kKernels;

@@ -1,0 +1,144 @@
+#include "run/worker.hpp"
+
+#include "dynamics/lanes/engine.hpp"
+
+#include <boost/coroutine2/coroutine.hpp>
+#include <boost/coroutine2/protected_fixedsize_stack.hpp>
+#include <list>
+
+namespace bristle {
+namespace {
+
+namespace coroutines = boost::coroutines2;
+
+// Enough points that the lanes are full while most of them wait for the last passages of a batch.
+constexpr std::size_t kPointsUnderWay = 24;
+constexpr std::size_t kStackBytes = 256 * 1024;
+
+PointReport solve(const Experiment& experiment, std::size_t index, const PassageRunner& run) {
+  PointReport report;
+  report.index = index;
+  const PointInput input = experiment.point(index);
+  auto* bristles = experiment.record_bristles ? &report.bristles : nullptr;
+  report.result = solve_point(input.interface, input.loading, run, bristles);
+  return report;
+}
+
+// Passages that a point waits for.
+struct Batch {
+  const std::vector<PassageTask>* tasks;
+  std::vector<Passage> results;
+  std::size_t missing;
+};
+
+// A point that is being solved; it stops wherever it needs passages.
+class Solving {
+ public:
+  using Routine = coroutines::coroutine<Batch*>;
+
+  Solving(const Experiment& experiment, std::size_t index)
+      : routine_(coroutines::protected_fixedsize_stack(kStackBytes), [this, &experiment, index](Routine::push_type& wait) {
+          const PassageRunner run = [&wait](const std::vector<PassageTask>& tasks) {
+            Batch batch{&tasks, std::vector<Passage>(tasks.size()), tasks.size()};
+            if (!tasks.empty()) wait(&batch);
+            return std::move(batch.results);
+          };
+          report_ = solve(experiment, index, run);
+        }) {}
+
+  // The batch it waits for; none once it is solved.
+  Batch* waits_for() { return routine_ ? routine_.get() : nullptr; }
+  void resume() { routine_(); }
+  PointReport&& report() { return std::move(report_); }
+
+ private:
+  PointReport report_;
+  Routine::pull_type routine_;
+};
+
+class LaneWorker {
+ public:
+  LaneWorker(const Experiment& experiment, PointQueue& queue)
+      : experiment_(experiment),
+        queue_(queue),
+        engine_(best_kernels(), [this](std::size_t ticket, Passage&& passage) { receive(ticket, std::move(passage)); }) {}
+
+  void work() {
+    while (start_points() && !queue_.stopped()) {
+      engine_.advance();
+      for (auto it = points_.begin(); it != points_.end();) {
+        const auto point = it++;
+        if (Batch* batch = point->waits_for(); batch && batch->missing > 0) continue;
+        point->resume();
+        submit_or_deliver(point);
+      }
+    }
+  }
+
+ private:
+  using Points = std::list<Solving>;
+  struct Ticket {
+    Batch* batch;
+    std::size_t place;
+  };
+
+  // False if none is left.
+  bool start_points() {
+    while (points_.size() < kPointsUnderWay) {
+      const auto index = queue_.next(points_.empty());
+      if (!index) break;
+      points_.emplace_back(experiment_, *index);
+      submit_or_deliver(std::prev(points_.end()));
+    }
+    return !points_.empty();
+  }
+
+  void submit_or_deliver(Points::iterator point) {
+    Batch* batch = point->waits_for();
+    if (!batch) {
+      queue_.deliver(point->report());
+      points_.erase(point);
+      return;
+    }
+    for (std::size_t i = 0; i < batch->tasks->size(); ++i) {
+      std::size_t ticket = tickets_.size();
+      if (free_.empty()) {
+        tickets_.emplace_back();
+      } else {
+        ticket = free_.back();
+        free_.pop_back();
+      }
+      tickets_[ticket] = {batch, i};
+      engine_.submit((*batch->tasks)[i], ticket);
+    }
+  }
+
+  void receive(std::size_t ticket, Passage&& passage) {
+    const auto [batch, place] = tickets_[ticket];
+    free_.push_back(ticket);
+    batch->results[place] = std::move(passage);
+    --batch->missing;
+  }
+
+  const Experiment& experiment_;
+  PointQueue& queue_;
+  LaneEngine engine_;
+  Points points_;
+  std::vector<Ticket> tickets_;
+  std::vector<std::size_t> free_;
+};
+
+}  // namespace
+
+void work_in_lanes(const Experiment& experiment, PointQueue& queue) { LaneWorker(experiment, queue).work(); }
+
+void work_by_reference(const Experiment& experiment, PointQueue& queue) {
+  const PassageRunner run = make_runner(Engine::reference);
+  while (!queue.stopped()) {
+    const auto index = queue.next(true);
+    if (!index) return;
+    queue.deliver(solve(experiment, *index, run));
+  }
+}
+
+}  // namespace bristle

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "run/sweep.hpp"
+
+#include <optional>
+
+namespace bristle {
+
+// Where a worker's points come from and go to; called from several threads.
+class PointQueue {
+ public:
+  virtual ~PointQueue() = default;
+  // The next point's index; none once there is no more to do or, without wait, while enough are under way.
+  virtual std::optional<std::size_t> next(bool wait) = 0;
+  virtual void deliver(PointReport&& report) = 0;
+  virtual bool stopped() = 0;
+};
+
+// Solves points with the fast engine on this thread until the queue has none. Several points are under way at a time, each
+// on a stack of its own: a point that waits for passages leaves the lanes to the others'.
+void work_in_lanes(const Experiment& experiment, PointQueue& queue);
+
+// Solves points one after the other with the reference engine.
+void work_by_reference(const Experiment& experiment, PointQueue& queue);
+
+}  // namespace bristle
