@@ -14,7 +14,7 @@ LoadPoint search(const std::function<double(double)>& R_n, double target, LoadPa
   s.target = target;
   s.path = path;
   s.first_contact = kContact;
-  return first_crossing([&](double z_0) { return Load{R_n(z_0), 1e-6}; }, s);
+  return first_crossing([&](double z_0, Accuracy) { return Load{R_n(z_0), 1e-6}; }, s);
 }
 
 double rising(double z_0) { return 4 * (kContact - z_0); }
@@ -79,6 +79,18 @@ TEST_CASE("load control: a load below that of the soft wall at first contact is 
   const LoadPoint p = search(soft, 0.5);
   CHECK(p.status == LoadStatus::reached);
   CHECK(p.z_0 > kContact);
+}
+
+TEST_CASE("load control: rough means may place a stop wrongly; what counts is the precise ones") {
+  for (const double bias : {-0.3, 0.3}) {
+    CAPTURE(bias);
+    LoadSearch s;
+    s.first_contact = kContact;
+    const LoadPoint p = first_crossing(
+        [&](double z_0, Accuracy a) { return Load{rising(z_0) + (a == Accuracy::rough ? bias : 0.0), 1e-6}; }, s);
+    CHECK(p.status == LoadStatus::reached);
+    CHECK(p.z_0 == Approx(kContact - 0.5).margin(5e-4));
+  }
 }
 
 TEST_CASE("load control: a curve that cannot be computed fails as such") {

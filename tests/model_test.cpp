@@ -183,10 +183,10 @@ TEST_CASE("automatic differentiation gives the derivatives of the equations") {
     IntegralJacobian J_integrals;
     jacobian(b, y, J, J_integrals);
     OdeState slope, plain;
-    const Eigen::Matrix2d block = in_plane_damping(b, y, slope);
+    const Eigen::Matrix3d block = damping_matrix(b, y, slope);
     derivative<double>(b, y, plain);
     RC_ASSERT(slope == plain);
-    RC_ASSERT((block - J.block(VX, VX, 2, 2)).norm() <= kRounding * J.norm());
+    RC_ASSERT((block - J.block(VX, VX, 3, 3)).norm() <= kRounding * J.norm());
     for (int j = 0; j < kState; ++j) {
       const double h = 1e-7;
       OdeState up = y, down = y, f_up, f_down;

@@ -1,6 +1,7 @@
 #include "generators.hpp"
 #include "interface/quadrature.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 using namespace bristle;
@@ -10,33 +11,64 @@ namespace {
 
 using Result = QuadratureResult<1>;
 
+Quadrature<1>::Function batched(const std::function<Sample<1>(double)>& f) {
+  return [f](const std::vector<double>& at) {
+    std::vector<Sample<1>> out;
+    for (double x : at) out.push_back(f(x));
+    return out;
+  };
+}
+
 Result integrate(const std::function<double(double)>& f, const std::function<int(double)>& label,
                  double rtol) {
-  QuadratureOptions<1> options;
-  options.rtol[0] = rtol;
-  options.edges = {0, 2.6, M_PI};
-  const Quadrature<1>::Function sampled = [&](double x) { return Sample<1>{{f(x)}, label(x), true}; };
-  return Quadrature<1>(sampled, options).integrate();
+  QuadratureGoal<1> goal;
+  goal.rtol[0] = rtol;
+  goal.widest = 0.35;
+  return Quadrature<1>(batched([&](double x) { return Sample<1>{{f(x)}, label(x), true}; }), {0, 2.6, M_PI})
+      .refine(goal);
 }
 
 int no_label(double) { return 0; }
 
 }  // namespace
 
-TEST_CASE("Kronrod rules: exact for polynomials, Gauss inside") {
-  for (const double width : {1.0, 0.1}) {
-    const KronrodRule& rule = kronrod_rule(width);
-    const int n = int(rule.node.size());
-    const auto moment = [&](const std::vector<double>& weight, int power) {
+TEST_CASE("nested rules: exact for polynomials, and so is the polynomial through every second node") {
+  for (const std::size_t n : {2, 3, 5, 9}) {
+    const NestedRule& rule = nested_rule(n);
+    REQUIRE(rule.weight.size() == n);
+    for (std::size_t power = 0; power <= std::min<std::size_t>(n - 1, 7); ++power) {
       double sum = 0;
-      for (int i = 0; i < n; ++i) sum += weight[i] * std::pow(rule.node[i], power);
-      return sum;
-    };
-    for (int power = 0; power <= n - 2; power += 2) {
-      CHECK(moment(rule.weight, power) == Approx(2.0 / (power + 1)).epsilon(1e-13));
-      CHECK(moment(rule.gauss_weight, power) == Approx(2.0 / (power + 1)).epsilon(1e-13));
+      const auto at = [&](std::size_t i) { return std::pow(double(i) / double(n - 1), double(power)); };
+      for (std::size_t i = 0; i < n; ++i) sum += rule.weight[i] * at(i);
+      CHECK(sum == Approx(1.0 / double(power + 1)).epsilon(1e-13));
+      if (power > n / 2) continue;
+      for (std::size_t i = 0; i < rule.between.size(); ++i) {
+        double value = 0;
+        for (std::size_t j = 0; j < rule.between[i].size(); ++j) value += rule.between[i][j] * at(2 * j);
+        CHECK(value == Approx(at(2 * i + 1)).margin(1e-13));
+      }
     }
   }
+}
+
+TEST_CASE("a second goal goes on from the samples that are there") {
+  std::vector<double> asked;
+  const auto f = [&](double x) {
+    asked.push_back(x);
+    return Sample<1>{{std::exp(x) + (x > 2 ? 5 : 0)}, x > 2 ? 1 : 0, true};
+  };
+  Quadrature<1> quadrature(batched(f), {0, 2.6, M_PI});
+  QuadratureGoal<1> rough, fine;
+  rough.rtol[0] = 1e-2;
+  fine.rtol[0] = 1e-6;
+  const long few = quadrature.refine(rough).samples;
+  const auto r = quadrature.refine(fine);
+  CHECK(r.samples > few);
+  CHECK(std::size_t(r.samples) == asked.size());
+  std::sort(asked.begin(), asked.end());
+  CHECK(std::adjacent_find(asked.begin(), asked.end()) == asked.end());  // nothing is computed twice
+  const double exact = std::exp(M_PI) - 1 + 5 * (M_PI - 2);
+  CHECK(std::abs(r.integral[0] - exact) <= r.error[0]);
 }
 
 TEST_CASE("smooth integrands: the error is within its estimate, the estimate within the tolerance") {
@@ -61,7 +93,7 @@ TEST_CASE("jumps: located from the labels, the error within its estimate") {
     const double exact = M_PI + height * (M_PI - at);
     RC_ASSERT(r.status == QuadratureStatus::converged);
     RC_ASSERT(std::abs(r.integral[0] - exact) <= r.error[0] + 1e-12 * exact);
-    RC_ASSERT(r.samples < 400);
+    RC_ASSERT(r.samples < 600);
   });
 }
 
@@ -79,23 +111,27 @@ TEST_CASE("jumps between two panels and beside the ends are found") {
 }
 
 TEST_CASE("several jumps, and rough stretches: the estimate stays honest") {
-  // A rough stretch as the bouncing bristles make it: a sum of incommensurate fast oscillations.
-  int honest = 0, cases = 0;
+  // A rough stretch as the bouncing bristles make it: fast oscillations whose frequency varies. (One of a single
+  // frequency can be in step with equidistant nodes and hide from them.)
+  int within_one = 0, within_three = 0, cases = 0;
   for (int seed = 0; seed < 40; ++seed) {
     const double w = 150 + 17.3 * seed, from = 0.8 + 0.01 * seed, to = 1.9;
     const auto f = [=](double x) {
-      return 2 + (x > from && x < to ? 0.2 * std::sin(w * x) + 0.1 * std::cos(2.71 * w * x) : 0.0);
+      return 2 + (x > from && x < to ? 0.2 * std::sin(w * x * x) + 0.1 * std::cos(2.71 * w * std::exp(x)) : 0.0);
     };
-    const auto F = [=](double x) {
-      return -0.2 * std::cos(w * x) / w + 0.1 * std::sin(2.71 * w * x) / (2.71 * w);
-    };
-    const double exact = 2 * M_PI + F(to) - F(from);
+    double exact = 2 * M_PI;
+    const int steps = 200000;
+    const double step = (to - from) / steps;
+    for (int i = 0; i < steps; ++i) exact += (f(from + (i + 0.5) * step) - 2) * step;
     const auto r = integrate(f, no_label, 1e-3);
     ++cases;
-    if (std::abs(r.integral[0] - exact) <= r.error[0]) ++honest;
+    if (std::abs(r.integral[0] - exact) <= r.error[0]) ++within_one;
+    if (std::abs(r.integral[0] - exact) <= 3 * r.error[0]) ++within_three;
   }
-  // The estimate is a standard deviation of independent panel errors, not a bound: nearly all lie within.
-  CHECK(honest >= cases * 0.9);
+  // The estimate is a standard deviation of independent panel errors, not a bound, and panels that look smooth by
+  // accident are not refined.
+  CHECK(within_one >= cases * 0.6);
+  CHECK(within_three >= cases * 0.9);
 }
 
 TEST_CASE("a jump that was narrowed enough and later is the worst part is narrowed on, not passed again") {
@@ -114,27 +150,23 @@ TEST_CASE("a jump that was narrowed enough and later is the worst part is narrow
 }
 
 TEST_CASE("an estimate that cannot reach the tolerance is reported, and so is an invalid sample") {
-  QuadratureOptions<1> options;
-  options.rtol[0] = 1e-12;
-  options.edges = {0, 1};
-  options.max_samples = 100;
-  const Quadrature<1>::Function rough = [](double x) { return Sample<1>{{1 + std::sin(1e4 * x)}, 0, true}; };
-  CHECK(Quadrature<1>(rough, options).integrate().status == QuadratureStatus::not_converged);
-  const Quadrature<1>::Function broken = [](double x) { return Sample<1>{{1}, 0, x < 0.5}; };
-  const auto r = Quadrature<1>(broken, options).integrate();
+  QuadratureGoal<1> goal;
+  goal.rtol[0] = 1e-12;
+  const auto rough = batched([](double x) { return Sample<1>{{1 + std::sin(1e4 * x)}, 0, true}; });
+  CHECK(Quadrature<1>(rough, {0, 1}, 100).refine(goal).status == QuadratureStatus::not_converged);
+  const auto broken = batched([](double x) { return Sample<1>{{1}, 0, x < 0.5}; });
+  const auto r = Quadrature<1>(broken, {0, 1}, 100).refine(goal);
   CHECK(r.status == QuadratureStatus::invalid);
   CHECK(r.samples < 40);
 }
 
 TEST_CASE("a decision needs fewer samples than a value") {
-  const auto f = [](double x) { return 1 + std::pow(std::abs(x - 1.3), 0.3); };
-  QuadratureOptions<1> options;
-  options.rtol[0] = 1e-7;
-  options.edges = {0, M_PI};
-  const Quadrature<1>::Function sampled = [&](double x) { return Sample<1>{{f(x)}, 0, true}; };
-  const auto value = Quadrature<1>(sampled, options).integrate();
-  options.decide_about = 2.0;
-  const auto decision = Quadrature<1>(sampled, options).integrate();
+  const auto f = batched([](double x) { return Sample<1>{{1 + std::pow(std::abs(x - 1.3), 0.3)}, 0, true}; });
+  QuadratureGoal<1> goal;
+  goal.rtol[0] = 1e-6;
+  const auto value = Quadrature<1>(f, {0, M_PI}).refine(goal);
+  goal.decide_about = 2.0;
+  const auto decision = Quadrature<1>(f, {0, M_PI}).refine(goal);
   CHECK(decision.samples < value.samples / 3);
   CHECK(decision.error[0] <= std::abs(decision.integral[0] - 2) / 4);
 }

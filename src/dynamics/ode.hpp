@@ -103,19 +103,19 @@ inline void jacobian(const Bristle<double>& b, const OdeState& y, StateJacobian&
   for (int i = 0; i < kIntegrals; ++i) of_integrals.row(i) = out[NORMAL + i].derivatives();
 }
 
-// Derivatives of the in-plane acceleration with respect to the in-plane velocity, and derivative(): friction and
-// the damping of the azimuth, which make the equations stiff, are in this block.
+// Derivatives of the acceleration with respect to the velocity, and derivative(): friction and the dampers of azimuth
+// and elevation, which make the equations stiff, are in this block.
 template <class T, class In, class Out>
-Eigen::Matrix<T, 2, 2> in_plane_damping(const Bristle<T>& b, const In& y, Out& dydt) {
-  using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<T, 2, 1>>;
+Eigen::Matrix<T, 3, 3> damping_matrix(const Bristle<T>& b, const In& y, Out& dydt) {
+  using Column = Eigen::Matrix<T, 3, 1>;
+  using Dual = Eigen::AutoDiffScalar<Column>;
   std::array<Dual, kState> in;
   std::array<Dual, COMPONENTS> out;
-  for (int i = 0; i < kState; ++i) in[i] = Dual(y[i], Eigen::Matrix<T, 2, 1>(T(i == VX), T(i == VY)));
+  for (int i = 0; i < kState; ++i) in[i] = Dual(y[i], Column(T(i == VX), T(i == VY), T(i == VZ)));
   derivative<Dual>(b, in, out);
   for (int i = 0; i < COMPONENTS; ++i) dydt[i] = out[i].value();
-  Eigen::Matrix<T, 2, 2> J;
-  J.row(0) = out[VX].derivatives();
-  J.row(1) = out[VY].derivatives();
+  Eigen::Matrix<T, 3, 3> J;
+  for (int i = 0; i < 3; ++i) J.row(i) = out[VX + i].derivatives();
   return J;
 }
 

@@ -35,8 +35,8 @@ class Path {
   }
 
  private:
-  Stop at(double z_0) {
-    const Load load = curve_(z_0);
+  Stop at(double z_0, Accuracy accuracy) {
+    const Load load = curve_(z_0, accuracy);
     if (!std::isfinite(load.R_n)) throw CannotCompute{};
     const double sign = search_.path == LoadPath::loading ? 1 : -1;
     return {z_0, load, sign * (load.R_n - search_.target)};
@@ -51,17 +51,23 @@ class Path {
     return gaps;
   }
 
-  // The first neighbouring stops with excess < 0 before and >= 0 behind.
+  // The first neighbouring stops with excess < 0 before and >= 0 behind. What rough means find is confirmed.
   bool find_bracket(LoadPoint& out) {
     std::vector<Stop> stops;
     for (double z_0 : scan()) {
-      stops.push_back(at(z_0));
+      stops.push_back(at(z_0, Accuracy::rough));
       const std::size_t n = stops.size();
       if (n >= 3)
         if (const auto peak = hump(stops[n - 3], stops[n - 2], stops[n - 1]))
           return set_bracket(out, stops[n - 3], *peak);
       if (stops.back().excess < 0) continue;
-      if (n > 1) return set_bracket(out, stops[n - 2], stops[n - 1]);
+      stops.back() = at(z_0, Accuracy::precise);
+      if (stops.back().excess < 0) continue;
+      for (std::size_t i = n - 1; i > 0; --i) {
+        const Stop near = at(stops[i - 1].z_0, Accuracy::precise);
+        if (near.excess < 0) return set_bracket(out, near, stops[i]);
+        stops[i - 1] = near;
+      }
       if (search_.path == LoadPath::unloading) return false;  // carries less than the target already
       return set_bracket(out, above_contact(), stops[0]);
     }
@@ -70,10 +76,10 @@ class Path {
 
   // The wall is soft: a load below R_n(sin(phi_0)) is met a few of its ranges above.
   Stop above_contact() {
-    Stop stop = at(search_.first_contact);
+    Stop stop = at(search_.first_contact, Accuracy::precise);
     double lift = 1e-3;
     while (stop.excess >= 0 && lift < 0.1) {
-      stop = at(search_.first_contact + lift);
+      stop = at(search_.first_contact + lift, Accuracy::precise);
       lift *= 2;
     }
     return stop;
@@ -89,7 +95,8 @@ class Path {
     std::optional<Stop> found;
     const auto below = [&](double z_0) {
       if (found) return -found->excess;  // enough: ends the search quickly
-      const Stop stop = at(z_0);
+      Stop stop = at(z_0, Accuracy::rough);
+      if (stop.excess >= 0) stop = at(z_0, Accuracy::precise);
       if (stop.excess >= 0) found = stop;
       return -stop.excess;
     };
@@ -106,11 +113,11 @@ class Path {
   }
 
   void locate(LoadPoint& out) {
-    Stop near = at(out.z_0_near), far = at(out.z_0_far);
+    Stop near = at(out.z_0_near, Accuracy::precise), far = at(out.z_0_far, Accuracy::precise);
     const double enough = search_.rtol * search_.target;
     std::optional<Stop> met;
     const auto excess = [&](double z_0) {
-      const Stop stop = at(z_0);
+      const Stop stop = at(z_0, Accuracy::precise);
       (stop.excess < 0 ? near : far) = stop;
       if (std::abs(stop.excess) > enough) return stop.excess;
       met = stop;

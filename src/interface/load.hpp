@@ -8,8 +8,12 @@ namespace bristle {
 struct Load {
   double R_n, error;
 };
-// R_n(z_0), accurate enough to tell it from the target.
-using LoadCurve = std::function<Load(double z_0)>;
+// How R_n(z_0) is asked for: well enough to place it above or below a target that is far, or as well as can be.
+enum class Accuracy {
+  rough,
+  precise
+};
+using LoadCurve = std::function<Load(double z_0, Accuracy accuracy)>;
 
 enum class LoadPath {
   loading,

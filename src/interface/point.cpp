@@ -69,8 +69,7 @@ class PointSolver {
       out.jump_R_n = found.jump_R_n;
     } else {
       const double off = std::abs(out.value[R_N] - loading_.R_n) + out.error[R_N];
-      const double target = loading_.R_n;
-      add_load_error(out, mean_at(found.z_0_near).against(target), mean_at(found.z_0_far).against(target), off);
+      add_load_error(out, mean_at(found.z_0_near).near_target(), mean_at(found.z_0_far).near_target(), off);
       normalise(out, interface_.parameters);
     }
     return out;
@@ -80,17 +79,20 @@ class PointSolver {
     LoadSearch search;
     search.target = loading_.R_n;
     search.path = loading_.path;
-    search.rtol = interface_.orientation.rtol / 2;  // the mean's error may take up the other half
+    search.rtol = interface_.orientation.rtol;
     search.first_contact = std::sin(interface_.parameters.phi_0);
-    return first_crossing([this](double z_0) { return load_at(z_0); }, search);
+    return first_crossing([this](double z_0, Accuracy accuracy) { return load_at(z_0, accuracy); }, search);
   }
 
-  // A rough mean, or a better one where that does not tell R_n from the target.
-  Load load_at(double z_0) {
+  // Rough: only so well that R_n is told from the target. Precise: and where it is the target, as well as the
+  // values that will be reported.
+  Load load_at(double z_0, Accuracy accuracy) {
     EnsembleMean& mean = mean_at(z_0);
     const Ensemble* e = &mean.against(loading_.R_n);
-    const bool decided = std::abs(e->mean[R_N] - loading_.R_n) > kDecided * e->error[R_N];
-    if (!decided && e->incomplete == 0) e = &mean.near_target();
+    const auto distance = [&] { return std::abs(e->mean[R_N] - loading_.R_n); };
+    const bool decided = distance() > kDecided * e->error[R_N];
+    if (e->incomplete == 0 && (accuracy == Accuracy::precise || !decided)) e = &mean.near_target();
+    if (e->incomplete == 0 && distance() <= 2 * interface_.orientation.rtol * loading_.R_n) e = &mean.full();
     if (e->incomplete == 0) return {e->mean[R_N], e->error[R_N]};
     lost_ = e->incomplete_theta_0;
     return {kNone, kNone};

@@ -22,6 +22,7 @@ template <std::size_t N>
 struct QuadratureGoal {
   std::array<double, N> rtol{};  // per component; 0: not controlled
   std::array<int, N> scale{};    // component whose integral rtol refers to
+  double widest = 100;  // of a panel: what lies between its nodes is not seen
   // Enough is known of a component once its error is a quarter of its distance from this value: what
   // a root-finder or a scan asks for.
   std::optional<double> decide_about;
@@ -37,15 +38,15 @@ template <std::size_t N>
 struct QuadratureResult {
   QuadratureStatus status = QuadratureStatus::converged;
   // error: root of the sum of squares over the panels and over the jumps' unknown places. A panel's is the
-  // difference between its rule and that of every second node, scaled by how fast such differences fall; not
-  // less than the misfit between its nodes and the polynomial through every second one says, as that
-  // difference can be small by accident where the integrand is rough (Gonnet 2010).
+  // difference between its rule and that of every second node, but not less than what the misfit between its
+  // nodes and the polynomial through every second one says: where the integrand is rough that difference can
+  // be small by accident (Gonnet 2010).
   std::array<double, N> integral{}, error{};
   std::vector<double> jumps;  // ascending
   long samples = 0;
 };
 
-// Closed Newton-Cotes rule of 2, 3, 5 or 9 nodes on [0, 1].
+// Romberg's rules of 2, 3, 5 or 9 equidistant nodes on [0, 1], exact up to degree 1, 3, 5 and 7.
 struct NestedRule {
   std::vector<double> weight;
   const NestedRule* coarse;  // the rule of every second node; none for 2 nodes

@@ -4,9 +4,9 @@
 
 namespace bristle::HWY_NAMESPACE {
 
-// Steps by an additive Runge-Kutta pair. What makes the equations stiff is the damping of the in-plane velocity v
-// by friction and by the azimuth's damper: J (v - v_n), with J its derivative at the step's start, is
-// the implicit part, the rest the explicit one. J is 2 x 2, so that a stage costs no more than an explicit
+// Steps by an additive Runge-Kutta pair. What makes the equations stiff is the damping of the velocity v by
+// friction and by the dampers of azimuth and elevation: J (v - v_n), with J its derivative at the step's start, is
+// the implicit part, the rest the explicit one. J is 3 x 3, so that a stage costs hardly more than an explicit
 // method's, and the order does not depend on how good J is.
 template <class Tableau>
 class AdditiveStep {
@@ -18,9 +18,9 @@ class AdditiveStep {
   // Fills y_new; returns the largest error over tolerance.
   static Lanes attempt(Group& g) {
     Slopes<S> k;
-    Slopes<S, 2> implicit;  // J (v - v_n) at the stages
+    Slopes<S, 3> implicit;  // J (v - v_n) at the stages
     const Damping damping(g, evaluate_damping(g.bristle, g.y, k[0]));
-    implicit[0] = {0.0, 0.0};
+    implicit[0] = {0.0, 0.0, 0.0};
     stages(g, damping, k, implicit, std::make_index_sequence<S>());
     std::array<Lanes, COMPONENTS> error;
     for (int c = 0; c < COMPONENTS; ++c) {
@@ -54,33 +54,38 @@ class AdditiveStep {
  private:
   static constexpr int S = Tableau::stages;
 
-  static HWY_NOINLINE HWY_FLATTEN Eigen::Matrix<Lanes, 2, 2> evaluate_damping(
+  static HWY_NOINLINE HWY_FLATTEN Eigen::Matrix<Lanes, 3, 3> evaluate_damping(
       const Bristle<Lanes>& b, const std::array<Lanes, COMPONENTS>& y, std::array<Lanes, COMPONENTS>& slope) {
-    return in_plane_damping(b, y, slope);
+    return damping_matrix(b, y, slope);
   }
 
-  // The inverse of I - h gamma J.
+  // The inverse of I - h gamma J, by cofactors.
   struct Damping {
-    Damping(const Group& g, const Eigen::Matrix<Lanes, 2, 2>& J)
+    Damping(const Group& g, const Eigen::Matrix<Lanes, 3, 3>& J)
         : h_gamma(g.h * Lanes(Tableau::gamma)), one_h_gamma(1.0 / h_gamma) {
-      const Lanes a = 1.0 - h_gamma * J(0, 0), b = h_gamma * J(0, 1);
-      const Lanes c = h_gamma * J(1, 0), d = 1.0 - h_gamma * J(1, 1);
-      const Lanes one_det = 1.0 / (a * d - b * c);
-      xx = d * one_det;
-      xy = b * one_det;
-      yx = c * one_det;
-      yy = a * one_det;
+      Lanes m[3][3];
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) m[i][j] = (i == j ? 1.0 : 0.0) - h_gamma * J(i, j);
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) {
+          const int a = (j + 1) % 3, b = (j + 2) % 3, c = (i + 1) % 3, d = (i + 2) % 3;
+          inverse[i][j] = m[a][c] * m[b][d] - m[a][d] * m[b][c];
+        }
+      const Lanes one_det =
+          1.0 / (m[0][0] * inverse[0][0] + (m[0][1] * inverse[1][0] + m[0][2] * inverse[2][0]));
+      for (auto& row : inverse)
+        for (Lanes& entry : row) entry *= one_det;
     }
-    Lanes h_gamma, one_h_gamma, xx, xy, yx, yy;
+    Lanes h_gamma, one_h_gamma, inverse[3][3];
   };
 
   template <std::size_t... I>
-  static HWY_INLINE void stages(const Group& g, const Damping& damping, Slopes<S>& k, Slopes<S, 2>& implicit,
+  static HWY_INLINE void stages(const Group& g, const Damping& damping, Slopes<S>& k, Slopes<S, 3>& implicit,
                                 std::index_sequence<I...>) {
     (stage<int(I)>(g, damping, k, implicit), ...);
   }
   template <int I>
-  static HWY_INLINE void stage(const Group& g, const Damping& damping, Slopes<S>& k, Slopes<S, 2>& implicit) {
+  static HWY_INLINE void stage(const Group& g, const Damping& damping, Slopes<S>& k, Slopes<S, 3>& implicit) {
     if constexpr (I > 0) {
       std::array<Lanes, kState> at;
       for (int c = 0; c < kState; ++c)
@@ -89,11 +94,14 @@ class AdditiveStep {
       const auto missing = [&](int c) {
         return combine<I>(implicit, c, [](int j) { return Tableau::a_implicit[I][j] - Tableau::a[I][j]; });
       };
-      const Lanes x = (at[VX] - g.y[VX]) + g.h * missing(0), y = (at[VY] - g.y[VY]) + g.h * missing(1);
-      const Lanes v_x = damping.xx * x + damping.xy * y, v_y = damping.yx * x + damping.yy * y;
-      implicit[I] = {Lanes(v_x - x) * damping.one_h_gamma, Lanes(v_y - y) * damping.one_h_gamma};
-      at[VX] = g.y[VX] + v_x;
-      at[VY] = g.y[VY] + v_y;
+      Lanes without[3];
+      for (int i = 0; i < 3; ++i) without[i] = (at[VX + i] - g.y[VX + i]) + g.h * missing(i);
+      for (int i = 0; i < 3; ++i) {
+        const auto& row = damping.inverse[i];
+        const Lanes v = row[0] * without[0] + (row[1] * without[1] + row[2] * without[2]);
+        implicit[I][i] = Lanes(v - without[i]) * damping.one_h_gamma;
+        at[VX + i] = g.y[VX + i] + v;
+      }
       evaluate(g.bristle, at, k[I]);
     }
   }

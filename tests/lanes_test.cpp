@@ -1,0 +1,200 @@
+#include "dynamics/lanes/engine.hpp"
+#include "dynamics/lanes/tableau.hpp"
+#include "generators.hpp"
+
+#include <hwy/targets.h>
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <deque>
+
+using namespace bristle;
+using namespace bristle::testing;
+
+namespace {
+
+// Bristles of all kinds: both laws, both closures, some pinned and some reflected at the pole.
+class Sample {
+ public:
+  PassageTask random() {
+    Parameters& p = parameters_.emplace_back(random_parameters());
+    if (*rc::gen::inRange(0, 8) == 0) p.azimuth_rate = AzimuthRate::as_printed;
+    const double theta_0 = *rc::gen::inRange(0, 5) == 0 ? M_PI - log_uniform(1e-4, 0.1) : uniform(-3, 3);
+    return task(p, uniform(0.1, 0.95), theta_0);
+  }
+  PassageTask head_on(double degrees) {
+    Parameters& p = parameters_.emplace_back();
+    p.k_r = 50;
+    p.C = chi_C_peak_at_V_s(p.A);
+    return task(p, 0.62, degrees * M_PI / 180);
+  }
+  static PassageTask task(const Parameters& p, double z_0, double theta_0) {
+    const auto b = make_bristle(p, z_0, theta_0);
+    return {&p, b, static_equilibrium(b), {1e-5, 1e-7, Method::automatic, 2'000'000}};
+  }
+
+ private:
+  std::deque<Parameters> parameters_;  // stay where they are
+};
+
+std::vector<Passage> run(const Kernels& kernels, const std::vector<PassageTask>& tasks) {
+  std::vector<Passage> out(tasks.size());
+  LaneEngine engine(kernels, [&](std::size_t ticket, Passage&& p) { out[ticket] = std::move(p); });
+  for (std::size_t i = 0; i < tasks.size(); ++i) engine.submit(tasks[i], i);
+  while (engine.advance()) {
+  }
+  return out;
+}
+
+bool same_bits(const Passage& a, const Passage& b) {
+  return a.end == b.end && a.contact_time == b.contact_time && a.outcome == b.outcome && a.steps == b.steps &&
+         a.reflections == b.reflections && a.gamma_1 == b.gamma_1 && a.gamma_2 == b.gamma_2 && a.gamma_3 == b.gamma_3 &&
+         a.energy_residual == b.energy_residual;
+}
+
+struct Restricted {
+  explicit Restricted(std::int64_t targets) { hwy::SetSupportedTargetsForTest(targets); }
+  ~Restricted() { hwy::SetSupportedTargetsForTest(0); }
+};
+
+}  // namespace
+
+TEST_CASE("a passage has the same bits alone, among others in any order, and on every instruction set") {
+  rc::prop("for random batches", [] {
+    Sample sample;
+    std::vector<PassageTask> tasks;
+    const int count = *rc::gen::inRange(1, 40);
+    for (int i = 0; i < count; ++i) tasks.push_back(sample.random());
+    tasks.push_back(sample.head_on(179.99));
+    const auto together = run(best_kernels(), tasks);
+    const std::size_t probe = std::size_t(*rc::gen::inRange(0, count));
+    RC_ASSERT(same_bits(run(best_kernels(), {tasks[probe]}).front(), together[probe]));
+    std::vector<PassageTask> reversed(tasks.rbegin(), tasks.rend());
+    auto backwards = run(best_kernels(), reversed);
+    std::reverse(backwards.begin(), backwards.end());
+    for (const Kernels* kernels : available_kernels()) {
+      const auto here = run(*kernels, tasks);
+      for (std::size_t i = 0; i < tasks.size(); ++i) RC_ASSERT(same_bits(here[i], together[i]));
+    }
+    for (std::size_t i = 0; i < tasks.size(); ++i) RC_ASSERT(same_bits(backwards[i], together[i]));
+  });
+}
+
+TEST_CASE("without fused multiply-add the fast engine is refused, with the remedy") {
+#if HWY_ARCH_X86
+  const Restricted old_processor(HWY_SSE4);
+  CHECK(available_kernels().empty());
+  CHECK_THROWS_WITH(best_kernels(), Catch::Contains("fused multiply-add") && Catch::Contains("\"reference\""));
+#endif
+}
+
+TEST_CASE("restricting the instruction sets restricts the kernels") {
+#if HWY_ARCH_X86
+  const bool has = !available_kernels().empty();
+  const Restricted avx2(HWY_AVX2);
+  if (has) {
+    REQUIRE(available_kernels().size() == 1);
+    CHECK(std::string(best_kernels().target) == "AVX2");
+  }
+#endif
+}
+
+TEST_CASE("every observable agrees with Boost.Odeint's, to the integrators' errors") {
+  // Tolerances are tight, so that impacts do not amplify the step errors of either beyond what is asserted.
+  rc::prop("for random bristles", [] {
+    Sample sample;
+    PassageTask task = sample.random();
+    task.integrator.rtol = 1e-9;
+    task.integrator.atol = 1e-11;
+    task.integrator.max_evaluations = 50'000'000;
+    const Passage lane = run(best_kernels(), {task}).front(), reference = run_passage(task);
+    RC_ASSERT(lane.outcome == reference.outcome);
+    const auto close = [](double a, double b, double scale) { return std::abs(a - b) <= 1e-4 * (std::abs(scale) + 1e-3); };
+    RC_ASSERT(close(lane.contact_time, reference.contact_time, reference.contact_time));
+    for (const int i : {NORMAL, FRICTION_X, MODULATION, ALIGNMENT, AREA, WORK})
+      RC_ASSERT(close(lane.end[i], reference.end[i], reference.end[NORMAL] + std::abs(reference.end[i])));
+    RC_ASSERT(close(lane.end[FRICTION_Y], reference.end[FRICTION_Y], reference.end[FRICTION_X]));
+    RC_ASSERT(close(lane.gamma_1, reference.gamma_1, 1));
+    RC_ASSERT(close(lane.gamma_2, reference.gamma_2, 1));
+    RC_ASSERT(close(lane.gamma_3, reference.gamma_3, 1));
+  });
+}
+
+TEST_CASE("pinned bristles: the values of an independent prototype, reflected or not") {
+  for (const double degrees : {179.5, 179.8, 179.99, 180.0}) {
+    Parameters p;
+    p.k_r = 50;
+    p.phi_0 = 81 * M_PI / 180;
+    p.C = 0;
+    PassageTask task = Sample::task(p, 0.62, degrees * M_PI / 180);
+    task.integrator.rtol = 1e-6;
+    task.integrator.atol = 1e-8;
+    const Passage r = run(best_kernels(), {task}).front();
+    // A hundred reflections amplify errors: Odeint's own values spread as much over tolerances of 1e-5 to 1e-8.
+    const double spread = degrees > 179.7 ? 10 : 1;
+    CAPTURE(degrees);
+    CHECK(r.outcome == Outcome::pinned);
+    CHECK(r.implicit);
+    CHECK((r.reflections > 0) == (degrees > 179.7));
+    CHECK(r.contact_time == Approx(5.758).margin(1e-3 * spread));
+    CHECK(r.end[NORMAL] / 5 == Approx(20.77).margin(5e-3 * spread));
+    CHECK(r.end[FRICTION_X] / 5 == Approx(57.0).margin(0.05 + 0.01 * spread));
+    CHECK(r.energy_residual < 1e-3);
+  }
+}
+
+TEST_CASE("a lane's failure is its own: a status, and the others go on") {
+  Sample sample;
+  std::vector<PassageTask> tasks = {sample.head_on(30), sample.head_on(60), sample.head_on(90)};
+  const auto alone = run(best_kernels(), {tasks[0]}).front();
+  tasks[1].bristle.k_r = std::numeric_limits<double>::quiet_NaN();
+  tasks[2].integrator.max_evaluations = 600;
+  const auto r = run(best_kernels(), tasks);
+  CHECK(same_bits(r[0], alone));
+  CHECK(r[1].outcome == Outcome::not_finite);
+  CHECK(r[2].outcome == Outcome::step_limit);
+  CHECK(r[2].evaluations <= 612);
+}
+
+TEST_CASE("a passage ends when the slip is L_x, to 1e-10") {
+  rc::prop("for any bristle", [] {
+    Sample sample;
+    const PassageTask task = sample.random();
+    const Passage r = run(best_kernels(), {task}).front();
+    const double x_0 = state_at_rest(task.bristle, task.start).r[0];
+    RC_ASSERT(r.complete());
+    RC_ASSERT(std::abs(r.contact_time - (r.end[X] - x_0) - task.parameters->L_x) <= 1e-10);
+  });
+}
+
+TEST_CASE("tableaus: order conditions up to three, the error's weights sum to nothing") {
+  const auto check = [](const auto& a, const auto& b, const auto& error, int stages) {
+    double sum = 0, first = 0, second = 0, third = 0, errors = 0;
+    std::vector<double> c(std::size_t(stages), 0.0);
+    for (int i = 0; i < stages; ++i)
+      for (int j = 0; j < i; ++j) c[std::size_t(i)] += a[i][j];
+    for (int i = 0; i < stages; ++i) {
+      sum += b[i];
+      first += b[i] * c[std::size_t(i)];
+      second += b[i] * c[std::size_t(i)] * c[std::size_t(i)];
+      for (int j = 0; j < i; ++j) third += b[i] * a[i][j] * c[std::size_t(j)];
+    }
+    for (const double e : error) errors += e;
+    CHECK(sum == Approx(1).epsilon(1e-14));
+    CHECK(first == Approx(1. / 2).epsilon(1e-14));
+    CHECK(second == Approx(1. / 3).epsilon(1e-14));
+    CHECK(third == Approx(1. / 6).epsilon(1e-14));
+    CHECK(errors == Approx(0).margin(1e-14));
+  };
+  check(DormandPrince5::a, DormandPrince5::b, DormandPrince5::error, DormandPrince5::stages);
+  using KC = KennedyCarpenter4;
+  check(KC::a, KC::b, KC::error, KC::stages);
+  for (int i = 1; i < KC::stages; ++i) {  // implicit and explicit stages are at the same times
+    double implicit = KC::gamma, explicit_part = 0;
+    for (int j = 0; j < i; ++j) {
+      implicit += KC::a_implicit[i][j];
+      explicit_part += KC::a[i][j];
+    }
+    CHECK(implicit == Approx(explicit_part).epsilon(1e-14));
+  }
+}
