@@ -19,6 +19,7 @@ struct Block {
   AzimuthRate azimuth_rate;
   std::uint32_t occupied = 0;  // lanes that hold a passage, one bit each
   std::uint32_t fresh = 0;     // lanes whose slope is not that of their state
+  std::uint64_t tried = 0;     // steps, of occupied lanes or not
 
   Row constants[kConstants];       // of Bristle, in the order of for_each_constant
   Row rtol, atol, L_x, x_0;        // slip is xi - (x - x_0)

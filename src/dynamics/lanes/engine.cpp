@@ -67,6 +67,7 @@ class LaneEngine::Set {
            task.bristle.azimuth_rate == block_.azimuth_rate;
   }
   int occupied() const { return __builtin_popcount(block_.occupied); }
+  double tried() const { return double(block_.tried); }
   std::size_t load() const { return waiting_.size() + std::size_t(occupied()); }
 
   void add(Flight&& flight) { waiting_.push_back(std::move(flight)); }
@@ -196,6 +197,7 @@ class LaneEngine::Set {
 
   void release(int lane) {
     flights_[lane].steps += attempts(lane);
+    engine_.useful_ += double(attempts(lane));
     block_.occupied &= ~(1u << lane);
   }
 
@@ -247,6 +249,13 @@ void LaneEngine::submit(const PassageTask& task, std::size_t ticket) {
   flight.x_0 = flight.y[X];
   flight.implicit = task.integrator.method == Method::implicit_only;
   set_for(task, flight.implicit).add(std::move(flight));
+}
+
+LaneEngine::Usage LaneEngine::usage() const {
+  Usage usage;
+  usage.useful = useful_;
+  for (const auto& set : sets_) usage.made += set->tried();
+  return usage;
 }
 
 bool LaneEngine::advance() {

@@ -25,6 +25,12 @@ class LaneEngine {
   // Steps until at least one passage has ended; false if there is none.
   bool advance();
 
+  // Steps that the lanes tried, and those of passages that have ended or changed their method: the rest had none.
+  struct Usage {
+    double made = 0, useful = 0;
+  };
+  Usage usage() const;
+
  private:
   class Set;
 
@@ -33,6 +39,7 @@ class LaneEngine {
   const Kernels& kernels_;
   Done done_;
   std::vector<std::unique_ptr<Set>> sets_;
+  double useful_ = 0;
   std::size_t ended_ = 0;  // in this advance()
 };
 

@@ -79,7 +79,10 @@ class Kernel {
     while (events.any() == 0)
       for (int first = 0; first < kLanes; first += Lanes::kSize) {
         constexpr std::uint32_t all = (1u << Lanes::kSize) - 1;
-        if ((block.occupied >> first) & all) step(block, first, events);
+        if ((block.occupied >> first) & all) {
+          step(block, first, events);
+          block.tried += Lanes::kSize;
+        }
       }
     return events;
   }

@@ -1,0 +1,196 @@
+// The fast engine against its peers, at equal measured error. Writes JSON to standard output (scripts/performance.py makes
+// the document of it). --quick: only the ratio to Boost.Odeint, as a test: fails if it is below --at-least.
+#include "sample.hpp"
+#ifdef BRISTLE_SUNDIALS
+#include "sundials_peers.hpp"
+#endif
+
+#include <hwy/targets.h>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+using namespace bristle;
+using namespace bristle::bench;
+using Json = nlohmann::ordered_json;
+
+namespace bristle {
+using Steps = Events (*)(Block&);
+#if HWY_ARCH_X86
+namespace N_AVX3 {
+extern const Steps kOtherPairs[3];
+}
+namespace N_AVX2 {
+extern const Steps kOtherPairs[3];
+}
+#endif
+}  // namespace bristle
+
+namespace {
+
+constexpr double kError = 1e-4;  // of the impulses: where solvers are compared
+constexpr int kPairs = 7;
+
+using Solver = std::function<std::vector<Passage>(double rtol)>;
+
+struct WorkPoint {
+  double rtol, error, ms;
+};
+
+std::vector<WorkPoint> work_precision(const Solver& solve, const std::vector<Passage>& exact,
+                                      const std::vector<double>& tolerances) {
+  std::vector<WorkPoint> curve;
+  for (const double rtol : tolerances) {
+    std::vector<Passage> result;
+    std::vector<double> times;
+    for (int i = 0; i < 3; ++i) times.push_back(seconds([&] { result = solve(rtol); }));
+    curve.push_back({rtol, impulse_error(result, exact), 1e3 * median(times) / double(exact.size())});
+  }
+  return curve;
+}
+
+// The tolerance at which the curve passes kError, between its points on log axes.
+double tolerance_at_error(const std::vector<WorkPoint>& curve) {
+  for (std::size_t i = 1; i < curve.size(); ++i) {
+    if (curve[i].error > kError) continue;
+    const double u = std::log(kError / curve[i - 1].error) / std::log(curve[i].error / curve[i - 1].error);
+    return curve[i - 1].rtol * std::pow(curve[i].rtol / curve[i - 1].rtol, std::clamp(u, 0.0, 1.0));
+  }
+  return curve.back().rtol;
+}
+
+double paired_ratio(const std::function<void()>& peer, const std::function<void()>& ours) {
+  std::vector<double> ratios;
+  for (int i = 0; i < kPairs; ++i) {
+    const double own = seconds(ours);
+    ratios.push_back(seconds(peer) / own);
+  }
+  return median(ratios);
+}
+
+Json as_json(const std::vector<WorkPoint>& curve) {
+  Json out = Json::array();
+  for (const WorkPoint& p : curve) out.push_back({{"rtol", p.rtol}, {"error", p.error}, {"ms_per_bristle", p.ms}});
+  return out;
+}
+
+// Peers on bristles that none of them needs a special rule for.
+Json ordinary() {
+  const Bristles bristles(256, 1.8);
+  const auto exact = run_lanes(best_kernels(), bristles.at(1e-11));
+  struct Peer {
+    std::string name;
+    Solver solve;
+    std::vector<double> tolerances;
+  };
+  const std::vector<double> usual = {1e-3, 1e-4, 1e-5, 1e-6, 1e-7}, tight = {1e-4, 1e-5, 1e-6, 1e-7, 1e-8};
+  std::vector<Peer> peers;
+  for (const Kernels* kernels : available_kernels())
+    peers.push_back({fmt::format("lanes, {}", kernels->target),
+                     [&bristles, kernels](double rtol) { return run_lanes(*kernels, bristles.at(rtol)); }, usual});
+#if HWY_ARCH_X86
+  const bool wide = std::string(best_kernels().target) != "AVX2";
+  const Steps* steps = wide ? N_AVX3::kOtherPairs : N_AVX2::kOtherPairs;
+  for (int i = 0; i < 3; ++i) {
+    Kernels other = best_kernels();
+    other.explicit_steps = steps[i];
+    const char* name[] = {"Cash-Karp 5", "Tsitouras 5", "Dormand-Prince 8"};
+    peers.push_back({fmt::format("lanes, {}, {}", other.target, name[i]),
+                     [&bristles, other](double rtol) { return run_lanes(other, bristles.at(rtol)); }, usual});
+  }
+#endif
+  Kernels additive = best_kernels();
+  peers.push_back({"lanes, additive method throughout",
+                   [&bristles, additive](double rtol) { return run_lanes(additive, bristles.at(rtol, Method::implicit_only)); },
+                   {1e-5, 1e-6, 1e-7, 1e-8}});
+  peers.push_back({"Boost.Odeint dopri5", [&](double rtol) { return run_odeint(bristles.at(rtol, Method::explicit_only)); },
+                   usual});
+#ifdef BRISTLE_SUNDIALS
+  peers.push_back({"SUNDIALS ARKODE, Dormand-Prince 5", [&](double rtol) { return run_arkode(bristles.at(rtol)); }, usual});
+  peers.push_back({"SUNDIALS CVODE, BDF", [&](double rtol) { return run_cvode(bristles.at(rtol)); }, tight});
+#endif
+  const auto fast = [&](double rtol) { return run_lanes(best_kernels(), bristles.at(rtol)); };
+  const double own_rtol = tolerance_at_error(work_precision(fast, exact, usual));
+  Json out = Json::array();
+  for (const Peer& peer : peers) {
+    fmt::print(stderr, "{} ...\n", peer.name);
+    const auto curve = work_precision(peer.solve, exact, peer.tolerances);
+    const double rtol = tolerance_at_error(curve);
+    const double ratio = paired_ratio([&] { peer.solve(rtol); }, [&] { fast(own_rtol); });
+    out.push_back({{"name", peer.name}, {"ratio_at_1e-4", ratio}, {"curve", as_json(curve)}});
+  }
+  return out;
+}
+
+// All bristles, the pinned and the reflected with them: Odeint with its own implicit method for the stiff.
+Json all_kinds(int count, double rtol, double odeint_rtol) {
+  const Bristles bristles(count, M_PI);
+  const auto exact = run_lanes(best_kernels(), bristles.at(1e-9));
+  std::vector<Passage> ours, odeint;
+  LaneEngine::Usage usage;
+  const double ratio = paired_ratio([&] { odeint = run_odeint(bristles.at(odeint_rtol)); },
+                                    [&] { ours = run_lanes(best_kernels(), bristles.at(rtol), &usage); });
+  const double own = seconds([&] { run_lanes(best_kernels(), bristles.at(rtol)); });
+  return {{"bristles", count},
+          {"ratio", ratio},
+          {"error", impulse_error(ours, exact)},
+          {"odeint_error", impulse_error(odeint, exact)},
+          {"ms_per_bristle", 1e3 * own / count},
+          {"lane_utilisation", usage.useful / usage.made}};
+}
+
+Json scaling() {
+  Json out = Json::array();
+  const Bristles bristles(4096, M_PI);
+  const auto all = bristles.at(1e-5);
+  for (const int count : {16, 64, 256, 1024, 4096})
+    for (const unsigned threads : {1u, std::max(1u, std::thread::hardware_concurrency())}) {
+      const double time = seconds([&] {
+        std::vector<std::thread> pool;
+        for (unsigned t = 0; t < threads; ++t)
+          pool.emplace_back([&, t] {
+            const auto begin = all.begin() + count * int(t) / int(threads), end = all.begin() + count * int(t + 1) / int(threads);
+            run_lanes(best_kernels(), {begin, end});
+          });
+        for (std::thread& thread : pool) thread.join();
+      });
+      out.push_back({{"bristles", count}, {"threads", threads}, {"ms_per_bristle", 1e3 * time / count}});
+    }
+  return out;
+}
+
+std::string processor() {
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);)
+    if (line.rfind("model name", 0) == 0) return line.substr(line.find(": ") + 2);
+  return "unknown";
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("The fast engine against its peers");
+  bool quick = false;
+  double at_least = 0;
+  app.add_flag("--quick", quick, "the ratio to Boost.Odeint only");
+  app.add_option("--at-least", at_least, "with --quick: fail if the ratio is below");
+  CLI11_PARSE(app, argc, argv);
+  // Tolerances of equal error, about 1e-5, on this sample.
+  if (quick) {
+    const Json result = all_kinds(256, 1e-5, 1e-5);
+    fmt::print("{}, {}: the fast engine is {:.1f} times as fast as Boost.Odeint, at errors of {:.1e} and {:.1e}\n", processor(),
+               best_kernels().target, result["ratio"].get<double>(), result["error"].get<double>(),
+               result["odeint_error"].get<double>());
+    return result["ratio"].get<double>() >= at_least ? 0 : 1;
+  }
+  Json out;
+  out["processor"] = processor();
+  out["instruction_set"] = best_kernels().target;
+  out["ordinary"] = ordinary();
+  out["all_kinds"] = all_kinds(1984, 1e-5, 1e-5);
+  out["scaling"] = scaling();
+  fmt::print("{}\n", out.dump(1));
+}

@@ -1,0 +1,13 @@
+// Compiled once per instruction set, like src/dynamics/lanes/kernels.cpp.
+#define HWY_COMPILE_ONLY_STATIC
+#include "dynamics/lanes/explicit_kernel.hpp"
+#include "pairs.hpp"
+
+namespace bristle::HWY_NAMESPACE {
+
+using Steps = Events (*)(Block&);
+extern const Steps kOtherPairs[3];
+const Steps kOtherPairs[3] = {Kernel<ExplicitStep<CashKarp5>>::run, Kernel<ExplicitStep<Tsitouras5>>::run,
+                              Kernel<ExplicitStep<DormandPrince8>>::run};
+
+}  // namespace bristle::HWY_NAMESPACE
