@@ -97,7 +97,7 @@ Json ordinary() {
   for (int i = 0; i < 3; ++i) {
     Kernels other = best_kernels();
     other.explicit_steps = steps[i];
-    const char* name[] = {"Cash-Karp 5", "Tsitouras 5", "Dormand-Prince 8"};
+    const char* name[] = {"Dormand-Prince 5", "Tsitouras 5", "Dormand-Prince 8"};
     peers.push_back({fmt::format("lanes, {}, {}", other.target, name[i]),
                      [&bristles, other](double rtol) { return run_lanes(other, bristles.at(rtol)); }, usual});
   }

@@ -4,19 +4,19 @@ namespace bristle {
 
 // Embedded pairs that the engine does not use, in the form of dynamics/lanes/tableau.hpp, to be compared with the one it does.
 
-// J. R. Cash, A. H. Karp, ACM Trans. Math. Softw. 16 (1990) 201, 5(4).
-struct CashKarp5 {
+// J. R. Dormand, P. J. Prince, J. Comput. Appl. Math. 6 (1980), 5(4).
+struct DormandPrince5 {
   static constexpr int stages = 6;
   static constexpr double exponent = -1.0 / 5;
   static constexpr double a[6][5] = {{},
                                      {1. / 5},
                                      {3. / 40, 9. / 40},
-                                     {3. / 10, -9. / 10, 6. / 5},
-                                     {-11. / 54, 5. / 2, -70. / 27, 35. / 27},
-                                     {1631. / 55296, 175. / 512, 575. / 13824, 44275. / 110592, 253. / 4096}};
-  static constexpr double b[6] = {37. / 378, 0, 250. / 621, 125. / 594, 0, 512. / 1771};
-  static constexpr double error[7] = {37. / 378 - 2825. / 27648, 0, 250. / 621 - 18575. / 48384,
-                                      125. / 594 - 13525. / 55296, -277. / 14336, 512. / 1771 - 1. / 4, 0};
+                                     {44. / 45, -56. / 15, 32. / 9},
+                                     {19372. / 6561, -25360. / 2187, 64448. / 6561, -212. / 729},
+                                     {9017. / 3168, -355. / 33, 46732. / 5247, 49. / 176, -5103. / 18656}};
+  static constexpr double b[6] = {35. / 384, 0, 500. / 1113, 125. / 192, -2187. / 6784, 11. / 84};
+  static constexpr double error[7] = {71. / 57600,      0,          -71. / 16695, 71. / 1920,
+                                      -17253. / 339200, 22. / 525, -1. / 40};
 };
 
 // Ch. Tsitouras, Comput. Math. Appl. 62 (2011) 770, 5(4).

