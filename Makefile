@@ -38,9 +38,14 @@ test: packages $(BUILD)/build.ninja ## build everything and run the tests
 	@ninja -C $(BUILD) --quiet -j $(JOBS)
 	cd $(BUILD) && ctest --output-on-failure --parallel $(JOBS)
 
-bench: build ## benchmarks: ratios against peers in the same run
-	@ninja -C $(BUILD) --quiet -j $(JOBS) bench_passage
-	$(BUILD)/benchmarks/bench_passage
+bench: build ## benchmarks: ratios against peers in the same run, into docs/performance.md
+	@ninja -C $(BUILD) --quiet -j $(JOBS) bench_engine bench_quadrature scipy_slopes
+	@mkdir -p $(BUILD)/bench
+	$(BUILD)/benchmarks/bench_engine >$(BUILD)/bench/engine.json
+	$(BUILD)/benchmarks/bench_quadrature >$(BUILD)/bench/quadrature.json
+	$$(scripts/find-python) benchmarks/scipy_peer.py $(BUILD)/benchmarks/libscipy_slopes.so >$(BUILD)/bench/scipy.json
+	scripts/time-figures $$(scripts/find-python) $(BUILD)/bristle $(FIGURES) >$(BUILD)/bench/figures.json
+	@$$(scripts/find-python) scripts/performance.py $(BUILD)/bench
 
 clean: ## remove what was built; results and figures stay
 	rm -rf $(BUILD)

@@ -1,5 +1,6 @@
 // The fast engine against its peers, at equal measured error. Writes JSON to standard output (scripts/performance.py makes
-// the document of it). --quick: only the ratio to Boost.Odeint, as a test: fails if it is below --at-least.
+// the document of it). --quick: only the ratio to Boost.Odeint, as a test: fails if it is below --per-lane times
+// the numbers in a vector.
 #include "sample.hpp"
 #ifdef BRISTLE_SUNDIALS
 #include "sundials_peers.hpp"
@@ -174,23 +175,25 @@ std::string processor() {
 int main(int argc, char** argv) {
   CLI::App app("The fast engine against its peers");
   bool quick = false;
-  double at_least = 0;
+  double per_lane = 0;
   app.add_flag("--quick", quick, "the ratio to Boost.Odeint only");
-  app.add_option("--at-least", at_least, "with --quick: fail if the ratio is below");
+  app.add_option("--per-lane", per_lane, "with --quick: fail if the ratio is below this times the numbers in a vector");
   CLI11_PARSE(app, argc, argv);
-  // Tolerances of equal error, about 1e-5, on this sample.
+  // Tolerances of about equal error on this sample.
+  constexpr double rtol = 1e-5;
   if (quick) {
-    const Json result = all_kinds(256, 1e-5, 1e-5);
-    fmt::print("{}, {}: the fast engine is {:.1f} times as fast as Boost.Odeint, at errors of {:.1e} and {:.1e}\n", processor(),
-               best_kernels().target, result["ratio"].get<double>(), result["error"].get<double>(),
+    const Json result = all_kinds(1024, rtol, rtol);
+    const double ratio = result["ratio"], least = per_lane * best_kernels().width;
+    fmt::print("{}, {}: the fast engine is {:.1f} times as fast as Boost.Odeint (asked: {:.1f}), at errors of {:.1e} and {:.1e}\n",
+               processor(), best_kernels().target, ratio, least, result["error"].get<double>(),
                result["odeint_error"].get<double>());
-    return result["ratio"].get<double>() >= at_least ? 0 : 1;
+    return ratio >= least ? 0 : 1;
   }
   Json out;
   out["processor"] = processor();
   out["instruction_set"] = best_kernels().target;
   out["ordinary"] = ordinary();
-  out["all_kinds"] = all_kinds(1984, 1e-5, 1e-5);
+  out["all_kinds"] = all_kinds(1984, rtol, rtol);
   out["scaling"] = scaling();
   fmt::print("{}\n", out.dump(1));
 }

@@ -12,7 +12,7 @@ static_assert(HWY_TARGET == BRISTLE_TARGET, "not the instruction set that this f
 namespace bristle::HWY_NAMESPACE {
 
 extern const Kernels kKernels;
-const Kernels kKernels = {hwy::TargetName(HWY_TARGET), Kernel<ExplicitStep<CashKarp5>>::run,
+const Kernels kKernels = {hwy::TargetName(HWY_TARGET), Lanes::kWidth, Kernel<ExplicitStep<CashKarp5>>::run,
                           Kernel<AdditiveStep<KennedyCarpenter4>>::run};
 
 }  // namespace bristle::HWY_NAMESPACE

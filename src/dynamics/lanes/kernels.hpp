@@ -9,6 +9,7 @@ namespace bristle {
 // The two methods, for one instruction set. Each tries steps of all occupied lanes until a lane has an event.
 struct Kernels {
   const char* target;
+  int width;  // numbers in one vector
   Events (*explicit_steps)(Block&);
   Events (*implicit_steps)(Block&);
 };
