@@ -29,6 +29,9 @@ expect 0 "325 points" "$bristle" validate experiments/fig4.json
 expect 0 "15 points" "$bristle" validate experiments/fig4.json --tier smoke
 expect 2 "no such file" "$bristle" run nowhere.json
 expect 2 "/model/k_r: -1 is not allowed" "$bristle" run experiments/paper.json --set /model/k_r=-1
+expect 2 "/integrator/engine: \"fsat\" is not allowed" "$bristle" validate experiments/paper.json --set /integrator/engine=fsat
+expect 0 "1 ok" "$bristle" run experiments/paper.json -o "$folder/e.h5" --set /integrator/engine=reference \
+  --set /orientation/rtol=0.1
 expect 2 "cannot be written" "$bristle" run experiments/paper.json -o /proc/nowhere/r.h5
 expect 2 "no such file" "$bristle" info nowhere.h5
 expect 2 "not an HDF5 file" "$bristle" check CMakeLists.txt
