@@ -1,6 +1,6 @@
-// The fast engine against its peers, at equal measured error. Writes JSON to standard output (scripts/performance.py makes
-// the document of it). --quick: only the ratio to Boost.Odeint, as a test: fails if it is below --per-lane times
-// the numbers in a vector.
+// The fast engine against its peers, at equal measured error. Writes JSON to standard output
+// (scripts/performance.py makes the document of it). --quick: only the ratio to Boost.Odeint, as a test:
+// fails if it is below --per-lane times the numbers in a vector.
 #include "sample.hpp"
 #ifdef BRISTLE_SUNDIALS
 #include "sundials_peers.hpp"
@@ -74,7 +74,8 @@ double paired_ratio(const std::function<void()>& peer, const std::function<void(
 
 Json as_json(const std::vector<WorkPoint>& curve) {
   Json out = Json::array();
-  for (const WorkPoint& p : curve) out.push_back({{"rtol", p.rtol}, {"error", p.error}, {"ms_per_bristle", p.ms}});
+  for (const WorkPoint& p : curve)
+    out.push_back({{"rtol", p.rtol}, {"error", p.error}, {"ms_per_bristle", p.ms}});
   return out;
 }
 
@@ -91,7 +92,8 @@ Json ordinary() {
   std::vector<Peer> peers;
   for (const Kernels* kernels : available_kernels())
     peers.push_back({fmt::format("lanes, {}", kernels->target),
-                     [&bristles, kernels](double rtol) { return run_lanes(*kernels, bristles.at(rtol)); }, usual});
+                     [&bristles, kernels](double rtol) { return run_lanes(*kernels, bristles.at(rtol)); },
+                     usual});
 #if HWY_ARCH_X86
   const bool wide = std::string(best_kernels().target) != "AVX2";
   const Steps* steps = wide ? N_AVX3::kOtherPairs : N_AVX2::kOtherPairs;
@@ -105,12 +107,15 @@ Json ordinary() {
 #endif
   Kernels additive = best_kernels();
   peers.push_back({"lanes, additive method throughout",
-                   [&bristles, additive](double rtol) { return run_lanes(additive, bristles.at(rtol, Method::implicit_only)); },
+                   [&bristles, additive](double rtol) {
+                     return run_lanes(additive, bristles.at(rtol, Method::implicit_only));
+                   },
                    {1e-5, 1e-6, 1e-7, 1e-8}});
-  peers.push_back({"Boost.Odeint dopri5", [&](double rtol) { return run_odeint(bristles.at(rtol, Method::explicit_only)); },
-                   usual});
+  peers.push_back({"Boost.Odeint dopri5",
+                   [&](double rtol) { return run_odeint(bristles.at(rtol, Method::explicit_only)); }, usual});
 #ifdef BRISTLE_SUNDIALS
-  peers.push_back({"SUNDIALS ARKODE, Dormand-Prince 5", [&](double rtol) { return run_arkode(bristles.at(rtol)); }, usual});
+  peers.push_back({"SUNDIALS ARKODE, Dormand-Prince 5",
+                   [&](double rtol) { return run_arkode(bristles.at(rtol)); }, usual});
   peers.push_back({"SUNDIALS CVODE, BDF", [&](double rtol) { return run_cvode(bristles.at(rtol)); }, tight});
 #endif
   const auto fast = [&](double rtol) { return run_lanes(best_kernels(), bristles.at(rtol)); };
@@ -153,7 +158,8 @@ Json scaling() {
         std::vector<std::thread> pool;
         for (unsigned t = 0; t < threads; ++t)
           pool.emplace_back([&, t] {
-            const auto begin = all.begin() + count * int(t) / int(threads), end = all.begin() + count * int(t + 1) / int(threads);
+            const auto begin = all.begin() + count * int(t) / int(threads),
+                       end = all.begin() + count * int(t + 1) / int(threads);
             run_lanes(best_kernels(), {begin, end});
           });
         for (std::thread& thread : pool) thread.join();
@@ -177,16 +183,19 @@ int main(int argc, char** argv) {
   bool quick = false;
   double per_lane = 0;
   app.add_flag("--quick", quick, "the ratio to Boost.Odeint only");
-  app.add_option("--per-lane", per_lane, "with --quick: fail if the ratio is below this times the numbers in a vector");
+  app.add_option("--per-lane", per_lane,
+                 "with --quick: fail if the ratio is below this times the numbers in a vector");
   CLI11_PARSE(app, argc, argv);
   // Tolerances of about equal error on this sample.
   constexpr double rtol = 1e-5;
   if (quick) {
     const Json result = all_kinds(1024, rtol, rtol);
     const double ratio = result["ratio"], least = per_lane * best_kernels().width;
-    fmt::print("{}, {}: the fast engine is {:.1f} times as fast as Boost.Odeint (asked: {:.1f}), at errors of {:.1e} and {:.1e}\n",
-               processor(), best_kernels().target, ratio, least, result["error"].get<double>(),
-               result["odeint_error"].get<double>());
+    fmt::print(
+        "{}, {}: the fast engine is {:.1f} times as fast as Boost.Odeint (asked: {:.1f}), at errors of "
+        "{:.1e} and {:.1e}\n",
+        processor(), best_kernels().target, ratio, least, result["error"].get<double>(),
+        result["odeint_error"].get<double>());
     return ratio >= least ? 0 : 1;
   }
   Json out;

@@ -1,5 +1,6 @@
-// Error of the mean over theta_0 against the number of passages: the adaptive quadrature, an equidistant grid and the paper's
-// random lattice. Writes JSON to standard output (scripts/performance.py makes the figure of it).
+// Error of the mean over theta_0 against the number of passages: the adaptive quadrature, an equidistant grid
+// and the paper's random lattice. Writes JSON to standard output (scripts/performance.py makes the figure of
+// it).
 #include "interface/ensemble.hpp"
 
 #include <fmt/format.h>
@@ -39,14 +40,19 @@ Json compare(const Case& c) {
   fine.orientation.rtol = 3e-5;
   EnsembleMean reference(fine, c.z_0, run);
   const Ensemble exact = reference.full();
-  Json out = {{"k_r", c.k_r}, {"z_0", c.z_0}, {"quadrature", Json::array()}, {"grid", Json::array()}, {"lattice", Json::array()}};
+  Json out = {{"k_r", c.k_r},
+              {"z_0", c.z_0},
+              {"quadrature", Json::array()},
+              {"grid", Json::array()},
+              {"lattice", Json::array()}};
   for (const double rtol : {3e-2, 1e-2, 3e-3, 1e-3, 3e-4}) {
     interface.orientation.rtol = rtol;
     EnsembleMean mean(interface, c.z_0, run);
     const Ensemble& e = mean.full();
-    out["quadrature"].push_back({{"passages", e.passages},
-                                 {"error", error_of(e.mean[R_N], e.mean[R_X], exact)},
-                                 {"estimate", std::max(e.error[R_N] / e.mean[R_N], e.error[R_X] / e.mean[R_X])}});
+    out["quadrature"].push_back(
+        {{"passages", e.passages},
+         {"error", error_of(e.mean[R_N], e.mean[R_X], exact)},
+         {"estimate", std::max(e.error[R_N] / e.mean[R_N], e.error[R_X] / e.mean[R_X])}});
   }
   std::mt19937_64 random(1);
   for (const int count : {40, 80, 160, 320, 640, 1280, 2560}) {

@@ -17,8 +17,12 @@ class Bristles {
   // head_on: up to which azimuth, pi for all; below about 1.8 rad none is pinned.
   Bristles(int count, double head_on) {
     std::mt19937_64 random(1);
-    const auto uniform = [&](double from, double to) { return from + (to - from) * double(random() >> 11) * 0x1p-53; };
-    const auto log_uniform = [&](double from, double to) { return std::exp(uniform(std::log(from), std::log(to))); };
+    const auto uniform = [&](double from, double to) {
+      return from + (to - from) * double(random() >> 11) * 0x1p-53;
+    };
+    const auto log_uniform = [&](double from, double to) {
+      return std::exp(uniform(std::log(from), std::log(to)));
+    };
     for (int i = 0; i < count; ++i) {
       Parameters& p = parameters_.emplace_back();
       p.friction = i % 2 ? FrictionLaw::nss : FrictionLaw::coulomb;
@@ -64,7 +68,8 @@ inline double impulse_error(const std::vector<Passage>& passages, const std::vec
   std::vector<double> errors;
   for (std::size_t i = 0; i < passages.size(); ++i) {
     double worst = 0;
-    for (const int c : {NORMAL, FRICTION_X}) worst = std::max(worst, std::abs(passages[i].end[c] / exact[i].end[c] - 1));
+    for (const int c : {NORMAL, FRICTION_X})
+      worst = std::max(worst, std::abs(passages[i].end[c] / exact[i].end[c] - 1));
     errors.push_back(worst);
   }
   std::sort(errors.begin(), errors.end());

@@ -67,7 +67,8 @@ std::vector<Passage> run_cvode(const std::vector<PassageTask>& tasks) {
     CVodeSetLinearSolver(memory, solver, matrix);
     CVodeRootInit(memory, 1, slip_left);
     double t = 0;
-    if (CVode(memory, kLatest, y, &t, CV_NORMAL) != CV_ROOT_RETURN) throw std::runtime_error("CVODE found no exit");
+    if (CVode(memory, kLatest, y, &t, CV_NORMAL) != CV_ROOT_RETURN)
+      throw std::runtime_error("CVODE found no exit");
     SUNLinSolFree(solver);
     SUNMatDestroy(matrix);
     CVodeFree(&memory);

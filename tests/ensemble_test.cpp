@@ -112,10 +112,12 @@ TEST_CASE("a decision against a target takes fewer bristles, and what follows go
 TEST_CASE("a point is the same from both engines, within the integrator's and the quadrature's error") {
   for (const double k_r : {5.0, 30.0}) {
     const Interface interface = paper(k_r, 3e-3);
-    const PointResult fast = solve(interface, Loading{}), reference = solve_point(interface, Loading{}, make_runner(Engine::reference));
+    const PointResult fast = solve(interface, Loading{}),
+                      reference = solve_point(interface, Loading{}, make_runner(Engine::reference));
     CAPTURE(k_r);
     for (const Observable k : {N_C_RATIO, R_N, R_X, GAMMA_1, GAMMA_2, GAMMA_3})
-      CHECK(std::abs(fast.value[k] - reference.value[k]) <= fast.error[k] + reference.error[k] + 1e-4 * std::abs(fast.value[k]));
+      CHECK(std::abs(fast.value[k] - reference.value[k]) <=
+            fast.error[k] + reference.error[k] + 1e-4 * std::abs(fast.value[k]));
   }
 }
 

@@ -49,8 +49,8 @@ std::vector<Passage> run(const Kernels& kernels, const std::vector<PassageTask>&
 
 bool same_bits(const Passage& a, const Passage& b) {
   return a.end == b.end && a.contact_time == b.contact_time && a.outcome == b.outcome && a.steps == b.steps &&
-         a.reflections == b.reflections && a.gamma_1 == b.gamma_1 && a.gamma_2 == b.gamma_2 && a.gamma_3 == b.gamma_3 &&
-         a.energy_residual == b.energy_residual;
+         a.reflections == b.reflections && a.gamma_1 == b.gamma_1 && a.gamma_2 == b.gamma_2 &&
+         a.gamma_3 == b.gamma_3 && a.energy_residual == b.energy_residual;
 }
 
 struct Restricted {
@@ -85,7 +85,8 @@ TEST_CASE("without fused multiply-add the fast engine is refused, with the remed
 #if HWY_ARCH_X86
   const Restricted old_processor(HWY_SSE4);
   CHECK(available_kernels().empty());
-  CHECK_THROWS_WITH(best_kernels(), Catch::Contains("fused multiply-add") && Catch::Contains("\"reference\""));
+  CHECK_THROWS_WITH(best_kernels(),
+                    Catch::Contains("fused multiply-add") && Catch::Contains("\"reference\""));
 #endif
 }
 
@@ -101,8 +102,8 @@ TEST_CASE("restricting the instruction sets restricts the kernels") {
 }
 
 TEST_CASE("every observable agrees with Boost.Odeint's, to the integrators' errors") {
-  // Tolerances are tight, so that impacts do not amplify the step errors of either beyond what is asserted. Reflections at
-  // the pole would at any tolerance: they have a test of their own.
+  // Tolerances are tight, so that impacts do not amplify the step errors of either beyond what is asserted.
+  // Reflections at the pole would at any tolerance: they have a test of their own.
   rc::prop("for random bristles", [] {
     Sample sample;
     PassageTask task = sample.random(3.0);
@@ -111,7 +112,9 @@ TEST_CASE("every observable agrees with Boost.Odeint's, to the integrators' erro
     const Passage lane = run(best_kernels(), {task}).front(), reference = run_passage(task);
     RC_PRE(reference.reflections == 0 && reference.complete());
     RC_ASSERT(lane.outcome == reference.outcome);
-    const auto close = [](double a, double b, double scale) { return std::abs(a - b) <= 1e-4 * (std::abs(scale) + 1e-3); };
+    const auto close = [](double a, double b, double scale) {
+      return std::abs(a - b) <= 1e-4 * (std::abs(scale) + 1e-3);
+    };
     RC_ASSERT(close(lane.contact_time, reference.contact_time, reference.contact_time));
     for (const int i : {NORMAL, FRICTION_X, MODULATION, ALIGNMENT, AREA, WORK})
       RC_ASSERT(close(lane.end[i], reference.end[i], reference.end[NORMAL] + std::abs(reference.end[i])));
@@ -132,7 +135,8 @@ TEST_CASE("pinned bristles: the values of an independent prototype, reflected or
     task.integrator.rtol = 1e-6;
     task.integrator.atol = 1e-8;
     const Passage r = run(best_kernels(), {task}).front();
-    // A hundred reflections amplify errors: Odeint's own values spread as much over tolerances of 1e-5 to 1e-8.
+    // A hundred reflections amplify errors: Odeint's own values spread as much over tolerances of 1e-5 to
+    // 1e-8.
     const double spread = degrees > 179.7 ? 10 : 1;
     CAPTURE(degrees);
     CHECK(r.outcome == Outcome::pinned);

@@ -87,7 +87,10 @@ TEST_CASE("load control: rough means may place a stop wrongly; what counts is th
     LoadSearch s;
     s.first_contact = kContact;
     const LoadPoint p = first_crossing(
-        [&](double z_0, Accuracy a) { return Load{rising(z_0) + (a == Accuracy::rough ? bias : 0.0), 1e-6}; }, s);
+        [&](double z_0, Accuracy a) {
+          return Load{rising(z_0) + (a == Accuracy::rough ? bias : 0.0), 1e-6};
+        },
+        s);
     CHECK(p.status == LoadStatus::reached);
     CHECK(p.z_0 == Approx(kContact - 0.5).margin(5e-4));
   }

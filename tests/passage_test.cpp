@@ -164,8 +164,8 @@ TEST_CASE("the observer sees a passage from start to exit") {
   const Parameters p = with_peak();
   const auto b = make_bristle(p, 0.4, 1);
   std::vector<double> times;
-  const Passage r =
-      run_passage({&p, b, static_equilibrium(b), {}}, [&](double xi, const OdeState&) { times.push_back(xi); });
+  const Passage r = run_passage({&p, b, static_equilibrium(b), {}},
+                                [&](double xi, const OdeState&) { times.push_back(xi); });
   REQUIRE(times.size() == std::size_t(r.steps) + 1);
   CHECK(times.front() == 0);
   CHECK(times.back() == r.contact_time);

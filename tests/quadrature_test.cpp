@@ -24,7 +24,10 @@ Result integrate(const std::function<double(double)>& f, const std::function<int
   QuadratureGoal<1> goal;
   goal.rtol[0] = rtol;
   goal.widest = 0.35;
-  return Quadrature<1>(batched([&](double x) { return Sample<1>{{f(x)}, label(x), true}; }), {0, 2.6, M_PI})
+  return Quadrature<1>(batched([&](double x) {
+                         return Sample<1>{{f(x)}, label(x), true};
+                       }),
+                       {0, 2.6, M_PI})
       .refine(goal);
 }
 
@@ -111,13 +114,14 @@ TEST_CASE("jumps between two panels and beside the ends are found") {
 }
 
 TEST_CASE("several jumps, and rough stretches: the estimate stays honest") {
-  // A rough stretch as the bouncing bristles make it: fast oscillations whose frequency varies. (One of a single
-  // frequency can be in step with equidistant nodes and hide from them.)
+  // A rough stretch as the bouncing bristles make it: fast oscillations whose frequency varies. (One of a
+  // single frequency can be in step with equidistant nodes and hide from them.)
   int within_one = 0, within_three = 0, cases = 0;
   for (int seed = 0; seed < 40; ++seed) {
     const double w = 150 + 17.3 * seed, from = 0.8 + 0.01 * seed, to = 1.9;
     const auto f = [=](double x) {
-      return 2 + (x > from && x < to ? 0.2 * std::sin(w * x * x) + 0.1 * std::cos(2.71 * w * std::exp(x)) : 0.0);
+      return 2 +
+             (x > from && x < to ? 0.2 * std::sin(w * x * x) + 0.1 * std::cos(2.71 * w * std::exp(x)) : 0.0);
     };
     double exact = 2 * M_PI;
     const int steps = 200000;
@@ -128,8 +132,8 @@ TEST_CASE("several jumps, and rough stretches: the estimate stays honest") {
     if (std::abs(r.integral[0] - exact) <= r.error[0]) ++within_one;
     if (std::abs(r.integral[0] - exact) <= 3 * r.error[0]) ++within_three;
   }
-  // The estimate is a standard deviation of independent panel errors, not a bound, and panels that look smooth by
-  // accident are not refined.
+  // The estimate is a standard deviation of independent panel errors, not a bound, and panels that look
+  // smooth by accident are not refined.
   CHECK(within_one >= cases * 0.6);
   CHECK(within_three >= cases * 0.9);
 }

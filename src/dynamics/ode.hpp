@@ -103,8 +103,8 @@ inline void jacobian(const Bristle<double>& b, const OdeState& y, StateJacobian&
   for (int i = 0; i < kIntegrals; ++i) of_integrals.row(i) = out[NORMAL + i].derivatives();
 }
 
-// Derivatives of the acceleration with respect to the velocity, and derivative(): friction and the dampers of azimuth
-// and elevation, which make the equations stiff, are in this block.
+// Derivatives of the acceleration with respect to the velocity, and derivative(): friction and the dampers of
+// azimuth and elevation, which make the equations stiff, are in this block.
 template <class T, class In, class Out>
 Eigen::Matrix<T, 3, 3> damping_matrix(const Bristle<T>& b, const In& y, Out& dydt) {
   using Column = Eigen::Matrix<T, 3, 1>;

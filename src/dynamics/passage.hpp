@@ -54,8 +54,8 @@ struct PassageTask {
 // Called with time and state at the start, after each step and at the exit.
 using Observer = std::function<void(double xi, const OdeState&)>;
 
-// Integrates Eqs. (13, 17, 18) from rest until the slip xi - (x - x(0)) reaches L_x (Eq. A2), by Boost.Odeint: the
-// reference that the lanes are held against. Never throws for a numerical outcome.
+// Integrates Eqs. (13, 17, 18) from rest until the slip xi - (x - x(0)) reaches L_x (Eq. A2), by
+// Boost.Odeint: the reference that the lanes are held against. Never throws for a numerical outcome.
 Passage run_passage(const PassageTask& task, const Observer& observe = {});
 
 }  // namespace bristle

@@ -25,7 +25,8 @@ inline Outcome outcome_at_exit(const Parameters& p, const OdeState& y) {
   return in_plane_distance(y) < kPinnedRanges * p.lambda ? Outcome::pinned : Outcome::left;
 }
 
-// The pole rule: the in-plane radial velocity changes sign, all else stays. Only an approaching tip is reflected.
+// The pole rule: the in-plane radial velocity changes sign, all else stays. Only an approaching tip is
+// reflected.
 inline bool reflect(OdeState& y) {
   const double s2 = y[X] * y[X] + y[Y] * y[Y], inward = radial_product(y);
   if (inward >= 0) return false;
@@ -46,8 +47,8 @@ double root_in(G g, double a, double b, double tolerance) {
   return bracket.second;
 }
 
-// Time in [a, b] at which the tip, at state_at(time), comes down to s = s_min, or infinity. The closest approach
-// counts, so that a step across the axis is not missed.
+// Time in [a, b] at which the tip, at state_at(time), comes down to s = s_min, or infinity. The closest
+// approach counts, so that a step across the axis is not missed.
 template <class StateAt>
 double pole_contact(StateAt state_at, double s_min, double a, double b, double tolerance) {
   constexpr double never = std::numeric_limits<double>::infinity();

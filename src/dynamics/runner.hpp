@@ -14,7 +14,8 @@ enum class Engine {
 // Computes passages; the results are in the order of the tasks.
 using PassageRunner = std::function<std::vector<Passage>(const std::vector<PassageTask>&)>;
 
-// The engine, working on one batch at a time. Throws std::runtime_error if the processor cannot run the fast one.
+// The engine, working on one batch at a time. Throws std::runtime_error if the processor cannot run the fast
+// one.
 PassageRunner make_runner(Engine engine);
 
 }  // namespace bristle

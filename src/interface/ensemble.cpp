@@ -8,8 +8,8 @@ namespace {
 // A decision against a target stops at this many times the tolerance: nearer, the full mean has to say.
 constexpr double kDecisionFactor = 4;
 
-// Widest panel (rad) of a mean to tolerance: its nodes, 2.5 degrees apart, see the stretches where the number of
-// bounces changes (docs/numerics.md has the measurement).
+// Widest panel (rad) of a mean to tolerance: its nodes, 2.5 degrees apart, see the stretches where the number
+// of bounces changes (docs/numerics.md has the measurement).
 constexpr double kWidest = 0.35;
 
 ObservableArray observables(const Passage& passage, double L_x) {
@@ -46,7 +46,8 @@ EnsembleMean::EnsembleMean(const Interface& interface, double z_0, PassageRunner
       half_circle_(mirror_symmetric(interface.orientation) && !interface.orientation.full_circle) {
   out_.z_0 = z_0;
   if (interface.orientation.sampling == Sampling::quadrature)
-    quadrature_.emplace([this](const std::vector<double>& at) { return samples(at); }, first_edges(half_circle_));
+    quadrature_.emplace([this](const std::vector<double>& at) { return samples(at); },
+                        first_edges(half_circle_));
 }
 
 std::vector<Passage> EnsembleMean::run(const std::vector<double>& theta_0) {
@@ -101,7 +102,8 @@ const Ensemble& EnsembleMean::near_target() {
 const Ensemble& EnsembleMean::full() {
   Goal all = goal();
   all.widest = kWidest;
-  for (Observable k : {N_C_RATIO, R_N, R_X, GAMMA_1, GAMMA_2, GAMMA_3}) all.rtol[k] = interface_.orientation.rtol;
+  for (Observable k : {N_C_RATIO, R_N, R_X, GAMMA_1, GAMMA_2, GAMMA_3})
+    all.rtol[k] = interface_.orientation.rtol;
   if (!half_circle_) all.rtol[R_Y] = interface_.orientation.rtol;
   return refine(all);
 }

@@ -44,8 +44,9 @@ struct Ensemble {
   std::vector<double> jumps;      // theta_0 at which the outcome changes, rad
 };
 
-// The mean over theta_0 of single passages at the gap z_0 (model: docs/model.md, section "The slab"). Every passage counts
-// for all that is asked of it later. A numerical failure is reported in the result. The interface must outlive it.
+// The mean over theta_0 of single passages at the gap z_0 (model: docs/model.md, section "The slab"). Every
+// passage counts for all that is asked of it later. A numerical failure is reported in the result. The
+// interface must outlive it.
 class EnsembleMean {
  public:
   EnsembleMean(const Interface& interface, double z_0, PassageRunner run);

@@ -8,7 +8,8 @@ namespace bristle {
 struct Load {
   double R_n, error;
 };
-// How R_n(z_0) is asked for: well enough to place it above or below a target that is far, or as well as can be.
+// How R_n(z_0) is asked for: well enough to place it above or below a target that is far, or as well as can
+// be.
 enum class Accuracy {
   rough,
   precise

@@ -98,9 +98,7 @@ class PointSolver {
     return {kNone, kNone};
   }
 
-  EnsembleMean& mean_at(double z_0) {
-    return means_.try_emplace(z_0, interface_, z_0, run_).first->second;
-  }
+  EnsembleMean& mean_at(double z_0) { return means_.try_emplace(z_0, interface_, z_0, run_).first->second; }
 
   PointResult incomplete() const {
     PointResult out = without_values(PointStatus::incomplete);
@@ -132,7 +130,7 @@ class PointSolver {
   const PassageRunner& run_;
   std::vector<Passage>* bristles_;
   std::map<double, EnsembleMean> means_;  // by gap
-  double lost_ = kNone;  // theta_0 of a passage without an exit
+  double lost_ = kNone;                   // theta_0 of a passage without an exit
 };
 
 }  // namespace

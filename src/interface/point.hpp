@@ -36,7 +36,8 @@ struct PointResult {
 };
 
 // Where the status is ok and a load was asked for, R_n is within orientation.rtol of it. bristles, if given,
-// receives the passages at the gap that the values are of. run computes the passages; the result does not depend on how.
+// receives the passages at the gap that the values are of. run computes the passages; the result does not
+// depend on how.
 PointResult solve_point(const Interface& interface, const Loading& loading, const PassageRunner& run,
                         std::vector<Passage>* bristles = nullptr);
 

@@ -32,8 +32,8 @@ const NestedRule& nested_rule(std::size_t nodes) {
   static const NestedRule five = make_rule({7. / 90, 32. / 90, 12. / 90, 32. / 90, 7. / 90}, &three);
   // Romberg's: Newton and Cotes' own has weights of both signs, which doubles the noise of a rough integrand.
   constexpr double w = 5670;
-  static const NestedRule nine = make_rule(
-      {217 / w, 1024 / w, 352 / w, 1024 / w, 436 / w, 1024 / w, 352 / w, 1024 / w, 217 / w}, &five);
+  static const NestedRule nine =
+      make_rule({217 / w, 1024 / w, 352 / w, 1024 / w, 436 / w, 1024 / w, 352 / w, 1024 / w, 217 / w}, &five);
   switch (nodes) {
     case 2: return two;
     case 3: return three;

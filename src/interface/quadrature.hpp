@@ -8,8 +8,8 @@
 namespace bristle {
 
 // Adaptive quadrature of several functions at once, for integrands that are smooth between jumps and dear to
-// sample. Samples are asked for in batches and never thrown away: a panel holds 3, 5 or 9 equidistant nodes, ends
-// included; it is refined by nodes between them, and at 17 becomes two. A sample carries a label; where
+// sample. Samples are asked for in batches and never thrown away: a panel holds 3, 5 or 9 equidistant nodes,
+// ends included; it is refined by nodes between them, and at 17 becomes two. A sample carries a label; where
 // neighbours' labels differ there is a jump, which is located by bisecting on the label (one sample a step).
 template <std::size_t N>
 struct Sample {
@@ -22,7 +22,7 @@ template <std::size_t N>
 struct QuadratureGoal {
   std::array<double, N> rtol{};  // per component; 0: not controlled
   std::array<int, N> scale{};    // component whose integral rtol refers to
-  double widest = 100;  // of a panel: what lies between its nodes is not seen
+  double widest = 100;           // of a panel: what lies between its nodes is not seen
   // Enough is known of a component once its error is a quarter of its distance from this value: what
   // a root-finder or a scan asks for.
   std::optional<double> decide_about;
@@ -50,7 +50,8 @@ struct QuadratureResult {
 struct NestedRule {
   std::vector<double> weight;
   const NestedRule* coarse;  // the rule of every second node; none for 2 nodes
-  // between[i][j]: factor of the value at node 2 j in the value, at node 2 i + 1, of the polynomial through them.
+  // between[i][j]: factor of the value at node 2 j in the value, at node 2 i + 1, of the polynomial through
+  // them.
   std::vector<std::vector<double>> between;
 };
 const NestedRule& nested_rule(std::size_t nodes);

@@ -12,8 +12,8 @@ constexpr double kSmallestPanel = 1e-7;
 // Part of the tolerance that the unknown place of one jump may use up.
 constexpr double kJumpShare = 0.2;
 constexpr std::size_t kMostNodes = 9;
-// What is left alone is what happened to look smooth: the estimates of rough panels are raised by this factor, which
-// makes them honest on integrands that are rough throughout (docs/numerics.md).
+// What is left alone is what happened to look smooth: the estimates of rough panels are raised by this
+// factor, which makes them honest on integrands that are rough throughout (docs/numerics.md).
 constexpr double kSelection = 2;
 
 template <std::size_t N>
@@ -59,7 +59,8 @@ void Quadrature<N>::measure(Panel& panel) const {
   const auto value = [&](std::size_t i, std::size_t k) { return panel.nodes[i].sample.value[k]; };
   panel.integral = rule(panel, 1);
   if (n == 2) {
-    for (std::size_t k = 0; k < N; ++k) panel.error[k] = std::abs(value(1, k) - value(0, k)) * panel.width() / 2;
+    for (std::size_t k = 0; k < N; ++k)
+      panel.error[k] = std::abs(value(1, k) - value(0, k)) * panel.width() / 2;
     return;
   }
   const NestedRule& r = nested_rule(n);
@@ -134,8 +135,8 @@ typename Quadrature<N>::Values Quadrature<N>::uncertainty(const Change& change) 
   return error;
 }
 
-// Narrows the change down until what its unknown place can alter is small against the tolerance. The trails are the
-// nodes passed on either side, ascending, the change's own included.
+// Narrows the change down until what its unknown place can alter is small against the tolerance. The trails
+// are the nodes passed on either side, ascending, the change's own included.
 template <std::size_t N>
 void Quadrature<N>::bisect(Change& change, std::vector<Node>& left_trail, std::vector<Node>& right_trail) {
   left_trail = {change.left};
@@ -158,7 +159,8 @@ void Quadrature<N>::cut(std::vector<Panel>& out, const std::vector<Node>& nodes,
     std::size_t steps = 1;
     while (steps < kMostNodes - 1 && 2 * steps <= to - from) steps *= 2;
     const std::size_t first = from_right ? to - steps : from;
-    panels.push_back(make_panel({nodes.begin() + std::ptrdiff_t(first), nodes.begin() + std::ptrdiff_t(first + steps) + 1}));
+    panels.push_back(make_panel(
+        {nodes.begin() + std::ptrdiff_t(first), nodes.begin() + std::ptrdiff_t(first + steps) + 1}));
     (from_right ? to : from) = from_right ? first : first + steps;
   }
   if (from_right) std::reverse(panels.begin(), panels.end());
@@ -170,12 +172,14 @@ template <std::size_t N>
 void Quadrature<N>::locate(std::size_t index) {
   const std::vector<Node> nodes = panels_[index].nodes;
   Change jump = *change_in(panels_[index]);
-  const auto right = std::find_if(nodes.begin(), nodes.end(), [&](const Node& n) { return n.at == jump.right.at; });
+  const auto right =
+      std::find_if(nodes.begin(), nodes.end(), [&](const Node& n) { return n.at == jump.right.at; });
   std::vector<Node> left_trail, right_trail;
   bisect(jump, left_trail, right_trail);
   std::vector<Panel> panels;
   cut(panels, {nodes.begin(), right}, false);
-  for (std::size_t i = 1; i < left_trail.size(); ++i) panels.push_back(make_panel({left_trail[i - 1], left_trail[i]}));
+  for (std::size_t i = 1; i < left_trail.size(); ++i)
+    panels.push_back(make_panel({left_trail[i - 1], left_trail[i]}));
   for (std::size_t i = 1; i < right_trail.size(); ++i)
     panels.push_back(make_panel({right_trail[i - 1], right_trail[i]}));
   cut(panels, {right, nodes.end()}, true);
@@ -190,7 +194,8 @@ void Quadrature<N>::narrow(Change& jump) {
   bisect(jump, left_trail, right_trail);
   std::vector<Panel> panels;
   for (const auto* trail : {&left_trail, &right_trail})
-    for (std::size_t i = 1; i < trail->size(); ++i) panels.push_back(make_panel({(*trail)[i - 1], (*trail)[i]}));
+    for (std::size_t i = 1; i < trail->size(); ++i)
+      panels.push_back(make_panel({(*trail)[i - 1], (*trail)[i]}));
   const auto behind = std::find_if(panels_.begin(), panels_.end(),
                                    [&](const Panel& p) { return p.nodes.front().at >= jump.right.at; });
   panels_.insert(behind, panels.begin(), panels.end());
@@ -290,7 +295,8 @@ const QuadratureResult<N>& Quadrature<N>::refine(const QuadratureGoal<N>& goal) 
     sum();
   }
   result_.jumps.clear();
-  for (const Change& jump : jumps_) result_.jumps.push_back(jump.left.at + (jump.right.at - jump.left.at) / 2);
+  for (const Change& jump : jumps_)
+    result_.jumps.push_back(jump.left.at + (jump.right.at - jump.left.at) / 2);
   std::sort(result_.jumps.begin(), result_.jumps.end());
   return result_;
 }

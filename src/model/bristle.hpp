@@ -20,7 +20,7 @@ struct Bristle {
   AzimuthRate azimuth_rate;
   P k_r, k_theta, k_phi, c_theta, c_phi, theta_0, phi_0;
   P A, B, C, inverse_V_s;
-  P friction_factor;  // mu_c (Coulomb) or tau_f times the Hertz area at F_n = 1 (NSS)
+  P friction_factor;       // mu_c (Coulomb) or tau_f times the Hertz area at F_n = 1 (NSS)
   P axis_peak, axis_rate;  // of Eq. (4): alpha/(2 lambda), 1/lambda
   P wall_peak, wall_rate;  // of Eq. (3): beta/(2 lambda_z), 1/lambda_z
   P wall_root_peak, wall_root_rate;
@@ -107,8 +107,8 @@ AngularRates<T> angular_rates(AzimuthRate rule, const Frame<T>& f, const Vector3
   const T along_s = f.cos_theta * v[0] + f.sin_theta * v[1];
   const T along_theta = f.cos_theta * v[1] - f.sin_theta * v[0];  // (x v_y - y v_x)/s
   const T along_phi = f.cos_phi * v[2] - f.sin_phi * along_s;     // r phi', the same as Eq. (18)
-  const T theta_rate =
-      rule == AzimuthRate::kinematic ? T(along_theta * f.one_s) : T(along_theta * T(f.s * T(f.one_r * f.one_r)));
+  const T theta_rate = rule == AzimuthRate::kinematic ? T(along_theta * f.one_s)
+                                                      : T(along_theta * T(f.s * T(f.one_r * f.one_r)));
   return {theta_rate, T(along_phi * f.one_r)};
 }
 
@@ -130,7 +130,7 @@ SlabContact<T> slab_contact(const Bristle<P>& b, const State<T>& state) {
   const T V_R = V_R2 * one_V_R;
   const T chi_V = chi(T(V_R * b.inverse_V_s), b.A, b.B, b.C);
   const T load = b.friction == FrictionLaw::nss ? wall.F_n_23 : wall.F_n;
-  return {wall.F_n,      wall.F_n_23,        V_R, chi_V, T(T(b.friction_factor * chi_V) * load),
+  return {wall.F_n,         wall.F_n_23,     V_R, chi_V, T(T(b.friction_factor * chi_V) * load),
           T(V_x * one_V_R), T(V_y * one_V_R)};
 }
 

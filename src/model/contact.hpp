@@ -4,8 +4,8 @@
 
 namespace bristle {
 
-// A short-range exponential repulsion, Eqs. (3, 4): strength/(2 range) exp(-distance/range). Dimensionless force.
-// peak is strength/(2 range), rate is 1/range.
+// A short-range exponential repulsion, Eqs. (3, 4): strength/(2 range) exp(-distance/range). Dimensionless
+// force. peak is strength/(2 range), rate is 1/range.
 template <class T, class P>
 T short_range_force(const T& distance, const P& peak, const P& rate) {
   const T exponent = -distance * rate;

@@ -37,14 +37,15 @@ class Solving {
   using Routine = coroutines::coroutine<Batch*>;
 
   Solving(const Experiment& experiment, std::size_t index)
-      : routine_(coroutines::protected_fixedsize_stack(kStackBytes), [this, &experiment, index](Routine::push_type& wait) {
-          const PassageRunner run = [&wait](const std::vector<PassageTask>& tasks) {
-            Batch batch{&tasks, std::vector<Passage>(tasks.size()), tasks.size()};
-            if (!tasks.empty()) wait(&batch);
-            return std::move(batch.results);
-          };
-          report_ = solve(experiment, index, run);
-        }) {}
+      : routine_(coroutines::protected_fixedsize_stack(kStackBytes),
+                 [this, &experiment, index](Routine::push_type& wait) {
+                   const PassageRunner run = [&wait](const std::vector<PassageTask>& tasks) {
+                     Batch batch{&tasks, std::vector<Passage>(tasks.size()), tasks.size()};
+                     if (!tasks.empty()) wait(&batch);
+                     return std::move(batch.results);
+                   };
+                   report_ = solve(experiment, index, run);
+                 }) {}
 
   // The batch it waits for; none once it is solved.
   Batch* waits_for() { return routine_ ? routine_.get() : nullptr; }
@@ -61,7 +62,8 @@ class LaneWorker {
   LaneWorker(const Experiment& experiment, PointQueue& queue)
       : experiment_(experiment),
         queue_(queue),
-        engine_(best_kernels(), [this](std::size_t ticket, Passage&& passage) { receive(ticket, std::move(passage)); }) {}
+        engine_(best_kernels(),
+                [this](std::size_t ticket, Passage&& passage) { receive(ticket, std::move(passage)); }) {}
 
   void work() {
     while (start_points() && !queue_.stopped()) {

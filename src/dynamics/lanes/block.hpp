@@ -12,8 +12,8 @@ struct alignas(64) Row {
   double lane[kLanes];
 };
 
-// Passages under way, one per lane, each with its own time and step size. Plain data: the kernels, compiled once
-// per instruction set, step it; the engine, compiled once, fills lanes and answers events.
+// Passages under way, one per lane, each with its own time and step size. Plain data: the kernels, compiled
+// once per instruction set, step it; the engine, compiled once, fills lanes and answers events.
 struct Block {
   FrictionLaw friction;
   AzimuthRate azimuth_rate;
@@ -21,11 +21,11 @@ struct Block {
   std::uint32_t fresh = 0;     // lanes whose slope is not that of their state
   std::uint64_t tried = 0;     // steps, of occupied lanes or not
 
-  Row constants[kConstants];       // of Bristle, in the order of for_each_constant
-  Row rtol, atol, L_x, x_0;        // slip is xi - (x - x_0)
-  Row near_axis, pole;             // distances s: where the other method takes over; s_min
+  Row constants[kConstants];                // of Bristle, in the order of for_each_constant
+  Row rtol, atol, L_x, x_0;                 // slip is xi - (x - x_0)
+  Row near_axis, pole;                      // distances s: where the other method takes over; s_min
   Row t, y[COMPONENTS], slope[COMPONENTS];  // at the last accepted step
-  Row h;                           // next step to try
+  Row h;                                    // next step to try
   Row attempts, max_attempts;
 
   // The step that was just tried, for lanes with an event: it is not yet accepted.

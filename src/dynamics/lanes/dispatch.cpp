@@ -35,7 +35,8 @@ const Kernels& best_kernels() {
   const auto available = available_kernels();
   if (available.empty())
     throw std::runtime_error(
-        "this processor has no fused multiply-add on vectors (AVX2 or better), without which the fast engine's numbers "
+        "this processor has no fused multiply-add on vectors (AVX2 or better), without which the fast "
+        "engine's numbers "
         "would be others; choose \"integrator\": { \"engine\": \"reference\" }");
   return *available.front();
 }

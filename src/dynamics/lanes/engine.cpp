@@ -8,8 +8,8 @@ namespace bristle {
 namespace {
 
 constexpr double kFractionTolerance = 1e-14;
-// Near the axis a bristle oscillates about its place, and its means do not depend on the phase: its tolerance may be
-// looser (docs/numerics.md has the measurement).
+// Near the axis a bristle oscillates about its place, and its means do not depend on the phase: its tolerance
+// may be looser (docs/numerics.md has the measurement).
 constexpr double kPinnedFactor = 30;
 // A tip this close to s_min, relatively, is at the pole.
 constexpr double kPoleTolerance = 1e-2;
@@ -144,8 +144,8 @@ class LaneEngine::Set {
     hand_over(lane);
   }
 
-  // A step in which the tip may meet the pole or reach its exit: accepts it if that is where it ends, otherwise
-  // asks for a step that ends there. True if the passage is over.
+  // A step in which the tip may meet the pole or reach its exit: accepts it if that is where it ends,
+  // otherwise asks for a step that ends there. True if the passage is over.
   bool answer_step(int lane, bool axis, bool exit) {
     Flight& flight = flights_[lane];
     const double h = block_.t_new.lane[lane] - flight.t;
@@ -154,10 +154,10 @@ class LaneEngine::Set {
     const Arc arc(flight.y, y_new, h);
     const double L_x = flight.task.parameters->L_x, s_min = flight.task.parameters->s_min;
     constexpr double never = std::numeric_limits<double>::infinity();
-
     double pole = never, exit_at = never;
     if (axis) pole = pole_contact(arc, s_min, 0, 1, kFractionTolerance);
-    if (axis && pole > 0.5 && in_plane_distance(y_new) < (1 + kPoleTolerance) * s_min && in_plane_distance(y_new) > (1 - kPoleTolerance) * s_min) pole = 1;
+    const bool ends_at_pole = std::abs(in_plane_distance(y_new) / s_min - 1) < kPoleTolerance;
+    if (axis && pole > 0.5 && ends_at_pole) pole = 1;
     const auto slip = [&](double u) { return flight.t + u * h - (arc(u)[X] - flight.x_0) - L_x; };
     if (exit) exit_at = slip(1) <= kSlipTolerance ? 1 : root_in(slip, 0, 1, kFractionTolerance);
     const double first = std::min(pole, exit_at);

@@ -10,9 +10,9 @@
 
 namespace bristle {
 
-// Integrates passages one per lane, as the queue gives them: a lane that is done takes the next at once. Stiff
-// bristles go on to a second set of lanes and an implicit method. A passage's numbers do not depend on what else
-// is under way, on the lane or on the instruction set. One engine per thread.
+// Integrates passages one per lane, as the queue gives them: a lane that is done takes the next at once.
+// Stiff bristles go on to a second set of lanes and an implicit method. A passage's numbers do not depend on
+// what else is under way, on the lane or on the instruction set. One engine per thread.
 class LaneEngine {
  public:
   using Done = std::function<void(std::size_t ticket, Passage&&)>;
@@ -25,7 +25,8 @@ class LaneEngine {
   // Steps until at least one passage has ended; false if there is none.
   bool advance();
 
-  // Steps that the lanes tried, and those of passages that have ended or changed their method: the rest had none.
+  // Steps that the lanes tried, and those of passages that have ended or changed their method: the rest had
+  // none.
   struct Usage {
     double made = 0, useful = 0;
   };

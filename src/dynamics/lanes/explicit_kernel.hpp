@@ -4,7 +4,8 @@
 
 namespace bristle::HWY_NAMESPACE {
 
-// Steps by an explicit pair. Stage slopes of the integrals enter only the step itself: no force depends on them.
+// Steps by an explicit pair. Stage slopes of the integrals enter only the step itself: no force depends on
+// them.
 template <class Tableau>
 class ExplicitStep {
  public:

@@ -16,10 +16,11 @@ struct Group {
 inline Lanes in_plane_square(const std::array<Lanes, COMPONENTS>& y) { return y[X] * y[X] + y[Y] * y[Y]; }
 inline Lanes radial_product(const std::array<Lanes, COMPONENTS>& y) { return y[X] * y[VX] + y[Y] * y[VY]; }
 
-// The slope of every component, from the state. One copy of it: inlined everywhere it would not fit the caches.
+// The slope of every component, from the state. One copy of it: inlined everywhere it would not fit the
+// caches.
 template <class State>
 HWY_NOINLINE HWY_FLATTEN void evaluate(const Bristle<Lanes>& b, const State& y,
-                                                    std::array<Lanes, COMPONENTS>& slope) {
+                                       std::array<Lanes, COMPONENTS>& slope) {
   derivative<Lanes>(b, y, slope);
 }
 
@@ -41,7 +42,8 @@ HWY_INLINE Lanes combine(const AllSlopes& k, int component, Weight weight) {
   return combine<Count>(k, component, weight, std::make_index_sequence<Count>());
 }
 
-// The largest error over tolerance; NaN if any error is. One division in all: fractions are compared crosswise.
+// The largest error over tolerance; NaN if any error is. One division in all: fractions are compared
+// crosswise.
 class ErrorNorm {
  public:
   explicit ErrorNorm(const Group& g) : g_(g) {}

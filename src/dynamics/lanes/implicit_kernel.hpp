@@ -5,9 +5,9 @@
 namespace bristle::HWY_NAMESPACE {
 
 // Steps by an additive Runge-Kutta pair. What makes the equations stiff is the damping of the velocity v by
-// friction and by the dampers of azimuth and elevation: J (v - v_n), with J its derivative at the step's start, is
-// the implicit part, the rest the explicit one. J is 3 x 3, so that a stage costs hardly more than an explicit
-// method's, and the order does not depend on how good J is.
+// friction and by the dampers of azimuth and elevation: J (v - v_n), with J its derivative at the step's
+// start, is the implicit part, the rest the explicit one. J is 3 x 3, so that a stage costs hardly more than
+// an explicit method's, and the order does not depend on how good J is.
 template <class Tableau>
 class AdditiveStep {
  public:
@@ -43,7 +43,8 @@ class AdditiveStep {
     };
     const Lanes::Mask within = (in_plane_square(g.y_new) < 1.01 * reach) & (radial_product(g.y_new) < zero);
     const Lanes::Mask turned = (radial_product(g.y) < zero) & (radial_product(g.y_new) >= zero);
-    const Lanes::Mask near = (in_plane_square(g.y) < 100.0 * reach) | (in_plane_square(g.y_new) < 100.0 * reach);
+    const Lanes::Mask near =
+        (in_plane_square(g.y) < 100.0 * reach) | (in_plane_square(g.y_new) < 100.0 * reach);
     return within | (turned & (near | aims_at_it(g.y) | aims_at_it(g.y_new)));
   }
 
@@ -90,7 +91,8 @@ class AdditiveStep {
       std::array<Lanes, kState> at;
       for (int c = 0; c < kState; ++c)
         at[c] = g.y[c] + g.h * combine<I>(k, c, [](int j) { return Tableau::a[I][j]; });
-      // Of the slopes' sum the implicit part is to be weighted otherwise, and this stage's is yet to be found.
+      // Of the slopes' sum the implicit part is to be weighted otherwise, and this stage's is yet to be
+      // found.
       const auto missing = [&](int c) {
         return combine<I>(implicit, c, [](int j) { return Tableau::a_implicit[I][j] - Tableau::a[I][j]; });
       };

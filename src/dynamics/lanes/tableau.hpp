@@ -2,9 +2,9 @@
 
 namespace bristle {
 
-// Embedded explicit Runge-Kutta pairs. k_i, the slope at stage i, is taken at y + h sum_j a[i][j] k_j; the step
-// is y + h sum b_i k_i; its error h sum error_i k_i, where the last entry goes with the slope after the step, which
-// is the next step's first. exponent is -1/(order of the error).
+// Embedded explicit Runge-Kutta pairs. k_i, the slope at stage i, is taken at y + h sum_j a[i][j] k_j; the
+// step is y + h sum b_i k_i; its error h sum error_i k_i, where the last entry goes with the slope after the
+// step, which is the next step's first. exponent is -1/(order of the error).
 
 // J. R. Cash, A. H. Karp, ACM Trans. Math. Softw. 16 (1990) 201, 5(4).
 struct CashKarp5 {
@@ -17,12 +17,14 @@ struct CashKarp5 {
                                      {-11. / 54, 5. / 2, -70. / 27, 35. / 27},
                                      {1631. / 55296, 175. / 512, 575. / 13824, 44275. / 110592, 253. / 4096}};
   static constexpr double b[6] = {37. / 378, 0, 250. / 621, 125. / 594, 0, 512. / 1771};
-  static constexpr double error[7] = {37. / 378 - 2825. / 27648, 0, 250. / 621 - 18575. / 48384,
-                                      125. / 594 - 13525. / 55296, -277. / 14336, 512. / 1771 - 1. / 4, 0};
+  static constexpr double error[7] = {
+      37. / 378 - 2825. / 27648, 0, 250. / 621 - 18575. / 48384, 125. / 594 - 13525. / 55296, -277. / 14336,
+      512. / 1771 - 1. / 4,      0};
 };
 
-// ARK4(3)6L[2]SA: C. A. Kennedy, M. H. Carpenter, Appl. Numer. Math. 44 (2003) 139. Additive: slopes are split into an
-// explicit part, summed with a, and an implicit one, summed with a_implicit and gamma at the stage itself.
+// ARK4(3)6L[2]SA: C. A. Kennedy, M. H. Carpenter, Appl. Numer. Math. 44 (2003) 139. Additive: slopes are
+// split into an explicit part, summed with a, and an implicit one, summed with a_implicit and gamma at the
+// stage itself.
 struct KennedyCarpenter4 {
   static constexpr int stages = 6;
   static constexpr double exponent = -1.0 / 4;
@@ -33,7 +35,8 @@ struct KennedyCarpenter4 {
       {0.221776, 0.110224},
       {-0.04884659515311858, -0.177720652326401, 0.84656724747951961},
       {-0.15541685842491548, -0.3567050098221991, 1.0587258798684427, 0.30339598837867193},
-      {0.20142435067267633, 0.0087420578429041849, 0.15993995707168115, 0.40382906052207751, 0.22606457389066084}};
+      {0.20142435067267633, 0.0087420578429041849, 0.15993995707168115, 0.40382906052207751,
+       0.22606457389066084}};
   static constexpr double a_implicit[6][5] = {
       {},
       {0.25},
@@ -41,8 +44,11 @@ struct KennedyCarpenter4 {
       {0.14463686602698217, -0.22393190761334475, 0.44929504158636258},
       {0.098258783283564771, -0.59154424281967044, 0.81012105382829958, 0.28316440570780599},
       {0.15791629516167136, 0, 0.18675894052400077, 0.68056529530933463, -0.27524053099500667}};
-  static constexpr double b[6] = {0.15791629516167136, 0, 0.18675894052400077, 0.68056529530933463, -0.27524053099500667, 0.25};
-  static constexpr double error[6] = {0.0032044943984591845, 0, -0.0024462511366794559, -0.021480075919587227, 0.043946868068572453, -0.023225035410764872};
+  static constexpr double b[6] = {0.15791629516167136,  0,   0.18675894052400077, 0.68056529530933463,
+                                  -0.27524053099500667, 0.25};
+  static constexpr double error[6] = {0.0032044943984591845,  0,
+                                      -0.0024462511366794559, -0.021480075919587227,
+                                      0.043946868068572453,   -0.023225035410764872};
 };
 
 }  // namespace bristle
