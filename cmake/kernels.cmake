@@ -4,7 +4,9 @@ function(add_kernels_for target prefix source)
   set(name ${prefix}_${target})
   add_library(${name} OBJECT ${source})
   target_link_libraries(${name} PRIVATE options Eigen3::Eigen)
-  target_compile_options(${name} PRIVATE -O3 ${ARGN})
+  # Without debugging information and sanitizers: on code inlined this far they take the compiler ten minutes, and it
+  # has no memory of its own.
+  target_compile_options(${name} PRIVATE -O3 -g0 -fno-sanitize=all ${ARGN})
   target_compile_definitions(${name} PRIVATE BRISTLE_TARGET=HWY_${target} NDEBUG)
   set(${prefix} ${${prefix}} $<TARGET_OBJECTS:${name}> PARENT_SCOPE)
 endfunction()

@@ -84,8 +84,7 @@ bool run_sweep(const Experiment& experiment, int threads, const std::function<vo
   Points points(experiment.points(), sink, stop);
   const auto work = [&] {
     try {
-      if (experiment.engine == Engine::fast) work_in_lanes(experiment, points);
-      else work_by_reference(experiment, points);
+      bristle::work(experiment, points);
     } catch (...) {
       points.fail(std::current_exception());
     }

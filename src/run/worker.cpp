@@ -130,17 +130,26 @@ class LaneWorker {
   std::vector<std::size_t> free_;
 };
 
-}  // namespace
-
-void work_in_lanes(const Experiment& experiment, PointQueue& queue) { LaneWorker(experiment, queue).work(); }
-
-void work_by_reference(const Experiment& experiment, PointQueue& queue) {
-  const PassageRunner run = make_runner(Engine::reference);
+void work_one_by_one(const Experiment& experiment, PointQueue& queue, Engine engine) {
+  const PassageRunner run = make_runner(engine);
   while (!queue.stopped()) {
     const auto index = queue.next(true);
     if (!index) return;
     queue.deliver(solve(experiment, *index, run));
   }
+}
+
+}  // namespace
+
+void work(const Experiment& experiment, PointQueue& queue) {
+#ifdef __SANITIZE_ADDRESS__
+  // The sanitizer knows nothing of the points' own stacks. The results are the same without.
+  constexpr bool together = false;
+#else
+  constexpr bool together = true;
+#endif
+  if (together && experiment.engine == Engine::fast) LaneWorker(experiment, queue).work();
+  else work_one_by_one(experiment, queue, experiment.engine);
 }
 
 }  // namespace bristle

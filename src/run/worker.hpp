@@ -16,11 +16,8 @@ class PointQueue {
   virtual bool stopped() = 0;
 };
 
-// Solves points with the fast engine on this thread until the queue has none. Several points are under way at
-// a time, each on a stack of its own: a point that waits for passages leaves the lanes to the others'.
-void work_in_lanes(const Experiment& experiment, PointQueue& queue);
-
-// Solves points one after the other with the reference engine.
-void work_by_reference(const Experiment& experiment, PointQueue& queue);
+// Solves points on this thread until the queue has none. With the fast engine several are under way at a
+// time, each on a stack of its own: a point that waits for passages leaves the lanes to the others'.
+void work(const Experiment& experiment, PointQueue& queue);
 
 }  // namespace bristle
