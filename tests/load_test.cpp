@@ -96,6 +96,28 @@ TEST_CASE("load control: rough means may place a stop wrongly; what counts is th
   }
 }
 
+TEST_CASE("load control: a hump found beside a stop that a rough mean placed wrongly") {
+  // All stops of the scan are placed too low: the hump between them is searched, and the stop before it
+  // turns out to meet the target already.
+  LoadSearch s;
+  s.first_contact = kContact;
+  const int count = int(std::ceil((kContact - s.ground) / s.step));
+  const double step = (kContact - s.ground) / count, bias = 0.4;
+  double highest = 0;
+  for (int i = 0; i < count / 2; ++i) highest = std::max(highest, folded(kContact - i * step));
+  s.target = highest - bias + 0.02;
+  const LoadPoint p = first_crossing(
+      [&](double z_0, Accuracy a) {
+        const double stops = (kContact - z_0) / step;
+        const bool low = a == Accuracy::rough && std::abs(stops - std::round(stops)) < 1e-9;
+        return Load{folded(z_0) - (low ? bias : 0.0), 1e-6};
+      },
+      s);
+  CHECK(p.status == LoadStatus::reached);
+  CHECK(p.z_0 > 0.7);
+  CHECK(folded(p.z_0) == Approx(s.target).epsilon(1e-3));
+}
+
 TEST_CASE("load control: a curve that cannot be computed fails as such") {
   CHECK(search([](double z_0) { return z_0 < 0.7 ? NAN : 0.1; }, 2).status == LoadStatus::failed);
 }

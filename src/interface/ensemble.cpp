@@ -58,8 +58,8 @@ std::vector<Passage> EnsembleMean::run(const std::vector<double>& theta_0) {
   std::vector<Passage> results = run_(tasks);
   for (const Passage& one : results)
     if (!one.complete() && out_.incomplete++ == 0) out_.incomplete_theta_0 = one.theta_0;
-  out_.passages += long(results.size());
   passages_.insert(passages_.end(), results.begin(), results.end());
+  out_.passages = long(passages_.size());
   return results;
 }
 

@@ -58,20 +58,29 @@ class Path {
       stops.push_back(at(z_0, Accuracy::rough));
       const std::size_t n = stops.size();
       if (n >= 3)
-        if (const auto peak = hump(stops[n - 3], stops[n - 2], stops[n - 1]))
-          return set_bracket(out, stops[n - 3], *peak);
+        if (const auto peak = hump(stops[n - 3], stops[n - 2], stops[n - 1])) {
+          stops.resize(n - 2);
+          return bracket_before(out, *peak, stops);
+        }
       if (stops.back().excess < 0) continue;
       stops.back() = at(z_0, Accuracy::precise);
       if (stops.back().excess < 0) continue;
-      for (std::size_t i = n - 1; i > 0; --i) {
-        const Stop near = at(stops[i - 1].z_0, Accuracy::precise);
-        if (near.excess < 0) return set_bracket(out, near, stops[i]);
-        stops[i - 1] = near;
-      }
-      if (search_.path == LoadPath::unloading) return false;  // carries less than the target already
-      return set_bracket(out, above_contact(), stops[0]);
+      const Stop far = stops.back();
+      stops.pop_back();
+      return bracket_before(out, far, stops);
     }
     return false;
+  }
+
+  // The last of the stops that does not meet the target, by precise means, and the one behind it.
+  bool bracket_before(LoadPoint& out, Stop far, const std::vector<Stop>& stops) {
+    for (auto stop = stops.rbegin(); stop != stops.rend(); ++stop) {
+      const Stop near = at(stop->z_0, Accuracy::precise);
+      if (near.excess < 0) return set_bracket(out, near, far);
+      far = near;
+    }
+    if (search_.path == LoadPath::unloading) return false;  // carries less than the target already
+    return set_bracket(out, above_contact(), far);
   }
 
   // The wall is soft: a load below R_n(sin(phi_0)) is met a few of its ranges above.
