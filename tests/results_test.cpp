@@ -28,7 +28,7 @@ Experiment quick(const Scratch& s, const std::string& more = "") {
 std::string run_to(const Experiment& e, const std::string& path, int threads) {
   ResultWriter writer(e, path);
   run_sweep(
-      e, threads, [&](PointReport&& r) { writer.write_point(r.index, r.result, r.bristles); },
+      e, threads, [&](PointReport&& r) { writer.write_point(r.index, r.result, r.recorded); },
       [] { return false; });
   writer.close({{"host", path}});
   writer.publish();
@@ -119,7 +119,7 @@ TEST_CASE("two runs into one file: one writes, the other says so and does no har
   const std::string undisturbed = run_to(e, s.path("alone.h5"), 1);
   ResultWriter first(e, s.path("r.h5"));
   run_sweep(
-      e, 1, [&](PointReport&& r) { first.write_point(r.index, r.result, r.bristles); }, [] { return false; });
+      e, 1, [&](PointReport&& r) { first.write_point(r.index, r.result, r.recorded); }, [] { return false; });
   CHECK_THROWS_WITH(ResultWriter(e, s.path("r.h5")), Catch::Contains("another run is writing it"));
   first.close({});
   first.publish();

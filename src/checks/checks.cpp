@@ -61,7 +61,7 @@ const char* to_string(Verdict verdict) {
 
 void validate_checks(const Experiment& experiment) {
   std::vector<std::string> variables, axes;
-  for (const ResultVariable& v : result_variables()) variables.push_back(v.name);
+  for (const ResultVariable& v : result_variables(experiment)) variables.push_back(v.name);
   for (const Axis& axis : experiment.axes) axes.push_back(axis_variable(axis.name));
   for (std::size_t i = 0; i < experiment.checks.size(); ++i) {
     const Json& check = experiment.checks[i];

@@ -60,8 +60,13 @@ void compute(const Experiment& experiment, const std::string& path, int threads,
   std::signal(SIGINT, on_interrupt);
   std::signal(SIGTERM, on_interrupt);
   const auto sink = [&](PointReport&& report) {
-    writer.write_point(report.index, report.result, report.bristles);
-    tally.add(report.result.status);
+    if (experiment.base.loading.trace) {
+      writer.write_curve(report.index, report.curve);
+      for (const CurveNode& node : report.curve) tally.add(node.result.status);
+    } else {
+      writer.write_point(report.index, report.result, report.recorded);
+      tally.add(report.result.status);
+    }
     progress.step();
   };
   const bool complete = run_sweep(experiment, threads, sink, [] { return interrupted != 0; });

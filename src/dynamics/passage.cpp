@@ -69,7 +69,8 @@ class Run {
         observe_(observe),
         y_(pack(state_at_rest(task.bristle, task.start))),
         x_0_(y_[X]),
-        system_{task.bristle, 0, options_.max_evaluations} {}
+        system_{task.bristle, 0, options_.max_evaluations},
+        interval_(task.sample_interval) {}
 
   Outcome integrate() {
     if (observe_) observe_(t_, y_);
@@ -88,13 +89,14 @@ class Run {
     }
   }
 
-  void report(Passage& out) const {
+  void report(Passage& out) {
     out.contact_time = t_;
     out.end = y_;
     out.steps = steps_;
     out.evaluations = system_.evaluations;
     out.reflections = reflections_;
     out.implicit = implicit_;
+    out.samples = std::move(samples_);
   }
 
  private:
@@ -137,6 +139,7 @@ class Run {
         y_ = at_end;
         dt_ = stepper.current_time_step();
       }
+      sample(along);
       if (!exits && pole <= to) {
         if (reflect(y_)) ++reflections_;
         stepper.initialize(y_, t_, std::min(dt_, kFirstStep));
@@ -145,6 +148,15 @@ class Run {
       if (exits) return End::exit;
     }
     return End::hand_over;
+  }
+
+  // Up to the present time, by the dense output of the step that led there.
+  template <class Along>
+  void sample(Along along) {
+    for (double at; interval_ > 0 && (at = double(samples_.size() + 1) * interval_) < t_;) {
+      const OdeState y = along(at);
+      samples_.push_back({y[NORMAL], y[FRICTION_X], y[FRICTION_Y]});
+    }
   }
 
   double slip(double t, const OdeState& y) const { return t - (y[X] - x_0_); }
@@ -163,6 +175,8 @@ class Run {
   double x_0_, t_ = 0, dt_ = kFirstStep;
   System system_;
   long steps_ = 0;
+  double interval_;
+  std::vector<PathSample> samples_;
   int reflections_ = 0;
   bool implicit_ = false;
 };

@@ -4,6 +4,7 @@
 #include "model/equilibrium.hpp"
 
 #include <functional>
+#include <vector>
 
 namespace bristle {
 
@@ -28,6 +29,11 @@ struct IntegratorOptions {
   long max_evaluations = 2'000'000;   // of derivative(), rejected steps included
 };
 
+// Integrals along a passage up to an instant.
+struct PathSample {
+  double normal, friction_x, friction_y;  // of F_n, F_fx, F_fy, as Component has them
+};
+
 // One bristle from leading to trailing edge. Times and integrals dimensionless, see Component.
 struct Passage {
   Outcome outcome = Outcome::not_finite;
@@ -39,6 +45,8 @@ struct Passage {
   long steps = 0, evaluations = 0;
   int reflections = 0;    // at the pole, s = s_min
   bool implicit = false;  // the implicit method finished it
+  std::vector<PathSample>
+      samples;  // at the multiples of the task's interval before the exit, from the first on
 
   bool complete() const { return outcome == Outcome::left || outcome == Outcome::pinned; }
 };
@@ -49,6 +57,7 @@ struct PassageTask {
   Bristle<double> bristle;
   Equilibrium start;  // at rest in it, at the bristle's theta_0
   IntegratorOptions integrator;
+  double sample_interval = 0;  // of Passage::samples; 0: none. Nothing else depends on it
 };
 
 // Called with time and state at the start, after each step and at the exit.

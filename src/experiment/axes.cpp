@@ -1,7 +1,6 @@
 #include "experiment/axes.hpp"
 
 #include "experiment/input_error.hpp"
-#include "experiment/parameters_table.hpp"
 #include "experiment/schema.hpp"
 #include "experiment/suggest.hpp"
 
@@ -18,16 +17,20 @@ class AxisReader {
       : document_(document), at_(JsonPointer("/sweep") / name), name_(name), json_(document.json().at(at_)) {}
 
   Axis read() {
-    const auto known = sweepable_parameters();
-    if (std::find(known.begin(), known.end(), name_) == known.end())
+    sweepable_ = find_sweepable(name_);
+    if (!sweepable_) {
+      std::vector<std::string> known;
+      for (const Sweepable& s : sweepables()) known.push_back(s.name);
       fail(at_, fmt::format("{} cannot be swept{}; allowed: {}", name_, did_you_mean(name_, known),
                             fmt::join(known, ", ")));
+    }
+    if (!sweepable_->options.empty()) return {name_, choices()};
     Axis axis{name_, all_values()};
     for (std::size_t i = 1; i < axis.values.size(); ++i)
       if (!(axis.values[i] > axis.values[i - 1]))
         fail(at_,
              fmt::format("the values must ascend, but {} follows {}", axis.values[i], axis.values[i - 1]));
-    for (double value : {axis.values.front(), axis.values.back()}) check_range(value);
+    for (const double value : axis.values) check_parameter(document_, at_, name_, value);
     if (json_.contains("take")) axis.values = taken(axis.values);
     return axis;
   }
@@ -44,8 +47,37 @@ class AxisReader {
     if (given.size() != 1)
       fail(at_, fmt::format("an axis is one of values, linspace, logspace; this has {}",
                             given.empty() ? "none" : fmt::format("{}", fmt::join(given, " and "))));
-    if (given[0] == "values") return json_["values"].get<std::vector<double>>();
+    if (given[0] == "values") return numbers();
     return range(given[0] == "logspace", at_ / given[0]);
+  }
+
+  std::vector<double> numbers() const {
+    std::vector<double> values;
+    for (const Json& value : json_["values"]) {
+      if (!value.is_number()) fail(at_ / "values", fmt::format("{} is not a number", shown(value)));
+      values.push_back(value);
+    }
+    return values;
+  }
+
+  // The indices of the words in the axis' options.
+  std::vector<double> choices() const {
+    const auto& options = sweepable_->options;
+    if (!json_.contains("values"))
+      fail(at_, fmt::format("{} takes \"values\", a list of: {}", name_, fmt::join(options, ", ")));
+    std::vector<double> indices;
+    for (const Json& value : json_["values"]) {
+      const std::string word = value.is_string() ? value.get<std::string>() : shown(value);
+      const auto found = std::find(options.begin(), options.end(), word);
+      if (found == options.end())
+        fail(at_ / "values", fmt::format("{} is not known{}; allowed: {}", shown(value),
+                                         did_you_mean(word, options), fmt::join(options, ", ")));
+      const auto index = double(found - options.begin());
+      if (std::count(indices.begin(), indices.end(), index))
+        fail(at_ / "values", fmt::format("{} appears twice", shown(value)));
+      indices.push_back(index);
+    }
+    return json_.contains("take") ? taken(indices) : indices;
   }
 
   std::vector<double> range(bool logarithmic, const JsonPointer& at) const {
@@ -80,16 +112,11 @@ class AxisReader {
     return kept;
   }
 
-  void check_range(double value) const {
-    if (name_ == "R_n" && !(value > 0)) fail(at_, fmt::format("R_n = {}; allowed: greater than 0", value));
-    if (name_ == "z_0" && value < 0.01) fail(at_, fmt::format("z_0 = {}; allowed: at least 0.01", value));
-    if (name_ != "R_n" && name_ != "z_0") check_parameter(document_, at_, name_, value);
-  }
-
   const Document& document_;
   JsonPointer at_;
   std::string name_;
   const Json& json_;
+  const Sweepable* sweepable_ = nullptr;
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "experiment/parameters_table.hpp"
 #include "experiment/schema.hpp"
 #include "experiment/si_units.hpp"
+#include "interface/lattice.hpp"
 
 #include <fmt/format.h>
 #include <cmath>
@@ -33,11 +34,16 @@ Orientation read_orientation(const Document& d) {
   const Json& json = d.json()["orientation"];
   Orientation o;
   o.distribution = json["distribution"] == "uniform" ? Distribution::uniform : Distribution::von_mises;
-  o.sampling = json["sampling"] == "list" ? Sampling::list : Sampling::quadrature;
+  o.sampling = json["sampling"] == "list"      ? Sampling::list
+               : json["sampling"] == "lattice" ? Sampling::lattice
+                                               : Sampling::quadrature;
   o.mean = json.value("mean_deg", 0.0) * kDegree;
   o.concentration = json.value("concentration", 0.0);
   o.full_circle = json.value("full_circle", false);
   o.rtol = json.value("rtol", o.rtol);
+  o.seed = json.value("seed", o.seed);
+  o.rows = json.value("rows", o.rows);
+  o.t_1 = json.value("t_1", -1.0);
   if (o.distribution == Distribution::von_mises && !json.contains("concentration"))
     fail(d, "/orientation/concentration", "is missing; a von Mises distribution needs it, and mean_deg");
   if (o.sampling == Sampling::list) {
@@ -63,15 +69,45 @@ bool swept(const std::vector<Axis>& axes, const std::string& name) {
   return std::any_of(axes.begin(), axes.end(), [&](const Axis& a) { return a.name == name; });
 }
 
+Trace read_trace(const Json& json) {
+  Trace trace;
+  trace.to = json.value("to", trace.to);
+  trace.resolution = json.value("resolution", trace.resolution);
+  trace.nodes = json.value("nodes", trace.nodes);
+  return trace;
+}
+
+Recording read_recording(const Document& d, const Orientation& orientation, const Loading& loading) {
+  const Json& json = d.json();
+  Recording record;
+  for (const Json& what : json.value("record", Json::array())) {
+    record.bristles = record.bristles || what == "bristles";
+    record.slab_force = record.slab_force || what == "slab_force";
+    if (what != "trajectories") continue;
+    if (json.contains("trajectories"))
+      for (const double degrees : json["trajectories"]["theta_0_deg"])
+        record.trajectories.push_back(degrees * kDegree);
+    else record.trajectories = orientation.theta_0;
+    if (record.trajectories.empty())
+      fail(d, "/trajectories", "is missing; recording trajectories needs {\"theta_0_deg\": [...]}");
+  }
+  const bool any = record.bristles || record.slab_force || !record.trajectories.empty();
+  if (loading.trace && any) fail(d, "/record", "a trace of R_n(z_0) records observables only");
+  return record;
+}
+
 Loading read_loading(const Document& d, const std::vector<Axis>& axes) {
   const Json& json = d.json()["load"];
   const bool by_load = json.contains("R_n") || swept(axes, "R_n");
   const bool by_gap = json.contains("z_0") || swept(axes, "z_0");
-  if (by_load == by_gap)
+  const bool by_trace = json.contains("trace");
+  if (by_load + by_gap + by_trace != 1)
     fail(d, "/load",
-         by_load ? "both R_n and z_0 are given; remove one (null removes what extends brings)"
-                 : "neither R_n nor z_0 is given, here or in the sweep");
+         by_load + by_gap + by_trace > 1
+             ? "more than one of R_n, z_0 and trace is given; keep one (null removes what extends brings)"
+             : "none of R_n, z_0 and trace is given, here or in the sweep");
   Loading loading;
+  if (by_trace) loading.trace = read_trace(json["trace"]);
   if (by_gap) loading.z_0 = json.value("z_0", 0.0);
   loading.R_n = json.value("R_n", 0.0);
   loading.path = json.value("path", "loading") == "unloading" ? LoadPath::unloading : LoadPath::loading;
@@ -95,10 +131,33 @@ void check_gap(const Document& d, const Experiment& e) {
   }
 }
 
+// The lattice's numbers, at every point: whole bristles across the slab, and rows that outlast t_1.
+void check_lattice(const Document& d, const Experiment& e) {
+  const bool used = e.on_lattice();
+  if (e.record.slab_force && !used) fail(d, "/record", "slab_force needs \"sampling\": \"lattice\"");
+  for (const char* key : {"seed", "rows", "t_1"})
+    if (!used && (d.json()["orientation"].contains(key) || swept(e.axes, key)))
+      fail(d, (std::string("/orientation/") + key).c_str(), "is used with \"sampling\": \"lattice\" only");
+  for (std::size_t i = 0; used && i < e.points(); ++i) {
+    const Interface point = e.point(i).interface;
+    const Parameters& p = point.parameters;
+    const double across = p.L_y / p.spacing;
+    if (std::abs(across - std::round(across)) > 1e-6 || across < 0.5)
+      fail(d, "/model/L_y",
+           fmt::format("{} is {} spacings of {}; a lattice needs a whole number", p.L_y, across, p.spacing));
+    if (lattice_end(point) <= lattice_start(point))
+      fail(d, "/orientation/rows",
+           fmt::format("{} rows have entered at t_2 = {}; means begin at t_1 = {} [2 L_x]: give more rows",
+                       point.orientation.rows, lattice_end(point), lattice_start(point)));
+  }
+}
+
 Experiment read(const Document& d) {
   check_schema(d);
   const Json& json = d.json();
   Experiment e;
+  e.document = json;
+  e.document.erase("tiers");
   e.path = d.path();
   e.name = json["name"];
   e.title = json.value("title", e.name);
@@ -110,11 +169,9 @@ Experiment read(const Document& d) {
   e.base.interface = {read_model(d), read_orientation(d), read_integrator(d)};
   e.base.loading = read_loading(d, e.axes);
   apply_si_units(d, e.base);
-  for (const Json& what : json.value("record", Json::array()))
-    e.record_bristles = e.record_bristles || what == "bristles";
+  e.record = read_recording(d, e.base.interface.orientation, e.base.loading);
+  check_lattice(d, e);
   e.checks = json.value("checks", Json::array());
-  e.document = json;
-  e.document.erase("tiers");
   check_gap(d, e);
   return e;
 }
@@ -133,15 +190,16 @@ std::vector<std::size_t> Experiment::shape() const {
   return s;
 }
 
+bool Experiment::on_lattice() const {
+  return base.interface.orientation.sampling == Sampling::lattice || swept(axes, "sampling");
+}
+
 PointInput Experiment::point(std::size_t index) const {
   PointInput point = base;
   for (auto axis = axes.rbegin(); axis != axes.rend(); ++axis) {
     const double value = axis->values[index % axis->values.size()];
     index /= axis->values.size();
-    if (axis->name == "R_n") point.loading.R_n = value;
-    if (axis->name == "z_0") point.loading.z_0 = value;
-    for (const ParameterEntry& entry : parameters_table())
-      if (axis->name == entry.name) point.interface.parameters.*entry.member = value * entry.unit;
+    find_sweepable(axis->name)->set(point, value);
   }
   set_peak(document["model"], point.interface.parameters);
   return point;

@@ -1,23 +1,18 @@
 #pragma once
 
 #include "experiment/document.hpp"
-#include "interface/point.hpp"
+#include "experiment/sweepable.hpp"
 
 #include <string>
 #include <vector>
 
 namespace bristle {
 
-// One dimension of a sweep: a model parameter, R_n or z_0, with ascending values.
+// One dimension of a sweep: a sweepable's name, with ascending values or, for a choice, indices of its
+// options.
 struct Axis {
   std::string name;
   std::vector<double> values;
-};
-
-// What a point of the sweep is computed from.
-struct PointInput {
-  Interface interface;
-  Loading loading;
 };
 
 // A validated experiment in dimensionless form.
@@ -25,7 +20,7 @@ struct Experiment {
   std::string name, title, figure, path, tier;
   PointInput base;         // before the sweep's values
   std::vector<Axis> axes;  // in the file's order; the last varies fastest
-  bool record_bristles = false;
+  Recording record;
   Engine engine = Engine::fast;
   Json checks = Json::array();
   Json document;  // as run: extends, tier and --set applied
@@ -33,6 +28,7 @@ struct Experiment {
   std::size_t points() const;
   std::vector<std::size_t> shape() const;
   PointInput point(std::size_t index) const;
+  bool on_lattice() const;  // at one point at least
 };
 
 // Throws InputError for whatever is wrong with it, naming source, JSON pointer, value and remedy.

@@ -32,19 +32,4 @@ const std::vector<ParameterEntry>& parameters_table() {
   return table;
 }
 
-std::vector<std::string> sweepable_parameters() {
-  std::vector<std::string> names;
-  for (const ParameterEntry& entry : parameters_table()) names.push_back(entry.name);
-  names.insert(names.end(), {"R_n", "z_0"});
-  return names;
-}
-
-AxisLabel axis_label(const std::string& name) {
-  if (name == "R_n") return {R"(\tilde{R}_n/N_{c,0})", "target normal load per bristle", "1"};
-  if (name == "z_0") return {R"(\tilde{z}_0)", "gap between slab and ground", "1"};
-  for (const ParameterEntry& entry : parameters_table())
-    if (name == entry.name) return {entry.symbol, entry.description, name == "phi_0_deg" ? "degree" : "1"};
-  return {name, name, "1"};
-}
-
 }  // namespace bristle

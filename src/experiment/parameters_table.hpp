@@ -2,7 +2,6 @@
 
 #include "interface/point.hpp"
 
-#include <string>
 #include <vector>
 
 namespace bristle {
@@ -18,14 +17,5 @@ struct ParameterEntry {
 };
 
 const std::vector<ParameterEntry>& parameters_table();
-
-// Names that a sweep may use: the model's numbers, R_n and z_0.
-std::vector<std::string> sweepable_parameters();
-
-// Symbol (LaTeX, without $) and description of a sweepable parameter.
-struct AxisLabel {
-  std::string symbol, description, units;
-};
-AxisLabel axis_label(const std::string& name);
 
 }  // namespace bristle

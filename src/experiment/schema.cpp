@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <cmath>
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
 #include <valijson/schema.hpp>
 #include <valijson/schema_parser.hpp>
@@ -104,6 +105,15 @@ bool matches(const Plain& schema_document, const Json& value,
   return fine;
 }
 
+// A sweepable's: of the model, the load or the orientation.
+const Json& schema_of(const std::string& name) {
+  for (const char* place :
+       {"/definitions/model/properties", "/properties/load/properties", "/properties/orientation/properties"})
+    if (const Json& properties = schema_json()[JsonPointer(place)]; properties.contains(name))
+      return properties[name];
+  throw std::logic_error("no schema for " + name);
+}
+
 }  // namespace
 
 std::string allowed_by_schema(const Json& schema) {
@@ -145,8 +155,9 @@ void check_schema(const Document& document) {
 
 void check_parameter(const Document& document, const JsonPointer& at, const std::string& parameter,
                      double value) {
-  const Json& schema = schema_json()["definitions"]["model"]["properties"].at(parameter);
-  if (!matches(Plain(schema), Json(value), nullptr))
+  const Json& schema = schema_of(parameter);
+  const bool whole = value == std::floor(value) && std::abs(value) < 1e15;
+  if (!matches(Plain(schema), whole ? Json(long(value)) : Json(value), nullptr))
     fail(document, at,
          fmt::format("{} is out of range for {}; allowed: {}", value, parameter, allowed_by_schema(schema)));
 }

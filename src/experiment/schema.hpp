@@ -12,7 +12,7 @@ void check_schema(const Document& document);
 const char* experiment_schema();
 std::string allowed_by_schema(const Json& schema);
 
-// The schema of one model parameter. Throws InputError if the value is outside it.
+// A value of a sweepable number against its schema. Throws InputError if it is outside.
 void check_parameter(const Document& document, const JsonPointer& at, const std::string& parameter,
                      double value);
 

@@ -12,6 +12,15 @@ constexpr double kDecisionFactor = 4;
 // of bounces changes (docs/numerics.md has the measurement).
 constexpr double kWidest = 0.35;
 
+std::vector<double> first_edges(bool half_circle) {
+  // Bristles that point against the motion decide most: a panel of their own.
+  const double head_on = M_PI / 6;
+  if (half_circle) return {0, M_PI - head_on, M_PI};
+  return {-M_PI, -M_PI + head_on, 0, M_PI - head_on, M_PI};
+}
+
+}  // namespace
+
 ObservableArray observables(const Passage& passage, double L_x) {
   const bool pinned = passage.outcome == Outcome::pinned;
   const double R_n = passage.end[NORMAL] / L_x, R_x = passage.end[FRICTION_X] / L_x;
@@ -30,22 +39,13 @@ ObservableArray observables(const Passage& passage, double L_x) {
   return o;
 }
 
-std::vector<double> first_edges(bool half_circle) {
-  // Bristles that point against the motion decide most: a panel of their own.
-  const double head_on = M_PI / 6;
-  if (half_circle) return {0, M_PI - head_on, M_PI};
-  return {-M_PI, -M_PI + head_on, 0, M_PI - head_on, M_PI};
-}
-
-}  // namespace
-
 EnsembleMean::EnsembleMean(const Interface& interface, double z_0, PassageRunner run)
     : interface_(interface),
       run_(std::move(run)),
       start_(static_equilibrium(make_bristle(interface.parameters, z_0, 0))),
       half_circle_(mirror_symmetric(interface.orientation) && !interface.orientation.full_circle) {
   out_.z_0 = z_0;
-  if (interface.orientation.sampling == Sampling::quadrature)
+  if (interface.orientation.sampling != Sampling::list)
     quadrature_.emplace([this](const std::vector<double>& at) { return samples(at); },
                         first_edges(half_circle_));
 }

@@ -44,9 +44,9 @@ struct Ensemble {
   std::vector<double> jumps;      // theta_0 at which the outcome changes, rad
 };
 
-// The mean over theta_0 of single passages at the gap z_0 (model: docs/model.md, section "The slab"). Every
-// passage counts for all that is asked of it later. A numerical failure is reported in the result. The
-// interface must outlive it.
+// The mean over theta_0, by quadrature or over a list, of single passages at the gap z_0 (model:
+// docs/model.md, section "The slab"). Every passage counts for all that is asked of it later. A numerical
+// failure is reported in the result. The interface must outlive it.
 class EnsembleMean {
  public:
   EnsembleMean(const Interface& interface, double z_0, PassageRunner run);
@@ -81,6 +81,9 @@ class EnsembleMean {
   std::vector<Passage> passages_;
   std::optional<Quadrature<OBSERVABLES>> quadrature_;  // none for a list
 };
+
+// What one passage contributes to the means of a slab of this length.
+ObservableArray observables(const Passage& passage, double L_x);
 
 // R_rigid of Eqs. (22, 23) per N_c0, at the normal load R_n/N_c0. Dimensionless.
 double rigid_friction(const Parameters& p, double R_n);

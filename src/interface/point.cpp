@@ -19,6 +19,9 @@ PointResult without_values(PointStatus status) {
   out.value.fill(kNone);
   out.error.fill(kNone);
   out.R_x_norm = out.R_x_norm_error = out.R_y_norm = out.R_y_norm_error = kNone;
+  out.R_x_norm_load_error = out.R_y_norm_load_error = kNone;
+  out.load_error.fill(kNone);
+  out.fluctuation = out.fluctuation_error = kNone;
   out.jump_z_0 = out.jump_R_n = out.incomplete_theta_0 = kNone;
   return out;
 }
@@ -30,7 +33,8 @@ void add_load_error(PointResult& out, const Ensemble& near, const Ensemble& far,
   if (span == 0) return;
   const double share = off / span;
   for (std::size_t k = 0; k < OBSERVABLES; ++k)
-    if (k != R_N) out.error[k] += std::abs(far.mean[k] - near.mean[k]) * share;
+    if (k != R_N) out.load_error[k] = std::abs(far.mean[k] - near.mean[k]) * share;
+  for (std::size_t k = 0; k < OBSERVABLES; ++k) out.error[k] += out.load_error[k];
   out.z_0_error = std::abs(far.z_0 - near.z_0) * share;
 }
 
@@ -40,6 +44,8 @@ void normalise(PointResult& out, const Parameters& p) {
   const double load = power * out.error[R_N] / out.value[R_N];
   out.R_x_norm = out.value[R_X] / R_rigid;
   out.R_y_norm = out.value[R_Y] / R_rigid;
+  out.R_x_norm_load_error = out.load_error[R_X] / R_rigid;
+  out.R_y_norm_load_error = out.load_error[R_Y] / R_rigid;
   out.R_x_norm_error = out.error[R_X] / R_rigid + std::abs(out.R_x_norm) * load;
   out.R_y_norm_error = out.error[R_Y] / R_rigid + std::abs(out.R_y_norm) * load;
 }
@@ -47,11 +53,14 @@ void normalise(PointResult& out, const Parameters& p) {
 class PointSolver {
  public:
   PointSolver(const Interface& interface, const Loading& loading, const PassageRunner& run,
-              std::vector<Passage>* bristles)
-      : interface_(interface), loading_(loading), run_(run), bristles_(bristles) {}
+              const Recording& record, Recorded& recorded)
+      : interface_(interface), loading_(loading), run_(run), record_(record), recorded_(recorded) {}
 
   PointResult solve() {
     PointResult out = values();
+    if (interface_.orientation.sampling == Sampling::lattice && std::isfinite(out.z_0)) out = on_lattice(out);
+    if (std::isfinite(out.z_0)) record_trajectories(out.z_0);
+    out.passages = lattice_passages_;
     for (const auto& [z_0, mean] : means_) out.passages += long(mean.passages().size());
     return out;
   }
@@ -109,35 +118,72 @@ class PointSolver {
   PointResult at_gap(double z_0, LoadStatus status) {
     EnsembleMean& mean = mean_at(z_0);
     const Ensemble& ensemble = mean.full();
-    if (bristles_) *bristles_ = mean.passages();
-    if (ensemble.incomplete > 0) {
-      lost_ = ensemble.incomplete_theta_0;
+    if (record_.bristles) recorded_.bristles = mean.passages();
+    PointResult out = values_of(interface_.parameters, ensemble);
+    if (status == LoadStatus::jump && out.status != PointStatus::incomplete) out.status = PointStatus::jump;
+    return out;
+  }
+
+  // The lattice's values in place of the mean's at the same gap.
+  PointResult on_lattice(const PointResult& mean) {
+    LatticeMean lattice = lattice_mean(interface_, mean.z_0, run_);
+    lattice_passages_ = long(lattice.passages.size());
+    PointResult out = mean;
+    if (lattice.incomplete > 0) {
+      lost_ = lattice.incomplete_theta_0;
       return incomplete();
     }
-    PointResult out = without_values(status == LoadStatus::jump ? PointStatus::jump
-                                     : ensemble.converged       ? PointStatus::ok
-                                                                : PointStatus::not_converged);
-    out.z_0 = z_0;
-    out.z_0_error = 0;
-    out.value = ensemble.mean;
-    out.error = ensemble.error;
+    out.value = lattice.mean;
+    out.error = lattice.error;
+    out.load_error.fill(0);
+    out.fluctuation = lattice.fluctuation;
+    out.fluctuation_error = lattice.fluctuation_error;
     normalise(out, interface_.parameters);
+    if (record_.bristles) recorded_.bristles = std::move(lattice.passages);
+    if (record_.slab_force) recorded_.slab_force = std::move(lattice.force);
     return out;
+  }
+
+  void record_trajectories(double z_0) {
+    const Parameters& p = interface_.parameters;
+    const Equilibrium start = static_equilibrium(make_bristle(p, z_0, 0));
+    for (const double theta_0 : record_.trajectories)
+      recorded_.trajectories.push_back(
+          record_trajectory({&p, make_bristle(p, z_0, theta_0), start, interface_.integrator}));
   }
 
   const Interface& interface_;
   const Loading& loading_;
   const PassageRunner& run_;
-  std::vector<Passage>* bristles_;
+  const Recording& record_;
+  Recorded& recorded_;
   std::map<double, EnsembleMean> means_;  // by gap
-  double lost_ = kNone;                   // theta_0 of a passage without an exit
+  long lattice_passages_ = 0;
+  double lost_ = kNone;  // theta_0 of a passage without an exit
 };
 
 }  // namespace
 
+PointResult values_of(const Parameters& parameters, const Ensemble& ensemble) {
+  if (ensemble.incomplete > 0) {
+    PointResult out = without_values(PointStatus::incomplete);
+    out.incomplete_theta_0 = ensemble.incomplete_theta_0;
+    return out;
+  }
+  PointResult out = without_values(ensemble.converged ? PointStatus::ok : PointStatus::not_converged);
+  out.z_0 = ensemble.z_0;
+  out.z_0_error = 0;
+  out.value = ensemble.mean;
+  out.error = ensemble.error;
+  out.load_error.fill(0);
+  normalise(out, parameters);
+  return out;
+}
+
 PointResult solve_point(const Interface& interface, const Loading& loading, const PassageRunner& run,
-                        std::vector<Passage>* bristles) {
-  return PointSolver(interface, loading, run, bristles).solve();
+                        const Recording& record, Recorded* recorded) {
+  Recorded unused;
+  return PointSolver(interface, loading, run, record, recorded ? *recorded : unused).solve();
 }
 
 }  // namespace bristle

@@ -1,25 +1,37 @@
 #pragma once
 
+#include "dynamics/trajectory.hpp"
 #include "interface/ensemble.hpp"
+#include "interface/lattice.hpp"
 #include "interface/load.hpp"
 
 #include <optional>
 
 namespace bristle {
 
-// What is asked of one point of a sweep: a gap, or a load to find the gap for. Dimensionless, per N_c0.
+// The whole curve R_n(z_0) instead of a point of it: see trace.hpp.
+struct Trace {
+  double to = 0.01;          // lowest gap; the highest is first contact
+  double resolution = 0.02;  // relative, of R_n between neighbouring nodes
+  long nodes = 256;          // at most
+};
+
+// What is asked of one point of a sweep: a gap, a load to find the gap for, or a curve. Dimensionless, per
+// N_c0.
 struct Loading {
   std::optional<double> z_0;
+  std::optional<Trace> trace;
   double R_n = 2;
   LoadPath path = LoadPath::loading;
 };
 
 enum class PointStatus {
   ok,
-  jump,          // R_n(z_0) jumps across the target: the values are those of the far side
-  unreachable,   // no gap carries the target: no values
-  incomplete,    // a passage ended without an exit: no values
-  not_converged  // values, but an error above rtol
+  jump,           // R_n(z_0) jumps across the target: the values are those of the far side
+  unreachable,    // no gap carries the target: no values
+  incomplete,     // a passage ended without an exit: no values
+  not_converged,  // values, but an error above rtol
+  absent          // a curve has fewer nodes than this
 };
 
 // Everything known of one point. Values are NaN where the status says that there are none.
@@ -28,17 +40,35 @@ struct PointResult {
   PointStatus status = PointStatus::ok;
   double z_0 = 0, z_0_error = 0;
   ObservableArray value{}, error{};
-  double R_x_norm = 0, R_x_norm_error = 0;  // Eqs. (20, 21), at the R_n actually carried
+  ObservableArray load_error{};  // the part of error that the load's distance from its target makes
+  double fluctuation = 0, fluctuation_error = 0;  // of R_n(t) on a lattice; NaN otherwise
+  double R_x_norm = 0, R_x_norm_error = 0;        // Eqs. (20, 21), at the R_n actually carried
   double R_y_norm = 0, R_y_norm_error = 0;
+  double R_x_norm_load_error = 0, R_y_norm_load_error = 0;
   double jump_z_0 = 0, jump_R_n = 0;  // last gap before the jump and its R_n; NaN without
   double incomplete_theta_0 = 0;      // rad; NaN if complete
   long passages = 0;                  // bristles integrated for this point
 };
 
-// Where the status is ok and a load was asked for, R_n is within orientation.rtol of it. bristles, if given,
-// receives the passages at the gap that the values are of. run computes the passages; the result does not
-// depend on how.
+// What is kept of a point beside its values.
+struct Recording {
+  bool bristles = false, slab_force = false;
+  std::vector<double> trajectories;  // theta_0, rad
+};
+// It, at the gap that the values are of.
+struct Recorded {
+  std::vector<Passage> bristles;
+  SlabForce slab_force;
+  std::vector<Trajectory> trajectories;
+};
+
+// Where the status is ok and a load was asked for, R_n is within orientation.rtol of it; on a lattice the gap
+// is the one at which the mean over theta_0 carries the load. run computes the passages; the result does not
+// depend on how. recorded must be given where something is to be kept.
 PointResult solve_point(const Interface& interface, const Loading& loading, const PassageRunner& run,
-                        std::vector<Passage>* bristles = nullptr);
+                        const Recording& record = {}, Recorded* recorded = nullptr);
+
+// The values of a mean at its gap, with the status that follows from it.
+PointResult values_of(const Parameters& parameters, const Ensemble& ensemble);
 
 }  // namespace bristle

@@ -20,12 +20,13 @@ std::string caption(const Experiment& e) {
     if (fixed(name)) parts.push_back(fmt::format("${} = {:.6g}$", symbol, value));
   };
   const bool nss = p.friction == FrictionLaw::nss;
-  parts.push_back(nss ? "nominal shear stress (NSS)" : "Amontons-Coulomb");
+  if (fixed("friction")) parts.push_back(nss ? "nominal shear stress (NSS)" : "Amontons-Coulomb");
   add("k_r", R"(\tilde{k}_r)", p.k_r);
   add("k_theta", R"(\tilde{k}_\theta)", p.k_theta);
   add("k_phi", R"(\tilde{k}_\varphi)", p.k_phi);
   if (!nss) add("mu_c", R"(\mu_c)", p.mu_c);
-  if (e.base.loading.z_0) add("z_0", R"(\tilde{z}_0)", *e.base.loading.z_0);
+  if (e.base.loading.trace) {
+  } else if (e.base.loading.z_0) add("z_0", R"(\tilde{z}_0)", *e.base.loading.z_0);
   else add("R_n", R"(\tilde{R}_n/N_{c,0})", e.base.loading.R_n);
   if (e.tier != "full") parts.push_back(e.tier + " tier: a subset of the points");
   return fmt::format("{}", fmt::join(parts, ", "));
@@ -42,6 +43,7 @@ void annotate(const std::string& path, const Experiment& experiment) {
   h5::write_attribute(file, "title", experiment.title);
   h5::write_attribute(file, "figure", experiment.figure);
   h5::write_attribute(file, "caption", caption(experiment));
+  h5::write_attribute(file, "tier", experiment.tier);
   h5::write_attribute(file, "experiment", document);
   h5::write_attribute(file, "experiment_sha256", sha256_of(document));
   h5::write_attribute(file, "inputs_sha256", inputs_sha256(experiment.document));

@@ -3,7 +3,7 @@
 namespace bristle {
 namespace {
 
-using Value = std::function<double(const PointResult&)>;
+using Value = ResultVariable::Value;
 
 ResultVariable mean(const char* name, const char* long_name, const char* symbol, const char* equation,
                     Observable k) {
@@ -12,7 +12,8 @@ ResultVariable mean(const char* name, const char* long_name, const char* symbol,
           symbol,
           equation,
           [k](const PointResult& p) { return p.value[k]; },
-          [k](const PointResult& p) { return p.error[k]; }};
+          [k](const PointResult& p) { return p.error[k]; },
+          [k](const PointResult& p) { return p.load_error[k]; }};
 }
 
 // Part of a total that pinned bristles carry.
@@ -22,29 +23,37 @@ ResultVariable share(const char* name, const char* long_name, const char* symbol
   const Value error = [=](const PointResult& p) {
     return (p.error[part] + value(p) * p.error[total]) / p.value[total];
   };
-  return {name, long_name, symbol, "", value, error};
+  const Value load_error = [=](const PointResult& p) {
+    return (p.load_error[part] + value(p) * p.load_error[total]) / p.value[total];
+  };
+  return {name, long_name, symbol, "", value, error, load_error};
 }
 
 ResultVariable field(const char* name, const char* long_name, const char* symbol, const char* equation,
-                     double PointResult::*value, double PointResult::*error = nullptr) {
-  ResultVariable v{name, long_name, symbol, equation, [value](const PointResult& p) { return p.*value; }, {}};
-  if (error) v.error = [error](const PointResult& p) { return p.*error; };
+                     double PointResult::*value, double PointResult::*error = nullptr,
+                     double PointResult::*load_error = nullptr) {
+  const auto read = [](double PointResult::*member) -> Value {
+    if (!member) return {};
+    return [member](const PointResult& p) { return p.*member; };
+  };
+  ResultVariable v{name, long_name, symbol, equation, read(value), read(error), read(load_error)};
   return v;
 }
 
 }  // namespace
 
-const std::vector<ResultVariable>& result_variables() {
+std::vector<ResultVariable> result_variables(const Experiment& experiment) {
   using P = PointResult;
-  static const std::vector<ResultVariable> variables = {
-      field("z_0", "gap between slab and ground", R"(\tilde{z}_0)", "Fig. 3", &P::z_0, &P::z_0_error),
+  std::vector<ResultVariable> variables = {
+      field("z_0", "gap between slab and ground", R"(\tilde{z}_0)", "Fig. 3", &P::z_0, &P::z_0_error,
+            &P::z_0_error),
       mean("R_n", "normal load per bristle", R"(\tilde{R}_n/N_{c,0})", "Eq. (19)", R_N),
       mean("R_x", "friction force per bristle along the motion", R"(\tilde{R}_x/N_{c,0})", "Eq. (19)", R_X),
       mean("R_y", "friction force per bristle across the motion", R"(\tilde{R}_y/N_{c,0})", "Eq. (19)", R_Y),
       field("R_x_norm", "friction force over that of rigid bristles", R"(\check{R}_x)", "Eq. (20)",
-            &P::R_x_norm, &P::R_x_norm_error),
+            &P::R_x_norm, &P::R_x_norm_error, &P::R_x_norm_load_error),
       field("R_y_norm", "transverse force over the friction of rigid bristles", R"(\check{R}_y)", "Eq. (21)",
-            &P::R_y_norm, &P::R_y_norm_error),
+            &P::R_y_norm, &P::R_y_norm_error, &P::R_y_norm_load_error),
       mean("N_c_ratio", "bristles in contact over those of rigid bristles", R"(N_c/N_{c,0})", "Eq. (A2)",
            N_C_RATIO),
       mean("gamma_1", "modulation of friction by the sliding speed", R"(\tilde{\gamma}_1)", "Eq. (24)",
@@ -60,41 +69,25 @@ const std::vector<ResultVariable>& result_variables() {
             R_X),
       mean("energy_residual", "mean defect of the energy budget over the energy dissipated", R"(\epsilon_E)",
            "Eqs. (13, 17, 18)", ENERGY_RESIDUAL),
-      field("jump_z_0", "last gap before R_n(z_0) jumps across the target", R"(\tilde{z}_{0,\mathrm{jump}})",
-            "Fig. 3", &P::jump_z_0),
-      field("jump_R_n", "normal load there", R"(\tilde{R}_{n,\mathrm{jump}}/N_{c,0})", "Fig. 3",
-            &P::jump_R_n),
       field("incomplete_theta_0", "azimuth (rad) of the first passage without an exit", R"(\theta_0)", "",
             &P::incomplete_theta_0),
   };
+  if (!experiment.base.loading.z_0 && !experiment.base.loading.trace) {
+    variables.push_back(field("jump_z_0", "last gap before R_n(z_0) jumps across the target",
+                              R"(\tilde{z}_{0,\mathrm{jump}})", "Fig. 3", &P::jump_z_0));
+    variables.push_back(field("jump_R_n", "normal load there", R"(\tilde{R}_{n,\mathrm{jump}}/N_{c,0})",
+                              "Fig. 3", &P::jump_R_n));
+  }
+  if (experiment.on_lattice())
+    variables.push_back(field("R_n_fluctuation", "standard deviation of R_n(t) over its mean",
+                              R"(\sigma(R_n)/R_n)", "Eq. (A3)", &P::fluctuation, &P::fluctuation_error));
   return variables;
 }
 
-const std::vector<BristleVariable>& bristle_variables() {
-  using B = const Passage&;
-  const auto integral = [](Component c) { return [c](B b) { return b.end[std::size_t(c)]; }; };
-  static const std::vector<BristleVariable> variables = {
-      {"theta_0", "undeformed azimuth (rad)", R"(\theta_0)", "", [](B b) { return b.theta_0; }},
-      {"contact_time", "contact time", R"(\Delta\xi)", "Eq. (A2)", [](B b) { return b.contact_time; }},
-      {"normal_impulse", "integral of F_n", R"(\int F_n)", "Eq. (3)", integral(NORMAL)},
-      {"friction_impulse_x", "integral of the friction force along the motion", R"(\int F_{f,x})", "Eq. (5)",
-       integral(FRICTION_X)},
-      {"friction_impulse_y", "integral of the friction force across the motion", R"(\int F_{f,y})", "Eq. (5)",
-       integral(FRICTION_Y)},
-      {"gamma_1", "ratio in Eq. (24)", R"(\tilde{\gamma}_{1,i})", "Eq. (24)", [](B b) { return b.gamma_1; }},
-      {"gamma_2", "ratio in Eq. (25)", R"(\tilde{\gamma}_{2,i})", "Eq. (25)", [](B b) { return b.gamma_2; }},
-      {"gamma_3", "ratio in Eq. (26)", R"(\tilde{\gamma}_{3,i})", "Eq. (26)", [](B b) { return b.gamma_3; }},
-      {"energy_residual", "defect of the energy budget over the energy dissipated", R"(\epsilon_E)", "",
-       [](B b) { return b.energy_residual; }},
-      {"steps", "integration steps", "", "", [](B b) { return double(b.steps); }},
-      {"reflections", "reflections at the pole, s = s_min", "", "",
-       [](B b) { return double(b.reflections); }},
-  };
-  return variables;
-}
-
-const std::vector<std::string> kPointStatusNames = {"ok", "jump", "unreachable", "incomplete",
-                                                    "not_converged"};
+const std::vector<std::string> kPointStatusNames = {"ok",         "jump",          "unreachable",
+                                                    "incomplete", "not_converged", "absent"};
+const std::vector<std::string> kBranchNames = {"unstable", "loading", "unloading", "both", "absent"};
 const std::vector<std::string> kOutcomeNames = {"left", "pinned", "step_limit", "not_finite"};
+const std::vector<std::string> kPhaseNames = {"off_slab", "stick", "side_slip", "slip"};
 
 }  // namespace bristle

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "interface/point.hpp"
+#include "experiment/experiment.hpp"
+#include "results/table.hpp"
 
 #include <functional>
 #include <string>
@@ -10,21 +11,25 @@ namespace bristle {
 
 // A variable of the result file over the sweep's dimensions. Dimensionless.
 struct ResultVariable {
+  using Value = std::function<double(const PointResult&)>;
   std::string name, long_name, symbol, equation;
-  std::function<double(const PointResult&)> value;
-  std::function<double(const PointResult&)> error;  // empty: no <name>_err
+  Value value;
+  Value error;       // empty: no <name>_err
+  Value load_error;  // the part of error from the load control; empty: none
 };
-const std::vector<ResultVariable>& result_variables();
+// Those that a result of this experiment has.
+std::vector<ResultVariable> result_variables(const Experiment& experiment);
 
-// A field of the group /bristles, one value per passage.
-struct BristleVariable {
-  std::string name, long_name, symbol, equation;
-  std::function<double(const Passage&)> value;
-};
-const std::vector<BristleVariable>& bristle_variables();
+// The tables that an experiment may record, and rows for them; point is the index of the sweep point.
+using Rows = std::vector<std::vector<double>>;
+Table bristles_table(hid_t file);
+Rows bristle_rows(std::size_t point, const std::vector<Passage>& bristles);
+Table slab_force_table(hid_t file);
+Rows slab_force_rows(std::size_t point, const SlabForce& force);
+Table trajectories_table(hid_t file);
+Rows trajectory_rows(std::size_t point, const Trajectory& trajectory);
 
-// Flag meanings of `status`, in the order of PointStatus, and of /bristles/status, as Outcome.
-extern const std::vector<std::string> kPointStatusNames;
-extern const std::vector<std::string> kOutcomeNames;
+// Flag meanings, in the order of PointStatus, Branch, Outcome and Phase.
+extern const std::vector<std::string> kPointStatusNames, kBranchNames, kOutcomeNames, kPhaseNames;
 
 }  // namespace bristle

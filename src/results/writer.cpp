@@ -1,7 +1,6 @@
 #include "results/writer.hpp"
 
 #include "experiment/input_error.hpp"
-#include "experiment/parameters_table.hpp"
 #include "results/variables.hpp"
 
 #include <fmt/format.h>
@@ -10,26 +9,12 @@
 #include <cstring>
 #include <fcntl.h>
 #include <filesystem>
+#include <numeric>
 #include <unistd.h>
 
 namespace bristle {
 namespace fs = std::filesystem;
 namespace {
-
-void describe(hid_t dataset, const std::string& long_name, const std::string& symbol,
-              const std::string& equation, const std::string& units = "1") {
-  h5::write_attribute(dataset, "long_name", long_name);
-  h5::write_attribute(dataset, "units", units);
-  h5::write_attribute(dataset, "symbol", symbol);
-  h5::write_attribute(dataset, "equation", equation);
-}
-
-void describe_flags(hid_t dataset, const std::vector<std::string>& names) {
-  std::vector<signed char> values;
-  for (std::size_t i = 0; i < names.size(); ++i) values.push_back(static_cast<signed char>(i));
-  h5::write_attribute(dataset, "flag_values", values);
-  h5::write_attribute(dataset, "flag_meanings", fmt::format("{}", fmt::join(names, " ")));
-}
 
 // Position of a point in the sweep's grid.
 h5::Shape unravel(std::size_t index, const h5::Shape& shape) {
@@ -60,6 +45,8 @@ int lock_output(const std::string& path, const std::string& partial) {
   return descriptor;
 }
 
+std::string load_error_name(const ResultVariable& v) { return "load_error/" + v.name; }
+
 }  // namespace
 
 std::string axis_variable(const std::string& name) {
@@ -67,7 +54,12 @@ std::string axis_variable(const std::string& name) {
 }
 
 ResultWriter::ResultWriter(const Experiment& experiment, const std::string& path)
-    : experiment_(experiment), path_(path), partial_(path + ".partial") {
+    : experiment_(experiment),
+      path_(path),
+      partial_(path + ".partial"),
+      curves_(experiment.base.loading.trace.has_value()),
+      searched_(!curves_ && !experiment.base.loading.z_0),
+      variables_of_(result_variables(experiment)) {
   lock_ = lock_output(path_, partial_);
   try {
     create();
@@ -79,18 +71,36 @@ ResultWriter::ResultWriter(const Experiment& experiment, const std::string& path
 
 void ResultWriter::create() {
   file_ = h5::create_file(partial_);
-  for (const std::size_t n : experiment_.shape()) shape_.push_back(n);
-  for (const Axis& axis : experiment_.axes) {
-    const std::string name = axis_variable(axis.name);
-    h5::Handle scale = h5::create_dataset(file_, name, H5T_NATIVE_DOUBLE, {axis.values.size()});
-    h5::write_part(scale, H5T_NATIVE_DOUBLE, {0}, {axis.values.size()}, axis.values.data());
-    const AxisLabel label = axis_label(axis.name);
-    h5::make_scale(scale, name);
-    describe(scale, label.description, label.symbol, "", label.units);
-    axes_.push_back(std::move(scale));
+  for (const Axis& axis : experiment_.axes) create_axis(axis);
+  if (curves_) {
+    const std::size_t nodes = std::size_t(experiment_.base.loading.trace->nodes);
+    std::vector<double> numbers(nodes);
+    std::iota(numbers.begin(), numbers.end(), 0.0);
+    create_scale("node", H5T_NATIVE_LONG, numbers,
+                 {"node", "number of the node, from first contact down", "1"});
   }
   create_variables();
-  if (experiment_.record_bristles) create_bristles();
+  if (experiment_.record.bristles) tables_.emplace("bristles", bristles_table(file_));
+  if (!experiment_.record.trajectories.empty()) tables_.emplace("trajectories", trajectories_table(file_));
+  if (experiment_.record.slab_force) tables_.emplace("slab_force", slab_force_table(file_));
+}
+
+void ResultWriter::create_axis(const Axis& axis) {
+  const Sweepable& what = *find_sweepable(axis.name);
+  const bool choice = !what.options.empty();
+  create_scale(axis_variable(axis.name), choice ? H5T_NATIVE_SCHAR : H5T_NATIVE_DOUBLE, axis.values,
+               {what.symbol, what.description, what.units});
+  if (choice) describe_flags(axes_.back(), what.options);
+}
+
+void ResultWriter::create_scale(const std::string& name, hid_t type, const std::vector<double>& values,
+                                const std::array<std::string, 3>& label) {
+  h5::Handle scale = h5::create_dataset(file_, name, type, {values.size()});
+  h5::write_part(scale, H5T_NATIVE_DOUBLE, {0}, {values.size()}, values.data());
+  h5::make_scale(scale, name);
+  describe(scale, label[1], label[0], "", label[2]);
+  shape_.push_back(values.size());
+  axes_.push_back(std::move(scale));
 }
 
 ResultWriter::~ResultWriter() { discard(); }
@@ -102,79 +112,81 @@ void ResultWriter::discard() {
   lock_ = -1;
 }
 
-h5::Handle ResultWriter::create_variable(const std::string& name, hid_t type, const std::string& long_name,
-                                         const std::string& symbol, const std::string& equation) {
-  h5::Handle dataset = h5::create_dataset(file_, name, type, shape_);
+h5::Handle ResultWriter::create_variable(hid_t parent, const std::string& name, hid_t type,
+                                         const std::string& long_name, const std::string& symbol,
+                                         const std::string& equation) {
+  h5::Handle dataset = h5::create_dataset(parent, name, type, shape_);
   describe(dataset, long_name, symbol, equation);
   for (unsigned d = 0; d < axes_.size(); ++d) h5::attach_scale(dataset, axes_[d], d);
   return dataset;
 }
 
 void ResultWriter::create_variables() {
-  for (const ResultVariable& v : result_variables()) {
-    variables_[v.name] = create_variable(v.name, H5T_NATIVE_DOUBLE, v.long_name, v.symbol, v.equation);
+  if (searched_) load_error_ = h5::create_group(file_, "load_error");
+  for (const ResultVariable& v : variables_of_) {
+    variables_[v.name] = create_variable(file_, v.name, H5T_NATIVE_DOUBLE, v.long_name, v.symbol, v.equation);
+    const std::string symbol = R"(\delta )" + v.symbol;
     if (v.error)
       variables_[v.name + "_err"] =
-          create_variable(v.name + "_err", H5T_NATIVE_DOUBLE, "estimated numerical error of " + v.name,
-                          R"(\delta )" + v.symbol, v.equation);
+          create_variable(file_, v.name + "_err", H5T_NATIVE_DOUBLE, "estimated numerical error of " + v.name,
+                          symbol, v.equation);
+    if (searched_ && v.load_error)
+      variables_[load_error_name(v)] = create_variable(
+          load_error_, v.name, H5T_NATIVE_DOUBLE,
+          "part of " + v.name + "_err from the load's distance to its target", symbol, v.equation);
   }
   variables_["passages"] =
-      create_variable("passages", H5T_NATIVE_LONG, "bristles integrated for the point", "N", "");
-  variables_["status"] = create_variable("status", H5T_NATIVE_SCHAR, "how the point ended", "", "");
-  describe_flags(variables_["status"], kPointStatusNames);
+      create_variable(file_, "passages", H5T_NATIVE_LONG, "bristles integrated for the point", "N", "");
+  create_flags("status", "how the point ended", kPointStatusNames, int(PointStatus::absent));
+  if (curves_)
+    create_flags("branch", "where the node lies on the slab's paths", kBranchNames, int(Branch::absent));
 }
 
-void ResultWriter::create_bristles() {
-  bristles_ = h5::create_group(file_, "bristles");
-  const h5::Shape open{H5S_UNLIMITED};
-  const auto create = [&](const std::string& name, hid_t type, const std::string& long_name,
-                          const std::string& symbol, const std::string& equation) {
-    h5::Handle dataset = h5::create_dataset(bristles_, name, type, open);
-    describe(dataset, long_name, symbol, equation);
-    bristle_fields_[name] = std::move(dataset);
-  };
-  create("bristle", H5T_NATIVE_LONG, "number of the passage", "", "");
-  h5::make_scale(bristle_fields_["bristle"], "bristle");
-  create("point", H5T_NATIVE_LONG, "index of the sweep point, the last axis fastest", "", "");
-  create("status", H5T_NATIVE_SCHAR, "how the passage ended", "", "");
-  describe_flags(bristle_fields_["status"], kOutcomeNames);
-  for (const BristleVariable& v : bristle_variables())
-    create(v.name, H5T_NATIVE_DOUBLE, v.long_name, v.symbol, v.equation);
-  for (const auto& [name, dataset] : bristle_fields_)
-    if (name != "bristle") h5::attach_scale(dataset, bristle_fields_["bristle"], 0);
+// Filled with the code of what is not there.
+void ResultWriter::create_flags(const std::string& name, const std::string& long_name,
+                                const std::vector<std::string>& meanings, int absent) {
+  h5::Handle& flags = variables_[name] = create_variable(file_, name, H5T_NATIVE_SCHAR, long_name, "", "");
+  describe_flags(flags, meanings);
+  std::size_t size = 1;
+  for (const hsize_t n : shape_) size *= std::size_t(n);
+  const std::vector<signed char> fill(size, static_cast<signed char>(absent));
+  h5::write_part(flags, H5T_NATIVE_SCHAR, h5::Shape(shape_.size(), 0), shape_, fill.data());
 }
 
-void ResultWriter::write_point(std::size_t index, const PointResult& result,
-                               const std::vector<Passage>& bristles) {
-  const h5::Shape at = unravel(index, shape_), one(shape_.size(), 1);
-  const auto put = [&](const std::string& name, double value) {
-    h5::write_part(variables_.at(name), H5T_NATIVE_DOUBLE, at, one, &value);
-  };
-  for (const ResultVariable& v : result_variables()) {
+void ResultWriter::write_values(const h5::Shape& at, const PointResult& result) {
+  const auto put = [&](const std::string& name, double value) { put_number(name, at, value); };
+  for (const ResultVariable& v : variables_of_) {
     put(v.name, v.value(result));
     if (v.error) put(v.name + "_err", v.error(result));
+    if (searched_ && v.load_error) put(load_error_name(v), v.load_error(result));
   }
-  h5::write_part(variables_.at("passages"), H5T_NATIVE_LONG, at, one, &result.passages);
-  const auto status = static_cast<signed char>(result.status);
-  h5::write_part(variables_.at("status"), H5T_NATIVE_SCHAR, at, one, &status);
-  if (experiment_.record_bristles && !bristles.empty()) append_bristles(index, bristles);
+  put("passages", double(result.passages));
+  put("status", double(result.status));
 }
 
-void ResultWriter::append_bristles(std::size_t index, const std::vector<Passage>& bristles) {
-  const h5::Shape from{bristle_count_}, count{bristles.size()};
-  std::vector<long> number, point(bristles.size(), long(index));
-  std::vector<signed char> status;
-  for (const Passage& b : bristles) {
-    number.push_back(long(bristle_count_++));
-    status.push_back(static_cast<signed char>(b.outcome));
-  }
-  h5::write_part(bristle_fields_.at("bristle"), H5T_NATIVE_LONG, from, count, number.data());
-  h5::write_part(bristle_fields_.at("point"), H5T_NATIVE_LONG, from, count, point.data());
-  h5::write_part(bristle_fields_.at("status"), H5T_NATIVE_SCHAR, from, count, status.data());
-  for (const BristleVariable& v : bristle_variables()) {
-    std::vector<double> values;
-    for (const Passage& b : bristles) values.push_back(v.value(b));
-    h5::write_part(bristle_fields_.at(v.name), H5T_NATIVE_DOUBLE, from, count, values.data());
+void ResultWriter::put_number(const std::string& name, const h5::Shape& at, double value) {
+  h5::write_part(variables_.at(name), H5T_NATIVE_DOUBLE, at, h5::Shape(shape_.size(), 1), &value);
+}
+
+void ResultWriter::write_point(std::size_t index, const PointResult& result, const Recorded& recorded) {
+  write_values(unravel(index, shape_), result);
+  const auto append = [&](const char* table, auto rows) {
+    if (const auto found = tables_.find(table); found != tables_.end()) found->second.append(rows());
+  };
+  append("bristles", [&] { return bristle_rows(index, recorded.bristles); });
+  append("slab_force", [&] { return slab_force_rows(index, recorded.slab_force); });
+  for (const Trajectory& trajectory : recorded.trajectories)
+    append("trajectories", [&] { return trajectory_rows(index, trajectory); });
+}
+
+void ResultWriter::write_curve(std::size_t index, const std::vector<CurveNode>& curve) {
+  const h5::Shape axes(shape_.begin(), shape_.end() - 1);
+  h5::Shape at = unravel(index, axes);
+  at.push_back(0);
+  for (const CurveNode& node : curve) {
+    write_values(at, node.result);
+    put_number("branch", at, double(node.branch));
+    ++at.back();
   }
 }
 
@@ -184,10 +196,10 @@ void ResultWriter::close(const std::map<std::string, std::string>& provenance) {
   group.close("closing /provenance");
   const std::string digest = payload_sha256(file_);
   h5::write_attribute(file_, "payload_sha256", digest);
-  for (auto* handles : {&variables_, &bristle_fields_})
-    for (auto& [name, handle] : *handles) handle.close("closing " + name);
+  for (auto& [name, handle] : variables_) handle.close("closing " + name);
   for (h5::Handle& axis : axes_) axis.close("closing an axis");
-  bristles_.close("closing /bristles");
+  for (auto& [name, table] : tables_) table.close();
+  load_error_.close("closing /load_error");
   file_.close("closing " + partial_);
   annotate(partial_, experiment_);
   if (payload_sha256(h5::open_file(partial_, false)) != digest)

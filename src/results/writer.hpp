@@ -1,7 +1,9 @@
 #pragma once
 
 #include "experiment/experiment.hpp"
-#include "results/hdf5.hpp"
+#include "interface/trace.hpp"
+#include "results/table.hpp"
+#include "results/variables.hpp"
 
 #include <map>
 
@@ -9,7 +11,7 @@ namespace bristle {
 
 constexpr const char* kResultSchema = "bristle-result/1";
 // Version of physics and numerics together: raised by hand when results may change.
-constexpr long kNumericsVersion = 2;
+constexpr long kNumericsVersion = 3;
 
 // Writes a result file point by point, under a temporary name beside the final one; publish() gives
 // it its name. Without publish() the final name is untouched and the temporary file removed.
@@ -19,8 +21,10 @@ class ResultWriter {
   ResultWriter(const Experiment& experiment, const std::string& path);
   ~ResultWriter();
 
-  // Call in ascending order of index when bristles are recorded: they are appended.
-  void write_point(std::size_t index, const PointResult& result, const std::vector<Passage>& bristles);
+  // Call in ascending order of index: what is recorded is appended.
+  void write_point(std::size_t index, const PointResult& result, const Recorded& recorded);
+  // The same where the experiment traces curves.
+  void write_curve(std::size_t index, const std::vector<CurveNode>& curve);
 
   // Adds attributes, digest and provenance (name -> text), closes, and reads back what was written.
   void close(const std::map<std::string, std::string>& provenance);
@@ -32,20 +36,28 @@ class ResultWriter {
  private:
   void create();
   void discard();
+  void create_axis(const Axis& axis);
+  void create_scale(const std::string& name, hid_t type, const std::vector<double>& values,
+                    const std::array<std::string, 3>& label);  // symbol, description, units
   void create_variables();
-  void create_bristles();
-  h5::Handle create_variable(const std::string& name, hid_t type, const std::string& long_name,
+  h5::Handle create_variable(hid_t parent, const std::string& name, hid_t type, const std::string& long_name,
                              const std::string& symbol, const std::string& equation);
-  void append_bristles(std::size_t index, const std::vector<Passage>& bristles);
+  void create_flags(const std::string& name, const std::string& long_name,
+                    const std::vector<std::string>& meanings, int absent);
+  void write_values(const h5::Shape& at, const PointResult& result);
+  void put_number(const std::string& name, const h5::Shape& at, double value);
 
   const Experiment& experiment_;
   std::string path_, partial_;
+  bool curves_;    // of R_n(z_0), along a last dimension "node"
+  bool searched_;  // the gap was searched for: errors have a part from that
+  std::vector<ResultVariable> variables_of_;
   int lock_ = -1;  // descriptor that keeps other runs off the temporary file
-  h5::Handle file_, bristles_;
+  h5::Handle file_, load_error_;
   h5::Shape shape_;
   std::vector<h5::Handle> axes_;
-  std::map<std::string, h5::Handle> variables_, bristle_fields_;
-  hsize_t bristle_count_ = 0;
+  std::map<std::string, h5::Handle> variables_;
+  std::map<std::string, Table> tables_;
   bool published_ = false;
 };
 

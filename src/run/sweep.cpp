@@ -82,9 +82,10 @@ class Points : public PointQueue {
 bool run_sweep(const Experiment& experiment, int threads, const std::function<void(PointReport&&)>& sink,
                const std::function<bool()>& stop) {
   Points points(experiment.points(), sink, stop);
+  const std::size_t share = (experiment.points() + std::size_t(threads) - 1) / std::size_t(threads);
   const auto work = [&] {
     try {
-      bristle::work(experiment, points);
+      bristle::work(experiment, points, share);
     } catch (...) {
       points.fail(std::current_exception());
     }

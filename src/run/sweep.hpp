@@ -1,6 +1,7 @@
 #pragma once
 
 #include "experiment/experiment.hpp"
+#include "interface/trace.hpp"
 
 #include <functional>
 
@@ -9,7 +10,8 @@ namespace bristle {
 struct PointReport {
   std::size_t index;
   PointResult result;
-  std::vector<Passage> bristles;  // of the final ensemble, if the experiment records them
+  Recorded recorded;
+  std::vector<CurveNode> curve;  // in place of the result, if the experiment traces curves
 };
 
 // Solves every point of the sweep on this many threads and hands the reports to sink, one at a time and

@@ -1,6 +1,7 @@
 #include "run/worker.hpp"
 
 #include "dynamics/lanes/engine.hpp"
+#include "dynamics/together.hpp"
 
 #include <boost/coroutine2/coroutine.hpp>
 #include <boost/coroutine2/protected_fixedsize_stack.hpp>
@@ -13,14 +14,13 @@ namespace coroutines = boost::coroutines2;
 
 // Enough points that the lanes are full while most of them wait for the last passages of a batch.
 constexpr std::size_t kPointsUnderWay = 24;
-constexpr std::size_t kStackBytes = 256 * 1024;
 
 PointReport solve(const Experiment& experiment, std::size_t index, const PassageRunner& run) {
   PointReport report;
   report.index = index;
   const PointInput input = experiment.point(index);
-  auto* bristles = experiment.record_bristles ? &report.bristles : nullptr;
-  report.result = solve_point(input.interface, input.loading, run, bristles);
+  if (input.loading.trace) report.curve = trace_curve(input.interface, *input.loading.trace, run);
+  else report.result = solve_point(input.interface, input.loading, run, experiment.record, &report.recorded);
   return report;
 }
 
@@ -37,7 +37,7 @@ class Solving {
   using Routine = coroutines::coroutine<Batch*>;
 
   Solving(const Experiment& experiment, std::size_t index)
-      : routine_(coroutines::protected_fixedsize_stack(kStackBytes),
+      : routine_(coroutines::protected_fixedsize_stack(kJobStackBytes),
                  [this, &experiment, index](Routine::push_type& wait) {
                    const PassageRunner run = [&wait](const std::vector<PassageTask>& tasks) {
                      Batch batch{&tasks, std::vector<Passage>(tasks.size()), tasks.size()};
@@ -59,9 +59,10 @@ class Solving {
 
 class LaneWorker {
  public:
-  LaneWorker(const Experiment& experiment, PointQueue& queue)
+  LaneWorker(const Experiment& experiment, PointQueue& queue, std::size_t share)
       : experiment_(experiment),
         queue_(queue),
+        under_way_(std::min(kPointsUnderWay, share)),
         engine_(best_kernels(),
                 [this](std::size_t ticket, Passage&& passage) { receive(ticket, std::move(passage)); }) {}
 
@@ -86,7 +87,7 @@ class LaneWorker {
 
   // False if none is left.
   bool start_points() {
-    while (points_.size() < kPointsUnderWay) {
+    while (points_.size() < under_way_) {
       const auto index = queue_.next(points_.empty());
       if (!index) break;
       points_.emplace_back(experiment_, *index);
@@ -124,6 +125,7 @@ class LaneWorker {
 
   const Experiment& experiment_;
   PointQueue& queue_;
+  const std::size_t under_way_;
   LaneEngine engine_;
   Points points_;
   std::vector<Ticket> tickets_;
@@ -141,14 +143,14 @@ void work_one_by_one(const Experiment& experiment, PointQueue& queue, Engine eng
 
 }  // namespace
 
-void work(const Experiment& experiment, PointQueue& queue) {
+void work(const Experiment& experiment, PointQueue& queue, std::size_t share) {
 #ifdef __SANITIZE_ADDRESS__
   // The sanitizer knows nothing of the points' own stacks. The results are the same without.
   constexpr bool together = false;
 #else
   constexpr bool together = true;
 #endif
-  if (together && experiment.engine == Engine::fast) LaneWorker(experiment, queue).work();
+  if (together && experiment.engine == Engine::fast) LaneWorker(experiment, queue, share).work();
   else work_one_by_one(experiment, queue, experiment.engine);
 }
 

@@ -17,7 +17,8 @@ class PointQueue {
 };
 
 // Solves points on this thread until the queue has none. With the fast engine several are under way at a
-// time, each on a stack of its own: a point that waits for passages leaves the lanes to the others'.
-void work(const Experiment& experiment, PointQueue& queue);
+// time, at most the thread's share of all, each on a stack of its own: a point that waits for passages leaves
+// the lanes to the others'.
+void work(const Experiment& experiment, PointQueue& queue, std::size_t share);
 
 }  // namespace bristle

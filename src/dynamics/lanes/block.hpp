@@ -27,6 +27,7 @@ struct Block {
   Row t, y[COMPONENTS], slope[COMPONENTS];  // at the last accepted step
   Row h;                                    // next step to try
   Row attempts, max_attempts;
+  Row next_sample;  // time at which the integrals are to be sampled; infinity without
 
   // The step that was just tried, for lanes with an event: it is not yet accepted.
   Row t_new, h_next, y_new[COMPONENTS], slope_new[COMPONENTS];
@@ -40,10 +41,11 @@ constexpr double kSmallestStep = 1e-15;
 struct Events {
   std::uint32_t exit = 0;       // the step is good, and the slip reaches L_x in it
   std::uint32_t axis = 0;       // the step is good, and comes near the axis (explicit) or the pole (implicit)
-  std::uint32_t away = 0;       // implicit: the step was good and accepted, and left the axis behind
+  std::uint32_t sample = 0;     // the step is good, and reaches next_sample
+  std::uint32_t away = 0;       // implicit: the step was good, and left the axis behind
   std::uint32_t exhausted = 0;  // max_attempts
   std::uint32_t stuck = 0;      // no step is small enough, or a state is not finite
-  std::uint32_t any() const { return exit | axis | away | exhausted | stuck; }
+  std::uint32_t any() const { return exit | axis | sample | away | exhausted | stuck; }
 };
 
 }  // namespace bristle

@@ -17,6 +17,8 @@ constexpr long kEvaluationsPerStep = 6;
 // The explicit method goes on once the tip is this much farther from the axis than where it stopped.
 constexpr double kReturnFactor = 2;
 
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
 // A passage under way.
 struct Flight {
   PassageTask task;
@@ -25,23 +27,32 @@ struct Flight {
   double t = 0, h = kFirstStep, x_0 = 0;
   long steps = 0;
   int reflections = 0;
+  std::vector<PathSample> samples{};
   bool implicit = false;  // the implicit method had a part in it
   bool slow = false;      // the explicit method took too many steps
 };
 
 long max_steps(const IntegratorOptions& options) { return options.max_evaluations / kEvaluationsPerStep; }
 
-// Cubic through position and velocity at both ends of a step, as a function of its fraction u.
+// Cubic through values p, q and slopes v, w at both ends of a step, as a function of its fraction u.
+struct Hermite {
+  Hermite(double p, double q, double v, double w)
+      : p(p), v(v), b(3 * (q - p) - 2 * v - w), a(2 * (p - q) + v + w) {}
+  double value(double u) const { return p + u * (v + u * (b + u * a)); }
+  double slope(double u) const { return v + u * (2 * b + 3 * u * a); }
+  double p, v, b, a;
+};
+
+// The tip's way in the plane along a step, as a function of its fraction u.
 class Arc {
  public:
   Arc(const OdeState& from, const OdeState& to, double h) : from_(from), to_(to), h_(h) {}
   OdeState operator()(double u) const {
     OdeState at{};
     for (const int c : {X, Y}) {
-      const double p = from_[c], q = to_[c], v = h_ * from_[VX + c], w = h_ * to_[VX + c];
-      const double b = 3 * (q - p) - 2 * v - w, a = 2 * (p - q) + v + w;
-      at[c] = p + u * (v + u * (b + u * a));
-      at[VX + c] = (v + u * (2 * b + 3 * u * a)) / h_;
+      const Hermite cubic(from_[c], to_[c], h_ * from_[VX + c], h_ * to_[VX + c]);
+      at[c] = cubic.value(u);
+      at[VX + c] = cubic.slope(u) / h_;
     }
     return at;
   }
@@ -99,6 +110,8 @@ class LaneEngine::Set {
     set(block_.near_axis, method_border(flight));
     set(block_.pole, task.parameters->s_min);
     set(block_.attempts, 0);
+    const double interval = task.sample_interval;
+    set(block_.next_sample, interval > 0 ? double(flight.samples.size() + 1) * interval : kNever);
     long limit = max_steps(task.integrator) - flight.steps;
     if (!implicit_ && task.integrator.method == Method::automatic) limit = std::min(limit, kExplicitSteps);
     set(block_.max_attempts, double(limit));
@@ -132,6 +145,7 @@ class LaneEngine::Set {
     flight.t = block_.t.lane[lane];
     if (has(events.stuck)) return end(lane, Outcome::not_finite);
     if (has(events.axis) && !implicit_) return hand_over(lane);
+    if (has(events.sample)) commit(lane);
     if (has(events.away)) return hand_over(lane);
     if (has(events.axis | events.exit)) {
       if (answer_step(lane, has(events.axis), has(events.exit))) return;
@@ -153,8 +167,7 @@ class LaneEngine::Set {
     for (int c = 0; c < COMPONENTS; ++c) y_new[c] = block_.y_new[c].lane[lane];
     const Arc arc(flight.y, y_new, h);
     const double L_x = flight.task.parameters->L_x, s_min = flight.task.parameters->s_min;
-    constexpr double never = std::numeric_limits<double>::infinity();
-    double pole = never, exit_at = never;
+    double pole = kNever, exit_at = kNever;
     if (axis) pole = pole_contact(arc, s_min, 0, 1, kFractionTolerance);
     const bool ends_at_pole = std::abs(in_plane_distance(y_new) / s_min - 1) < kPoleTolerance;
     if (axis && pole > 0.5 && ends_at_pole) pole = 1;
@@ -178,8 +191,39 @@ class LaneEngine::Set {
     return false;
   }
 
+  // Accepts a step that the kernel left open for its samples.
+  void commit(int lane) {
+    Flight& flight = flights_[lane];
+    sample(lane);
+    block_.t.lane[lane] = flight.t = block_.t_new.lane[lane];
+    block_.h.lane[lane] = block_.h_next.lane[lane];
+    for (int c = 0; c < COMPONENTS; ++c) {
+      block_.y[c].lane[lane] = flight.y[c] = block_.y_new[c].lane[lane];
+      block_.slope[c].lane[lane] = block_.slope_new[c].lane[lane];
+    }
+  }
+
+  // The integrals at the multiples of the interval within the open step, by cubics through its ends.
+  void sample(int lane) {
+    Flight& flight = flights_[lane];
+    const double interval = flight.task.sample_interval, from = flight.t, h = block_.t_new.lane[lane] - from;
+    if (interval == 0) return;
+    double next = block_.next_sample.lane[lane];
+    while (next <= from + h) {
+      const auto at = [&](int c) {
+        const Hermite cubic(block_.y[c].lane[lane], block_.y_new[c].lane[lane],
+                            h * block_.slope[c].lane[lane], h * block_.slope_new[c].lane[lane]);
+        return cubic.value((next - from) / h);
+      };
+      flight.samples.push_back({at(NORMAL), at(FRICTION_X), at(FRICTION_Y)});
+      next = double(flight.samples.size() + 1) * interval;
+    }
+    block_.next_sample.lane[lane] = next;
+  }
+
   void accept(int lane, const OdeState& y_new) {
     Flight& flight = flights_[lane];
+    sample(lane);
     flight.y = y_new;
     flight.t = block_.t_new.lane[lane];
     flight.h = block_.h_next.lane[lane];
@@ -221,6 +265,7 @@ class LaneEngine::Set {
     out.evaluations = kEvaluationsPerStep * flight.steps;
     out.reflections = flight.reflections;
     out.implicit = flight.implicit;
+    out.samples = std::move(flights_[lane].samples);
     if (out.complete()) complete(flight.task, out);
     ++engine_.ended_;
     engine_.done_(flight.ticket, std::move(out));

@@ -109,9 +109,11 @@ class Kernel {
     const Lanes slip = t_new - (g.y_new[X] - Lanes::load(row(block.x_0)));
     const Lanes::Mask exits = good & (slip >= Lanes::load(row(block.L_x)) - kSlipTolerance);
     const Lanes::Mask meets_axis = good & Step::axis_event(g);
-    const Lanes::Mask commits = good & !(exits | meets_axis);
+    const Lanes::Mask passes = good & !(exits | meets_axis);
+    const Lanes::Mask samples = passes & (t_new >= Lanes::load(row(block.next_sample)));
+    const Lanes::Mask commits = passes & !samples;
     const Lanes::Mask stuck = (!good) & (h_next < kSmallestStep);
-    const Lanes::Mask away = commits & Step::leaves_axis(g);
+    const Lanes::Mask away = passes & Step::leaves_axis(g);
     const Lanes::Mask exhausted = attempts >= Lanes::load(row(block.max_attempts));
 
     select(commits, t_new, Lanes::load(row(block.t))).store(row(block.t));
@@ -121,10 +123,11 @@ class Kernel {
       select(commits, g.slope_new[c], g.slope[c]).store(row(block.slope[c]));
     }
     const auto bits = [&](const Lanes::Mask& m) { return (m.bits() << first) & block.occupied; };
-    const std::uint32_t any = bits(exits | meets_axis | away | stuck | exhausted);
+    const std::uint32_t any = bits(exits | meets_axis | samples | away | stuck | exhausted);
     if (any == 0) return;
     events.exit |= bits(exits);
     events.axis |= bits(meets_axis);
+    events.sample |= bits(samples);
     events.away |= bits(away);
     events.stuck |= bits(stuck);
     events.exhausted |= bits(exhausted);

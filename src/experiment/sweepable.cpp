@@ -1,0 +1,69 @@
+#include "experiment/sweepable.hpp"
+
+#include "experiment/parameters_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bristle {
+namespace {
+
+Sweepable of_model(const ParameterEntry& entry) {
+  const std::string units = std::string(entry.name) == "phi_0_deg" ? "degree" : "1";
+  const auto set = [entry](PointInput& p, double value) {
+    p.interface.parameters.*entry.member = value * entry.unit;
+  };
+  return {entry.name, entry.symbol, entry.description, units, set, {}};
+}
+
+std::vector<Sweepable> all() {
+  using P = PointInput;
+  std::vector<Sweepable> out;
+  for (const ParameterEntry& entry : parameters_table()) out.push_back(of_model(entry));
+  const auto number = [&](const char* name, const char* symbol, const char* description, auto set,
+                          const char* units = "1") {
+    out.push_back({name, symbol, description, units, set, {}});
+  };
+  number("R_n", R"(\tilde{R}_n/N_{c,0})", "target normal load per bristle",
+         [](P& p, double v) { p.loading.R_n = v; });
+  number("z_0", R"(\tilde{z}_0)", "gap between slab and ground", [](P& p, double v) { p.loading.z_0 = v; });
+  number(
+      "mean_deg", R"(\langle\theta_0\rangle)", "von Mises: mean azimuth",
+      [](P& p, double v) { p.interface.orientation.mean = v * M_PI / 180; }, "degree");
+  number("concentration", R"(\kappa)", "von Mises: concentration",
+         [](P& p, double v) { p.interface.orientation.concentration = v; });
+  number("seed", "seed", "seed of the lattice's azimuths",
+         [](P& p, double v) { p.interface.orientation.seed = std::uint64_t(v); });
+  number("rows", "n_\\mathrm{rows}", "rows of the lattice that enter",
+         [](P& p, double v) { p.interface.orientation.rows = long(v); });
+
+  const auto choice = [&](const char* name, const char* description, std::vector<std::string> options,
+                          auto set) {
+    out.push_back({name, name, description, "1", set, options});
+  };
+  choice("friction", "local friction law", {"nss", "coulomb"},
+         [](P& p, double v) { p.interface.parameters.friction = FrictionLaw(int(v)); });
+  choice("azimuth_rate", "closing equation for theta'", {"kinematic", "as_printed"},
+         [](P& p, double v) { p.interface.parameters.azimuth_rate = AzimuthRate(int(v)); });
+  choice("path", "how the load is reached", {"loading", "unloading"},
+         [](P& p, double v) { p.loading.path = LoadPath(int(v)); });
+  choice("sampling", "how the mean over theta_0 is taken", {"quadrature", "lattice"},
+         [](P& p, double v) { p.interface.orientation.sampling = Sampling(int(v)); });
+  return out;
+}
+
+}  // namespace
+
+const std::vector<Sweepable>& sweepables() {
+  static const std::vector<Sweepable> table = all();
+  return table;
+}
+
+const Sweepable* find_sweepable(const std::string& name) {
+  const auto& table = sweepables();
+  const auto found =
+      std::find_if(table.begin(), table.end(), [&](const Sweepable& s) { return s.name == name; });
+  return found == table.end() ? nullptr : &*found;
+}
+
+}  // namespace bristle

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "interface/point.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace bristle {
+
+// What a point of the sweep is computed from.
+struct PointInput {
+  Interface interface;
+  Loading loading;
+};
+
+// Something that a sweep may vary, and how result files label its axis.
+struct Sweepable {
+  std::string name, symbol, description, units;
+  std::function<void(PointInput&, double)> set;
+  std::vector<std::string> options;  // the words of a choice; its value is the index of one. Empty: a number
+};
+
+// The model's numbers and choices, the load, and the orientation's numbers and sampling.
+const std::vector<Sweepable>& sweepables();
+
+// Null if there is none of that name.
+const Sweepable* find_sweepable(const std::string& name);
+
+}  // namespace bristle

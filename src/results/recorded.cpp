@@ -1,0 +1,131 @@
+#include "results/variables.hpp"
+
+namespace bristle {
+namespace {
+
+// A field of one record, with its column.
+template <class Record>
+struct Field {
+  Column column;
+  double (*value)(const Record&);
+};
+
+Column flag(const char* name, const char* long_name, const std::vector<std::string>& meanings) {
+  return {name, long_name, "", "", H5T_NATIVE_SCHAR, meanings};
+}
+
+// Every table begins with the sweep point.
+template <class Record>
+std::vector<Column> columns(const std::vector<Field<Record>>& fields, const std::vector<Column>& first = {}) {
+  std::vector<Column> out{
+      {"point", "index of the sweep point, the last axis fastest", "", "", H5T_NATIVE_LONG}};
+  out.insert(out.end(), first.begin(), first.end());
+  for (const auto& field : fields) out.push_back(field.column);
+  return out;
+}
+
+template <class Record>
+void add(Rows& rows, const std::vector<Field<Record>>& fields, const std::vector<Record>& records) {
+  for (const auto& field : fields) {
+    rows.emplace_back();
+    for (const Record& record : records) rows.back().push_back(field.value(record));
+  }
+}
+
+using B = const Passage&;
+const std::vector<Field<Passage>>& bristle_fields() {
+  static const std::vector<Field<Passage>> fields = {
+      {flag("status", "how the passage ended", kOutcomeNames), [](B b) { return double(b.outcome); }},
+      {{"theta_0", "undeformed azimuth (rad)", R"(\theta_0)", ""}, [](B b) { return b.theta_0; }},
+      {{"contact_time", "contact time", R"(\Delta\xi)", "Eq. (A2)"}, [](B b) { return b.contact_time; }},
+      {{"normal_impulse", "integral of F_n", R"(\int F_n)", "Eq. (3)"}, [](B b) { return b.end[NORMAL]; }},
+      {{"friction_impulse_x", "integral of the friction force along the motion", R"(\int F_{f,x})",
+        "Eq. (5)"},
+       [](B b) { return b.end[FRICTION_X]; }},
+      {{"friction_impulse_y", "integral of the friction force across the motion", R"(\int F_{f,y})",
+        "Eq. (5)"},
+       [](B b) { return b.end[FRICTION_Y]; }},
+      {{"gamma_1", "ratio in Eq. (24)", R"(\tilde{\gamma}_{1,i})", "Eq. (24)"},
+       [](B b) { return b.gamma_1; }},
+      {{"gamma_2", "ratio in Eq. (25)", R"(\tilde{\gamma}_{2,i})", "Eq. (25)"},
+       [](B b) { return b.gamma_2; }},
+      {{"gamma_3", "ratio in Eq. (26)", R"(\tilde{\gamma}_{3,i})", "Eq. (26)"},
+       [](B b) { return b.gamma_3; }},
+      {{"energy_residual", "defect of the energy budget over the energy dissipated", R"(\epsilon_E)", ""},
+       [](B b) { return b.energy_residual; }},
+      {{"steps", "integration steps", "", ""}, [](B b) { return double(b.steps); }},
+      {{"reflections", "reflections at the pole, s = s_min", "", ""},
+       [](B b) { return double(b.reflections); }},
+  };
+  return fields;
+}
+
+using T = const TrajectoryPoint&;
+const std::vector<Field<TrajectoryPoint>>& trajectory_fields() {
+  static const std::vector<Field<TrajectoryPoint>> fields = {
+      {{"xi", "time since the leading edge reached the bristle", R"(\xi)", "Eq. (A1)"},
+       [](T p) { return p.xi; }},
+      {{"x", "tip position along the motion", R"(\tilde{x})", "Eq. (2)"}, [](T p) { return p.state.r[0]; }},
+      {{"y", "tip position across the motion", R"(\tilde{y})", "Eq. (2)"}, [](T p) { return p.state.r[1]; }},
+      {{"z", "tip height", R"(\tilde{z})", "Eq. (2)"}, [](T p) { return p.state.r[2]; }},
+      {{"v_x", "tip velocity along the motion", R"(\tilde{v}_x)", "Eq. (18)"},
+       [](T p) { return p.state.v[0]; }},
+      {{"v_y", "tip velocity across the motion", R"(\tilde{v}_y)", "Eq. (18)"},
+       [](T p) { return p.state.v[1]; }},
+      {{"v_z", "vertical tip velocity", R"(\tilde{v}_z)", "Eq. (18)"}, [](T p) { return p.state.v[2]; }},
+      {{"theta", "azimuth (rad)", R"(\theta)", "Eq. (17)"}, [](T p) { return p.state.theta; }},
+      {{"phi", "elevation (rad)", R"(\varphi)", "Eq. (18)"}, [](T p) { return p.state.phi; }},
+      {{"F_n", "normal force", R"(\tilde{F}_n)", "Eq. (3)"}, [](T p) { return p.F_n; }},
+      {{"F_fx", "friction force along the motion", R"(\tilde{F}_{f,x})", "Eq. (5)"},
+       [](T p) { return p.F_fx; }},
+      {{"F_fy", "friction force across the motion", R"(\tilde{F}_{f,y})", "Eq. (5)"},
+       [](T p) { return p.F_fy; }},
+      {{"V_R", "speed relative to the slab", R"(V_R/V_0)", "Eq. (6)"}, [](T p) { return p.V_R; }},
+      {flag("phase", "what the tip does", kPhaseNames), [](T p) { return double(p.phase); }},
+  };
+  return fields;
+}
+
+}  // namespace
+
+Table bristles_table(hid_t file) { return {file, "bristles", "bristle", columns(bristle_fields())}; }
+
+Rows bristle_rows(std::size_t point, const std::vector<Passage>& bristles) {
+  Rows rows{std::vector<double>(bristles.size(), double(point))};
+  add(rows, bristle_fields(), bristles);
+  return rows;
+}
+
+Table trajectories_table(hid_t file) {
+  return {file, "trajectories", "step",
+          columns(trajectory_fields(), {{"theta_0", "undeformed azimuth (rad)", R"(\theta_0)", ""},
+                                        flag("status", "how the passage ended", kOutcomeNames)})};
+}
+
+Rows trajectory_rows(std::size_t point, const Trajectory& trajectory) {
+  const std::size_t n = trajectory.points.size();
+  Rows rows{std::vector<double>(n, double(point)), std::vector<double>(n, trajectory.passage.theta_0),
+            std::vector<double>(n, double(trajectory.passage.outcome))};
+  add(rows, trajectory_fields(), trajectory.points);
+  return rows;
+}
+
+Table slab_force_table(hid_t file) {
+  return {file,
+          "slab_force",
+          "interval",
+          {{"point", "index of the sweep point, the last axis fastest", "", "", H5T_NATIVE_LONG},
+           {"t", "time at the middle of the interval", R"(\tilde{t})", "Eq. (A1)"},
+           {"R_n", "normal load per bristle", R"(\tilde{R}_n/N_{c,0})", "Eq. (A3)"},
+           {"R_x", "friction force per bristle along the motion", R"(\tilde{R}_x/N_{c,0})", "Eq. (A3)"},
+           {"R_y", "friction force per bristle across the motion", R"(\tilde{R}_y/N_{c,0})", "Eq. (A3)"},
+           {"N_c_ratio", "bristles in contact over those of rigid bristles", R"(N_c/N_{c,0})", "Eq. (A3)"}}};
+}
+
+Rows slab_force_rows(std::size_t point, const SlabForce& force) {
+  std::vector<double> t;
+  for (std::size_t i = 0; i < force.R_n.size(); ++i) t.push_back((double(i) + 0.5) * force.interval);
+  return {std::vector<double>(t.size(), double(point)), t, force.R_n, force.R_x, force.R_y, force.N_c};
+}
+
+}  // namespace bristle

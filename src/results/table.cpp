@@ -1,0 +1,56 @@
+#include "results/table.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace bristle {
+
+void describe(hid_t dataset, const std::string& long_name, const std::string& symbol,
+              const std::string& equation, const std::string& units) {
+  h5::write_attribute(dataset, "long_name", long_name);
+  h5::write_attribute(dataset, "units", units);
+  h5::write_attribute(dataset, "symbol", symbol);
+  h5::write_attribute(dataset, "equation", equation);
+}
+
+void describe_flags(hid_t dataset, const std::vector<std::string>& names) {
+  std::vector<signed char> values;
+  for (std::size_t i = 0; i < names.size(); ++i) values.push_back(static_cast<signed char>(i));
+  h5::write_attribute(dataset, "flag_values", values);
+  h5::write_attribute(dataset, "flag_meanings", fmt::format("{}", fmt::join(names, " ")));
+}
+
+Table::Table(hid_t file, const std::string& group, const std::string& row, const std::vector<Column>& columns)
+    : name_(group), group_(h5::create_group(file, group)) {
+  const h5::Shape open{H5S_UNLIMITED};
+  rows_ = h5::create_dataset(group_, row, H5T_NATIVE_LONG, open);
+  describe(rows_, "number of the row", "", "");
+  h5::make_scale(rows_, row);
+  for (const Column& column : columns) {
+    h5::Handle dataset = h5::create_dataset(group_, column.name, column.type, open);
+    describe(dataset, column.long_name, column.symbol, column.equation, column.units);
+    if (!column.flags.empty()) describe_flags(dataset, column.flags);
+    h5::attach_scale(dataset, rows_, 0);
+    columns_.push_back(std::move(dataset));
+  }
+}
+
+void Table::append(const std::vector<std::vector<double>>& columns) {
+  const h5::Shape from{length_}, count{columns.front().size()};
+  if (count[0] == 0) return;
+  std::vector<double> number;
+  for (hsize_t i = 0; i < count[0]; ++i) number.push_back(double(length_ + i));
+  // HDF5 converts to the columns' types.
+  h5::write_part(rows_, H5T_NATIVE_DOUBLE, from, count, number.data());
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    h5::write_part(columns_[i], H5T_NATIVE_DOUBLE, from, count, columns[i].data());
+  length_ += count[0];
+}
+
+void Table::close() {
+  for (h5::Handle& column : columns_) column.close("closing a column of /" + name_);
+  rows_.close("closing the rows of /" + name_);
+  group_.close("closing /" + name_);
+}
+
+}  // namespace bristle

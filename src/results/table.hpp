@@ -1,0 +1,39 @@
+#pragma once
+
+#include "results/hdf5.hpp"
+
+#include <string>
+#include <vector>
+
+namespace bristle {
+
+// A column of a table in a result file.
+struct Column {
+  std::string name, long_name, symbol, equation;
+  hid_t type = H5T_NATIVE_DOUBLE;    // in the file
+  std::vector<std::string> flags{};  // meanings of the values 0, 1, ..., if it is a flag
+  std::string units = "1";
+};
+
+// A group of columns of one growing length, with a dimension scale that numbers the rows.
+class Table {
+ public:
+  Table(hid_t file, const std::string& group, const std::string& row, const std::vector<Column>& columns);
+
+  // Appends rows, given by columns in the order of construction and of one length.
+  void append(const std::vector<std::vector<double>>& columns);
+  void close();
+
+ private:
+  std::string name_;
+  h5::Handle group_, rows_;
+  std::vector<h5::Handle> columns_;
+  hsize_t length_ = 0;
+};
+
+// Attributes that every dataset has.
+void describe(hid_t dataset, const std::string& long_name, const std::string& symbol,
+              const std::string& equation, const std::string& units = "1");
+void describe_flags(hid_t dataset, const std::vector<std::string>& names);
+
+}  // namespace bristle
