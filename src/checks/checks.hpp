@@ -5,7 +5,8 @@
 
 namespace bristle {
 
-// undecided: the threshold lies within the measurement's uncertainty, or too few points have values.
+// undecided: the threshold lies within the measurement's uncertainty, too few points have values, or a trend
+// of so few points may be chance.
 enum class Verdict {
   supported,
   refuted,
@@ -17,14 +18,14 @@ const char* to_string(Verdict verdict);
 struct CheckResult {
   std::string claim, statement;
   Measurement measured;
-  bool at_most;  // or at least
-  double threshold;
-  double margin;  // distance from the threshold, positive on the claim's side
+  std::string is;  // at_most, at_least, or near: within band of
+  double threshold, band;
+  double margin;  // distance from the threshold or the band's end, positive on the claim's side
   Verdict verdict;
 };
 
-// Throws InputError if a check names a variable or an axis that the experiment's result will not have: before
-// anything is computed.
+// Throws InputError if a check lacks what its predicate needs, or names a variable, an axis or a value that
+// the experiment's result will not have: before anything is computed.
 void validate_checks(const Experiment& experiment);
 
 // Evaluates the checks of the experiment stored in the result. Throws InputError for a check that names

@@ -1,103 +1,287 @@
 #include "checks/predicates.hpp"
 
-#include "experiment/input_error.hpp"
-#include "experiment/suggest.hpp"
-
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace bristle {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+double relative_error(const CurvePoint& p) { return p.error / std::abs(p.value); }
 
-double relative_error(const Curves::Point& p) { return p.error / std::abs(p.value); }
-
-// Mean over the curves of the range of ln(value).
-Measurement mean_log_range(const Curves& in) {
+// Mean over the curves of what one curve of at least two points measures: {value, uncertainty}.
+template <class OfCurve>
+Measurement mean_over(const Curves& in, OfCurve of_curve) {
   double sum = 0, uncertainty = 0;
   std::size_t used = 0;
-  for (const auto& curve : in.curves) {
+  for (const Curve& curve : in.curves) {
     if (curve.size() < 2) continue;
-    const auto less = [](const Curves::Point& a, const Curves::Point& b) { return a.value < b.value; };
-    const auto [low, high] = std::minmax_element(curve.begin(), curve.end(), less);
-    sum += std::log(high->value / low->value);
-    uncertainty += relative_error(*low) + relative_error(*high);
+    const auto [value, error] = of_curve(curve);
+    sum += value;
+    uncertainty += error;
     ++used;
   }
-  if (used == 0) return {kNone, kNone, 0, in.missing};
-  return {sum / double(used), uncertainty / double(used), used, in.missing};
+  Measurement out;
+  out.missing = in.missing;
+  out.curves = used;
+  if (used == 0) return out;
+  out.value = sum / double(used);
+  out.uncertainty = uncertainty / double(used);
+  return out;
 }
 
-}  // namespace
+struct Estimate {
+  double value, uncertainty;
+};
 
-Curves curves_along(const ResultReader& result, const std::string& name, const std::string& along) {
-  const Variable v = result.variable(name);
-  std::vector<double> error(v.values.size(), 0);
-  const auto known = result.variables();
-  if (std::find(known.begin(), known.end(), name + "_err") != known.end())
-    error = result.variable(name + "_err").values;
-  const auto dimension = std::find(v.dimensions.begin(), v.dimensions.end(), along);
-  if (dimension == v.dimensions.end())
-    throw InputError(fmt::format("{}: {} has no dimension {}{}; it has: {}", result.path(), name, along,
-                                 did_you_mean(along, v.dimensions), fmt::join(v.dimensions, ", ")));
-  const auto d = std::size_t(dimension - v.dimensions.begin());
-  std::size_t stride = 1;
-  for (std::size_t i = d + 1; i < v.shape.size(); ++i) stride *= v.shape[i];
-  const std::size_t length = v.shape[d];
-  Curves out;
-  for (std::size_t start = 0; start < v.values.size(); ++start) {
-    if (start / stride % length != 0) continue;
-    out.curves.emplace_back();
-    for (std::size_t i = start; i < start + length * stride; i += stride)
-      if (std::isfinite(v.values[i]) && std::isfinite(error[i]))
-        out.curves.back().push_back({v.values[i], error[i]});
-      else ++out.missing;
+Measurement mean_log_range(const Curves& in) {
+  return mean_over(in, [](const Curve& curve) {
+    const auto less = [](const CurvePoint& a, const CurvePoint& b) { return a.value < b.value; };
+    const auto [low, high] = std::minmax_element(curve.begin(), curve.end(), less);
+    return Estimate{std::log(high->value / low->value), relative_error(*low) + relative_error(*high)};
+  });
+}
+
+// +-1, or 0 if the errors overlap.
+int sign_of(double change, double unsure) { return change > unsure ? 1 : change < -unsure ? -1 : 0; }
+
+// Of Kendall's statistic over pairs of points.
+struct Pairs {
+  long rising = 0, falling = 0, all = 0;
+  double variance = 0;  // of rising - falling without association
+
+  void add(int sign) {
+    ++all;
+    rising += sign > 0;
+    falling += sign < 0;
+  }
+  void add_points(std::size_t count) {
+    const auto n = double(count);
+    variance += n * (n - 1) * (2 * n + 5) / 18;
+  }
+  Measurement measurement(std::size_t curves, std::size_t missing) const {
+    Measurement out;
+    out.curves = curves;
+    out.missing = missing;
+    if (all == 0) return out;
+    const auto difference = double(rising - falling);
+    out.value = difference / double(all);
+    out.uncertainty = double(all - rising - falling) / double(all);
+    out.significance = std::erfc(std::abs(difference) / std::sqrt(2 * variance));
+    return out;
+  }
+};
+
+// Slopes of ln(value) over ln(abscissa) between neighbouring points, with their errors.
+std::vector<Estimate> log_slopes(const Curve& curve) {
+  std::vector<Estimate> out;
+  for (std::size_t i = 1; i < curve.size(); ++i) {
+    const double run = std::log(curve[i].x / curve[i - 1].x);
+    out.push_back({std::log(curve[i].value / curve[i - 1].value) / run,
+                   (relative_error(curve[i]) + relative_error(curve[i - 1])) / std::abs(run)});
   }
   return out;
 }
 
-Measurement trend(const Curves& in) {
-  long rising = 0, falling = 0, pairs = 0;
-  std::size_t used = 0;
-  for (const auto& curve : in.curves) {
-    if (curve.size() >= 2) ++used;
-    for (std::size_t i = 0; i < curve.size(); ++i)
-      for (std::size_t j = i + 1; j < curve.size(); ++j) {
-        const double change = curve[j].value - curve[i].value;
-        const double unsure = curve[i].error + curve[j].error;
-        ++pairs;
-        if (change > unsure) ++rising;
-        if (change < -unsure) ++falling;
-      }
+std::size_t steepest(const std::vector<Estimate>& slopes) {
+  const auto less = [](const Estimate& a, const Estimate& b) { return a.value < b.value; };
+  return std::size_t(std::min_element(slopes.begin(), slopes.end(), less) - slopes.begin());
+}
+
+// ln(abscissa) at which the curve first comes down to a level, and half the distance of the points there.
+Estimate comes_down(const Curve& curve, std::size_t from, double level) {
+  for (std::size_t i = from + 1; i < curve.size(); ++i) {
+    if (curve[i].value > level) continue;
+    const double a = std::log(curve[i - 1].x), b = std::log(curve[i].x);
+    const double share = (curve[i - 1].value - level) / (curve[i - 1].value - curve[i].value);
+    return {a + share * (b - a), std::abs(b - a) / 2};
   }
-  if (pairs == 0) return {kNone, kNone, 0, in.missing};
-  const double unresolved = double(pairs - rising - falling);
-  return {double(rising - falling) / double(pairs), unresolved / double(pairs), used, in.missing};
+  return {NAN, NAN};
+}
+
+}  // namespace
+
+Measurement trend(const Curves& in) {
+  Pairs pairs;
+  std::size_t used = 0;
+  for (const Curve& curve : in.curves) {
+    if (curve.size() >= 2) ++used;
+    pairs.add_points(curve.size());
+    for (std::size_t i = 0; i < curve.size(); ++i)
+      for (std::size_t j = i + 1; j < curve.size(); ++j)
+        pairs.add(sign_of(curve[j].value - curve[i].value, curve[i].error + curve[j].error) *
+                  sign_of(curve[j].x - curve[i].x, curve[i].x_error + curve[j].x_error));
+  }
+  return pairs.measurement(used, in.missing);
+}
+
+Measurement concordance(const Curve& first, const Curve& second) {
+  Curves joint{{{}}, 0};
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    const bool values = std::isfinite(first[i].value) && std::isfinite(second[i].value);
+    if (values) joint.curves[0].push_back({first[i].value, second[i].value, second[i].error, first[i].error});
+    else ++joint.missing;
+  }
+  return trend(joint);
 }
 
 Measurement end_ratio(const Curves& in) {
-  double sum = 0, uncertainty = 0;
-  std::size_t used = 0;
-  for (const auto& curve : in.curves) {
-    if (curve.size() < 2) continue;
-    sum += std::log(curve.back().value / curve.front().value);
-    uncertainty += relative_error(curve.front()) + relative_error(curve.back());
-    ++used;
-  }
-  if (used == 0) return {kNone, kNone, 0, in.missing};
-  const double ratio = std::exp(sum / double(used));
-  return {ratio, ratio * uncertainty / double(used), used, in.missing};
+  Measurement m = mean_over(in, [](const Curve& curve) {
+    return Estimate{std::log(curve.back().value / curve.front().value),
+                    relative_error(curve.front()) + relative_error(curve.back())};
+  });
+  m.value = std::exp(m.value);
+  m.uncertainty *= m.value;
+  return m;
 }
 
 Measurement range_ratio(const Curves& along, const Curves& against) {
-  const Measurement a = mean_log_range(along), b = mean_log_range(against);
+  Measurement a = mean_log_range(along);
+  const Measurement b = mean_log_range(against);
   const double ratio = a.value / b.value;
-  const double uncertainty = ratio * (a.uncertainty / a.value + b.uncertainty / b.value);
-  return {ratio, uncertainty, a.curves + b.curves, a.missing};
+  a.uncertainty = ratio * (a.uncertainty / a.value + b.uncertainty / b.value);
+  a.value = ratio;
+  a.curves += b.curves;
+  return a;
+}
+
+Measurement slope(const Curves& in, bool logarithmic) {
+  return mean_over(in, [logarithmic](const Curve& curve) {
+    const auto n = double(curve.size());
+    const auto x_of = [=](const CurvePoint& p) { return logarithmic ? std::log(p.x) : p.x; };
+    const auto y_of = [=](const CurvePoint& p) { return logarithmic ? std::log(p.value) : p.value; };
+    double x_mean = 0, squares = 0, value = 0, uncertainty = 0;
+    for (const CurvePoint& p : curve) x_mean += x_of(p) / n;
+    for (const CurvePoint& p : curve) squares += (x_of(p) - x_mean) * (x_of(p) - x_mean);
+    for (const CurvePoint& p : curve) value += (x_of(p) - x_mean) / squares * y_of(p);
+    for (const CurvePoint& p : curve) {
+      const double y_error = logarithmic ? relative_error(p) : p.error;
+      const double x_error = logarithmic ? p.x_error / std::abs(p.x) : p.x_error;
+      uncertainty += std::abs((x_of(p) - x_mean) / squares) * (y_error + std::abs(value) * x_error);
+    }
+    return Estimate{value, uncertainty};
+  });
+}
+
+Measurement plateau(const Curves& in) {
+  return mean_over(in, [](const Curve& curve) {
+    const auto less = [](const CurvePoint& a, const CurvePoint& b) { return a.value < b.value; };
+    const auto [low, high] = std::minmax_element(curve.begin(), curve.end(), less);
+    double mean = 0;
+    for (const CurvePoint& p : curve) mean += p.value / double(curve.size());
+    return Estimate{(high->value - low->value) / mean, (high->error + low->error) / mean};
+  });
+}
+
+Measurement level(const Curves& in) {
+  Measurement out;
+  out.missing = in.missing;
+  double sum = 0, uncertainty = 0;
+  std::size_t points = 0;
+  for (const Curve& curve : in.curves) {
+    for (const CurvePoint& p : curve) {
+      sum += p.value;
+      uncertainty += p.error;
+      ++points;
+    }
+    ++out.curves;
+  }
+  if (points == 0) return out;
+  out.value = sum / double(points);
+  out.uncertainty = uncertainty / double(points);
+  return out;
+}
+
+Measurement steepest_fall(const Curves& in) {
+  return mean_over(in, [](const Curve& curve) {
+    const auto slopes = log_slopes(curve);
+    const std::size_t at = steepest(slopes);
+    std::size_t from = at, to = at;
+    for (std::size_t i = 0; i < slopes.size(); ++i)
+      if (slopes[i].value - slopes[i].uncertainty <= slopes[at].value + slopes[at].uncertainty) {
+        from = std::min(from, i);
+        to = std::max(to, i);
+      }
+    const double place = std::sqrt(curve[at].x * curve[at + 1].x);
+    return Estimate{place, std::max(place - curve[from].x, curve[to + 1].x - place)};
+  });
+}
+
+Measurement steepness(const Curves& in) {
+  return mean_over(in, [](const Curve& curve) {
+    const auto slopes = log_slopes(curve);
+    const Estimate& s = slopes[steepest(slopes)];
+    return Estimate{-s.value, s.uncertainty};
+  });
+}
+
+Measurement fall_width(const Curves& in) {
+  return mean_over(in, [](const Curve& curve) {
+    const auto less = [](const CurvePoint& a, const CurvePoint& b) { return a.value < b.value; };
+    const auto high = std::max_element(curve.begin(), curve.end(), less);
+    const auto low = std::min_element(high, curve.end(), less);
+    const double range = high->value - low->value;
+    const auto from = std::size_t(high - curve.begin());
+    const Estimate begin = comes_down(curve, from, high->value - range / 4);
+    const Estimate end = comes_down(curve, from, high->value - 3 * range / 4);
+    return Estimate{end.value - begin.value, begin.uncertainty + end.uncertainty};
+  });
+}
+
+Measurement fold(const Curves& in) {
+  Measurement out;
+  out.missing = in.missing;
+  for (const Curve& curve : in.curves) {
+    if (curve.size() < 2) continue;
+    ++out.curves;
+    CurvePoint top = curve.front();
+    for (const CurvePoint& p : curve) {
+      if (p.value > top.value) top = p;
+      const double drop = (top.value - p.value) / top.value;
+      if (drop <= out.value) continue;
+      out.value = drop;
+      out.uncertainty = (top.error + p.error) / top.value;
+    }
+    if (!(out.value >= 0)) out.value = out.uncertainty = 0;
+  }
+  return out;
+}
+
+Measurement ordering(const Curve& first, const Curve& second) {
+  Pairs pairs;
+  Measurement out;
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    if (std::isfinite(first[i].value) && std::isfinite(second[i].value))
+      pairs.add(sign_of(first[i].value - second[i].value, first[i].error + second[i].error));
+    else ++out.missing;
+  }
+  out.curves = 2;
+  if (pairs.all == 0) return out;
+  out.value = double(pairs.rising - pairs.falling) / double(pairs.all);
+  out.uncertainty = double(pairs.all - pairs.rising - pairs.falling) / double(pairs.all);
+  return out;
+}
+
+Measurement equality(const Curve& first, const Curve& second, double resolution) {
+  Measurement out;
+  double squares = 0, errors = 0;
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    const double error = std::hypot(first[i].error, second[i].error);
+    const double units = (first[i].value - second[i].value) / error;
+    if (!std::isfinite(units)) {
+      ++out.missing;
+      continue;
+    }
+    squares += units * units;
+    errors += error;
+    ++n;
+  }
+  out.curves = 2;
+  if (n == 0) return out;
+  out.value = std::sqrt(squares / double(n));
+  const bool resolved = errors / double(n) <= resolution;
+  out.uncertainty = resolved ? 1 / std::sqrt(2 * double(n)) : INFINITY;
+  return out;
 }
 
 }  // namespace bristle

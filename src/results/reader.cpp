@@ -5,6 +5,7 @@
 #include "results/writer.hpp"
 
 #include <fmt/format.h>
+#include <sstream>
 #include <fmt/ranges.h>
 #include <filesystem>
 
@@ -47,6 +48,15 @@ Variable ResultReader::variable(const std::string& name) const {
   out.values.resize(size);
   h5::read_part(dataset, H5T_NATIVE_DOUBLE, h5::Shape(shape.size(), 0), shape, out.values.data());
   return out;
+}
+
+std::vector<std::string> ResultReader::flag_meanings(const std::string& name) const {
+  const h5::Handle dataset = h5::open_dataset(file_, name);
+  std::vector<std::string> words;
+  if (!h5::has_attribute(dataset, "flag_meanings")) return words;
+  std::istringstream text(h5::read_text_attribute(dataset, "flag_meanings"));
+  for (std::string word; text >> word;) words.push_back(word);
+  return words;
 }
 
 std::string ResultReader::text(const std::string& attribute) const {

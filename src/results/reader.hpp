@@ -25,6 +25,8 @@ class ResultReader {
   hid_t file() const { return file_; }
   std::vector<std::string> variables() const;  // numeric datasets of the root
   Variable variable(const std::string& name) const;
+  // The words that a flag variable's values 0, 1, ... stand for; none for another.
+  std::vector<std::string> flag_meanings(const std::string& name) const;
   std::string text(const std::string& attribute) const;
   Json experiment() const;
 
