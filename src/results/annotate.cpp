@@ -42,6 +42,7 @@ void annotate(const std::string& path, const Experiment& experiment) {
   h5::write_attribute(file, "title", experiment.title);
   h5::write_attribute(file, "figure", experiment.figure);
   h5::write_attribute(file, "caption", caption(experiment));
+  h5::write_attribute(file, "tier", experiment.tier);
   h5::write_attribute(file, "experiment", document);
   h5::write_attribute(file, "experiment_sha256", sha256_of(document));
   h5::write_attribute(file, "inputs_sha256", inputs_sha256(experiment.document));
