@@ -37,8 +37,8 @@ expect 2 "no such file" "$bristle" info nowhere.h5
 expect 2 "not an HDF5 file" "$bristle" check CMakeLists.txt
 expect 0 "(verified)" "$bristle" info "$result"
 expect 0 "R_x_norm" "$bristle" info "$result"
-expect 1 "refuted" "$bristle" check "$result"
-expect 0 "refuted" "$bristle" check --report-only "$result"
+expect 1 "refuted" "$bristle" check --claims-only "$result"
+expect 0 "refuted" "$bristle" check --claims-only --report-only "$result"
 
 quick=(experiments/paper.json -o "$folder/r.h5" --set /load='{"z_0":0.5,"R_n":null}'
   --set /orientation='{"sampling":"list","theta_0_deg":[10,100]}')
@@ -46,7 +46,7 @@ expect 0 "points: 1 ok" "$bristle" run "${quick[@]}"
 expect 0 "is up to date" "$bristle" run "${quick[@]}"
 expect 0 "points: 1 ok" "$bristle" run "${quick[@]}" --force
 expect 0 "points: 1 ok" "$bristle" run "${quick[@]}" --set /model/k_r=11
-expect 0 "the experiment has no checks" "$bristle" check "$folder/r.h5"
+expect 0 "the experiment has no checks" "$bristle" check --claims-only "$folder/r.h5"
 
 # A check that names what the result will not have is found before anything is computed.
 check='[{"claim":"1","statement":"s","predicate":"trend","variable":"gama_1","along":"k_r","is":"at_most","threshold":1}]'
@@ -66,6 +66,51 @@ cp "$result" "$folder/tampered.h5"
 offset=$(grep -obUaP '\x00\x00\x00\x00\x00\x00\x59\x40' "$folder/tampered.h5" | head -n 1 | cut -d: -f1)  # k_r = 100
 printf '\x01' | dd of="$folder/tampered.h5" bs=1 seek="$offset" conv=notrunc status=none
 expect 1 "DOES NOT MATCH" "$bristle" info "$folder/tampered.h5"
+
+# Two results: equal bits, other numbers, tolerances that are none.
+"$bristle" run "${quick[@]/%r.h5/q.h5}" --quiet --set /model/k_r=11.01
+expect 0 "the same, bit for bit" "$bristle" diff "$folder/r.h5" "$folder/r.h5"
+expect 1 "0 of " "$bristle" diff "$result" "$folder/r.h5"
+expect 1 "R_x_norm" "$bristle" diff "$folder/r.h5" "$folder/q.h5"
+expect 0 "within the tolerances" "$bristle" diff "$folder/r.h5" "$folder/q.h5" --rtol 0.5 --atol 0.01
+expect 2 "--rtol -1" "$bristle" diff "$folder/r.h5" "$folder/r.h5" --rtol -1
+expect 2 "no such file" "$bristle" diff "$folder/r.h5" nowhere.h5
+
+# A reference in a repository of its own, made of the result as a committed program would have written it.
+reference=$folder/repository/reference
+git init -q "$folder/repository"
+cp "$result" "$folder/clean.h5"
+"$(scripts/find-python)" -c 'import h5py, numpy, sys
+h5py.File(sys.argv[1], "r+")["provenance"].attrs["commit"] = numpy.bytes_("0123abc")' "$folder/clean.h5"
+expect 1 "no such reference" "$bristle" check --report-only "$folder/clean.h5" --reference "$reference"
+expect 2 "--reason" "$bristle" reference update "$folder/clean.h5" --reference "$reference"
+expect 2 "--reason" "$bristle" reference update "$folder/clean.h5" --reference "$reference" --reason ""
+expect 0 "new reference" "$bristle" reference update "$folder/clean.h5" --reference "$reference" --reason "first"
+expect 0 "unchanged" "$bristle" reference update "$folder/clean.h5" --reference "$reference" --reason "again"
+expect 0 "15 points: the same, bit for bit" "$bristle" check --report-only "$result" --reference "$reference"
+expect 1 "15 points: the same, bit for bit" "$bristle" check "$result" --reference "$reference"
+sed -i 's/"verdict":"refuted"/"verdict":"supported"/' "$reference/fig4.json"
+expect 1 "refuted, was supported" "$bristle" check --report-only "$result" --reference "$reference"
+git -C "$folder/repository" add . && touch "$folder/repository/work"
+expect 2 "commit or stash first" \
+  "$bristle" reference update "$folder/clean.h5" --reference "$reference" --reason "the verdict was edited"
+rm "$folder/repository/work"
+expect 0 "refuted, was supported" \
+  "$bristle" reference update "$folder/clean.h5" --reference "$reference" --reason "the verdict was edited"
+
+# A drift comes with the command that computes its point alone, to the same bits.
+sed -i '/"R_x_norm"/,/"quadrature"/ s/"values": \[[0-9.]*,/"values": [0.1,/' "$reference/fig4.json"
+expect 1 "k_r = 2, k_theta = 0.3  FAILED" "$bristle" check --report-only "$result" --reference "$reference"
+replay=$("$bristle" check "$result" --reference "$reference" | grep -A 1 "^To compute k_r = 2, k_theta = 0.3" | tail -n 1)
+replay=${replay/build\/bristle/$bristle}
+eval "${replay/results\/replay.h5/$folder/replay.h5 --quiet}"
+expect 0 "" "$(scripts/find-python)" -c 'import h5py, sys
+one, all = (h5py.File(name, "r") for name in sys.argv[1:])
+names = [n for n in one if isinstance(one[n], h5py.Dataset) and one[n].shape == (1, 1)]
+assert len(names) > 20
+for n in names: assert one[n][0, 0].tobytes() == all[n][0, 0].tobytes(), n' "$folder/replay.h5" "$result"
+sed -i 's/"values": \[0.1,/"values": ["x",/' "$reference/fig4.json"
+expect 2 "fig4.json: /variables/R_x_norm/values/0: " "$bristle" check "$result" --reference "$reference"
 
 # An interrupted run says so and leaves the previous result as it was.
 before=$(sha256sum "$result")

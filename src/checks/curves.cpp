@@ -155,6 +155,7 @@ Curves curves_of(const ResultReader& result, const Json& check, const Json& more
   std::optional<Field> x;
   if (check.contains("x")) x = field_of(result, check, check["x"], more);
   Curves out;
+  out.independent = check.value("errors", "") == "independent";
   for (std::size_t start = 0; start < y.values.size(); ++start) {
     if (start / stride % y.shape[d] != 0) continue;
     Curve curve;

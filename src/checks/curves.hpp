@@ -15,6 +15,7 @@ using Curve = std::vector<CurvePoint>;
 struct Curves {
   std::vector<Curve> curves;
   std::size_t missing = 0;  // points without a value, left out
+  bool independent = false;  // the errors are independent and add in quadrature, otherwise linearly
 };
 
 // The variable of a check (divided by powers of others: "divide_by") along its dimension "along", over that

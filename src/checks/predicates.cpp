@@ -8,16 +8,29 @@ namespace {
 
 double relative_error(const CurvePoint& p) { return p.error / std::abs(p.value); }
 
+// Errors that add linearly, or in quadrature if they are independent.
+class ErrorSum {
+ public:
+  explicit ErrorSum(bool independent) : independent_(independent) {}
+  void add(double error) { sum_ += independent_ ? error * error : std::abs(error); }
+  double value() const { return independent_ ? std::sqrt(sum_) : sum_; }
+
+ private:
+  bool independent_;
+  double sum_ = 0;
+};
+
 // Mean over the curves of what one curve of at least two points measures: {value, uncertainty}.
 template <class OfCurve>
 Measurement mean_over(const Curves& in, OfCurve of_curve) {
-  double sum = 0, uncertainty = 0;
+  double sum = 0;
+  ErrorSum uncertainty(in.independent);
   std::size_t used = 0;
   for (const Curve& curve : in.curves) {
     if (curve.size() < 2) continue;
     const auto [value, error] = of_curve(curve);
     sum += value;
-    uncertainty += error;
+    uncertainty.add(error);
     ++used;
   }
   Measurement out;
@@ -25,7 +38,7 @@ Measurement mean_over(const Curves& in, OfCurve of_curve) {
   out.curves = used;
   if (used == 0) return out;
   out.value = sum / double(used);
-  out.uncertainty = uncertainty / double(used);
+  out.uncertainty = uncertainty.value() / double(used);
   return out;
 }
 
@@ -145,20 +158,21 @@ Measurement range_ratio(const Curves& along, const Curves& against) {
 }
 
 Measurement slope(const Curves& in, bool logarithmic) {
-  return mean_over(in, [logarithmic](const Curve& curve) {
+  return mean_over(in, [logarithmic, &in](const Curve& curve) {
     const auto n = double(curve.size());
     const auto x_of = [=](const CurvePoint& p) { return logarithmic ? std::log(p.x) : p.x; };
     const auto y_of = [=](const CurvePoint& p) { return logarithmic ? std::log(p.value) : p.value; };
-    double x_mean = 0, squares = 0, value = 0, uncertainty = 0;
+    double x_mean = 0, squares = 0, value = 0;
+    ErrorSum uncertainty(in.independent);
     for (const CurvePoint& p : curve) x_mean += x_of(p) / n;
     for (const CurvePoint& p : curve) squares += (x_of(p) - x_mean) * (x_of(p) - x_mean);
     for (const CurvePoint& p : curve) value += (x_of(p) - x_mean) / squares * y_of(p);
     for (const CurvePoint& p : curve) {
       const double y_error = logarithmic ? relative_error(p) : p.error;
       const double x_error = logarithmic ? p.x_error / std::abs(p.x) : p.x_error;
-      uncertainty += std::abs((x_of(p) - x_mean) / squares) * (y_error + std::abs(value) * x_error);
+      uncertainty.add((x_of(p) - x_mean) / squares * (y_error + std::abs(value) * x_error));
     }
-    return Estimate{value, uncertainty};
+    return Estimate{value, uncertainty.value()};
   });
 }
 
@@ -175,19 +189,20 @@ Measurement plateau(const Curves& in) {
 Measurement level(const Curves& in) {
   Measurement out;
   out.missing = in.missing;
-  double sum = 0, uncertainty = 0;
+  double sum = 0;
+  ErrorSum uncertainty(in.independent);
   std::size_t points = 0;
   for (const Curve& curve : in.curves) {
     for (const CurvePoint& p : curve) {
       sum += p.value;
-      uncertainty += p.error;
+      uncertainty.add(p.error);
       ++points;
     }
     ++out.curves;
   }
   if (points == 0) return out;
   out.value = sum / double(points);
-  out.uncertainty = uncertainty / double(points);
+  out.uncertainty = uncertainty.value() / double(points);
   return out;
 }
 

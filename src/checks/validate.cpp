@@ -30,19 +30,25 @@ class CheckValidator {
       if (check_.contains(key)) known(key, check_[key], axes_);
     if (check_.contains("x")) known("x", check_["x"], variables_);
     for (const char* key : {"divide_by", "at"})
-      for (const auto& [name, value] : check_.value(key, Json::object()).items())
+      for_each(key, [&](const std::string& name, const Json&) {
         known(fmt::format("{}/{}", key, name), name, variables_);
+      });
     if (check_.contains("at") && !experiment_.base.loading.trace)
       fail("at", "is for traced curves only (/load/trace)");
-    for (const auto& [name, value] : check_.value("where", Json::object()).items())
-      selects("where", name, value);
-    for (const auto& [name, value] : check_.value("compare", Json::object()).items()) {
-      if (!value.is_array() || value.size() != 2) fail("compare/" + name, "give two values of the axis");
+    for_each("where", [&](const std::string& name, const Json& value) { selects("where", name, value); });
+    for_each("compare", [&](const std::string& name, const Json& value) {
+      if (value.size() != 2) fail("compare/" + name, "give two values of the axis");
       for (const Json& one : value) selects("compare", name, one);
-    }
+    });
   }
 
  private:
+  template <class Visit>
+  void for_each(const char* key, Visit visit) const {
+    if (!check_.contains(key)) return;
+    for (const auto& [name, value] : check_[key].items()) visit(name, value);
+  }
+
   [[noreturn]] void fail(const std::string& key, const std::string& what) const {
     throw InputError(fmt::format("{}: /checks/{}/{}: {}", experiment_.path, index_, key, what));
   }

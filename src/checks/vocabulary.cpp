@@ -18,6 +18,16 @@ Measurement ratio(const Measurement& a, const Measurement& b) {
   return out;
 }
 
+Measurement difference(const Measurement& a, const Measurement& b) {
+  Measurement out = a;
+  out.value = a.value - b.value;
+  out.uncertainty = a.uncertainty + b.uncertainty;
+  out.curves += b.curves;
+  out.missing += b.missing;
+  out.significance = std::numeric_limits<double>::quiet_NaN();
+  return out;
+}
+
 Measurement on_curves(const ResultReader& result, const Json& check, const Json& more) {
   const std::string name = check["predicate"];
   const Curves curves = curves_of(result, check, more);
@@ -69,11 +79,12 @@ Measurement measure(const ResultReader& result, const Json& check) {
     return on_pairs(check, first, Curve(first.size(), {0, check["expected"], 0}));
   }
   if (!check.contains("compare")) return on_curves(result, check, {});
-  const auto& [axis, values] = *check["compare"].items().begin();
-  const Json at_first{{axis, values[0]}}, at_second{{axis, values[1]}};
+  const std::string axis = check["compare"].begin().key();
+  const Json &values = check["compare"][axis], at_first{{axis, values[0]}}, at_second{{axis, values[1]}};
   if (word->pairs)
     return on_pairs(check, points_of(result, check, at_first), points_of(result, check, at_second));
-  return ratio(on_curves(result, check, at_first), on_curves(result, check, at_second));
+  const Measurement first = on_curves(result, check, at_first), second = on_curves(result, check, at_second);
+  return check.value("by", "ratio") == "ratio" ? ratio(first, second) : difference(first, second);
 }
 
 }  // namespace bristle

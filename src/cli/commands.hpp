@@ -1,6 +1,8 @@
 #pragma once
 
-#include <optional>
+#include "checks/diff.hpp"
+#include "checks/reference_update.hpp"
+
 #include <string>
 #include <vector>
 
@@ -28,9 +30,18 @@ int validate_command(const RunOptions& options);
 int info_command(const std::string& file);
 
 struct CheckOptions {
-  std::string file;
-  bool report_only = false;  // exit 0 whatever the verdicts
+  std::string file, reference = "reference";
+  bool report_only = false;  // claims that are not supported do not fail
+  bool claims_only = false;  // no comparison with the reference
 };
 int check_command(const CheckOptions& options);
+
+struct DiffOptions {
+  std::string a, b;
+  Tolerances tolerances;
+};
+int diff_command(const DiffOptions& options);
+
+int reference_update_command(ReferenceUpdate update);
 
 }  // namespace bristle

@@ -1,6 +1,5 @@
-#include "checks/checks.hpp"
 #include "cli/commands.hpp"
-#include "experiment/input_error.hpp"
+#include "results/reader.hpp"
 #include "results/variables.hpp"
 #include "results/writer.hpp"
 
@@ -62,24 +61,6 @@ int info_command(const std::string& file) {
   for (const std::string& name : result.variables()) print_variable(result, name);
   print_provenance(result);
   return intact ? kFine : kCheckFailed;
-}
-
-int check_command(const CheckOptions& options) {
-  const ResultReader result(options.file);
-  const auto checks = evaluate_checks(result);
-  if (checks.empty()) {
-    fmt::print("{}: the experiment has no checks\n", options.file);
-    return kFine;
-  }
-  fmt::print("{}", checks_table(checks));
-  const auto count = [&](Verdict verdict) {
-    return std::count_if(checks.begin(), checks.end(),
-                         [=](const CheckResult& c) { return c.verdict == verdict; });
-  };
-  fmt::print("{} supported, {} refuted, {} undecided\n", count(Verdict::supported), count(Verdict::refuted),
-             count(Verdict::undecided));
-  const bool all = count(Verdict::supported) == long(checks.size());
-  return all || options.report_only ? kFine : kCheckFailed;
 }
 
 }  // namespace bristle

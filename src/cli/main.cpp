@@ -20,6 +20,43 @@ void add_experiment(CLI::App& command, RunOptions& options) {
       ->capture_default_str();
 }
 
+CLI::App* add_run(CLI::App& app, RunOptions& run) {
+  auto* command = app.add_subcommand("run", "compute an experiment into an HDF5 result file");
+  add_experiment(*command, run);
+  command->add_option("-o,--output", run.output, "result file [results/<name>.h5]");
+  command->add_option("--threads", run.threads, "threads [all cores]")->check(CLI::Range(1, 1024));
+  command->add_flag("--force", run.force, "compute even if the result is up to date");
+  command->add_flag("--quiet", run.quiet, "no progress, no summary");
+  return command;
+}
+
+CLI::App* add_check(CLI::App& app, CheckOptions& check) {
+  auto* command = app.add_subcommand("check", "hold a result against its claims and its stored reference");
+  command->add_option("FILE", check.file, "result file")->required();
+  command->add_option("--reference", check.reference, "folder of the references")->capture_default_str();
+  command->add_flag("--report-only", check.report_only, "a claim that is not supported is no failure");
+  command->add_flag("--claims-only", check.claims_only, "no comparison with the reference");
+  return command;
+}
+
+CLI::App* add_diff(CLI::App& app, DiffOptions& diff) {
+  auto* command = app.add_subcommand("diff", "compare the numbers of two results");
+  command->add_option("A", diff.a, "result file")->required();
+  command->add_option("B", diff.b, "result file")->required();
+  command->add_option("--rtol", diff.tolerances.rtol, "relative tolerance [none: any difference counts]");
+  command->add_option("--atol", diff.tolerances.atol, "absolute tolerance");
+  return command;
+}
+
+void add_reference_update(CLI::App& app, ReferenceUpdate& update) {
+  auto* reference = app.add_subcommand("reference", "the stored values that `check` compares with");
+  reference->require_subcommand(1);
+  auto* command = reference->add_subcommand("update", "make a smoke tier's result the reference, on record");
+  command->add_option("FILE", update.file, "result file")->required();
+  command->add_option("--reason", update.reason, "why the reference changes, one line")->required();
+  command->add_option("--reference", update.folder, "folder of the references")->capture_default_str();
+}
+
 int dispatch(int argc, char** argv) {
   CLI::App app{"bristle: dry friction of a lattice of elastic bristles under a sliding slab"};
   app.set_version_flag("--version", fmt::format("bristle {} ({})", kVersion, kCommit));
@@ -29,13 +66,7 @@ int dispatch(int argc, char** argv) {
 
   RunOptions run;
   for (int i = 0; i < argc; ++i) run.command_line += fmt::format("{}{}", i ? " " : "", argv[i]);
-  auto* run_app = app.add_subcommand("run", "compute an experiment into an HDF5 result file");
-  add_experiment(*run_app, run);
-  run_app->add_option("-o,--output", run.output, "result file [results/<name>.h5]");
-  run_app->add_option("--threads", run.threads, "threads [all cores]")->check(CLI::Range(1, 1024));
-  run_app->add_flag("--force", run.force, "compute even if the result is up to date");
-  run_app->add_flag("--quiet", run.quiet, "no progress, no summary");
-
+  auto* run_app = add_run(app, run);
   auto* validate_app = app.add_subcommand("validate", "check an experiment file, compute nothing");
   add_experiment(*validate_app, run);
 
@@ -44,9 +75,11 @@ int dispatch(int argc, char** argv) {
   info_app->add_option("FILE", info_file, "result file")->required();
 
   CheckOptions check;
-  auto* check_app = app.add_subcommand("check", "compare a result with the claims in its experiment");
-  check_app->add_option("FILE", check.file, "result file")->required();
-  check_app->add_flag("--report-only", check.report_only, "exit 0 even if a claim is not supported");
+  DiffOptions diff;
+  ReferenceUpdate update;
+  auto* check_app = add_check(app, check);
+  auto* diff_app = add_diff(app, diff);
+  add_reference_update(app, update);  // the last that is left
 
   try {
     app.parse(argc, argv);
@@ -56,7 +89,9 @@ int dispatch(int argc, char** argv) {
   if (*run_app) return run_command(run);
   if (*validate_app) return validate_command(run);
   if (*info_app) return info_command(info_file);
-  return check_command(check);
+  if (*check_app) return check_command(check);
+  if (*diff_app) return diff_command(diff);
+  return reference_update_command(update);
 }
 
 }  // namespace

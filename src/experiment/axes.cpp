@@ -92,8 +92,9 @@ class AxisReader {
     const auto n = std::size_t(count);
     std::vector<double> values(n, from);
     for (std::size_t i = 1; i < n; ++i) {
-      const double t = double(i) / double(n - 1);
-      values[i] = logarithmic ? from * std::pow(to / from, t) : from + (to - from) * t;
+      const double share = double(i) / double(n - 1);
+      values[i] = logarithmic ? from * std::pow(to / from, share)
+                              : from + (to - from) * double(i) / double(n - 1);  // whole numbers stay whole
     }
     if (n > 1) values.back() = to;
     return values;

@@ -209,8 +209,9 @@ Experiment load_experiment(const std::string& path, const DocumentOptions& optio
   const Document document = Document::load(path, options);
   Experiment experiment = read(document);
   experiment.tier = options.tier;
-  for (const char* tier : {"smoke", "full"})  // a mistake in the other tier is found now, not later
-    if (tier != options.tier) read(document.with_tier(tier));
+  // A mistake in the other tier is found now, not later; but what --set changes is meant for this one.
+  for (const char* tier : {"smoke", "full"})
+    if (tier != options.tier && options.set.empty()) read(document.with_tier(tier));
   return experiment;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace bristle {
 namespace {
@@ -46,6 +47,26 @@ class Contributions {
   double sum_ = 0, squares_ = 0, last_ = 0;
   long count_ = 0;
 };
+
+// The error is from the number of independent values, by the autocorrelation up to its first zero.
+Fluctuation fluctuation_of(const std::vector<double>& series) {
+  const std::size_t n = series.size();
+  const double mean = std::accumulate(series.begin(), series.end(), 0.0) / double(n);
+  const auto covariance = [&](std::size_t lag) {
+    double sum = 0;
+    for (std::size_t i = 0; i + lag < n; ++i) sum += (series[i] - mean) * (series[i + lag] - mean);
+    return sum / double(n);
+  };
+  const double variance = covariance(0);
+  double correlated = 0.5;
+  for (std::size_t lag = 1; lag < n / 2; ++lag) {
+    const double c = covariance(lag);
+    if (c <= 0) break;
+    correlated += c / variance;
+  }
+  const double value = std::sqrt(variance) / mean;
+  return {value, value * std::sqrt(correlated / double(n))};
+}
 
 class Lattice {
  public:
@@ -129,30 +150,18 @@ class Lattice {
       out_.force.R_y.push_back(i.R_y / whole);
       out_.force.N_c.push_back(i.time / whole);
     }
-    add_fluctuation();
+    out_.fluctuation = fluctuation_of(window_means(1));
+    out_.fluctuation_of_rows = fluctuation_of(window_means(kIntervalsPerRow));
   }
 
-  // Standard deviation of R_n(t) in the window over its mean; its error from the number of independent
-  // intervals, by the integrated autocorrelation up to its first zero.
-  void add_fluctuation() {
-    const std::vector<double> series(out_.force.R_n.begin() + long(first_), out_.force.R_n.end());
-    const std::size_t n = series.size();
-    double mean = 0;
-    for (const double x : series) mean += x / double(n);
-    const auto covariance = [&](std::size_t lag) {
-      double sum = 0;
-      for (std::size_t i = 0; i + lag < n; ++i) sum += (series[i] - mean) * (series[i + lag] - mean);
-      return sum / double(n);
-    };
-    const double variance = covariance(0);
-    double correlated = 0.5;
-    for (std::size_t lag = 1; lag < n / 2; ++lag) {
-      const double c = covariance(lag);
-      if (c <= 0) break;
-      correlated += c / variance;
-    }
-    out_.fluctuation = std::sqrt(variance) / mean;
-    out_.fluctuation_error = out_.fluctuation * std::sqrt(correlated / double(n));
+  // R_n(t) in the window t_1..t_2, in means over so many intervals.
+  std::vector<double> window_means(std::size_t intervals) const {
+    std::vector<double> out;
+    const std::vector<double>& R_n = out_.force.R_n;
+    for (std::size_t i = first_; i + intervals <= R_n.size(); i += intervals)
+      out.push_back(std::accumulate(R_n.begin() + long(i), R_n.begin() + long(i + intervals), 0.0) /
+                    double(intervals));
+    return out;
   }
 
   const Interface& interface_;

@@ -21,7 +21,7 @@ PointResult without_values(PointStatus status) {
   out.R_x_norm = out.R_x_norm_error = out.R_y_norm = out.R_y_norm_error = kNone;
   out.R_x_norm_load_error = out.R_y_norm_load_error = kNone;
   out.load_error.fill(kNone);
-  out.fluctuation = out.fluctuation_error = kNone;
+  out.fluctuation = out.fluctuation_of_rows = {kNone, kNone};
   out.jump_z_0 = out.jump_R_n = out.incomplete_theta_0 = kNone;
   return out;
 }
@@ -137,7 +137,7 @@ class PointSolver {
     out.error = lattice.error;
     out.load_error.fill(0);
     out.fluctuation = lattice.fluctuation;
-    out.fluctuation_error = lattice.fluctuation_error;
+    out.fluctuation_of_rows = lattice.fluctuation_of_rows;
     normalise(out, interface_.parameters);
     if (record_.bristles) recorded_.bristles = std::move(lattice.passages);
     if (record_.slab_force) recorded_.slab_force = std::move(lattice.force);

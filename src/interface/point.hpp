@@ -41,7 +41,7 @@ struct PointResult {
   double z_0 = 0, z_0_error = 0;
   ObservableArray value{}, error{};
   ObservableArray load_error{};  // the part of error that the load's distance from its target makes
-  double fluctuation = 0, fluctuation_error = 0;  // of R_n(t) on a lattice; NaN otherwise
+  Fluctuation fluctuation, fluctuation_of_rows;  // on a lattice; NaN otherwise
   double R_x_norm = 0, R_x_norm_error = 0;        // Eqs. (20, 21), at the R_n actually carried
   double R_y_norm = 0, R_y_norm_error = 0;
   double R_x_norm_load_error = 0, R_y_norm_load_error = 0;

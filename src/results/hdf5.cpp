@@ -230,6 +230,8 @@ void attach_scale(hid_t dataset, hid_t scale, unsigned dimension) {
   check(H5DSattach_scale(dataset, scale, dimension), "attaching a dimension scale");
 }
 
+bool is_scale(hid_t dataset) { return check(H5DSis_scale(dataset), "looking for a dimension scale") > 0; }
+
 std::string scale_name(hid_t dataset, unsigned dimension) {
   std::string name;
   const auto visit = [](hid_t, unsigned, hid_t scale, void* out) -> herr_t {

@@ -65,6 +65,7 @@ bool is_group(hid_t parent, const std::string& name);
 // Makes dataset a dimension scale (a coordinate), or labels a dataset's dimension with one.
 void make_scale(hid_t dataset, const std::string& name);
 void attach_scale(hid_t dataset, hid_t scale, unsigned dimension);
+bool is_scale(hid_t dataset);
 // Name of the scale on a dimension; empty if there is none.
 std::string scale_name(hid_t dataset, unsigned dimension);
 

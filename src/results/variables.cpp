@@ -40,6 +40,17 @@ ResultVariable field(const char* name, const char* long_name, const char* symbol
   return v;
 }
 
+ResultVariable fluctuation(const char* name, const char* long_name, const char* symbol,
+                           Fluctuation PointResult::*member) {
+  return {name,
+          long_name,
+          symbol,
+          "Eq. (A3)",
+          [member](const PointResult& p) { return (p.*member).value; },
+          [member](const PointResult& p) { return (p.*member).error; },
+          {}};
+}
+
 }  // namespace
 
 std::vector<ResultVariable> result_variables(const Experiment& experiment) {
@@ -78,9 +89,13 @@ std::vector<ResultVariable> result_variables(const Experiment& experiment) {
     variables.push_back(field("jump_R_n", "normal load there", R"(\tilde{R}_{n,\mathrm{jump}}/N_{c,0})",
                               "Fig. 3", &P::jump_R_n));
   }
-  if (experiment.on_lattice())
-    variables.push_back(field("R_n_fluctuation", "standard deviation of R_n(t) over its mean",
-                              R"(\sigma(R_n)/R_n)", "Eq. (A3)", &P::fluctuation, &P::fluctuation_error));
+  if (experiment.on_lattice()) {
+    variables.push_back(fluctuation("R_n_fluctuation", "standard deviation of R_n(t) over its mean",
+                                    R"(\sigma(R_n)/R_n)", &P::fluctuation));
+    variables.push_back(fluctuation("R_n_fluctuation_of_rows",
+                                    "standard deviation of R_n(t), averaged over a row's time, over its mean",
+                                    R"(\sigma(\langle R_n\rangle_{\mathrm{row}})/R_n)", &P::fluctuation_of_rows));
+  }
   return variables;
 }
 

@@ -1,0 +1,219 @@
+#include "checks/diff.hpp"
+
+#include "checks/comparison.hpp"
+#include "experiment/input_error.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+
+namespace bristle {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+struct Pair {
+  const ResultReader &a, &b;
+};
+
+void check_tolerance(const char* option, const std::optional<double>& value) {
+  if (value && !(*value >= 0 && std::isfinite(*value)))
+    throw InputError(fmt::format("{} {}: allowed: 0 or a positive number", option, *value));
+}
+
+std::string shape_text(const Variable& v) {
+  if (v.shape.empty()) return "a single value";
+  return fmt::format("{} over {}", fmt::join(v.shape, " x "), fmt::join(v.dimensions, " x "));
+}
+
+// Names in both files; those in one are differences.
+std::vector<std::string> common_names(const Pair& files, Diff& out) {
+  const auto in_a = numeric_datasets(files.a), in_b = numeric_datasets(files.b);
+  const auto has = [](const std::vector<std::string>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  std::vector<std::string> both;
+  for (const std::string& name : in_a)
+    if (has(in_b, name)) both.push_back(name);
+    else out.plain.push_back(fmt::format("{}: only in {}", name, files.a.path()));
+  for (const std::string& name : in_b)
+    if (!has(in_a, name)) out.plain.push_back(fmt::format("{}: only in {}", name, files.b.path()));
+  return both;
+}
+
+// How two axes differ; empty if they do not.
+std::string axis_difference(const Variable& a, const Variable& b) {
+  if (a.shape != b.shape)
+    return fmt::format("another axis: {} values against {}", a.values.size(), b.values.size());
+  for (std::size_t i = 0; i < a.values.size(); ++i)
+    if (!same_bits(a.values[i], b.values[i]))
+      return fmt::format("another axis: {} against {} at index {}", a.values[i], b.values[i], i);
+  return "";
+}
+
+// The axes whose indices do not mean the same points in both files, by the name that dimensions have.
+std::set<std::string> compare_axes(const Pair& files, const std::vector<std::string>& names, Diff& out) {
+  std::set<std::string> others;
+  for (const std::string& name : names) {
+    if (kind_of(files.a, name) != Kind::axis || kind_of(files.b, name) != Kind::axis) continue;
+    ++out.compared;
+    const std::string how = axis_difference(files.a.variable(name), files.b.variable(name));
+    if (how.empty()) {
+      ++out.same;
+      continue;
+    }
+    out.plain.push_back(fmt::format("{}: {}", name, how));
+    others.insert(name.substr(name.rfind('/') + 1));
+  }
+  return others;
+}
+
+// The unit of a variable's differences; without tolerances the error estimates of both, NaN without.
+std::vector<double> units_of(const Pair& files, const std::string& name, const Variable& a, const Variable& b,
+                             const Tolerances& tolerances) {
+  std::vector<double> units(a.values.size(), kNone);
+  if (tolerances.given()) {
+    for (std::size_t i = 0; i < units.size(); ++i)
+      units[i] = tolerances.atol.value_or(0) +
+                 tolerances.rtol.value_or(0) * std::max(std::abs(a.values[i]), std::abs(b.values[i]));
+    return units;
+  }
+  const std::string error = name + "_err";
+  if (!h5::exists(files.a.file(), error) || !h5::exists(files.b.file(), error)) return units;
+  const auto in_a = files.a.variable(error).values, in_b = files.b.variable(error).values;
+  if (in_a.size() == units.size() && in_b.size() == units.size())
+    for (std::size_t i = 0; i < units.size(); ++i) units[i] = in_a[i] + in_b[i];
+  return units;
+}
+
+double in_units(double size, double unit) {
+  if (size == 0) return 0;
+  return unit == 0 ? kInfinity : size / unit;
+}
+
+// Flags, NaN and infinity have no distance: the first of them, and how many there are.
+void tell_plainly(const Pair& files, const std::string& name, const Variable& a, const Variable& b,
+                  const std::vector<std::size_t>& at, Diff& out) {
+  if (at.empty()) return;
+  const std::size_t i = at[0];
+  out.plain.push_back(fmt::format("{}: {} against {} at {}{}", name, value_text(files.a, name, a.values[i]),
+                                  value_text(files.b, name, b.values[i]), place(files.a, name, i),
+                                  at.size() > 1 ? fmt::format(", and {} more", at.size() - 1) : ""));
+}
+
+void compare_values(const Pair& files, const std::string& name, const Variable& a, const Variable& b,
+                    Diff& out) {
+  const bool flags = kind_of(files.a, name) == Kind::flags;
+  const auto units = units_of(files, name, a, b, out.tolerances);
+  Difference d;
+  d.name = name;
+  std::vector<std::size_t> incomparable, comparable;
+  std::pair<double, double> worst;
+  for (std::size_t i = 0; i < a.values.size(); ++i) {
+    const double x = a.values[i], y = b.values[i];
+    if (same_bits(x, y)) continue;
+    const bool distance = !flags && std::isfinite(x) && std::isfinite(y);
+    (distance ? comparable : incomparable).push_back(i);
+    if (!distance) continue;
+    const double size = std::abs(x - y), many = in_units(size, units[i]);
+    d.absolute = std::max(d.absolute, size);
+    if (size > 0) d.relative = std::max(d.relative, size / std::max(std::abs(x), std::abs(y)));
+    if (!std::isnan(many)) d.units = std::max(d.units.value_or(0), many);
+    const std::pair<double, double> rank{std::isnan(many) ? -1 : many, size};
+    if (comparable.size() > 1 && rank <= worst) continue;
+    worst = rank;
+    d.a = x;
+    d.b = y;
+    d.where = i;
+  }
+  tell_plainly(files, name, a, b, incomparable, out);
+  if (incomparable.empty() && comparable.empty()) ++out.same;
+  if (comparable.empty()) return;
+  d.place = place(files.a, name, d.where);
+  out.numbers.push_back(d);
+}
+
+void compare_variables(const Pair& files, const std::vector<std::string>& names,
+                       const std::set<std::string>& other_axes, Diff& out) {
+  std::map<std::string, int> skipped;  // by the axis that differs
+  for (const std::string& name : names) {
+    const Kind kind = kind_of(files.a, name);
+    const bool same_kind = kind == kind_of(files.b, name);
+    if (kind == Kind::axis && same_kind) continue;
+    ++out.compared;
+    const Variable a = files.a.variable(name), b = files.b.variable(name);
+    const auto other = std::find_if(a.dimensions.begin(), a.dimensions.end(),
+                                    [&](const std::string& d) { return other_axes.count(d) > 0; });
+    if (!same_kind) out.plain.push_back(fmt::format("{}: another type of numbers", name));
+    else if (a.dimensions == b.dimensions && other != a.dimensions.end()) ++skipped[*other];
+    else if (a.shape != b.shape || a.dimensions != b.dimensions)
+      out.plain.push_back(
+          fmt::format("{}: another shape: {} against {}", name, shape_text(a), shape_text(b)));
+    else compare_values(files, name, a, b, out);
+  }
+  for (const auto& [axis, count] : skipped)
+    out.plain.push_back(fmt::format("{} variables over {} are not compared: the axis differs", count, axis));
+}
+
+std::string table(const std::vector<Difference>& numbers) {
+  std::size_t width = 8;
+  for (const Difference& d : numbers) width = std::max(width, d.name.size());
+  std::string text = fmt::format("{:<{}}  {:>12} {:>12} {:>12}  {}\n", "variable", width, "difference",
+                                 "relative", "tolerances", "worst at");
+  for (const Difference& d : numbers)
+    text += fmt::format("{:<{}}  {:>12.3g} {:>12.3g} {:>12}  {}: {} against {}\n", d.name, width, d.absolute,
+                        d.relative, d.units ? fmt::format("{:.3g}", *d.units) : "-", d.place, d.a, d.b);
+  return text;
+}
+
+}  // namespace
+
+double Diff::worst() const {
+  double most = 0;
+  for (const Difference& d : numbers) most = std::max(most, d.units.value_or(kInfinity));
+  return most;
+}
+
+bool Diff::agree() const {
+  if (!plain.empty()) return false;
+  return tolerances.given() ? worst() <= 1 : numbers.empty();
+}
+
+Diff diff_results(const ResultReader& a, const ResultReader& b, const Tolerances& tolerances) {
+  check_tolerance("--rtol", tolerances.rtol);
+  check_tolerance("--atol", tolerances.atol);
+  const Pair files{a, b};
+  Diff out;
+  out.tolerances = tolerances;
+  if (const auto x = a.text("name"), y = b.text("name"); x != y)
+    out.notes.push_back(fmt::format("different experiments: {} and {}", x, y));
+  const auto names = common_names(files, out);
+  compare_variables(files, names, compare_axes(files, names, out), out);
+  const auto rank = [](const Difference& d) { return std::pair(d.units.value_or(-1), d.relative); };
+  std::stable_sort(out.numbers.begin(), out.numbers.end(),
+                   [&](const Difference& x, const Difference& y) { return rank(x) > rank(y); });
+  return out;
+}
+
+std::string diff_text(const Diff& diff) {
+  std::string text;
+  for (const std::string& note : diff.notes) text += note + "\n";
+  if (diff.agree() && diff.numbers.empty())
+    return text + fmt::format("the same, bit for bit: {} variables\n", diff.compared);
+  if (diff.agree())
+    return text +
+           fmt::format(
+               "within the tolerances: {} variables, {} of them the same bit for bit, the rest up to {:.3g} "
+               "of the tolerance\n",
+               diff.compared, diff.same, diff.worst());
+  for (const std::string& line : diff.plain) text += line + "\n";
+  if (!diff.numbers.empty()) text += table(diff.numbers);
+  return text + fmt::format("{} of {} variables are the same bit for bit\n", diff.same, diff.compared);
+}
+
+}  // namespace bristle

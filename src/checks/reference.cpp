@@ -1,0 +1,126 @@
+#include "checks/reference.hpp"
+
+#include "checks/comparison.hpp"
+#include "results/writer.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+namespace bristle {
+namespace {
+
+// The integrator's error in a mean is below 6 rtol of its size (docs/numerics.md, gamma_2 at 1e-5), doubled
+// for points less kind than the three measured there.
+constexpr double kIntegrator = 10;
+// Headroom for the last bits of another libm, amplified along a trajectory: relative to the variable's size.
+constexpr double kLibm = 1e-8;
+
+bool has_suffix(const std::string& text, const std::string& suffix) {
+  return text.size() > suffix.size() && text.compare(text.size() - suffix.size(), suffix.size(), suffix) == 0;
+}
+
+// The parts are relative to the variable's largest value: a value that passes through zero is not known
+// better than its neighbours.
+double scale_of(const std::vector<double>& values) {
+  double scale = 0;
+  for (const double v : values)
+    if (std::isfinite(v)) scale = std::max(scale, std::abs(v));
+  return scale;
+}
+
+// A companion of a variable, zero where there is none: without a value, there is nothing to add.
+std::vector<double> companion(const ResultReader& result, const std::string& name, std::size_t size) {
+  std::vector<double> values(size, 0);
+  if (!h5::exists(result.file(), name)) return values;
+  const auto stored = result.variable(name).values;
+  for (std::size_t i = 0; i < std::min(size, stored.size()); ++i)
+    if (std::isfinite(stored[i])) values[i] = stored[i];
+  return values;
+}
+
+std::string misfit(const Variable& v, const std::vector<std::string>& axes,
+                   const std::vector<std::size_t>& shape) {
+  if (v.dimensions == axes && v.shape == shape) return "";
+  return fmt::format("another shape: ({}) over ({}), the sweep is ({}) over ({})", fmt::join(v.shape, ", "),
+                     fmt::join(v.dimensions, ", "), fmt::join(shape, ", "), fmt::join(axes, ", "));
+}
+
+ReferenceVariable make_variable(const ResultReader& result, const std::string& name,
+                                const std::vector<double>& values, double rtol, const std::string& misfit) {
+  ReferenceVariable out{name, values, {}, {}, {}, {}, misfit};
+  const std::size_t size = out.values.size();
+  const double scale = scale_of(out.values);
+  out.quadrature = companion(result, name + "_err", size);
+  out.load_control.assign(size, 0);
+  if (h5::exists(result.file(), "load_error"))
+    out.load_control = companion(result, "load_error/" + name, size);
+  out.integrator.assign(size, kIntegrator * rtol * scale);
+  out.libm.assign(size, kLibm * scale);
+  for (std::size_t i = 0; i < size; ++i) {
+    out.quadrature[i] = std::max(0.0, out.quadrature[i] - out.load_control[i]);
+    if (std::isfinite(out.values[i])) continue;
+    for (const TolerancePart& part : kToleranceParts) (out.*part.values)[i] = 0;
+  }
+  return out;
+}
+
+std::string commit_of(const ResultReader& result) {
+  if (!h5::exists(result.file(), "provenance")) return "unknown";
+  const h5::Handle group(H5Gopen2(result.file(), "provenance", H5P_DEFAULT), H5Gclose, "opening /provenance");
+  return h5::has_attribute(group, "commit") ? h5::read_text_attribute(group, "commit") : "unknown";
+}
+
+}  // namespace
+
+double ReferenceVariable::tolerance(std::size_t point) const {
+  double sum = 0;
+  for (const TolerancePart& part : kToleranceParts) sum += (this->*part.values)[point];
+  return sum;
+}
+
+std::vector<std::size_t> Reference::shape() const {
+  std::vector<std::size_t> s;
+  for (const Axis& axis : axes) s.push_back(axis.values.size());
+  return s;
+}
+
+std::size_t Reference::points() const {
+  std::size_t n = 1;
+  for (const Axis& axis : axes) n *= axis.values.size();
+  return n;
+}
+
+Reference make_reference(const ResultReader& result, const std::vector<CheckResult>& checks) {
+  const Json experiment = result.experiment();
+  Reference out;
+  out.name = result.text("name");
+  out.tier = h5::has_attribute(result.file(), "tier") ? result.text("tier") : "unknown";
+  out.inputs_sha256 = result.text("inputs_sha256");
+  out.payload_sha256 = result.text("payload_sha256");
+  out.commit = commit_of(result);
+  out.numerics_version = long(h5::read_number_attribute(result.file(), "numerics_version"));
+  const std::vector<std::string> axes = result.variable("status").dimensions;
+  for (const std::string& name : axes) out.axes.push_back({name, result.variable(name).values});
+  const double rtol = experiment["integrator"]["rtol"];
+  for (const std::string& name : numeric_datasets(result)) {
+    const Kind kind = kind_of(result, name);
+    const bool axis = kind == Kind::axis || std::count(axes.begin(), axes.end(), name) > 0;
+    if (axis || kind == Kind::integer || has_suffix(name, "_err") || name.find('/') != std::string::npos)
+      continue;
+    const Variable v = result.variable(name);
+    const std::string wrong = misfit(v, axes, out.shape());
+    if (kind == Kind::real) out.variables.push_back(make_variable(result, name, v.values, rtol, wrong));
+    else out.flags.push_back({name, std::vector<long>(v.values.begin(), v.values.end()), wrong});
+  }
+  for (const CheckResult& c : checks) out.claims.push_back({c.claim, c.statement, to_string(c.verdict)});
+  return out;
+}
+
+std::string reference_path(const std::string& folder, const std::string& name) {
+  return (std::filesystem::path(folder) / (name + ".json")).string();
+}
+
+}  // namespace bristle

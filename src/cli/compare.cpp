@@ -1,0 +1,73 @@
+#include "checks/diff.hpp"
+#include "checks/drift.hpp"
+#include "checks/reference_update.hpp"
+#include "cli/commands.hpp"
+#include "run/provenance.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <filesystem>
+
+namespace bristle {
+namespace {
+
+// Prints the claims' verdicts; whether all are supported.
+bool report_claims(const CheckOptions& options, const std::vector<CheckResult>& checks) {
+  if (checks.empty()) {
+    fmt::print("{}: the experiment has no checks\n", options.file);
+    return true;
+  }
+  fmt::print("{}", checks_table(checks));
+  const auto count = [&](Verdict verdict) {
+    return std::count_if(checks.begin(), checks.end(),
+                         [=](const CheckResult& c) { return c.verdict == verdict; });
+  };
+  fmt::print("{} supported, {} refuted, {} undecided\n", count(Verdict::supported), count(Verdict::refuted),
+             count(Verdict::undecided));
+  return count(Verdict::supported) == long(checks.size());
+}
+
+// Prints what differs from the stored reference; whether that is within the tolerances.
+bool report_drift(const CheckOptions& options, const ResultReader& result,
+                  const std::vector<CheckResult>& checks) {
+  const std::string path = reference_path(options.reference, result.text("name"));
+  if (!std::filesystem::exists(path)) {
+    fmt::print(
+        "FAILED: {}: no such reference; `bristle reference update {} --reason \"...\"` makes one of a smoke "
+        "tier's result, --claims-only does without\n",
+        path, options.file);
+    return false;
+  }
+  const DriftReport report = drift(read_reference(path), make_reference(result, checks));
+  fmt::print("{}", drift_text(report, result, path));
+  return !report.failed();
+}
+
+}  // namespace
+
+int diff_command(const DiffOptions& options) {
+  const ResultReader a(options.a), b(options.b);
+  const Diff diff = diff_results(a, b, options.tolerances);
+  fmt::print("{}", diff_text(diff));
+  return diff.agree() ? kFine : kCheckFailed;
+}
+
+int check_command(const CheckOptions& options) {
+  const ResultReader result(options.file);
+  const auto checks = evaluate_checks(result);
+  const bool claims = report_claims(options, checks) || options.report_only;
+  const bool reference = options.claims_only || report_drift(options, result, checks);
+  return claims && reference ? kFine : kCheckFailed;
+}
+
+int reference_update_command(ReferenceUpdate update) {
+  update.day = utc_now().substr(0, 10);
+  const std::string entry = update_reference(update);
+  if (entry.empty()) fmt::print("unchanged: the reference says the same already, nothing was written\n");
+  else
+    fmt::print("recorded in {}:\n{}", (std::filesystem::path(update.folder) / "CHANGELOG.md").string(),
+               entry);
+  return kFine;
+}
+
+}  // namespace bristle
