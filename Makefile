@@ -1,8 +1,8 @@
 # `make` lists the targets. Each installs, builds and computes what it needs and is missing.
 .DEFAULT_GOAL := help
 
-FIGURES := fig4
-.PHONY: help packages build test bench clean figures $(FIGURES)
+FIGURES := fig2 fig3 fig4 fig5 fig6 fig7 fig8 figA1 figA2 figA3
+.PHONY: help packages build test bench clean figures findings $(FIGURES)
 JOBS ?= $(shell nproc 2>/dev/null || echo 1)
 BUILD := build
 # TIER=smoke computes a small subset of the points, in seconds.
@@ -13,7 +13,8 @@ help: ## list the targets
 	@echo "bristle: friction of a bristle lattice under a sliding slab"
 	@sed -n 's/^\([a-z%][a-z0-9 %-]*\):.*## \(.*\)/\1\t\2/p' $(MAKEFILE_LIST) | \
 	  while IFS="$$(printf '\t')" read -r target text; do printf '  make %-10s %s\n' "$$target" "$$text"; done
-	@echo "Figures so far: $(FIGURES). TIER=smoke makes a quick, coarse one."
+	@echo "  make FIG        make one figure: results/FIG.h5, figures/FIG.pdf and .png, and the claims' verdicts"
+	@echo "FIG is one of $(FIGURES). TIER=smoke makes a quick, coarse one."
 
 packages: ## install the missing Debian packages (root or sudo)
 	@scripts/install-packages
@@ -25,13 +26,16 @@ build: packages $(BUILD)/build.ninja ## build the program: build/bristle
 	@test -x $(BUILD)/bristle || echo "Building, about a minute ..."
 	@ninja -C $(BUILD) --quiet -j $(JOBS) bristle
 
-fig4: %: build ## make Figure 4: results/fig4.h5, figures/fig4.pdf and .png, and the claims' verdicts
+$(FIGURES): %: build
 	$(BUILD)/bristle run experiments/$*.json --tier $(TIER) -o results/$*$(SUFFIX).h5
 	@$$(scripts/find-python) scripts/$*.py results/$*$(SUFFIX).h5 -o figures$(SUFFIX)
-	@echo "The paper's claims (docs/claims.md):"
+	@echo "The paper's claims (docs/claims.md), and drift against the reference (docs/reference.md):"
 	@$(BUILD)/bristle check --report-only results/$*$(SUFFIX).h5
 
 figures: $(FIGURES) ## make all figures
+
+findings: figures ## all figures, and docs/findings.md: every claim with its verdict and numbers
+	@$$(scripts/find-python) scripts/findings.py $(FIGURES:%=results/%.h5) -o docs/findings.md
 
 test: packages $(BUILD)/build.ninja ## build everything and run the tests
 	@echo "Building program and tests ..."

@@ -12,13 +12,14 @@ using namespace bristle::testing;
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-using Curve = std::vector<Curves::Point>;
 
-Curve curve(const std::vector<double>& values, double error) {
+Curve curve(const std::vector<double>& values, double error, double first_x = 1) {
   Curve c;
-  for (const double v : values) c.push_back({v, error});
+  for (const double v : values) c.push_back({first_x + double(c.size()), v, error});
   return c;
 }
+
+Curves one(const Curve& c) { return {{c}, 0}; }
 
 // A result whose R_x_norm over k_r is what the test says, with these checks.
 std::vector<CheckResult> verdicts(const Scratch& s, const std::vector<double>& values, double error,
@@ -31,6 +32,7 @@ std::vector<CheckResult> verdicts(const Scratch& s, const std::vector<double>& v
         "variable": "R_x_norm", "along": "k_r", )" +
                             check + "}]}"),
       {});
+  validate_checks(e);
   ResultWriter writer(e, s.path("c.h5"));
   for (std::size_t i = 0; i < values.size(); ++i) {
     PointResult p;
@@ -59,6 +61,65 @@ TEST_CASE("trend: Kendall's tau, with what the errors leave open") {
   CHECK(noisy.uncertainty == 1);
   CHECK(trend({{curve({3, 2, 1}, 0), curve({1, 2, 3}, 0)}, 0}).value == 0);
   CHECK(std::isnan(trend({{curve({1}, 0)}, 0}).value));
+  CHECK(trend(one(curve({1, 2, 3, 4, 5}, 0))).significance == Approx(0.0143).epsilon(0.01));
+  CHECK(trend(one(curve({1, 2, 3}, 0))).significance > 0.05);
+  Curve backwards = curve({3, 2, 1}, 0);
+  for (CurvePoint& p : backwards) p.x = -p.x;
+  CHECK(trend(one(backwards)).value == 1);
+  for (CurvePoint& p : backwards) p.x_error = 5;
+  CHECK(trend(one(backwards)).uncertainty == 1);
+}
+
+TEST_CASE("slope: of a power law and of a line, with errors that add as they are") {
+  Curve power;
+  for (const double x : {1.0, 2.0, 5.0, 10.0}) power.push_back({x, 3 * std::pow(x, -0.5), 0.01 * x});
+  CHECK(slope(one(power), true).value == Approx(-0.5));
+  CHECK(slope(one(curve({1, 3, 5}, 0)), false).value == Approx(2));
+  Curves linear = one(curve({1, 3, 5}, 0.1)), independent = linear;
+  independent.independent = true;
+  CHECK(slope(linear, false).uncertainty == Approx(0.1));
+  CHECK(slope(independent, false).uncertainty == Approx(0.1 / std::sqrt(2)));
+  Curve in_x = curve({1, 3, 5}, 0);
+  for (CurvePoint& p : in_x) p.x_error = 0.05;
+  CHECK(slope(one(in_x), false).uncertainty == Approx(0.1));
+}
+
+TEST_CASE("plateau, level, fold: what they measure and what the errors leave open") {
+  CHECK(plateau(one(curve({9, 10, 11}, 0.5))).value == Approx(0.2));
+  CHECK(plateau(one(curve({9, 10, 11}, 0.5))).uncertainty == Approx(0.1));
+  CHECK(level({{curve({1, 3}, 0.1), curve({5}, 0.1)}, 0}).value == Approx(3));
+  const Curves bumps{{curve({1, 2, 1.5, 3}, 0.01), curve({1, 2, 3}, 0.01)}, 0};
+  CHECK(fold(bumps).value == Approx(0.25));
+  CHECK(fold(bumps).uncertainty == Approx(0.01));
+  CHECK(fold(one(curve({1, 2, 3}, 0.01))).value == 0);
+}
+
+TEST_CASE("the steepest fall: its place, its slope, its width, all within the distance of the points") {
+  Curve step;
+  for (const double x : {1.0, 2.0, 4.0, 8.0, 16.0}) step.push_back({x, x < 4 ? 1 : x < 8 ? 0.9 : 0.3, 0});
+  const Measurement place = steepest_fall(one(step));
+  CHECK(place.value == Approx(std::sqrt(32)));
+  CHECK(place.value - place.uncertainty <= 4);
+  CHECK(place.value + place.uncertainty >= 8);
+  CHECK(steepness(one(step)).value == Approx(std::log(3) / std::log(2)));
+  const Measurement width = fall_width(one(step));
+  CHECK(width.value < std::log(2));
+  CHECK(width.uncertainty == Approx(std::log(2)));
+  for (CurvePoint& p : step) p.error = 0.3;
+  CHECK(steepest_fall(one(step)).uncertainty > place.uncertainty);  // cannot be told from its neighbours
+}
+
+TEST_CASE("pairs: ordering, concordance and equality within the errors") {
+  CHECK(ordering(curve({2, 3}, 0.1), curve({1, 1}, 0.1)).value == 1);
+  CHECK(ordering(curve({2, 1.1}, 0.1), curve({1, 1}, 0.1)).uncertainty == Approx(0.5));
+  CHECK(concordance(curve({1, 2, 3, 4}, 0), curve({10, 20, 30, 40}, 0)).value == 1);
+  CHECK(concordance(curve({1, 2, 3, 4}, 0), curve({4, 3, 2, 1}, 0)).value == -1);
+  CHECK(concordance(curve({1, kNone, 3}, 0), curve({1, 2, 3}, 0)).missing == 1);
+  const Curve a = curve({1, 2, 3, 4}, 0.3), b = curve({1.5, 1.5, 3.5, 3.5}, 0.4);
+  CHECK(equality(a, b, 1).value == Approx(1));
+  CHECK(equality(a, b, 1).uncertainty == Approx(1 / std::sqrt(8)));
+  CHECK(std::isinf(equality(a, b, 0.4).uncertainty));  // errors so large that agreement means nothing
+  CHECK(equality(a, curve({3, 0, 5, 2}, 0.4), 1).value == Approx(4));
 }
 
 TEST_CASE("end_ratio and range_ratio, with their uncertainties") {
@@ -81,10 +142,30 @@ TEST_CASE("verdicts: supported, refuted, and undecided where the errors reach th
   CHECK(verdict({1, 2, 3, 4}, 5, rises) == Verdict::undecided);
 }
 
+TEST_CASE("verdicts: near, selections, comparisons, and trends of too few points") {
+  const auto near = [](double threshold) {
+    return R"("predicate": "level", "is": "near", "band": 0.2, "threshold": )" + std::to_string(threshold);
+  };
+  CHECK(verdict({1, 1, 1}, 0.01, near(1.1)) == Verdict::supported);
+  CHECK(verdict({1, 1, 1}, 0.01, near(1.5)) == Verdict::refuted);
+  CHECK(verdict({1, 1, 1}, 0.05, near(1.22)) == Verdict::undecided);
+  CHECK(verdict({1, 2, 3}, 0, R"("predicate": "trend", "is": "at_least", "threshold": 0.5)") ==
+        Verdict::undecided);  // three points rise by chance once in three
+  CHECK(verdict({9, 1, 1}, 0.01,
+                R"("predicate": "level", "where": {"k_r": [2, 20]}, "is": "at_most", "threshold": 2)") ==
+        Verdict::supported);
+  const std::string falls =
+      R"("predicate": "level", "compare": {"k_r": [10, 1]}, "is": "at_most", "threshold": )";
+  CHECK(verdict({2, 7, 1}, 0.01, falls + "0.6") == Verdict::supported);
+  CHECK(verdict({2, 7, 1}, 0.01, falls + R"(-0.8, "by": "difference")") == Verdict::supported);
+  CHECK(verdict({2, 7, 1}, 0.01, falls + R"(0.6, "divide_by": {"R_n": -1})") ==
+        Verdict::undecided);  // R_n is 0
+}
+
 TEST_CASE("points without values are left out and counted; without any the claim is undecided") {
   const Scratch s;
   const std::string falls = R"("predicate": "trend", "is": "at_most", "threshold": -0.5)";
-  const auto some = verdicts(s, {3, kNone, 1}, 0, falls).at(0);
+  const auto some = verdicts(s, {5, 4, kNone, 2, 1}, 0, falls).at(0);
   CHECK(some.verdict == Verdict::supported);
   CHECK(some.measured.missing == 1);
   CHECK(verdicts(s, {kNone, kNone, 1}, 0, falls).at(0).verdict == Verdict::undecided);
@@ -93,18 +174,26 @@ TEST_CASE("points without values are left out and counted; without any the claim
 
 TEST_CASE("a check that names what the result lacks is an error with the remedy") {
   const Scratch s;
-  CHECK_THROWS_WITH(verdicts(s, {1, 2}, 0, R"("predicate": "range_ratio", "is": "at_most", "threshold": 1)"),
-                    Catch::Contains("needs \"against\""));
-  CHECK_THROWS_WITH(
-      verdicts(s, {1, 2}, 0,
-               R"("predicate": "range_ratio", "against": "k_rr", "is": "at_most", "threshold": 1)"),
-      Catch::Contains("did you mean k_r?"));
+  const auto refused = [&](const char* check, const char* why) {
+    CAPTURE(check);
+    CHECK_THROWS_WITH(verdicts(s, {1, 2}, 0, std::string(check) + R"(, "is": "at_most", "threshold": 1)"),
+                      Catch::Contains(why));
+  };
+  refused(R"("predicate": "range_ratio")", "/checks/0/against: is missing; range_ratio needs it");
+  refused(R"("predicate": "range_ratio", "against": "k_rr")", "did you mean k_r?");
+  refused(R"("predicate": "equality", "resolution": 1)", "/checks/0/compare: is missing");
+  refused(R"("predicate": "trend", "where": {"k_r": 2.5})", "2.5 is not a value of that axis; it has: 1, 10");
+  refused(R"("predicate": "trend", "where": {"gama_1": [1, 2]})", "did you mean gamma_1?");
+  refused(R"("predicate": "trend", "at": {"R_n": 1})", "is for traced curves only");
+  refused(R"("predicate": "trend", "compare": {"k_r": [1, 10, 3]})", "give two values of the axis");
+  CHECK_THROWS_WITH(verdicts(s, {1, 2}, 0, R"("predicate": "level", "is": "near", "threshold": 1)"),
+                    Catch::Contains("/checks/0/band: is missing"));
 }
 
 TEST_CASE("checks are stored beside the numbers without changing their digest") {
   const Scratch s;
   const auto checks =
-      verdicts(s, {3, 2, 1}, 0.1, R"("predicate": "trend", "is": "at_most", "threshold": -0.5)");
+      verdicts(s, {5, 4, 3, 2, 1}, 0.1, R"("predicate": "trend", "is": "at_most", "threshold": -0.5)");
   const std::string before = payload_sha256(h5::open_file(s.path("c.h5"), false));
   write_checks(s.path("c.h5"), checks);
   write_checks(s.path("c.h5"), checks);

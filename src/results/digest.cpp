@@ -59,7 +59,7 @@ std::string payload_sha256(hid_t file) {
 
 std::string inputs_sha256(const Json& document) {
   nlohmann::json inputs = document;  // sorted keys: the order of a file's keys does not matter
-  for (const char* name : {"name", "title", "figure", "checks"}) inputs.erase(name);
+  for (const char* name : {"name", "title", "figure", "notes", "checks"}) inputs.erase(name);
   // ... but the order of the axes is that of the dimensions
   nlohmann::json axes = nlohmann::json::array();
   if (document.contains("sweep"))

@@ -68,7 +68,7 @@ std::string axis_variable(const std::string& name);
 // Writes the root attributes that describe the numbers: title, the experiment as run, its digests.
 void annotate(const std::string& path, const Experiment& experiment);
 
-// Digest of the experiment's parts that decide the numbers: all but name, title, figure and checks.
+// Digest of the experiment's parts that decide the numbers: all but name, title, figure, notes and checks.
 std::string inputs_sha256(const Json& document);
 
 // SHA-256 over name, type, shape and values of every dataset outside /checks and /provenance.

@@ -1,0 +1,17 @@
+"""docs/findings.md has a line with a verdict for every check of the experiments, and every claim of the paper is checked."""
+import json
+import pathlib
+import sys
+
+root = pathlib.Path(sys.argv[1])
+page = (root / "docs" / "findings.md").read_text(encoding="utf-8")
+claims = set()
+for path in sorted((root / "experiments").glob("fig*.json")):
+    for check in json.loads(path.read_text())["checks"] if "checks" in path.read_text() else []:
+        lines = [line for line in page.splitlines() if line.startswith(f"| {check['claim']} | {check['statement']} |")]
+        assert len(lines) == 1, f"{path.name}: claim {check['claim']} is not in docs/findings.md as it is now: `make findings`"
+        assert any(verdict in lines[0] for verdict in ("supported", "refuted", "undecided")), lines[0]
+        claims.add(check["claim"])
+paper = {"3a", "3b", "3c", "3d", "4a", "4b", "4c", "4d", "4e", "4f", "5a", "5b", "5c", "6a", "6b", "7a", "7b", "8a", "8b",
+         "A1", "A2", "A3"}
+assert claims == paper, f"not checked: {sorted(paper - claims)}; not of the paper: {sorted(claims - paper)}"

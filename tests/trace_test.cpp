@@ -1,0 +1,70 @@
+// The traced curve R_n(z_0): resolution, folds, landings and the slab's paths.
+#include "interface/trace.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+using namespace bristle;
+
+namespace {
+
+const Interface& bent() {  // its curve has folds at R_n of about 1.1 and 1.45
+  static const Interface interface = [] {
+    Interface i;
+    i.parameters.k_r = 5;
+    i.parameters.C = chi_C_peak_at_V_s(i.parameters.A);
+    i.orientation.rtol = 0.005;
+    i.integrator = {1e-5, 1e-7};
+    return i;
+  }();
+  return interface;
+}
+
+bool on(const CurveNode& node, Branch path) { return node.branch == path || node.branch == Branch::both; }
+
+}  // namespace
+
+TEST_CASE("a traced curve: gaps descend, neighbours are as near as asked or at a jump") {
+  const Trace trace{0.05, 0.03, 160};
+  const auto curve = trace_curve(bent(), trace, make_runner(Engine::fast));
+  REQUIRE(curve.size() > 30);
+  REQUIRE(long(curve.size()) <= trace.nodes);
+  CHECK(curve.front().result.z_0 == Approx(std::sin(bent().parameters.phi_0)));
+  CHECK(curve.back().result.z_0 == Approx(trace.to));
+  for (std::size_t i = 1; i + 1 < curve.size(); ++i) {
+    const PointResult &a = curve[i - 1].result, &b = curve[i].result, &c = curve[i + 1].result;
+    REQUIRE(b.z_0 < a.z_0);
+    const double share = (b.z_0 - a.z_0) / (c.z_0 - a.z_0);
+    const double off = b.value[R_N] - (a.value[R_N] + share * (c.value[R_N] - a.value[R_N]));
+    const double noise = a.error[R_N] + b.error[R_N] + c.error[R_N];
+    CAPTURE(b.z_0, off);
+    CHECK((std::abs(off) <= trace.resolution * std::max(b.value[R_N], 0.1) + noise ||
+           std::min(a.z_0 - b.z_0, b.z_0 - c.z_0) <= 2 * kClosest));
+  }
+}
+
+TEST_CASE("the slab's paths: the load grows along one and falls along the other; folds and landings are nodes") {
+  const auto curve = trace_curve(bent(), {0.05, 0.03, 160}, make_runner(Engine::fast));
+  double top = 0;
+  std::size_t last = 0;
+  bool jumped = false;
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    if (!on(curve[i], Branch::loading)) continue;
+    const PointResult& r = curve[i].result;
+    const double allowed = 2 * r.error[R_N] + 0.25 * 0.03 * top;
+    CHECK(r.value[R_N] > top - allowed);
+    if (i > last + 1 && r.value[R_N] < 1.3) {  // where it lands it carries the fold's load
+      jumped = true;
+      CHECK(r.value[R_N] == Approx(top).epsilon(0.02));
+    }
+    top = std::max(top, r.value[R_N]);
+    last = i;
+  }
+  CHECK(jumped);
+  double bottom = INFINITY;
+  for (auto node = curve.rbegin(); node != curve.rend(); ++node) {
+    if (!on(*node, Branch::unloading)) continue;
+    CHECK(node->result.value[R_N] < bottom * 1.01 + 2 * node->result.error[R_N]);
+    bottom = std::min(bottom, node->result.value[R_N]);
+  }
+}
