@@ -20,9 +20,9 @@ struct Trace {
 // N_c0.
 struct Loading {
   std::optional<double> z_0;
-  std::optional<Trace> trace;
   double R_n = 2;
   LoadPath path = LoadPath::loading;
+  std::optional<Trace> trace{};
 };
 
 enum class PointStatus {
