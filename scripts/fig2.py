@@ -115,7 +115,7 @@ def equal_scales(axes, passages):
     low, high = np.transpose([(min(low, 0), max(high, 0)) for low, high in
                               (extent(passages, [name], 0) for name in "xy")])
     box = axes.get_window_extent()
-    scale = 1.2 * max((high - low) / (box.width, box.height))
+    scale = 1.35 * max((high - low) / (box.width, box.height))
     for which, middle, size in zip("xy", (low + high) / 2, (box.width, box.height)):
         getattr(axes, f"set_{which}lim")(middle - scale * size / 2, middle + scale * size / 2)
 

@@ -33,7 +33,8 @@ def draw(file):
     order = [main] + [i for i in traces if i != main][:SIDE_PANELS]
     width = 11.2 if len(order) > 1 else 7.2
     figure, bottom = page(file, width, 6.25, note(file))
-    boxes = [(0.8, 1.35, 5.9, 4.6), (7.65, 4.1, 3.3, 1.85), (7.65, 1.35, 3.3, 1.85)]
+    side = [(7.65, 1.35, 3.3, 4.6)] if len(order) == 2 else [(7.65, 4.1, 3.3, 1.85), (7.65, 1.35, 3.3, 1.85)]
+    boxes = [(0.8, 1.35, 5.9, 4.6), *side]
     for letter, i, (x, y, *size) in zip("abc", order, boxes):
         axes = place(figure, x, bottom + y, *size)
         entries = draw_panel(axes, file, traces[i], small=letter != "a")
