@@ -7,13 +7,14 @@ from matplotlib.lines import Line2D
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
 from contours import label_contours
-from grid import oriented
-from style import COLORMAP, attribute, dataset, label, prose
+from grid import oriented, read_grid
+from page import page, place
+from style import COLORMAP, MARKERS, attribute, dataset, label, log_ticks, prose
 
 COLUMN_INCHES = (3.2, 5.9)
+LEGEND_INCHES = 0.4
 
 # By status; the first is a point without remark.
-MARKERS = " o^sDvP"
 HATCHES = ["....", "----", "////", "xxxx", "\\\\\\\\", "||||", "++++"]
 
 
@@ -21,16 +22,29 @@ def value_ticks(bins=5):
     return ticker.MaxNLocator(bins, steps=[1, 2, 2.5, 5, 10], min_n_ticks=3)
 
 
+def draw_maps(file, names, chosen=None, note=""):
+    """A figure with one column for each quantity, at the chosen values of further axes."""
+    grid = read_grid(file, "k_r", "k_theta", chosen)
+    width, height = COLUMN_INCHES[0] * len(names) + 0.1, LEGEND_INCHES + COLUMN_INCHES[1]
+    figure, bottom = page(file, width, height, note)
+    entries = {}
+    for position, name in enumerate(names):
+        entries.update(column(figure, file, grid, name, "abcdefg"[position], position * COLUMN_INCHES[0],
+                              bottom + LEGEND_INCHES))
+    if entries:
+        figure.legend(entries.values(), entries.keys(), loc="lower center", ncol=len(entries),
+                      bbox_to_anchor=(0.5, (bottom + 0.2 * LEGEND_INCHES) / figure.get_figheight()),
+                      borderaxespad=0)
+    return figure
+
+
 def column(figure, file, grid, name, letter, left, bottom):
     """One quantity with its lower left corner there (inches); returns legend entries by text."""
-    size = figure.get_size_inches()
-
     def axes(x, y, width, height, **options):
-        box = (left + x) / size[0], (bottom + y) / size[1], width / size[0], height / size[1]
-        return figure.add_axes(box, **options)
+        return place(figure, left + x, bottom + y, width, height, **options)
 
     data = dataset(file, name)
-    field = np.ma.masked_invalid(oriented(data, *grid.axes))
+    field = np.ma.masked_invalid(oriented(data, grid))
     norm = colour_range(field)
     titles = [label(dataset(file, axis)) for axis in grid.axes]
     width, height = COLUMN_INCHES
@@ -62,17 +76,6 @@ def colour_range(field):
     # A constant still needs a range, and its last digits are not worth a colour.
     missing = max(0, 1e-3 * (max(abs(low), abs(high)) or 1) - (high - low))
     return colors.Normalize(low - missing / 2, high + missing / 2)
-
-
-def log_ticks(low, high):
-    """Positions (log10) and texts of 1-2-5 ticks within the range, or of decades if it is long."""
-    decades = np.arange(np.floor(low), np.ceil(high) + 1)
-    steps = [0] if high - low > 2.5 else np.log10([1, 2, 5])
-    places = np.add.outer(decades, steps).ravel()
-    places = places[(places > low - 1e-9) & (places < high + 1e-9)]
-    if places.size < 2:  # too short for round numbers
-        places = np.array([low, high])
-    return places, [f"{10 ** place:.3g}" for place in places]
 
 
 def draw_surface(space, grid, field, norm):

@@ -16,7 +16,11 @@ from matplotlib import mathtext
 COLORMAP = "viridis"  # perceptually uniform, readable with any colour vision
 
 # Okabe and Ito's colours: distinguishable with any colour vision.
-GREEN, VERMILION, BLUE, GREY = "#009E73", "#D55E00", "#0072B2", "#666666"
+GREEN, VERMILION, BLUE, PURPLE, ORANGE, SKY = "#009E73", "#D55E00", "#0072B2", "#CC79A7", "#E69F00", "#56B4E9"
+GREY, BLACK = "#666666", "#000000"
+COLOURS = [BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY, BLACK]
+
+MARKERS = " o^sDvP"  # by status; the first is a point without remark
 
 TITLE_INCHES, CAPTION_INCHES = 0.32, 0.22  # line heights of the header
 DPI = 160
@@ -27,8 +31,7 @@ LOOK = {
     "font.size": 10,
     "axes.labelsize": 11,
     "axes.linewidth": 0.8,
-    "axes.prop_cycle": matplotlib.cycler(
-        color=[BLUE, VERMILION, GREEN, "#CC79A7", "#E69F00", "#56B4E9", "#000000"]),
+    "axes.prop_cycle": matplotlib.cycler(color=COLOURS),
     "xtick.labelsize": 9,
     "ytick.labelsize": 9,
     "legend.fontsize": 9,
@@ -142,6 +145,19 @@ def is_math(string):
     except ValueError:
         return False
     return True
+
+
+def log_ticks(low, high):
+    """Positions (log10) and texts of ticks in the range: 1-2-5, or decades if long, or 1 to 9 if short."""
+    decades = np.arange(np.floor(low), np.ceil(high) + 1)
+    for steps in ([1],) if high - low > 2.5 else ([1, 2, 5], range(1, 10)):
+        places = np.add.outer(decades, np.log10(steps)).ravel()
+        places = places[(places > low - 1e-9) & (places < high + 1e-9)]
+        if places.size >= 2:
+            break
+    else:  # too short for round numbers
+        places = np.array([low, high])
+    return places, [f"{float(f'{10 ** place:.3g}'):g}" for place in places]
 
 
 def prose(string, width):

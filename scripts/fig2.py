@@ -1,0 +1,187 @@
+"""Fig. 2: time histories of bristles of different azimuth, with what the tip does at each time."""
+
+from collections import namedtuple
+
+import numpy as np
+from matplotlib import patches
+from matplotlib.collections import LineCollection
+from matplotlib.lines import Line2D
+
+from contours import HALO
+from curves import stretches
+from page import page, place
+from space import draw_space
+from style import BLACK, BLUE, GREY, ORANGE, PURPLE, VERMILION, attribute, dataset, fail, label, run, values
+from sweep import flags, setting
+
+TABLE = "trajectories"
+NUMBERS = ["xi", "x", "y", "z", "F_n", "F_fx", "F_fy", "V_R"]
+PHASES = {"stick": ("sticking", BLUE), "slip": ("sliding", GREY), "side_slip": ("side-slip", ORANGE),
+          "off_slab": ("rebound", PURPLE)}
+NOTE = """Sticking: $V_R < V_s$. Side-slip: $V_R$ turned by more than 30\u00b0 from the slab's motion. \
+Rebound: tip more than 10 wall ranges $\\lambda_z$ off the slab. Of several, rebound comes first, then sticking.
+$t_0$, $t_1$, $t_2$: where the longest spells of sticking begin. Above: grey, the bristle at equal intervals of \
+time; dashed, before the slab arrives; plane, the slab. Dotted: mean load per bristle, $\\tilde{R}_n/N_{c,0}$."""
+
+COLUMN, LEFT, GAP = 3.65, 0.95, 0.35  # widths in inches
+SMALLEST_FORCE = 0.03  # that is drawn: a tip that rebounds has less
+
+# theta_0 and phi_0 in radians; numbers: the columns by name; phase: of each row.
+Passage = namedtuple("Passage", "theta_0 phi_0 numbers phase")
+
+
+def draw(file):
+    passages = read_passages(file)
+    figure, bottom = page(file, LEFT + len(passages) * (COLUMN + GAP) + 0.1, 10.9, NOTE)
+    gap, load = (float(np.ravel(values(dataset(file, name)))[0]) for name in ("z_0", "R_n"))
+    symbol = attribute(dataset(file, f"{TABLE}/theta_0"), "symbol")
+    for i, passage in enumerate(passages):
+        x = LEFT + i * (COLUMN + GAP)
+        space = place(figure, x - 0.45, bottom + 7.75, COLUMN + 0.75, 2.9, projection="3d")
+        draw_space(space, passages, passage, gap, path_colours(passage),
+                   [label(dataset(file, f"{TABLE}/{name}")) for name in "xyz"])
+        figure.text((x + COLUMN / 2) / figure.get_figwidth(), (bottom + 10.8) / figure.get_figheight(),
+                    f"${symbol}$ = {np.degrees(passage.theta_0):.0f}\u00b0", ha="center", va="top", fontsize=12)
+        draw_top_view(place(figure, x, bottom + 6.05, COLUMN, 1.55), file, passages, passage, first=i == 0)
+        rows = [place(figure, x, bottom + y, COLUMN, 1.45) for y in (4.0, 2.45, 0.9)]
+        draw_history(rows, file, passages, passage, load, first=i == 0)
+    draw_legend(figure, file, bottom)
+    return figure
+
+
+def read_passages(file):
+    """The passages of the first point, in the order of the file."""
+    columns = {name: values(dataset(file, f"{TABLE}/{name}")) for name in [*NUMBERS, "theta_0", "point"]}
+    words, numbers = flags(dataset(file, f"{TABLE}/phase"))
+    if unknown := set(words) - set(PHASES):
+        fail(f"{file.filename}: dataset '/{TABLE}/phase' has unknown phases: {', '.join(sorted(unknown))}")
+    if len({len(column) for column in [*columns.values(), numbers]}) > 1 or not numbers.size:
+        fail(f"{file.filename}: the datasets of /{TABLE} are empty or differ in length")
+    for name, column in columns.items():
+        if not np.isfinite(column).all():
+            fail(f"{file.filename}: dataset '/{TABLE}/{name}' has values that are not finite")
+    first = columns["point"] == columns["point"][0]
+    azimuths = dict.fromkeys(columns["theta_0"][first])
+    phi_0 = np.radians(setting(file, "model", "phi_0_deg"))
+    out = []
+    for azimuth in azimuths:
+        rows = first & (columns["theta_0"] == azimuth)
+        out.append(Passage(azimuth, phi_0, {name: columns[name][rows] for name in NUMBERS},
+                           np.array(words)[numbers[rows]]))
+    return out
+
+
+def spells(passage, phase):
+    """First and last row of each spell of the phase; the last is where the next begins."""
+    final = len(passage.phase) - 1
+    return [(first, min(last + 1, final)) for first, last in stretches(passage.phase == phase)]
+
+
+def path_colours(passage):
+    return [PHASES[phase][1] for phase in passage.phase[:-1]]
+
+
+def marked_times(passage):
+    """Rows at which the three longest spells of sticking begin, in time."""
+    xi = passage.numbers["xi"]
+    longest = sorted(spells(passage, "stick"), key=lambda spell: xi[spell[0]] - xi[spell[1]])[:3]
+    return sorted(first for first, _ in longest)
+
+
+def extent(passages, names, room=0.06):
+    """The range of the columns over all passages, with some room."""
+    found = np.concatenate([passage.numbers[name] for passage in passages for name in names])
+    low, high = found.min(), found.max()
+    return low - room * (high - low), high + room * (high - low)
+
+
+def draw_top_view(axes, file, passages, passage, first):
+    x, y = passage.numbers["x"], passage.numbers["y"]
+    points = np.column_stack([x, y])
+    axes.add_collection(LineCollection(np.stack([points[:-1], points[1:]], axis=1), linewidths=1.6,
+                                       colors=path_colours(passage), capstyle="round"))
+    axes.plot(0, 0, "+", color=BLACK, markersize=7)
+    for number, row in enumerate(marked_times(passage)):
+        axes.plot(x[row], y[row], "o", color=BLACK, markersize=3, zorder=5)
+        axes.annotate(f"$t_{number}$", (x[row], y[row]), (3, (4, 4, -11)[number]), textcoords="offset points",
+                      path_effects=HALO, zorder=6)
+    equal_scales(axes, passages)
+    axes.set_xlabel(label(dataset(file, f"{TABLE}/x")), labelpad=1)
+    titles(axes, file, ["y"], first)
+
+
+def equal_scales(axes, passages):
+    """Limits that hold all paths and the root, with the same scale in both directions."""
+    low, high = np.transpose([(min(low, 0), max(high, 0)) for low, high in
+                              (extent(passages, [name], 0) for name in "xy")])
+    box = axes.get_window_extent()
+    scale = 1.35 * max((high - low) / (box.width, box.height))
+    for which, middle, size in zip("xy", (low + high) / 2, (box.width, box.height)):
+        getattr(axes, f"set_{which}lim")(middle - scale * size / 2, middle + scale * size / 2)
+
+
+def titles(axes, file, names, first):
+    """Title of the vertical axis, in the first column only."""
+    if first:
+        axes.set_ylabel(", ".join(label(dataset(file, f"{TABLE}/{name}")) for name in names))
+    else:
+        axes.tick_params(labelleft=False)
+
+
+def draw_history(rows, file, passages, passage, load, first):
+    speed, normal, friction = rows
+    numbers = passage.numbers
+    xi = numbers["xi"]
+    speed.plot(xi, numbers["V_R"], color=BLACK, linewidth=0.9)
+    normal.plot(xi, numbers["F_n"], color=BLACK, linewidth=0.9)
+    normal.axhline(load, color=BLACK, linewidth=1, linestyle=":")
+    for name, colour in (("F_fx", BLACK), ("F_fy", VERMILION)):
+        friction.plot(xi, numbers[name], color=colour, linewidth=0.9)
+    scale_rows(rows, passages)
+    for axes, names in zip(rows, (["V_R"], ["F_n"], ["F_fx", "F_fy"])):
+        axes.set_xlim(0, max(p.numbers["xi"][-1] for p in passages))
+        titles(axes, file, names, first)
+        axes.tick_params(labelbottom=axes is friction)
+        shade(axes, passage)
+    friction.set_xlabel(label(dataset(file, f"{TABLE}/xi")), labelpad=1)
+    for number, row in enumerate(marked_times(passage)):
+        for axes in rows:
+            axes.axvline(xi[row], color=BLACK, linewidth=0.6, linestyle=(0, (4, 2)))
+        side = -1 if number == 1 else 1  # the times may be close
+        speed.annotate(f"$t_{number}$", (xi[row], 1), (2 * side, -10), xycoords=("data", "axes fraction"),
+                       textcoords="offset points", path_effects=HALO, ha="right" if side < 0 else "left")
+
+
+def scale_rows(rows, passages):
+    """The same logarithmic ranges in all columns; friction has both signs."""
+    speed, normal, friction = rows
+    for axes, name, least in ((speed, "V_R", 1e-4), (normal, "F_n", SMALLEST_FORCE)):
+        low, high = extent(passages, [name], 0)
+        axes.set_yscale("log")
+        axes.set_ylim(max(0.7 * low, least), 2.5 * high)
+    low, high = extent(passages, ["F_fx", "F_fy"], 0.1)
+    friction.set_yscale("symlog", linthresh=1)
+    friction.set_ylim(min(low, -1), max(1.4 * high, 1))
+
+
+def shade(axes, passage):
+    xi = passage.numbers["xi"]
+    for phase, (_, colour) in PHASES.items():
+        if phase != "slip":
+            bars = [(xi[first], xi[last] - xi[first]) for first, last in spells(passage, phase)]
+            axes.broken_barh(bars, (0, 1), transform=axes.get_xaxis_transform(), color=colour, alpha=0.25,
+                             linewidth=0, zorder=0)
+
+
+def draw_legend(figure, file, bottom):
+    entries = {text: (patches.Patch(color=colour, alpha=0.6) if phase != "slip" else
+                      Line2D([], [], color=colour, linewidth=2)) for phase, (text, colour) in PHASES.items()}
+    for name, colour in (("F_fx", BLACK), ("F_fy", VERMILION)):
+        entries[label(dataset(file, f"{TABLE}/{name}"))] = Line2D([], [], color=colour, linewidth=1)
+    figure.legend(entries.values(), entries.keys(), loc="lower center", ncol=len(entries), borderaxespad=0,
+                  bbox_to_anchor=(0.5, (bottom + 0.1) / figure.get_figheight()))
+
+
+if __name__ == "__main__":
+    columns = [*NUMBERS, "theta_0", "point", "phase"]
+    run("fig2", __doc__, ["z_0", "R_n", *(f"{TABLE}/{name}" for name in columns)], draw)

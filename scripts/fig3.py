@@ -1,0 +1,153 @@
+"""Fig. 3: gap against normal load, with the stable paths of a slab that is loaded or unloaded."""
+
+from collections import namedtuple
+
+import numpy as np
+from matplotlib.lines import Line2D
+
+from contours import HALO
+from curves import coloured, log_range, number_axis, stretches, with_symbol
+from page import heading, page, place
+from style import BLACK, COLOURS, GREY, MARKERS, dataset, fail, run, values
+from sweep import axis, flags, over, statuses
+
+PAPER = 1.9  # k_phi of the paper's figure
+SIDE_PANELS = 2
+LOW, HIGH = -0.04, 1.04  # gaps at the frame
+
+# Nodes from first contact downward; whether the slab passes them when loaded, and when unloaded.
+Trace = namedtuple("Trace", "load gap loading unloading status meanings")
+
+LOADING = dict(linewidth=2.6, solid_capstyle="round")
+UNLOADING = dict(linewidth=1.5, linestyle=(0, (3.2, 1.6)))
+UNSTABLE = dict(linewidth=1.1, linestyle=(0, (1, 1.3)))
+STYLES = {"loading path": LOADING, "stable when unloading only": UNLOADING, "unstable": UNSTABLE}
+JUMPS = {"jump under growing load": "-", "jump under falling load": (0, (2.5, 1.5))}
+
+
+def draw(file):
+    polar, radial = axis(file, "k_phi"), axis(file, "k_r")
+    main = int(np.argmin([abs(value - PAPER) for value in polar])) if PAPER in polar else len(polar) // 2
+    traces = {i: [read_trace(file, k_phi=value, k_r=stiffness) for stiffness in radial]
+              for i, value in enumerate(polar)}
+    order = [main] + [i for i in traces if i != main][:SIDE_PANELS]
+    width = 11.2 if len(order) > 1 else 7.2
+    figure, bottom = page(file, width, 6.25, note(file))
+    side = [(7.65, 1.35, 3.3, 4.6)] if len(order) == 2 else [(7.65, 4.1, 3.3, 1.85), (7.65, 1.35, 3.3, 1.85)]
+    boxes = [(0.8, 1.35, 5.9, 4.6), *side]
+    for letter, i, (x, y, *size) in zip("abc", order, boxes):
+        axes = place(figure, x, bottom + y, *size)
+        entries = draw_panel(axes, file, traces[i], small=letter != "a")
+        set_range(axes, file)
+        heading(axes, letter, with_symbol(dataset(file, "k_phi"), polar[i]))
+    colours = {with_symbol(dataset(file, "k_r"), value): Line2D([], [], color=colour, linewidth=2.6)
+               for value, colour in coloured(radial)}
+    draw_legends(figure, bottom, colours, entries)
+    return figure
+
+
+def note(file):
+    string = ("A to D: the loading path of the curve with the largest jump under growing load. An arrow that "
+              "ends at the frame: no equilibrium on the traced curve carries the load beyond it.")
+    if "R_n_err" in file:
+        error = values(dataset(file, "R_n_err")) / values(dataset(file, "R_n"))
+        if np.isfinite(error).any():
+            string += f" Estimated errors of the loads, not drawn: at most {100 * np.nanmax(error):.2g} %."
+    return string
+
+
+def read_trace(file, **chosen):
+    """The curve of one bristle, without the padding."""
+    branch = dataset(file, "branch")
+    words, numbers = flags(branch)
+    on = np.array(words)[over(branch, ["node"], chosen, numbers)]
+    load, gap = (over(dataset(file, name), ["node"], chosen) for name in ("R_n", "z_0"))
+    meanings, status = statuses(file, ["node"], chosen)
+    there = np.isfinite(load) & np.isfinite(gap) & (on != "absent")
+    return Trace(load[there], gap[there], np.isin(on, ["loading", "both"])[there],
+                 np.isin(on, ["unloading", "both"])[there], status[there], meanings)
+
+
+def set_range(axes, file):
+    """One range of loads for all panels."""
+    loads = values(dataset(file, "R_n"))
+    loads = loads[np.isfinite(loads) & (loads > 0)]
+    if not loads.size:
+        fail(f"{file.filename}: dataset '/R_n' has no positive values to draw")
+    log_range(axes, "x", np.log10(loads.min()) - 0.08, np.log10(loads.max()) + 0.08)
+    axes.set_ylim(LOW, HIGH)
+    number_axis(axes, "x", dataset(file, "R_n"))
+    number_axis(axes, "y", dataset(file, "z_0"))
+
+
+def draw_panel(axes, file, traces, small):
+    """The curves of one k_phi; returns legend entries for the statuses by text."""
+    entries = {}
+    for trace, colour in coloured(traces):
+        draw_trace(axes, trace, colour, 0.65 if small else 1)
+        for status in np.unique(trace.status[trace.status > 0]):
+            here = trace.status == status
+            look = dict(linestyle="", marker=MARKERS[status % len(MARKERS)], markersize=7, color=BLACK,
+                        markerfacecolor="none", zorder=5)
+            axes.plot(trace.load[here], trace.gap[here], **look)
+            entries[f"status: {trace.meanings[status]}"] = Line2D([], [], **look)
+    if not small:
+        draw_letters(axes, traces)
+    return entries
+
+
+def draw_trace(axes, trace, colour, scale):
+    down, up = (path[1:] & path[:-1] for path in (trace.loading, trace.unloading))
+    for style, segments in ((UNSTABLE, ~down & ~up), (UNLOADING, up & ~down), (LOADING, down)):
+        look = {**style, "linewidth": scale * style["linewidth"]}
+        for first, last in stretches(segments):
+            nodes = slice(first, last + 2)
+            axes.plot(trace.load[nodes], trace.gap[nodes], color=colour, **look)
+    for style, found, frame in zip(JUMPS.values(), (jumps(trace), jumps(trace, down=False)), (LOW, HIGH)):
+        for load, start, end in found:
+            look = dict(arrowstyle="-|>", color=colour, linestyle=style, linewidth=1.1 * scale, shrinkA=0,
+                        shrinkB=0, mutation_scale=11 * scale)
+            axes.annotate("", (load, frame if np.isnan(end) else end), (load, start), arrowprops=look)
+
+
+def jumps(trace, down=True):
+    """(load, gap before, gap after) of the jumps of the loading path, or upward of the unloading one.
+
+    The gap after is not a number where the path leaves the traced curve.
+    """
+    path = np.flatnonzero(trace.loading if down else trace.unloading)[::1 if down else -1]
+    found = [(trace.load[here], trace.gap[here], trace.gap[there])
+             for here, there in zip(path, path[1:]) if abs(there - here) > 1]
+    if path.size and path[-1] != (len(trace.load) - 1 if down else 0):
+        found.append((trace.load[path[-1]], trace.gap[path[-1]], np.nan))
+    return found
+
+
+def draw_letters(axes, traces):
+    """The loading path A-B-C-D of the curve with the deepest jump."""
+    falls = [(start - end, i, load, start, end) for i, trace in enumerate(traces)
+             for load, start, end in jumps(trace) if np.isfinite(end)]
+    if not falls:
+        return
+    _, i, load, start, end = max(falls)
+    path = np.flatnonzero(traces[i].loading)[[0, -1]]
+    (first, last), (top, bottom) = traces[i].load[path], traces[i].gap[path]
+    for letter, point, shift in (("A", (first, top), (-9, 3)), ("B", (load, start), (8, 5)),
+                                 ("C", (load, end), (-9, -7)), ("D", (last, bottom), (11, 9))):
+        axes.plot(*point, "o", color=COLOURS[i % len(COLOURS)], markeredgecolor=BLACK, markersize=4.5, zorder=6)
+        axes.annotate(letter, point, shift, textcoords="offset points", ha="center", va="center", weight="bold",
+                      fontsize=11, path_effects=HALO, zorder=7)
+
+
+def draw_legends(figure, bottom, colours, entries):
+    """Colours in one row, styles of line in another."""
+    styles = {text: Line2D([], [], color=GREY, **look) for text, look in STYLES.items()}
+    styles |= {text: Line2D([], [], color=GREY, linewidth=1.1, linestyle=style, marker=marker, markevery=[1])
+               for (text, style), marker in zip(JUMPS.items(), "v^")}
+    for row, y in ((colours, 0.48), (styles | entries, 0.15)):
+        figure.legend(row.values(), row.keys(), loc="lower center", ncol=len(row), borderaxespad=0,
+                      handlelength=2.6, bbox_to_anchor=(0.5, (bottom + y) / figure.get_figheight()))
+
+
+if __name__ == "__main__":
+    run("fig3", __doc__, ["k_phi", "k_r", "z_0", "R_n", "branch", "status"], draw)
