@@ -4,13 +4,16 @@ import numpy as np
 
 from curves import draw_points, label_line, legend, log_range, number_axis, read_curve
 from page import heading, page, place
-from style import BLUE, COLOURS, GREY, ORANGE, attribute, dataset, fail, label, run, values
+from style import BLUE, COLOURS, GREY, ORANGE, VERMILION, attribute, dataset, fail, label, run, values
 from sweep import axis, axis_names, errors, over, position, setting
 
 FORCE = "slab_force"
 NOTE = """a: grey, the transient; dashed, the mean over $t_1$ to $t_2$, with its standard error as a band.
 b: one point for each seed; grey, two standard errors.
-c: one point for each seed, bars are standard errors; grey line, slope for independent bristles."""
+c: one point for each seed, bars are standard errors; grey lines, slope for independent bristles."""
+# What panel c shows: R_n(t), and its means over a row's time, which are free of the rows' period.
+FLUCTUATIONS = (("R_n_fluctuation", "as it is", BLUE, "o"),
+                ("R_n_fluctuation_of_rows", "means over a row's time", VERMILION, "s"))
 
 
 def draw(file):
@@ -80,33 +83,34 @@ def draw_deviations(axes, file):
 
 def draw_fluctuation(axes, file):
     """R_n's relative fluctuation against the number of bristles, with the slope of independent ones."""
-    name = "R_n_fluctuation"
     per_width = setting(file, "model", "L_x") / setting(file, "model", "spacing") ** 2
     seeds = axis(file, "seed")
-    curves = [read_curve(file, name, "L_y", sampling="lattice", seed=seed) for seed in seeds]
-    entries = {}
-    for curve, shift in zip(curves, 1.03 ** (np.arange(len(seeds)) - (len(seeds) - 1) / 2)):
-        entries |= draw_points(axes, curve._replace(x=curve.x * per_width), BLUE, shift=shift)
-    found = np.array([curve.y for curve in curves])
-    if not (found > 0).any():
-        fail(f"{file.filename}: dataset '/{name}' has no positive values to draw")
-    number = curves[0].x * per_width
-    level = np.exp(np.nanmean(np.log(found * np.sqrt(number))))
+    shifts = 1.03 ** (np.arange(len(seeds)) - (len(seeds) - 1) / 2)
+    number = axis(file, "L_y") * per_width
     ends = number[[0, -1]] * [0.8, 1.25]
-    axes.plot(ends, level / np.sqrt(ends), color=GREY, linewidth=1, zorder=0)
+    entries, found = {}, []
+    for name, title, colour, marker in FLUCTUATIONS:
+        curves = [read_curve(file, name, "L_y", sampling="lattice", seed=seed) for seed in seeds]
+        for curve, shift in zip(curves, shifts):
+            entries |= draw_points(axes, curve._replace(x=curve.x * per_width), colour, title, marker, shift)
+            title = None  # one entry for all seeds
+        found.append(np.array([curve.y for curve in curves]))
+        if not (found[-1] > 0).any():
+            fail(f"{file.filename}: dataset '/{name}' has no positive values to draw")
+        level = np.exp(np.nanmean(np.log(found[-1] * np.sqrt(number))))
+        axes.plot(ends, level / np.sqrt(ends), color=GREY, linewidth=1, zorder=0)
     log_range(axes, "x", *np.log10(ends))
-    low, high = np.nanmin(found), np.nanmax(found)
-    log_range(axes, "y", np.log10(0.75 * low), np.log10(1.4 * high))
+    log_range(axes, "y", np.log10(0.75 * np.nanmin(found)), np.log10(2 * np.nanmax(found)))
     gap = np.argmax(np.diff(np.log(number)))
     x = np.sqrt(number[gap] * number[gap + 1])
-    label_line(axes, x, 1.04 * level / np.sqrt(x), -0.5, r"$\propto N_{c,0}^{-1/2}$", ha="center")
+    label_line(axes, x, 0.78 * level / np.sqrt(x), -0.5, r"$\propto N_{c,0}^{-1/2}$", ha="center")
     axes.set_xlabel("$N_{c,0}$")
-    number_axis(axes, "y", dataset(file, name))
-    if entries:
-        legend(axes, entries, loc="upper right")
+    number_axis(axes, "y", dataset(file, FLUCTUATIONS[0][0]))
+    legend(axes, entries, loc="upper right")
     heading(axes, "c", "standard deviation of $R_n(t)$ over its mean")
 
 
 if __name__ == "__main__":
-    run("figA2", __doc__, ["sampling", "L_y", "seed", "status", "R_n", "R_x", "R_n_fluctuation",
+    run("figA2", __doc__, ["sampling", "L_y", "seed", "status", "R_n", "R_x",
+                           *(row[0] for row in FLUCTUATIONS),
                            *(f"{FORCE}/{name}" for name in ("point", "t", "R_n"))], draw)

@@ -48,9 +48,8 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
        "(version of "
        "this format)"},
       {with(R"("modle": {})"),
-       "@/e.json: /modle: unknown key (did you mean model?); allowed: schema, name, title, figure, model, "
-       "si, load, "
-       "orientation, integrator, sweep, record, tiers, checks"},
+       "@/e.json: /modle: unknown key (did you mean model?); allowed: schema, name, title, notes, figure, "
+       "model, si, load, orientation, integrator, sweep, record, trajectories, tiers, checks"},
       {with(R"("model": {"k_tehta": 1})"),
        "@/e.json: /model/k_tehta: unknown key (did you mean k_theta?); allowed: friction, k_r, k_theta, "
        "k_phi, "
@@ -77,14 +76,15 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
       {with(R"("model": {"friction": null})"),
        "@/e.json: /model/friction: is missing; allowed: \"nss\", \"coulomb\" (local friction law)"},
       {with(R"("load": {"z_0": 0.5})"),
-       "@/e.json: /load: both R_n and z_0 are given; remove one (null removes what extends brings)"},
+       "@/e.json: /load: more than one of R_n, z_0 and trace is given; keep one (null removes what extends "
+       "brings)"},
       {with(R"("load": {"R_n": null})"),
-       "@/e.json: /load: neither R_n nor z_0 is given, here or in the sweep"},
+       "@/e.json: /load: none of R_n, z_0 and trace is given, here or in the sweep"},
       {with(R"("load": {"R_n": null, "z_0": 0.99})"),
        "@/e.json: /load/z_0: 0.99 is above first contact; allowed: at most sin(phi_0) = 0.984808"},
       {with(R"("sweep": {"k_r": {"values": []}})"),
-       "@/e.json: /sweep/k_r/values: [] is not allowed; allowed: an array, each a number (ascending "
-       "numbers)"},
+       "@/e.json: /sweep/k_r/values: [] is not allowed; allowed: an array, each a number or a string "
+       "(ascending numbers, or the words of a choice)"},
       {with(R"("sweep": {"k_r": {"values": [2, 1]}})"),
        "@/e.json: /sweep/k_r: the values must ascend, but 1 follows 2"},
       {with(R"("sweep": {"k_r": {}})"),
@@ -101,7 +101,31 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
        "phi_0_deg, "
        "zeta_theta, zeta_phi, mu_c, tau_f, R_c, E_star, A, C, V_s, lambda, lambda_z, alpha, beta, s_min, "
        "L_x, L_y, "
-       "spacing, R_n, z_0"},
+       "spacing, R_n, z_0, mean_deg, concentration, seed, rows, friction, azimuth_rate, path, sampling"},
+      {with(R"("sweep": {"friction": {"values": ["nss", "coulom"]}})"),
+       "@/e.json: /sweep/friction/values: \"coulom\" is not known (did you mean coulomb?); allowed: nss, "
+       "coulomb"},
+      {with(R"("sweep": {"friction": {"values": ["nss", "nss"]}})"),
+       "@/e.json: /sweep/friction/values: \"nss\" appears twice"},
+      {with(R"("sweep": {"friction": {"linspace": [0, 1, 2]}})"),
+       "@/e.json: /sweep/friction: friction takes \"values\", a list of: nss, coulomb"},
+      {with(R"("sweep": {"k_r": {"values": ["soft"]}})"),
+       "@/e.json: /sweep/k_r/values: \"soft\" is not a number"},
+      {with(R"("sweep": {"R_n": {"values": [0, 1]}})"),
+       "@/e.json: /sweep/R_n: 0 is out of range for R_n; allowed: a number greater than 0 (normal load "
+       "R_n/N_c0, dimensionless)"},
+      {with(R"("orientation": {"seed": 1})"),
+       "@/e.json: /orientation/seed: is used with \"sampling\": \"lattice\" only"},
+      {with(R"("orientation": {"sampling": "lattice", "rows": 50})"),
+       "@/e.json: /orientation/rows: 50 rows have entered at t_2 = 10; means begin at t_1 = 10 [2 L_x]: give "
+       "more rows"},
+      {with(R"("orientation": {"sampling": "lattice", "rows": 100}, "model": {"L_y": 5.1})"),
+       "@/e.json: /model/L_y: 5.1 is 25.5 spacings of 0.2; a lattice needs a whole number"},
+      {with(R"("record": ["slab_force"])"), "@/e.json: /record: slab_force needs \"sampling\": \"lattice\""},
+      {with(R"("record": ["trajectories"])"),
+       "@/e.json: /trajectories: is missing; recording trajectories needs {\"theta_0_deg\": [...]}"},
+      {with(R"("record": ["bristles"], "load": {"R_n": null, "trace": {}})"),
+       "@/e.json: /record: a trace of R_n(z_0) records observables only"},
       {with(R"("sweep": {"k_r": {"linspace": [1, 2, 1e12]}})"),
        "@/e.json: /sweep/k_r/linspace: 1000000000000 points; allowed: at most 1e+07 in all"},
       {with(R"("sweep": {"k_r": {"linspace": [1, 2, 1e6]}, "k_phi": {"linspace": [1, 2, 1e6]}})"),
@@ -117,7 +141,8 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
       {with(R"("orientation": {"distribution": "von_mises"})"),
        "@/e.json: /orientation/concentration: is missing; a von Mises distribution needs it, and mean_deg"},
       {with(R"("checks": [{"claim": "1"}])"),
-       "@/e.json: /checks/0/statement: is missing; allowed: a string (what the paper says)"},
+       "@/e.json: /checks/0/statement: is missing; allowed: a string (what the paper says, and the number "
+       "that decides)"},
       {R"({"extends": "nowhere.json"})",
        "@/e.json: /extends: \"nowhere.json\" does not exist (looked for @/nowhere.json)"},
       {R"({"extends": "e.json"})", "@/e.json: /extends: \"e.json\" extends this file in turn: a circle"},

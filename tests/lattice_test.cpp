@@ -77,7 +77,8 @@ TEST_CASE("azimuths: von Mises draws have the mean resultant I_1/I_0 and their o
       s += std::sin(angle - o.mean) / n;
     }
     CAPTURE(kappa);
-    CHECK(c == Approx(boost::math::cyl_bessel_i(1, kappa) / boost::math::cyl_bessel_i(0, kappa)).margin(0.01));
+    CHECK(c ==
+          Approx(boost::math::cyl_bessel_i(1, kappa) / boost::math::cyl_bessel_i(0, kappa)).margin(0.01));
     CHECK(std::abs(s) < 0.01);
   }
 }

@@ -37,9 +37,8 @@ struct Pair {
 TEST_CASE("reference: what is in it, and the parts of its tolerances") {
   const Scratch s;
   const std::string file = small_result(s, "a.h5");
-  h5::create_group(h5::open_file(file, true), "load_error");
-  add_dataset(file, "load_error/R_x", {2, 3});
   put(file, "load_error/R_x", {0, 0}, 4e-4);
+  put(file, "load_error/R_x", {0, 1}, 1);
   const Reference r = reference_of(file);
   CHECK(r.axes.at(0).name == "k_r");
   CHECK(r.axes.at(1).values == std::vector<double>{0.3, 1, 3});
@@ -57,7 +56,6 @@ TEST_CASE("reference: what is in it, and the parts of its tolerances") {
   CHECK(R_x.integrator[0] == Approx(10 * 1e-5 * scale));
   CHECK(R_x.libm[0] == Approx(1e-8 * scale));
   CHECK(R_x.tolerance(0) == Approx(1e-3 + (1e-4 + 1e-8) * scale));
-  CHECK(named(r.variables, "energy_residual").integrator[0] == Approx(1e-4));
   CHECK(named(r.variables, "jump_z_0").tolerance(0) == 0);
 }
 

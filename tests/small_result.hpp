@@ -34,8 +34,8 @@ inline Experiment small_experiment(const Scratch& s, const std::string& more = "
   s.write("paper.json", bytes_of(std::string(BRISTLE_EXPERIMENTS) + "/paper.json"));
   return load_experiment(s.write("small.json", R"({"extends": "paper.json", "name": "small",
         "sweep": {"k_r": {"values": [5, 20]}, "k_theta": {"values": [0.3, 1, 3]}},
-        "checks": [{"claim": "x", "statement": "falls", "predicate": "trend", "variable": "R_x_norm",
-                    "along": "k_r", "is": "at_most", "threshold": -0.5}])" +
+        "checks": [{"claim": "x", "statement": "falls", "predicate": "end_ratio", "variable": "R_x_norm",
+                    "along": "k_r", "is": "at_most", "threshold": 0.99}])" +
                                                    more + "}"),
                          {{}, tier});
 }

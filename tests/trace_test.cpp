@@ -43,7 +43,8 @@ TEST_CASE("a traced curve: gaps descend, neighbours are as near as asked or at a
   }
 }
 
-TEST_CASE("the slab's paths: the load grows along one and falls along the other; folds and landings are nodes") {
+TEST_CASE(
+    "the slab's paths: the load grows along one and falls along the other; folds and landings are nodes") {
   const auto curve = trace_curve(bent(), {0.05, 0.03, 160}, make_runner(Engine::fast));
   double top = 0;
   std::size_t last = 0;

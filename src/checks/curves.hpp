@@ -14,7 +14,7 @@ using Curve = std::vector<CurvePoint>;
 // What a check measures on: curves along one dimension of a result.
 struct Curves {
   std::vector<Curve> curves;
-  std::size_t missing = 0;  // points without a value, left out
+  std::size_t missing = 0;   // points without a value, left out
   bool independent = false;  // the errors are independent and add in quadrature, otherwise linearly
 };
 

@@ -67,6 +67,15 @@ ReferenceVariable make_variable(const ResultReader& result, const std::string& n
   return out;
 }
 
+// Of the points: those of the status, a curve's nodes included, or of the sweep if a damaged file lacks it.
+std::vector<std::string> dimensions_of(const ResultReader& result, const Json& experiment) {
+  if (h5::exists(result.file(), "status")) return result.variable("status").dimensions;
+  std::vector<std::string> axes;
+  const Json sweep = experiment.value("sweep", Json::object());
+  for (const auto& [name, axis] : sweep.items()) axes.push_back(axis_variable(name));
+  return axes;
+}
+
 std::string commit_of(const ResultReader& result) {
   if (!h5::exists(result.file(), "provenance")) return "unknown";
   const h5::Handle group(H5Gopen2(result.file(), "provenance", H5P_DEFAULT), H5Gclose, "opening /provenance");
@@ -102,7 +111,7 @@ Reference make_reference(const ResultReader& result, const std::vector<CheckResu
   out.payload_sha256 = result.text("payload_sha256");
   out.commit = commit_of(result);
   out.numerics_version = long(h5::read_number_attribute(result.file(), "numerics_version"));
-  const std::vector<std::string> axes = result.variable("status").dimensions;
+  const std::vector<std::string> axes = dimensions_of(result, experiment);
   for (const std::string& name : axes) out.axes.push_back({name, result.variable(name).values});
   const double rtol = experiment["integrator"]["rtol"];
   for (const std::string& name : numeric_datasets(result)) {

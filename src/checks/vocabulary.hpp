@@ -12,8 +12,8 @@ struct Predicate {
 };
 const std::vector<Predicate>& vocabulary();
 
-// What the check measures. With "compare": {axis: [first, second]}, the ratio (or, "by": "difference") of the measurements at the two
-// values, or for a predicate of pairs the measurement of both together.
+// What the check measures. With "compare": {axis: [first, second]}, the ratio (or, "by": "difference") of the
+// measurements at the two values, or for a predicate of pairs the measurement of both together.
 Measurement measure(const ResultReader& result, const Json& check);
 
 }  // namespace bristle

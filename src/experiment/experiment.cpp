@@ -144,7 +144,8 @@ void check_lattice(const Document& d, const Experiment& e) {
     const double across = p.L_y / p.spacing;
     if (std::abs(across - std::round(across)) > 1e-6 || across < 0.5)
       fail(d, "/model/L_y",
-           fmt::format("{} is {} spacings of {}; a lattice needs a whole number", p.L_y, across, p.spacing));
+           fmt::format("{} is {:.6g} spacings of {}; a lattice needs a whole number", p.L_y, across,
+                       p.spacing));
     if (lattice_end(point) <= lattice_start(point))
       fail(d, "/orientation/rows",
            fmt::format("{} rows have entered at t_2 = {}; means begin at t_1 = {} [2 L_x]: give more rows",

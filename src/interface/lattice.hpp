@@ -11,8 +11,8 @@ struct SlabForce {
   std::vector<double> R_n, R_x, R_y, N_c;
 };
 
-// Standard deviation of R_n(t) over its mean, with its standard error. Rows enter at equal times, so R_n(t) has a part
-// of that period that stays however large the lattice is; means over a row's time are free of it.
+// Standard deviation of R_n(t) over its mean, with its standard error. Rows enter at equal times, so R_n(t)
+// has a part of that period that stays however large the lattice is; means over a row's time are free of it.
 struct Fluctuation {
   double value = 0, error = 0;
 };
@@ -20,10 +20,10 @@ struct Fluctuation {
 // Time mean over t_1..t_2 of the force on the slab, with its standard error.
 struct LatticeMean {
   ObservableArray mean{}, error{};
-  Fluctuation fluctuation, fluctuation_of_rows;   // of R_n(t), and of its means over a row's time
-  std::vector<Passage> passages;                  // row by row
-  long incomplete = 0;                            // passages without an exit; > 0: the means mean nothing
-  double incomplete_theta_0 = 0;                  // the first of them, rad
+  Fluctuation fluctuation, fluctuation_of_rows;  // of R_n(t), and of its means over a row's time
+  std::vector<Passage> passages;                 // row by row
+  long incomplete = 0;                           // passages without an exit; > 0: the means mean nothing
+  double incomplete_theta_0 = 0;                 // the first of them, rad
   SlabForce force;
 };
 

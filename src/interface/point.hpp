@@ -42,7 +42,7 @@ struct PointResult {
   ObservableArray value{}, error{};
   ObservableArray load_error{};  // the part of error that the load's distance from its target makes
   Fluctuation fluctuation, fluctuation_of_rows;  // on a lattice; NaN otherwise
-  double R_x_norm = 0, R_x_norm_error = 0;        // Eqs. (20, 21), at the R_n actually carried
+  double R_x_norm = 0, R_x_norm_error = 0;       // Eqs. (20, 21), at the R_n actually carried
   double R_y_norm = 0, R_y_norm_error = 0;
   double R_x_norm_load_error = 0, R_y_norm_load_error = 0;
   double jump_z_0 = 0, jump_R_n = 0;  // last gap before the jump and its R_n; NaN without

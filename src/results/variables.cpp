@@ -92,9 +92,9 @@ std::vector<ResultVariable> result_variables(const Experiment& experiment) {
   if (experiment.on_lattice()) {
     variables.push_back(fluctuation("R_n_fluctuation", "standard deviation of R_n(t) over its mean",
                                     R"(\sigma(R_n)/R_n)", &P::fluctuation));
-    variables.push_back(fluctuation("R_n_fluctuation_of_rows",
-                                    "standard deviation of R_n(t), averaged over a row's time, over its mean",
-                                    R"(\sigma(\langle R_n\rangle_{\mathrm{row}})/R_n)", &P::fluctuation_of_rows));
+    variables.push_back(fluctuation(
+        "R_n_fluctuation_of_rows", "standard deviation of R_n(t), averaged over a row's time, over its mean",
+        R"(\sigma(\langle R_n\rangle_{\mathrm{row}})/R_n)", &P::fluctuation_of_rows));
   }
   return variables;
 }
