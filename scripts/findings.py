@@ -18,6 +18,9 @@ their resolution. How claims are checked is in docs/claims.md, what is assumed w
 This page is written by `make findings` from the result files; no number in it is typed.
 """
 
+# Predicates that are about both sides of "compare" at once.
+PAIRS = ("ordering", "concordance", "equality")
+
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
@@ -104,6 +107,8 @@ def table_row(file, check, index):
              "near": f"{threshold:.3g} ± {band:.3g}"}[check["is"]]
     verdict = text(group["verdict"][index])
     what = check["predicate"].replace("_", " ")
+    if "compare" in check and check["predicate"] not in PAIRS:
+        what = f"{check.get('by', 'ratio')} of {what}"
     return (f"| {check['claim']} | {check['statement']} | {emphasised(verdict)} | "
             f"{what} {found} | {asked} |".replace("−", "-"))
 
