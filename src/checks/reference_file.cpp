@@ -8,6 +8,7 @@
 #include <cmath>
 #include <fstream>
 #include <limits>
+#include <optional>
 
 namespace bristle {
 namespace {
@@ -65,6 +66,8 @@ class Node {
     if (!json_.is_array()) fail(fmt::format("{} is not an array", shown(json_)));
     return json_;
   }
+
+  bool is_number() const { return json_.is_number(); }
 
   std::string text() const {
     if (!json_.is_string()) fail(fmt::format("{} is not a text", shown(json_)));
@@ -125,6 +128,25 @@ double tolerance_part(const Node& node) {
   return node.number();
 }
 
+// A list, or one number for all points with a value.
+std::vector<double> read_part(const Node& node, const std::vector<double>& values) {
+  if (!node.is_number()) return node.list(tolerance_part, values.size());
+  const double same = tolerance_part(node);
+  std::vector<double> out;
+  for (const double value : values) out.push_back(std::isfinite(value) ? same : 0);
+  return out;
+}
+
+Json part_json(const std::vector<double>& part, const std::vector<double>& values) {
+  std::optional<double> same;
+  for (std::size_t i = 0; i < part.size(); ++i) {
+    if (!std::isfinite(values[i])) continue;
+    if (!same) same = part[i];
+    if (part[i] != *same) return part;
+  }
+  return same.value_or(0.0);
+}
+
 ReferenceVariable read_variable(const std::string& name, const Node& node, std::size_t points) {
   ReferenceVariable v;
   v.name = name;
@@ -132,8 +154,7 @@ ReferenceVariable read_variable(const std::string& name, const Node& node, std::
   for (const TolerancePart& part : kToleranceParts) keys.push_back(part.name);
   node.only(keys);
   v.values = node["values"].list(number, points);
-  for (const TolerancePart& part : kToleranceParts)
-    v.*part.values = node[part.name].list(tolerance_part, points);
+  for (const TolerancePart& part : kToleranceParts) v.*part.values = read_part(node[part.name], v.values);
   return v;
 }
 
@@ -185,7 +206,8 @@ std::string reference_text(const Reference& reference) {
   for (const ReferenceVariable& v : reference.variables) {
     Json& variable = out["variables"][v.name];
     variable["values"] = v.values;  // NaN is written as null
-    for (const TolerancePart& part : kToleranceParts) variable[part.name] = v.*part.values;
+    for (const TolerancePart& part : kToleranceParts)
+      variable[part.name] = part_json(v.*part.values, v.values);
   }
   return layout(out, "") + "\n";
 }

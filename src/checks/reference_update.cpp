@@ -19,8 +19,9 @@ namespace bristle {
 namespace fs = std::filesystem;
 namespace {
 
-// Variables that most points have no value of: there is a jump or a lost passage, or there is none.
-const std::set<std::string> kMayBeMissing = {"jump_z_0", "jump_R_n", "incomplete_theta_0"};
+// Variables that points may have no value of: there is a jump, a lost passage, a lattice, or there is none.
+const std::set<std::string> kMayBeMissing = {"jump_z_0", "jump_R_n", "incomplete_theta_0", "R_n_fluctuation",
+                                             "R_n_fluctuation_of_rows"};
 
 bool status_is(double status, PointStatus wanted) { return status == double(wanted); }
 
