@@ -54,8 +54,11 @@ TEST_CASE("reference: what is in it, and the parts of its tolerances") {
   CHECK(R_x.quadrature[0] == Approx(6e-4));
   CHECK(R_x.quadrature[1] == 0);  // the load's part is larger than the whole
   CHECK(R_x.integrator[0] == Approx(10 * 1e-5 * scale));
-  CHECK(R_x.libm[0] == Approx(1e-8 * scale));
-  CHECK(R_x.tolerance(0) == Approx(1e-3 + (1e-4 + 1e-8) * scale));
+  CHECK(R_x.libm[0] == Approx(1e-3 + 1e-8 * scale));
+  CHECK(R_x.tolerance(0) == Approx(2e-3 + (1e-4 + 1e-8) * scale));
+  const ReferenceVariable &R_n = named(r.variables, "R_n"), &pinned = named(r.variables, "pinned_fraction");
+  CHECK(R_n.load_control[0] == Approx(1e-3 * 2));  // orientation.rtol of the target
+  CHECK(pinned.libm[0] == Approx(3 * pinned.quadrature[0]).margin(1e-7));
   CHECK(named(r.variables, "jump_z_0").tolerance(0) == 0);
 }
 
@@ -217,8 +220,9 @@ TEST_CASE("reference: a broken file is refused with its place") {
   broken("/axes/k_r/0", nullptr);
   broken("/variables/R_x/values/2", "1.5");
   broken("/variables/R_x/values", {1, 2});
-  broken("/variables/R_x/libm/0", -1);
-  broken("/variables/R_x/libm/0", nullptr);
+  broken("/variables/R_x/libm", -1);
+  broken("/variables/R_x/quadrature", nullptr);
+  broken("/variables/R_x/quadrature", {1, 2});
   broken("/flags/status/values/1", 0.5);
   broken("/claims/0/verdict", "suported");
   broken("/variables/R_x", 1);
