@@ -100,7 +100,10 @@ std::string replay_command(const ResultReader& result, std::size_t point) {
     values.push_back(result.variable(axis_variable(name)).values);
     shape.push_back(values.back().size());
   }
-  const auto at = unravel(point, shape);
+  std::size_t points = 1;
+  for (const std::size_t n : shape) points *= n;
+  const std::size_t nodes = result.variable("status").values.size() / points;  // of a traced curve, else 1
+  const auto at = unravel(point / nodes, shape);
   std::size_t d = 0;
   for (const auto& [name, axis] : sweep.items()) {
     Json one;
@@ -109,6 +112,7 @@ std::string replay_command(const ResultReader& result, std::size_t point) {
     add_set(words, JsonPointer("/sweep") / name, one);
     ++d;
   }
+  if (experiment.contains("checks")) add_set(words, JsonPointer("/checks"), nullptr);  // of one point there are none
   std::string command;
   for (const std::string& word : words) command += shell_quoted(word) + " ";
   return command + "-o results/replay.h5";
