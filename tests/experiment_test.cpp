@@ -121,6 +121,8 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
        "more rows"},
       {with(R"("orientation": {"sampling": "lattice", "rows": 100}, "model": {"L_y": 5.1})"),
        "@/e.json: /model/L_y: 5.1 is 25.5 spacings of 0.2; a lattice needs a whole number"},
+      {with(R"("orientation": {"sampling": "lattice", "rows": 100}, "load": {"R_n": null, "trace": {}})"),
+       "@/e.json: /load/trace: takes the mean over theta_0 by quadrature or over a list, not over a lattice"},
       {with(R"("record": ["slab_force"])"), "@/e.json: /record: slab_force needs \"sampling\": \"lattice\""},
       {with(R"("record": ["trajectories"])"),
        "@/e.json: /trajectories: is missing; recording trajectories needs {\"theta_0_deg\": [...]}"},

@@ -134,6 +134,8 @@ void check_gap(const Document& d, const Experiment& e) {
 // The lattice's numbers, at every point: whole bristles across the slab, and rows that outlast t_1.
 void check_lattice(const Document& d, const Experiment& e) {
   const bool used = e.on_lattice();
+  if (used && e.base.loading.trace)
+    fail(d, "/load/trace", "takes the mean over theta_0 by quadrature or over a list, not over a lattice");
   if (e.record.slab_force && !used) fail(d, "/record", "slab_force needs \"sampling\": \"lattice\"");
   for (const char* key : {"seed", "rows", "t_1"})
     if (!used && (d.json()["orientation"].contains(key) || swept(e.axes, key)))

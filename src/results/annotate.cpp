@@ -25,9 +25,9 @@ std::string caption(const Experiment& e) {
   add("k_theta", R"(\tilde{k}_\theta)", p.k_theta);
   add("k_phi", R"(\tilde{k}_\varphi)", p.k_phi);
   if (!nss) add("mu_c", R"(\mu_c)", p.mu_c);
-  if (e.base.loading.trace) {
-  } else if (e.base.loading.z_0) add("z_0", R"(\tilde{z}_0)", *e.base.loading.z_0);
-  else add("R_n", R"(\tilde{R}_n/N_{c,0})", e.base.loading.R_n);
+  const Loading& load = e.base.loading;
+  if (load.z_0) add("z_0", R"(\tilde{z}_0)", *load.z_0);
+  else if (!load.trace) add("R_n", R"(\tilde{R}_n/N_{c,0})", load.R_n);
   if (e.tier != "full") parts.push_back(e.tier + " tier: a subset of the points");
   return fmt::format("{}", fmt::join(parts, ", "));
 }
