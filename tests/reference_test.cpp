@@ -107,21 +107,23 @@ TEST_CASE("replay: from the file that the run was of, with what --set had change
              Contains(R"('/sweep/k_r={"values":[20.0],)") && Contains(R"('/sweep/k_theta={"values":[1.0],)"));
 }
 
-TEST_CASE("replay: a word of a choice, a traced curve whatever the node, and no checks, which one point has not") {
+TEST_CASE(
+    "replay: a word of a choice, a traced curve whatever the node, and no checks, which one point has not") {
   const Scratch s;
   small_experiment(s);
-  const Experiment curves = load_experiment(
-      s.write("curves.json", R"({"extends": "small.json", "name": "curves",
-        "load": {"R_n": null, "path": null, "trace": {"nodes": 16}},
+  const Experiment curves =
+      load_experiment(s.write("curves.json", R"({"extends": "small.json", "name": "curves",
+        "load": {"R_n": null, "path": null, "trace": {"nodes": 96}},
         "sweep": {"k_theta": null, "friction": {"values": ["nss", "coulomb"]}}})"),
-      {});
+                      {});
   ResultWriter writer(curves, s.path("a.h5"));
   for (std::size_t i = 0; i < curves.points(); ++i) writer.write_curve(i, {CurveNode{}});
   writer.close({{"command_line", "bristle run " + s.path("curves.json")}});
   writer.publish();
-  const std::string command = replay_command(ResultReader(s.path("a.h5")), 2 * 16 + 5);
+  const std::string command = replay_command(ResultReader(s.path("a.h5")), 2 * 96 + 5);
   CHECK_THAT(command, Contains(R"('/sweep/k_r={"values":[20.0],)") &&
-                          Contains(R"('/sweep/friction={"values":["nss"],)") && Contains("--set /checks=null"));
+                          Contains(R"('/sweep/friction={"values":["nss"],)") &&
+                          Contains("--set /checks=null"));
 }
 
 TEST_CASE("drift: worst first; every failure has its line as far as there are not too many") {

@@ -43,6 +43,14 @@ TEST_CASE("a traced curve: gaps descend, neighbours are as near as asked or at a
   }
 }
 
+TEST_CASE("a traced curve keeps to its number of nodes, folds and landings included") {
+  Interface rough = bent();
+  rough.parameters.k_r = 20;
+  const auto curve = trace_curve(rough, {0.05, 0.005, 96}, make_runner(Engine::fast));
+  CHECK(curve.size() <= 96);
+  CHECK(curve.size() > 70);
+}
+
 TEST_CASE(
     "the slab's paths: the load grows along one and falls along the other; folds and landings are nodes") {
   const auto curve = trace_curve(bent(), {0.05, 0.03, 160}, make_runner(Engine::fast));

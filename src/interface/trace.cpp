@@ -69,14 +69,16 @@ class Tracer {
   // R_n at a gap that may not be a node yet.
   double load(double z_0, const PassageRunner& run) {
     if (nodes_.find(z_0) == nodes_.end()) {
+      ++under_way_;
       const PointResult node = solve(z_0, run);
+      --under_way_;
       nodes_[z_0] = node;
     }
     return load(z_0);
   }
   double load(double z_0) const { return nodes_.at(z_0).value[R_N]; }
   double error(double z_0) const { return nodes_.at(z_0).error[R_N]; }
-  bool room(long nodes) const { return long(nodes_.size()) + nodes <= trace_.nodes; }
+  bool room(long nodes) const { return long(nodes_.size()) + under_way_ + nodes <= trace_.nodes; }
 
   std::vector<double> gaps() const {
     std::vector<double> out;
@@ -164,8 +166,10 @@ class Tracer {
 
   // Adds nodes towards the gap that carries the fold's load again.
   void land(const Landing& landing, const PassageRunner& run) {
-    if (!room(kSearchSteps)) return;
-    const auto beyond = [&](double z_0) { return load(z_0, run) - landing.load; };
+    const auto known = [&](double z_0) { return nodes_.count(z_0) > 0 || room(1); };
+    const auto beyond = [&](double z_0) {
+      return known(z_0) ? load(z_0, run) - landing.load : 0;
+    };  // 0 ends it
     const auto [low, high] = std::minmax(landing.near, landing.far);
     const auto close = [](double a, double b) { return b - a < kClosest; };
     std::uintmax_t iterations = kSearchSteps;
@@ -194,6 +198,7 @@ class Tracer {
   const Trace& trace_;
   const PassageRunner& run_;
   std::map<double, PointResult> nodes_;  // by gap
+  long under_way_ = 0;                   // nodes of searches, not yet there
 };
 
 }  // namespace
