@@ -116,6 +116,8 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
        "R_n/N_c0, dimensionless)"},
       {with(R"("orientation": {"seed": 1})"),
        "@/e.json: /orientation/seed: is used with \"sampling\": \"lattice\" only"},
+      {with(R"("orientation": {"sampling": "lattice"})"),
+       "@/e.json: /orientation/rows: is missing; a lattice needs the number of rows that enter"},
       {with(R"("orientation": {"sampling": "lattice", "rows": 50})"),
        "@/e.json: /orientation/rows: 50 rows have entered at t_2 = 10; means begin at t_1 = 10 [2 L_x]: give "
        "more rows"},

@@ -48,7 +48,9 @@ TEST_CASE("a traced curve keeps to its number of nodes, folds and landings inclu
   rough.parameters.k_r = 20;
   const auto curve = trace_curve(rough, {0.05, 0.005, 96}, make_runner(Engine::fast));
   CHECK(curve.size() <= 96);
-  CHECK(curve.size() > 70);
+  long unresolved = 0;
+  for (const CurveNode& node : curve) unresolved += node.result.status == PointStatus::not_converged;
+  CHECK(unresolved > 0);
 }
 
 TEST_CASE(

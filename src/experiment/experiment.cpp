@@ -148,6 +148,8 @@ void check_lattice(const Document& d, const Experiment& e) {
       fail(d, "/model/L_y",
            fmt::format("{} is {:.6g} spacings of {}; a lattice needs a whole number", p.L_y, across,
                        p.spacing));
+    if (point.orientation.rows == 0)
+      fail(d, "/orientation/rows", "is missing; a lattice needs the number of rows that enter");
     if (lattice_end(point) <= lattice_start(point))
       fail(d, "/orientation/rows",
            fmt::format("{} rows have entered at t_2 = {}; means begin at t_1 = {} [2 L_x]: give more rows",

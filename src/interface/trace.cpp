@@ -87,10 +87,11 @@ class Tracer {
     return out;
   }
 
-  // Halves the intervals beside the nodes that lie off their neighbours' chord; false if there is none.
+  // Halves the intervals beside the nodes that lie off their neighbours' chord; false if there is none, or no
+  // room: then these nodes say so.
   bool refine() {
     const std::vector<double> z = gaps();
-    std::vector<double> between;
+    std::vector<double> between, off;
     const auto halve = [&](std::size_t i) {
       const double middle = (z[i] + z[i + 1]) / 2;
       if (z[i + 1] - z[i] > kClosest && (between.empty() || between.back() != middle))
@@ -102,10 +103,15 @@ class Tracer {
       const double noise = error(z[i - 1]) + error(z[i]) + error(z[i + 1]);
       const double allowed = trace_.resolution * std::max(std::abs(load(z[i])), kSmallLoad);
       if (std::abs(load(z[i]) - chord) <= allowed + noise) continue;
+      off.push_back(z[i]);
       halve(i - 1);
       halve(i);
     }
-    if (between.empty() || !room(long(between.size()) + kReserved)) return false;
+    if (between.empty()) return false;
+    if (!room(long(between.size()) + kReserved)) {
+      for (const double z_0 : off) nodes_[z_0].status = PointStatus::not_converged;
+      return false;
+    }
     compute(between);
     return true;
   }
