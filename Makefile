@@ -35,7 +35,7 @@ $(FIGURES): %: build
 figures: $(FIGURES) ## make all figures
 
 findings: figures ## all figures, and docs/findings.md: every claim with its verdict and numbers
-	@$$(scripts/find-python) scripts/findings.py $(FIGURES:%=results/%.h5) -o docs/findings.md
+	@$$(scripts/find-python) scripts/findings.py $(FIGURES:%=results/%$(SUFFIX).h5) -o $(if $(SUFFIX),results/findings$(SUFFIX).md,docs/findings.md)
 
 test: packages $(BUILD)/build.ninja ## build everything and run the tests
 	@echo "Building program and tests ..."

@@ -85,7 +85,7 @@ def section(file):
 
 
 def provenance(file):
-    """Where the numbers are from: points by status, digest, commit."""
+    """What the numbers are of: caption, points by status, passages, digest."""
     status = dataset(file, "status")
     names = attribute(status, "flag_meanings").split()
     counts = np.bincount(np.ravel(values(status)), minlength=len(names))
@@ -93,7 +93,7 @@ def provenance(file):
     passages = int(np.sum(values(dataset(file, "passages"))))
     digest = text(file.attrs["payload_sha256"])
     return (f"{text(file.attrs['caption'])}. Points: {points}; {passages} passages. "
-            f"Payload SHA-256 `{digest[:16]}`.").replace("$", "$")
+            f"Payload SHA-256 `{digest[:16]}`.")
 
 
 def table_row(file, check, index):
@@ -110,7 +110,7 @@ def table_row(file, check, index):
     if "compare" in check and check["predicate"] not in PAIRS:
         what = f"{check.get('by', 'ratio')} of {what}"
     return (f"| {check['claim']} | {check['statement']} | {emphasised(verdict)} | "
-            f"{what} {found} | {asked} |".replace("−", "-"))
+            f"{what} {found} | {asked} |")
 
 
 if __name__ == "__main__":
