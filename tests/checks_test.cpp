@@ -182,6 +182,7 @@ TEST_CASE("a check that names what the result lacks is an error with the remedy"
   refused(R"("predicate": "range_ratio")", "/checks/0/against: is missing; range_ratio needs it");
   refused(R"("predicate": "range_ratio", "against": "k_rr")", "did you mean k_r?");
   refused(R"("predicate": "equality", "resolution": 1)", "/checks/0/compare: is missing");
+  refused(R"("predicate": "level", "compare": {})", "/checks/0/compare: {} is not allowed");
   refused(R"("predicate": "trend", "where": {"k_r": 2.5})", "2.5 is not a value of that axis; it has: 1, 10");
   refused(R"("predicate": "trend", "where": {"gama_1": [1, 2]})", "did you mean gamma_1?");
   refused(R"("predicate": "trend", "at": {"R_n": 1})", "is for traced curves only");

@@ -67,7 +67,6 @@ class CheckValidator {
            fmt::format("is missing; {} compares two values of an axis, or with \"expected\"", word.name));
     if (check_["is"] == "near" && !check_.contains("band"))
       fail("band", "is missing; \"near\" needs the distance allowed");
-    if (check_.value("compare", Json::object()).size() > 1) fail("compare", "names more than one axis");
   }
 
   // A word of a choice, a value of an axis, or a range of an axis or a variable.
