@@ -4,6 +4,7 @@
 #include "experiment/experiment.hpp"
 #include "experiment/input_error.hpp"
 #include "results/journal.hpp"
+#include "results/lock.hpp"
 #include "results/writer.hpp"
 #include "run/progress.hpp"
 #include "run/provenance.hpp"
@@ -47,7 +48,7 @@ void refresh(const std::string& path, const Experiment& experiment) {
   std::filesystem::copy_file(path, copy, std::filesystem::copy_options::overwrite_existing);
   annotate(copy, experiment);
   add_checks(copy);
-  std::filesystem::rename(copy, path);
+  replace_file(copy, path);
 }
 
 // Counts of the points' statuses, for the closing line.
