@@ -3,6 +3,7 @@
 #include "checks/diff.hpp"
 #include "checks/reference_update.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,7 +21,8 @@ struct RunOptions {
   std::string experiment, output;  // empty output: results/<name>.h5
   std::vector<std::string> set;
   std::string tier = "full";
-  int threads = 0;  // 0: all cores
+  std::optional<std::string> shard;  // "i/N"; none: the whole
+  int threads = 0;                   // 0: all cores
   bool force = false, quiet = false;
   std::string command_line;
 };
@@ -41,6 +43,12 @@ struct DiffOptions {
   Tolerances tolerances;
 };
 int diff_command(const DiffOptions& options);
+
+struct MergeOptions {
+  std::vector<std::string> parts;
+  std::string output, command_line;
+};
+int merge_command(const MergeOptions& options);
 
 int reference_update_command(ReferenceUpdate update);
 
