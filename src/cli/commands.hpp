@@ -23,6 +23,7 @@ struct RunOptions {
   std::string tier = "full";
   std::optional<std::string> shard;  // "i/N"; none: the whole
   int threads = 0;                   // 0: all cores
+  std::string instruction_set;       // empty: the widest
   bool force = false, quiet = false;
   std::string command_line;
 };

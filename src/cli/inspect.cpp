@@ -34,8 +34,7 @@ void print_variable(const ResultReader& result, const std::string& name) {
 void keep_part(const ResultReader& result, Variable& status) {
   std::size_t points = 1;
   const Json sweep = result.experiment().value("sweep", Json::object());
-  for (const auto& [name, axis] : sweep.items())
-    points *= result.variable(axis_variable(name)).values.size();
+  for (const auto& [name, axis] : sweep.items()) points *= result.variable(axis_variable(name)).values.size();
   const std::size_t nodes = status.values.size() / points;  // of a traced curve, else 1
   const auto own = result.part_points();
   fmt::print("part {}: {} of {} points; {}\n", shard_text(*result.shard()), own.size(), points,

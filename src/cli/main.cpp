@@ -29,6 +29,8 @@ CLI::App* add_run(CLI::App& app, RunOptions& run) {
   command->add_option("--shard", run.shard, "compute the i-th of N parts, for `bristle merge`")
       ->type_name("i/N");
   command->add_option("--threads", run.threads, "threads [all cores]")->check(CLI::Range(1, 1024));
+  command->add_option("--instruction-set", run.instruction_set,
+                      "of the fast engine, the numbers are the same [the widest that the processor has]");
   command->add_flag("--force", run.force, "compute even if the result is up to date");
   command->add_flag("--quiet", run.quiet, "no progress, no summary");
   return command;

@@ -1,5 +1,6 @@
 #include "checks/checks.hpp"
 #include "cli/commands.hpp"
+#include "dynamics/lanes/kernels.hpp"
 #include "experiment/experiment.hpp"
 #include "experiment/input_error.hpp"
 #include "results/journal.hpp"
@@ -39,7 +40,7 @@ void add_checks(const std::string& path) {
 // The numbers are there; what describes them has changed.
 void refresh(const Task& task) {
   if (ResultReader(task.path, Expected::either).experiment() == task.experiment.document) return;
-  const Journal others_stay_off(task.path, false);
+  const Journal others_stay_off(task.path, kCommit, false);
   const std::string copy = task.path + ".partial";
   std::filesystem::copy_file(task.path, copy, std::filesystem::copy_options::overwrite_existing);
   annotate(copy, task.experiment, task.shard);
@@ -80,7 +81,7 @@ void fill_journal(const Task& task, const std::vector<std::size_t>& missing, int
   Progress progress(experiment.name, missing.size(), quiet);
   std::size_t saved = all - missing.size();
   const auto sink = [&](PointReport&& report) {
-    journal.append(point_key(experiment, report.index), report.record, kCommit);
+    journal.append(point_key(experiment, report.index), report.record);
     ++saved;
     progress.step();
   };
@@ -120,7 +121,7 @@ void compute(const Task& task, int threads, const RunOptions& options) {
   end_tidily_on_signals();
   auto record = provenance(options.command_line, threads);
   record["started"] = utc_now();
-  Journal journal(task.path, options.force);
+  Journal journal(task.path, kCommit, options.force);
   std::vector<std::size_t> missing = missing_points(task, journal);
   if (!options.force && !missing.empty()) {
     journal.adopt(task.experiment, missing);
@@ -142,6 +143,14 @@ void keep_whole(const std::string& path) {
         "-o {}: holds a whole result, which a part would replace; give the part another name", path));
 }
 
+void choose_instruction_set(const std::string& name) {
+  if (name.empty() || prefer_kernels(name)) return;
+  std::vector<std::string> names;
+  for (const Kernels* kernels : available_kernels()) names.push_back(kernels->target);
+  throw InputError(fmt::format("--instruction-set {}: not of this processor; allowed: {}", name,
+                               names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
+}
+
 Experiment load_checked(const RunOptions& options) {
   Experiment experiment = load_experiment(options.experiment, {options.set, options.tier});
   validate_checks(experiment);
@@ -151,6 +160,7 @@ Experiment load_checked(const RunOptions& options) {
 }  // namespace
 
 int run_command(const RunOptions& options) {
+  choose_instruction_set(options.instruction_set);
   std::optional<Shard> shard;
   if (options.shard) shard = parse_shard(*options.shard);
   const Experiment experiment = load_checked(options);

@@ -25,6 +25,15 @@ void require_other_file(const std::vector<Part>& parts, const std::string& outpu
       throw InputError(fmt::format("-o {}: is one of the parts ({}); give another file", output, part.path));
 }
 
+// "a, b": each by itself.
+void add_listed(std::set<std::string>& out, const std::string& text) {
+  for (std::size_t from = 0; from < text.size();) {
+    const std::size_t to = std::min(text.find(", ", from), text.size());
+    out.insert(text.substr(from, to - from));
+    from = to + 2;
+  }
+}
+
 std::string part_line(const Part& part) {
   return fmt::format("{} {}: {} points, payload sha256 {}; {} to {} on {}: {}", shard_text(part.shard),
                      std::filesystem::path(part.path).filename().string(), part.points.size(),
@@ -37,7 +46,9 @@ std::string part_line(const Part& part) {
 std::map<std::string, std::string> merged_provenance(const std::vector<Part>& parts) {
   std::map<std::string, std::set<std::string>> values;
   for (const Part& part : parts)
-    for (const auto& [name, text] : part.provenance) values[name].insert(text);
+    for (const auto& [name, text] : part.provenance)
+      if (name == "points_commits") add_listed(values[name], text);
+      else values[name].insert(text);
   std::map<std::string, std::string> out;
   values.erase("points_computed");
   for (const auto& [name, texts] : values) out[name] = fmt::format("{}", fmt::join(texts, ", "));
