@@ -91,6 +91,9 @@ def open_result(path, needed=()):
         file = h5py.File(path, "r")
     except OSError as error:
         fail(f"{path}: damaged HDF5 file ({error})")
+    if text(file.attrs.get("schema_version", "")).startswith("bristle-part/"):
+        fail(f"{path}: a part ({text(file.attrs.get('shard', '?'))}) of {text(file.attrs.get('name', '?'))}, not the whole; "
+             "merge the parts first: bristle merge -o FILE.h5 PARTS...")
     for name in needed:
         dataset(file, name)
     return file

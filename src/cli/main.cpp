@@ -1,3 +1,4 @@
+#include "checks/comparison.hpp"
 #include "cli/commands.hpp"
 #include "experiment/input_error.hpp"
 #include "results/hdf5.hpp"
@@ -25,6 +26,8 @@ CLI::App* add_run(CLI::App& app, RunOptions& run) {
   auto* command = app.add_subcommand("run", "compute an experiment into an HDF5 result file");
   add_experiment(*command, run);
   command->add_option("-o,--output", run.output, "result file [results/<name>.h5]");
+  command->add_option("--shard", run.shard, "compute the i-th of N parts, for `bristle merge`")
+      ->type_name("i/N");
   command->add_option("--threads", run.threads, "threads [all cores]")->check(CLI::Range(1, 1024));
   command->add_option("--instruction-set", run.instruction_set,
                       "of the fast engine, the numbers are the same [the widest that the processor has]");
@@ -51,6 +54,14 @@ CLI::App* add_diff(CLI::App& app, DiffOptions& diff) {
   return command;
 }
 
+CLI::App* add_merge(CLI::App& app, MergeOptions& merge) {
+  auto* command = app.add_subcommand("merge", "make one result of the parts of a sharded run");
+  command->add_option("-o,--output", merge.output, "result file")->required();
+  command->add_option("PARTS", merge.parts, "what `bristle run --shard i/N` wrote, all N, in any order")
+      ->required();
+  return command;
+}
+
 void add_reference_update(CLI::App& app, ReferenceUpdate& update) {
   auto* reference = app.add_subcommand("reference", "the stored values that `check` compares with");
   reference->require_subcommand(1);
@@ -68,7 +79,7 @@ int dispatch(int argc, char** argv) {
       "Exit codes: 0 fine; 1 a check failed; 2 wrong input or command line; 3 the run could not finish.");
 
   RunOptions run;
-  for (int i = 0; i < argc; ++i) run.command_line += fmt::format("{}{}", i ? " " : "", argv[i]);
+  for (int i = 0; i < argc; ++i) run.command_line += fmt::format("{}{}", i ? " " : "", shell_quoted(argv[i]));
   auto* run_app = add_run(app, run);
   auto* validate_app = app.add_subcommand("validate", "check an experiment file, compute nothing");
   add_experiment(*validate_app, run);
@@ -77,11 +88,14 @@ int dispatch(int argc, char** argv) {
   auto* info_app = app.add_subcommand("info", "what a result file holds and where it is from");
   info_app->add_option("FILE", info_file, "result file")->required();
 
+  MergeOptions merge;
+  merge.command_line = run.command_line;
   CheckOptions check;
   DiffOptions diff;
   ReferenceUpdate update;
   auto* check_app = add_check(app, check);
   auto* diff_app = add_diff(app, diff);
+  auto* merge_app = add_merge(app, merge);
   add_reference_update(app, update);  // the last that is left
 
   try {
@@ -94,6 +108,7 @@ int dispatch(int argc, char** argv) {
   if (*info_app) return info_command(info_file);
   if (*check_app) return check_command(check);
   if (*diff_app) return diff_command(diff);
+  if (*merge_app) return merge_command(merge);
   return reference_update_command(update);
 }
 

@@ -42,6 +42,20 @@ void append(Rows& rows, const Rows& more) {
   for (std::size_t i = 0; i < more.size(); ++i) rows[i].insert(rows[i].end(), more[i].begin(), more[i].end());
 }
 
+// The first row of this point or a later one, by bisection: a table may be too long to be read for each
+// point.
+hsize_t first_row(hid_t points, std::size_t index) {
+  hsize_t low = 0, high = h5::shape_of(points).at(0);
+  while (low < high) {
+    const hsize_t middle = low + (high - low) / 2;
+    double point = 0;
+    h5::read_part(points, H5T_NATIVE_DOUBLE, {middle}, {1}, &point);
+    if (point < double(index)) low = middle + 1;
+    else high = middle;
+  }
+  return low;
+}
+
 // The rows of one point; a table is in ascending order of points.
 Rows read_rows(hid_t file, const std::string& table, std::size_t index) {
   const h5::Handle group(H5Gopen2(file, table.c_str(), H5P_DEFAULT), H5Gclose, "opening /" + table);
@@ -51,11 +65,10 @@ Rows read_rows(hid_t file, const std::string& table, std::size_t index) {
       h5::read_part(h5::open_dataset(group, column), H5T_NATIVE_DOUBLE, {from}, {count}, out.data());
     return out;
   };
-  const auto points = read("point", 0, h5::shape_of(h5::open_dataset(group, "point"))[0]);
-  const auto [first, last] = std::equal_range(points.begin(), points.end(), double(index));
+  const h5::Handle points = h5::open_dataset(group, "point");
+  const hsize_t first = first_row(points, index), last = first_row(points, index + 1);
   Rows rows;
-  for (const std::string& column : table_columns(table))
-    rows.push_back(read(column, hsize_t(first - points.begin()), hsize_t(last - first)));
+  for (const std::string& column : table_columns(table)) rows.push_back(read(column, first, last - first));
   return rows;
 }
 
