@@ -106,6 +106,9 @@ Tally write_result(const Task& task, const Journal& journal, std::map<std::strin
   ResultWriter writer(task.experiment, task.path, task.shard);
   for (const std::size_t i : task.points()) {
     const JournalLine line = journal.read(point_key(task.experiment, i));
+    if (!fits(line.record, task.experiment))
+      throw RunError(fmt::format("{}: has other variables than this program's results; --force computes anew",
+                                 journal.path()));
     writer.write(i, line.record);
     tally.add(line.record);
     commits.insert(line.commit);
@@ -131,7 +134,14 @@ void compute(const Task& task, int threads, const RunOptions& options) {
   const std::size_t all = task.points().size(), found = all - missing.size();
   record["points_computed"] = fmt::format("{} of {}", missing.size(), all);
   fill_journal(task, missing, threads, journal, options.quiet);
-  const Tally tally = write_result(task, journal, record);
+  const Tally tally = [&] {
+    try {
+      return write_result(task, journal, record);
+    } catch (const RunError& e) {
+      throw RunError(fmt::format("{}; all points are saved in {}: the same command writes the result",
+                                 e.what(), journal.path()));
+    }
+  }();
   if (options.quiet) return;
   fmt::print("{}: points: {}{}\n", task.path, all > 0 ? tally.text() : "none in this shard",
              found > 0 ? fmt::format("; {} computed before", found) : std::string());
