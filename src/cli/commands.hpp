@@ -1,5 +1,6 @@
 #pragma once
 
+#include "archive/build.hpp"
 #include "checks/diff.hpp"
 #include "checks/reference_update.hpp"
 
@@ -43,5 +44,14 @@ struct DiffOptions {
 int diff_command(const DiffOptions& options);
 
 int reference_update_command(ReferenceUpdate update);
+
+int archive_command(ArchiveOptions options);
+
+struct VerifyOptions {
+  std::string file;
+  std::size_t rerun = 0;   // points to compute again
+  std::uint64_t seed = 1;  // decides which
+};
+int verify_command(const VerifyOptions& options);
 
 }  // namespace bristle
