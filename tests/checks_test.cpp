@@ -38,7 +38,7 @@ std::vector<CheckResult> verdicts(const Scratch& s, const std::vector<double>& v
     PointResult p;
     p.R_x_norm = values[i];
     p.R_x_norm_error = error;
-    writer.write_point(i, p, {});
+    writer.write(i, record_of(e, p, {}));
   }
   writer.close({});
   writer.publish();

@@ -117,7 +117,7 @@ TEST_CASE(
         "sweep": {"k_theta": null, "friction": {"values": ["nss", "coulomb"]}}})"),
                       {});
   ResultWriter writer(curves, s.path("a.h5"));
-  for (std::size_t i = 0; i < curves.points(); ++i) writer.write_curve(i, {CurveNode{}});
+  for (std::size_t i = 0; i < curves.points(); ++i) writer.write(i, record_of(curves, {CurveNode{}}));
   writer.close({{"command_line", "bristle run " + s.path("curves.json")}});
   writer.publish();
   const std::string command = replay_command(ResultReader(s.path("a.h5")), 2 * 96 + 5);

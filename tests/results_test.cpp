@@ -3,7 +3,7 @@
 #include "results/reader.hpp"
 #include "results/variables.hpp"
 #include "results/writer.hpp"
-#include "run/sweep.hpp"
+#include "records.hpp"
 #include "scratch.hpp"
 
 #include <catch2/catch.hpp>
@@ -25,11 +25,14 @@ Experiment quick(const Scratch& s, const std::string& more = "") {
       {});
 }
 
+void write_all(ResultWriter& writer, const Experiment& e, int threads) {
+  const auto records = all_records(e, threads);
+  for (std::size_t i = 0; i < records.size(); ++i) writer.write(i, records[i]);
+}
+
 std::string run_to(const Experiment& e, const std::string& path, int threads) {
   ResultWriter writer(e, path);
-  run_sweep(
-      e, threads, [&](PointReport&& r) { writer.write_point(r.index, r.result, r.recorded); },
-      [] { return false; });
+  write_all(writer, e, threads);
   writer.close({{"host", path}});
   writer.publish();
   return ResultReader(path).text("payload_sha256");
@@ -95,7 +98,7 @@ TEST_CASE("a run that fails leaves the previous result untouched and nothing beh
   const std::string before = bytes_of(s.path("r.h5"));
   try {
     ResultWriter writer(e, s.path("r.h5"));
-    writer.write_point(0, {}, {});
+    writer.write(0, record_of(e, PointResult{}, {}));
     throw RunError("a failure in the middle");
   } catch (const RunError&) {
   }
@@ -118,8 +121,7 @@ TEST_CASE("two runs into one file: one writes, the other says so and does no har
   const Experiment e = quick(s);
   const std::string undisturbed = run_to(e, s.path("alone.h5"), 1);
   ResultWriter first(e, s.path("r.h5"));
-  run_sweep(
-      e, 1, [&](PointReport&& r) { first.write_point(r.index, r.result, r.recorded); }, [] { return false; });
+  write_all(first, e, 1);
   CHECK_THROWS_WITH(ResultWriter(e, s.path("r.h5")), Catch::Contains("another run is writing it"));
   first.close({});
   first.publish();

@@ -47,7 +47,7 @@ inline std::string small_result(const Scratch& s, const std::string& file, const
   for (std::size_t i = 0; i < experiment.points(); ++i) {
     PointResult p = small_point(i);
     if (change) change(i, p);
-    writer.write_point(i, p, {});
+    writer.write(i, record_of(experiment, p, {}));
   }
   writer.close({{"commit", commit}});
   writer.publish();

@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <csignal>
 
 namespace {
 
@@ -121,6 +122,7 @@ int dispatch(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   h5::silence();
+  std::signal(SIGXFSZ, SIG_IGN);  // a file-size limit is an error of the write, with a message
   try {
     return dispatch(argc, argv);
   } catch (const InputError& e) {

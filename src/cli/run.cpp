@@ -2,7 +2,7 @@
 #include "cli/commands.hpp"
 #include "experiment/experiment.hpp"
 #include "experiment/input_error.hpp"
-#include "results/variables.hpp"
+#include "results/journal.hpp"
 #include "results/writer.hpp"
 #include "run/progress.hpp"
 #include "run/provenance.hpp"
@@ -11,13 +11,25 @@
 #include <fmt/format.h>
 #include <csignal>
 #include <filesystem>
+#include <fmt/ranges.h>
+#include <map>
+#include <set>
 #include <thread>
 
 namespace bristle {
 namespace {
 
 volatile std::sig_atomic_t interrupted = 0;
-void on_interrupt(int) { interrupted = 1; }
+// The first asks for an end, the second ends.
+void on_interrupt(int signal) {
+  interrupted = 1;
+  std::signal(signal, SIG_DFL);
+}
+
+void end_tidily_on_signals() {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+    if (std::signal(signal, on_interrupt) == SIG_IGN) std::signal(signal, SIG_IGN);
+}
 
 // Stores the verdicts beside the numbers that they follow from.
 void add_checks(const std::string& path) {
@@ -28,7 +40,8 @@ void add_checks(const std::string& path) {
 // The numbers are there; what describes them has changed.
 void refresh(const std::string& path, const Experiment& experiment) {
   if (ResultReader(path).experiment() == experiment.document) return;
-  const std::string copy = path + ".refresh";
+  const Journal others_stay_off(path, false);
+  const std::string copy = path + ".partial";
   std::filesystem::copy_file(path, copy, std::filesystem::copy_options::overwrite_existing);
   annotate(copy, experiment);
   add_checks(copy);
@@ -38,7 +51,9 @@ void refresh(const std::string& path, const Experiment& experiment) {
 // Counts of the points' statuses, for the closing line.
 class Tally {
  public:
-  void add(PointStatus status) { ++counts_[std::size_t(status)]; }
+  void add(const PointRecord& record) {
+    for (const double status : record.values.at("status")) ++counts_[std::size_t(status)];
+  }
   std::string text() const {
     std::string out;
     for (std::size_t i = 0; i < counts_.size(); ++i)
@@ -51,32 +66,74 @@ class Tally {
   std::vector<long> counts_ = std::vector<long>(kPointStatusNames.size(), 0);
 };
 
-void compute(const Experiment& experiment, const std::string& path, int threads, const RunOptions& options) {
-  ResultWriter writer(experiment, path);
-  Progress progress(experiment.name, experiment.points(), options.quiet);
-  Tally tally;
-  auto record = provenance(options.command_line, threads);
-  record["started"] = utc_now();
-  std::signal(SIGINT, on_interrupt);
-  std::signal(SIGTERM, on_interrupt);
+std::vector<std::size_t> missing_points(const Experiment& experiment, const Journal& journal) {
+  std::vector<std::size_t> missing;
+  for (std::size_t i = 0; i < experiment.points(); ++i)
+    if (!journal.has(point_key(experiment, i))) missing.push_back(i);
+  return missing;
+}
+
+// Computes what the journal lacks, each point into it as it is done.
+void fill_journal(const Experiment& experiment, const std::vector<std::size_t>& missing, int threads,
+                  Journal& journal, bool quiet) {
+  Progress progress(experiment.name, missing.size(), quiet);
+  std::size_t saved = experiment.points() - missing.size();
   const auto sink = [&](PointReport&& report) {
-    if (experiment.base.loading.trace) {
-      writer.write_curve(report.index, report.curve);
-      for (const CurveNode& node : report.curve) tally.add(node.result.status);
-    } else {
-      writer.write_point(report.index, report.result, report.recorded);
-      tally.add(report.result.status);
-    }
+    journal.append(point_key(experiment, report.index), report.record, kCommit);
+    ++saved;
     progress.step();
   };
-  const bool complete = run_sweep(experiment, threads, sink, [] { return interrupted != 0; });
+  std::string trouble;
+  try {
+    if (!run_sweep(experiment, missing, threads, sink, [] { return interrupted != 0; }))
+      trouble = "interrupted";
+    journal.sync();
+  } catch (const RunError& e) {
+    trouble = e.what();
+  }
   progress.finish();
-  if (!complete) throw RunError(fmt::format("interrupted; nothing was saved and {} is as it was", path));
+  if (!trouble.empty())
+    throw RunError(fmt::format("{}; {} of {} points are saved in {}: the same command computes the rest",
+                               trouble, saved, experiment.points(), journal.path()));
+}
+
+// From the journal to the result, in the order of the points.
+Tally write_result(const Experiment& experiment, const std::string& path, const Journal& journal,
+                   std::map<std::string, std::string> record) {
+  Tally tally;
+  std::set<std::string> commits;
+  ResultWriter writer(experiment, path);
+  for (std::size_t i = 0; i < experiment.points(); ++i) {
+    const JournalLine line = journal.read(point_key(experiment, i));
+    writer.write(i, line.record);
+    tally.add(line.record);
+    commits.insert(line.commit);
+  }
+  record["points_commits"] = fmt::format("{}", fmt::join(commits, ", "));
   record["finished"] = utc_now();
   writer.close(record);
   add_checks(writer.partial());
   writer.publish();
-  if (!options.quiet) fmt::print("{}: points: {}\n", path, tally.text());
+  return tally;
+}
+
+void compute(const Experiment& experiment, const std::string& path, int threads, const RunOptions& options) {
+  end_tidily_on_signals();
+  auto record = provenance(options.command_line, threads);
+  record["started"] = utc_now();
+  Journal journal(path, options.force);
+  std::vector<std::size_t> missing = missing_points(experiment, journal);
+  if (!options.force && !missing.empty()) {
+    journal.adopt(experiment, missing);
+    missing = missing_points(experiment, journal);
+  }
+  const std::size_t found = experiment.points() - missing.size();
+  record["points_computed"] = fmt::format("{} of {}", missing.size(), experiment.points());
+  fill_journal(experiment, missing, threads, journal, options.quiet);
+  const Tally tally = write_result(experiment, path, journal, record);
+  if (options.quiet) return;
+  fmt::print("{}: points: {}{}\n", path, tally.text(),
+             found > 0 ? fmt::format("; {} computed before", found) : std::string());
 }
 
 Experiment load_checked(const RunOptions& options) {

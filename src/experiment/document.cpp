@@ -125,6 +125,15 @@ Document Document::load(const std::string& path, const DocumentOptions& options)
   return d;
 }
 
+Document Document::stored(const Json& content, const std::string& source) {
+  Document d;
+  d.path_ = source;
+  d.tier_ = "full";
+  d.files_.push_back({source, content});
+  d.merge();
+  return d;
+}
+
 Document Document::with_tier(const std::string& tier) const {
   Document d = *this;
   d.tier_ = tier;

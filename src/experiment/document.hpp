@@ -27,6 +27,8 @@ class Document {
   // Throws InputError: unreadable or malformed file, extends that is missing, circular or outside the
   // experiments folder, a bad --set or tier.
   static Document load(const std::string& path, const DocumentOptions& options);
+  // An experiment as a result file has it: merged already, without tiers. source names it in messages.
+  static Document stored(const Json& content, const std::string& source);
 
   const Json& json() const { return merged_; }
   const std::string& path() const { return path_; }

@@ -220,4 +220,10 @@ Experiment load_experiment(const std::string& path, const DocumentOptions& optio
   return experiment;
 }
 
+Experiment stored_experiment(const Json& document, const std::string& tier, const std::string& source) {
+  Experiment experiment = read(Document::stored(document, source));
+  experiment.tier = tier;
+  return experiment;
+}
+
 }  // namespace bristle

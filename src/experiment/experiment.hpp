@@ -33,5 +33,7 @@ struct Experiment {
 
 // Throws InputError for whatever is wrong with it, naming source, JSON pointer, value and remedy.
 Experiment load_experiment(const std::string& path, const DocumentOptions& options);
+// The experiment that a result file was computed from, from its document and tier. Throws as above.
+Experiment stored_experiment(const Json& document, const std::string& tier, const std::string& source);
 
 }  // namespace bristle

@@ -1,5 +1,7 @@
 #include "results/variables.hpp"
 
+#include <map>
+
 namespace bristle {
 namespace {
 
@@ -14,14 +16,10 @@ Column flag(const char* name, const char* long_name, const std::vector<std::stri
   return {name, long_name, "", "", H5T_NATIVE_SCHAR, meanings};
 }
 
-// Every table begins with the sweep point.
 template <class Record>
-std::vector<Column> columns(const std::vector<Field<Record>>& fields, const std::vector<Column>& first = {}) {
-  std::vector<Column> out{
-      {"point", "index of the sweep point, the last axis fastest", "", "", H5T_NATIVE_LONG}};
-  out.insert(out.end(), first.begin(), first.end());
-  for (const auto& field : fields) out.push_back(field.column);
-  return out;
+std::vector<Column> columns(const std::vector<Field<Record>>& fields, std::vector<Column> first = {}) {
+  for (const auto& field : fields) first.push_back(field.column);
+  return first;
 }
 
 template <class Record>
@@ -86,46 +84,63 @@ const std::vector<Field<TrajectoryPoint>>& trajectory_fields() {
   return fields;
 }
 
+// A recorded table: what numbers its rows, and its columns after "point".
+struct Layout {
+  std::string row;
+  std::vector<Column> columns;
+};
+
+const Layout& layout_of(const std::string& table) {
+  static const std::map<std::string, Layout> layouts = {
+      {"bristles", {"bristle", columns(bristle_fields())}},
+      {"trajectories",
+       {"step", columns(trajectory_fields(), {{"theta_0", "undeformed azimuth (rad)", R"(\theta_0)", ""},
+                                              flag("status", "how the passage ended", kOutcomeNames)})}},
+      {"slab_force",
+       {"interval",
+        {{"t", "time at the middle of the interval", R"(\tilde{t})", "Eq. (A1)"},
+         {"R_n", "normal load per bristle", R"(\tilde{R}_n/N_{c,0})", "Eq. (A3)"},
+         {"R_x", "friction force per bristle along the motion", R"(\tilde{R}_x/N_{c,0})", "Eq. (A3)"},
+         {"R_y", "friction force per bristle across the motion", R"(\tilde{R}_y/N_{c,0})", "Eq. (A3)"},
+         {"N_c_ratio", "bristles in contact over those of rigid bristles", R"(N_c/N_{c,0})", "Eq. (A3)"}}}},
+  };
+  return layouts.at(table);
+}
+
 }  // namespace
 
-Table bristles_table(hid_t file) { return {file, "bristles", "bristle", columns(bristle_fields())}; }
+Table create_table(hid_t file, const std::string& table) {
+  const Layout& layout = layout_of(table);
+  std::vector<Column> all{
+      {"point", "index of the sweep point, the last axis fastest", "", "", H5T_NATIVE_LONG}};
+  all.insert(all.end(), layout.columns.begin(), layout.columns.end());
+  return {file, table, layout.row, all};
+}
 
-Rows bristle_rows(std::size_t point, const std::vector<Passage>& bristles) {
-  Rows rows{std::vector<double>(bristles.size(), double(point))};
+std::vector<std::string> table_columns(const std::string& table) {
+  std::vector<std::string> names;
+  for (const Column& column : layout_of(table).columns) names.push_back(column.name);
+  return names;
+}
+
+Rows bristle_rows(const std::vector<Passage>& bristles) {
+  Rows rows;
   add(rows, bristle_fields(), bristles);
   return rows;
 }
 
-Table trajectories_table(hid_t file) {
-  return {file, "trajectories", "step",
-          columns(trajectory_fields(), {{"theta_0", "undeformed azimuth (rad)", R"(\theta_0)", ""},
-                                        flag("status", "how the passage ended", kOutcomeNames)})};
-}
-
-Rows trajectory_rows(std::size_t point, const Trajectory& trajectory) {
+Rows trajectory_rows(const Trajectory& trajectory) {
   const std::size_t n = trajectory.points.size();
-  Rows rows{std::vector<double>(n, double(point)), std::vector<double>(n, trajectory.passage.theta_0),
+  Rows rows{std::vector<double>(n, trajectory.passage.theta_0),
             std::vector<double>(n, double(trajectory.passage.outcome))};
   add(rows, trajectory_fields(), trajectory.points);
   return rows;
 }
 
-Table slab_force_table(hid_t file) {
-  return {file,
-          "slab_force",
-          "interval",
-          {{"point", "index of the sweep point, the last axis fastest", "", "", H5T_NATIVE_LONG},
-           {"t", "time at the middle of the interval", R"(\tilde{t})", "Eq. (A1)"},
-           {"R_n", "normal load per bristle", R"(\tilde{R}_n/N_{c,0})", "Eq. (A3)"},
-           {"R_x", "friction force per bristle along the motion", R"(\tilde{R}_x/N_{c,0})", "Eq. (A3)"},
-           {"R_y", "friction force per bristle across the motion", R"(\tilde{R}_y/N_{c,0})", "Eq. (A3)"},
-           {"N_c_ratio", "bristles in contact over those of rigid bristles", R"(N_c/N_{c,0})", "Eq. (A3)"}}};
-}
-
-Rows slab_force_rows(std::size_t point, const SlabForce& force) {
+Rows slab_force_rows(const SlabForce& force) {
   std::vector<double> t;
   for (std::size_t i = 0; i < force.R_n.size(); ++i) t.push_back((double(i) + 0.5) * force.interval);
-  return {std::vector<double>(t.size(), double(point)), t, force.R_n, force.R_x, force.R_y, force.N_c};
+  return {t, force.R_n, force.R_x, force.R_y, force.N_c};
 }
 
 }  // namespace bristle

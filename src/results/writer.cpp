@@ -1,12 +1,10 @@
 #include "results/writer.hpp"
 
 #include "experiment/input_error.hpp"
-#include "results/variables.hpp"
+#include "results/lock.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <cerrno>
-#include <cstring>
 #include <fcntl.h>
 #include <filesystem>
 #include <numeric>
@@ -14,40 +12,6 @@
 
 namespace bristle {
 namespace fs = std::filesystem;
-namespace {
-
-// Position of a point in the sweep's grid.
-h5::Shape unravel(std::size_t index, const h5::Shape& shape) {
-  h5::Shape at(shape.size());
-  for (std::size_t d = shape.size(); d-- > 0; index /= shape[d]) at[d] = index % shape[d];
-  return at;
-}
-
-// Creates the temporary file if need be and locks it; fails before anything is computed rather than after.
-// NOTE: HDF5 truncates before it locks, so its own lock comes too late for the other run.
-int lock_output(const std::string& path, const std::string& partial) {
-  std::error_code error;
-  const fs::path folder = fs::path(path).parent_path();
-  if (!folder.empty()) fs::create_directories(folder, error);
-  const std::string reason = error ? error.message() : "";
-  if (fs::is_directory(path)) throw InputError(fmt::format("-o {}: is a folder; give a file name", path));
-  const int descriptor = open(partial.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-  if (descriptor < 0)
-    throw InputError(fmt::format("-o {}: cannot be written: {}; give another place with -o", path,
-                                 reason.empty() ? std::strerror(errno) : reason));
-  struct flock whole {};
-  whole.l_type = F_WRLCK;
-  if (fcntl(descriptor, F_OFD_SETLK, &whole) != 0) {
-    ::close(descriptor);
-    throw RunError(
-        fmt::format("{}: another run is writing it; wait for that, or give another place with -o", path));
-  }
-  return descriptor;
-}
-
-std::string load_error_name(const ResultVariable& v) { return "load_error/" + v.name; }
-
-}  // namespace
 
 std::string axis_variable(const std::string& name) {
   return name == "R_n" || name == "z_0" ? name + "_target" : name;
@@ -58,9 +22,8 @@ ResultWriter::ResultWriter(const Experiment& experiment, const std::string& path
       path_(path),
       partial_(path + ".partial"),
       curves_(experiment.base.loading.trace.has_value()),
-      searched_(!curves_ && !experiment.base.loading.z_0),
-      variables_of_(result_variables(experiment)) {
-  lock_ = lock_output(path_, partial_);
+      searched_(!curves_ && !experiment.base.loading.z_0) {
+  lock_ = lock_file(path_, partial_);
   try {
     create();
   } catch (...) {
@@ -80,9 +43,7 @@ void ResultWriter::create() {
                  {"node", "number of the node, from first contact down", "1"});
   }
   create_variables();
-  if (experiment_.record.bristles) tables_.emplace("bristles", bristles_table(file_));
-  if (!experiment_.record.trajectories.empty()) tables_.emplace("trajectories", trajectories_table(file_));
-  if (experiment_.record.slab_force) tables_.emplace("slab_force", slab_force_table(file_));
+  for (const std::string& name : table_names(experiment_)) tables_.emplace(name, create_table(file_, name));
 }
 
 void ResultWriter::create_axis(const Axis& axis) {
@@ -123,7 +84,7 @@ h5::Handle ResultWriter::create_variable(hid_t parent, const std::string& name, 
 
 void ResultWriter::create_variables() {
   if (searched_) load_error_ = h5::create_group(file_, "load_error");
-  for (const ResultVariable& v : variables_of_) {
+  for (const ResultVariable& v : result_variables(experiment_)) {
     variables_[v.name] = create_variable(file_, v.name, H5T_NATIVE_DOUBLE, v.long_name, v.symbol, v.equation);
     const std::string symbol = R"(\delta )" + v.symbol;
     if (v.error)
@@ -131,7 +92,7 @@ void ResultWriter::create_variables() {
           create_variable(file_, v.name + "_err", H5T_NATIVE_DOUBLE, "estimated numerical error of " + v.name,
                           symbol, v.equation);
     if (searched_ && v.load_error)
-      variables_[load_error_name(v)] = create_variable(
+      variables_["load_error/" + v.name] = create_variable(
           load_error_, v.name, H5T_NATIVE_DOUBLE,
           "part of " + v.name + "_err from the load's distance to its target", symbol, v.equation);
   }
@@ -153,40 +114,19 @@ void ResultWriter::create_flags(const std::string& name, const std::string& long
   h5::write_part(flags, H5T_NATIVE_SCHAR, h5::Shape(shape_.size(), 0), shape_, fill.data());
 }
 
-void ResultWriter::write_values(const h5::Shape& at, const PointResult& result) {
-  const auto put = [&](const std::string& name, double value) { put_number(name, at, value); };
-  for (const ResultVariable& v : variables_of_) {
-    put(v.name, v.value(result));
-    if (v.error) put(v.name + "_err", v.error(result));
-    if (searched_ && v.load_error) put(load_error_name(v), v.load_error(result));
+void ResultWriter::write(std::size_t index, const PointRecord& record) {
+  h5::Shape at = grid_position(experiment_, index), count(at.size(), 1);
+  if (curves_) {
+    at.push_back(0);
+    count.push_back(record.values.at("branch").size());
   }
-  put("passages", double(result.passages));
-  put("status", double(result.status));
-}
-
-void ResultWriter::put_number(const std::string& name, const h5::Shape& at, double value) {
-  h5::write_part(variables_.at(name), H5T_NATIVE_DOUBLE, at, h5::Shape(shape_.size(), 1), &value);
-}
-
-void ResultWriter::write_point(std::size_t index, const PointResult& result, const Recorded& recorded) {
-  write_values(unravel(index, shape_), result);
-  const auto append = [&](const char* table, auto rows) {
-    if (const auto found = tables_.find(table); found != tables_.end()) found->second.append(rows());
-  };
-  append("bristles", [&] { return bristle_rows(index, recorded.bristles); });
-  append("slab_force", [&] { return slab_force_rows(index, recorded.slab_force); });
-  for (const Trajectory& trajectory : recorded.trajectories)
-    append("trajectories", [&] { return trajectory_rows(index, trajectory); });
-}
-
-void ResultWriter::write_curve(std::size_t index, const std::vector<CurveNode>& curve) {
-  const h5::Shape axes(shape_.begin(), shape_.end() - 1);
-  h5::Shape at = unravel(index, axes);
-  at.push_back(0);
-  for (const CurveNode& node : curve) {
-    write_values(at, node.result);
-    put_number("branch", at, double(node.branch));
-    ++at.back();
+  for (const auto& [name, dataset] : variables_)
+    h5::write_part(dataset, H5T_NATIVE_DOUBLE, at, count, record.values.at(name).data());
+  for (auto& [name, table] : tables_) {
+    const Rows& rows = record.tables.at(name);
+    Rows numbered{std::vector<double>(rows.front().size(), double(index))};
+    numbered.insert(numbered.end(), rows.begin(), rows.end());
+    table.append(numbered);
   }
 }
 

@@ -1,9 +1,8 @@
 #pragma once
 
 #include "experiment/experiment.hpp"
-#include "interface/trace.hpp"
+#include "results/record.hpp"
 #include "results/table.hpp"
-#include "results/variables.hpp"
 
 #include <map>
 
@@ -21,10 +20,8 @@ class ResultWriter {
   ResultWriter(const Experiment& experiment, const std::string& path);
   ~ResultWriter();
 
-  // Call in ascending order of index: what is recorded is appended.
-  void write_point(std::size_t index, const PointResult& result, const Recorded& recorded);
-  // The same where the experiment traces curves.
-  void write_curve(std::size_t index, const std::vector<CurveNode>& curve);
+  // Call in ascending order of index: what is recorded is appended. The record must fit the experiment.
+  void write(std::size_t index, const PointRecord& record);
 
   // Adds attributes, digest and provenance (name -> text), closes, and reads back what was written.
   void close(const std::map<std::string, std::string>& provenance);
@@ -44,14 +41,11 @@ class ResultWriter {
                              const std::string& symbol, const std::string& equation);
   void create_flags(const std::string& name, const std::string& long_name,
                     const std::vector<std::string>& meanings, int absent);
-  void write_values(const h5::Shape& at, const PointResult& result);
-  void put_number(const std::string& name, const h5::Shape& at, double value);
 
   const Experiment& experiment_;
   std::string path_, partial_;
   bool curves_;    // of R_n(z_0), along a last dimension "node"
   bool searched_;  // the gap was searched for: errors have a part from that
-  std::vector<ResultVariable> variables_of_;
   int lock_ = -1;  // descriptor that keeps other runs off the temporary file
   h5::Handle file_, load_error_;
   h5::Shape shape_;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "experiment/experiment.hpp"
-#include "interface/trace.hpp"
+#include "results/record.hpp"
 
 #include <functional>
 
@@ -9,15 +9,13 @@ namespace bristle {
 
 struct PointReport {
   std::size_t index;
-  PointResult result;
-  Recorded recorded;
-  std::vector<CurveNode> curve;  // in place of the result, if the experiment traces curves
+  PointRecord record;
 };
 
-// Solves every point of the sweep on this many threads and hands the reports to sink, one at a time and
-// in ascending order: what the sink sees does not depend on the threads. Memory is that of a few points.
-// Ends early, returning false, once stop() is true.
-bool run_sweep(const Experiment& experiment, int threads, const std::function<void(PointReport&&)>& sink,
-               const std::function<bool()>& stop);
+// Solves these points of the sweep on this many threads and hands each report to sink as it is done, one at a
+// time and in any order; the numbers do not depend on the threads nor on what else is computed. Ends early,
+// returning false, once stop() is true. Throws what sink throws.
+bool run_sweep(const Experiment& experiment, const std::vector<std::size_t>& points, int threads,
+               const std::function<void(PointReport&&)>& sink, const std::function<bool()>& stop);
 
 }  // namespace bristle

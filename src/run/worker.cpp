@@ -16,12 +16,12 @@ namespace coroutines = boost::coroutines2;
 constexpr std::size_t kPointsUnderWay = 24;
 
 PointReport solve(const Experiment& experiment, std::size_t index, const PassageRunner& run) {
-  PointReport report;
-  report.index = index;
   const PointInput input = experiment.point(index);
-  if (input.loading.trace) report.curve = trace_curve(input.interface, *input.loading.trace, run);
-  else report.result = solve_point(input.interface, input.loading, run, experiment.record, &report.recorded);
-  return report;
+  if (input.loading.trace)
+    return {index, record_of(experiment, trace_curve(input.interface, *input.loading.trace, run))};
+  Recorded recorded;
+  const PointResult result = solve_point(input.interface, input.loading, run, experiment.record, &recorded);
+  return {index, record_of(experiment, result, recorded)};
 }
 
 // Passages that a point waits for.
@@ -53,7 +53,7 @@ class Solving {
   PointReport&& report() { return std::move(report_); }
 
  private:
-  PointReport report_;
+  PointReport report_{};
   Routine::pull_type routine_;
 };
 
@@ -88,7 +88,7 @@ class LaneWorker {
   // False if none is left.
   bool start_points() {
     while (points_.size() < under_way_) {
-      const auto index = queue_.next(points_.empty());
+      const auto index = queue_.next();
       if (!index) break;
       points_.emplace_back(experiment_, *index);
       submit_or_deliver(std::prev(points_.end()));
@@ -132,12 +132,16 @@ class LaneWorker {
   std::vector<std::size_t> free_;
 };
 
+struct Stopped {};
+
 void work_one_by_one(const Experiment& experiment, PointQueue& queue, Engine engine) {
-  const PassageRunner run = make_runner(engine);
-  while (!queue.stopped()) {
-    const auto index = queue.next(true);
-    if (!index) return;
-    queue.deliver(solve(experiment, *index, run));
+  const PassageRunner run = [&queue, runner = make_runner(engine)](const std::vector<PassageTask>& tasks) {
+    if (queue.stopped()) throw Stopped{};
+    return runner(tasks);
+  };
+  try {
+    while (const auto index = queue.next()) queue.deliver(solve(experiment, *index, run));
+  } catch (const Stopped&) {
   }
 }
 

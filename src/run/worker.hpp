@@ -10,8 +10,8 @@ namespace bristle {
 class PointQueue {
  public:
   virtual ~PointQueue() = default;
-  // The next point's index; none once there is no more to do or, without wait, while enough are under way.
-  virtual std::optional<std::size_t> next(bool wait) = 0;
+  // The next point's index; none once there is no more to do.
+  virtual std::optional<std::size_t> next() = 0;
   virtual void deliver(PointReport&& report) = 0;
   virtual bool stopped() = 0;
 };

@@ -1,0 +1,65 @@
+#include "experiment/canonical.hpp"
+
+#include "experiment/parameters_table.hpp"
+
+namespace bristle {
+namespace {
+
+using Object = nlohmann::json;  // keys in ascending order; numbers in the shortest form that reads back
+
+// A member that is added and forgotten here would let different points pass for equal.
+static_assert(sizeof(Parameters) == 23 * sizeof(double));
+static_assert(sizeof(Orientation) == 11 * sizeof(double));
+static_assert(sizeof(IntegratorOptions) == 4 * sizeof(double));
+static_assert(sizeof(Loading) == 8 * sizeof(double));
+static_assert(sizeof(Recording) == 4 * sizeof(double));
+
+Object canonical(const Parameters& p) {
+  Object out;
+  for (const ParameterEntry& entry : parameters_table()) out[entry.name] = p.*entry.member;
+  out["friction"] = int(p.friction);
+  out["azimuth_rate"] = int(p.azimuth_rate);
+  return out;
+}
+
+Object canonical(const Orientation& o) {
+  return {{"distribution", int(o.distribution)},
+          {"mean", o.mean},
+          {"concentration", o.concentration},
+          {"sampling", int(o.sampling)},
+          {"full_circle", o.full_circle},
+          {"rtol", o.rtol},
+          {"theta_0", o.theta_0},
+          {"seed", o.seed},
+          {"rows", o.rows},
+          {"t_1", o.t_1}};
+}
+
+Object canonical(const IntegratorOptions& i) {
+  return {
+      {"rtol", i.rtol}, {"atol", i.atol}, {"method", int(i.method)}, {"max_evaluations", i.max_evaluations}};
+}
+
+Object canonical(const Loading& l) {
+  if (l.z_0) return {{"z_0", *l.z_0}};
+  if (l.trace) return {{"to", l.trace->to}, {"resolution", l.trace->resolution}, {"nodes", l.trace->nodes}};
+  return {{"R_n", l.R_n}, {"path", int(l.path)}};
+}
+
+Object canonical(const Recording& r) {
+  return {{"bristles", r.bristles}, {"slab_force", r.slab_force}, {"trajectories", r.trajectories}};
+}
+
+}  // namespace
+
+nlohmann::json canonical_point(const Experiment& experiment, std::size_t index) {
+  const PointInput point = experiment.point(index);
+  return {{"model", canonical(point.interface.parameters)},
+          {"orientation", canonical(point.interface.orientation)},
+          {"integrator", canonical(point.interface.integrator)},
+          {"engine", int(experiment.engine)},
+          {"load", canonical(point.loading)},
+          {"record", canonical(experiment.record)}};
+}
+
+}  // namespace bristle

@@ -1,0 +1,130 @@
+#include "results/journal.hpp"
+
+#include "experiment/canonical.hpp"
+#include "experiment/input_error.hpp"
+#include "results/lock.hpp"
+#include "results/sha256.hpp"
+#include "results/writer.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <ctime>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <unistd.h>
+
+namespace bristle {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr const char* kExtension = ".journal";
+constexpr long kSyncSeconds = 2;
+
+// Calls visit(line, offset) for every line that ends in a line feed; returns the end of the last.
+template <class Visit>
+std::uint64_t each_line(const std::string& path, Visit visit) {
+  std::ifstream in(path, std::ios::binary);
+  std::uint64_t end = 0;
+  for (std::string line; std::getline(in, line) && !in.eof(); end += line.size() + 1) visit(line, end);
+  return end;
+}
+
+// The file may be what a crash left of a line, which begins with a checksum; zeros are what a power cut
+// leaves.
+bool may_be_torn(const std::string& path) {
+  std::string start(64, '\0');
+  std::ifstream(path, std::ios::binary).read(start.data(), std::streamsize(start.size()));
+  return std::all_of(start.begin(), start.end(),
+                     [](char c) { return c == '\0' || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f'); });
+}
+
+}  // namespace
+
+std::string point_key(const Experiment& experiment, std::size_t index) {
+  const nlohmann::json inputs = {{"numerics_version", kNumericsVersion},
+                                 {"point", canonical_point(experiment, index)}};
+  return sha256_of(inputs.dump());
+}
+
+Journal::Journal(const std::string& result, bool forget)
+    : path_(result + kExtension), file_(lock_file(result, path_)) {
+  try {
+    scan();
+    if (forget) {
+      entries_.clear();
+      end_ = 0;
+    }
+    if (ftruncate(file_, off_t(end_)) != 0)
+      throw RunError(fmt::format("{}: {}", path_, std::strerror(errno)));
+  } catch (...) {
+    ::close(file_);
+    throw;
+  }
+}
+
+Journal::~Journal() { ::close(file_); }
+
+void Journal::scan() {
+  bool known = false;
+  end_ = each_line(path_, [&](const std::string& line, std::uint64_t offset) {
+    const auto key = key_of(line);
+    if (key) entries_[*key] = {offset, line.size()};
+    known = known || key;
+  });
+  if (!known && !may_be_torn(path_))
+    throw InputError(
+        fmt::format("{}: is no journal of bristle; move it: the run keeps its points there", path_));
+}
+
+JournalLine Journal::read(const std::string& key) const {
+  const Entry& entry = entries_.at(key);
+  std::string text(entry.length, '\0');
+  const ssize_t got = pread(file_, text.data(), text.size(), off_t(entry.offset));
+  if (got == ssize_t(entry.length))
+    if (const auto line = decode(text); line && line->key == key) return *line;
+  throw RunError(fmt::format("{}: changed while in use; run the same command again", path_));
+}
+
+void Journal::append(const std::string& key, const PointRecord& record, const std::string& commit) {
+  const std::string text = encode({key, commit, record});
+  for (std::size_t written = 0; written < text.size();) {
+    const ssize_t n = pwrite(file_, text.data() + written, text.size() - written, off_t(end_ + written));
+    if (n < 0 && errno == EINTR) continue;
+    if (n <= 0) throw RunError(fmt::format("{}: {}", path_, std::strerror(n < 0 ? errno : ENOSPC)));
+    written += std::size_t(n);
+  }
+  entries_[key] = {end_, text.size() - 1};
+  end_ += text.size();
+  if (std::time(nullptr) >= synced_ + kSyncSeconds) sync();
+}
+
+void Journal::sync() {
+  if (fdatasync(file_) != 0) throw RunError(fmt::format("{}: {}", path_, std::strerror(errno)));
+  synced_ = std::time(nullptr);
+}
+
+void Journal::adopt(const Experiment& experiment, const std::vector<std::size_t>& points) {
+  std::set<std::string> wanted;
+  for (const std::size_t index : points) wanted.insert(point_key(experiment, index));
+  fs::path folder = fs::path(path_).parent_path();
+  if (folder.empty()) folder = ".";
+  for (const auto& other : fs::directory_iterator(folder)) {
+    const std::string name = other.path().string();
+    if (!name.ends_with(kExtension) || !other.is_regular_file() || fs::equivalent(other.path(), path_))
+      continue;
+    each_line(name, [&](const std::string& text, std::uint64_t) {
+      const auto key = key_of(text);
+      if (!key || !wanted.count(*key)) return;
+      if (const auto line = decode(text); line && fits(line->record, experiment)) {
+        append(*key, line->record, line->commit);
+        wanted.erase(*key);
+      }
+    });
+    if (wanted.empty()) return;
+  }
+}
+
+}  // namespace bristle

@@ -1,0 +1,83 @@
+#include "results/journal_line.hpp"
+
+#include "results/sha256.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace bristle {
+namespace {
+
+using Object = nlohmann::ordered_json;
+
+constexpr std::size_t kDigest = 64;
+
+Object encoded(const std::vector<double>& numbers) {
+  Object out = Object::array();
+  for (const double x : numbers) {
+    if (std::isfinite(x)) out.push_back(x);
+    else out.push_back(std::isnan(x) ? "nan" : x > 0 ? "inf" : "-inf");
+  }
+  return out;
+}
+
+std::vector<double> decoded(const Object& json) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::vector<double> out;
+  for (const Object& x : json) {
+    if (!x.is_string()) out.push_back(x.get<double>());
+    else if (x == "nan") out.push_back(std::numeric_limits<double>::quiet_NaN());
+    else out.push_back(x == "inf" ? infinity : -infinity);
+  }
+  return out;
+}
+
+// The JSON of a line whose checksum holds.
+std::optional<std::string_view> checked(std::string_view line) {
+  if (line.size() <= kDigest || line[kDigest] != ' ') return {};
+  const std::string_view json = line.substr(kDigest + 1);
+  if (sha256_of(std::string(json)) != line.substr(0, kDigest)) return {};
+  return json;
+}
+
+}  // namespace
+
+std::string encode(const JournalLine& line) {
+  Object json = {{"schema", kJournalSchema}, {"key", line.key}, {"commit", line.commit}};
+  json["values"] = Object::object();
+  for (const auto& [name, numbers] : line.record.values) json["values"][name] = encoded(numbers);
+  json["tables"] = Object::object();
+  for (const auto& [name, rows] : line.record.tables) {
+    Object& columns = json["tables"][name] = Object::array();
+    for (const auto& column : rows) columns.push_back(encoded(column));
+  }
+  const std::string text = json.dump();
+  return sha256_of(text) + " " + text + "\n";
+}
+
+std::optional<JournalLine> decode(std::string_view line) {
+  const auto text = checked(line);
+  if (!text) return {};
+  try {
+    const Object json = Object::parse(*text);
+    if (json.at("schema") != kJournalSchema) return {};
+    JournalLine out{json.at("key"), json.at("commit"), {}};
+    for (const auto& [name, numbers] : json.at("values").items()) out.record.values[name] = decoded(numbers);
+    for (const auto& [name, rows] : json.at("tables").items()) {
+      Rows& columns = out.record.tables[name];
+      for (const Object& column : rows) columns.push_back(decoded(column));
+    }
+    return out;
+  } catch (const Object::exception&) {
+    return {};  // written by a program with other ideas
+  }
+}
+
+std::optional<std::string> key_of(std::string_view line) {
+  const auto text = checked(line);
+  const std::string before = std::string(R"({"schema":")") + kJournalSchema + R"(","key":")";
+  if (!text || text->size() < before.size() + kDigest || !text->starts_with(before)) return {};
+  return std::string(text->substr(before.size(), kDigest));
+}
+
+}  // namespace bristle

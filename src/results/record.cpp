@@ -1,0 +1,183 @@
+#include "results/record.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace bristle {
+namespace {
+
+// The sign of a NaN is the processor's and the compiler's choice.
+void settle_nan(std::vector<double>& numbers) {
+  for (double& x : numbers)
+    if (std::isnan(x)) x = std::numeric_limits<double>::quiet_NaN();
+}
+
+PointRecord settled(PointRecord record) {
+  for (auto& [name, numbers] : record.values) settle_nan(numbers);
+  for (auto& [name, rows] : record.tables)
+    for (auto& column : rows) settle_nan(column);
+  return record;
+}
+
+bool searched(const Experiment& e) { return !e.base.loading.z_0 && !e.base.loading.trace; }
+
+// Calls put(dataset, value) for every number of a result.
+template <class Put>
+void each_value(const Experiment& experiment, const std::vector<ResultVariable>& variables,
+                const PointResult& result, Put put) {
+  for (const ResultVariable& v : variables) {
+    put(v.name, v.value(result));
+    if (v.error) put(v.name + "_err", v.error(result));
+    if (searched(experiment) && v.load_error) put("load_error/" + v.name, v.load_error(result));
+  }
+  put("passages", double(result.passages));
+  put("status", double(result.status));
+}
+
+void append(Rows& rows, const Rows& more) {
+  if (rows.empty()) rows.resize(more.size());
+  for (std::size_t i = 0; i < more.size(); ++i) rows[i].insert(rows[i].end(), more[i].begin(), more[i].end());
+}
+
+// The rows of one point; a table is in ascending order of points.
+Rows read_rows(hid_t file, const std::string& table, std::size_t index) {
+  const h5::Handle group(H5Gopen2(file, table.c_str(), H5P_DEFAULT), H5Gclose, "opening /" + table);
+  const auto read = [&](const std::string& column, hsize_t from, hsize_t count) {
+    std::vector<double> out(count);
+    if (count > 0)
+      h5::read_part(h5::open_dataset(group, column), H5T_NATIVE_DOUBLE, {from}, {count}, out.data());
+    return out;
+  };
+  const auto points = read("point", 0, h5::shape_of(h5::open_dataset(group, "point"))[0]);
+  const auto [first, last] = std::equal_range(points.begin(), points.end(), double(index));
+  Rows rows;
+  for (const std::string& column : table_columns(table))
+    rows.push_back(read(column, hsize_t(first - points.begin()), hsize_t(last - first)));
+  return rows;
+}
+
+bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
+  const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x); };
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [&](double x, double y) { return bits(x) == bits(y); });
+}
+
+bool same_bits(const Rows& a, const Rows& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const auto& x, const auto& y) { return same_bits(x, y); });
+}
+
+template <class Map>
+void add_differences(const Map& a, const Map& b, std::vector<std::string>& out) {
+  for (const auto& [name, values] : a)
+    if (const auto other = b.find(name); other == b.end() || !same_bits(values, other->second))
+      out.push_back(name);
+  for (const auto& [name, values] : b)
+    if (!a.count(name)) out.push_back(name);
+}
+
+}  // namespace
+
+PointRecord record_of(const Experiment& experiment, const PointResult& result, const Recorded& recorded) {
+  PointRecord record;
+  each_value(experiment, result_variables(experiment), result,
+             [&](const std::string& name, double value) { record.values[name] = {value}; });
+  for (const std::string& table : table_names(experiment)) {
+    Rows& rows = record.tables[table];
+    if (table == "bristles") rows = bristle_rows(recorded.bristles);
+    if (table == "slab_force") rows = slab_force_rows(recorded.slab_force);
+    if (table == "trajectories")
+      for (const Trajectory& trajectory : recorded.trajectories) append(rows, trajectory_rows(trajectory));
+    if (rows.empty()) rows.resize(table_columns(table).size());
+  }
+  return settled(std::move(record));
+}
+
+PointRecord record_of(const Experiment& experiment, const std::vector<CurveNode>& curve) {
+  PointRecord record;
+  for (const std::string& name : value_names(experiment)) record.values[name];
+  const auto variables = result_variables(experiment);
+  for (const CurveNode& node : curve) {
+    each_value(experiment, variables, node.result,
+               [&](const std::string& name, double value) { record.values[name].push_back(value); });
+    record.values["branch"].push_back(double(node.branch));
+  }
+  return settled(std::move(record));
+}
+
+PointRecord read_record(hid_t file, const Experiment& experiment, std::size_t index) {
+  PointRecord record;
+  const bool curve = experiment.base.loading.trace.has_value();
+  h5::Shape at = grid_position(experiment, index), count(at.size(), 1);
+  if (curve) {
+    at.push_back(0);
+    count.push_back(hsize_t(experiment.base.loading.trace->nodes));
+  }
+  const auto read = [&](const std::string& name) {
+    std::vector<double> out(curve ? count.back() : 1);
+    h5::read_part(h5::open_dataset(file, name), H5T_NATIVE_DOUBLE, at, count, out.data());
+    return out;
+  };
+  if (curve) {
+    const auto branch = read("branch");
+    count.back() = hsize_t(std::find(branch.begin(), branch.end(), double(Branch::absent)) - branch.begin());
+  }
+  for (const std::string& name : value_names(experiment)) record.values[name] = read(name);
+  for (const std::string& table : table_names(experiment))
+    record.tables[table] = read_rows(file, table, index);
+  return settled(std::move(record));
+}
+
+std::vector<std::string> value_names(const Experiment& experiment) {
+  std::vector<std::string> names;
+  each_value(experiment, result_variables(experiment), {},
+             [&](const std::string& name, double) { names.push_back(name); });
+  if (experiment.base.loading.trace) names.push_back("branch");
+  return names;
+}
+
+std::vector<std::string> table_names(const Experiment& experiment) {
+  std::vector<std::string> names;
+  if (experiment.record.bristles) names.push_back("bristles");
+  if (!experiment.record.trajectories.empty()) names.push_back("trajectories");
+  if (experiment.record.slab_force) names.push_back("slab_force");
+  return names;
+}
+
+bool fits(const PointRecord& record, const Experiment& experiment) {
+  const auto has = [](const auto& map, const std::vector<std::string>& names) {
+    return map.size() == names.size() &&
+           std::all_of(names.begin(), names.end(), [&](const std::string& name) { return map.count(name); });
+  };
+  const std::size_t nodes = record.values.empty() ? 0 : record.values.begin()->second.size();
+  const bool curve = experiment.base.loading.trace.has_value();
+  const bool room = curve ? nodes <= std::size_t(experiment.base.loading.trace->nodes) : nodes == 1;
+  const bool even = std::all_of(record.values.begin(), record.values.end(),
+                                [&](const auto& v) { return v.second.size() == nodes; });
+  const bool tables = std::all_of(record.tables.begin(), record.tables.end(), [](const auto& t) {
+    return t.second.size() == table_columns(t.first).size() &&
+           std::all_of(t.second.begin(), t.second.end(),
+                       [&](const auto& column) { return column.size() == t.second.front().size(); });
+  });
+  return has(record.values, value_names(experiment)) && has(record.tables, table_names(experiment)) && room &&
+         even && tables;
+}
+
+std::vector<std::string> differences(const PointRecord& a, const PointRecord& b) {
+  std::vector<std::string> out;
+  add_differences(a.values, b.values, out);
+  add_differences(a.tables, b.tables, out);
+  return out;
+}
+
+h5::Shape grid_position(const Experiment& experiment, std::size_t index) {
+  const auto shape = experiment.shape();
+  h5::Shape at(shape.size());
+  for (std::size_t d = shape.size(); d-- > 0; index /= shape[d]) at[d] = index % shape[d];
+  return at;
+}
+
+}  // namespace bristle
