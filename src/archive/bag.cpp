@@ -63,6 +63,18 @@ std::map<std::string, std::string> parse_manifest(const std::string& file, const
   return hashes;
 }
 
+// Hashes of different files differ in nearly all digits: in a few, and it is the manifest that was changed.
+std::string mismatch(const std::string& manifest, const std::string& file, const std::string& is,
+                     const std::string& told) {
+  std::size_t off = 0;
+  for (std::size_t i = 0; i < kHash; ++i) off += is[i] != told[i];
+  if (off <= 16)
+    return fmt::format("{}: was changed: its SHA-512 of {} is off in {} of {} digits", manifest, file, off,
+                       kHash);
+  return fmt::format("{}: its SHA-512 is {}..., not the {}... of {}", file, is.substr(0, 16),
+                     told.substr(0, 16), manifest);
+}
+
 // Files of one manifest against its lines.
 void check_manifest(const std::string& manifest, const Files& files, Problems& problems) {
   std::map<std::string, const std::string*> listed;
@@ -73,8 +85,7 @@ void check_manifest(const std::string& manifest, const Files& files, Problems& p
     const auto file = listed.find(name);
     if (file == listed.end()) problems.push_back(fmt::format("{}: is missing; {} lists it", name, manifest));
     else if (const std::string is = sha512_of(*file->second); is != hash)
-      problems.push_back(fmt::format("{}: its SHA-512 is {}..., not the {}... of {}", name, is.substr(0, 16),
-                                     hash.substr(0, 16), manifest));
+      problems.push_back(mismatch(manifest, name, is, hash));
   }
   for (const auto& [name, content] : listed)
     if (!hashes.count(name))

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 #include <filesystem>
+#include <sstream>
 
 namespace bristle {
 namespace {
@@ -70,17 +71,34 @@ std::string provenance(const ArchivedResult& result, const char* key) {
   return result.facts["provenance"].value(key, "unknown");
 }
 
-std::string program_id(const ArchivedResult& result) {
-  return fmt::format("#bristle-{}", provenance(result, "commit"));
+// The commit of the program that wrote the result, then others that computed points of it before.
+std::vector<std::string> commits_of(const ArchivedResult& result) {
+  std::vector<std::string> commits{provenance(result, "commit")};
+  std::istringstream others(result.facts["provenance"].value("points_commits", ""));
+  for (std::string commit; others >> commit;) {
+    if (commit.back() == ',') commit.pop_back();
+    if (commit != commits.front()) commits.push_back(commit);
+  }
+  return commits;
 }
 
-Json program(const ArchivedResult& result, const Contents& contents) {
-  return {{"@id", program_id(result)},
+std::string program_id(const std::string& commit) { return "#bristle-" + commit; }
+
+// Of a program that computed points only, the commit is all that is known.
+Json program(const std::string& commit, const ArchivedResult& result, const Contents& contents) {
+  const bool wrote = commit == provenance(result, "commit");
+  return {{"@id", program_id(commit)},
           {"@type", "SoftwareApplication"},
           {"name", "bristle"},
-          {"softwareVersion", provenance(result, "version")},
-          {"identifier", provenance(result, "commit")},
+          {"softwareVersion", wrote ? provenance(result, "version") : commit},
+          {"identifier", commit},
           {"url", contents.citation["references"][0].value("repository-code", contents.source)}};
+}
+
+Json programs(const ArchivedResult& result) {
+  std::vector<std::string> names;
+  for (const std::string& commit : commits_of(result)) names.push_back(program_id(commit));
+  return ids(names);
 }
 
 Json run_action(const ArchivedResult& result) {
@@ -91,7 +109,7 @@ Json run_action(const ArchivedResult& result) {
           {"startTime", provenance(result, "started")},
           {"endTime", provenance(result, "finished")},
           {"agent", id(author_id(0))},
-          {"instrument", id(program_id(result))},
+          {"instrument", programs(result)},
           {"object", ids(result.experiments)},
           {"result", id(result.file)}};
 }
@@ -151,12 +169,16 @@ std::vector<Json> context(const Contents& contents) {
                  {"description", "The text is in the file LICENSE."}});
   const Json& authors = contents.citation["authors"];
   for (std::size_t i = 0; i < authors.size(); ++i) out.push_back(author(authors[i], i));
-  std::map<std::string, Json> programs;
+  std::map<std::string, Json> instruments;
   for (const ArchivedResult& result : contents.results) {
-    programs[program_id(result)] = program(result, contents);
-    programs[script_id(result)] = script(result, contents);
+    for (const std::string& commit : commits_of(result)) {
+      const Json entity = program(commit, result, contents);
+      if (commit == provenance(result, "commit")) instruments[program_id(commit)] = entity;
+      else instruments.emplace(program_id(commit), entity);
+    }
+    instruments[script_id(result)] = script(result, contents);
   }
-  for (const auto& [name, entity] : programs) out.push_back(entity);
+  for (const auto& [name, entity] : instruments) out.push_back(entity);
   for (const ArchivedResult& result : contents.results) {
     out.push_back(run_action(result));
     out.push_back(plot_action(result));

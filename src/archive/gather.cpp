@@ -13,6 +13,7 @@
 #include <fmt/ranges.h>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 
 namespace bristle {
 namespace fs = std::filesystem;
@@ -23,6 +24,9 @@ std::string read_file(const std::string& path, const std::string& remedy) {
   if (!in || fs::is_directory(path)) throw InputError(fmt::format("{}: cannot be read; {}", path, remedy));
   return {std::istreambuf_iterator<char>(in), {}};
 }
+
+// A line of `git status`, "?? name".
+std::string without_blanks(const std::string& line) { return line.substr(line.find_first_not_of(' ')); }
 
 class Gatherer {
  public:
@@ -39,7 +43,10 @@ class Gatherer {
     add_results();
     contents.source = fmt::format("source/bristle-{}.tar", contents.commit);
     contents.payload[contents.source] = repository_.source(fmt::format("bristle-{}/", contents.commit));
-    contents.draft = fmt::format("{}", fmt::join(doubts_, "; "));
+    std::vector<std::string> doubts;
+    for (const auto& [what, places] : doubts_)
+      doubts.push_back(fmt::format("{} {}", fmt::join(places, ", "), what));
+    contents.draft = fmt::format("{}", fmt::join(doubts, "; "));
     contents.payload["CITATION.cff"] = citation_text(contents.citation);
     contents.payload["README.md"] = archive_readme(contents);
     contents.payload[kCrateFile] = crate_text(contents);
@@ -51,11 +58,11 @@ class Gatherer {
   std::string in_source(const std::string& name) const { return (fs::path(options_.source) / name).string(); }
 
   // What keeps an archive from being traced to its origin: refused, or on record in a draft.
-  void doubt(const std::string& what, const std::string& remedy) {
+  void doubt(const std::string& place, const std::string& what, const std::string& remedy) {
     if (!options_.allow_dirty)
       throw InputError(
-          fmt::format("{}; {} (--allow-dirty archives it all the same, as a draft)", what, remedy));
-    doubts_.push_back(what);
+          fmt::format("{} {}; {} (--allow-dirty archives it all the same, as a draft)", place, what, remedy));
+    doubts_[what].push_back(place);
   }
 
   void check_program() {
@@ -74,13 +81,11 @@ class Gatherer {
           fmt::format("{}: version {}, but this program is {}; `make build` builds the one that is there",
                       file, out_.version, options_.version));
     if (const std::string changes = repository_.changes(); !changes.empty())
-      doubt(fmt::format("{}: the work tree differs from its commit ({})", options_.source,
-                        changes.substr(0, changes.find('\n'))),
-            "commit or stash first, `git status` shows all");
+      doubt(fmt::format("the work tree ({})", without_blanks(changes.substr(0, changes.find('\n')))),
+            "differs from its commit", "commit or stash first, `git status` shows all");
     else if (options_.commit != repository_.commit())
-      doubt(fmt::format("this program was built from {}, the source is {}", options_.commit,
-                        repository_.commit()),
-            "run `make build`");
+      doubt(fmt::format("this program, of commit {},", options_.commit),
+            "was not built from the source archived", "`make build` builds that");
   }
 
   void add_results() {
@@ -140,13 +145,17 @@ class Gatherer {
       if (provenance.value(key, "").empty())
         throw InputError(
             fmt::format("{}: /provenance lacks {}; only what `bristle run` wrote is archived", path, key));
-    const std::string commit = provenance["commit"];
-    const std::string remedy = "commit, then compute it anew by `bristle run --force`";
-    if (commit.size() > 6 && commit.substr(commit.size() - 6) == "-dirty")
-      doubt(fmt::format("{}: was computed by a program with uncommitted changes ({})", path, commit), remedy);
-    else if (!repository_.follows(commit))
-      doubt(fmt::format("{}: was computed by commit {}, which is not in this commit's history", path, commit),
-            remedy);
+    const std::string by = provenance.value("points_commits", provenance["commit"]);
+    std::istringstream commits(fmt::format("{} {}", provenance["commit"].get<std::string>(), by));
+    for (std::string commit; commits >> commit;) {
+      if (commit.back() == ',') commit.pop_back();
+      const std::string place = fmt::format("{} (commit {})", path, commit);
+      const std::string remedy = "commit, then compute it anew by `bristle run --force`";
+      if (commit.size() > 6 && commit.substr(commit.size() - 6) == "-dirty")
+        return doubt(place, "was computed by a program with uncommitted changes", remedy);
+      if (!repository_.follows(commit))
+        return doubt(place, "was computed by a program that is not in this commit's history", remedy);
+    }
   }
 
   void add_figure(const std::string& result, const std::string& name, ArchivedResult& archived) {
@@ -176,14 +185,14 @@ class Gatherer {
     for (const ArchivedResult& result : out_.contents.results)
       if (page->second.find(result.facts["payload_sha256"].get<std::string>().substr(0, 16)) ==
           std::string::npos)
-        return doubt(fmt::format("docs/findings.md: is of another result than {}", result.file),
+        return doubt("docs/findings.md", fmt::format("is of another result than {}", result.file),
                      "run `make findings` and commit the page");
   }
 
   const ArchiveOptions& options_;
   Repository repository_;
   Json software_;
-  std::vector<std::string> doubts_;
+  std::map<std::string, std::vector<std::string>> doubts_;  // by what is in doubt
   Gathered out_;
 };
 

@@ -5,9 +5,11 @@
 
 #include <fmt/format.h>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <fcntl.h>
 #include <filesystem>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -34,7 +36,15 @@ bool write_all(int descriptor, const std::string& text) {
   return true;
 }
 
+// A crash is reported by the parent, not by handlers that it set up, nor by the C library's last words.
+void be_quiet() {
+  for (const int signal : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL}) std::signal(signal, SIG_DFL);
+  const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
+  if (nowhere >= 0) dup2(nowhere, STDERR_FILENO);
+}
+
 [[noreturn]] void be_the_child(int descriptor, const std::function<std::string()>& work) {
+  be_quiet();
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_CPU, kMostSeconds);
 #ifndef __SANITIZE_ADDRESS__  // reserves more addresses than that

@@ -16,6 +16,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t kBlock = 512;
+constexpr std::size_t kType = 156;  // of the header: the byte that says what the entry is
 constexpr std::uintmax_t kMostBytes = std::uintmax_t(4) << 30;
 constexpr std::size_t kMostFiles = 10000;
 
@@ -129,7 +130,8 @@ class TarReader {
       refuse("is a folder's own entry; an archive holds plain files only");
     if (archive_entry_filetype(found.entry) != AE_IFREG)
       refuse("is a device or another special file; an archive holds plain files only");
-    if (archive_format(in_.get()) != ARCHIVE_FORMAT_TAR_USTAR || archive_entry_sparse_count(found.entry) > 0)
+    // Extended headers come before the file's own.
+    if (archive_format(in_.get()) != ARCHIVE_FORMAT_TAR_USTAR || bytes_at(path_, header_ + kType, 1) != "0")
       refuse("is stored in another kind of tar than ustar; the archive was packed by another program");
     if (found.name.empty() || !std::all_of(found.name.begin(), found.name.end(), portable))
       refuse("names may have letters, digits and . _ - / only");

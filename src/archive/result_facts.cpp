@@ -39,6 +39,15 @@ void check_digests(const ResultReader& result) {
                                   is.substr(0, 16), told.substr(0, 16)));
 }
 
+// Of the axes: a traced curve counts once, whatever its nodes.
+std::size_t sweep_points(const ResultReader& result) {
+  const Variable status = result.variable("status");
+  std::size_t points = 1;
+  for (std::size_t d = 0; d < status.shape.size(); ++d)
+    if (status.dimensions[d] != "node") points *= status.shape[d];
+  return points;
+}
+
 }  // namespace
 
 Json result_facts(const ResultReader& result) {
@@ -49,6 +58,7 @@ Json result_facts(const ResultReader& result) {
   facts["numerics_version"] = h5::read_number_attribute(result.file(), "numerics_version");
   facts["points"] = long(status.values.size()) -
                     std::count(status.values.begin(), status.values.end(), double(PointStatus::absent));
+  facts["sweep_points"] = sweep_points(result);
   facts["provenance"] = provenance_of(result.file());
   facts["checks"] = Json::array();
   for (const CheckResult& check : evaluate_checks(result))

@@ -31,7 +31,6 @@ class Verifier {
       out_.problems.push_back(e.what());
       return out_;
     }
-    for (const auto& [name, bytes] : files_) out_.bytes += bytes.size();
     out_.files = files_.size();
     add(check_bag(files_));
     // What the hashes find needs no second complaint by those who read it.
@@ -52,8 +51,8 @@ class Verifier {
     for (const auto& [name, bytes] : files_)
       if (is_result(name)) check_result(name, bytes, facts);
     if (facts.empty()) out_.problems.push_back("data/results: there are no results");
-    out_.results = facts.size();
     const Json citation = parse(kCitation, parse_citation), crate = parse(kCratePath, safe_json);
+    if (!crate.is_null() && !crate.is_object()) out_.problems.push_back(kCratePath + ": not a JSON object");
     if (!citation.is_object() || !crate.is_object()) return;
     add(check_citation(citation));
     if (!out_.problems.empty()) return;
@@ -79,7 +78,7 @@ class Verifier {
         out_.problems.push_back(
             fmt::format("{}: is of the tier {}, not the full one", name, shown(found["tier"])));
       facts[name] = found;
-      out_.result_bytes[name] = bytes;
+      out_.results[name] = {bytes, found};
     } catch (const BadArchive& e) {
       out_.problems.push_back(fmt::format("{}: {}", name, e.what()));
     }

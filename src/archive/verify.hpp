@@ -5,12 +5,18 @@
 
 namespace bristle {
 
+// A result file of a sound archive and what result_facts says of it.
+struct VerifiedResult {
+  std::string bytes;
+  Json facts;
+};
+
 // What verification found. The archive is not trusted; nothing of it is unpacked to disk.
 struct Verification {
   Problems problems;  // empty: the archive is sound
   std::string folder, version, commit, identifier, draft;
-  std::size_t files = 0, bytes = 0, results = 0;
-  std::map<std::string, std::string> result_bytes;  // result files by name, if the archive is sound
+  std::size_t files = 0;
+  std::map<std::string, VerifiedResult> results;  // by name
 };
 
 // Every hash and payload digest, nothing missing, added or changed, the metadata's required keys, and that

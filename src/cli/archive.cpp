@@ -1,8 +1,9 @@
-#include "archive/verify.hpp"
+#include "archive/rerun.hpp"
 #include "cli/commands.hpp"
 #include "run/provenance.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace bristle {
 namespace {
@@ -18,6 +19,32 @@ void print_problems(const std::string& path, const Problems& problems) {
              problems.size() == 1 ? "" : "s");
 }
 
+void print_draft(const std::string& draft) {
+  if (!draft.empty()) fmt::print("a draft, not to be cited: {}\n", draft);
+}
+
+// Whether all have the bits that the archive has.
+bool rerun_points(const VerifyOptions& options, const Verification& archive) {
+  std::size_t done = 0, same = 0;
+  try {
+    rerun(archive, options.rerun, options.seed, [&](const Rerun& point) {
+      ++done;
+      same += point.different.empty();
+      const std::string verdict = point.different.empty()
+                                      ? "the same, bit for bit"
+                                      : fmt::format("DIFFERS in {}", fmt::join(point.different, ", "));
+      fmt::print("{}: {}: {}\n", point.file, point.place, verdict);
+      std::fflush(stdout);  // a point may take minutes
+    });
+  } catch (const BadArchive& e) {
+    fmt::print("FAILED: {}\n", e.what());
+    return false;
+  }
+  fmt::print("{} of {} points computed again are the same, bit for bit (seed {})\n", same, done,
+             options.seed);
+  return same == done;
+}
+
 }  // namespace
 
 int archive_command(ArchiveOptions options) {
@@ -26,7 +53,7 @@ int archive_command(ArchiveOptions options) {
   const BuiltArchive built = build_archive(options);
   fmt::print("{}: {} files, {} bytes, verified\nsha512 {}\n", built.path, built.files, built.bytes,
              built.sha512);
-  if (!built.draft.empty()) fmt::print("a draft, not to be cited: {}\n", built.draft);
+  print_draft(built.draft);
   return kFine;
 }
 
@@ -37,9 +64,9 @@ int verify_command(const VerifyOptions& options) {
     return kCheckFailed;
   }
   fmt::print("{}: version {} of commit {}\n{} files and {} results are as they were archived ({})\n",
-             options.file, found.version, found.commit, found.files, found.results, found.identifier);
-  if (!found.draft.empty()) fmt::print("a draft, not to be cited: {}\n", found.draft);
-  return kFine;
+             options.file, found.version, found.commit, found.files, found.results.size(), found.identifier);
+  print_draft(found.draft);
+  return options.rerun == 0 || rerun_points(options, found) ? kFine : kCheckFailed;
 }
 
 }  // namespace bristle

@@ -72,6 +72,9 @@ CLI::App* add_archive(CLI::App& app, ArchiveOptions& archive) {
 CLI::App* add_verify(CLI::App& app, VerifyOptions& verify) {
   auto* command = app.add_subcommand("verify", "hold an archive against its hashes, digests and metadata");
   command->add_option("ARCHIVE", verify.file, "archive")->required();
+  command->add_option("--rerun", verify.rerun, "compute so many points again and compare every bit")
+      ->type_name("N");
+  command->add_option("--seed", verify.seed, "decides which points")->capture_default_str();
   return command;
 }
 
