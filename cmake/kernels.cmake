@@ -1,12 +1,14 @@
 # add_lane_kernels(NAME SOURCE): NAME becomes the list of object files of SOURCE, one per instruction set with fused
 # multiply-add. Optimised in every build type: what they are made of is worth nothing if it is not inlined.
+set(BRISTLE_KERNEL_OPTIMISATION -O3 CACHE STRING "of the vector kernels, in every build type")
+
 function(add_kernels_for target prefix source)
   set(name ${prefix}_${target})
   add_library(${name} OBJECT ${source})
-  target_link_libraries(${name} PRIVATE options Eigen3::Eigen)
+  target_link_libraries(${name} PRIVATE options Eigen3::Eigen PkgConfig::SLEEF)
   # Without debugging information and sanitizers: on code inlined this far they take the compiler ten minutes, and it
   # has no memory of its own.
-  target_compile_options(${name} PRIVATE -O3 -g0 -fno-sanitize=all ${ARGN})
+  target_compile_options(${name} PRIVATE ${BRISTLE_KERNEL_OPTIMISATION} -g0 -fno-sanitize=all ${ARGN})
   target_compile_definitions(${name} PRIVATE BRISTLE_TARGET=HWY_${target} NDEBUG)
   set(${prefix} ${${prefix}} $<TARGET_OBJECTS:${name}> PARENT_SCOPE)
 endfunction()

@@ -4,7 +4,8 @@ execute_process(COMMAND git -C ${SOURCE_DIR} rev-parse HEAD
 if(failed)
   set(BRISTLE_COMMIT "unknown")
 else()
-  execute_process(COMMAND git -C ${SOURCE_DIR} status --porcelain
+  # Of what the program is built from: its experiments are stored in every result anyway.
+  execute_process(COMMAND git -C ${SOURCE_DIR} status --porcelain -- src cmake CMakeLists.txt
     OUTPUT_VARIABLE changes OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
   if(changes)
     string(APPEND BRISTLE_COMMIT "-dirty")

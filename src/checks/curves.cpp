@@ -3,6 +3,7 @@
 #include "experiment/input_error.hpp"
 #include "experiment/suggest.hpp"
 #include "interface/trace.hpp"
+#include "model/elementary.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -50,8 +51,8 @@ Field read(const ResultReader& result, const std::string& name) {
 void divide(Field& field, const Field& by, double power) {
   for (std::size_t i = 0; i < field.values.size(); ++i) {
     const double relative = std::abs(power) * by.errors[i] / std::abs(by.values[i]);
-    field.values[i] /= std::pow(by.values[i], power);
-    field.errors[i] = field.errors[i] / std::pow(by.values[i], power) + std::abs(field.values[i]) * relative;
+    field.values[i] /= pow(by.values[i], power);
+    field.errors[i] = field.errors[i] / pow(by.values[i], power) + std::abs(field.values[i]) * relative;
   }
 }
 

@@ -112,7 +112,8 @@ std::string replay_command(const ResultReader& result, std::size_t point) {
     add_set(words, JsonPointer("/sweep") / name, one);
     ++d;
   }
-  if (experiment.contains("checks")) add_set(words, JsonPointer("/checks"), nullptr);  // of one point there are none
+  if (experiment.contains("checks"))
+    add_set(words, JsonPointer("/checks"), nullptr);  // of one point there are none
   std::string command;
   for (const std::string& word : words) command += shell_quoted(word) + " ";
   return command + "-o results/replay.h5";

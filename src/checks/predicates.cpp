@@ -1,5 +1,7 @@
 #include "checks/predicates.hpp"
 
+#include "model/elementary.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -50,7 +52,7 @@ Measurement mean_log_range(const Curves& in) {
   return mean_over(in, [](const Curve& curve) {
     const auto less = [](const CurvePoint& a, const CurvePoint& b) { return a.value < b.value; };
     const auto [low, high] = std::minmax_element(curve.begin(), curve.end(), less);
-    return Estimate{std::log(high->value / low->value), relative_error(*low) + relative_error(*high)};
+    return Estimate{log(high->value / low->value), relative_error(*low) + relative_error(*high)};
   });
 }
 
@@ -79,7 +81,7 @@ struct Pairs {
     const auto difference = double(rising - falling);
     out.value = difference / double(all);
     out.uncertainty = double(all - rising - falling) / double(all);
-    out.significance = std::erfc(std::abs(difference) / std::sqrt(2 * variance));
+    out.significance = erfc(std::abs(difference) / std::sqrt(2 * variance));
     return out;
   }
 };
@@ -88,8 +90,8 @@ struct Pairs {
 std::vector<Estimate> log_slopes(const Curve& curve) {
   std::vector<Estimate> out;
   for (std::size_t i = 1; i < curve.size(); ++i) {
-    const double run = std::log(curve[i].x / curve[i - 1].x);
-    out.push_back({std::log(curve[i].value / curve[i - 1].value) / run,
+    const double run = log(curve[i].x / curve[i - 1].x);
+    out.push_back({log(curve[i].value / curve[i - 1].value) / run,
                    (relative_error(curve[i]) + relative_error(curve[i - 1])) / std::abs(run)});
   }
   return out;
@@ -104,7 +106,7 @@ std::size_t steepest(const std::vector<Estimate>& slopes) {
 Estimate comes_down(const Curve& curve, std::size_t from, double level) {
   for (std::size_t i = from + 1; i < curve.size(); ++i) {
     if (curve[i].value > level) continue;
-    const double a = std::log(curve[i - 1].x), b = std::log(curve[i].x);
+    const double a = log(curve[i - 1].x), b = log(curve[i].x);
     const double share = (curve[i - 1].value - level) / (curve[i - 1].value - curve[i].value);
     return {a + share * (b - a), std::abs(b - a) / 2};
   }
@@ -139,10 +141,10 @@ Measurement concordance(const Curve& first, const Curve& second) {
 
 Measurement end_ratio(const Curves& in) {
   Measurement m = mean_over(in, [](const Curve& curve) {
-    return Estimate{std::log(curve.back().value / curve.front().value),
+    return Estimate{log(curve.back().value / curve.front().value),
                     relative_error(curve.front()) + relative_error(curve.back())};
   });
-  m.value = std::exp(m.value);
+  m.value = exp(m.value);
   m.uncertainty *= m.value;
   return m;
 }
@@ -160,8 +162,8 @@ Measurement range_ratio(const Curves& along, const Curves& against) {
 Measurement slope(const Curves& in, bool logarithmic) {
   return mean_over(in, [logarithmic, &in](const Curve& curve) {
     const auto n = double(curve.size());
-    const auto x_of = [=](const CurvePoint& p) { return logarithmic ? std::log(p.x) : p.x; };
-    const auto y_of = [=](const CurvePoint& p) { return logarithmic ? std::log(p.value) : p.value; };
+    const auto x_of = [=](const CurvePoint& p) { return logarithmic ? log(p.x) : p.x; };
+    const auto y_of = [=](const CurvePoint& p) { return logarithmic ? log(p.value) : p.value; };
     double x_mean = 0, squares = 0, value = 0;
     ErrorSum uncertainty(in.independent);
     for (const CurvePoint& p : curve) x_mean += x_of(p) / n;
@@ -281,7 +283,7 @@ Measurement equality(const Curve& first, const Curve& second, double resolution)
   double squares = 0, errors = 0;
   std::size_t n = 0;
   for (std::size_t i = 0; i < first.size(); ++i) {
-    const double error = std::hypot(first[i].error, second[i].error);
+    const double error = std::sqrt(first[i].error * first[i].error + second[i].error * second[i].error);
     const double units = (first[i].value - second[i].value) / error;
     if (!std::isfinite(units)) {
       ++out.missing;

@@ -98,10 +98,13 @@ std::vector<std::string> dimensions_of(const ResultReader& result, const Json& e
   return axes;
 }
 
+// Of the program that computed the points; of several, if the points are from several runs.
 std::string commit_of(const ResultReader& result) {
   if (!h5::exists(result.file(), "provenance")) return "unknown";
   const h5::Handle group(H5Gopen2(result.file(), "provenance", H5P_DEFAULT), H5Gclose, "opening /provenance");
-  return h5::has_attribute(group, "commit") ? h5::read_text_attribute(group, "commit") : "unknown";
+  for (const char* name : {"points_commits", "commit"})
+    if (h5::has_attribute(group, name)) return h5::read_text_attribute(group, name);
+  return "unknown";
 }
 
 }  // namespace

@@ -43,8 +43,8 @@ void require_origin(const ResultReader& result, const Reference& made) {
     throw InputError(
         fmt::format("{}: holds the {} tier; a reference holds the smoke tier, every commit's: {}",
                     result.path(), made.tier, again));
-  const bool dirty = made.commit.size() > 6 && made.commit.substr(made.commit.size() - 6) == "-dirty";
-  if (dirty || made.commit == "unknown")
+  const bool dirty = made.commit.find("-dirty") != std::string::npos;
+  if (dirty || made.commit.find("unknown") != std::string::npos)
     throw InputError(
         fmt::format("{}: computed by a program of commit {}, which nobody can build again; commit, "
                     "build, then {}",

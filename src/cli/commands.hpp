@@ -21,7 +21,8 @@ struct RunOptions {
   std::string experiment, output;  // empty output: results/<name>.h5
   std::vector<std::string> set;
   std::string tier = "full";
-  int threads = 0;  // 0: all cores
+  int threads = 0;              // 0: all cores
+  std::string instruction_set;  // empty: the widest
   bool force = false, quiet = false;
   std::string command_line;
 };

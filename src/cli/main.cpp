@@ -26,6 +26,8 @@ CLI::App* add_run(CLI::App& app, RunOptions& run) {
   add_experiment(*command, run);
   command->add_option("-o,--output", run.output, "result file [results/<name>.h5]");
   command->add_option("--threads", run.threads, "threads [all cores]")->check(CLI::Range(1, 1024));
+  command->add_option("--instruction-set", run.instruction_set,
+                      "of the fast engine, the numbers are the same [the widest that the processor has]");
   command->add_flag("--force", run.force, "compute even if the result is up to date");
   command->add_flag("--quiet", run.quiet, "no progress, no summary");
   return command;

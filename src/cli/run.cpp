@@ -1,5 +1,6 @@
 #include "checks/checks.hpp"
 #include "cli/commands.hpp"
+#include "dynamics/lanes/kernels.hpp"
 #include "experiment/experiment.hpp"
 #include "experiment/input_error.hpp"
 #include "results/journal.hpp"
@@ -40,7 +41,7 @@ void add_checks(const std::string& path) {
 // The numbers are there; what describes them has changed.
 void refresh(const std::string& path, const Experiment& experiment) {
   if (ResultReader(path).experiment() == experiment.document) return;
-  const Journal others_stay_off(path, false);
+  const Journal others_stay_off(path, kCommit, false);
   const std::string copy = path + ".partial";
   std::filesystem::copy_file(path, copy, std::filesystem::copy_options::overwrite_existing);
   annotate(copy, experiment);
@@ -79,7 +80,7 @@ void fill_journal(const Experiment& experiment, const std::vector<std::size_t>& 
   Progress progress(experiment.name, missing.size(), quiet);
   std::size_t saved = experiment.points() - missing.size();
   const auto sink = [&](PointReport&& report) {
-    journal.append(point_key(experiment, report.index), report.record, kCommit);
+    journal.append(point_key(experiment, report.index), report.record);
     ++saved;
     progress.step();
   };
@@ -121,7 +122,7 @@ void compute(const Experiment& experiment, const std::string& path, int threads,
   end_tidily_on_signals();
   auto record = provenance(options.command_line, threads);
   record["started"] = utc_now();
-  Journal journal(path, options.force);
+  Journal journal(path, kCommit, options.force);
   std::vector<std::size_t> missing = missing_points(experiment, journal);
   if (!options.force && !missing.empty()) {
     journal.adopt(experiment, missing);
@@ -136,6 +137,14 @@ void compute(const Experiment& experiment, const std::string& path, int threads,
              found > 0 ? fmt::format("; {} computed before", found) : std::string());
 }
 
+void choose_instruction_set(const std::string& name) {
+  if (name.empty() || prefer_kernels(name)) return;
+  std::vector<std::string> names;
+  for (const Kernels* kernels : available_kernels()) names.push_back(kernels->target);
+  throw InputError(fmt::format("--instruction-set {}: not of this processor; allowed: {}", name,
+                               names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
+}
+
 Experiment load_checked(const RunOptions& options) {
   Experiment experiment = load_experiment(options.experiment, {options.set, options.tier});
   validate_checks(experiment);
@@ -145,6 +154,7 @@ Experiment load_checked(const RunOptions& options) {
 }  // namespace
 
 int run_command(const RunOptions& options) {
+  choose_instruction_set(options.instruction_set);
   const Experiment experiment = load_checked(options);
   const std::string path =
       options.output.empty() ? fmt::format("results/{}.h5", experiment.name) : options.output;

@@ -10,9 +10,14 @@
 namespace Eigen {
 template <class D>
 AutoDiffScalar<typename internal::remove_all<D>::type::PlainObject> atan(const AutoDiffScalar<D>& u) {
-  using std::atan;
+  using bristle::atan;
   const auto x = u.value();
   return {atan(x), u.derivatives() * decltype(x)(1.0 / (1.0 + x * x))};
+}
+// In place of Eigen's own, which is std::sin.
+template <int N>
+AutoDiffScalar<Matrix<double, N, 1>> sin(const AutoDiffScalar<Matrix<double, N, 1>>& u) {
+  return {bristle::sin(u.value()), u.derivatives() * bristle::cos(u.value())};
 }
 template <class D>
 AutoDiffScalar<D> inverse_sqrt(const AutoDiffScalar<D>& u) {

@@ -2,6 +2,7 @@
 
 #include "dynamics/rosenbrock.hpp"
 #include "dynamics/rules.hpp"
+#include "model/elementary.hpp"
 
 #include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
 #include <boost/numeric/odeint/stepper/dense_output_runge_kutta.hpp>
@@ -55,10 +56,24 @@ class ErrorChecker {
   double atol_, rtol_;
 };
 
+// Odeint's rule for the next step, without its call of the C library's pow.
+class StepAdjuster {
+ public:
+  double decrease_step(double dt, double error, int error_order) const {
+    return dt * std::max(0.9 * pow(error, -1.0 / (error_order - 1)), 0.2);
+  }
+  double increase_step(double dt, double error, int stepper_order) const {
+    if (error >= 0.5) return dt;
+    return dt * 0.9 * pow(std::max(pow(5, -stepper_order), error), -1.0 / stepper_order);
+  }
+  bool check_step_size_limit(double) const { return true; }
+  double get_max_dt() const { return 0; }
+};
+
 using Dopri5 = odeint::runge_kutta_dopri5<OdeState>;
-using ControlledDopri5 = odeint::controlled_runge_kutta<Dopri5, ErrorChecker>;
+using ControlledDopri5 = odeint::controlled_runge_kutta<Dopri5, ErrorChecker, StepAdjuster>;
 using ExplicitStepper = odeint::dense_output_runge_kutta<ControlledDopri5>;
-using ImplicitController = odeint::rosenbrock4_controller<Rosenbrock4>;
+using ImplicitController = RosenbrockController;
 using ImplicitStepper = odeint::rosenbrock4_dense_output<ImplicitController>;
 
 class Run {
@@ -188,7 +203,7 @@ void complete(const PassageTask& task, Passage& out) {
   const double T = out.contact_time, I_n = out.end[NORMAL];
   out.gamma_1 = out.end[MODULATION] / I_n;
   out.gamma_2 = out.end[ALIGNMENT] / I_n;
-  const double mean_root = std::cbrt(I_n / T);
+  const double mean_root = cbrt(I_n / T);
   out.gamma_3 = out.end[AREA] / T / (mean_root * mean_root);
   const State<double> at_rest = state_at_rest(task.bristle, task.start);
   const double gained = energy(task.bristle, unpack<double>(out.end)) - energy(task.bristle, at_rest);

@@ -95,4 +95,37 @@ class Rosenbrock4 {
   Column third_ = g1_, fourth_ = g1_;
 };
 
+// Odeint's controller, K. Gustafsson's prediction included, with square roots in place of the C library's
+// pow.
+class RosenbrockController : public boost::numeric::odeint::rosenbrock4_controller<Rosenbrock4> {
+ public:
+  using rosenbrock4_controller::rosenbrock4_controller;
+
+  template <class System>
+  boost::numeric::odeint::controlled_step_result try_step(System system, const OdeState& y, double& t,
+                                                          OdeState& y_out, double& dt) {
+    m_stepper.do_step(system, y, t, y_out, dt, m_xerr.m_v);
+    const double err = error(y_out, y, m_xerr.m_v);
+    double factor = limited(fourth_root(err));
+    if (!(err <= 1)) {
+      dt /= factor;
+      m_last_rejected = true;
+      return boost::numeric::odeint::fail;
+    }
+    if (!m_first_step) factor = std::max(factor, limited(m_dt_old / dt * fourth_root(err * err / m_err_old)));
+    m_first_step = false;
+    m_dt_old = dt;
+    m_err_old = std::max(0.01, err);
+    t += dt;
+    dt = m_last_rejected ? std::min(dt / factor, dt) : dt / factor;
+    m_last_rejected = false;
+    return boost::numeric::odeint::success;
+  }
+
+ private:
+  static double fourth_root(double x) { return std::sqrt(std::sqrt(x)); }
+  // What the step is divided by, with some to spare; a step that is not finite by 5.
+  static double limited(double root) { return std::max(1.0 / 6, std::min(5.0, root / 0.9)); }
+};
+
 }  // namespace bristle

@@ -1,5 +1,7 @@
 #include "dynamics/trajectory.hpp"
 
+#include "model/elementary.hpp"
+
 namespace bristle {
 namespace {
 
@@ -7,7 +9,7 @@ Phase phase_of(const Parameters& p, const Bristle<double>& b, const State<double
                const SlabContact<double>& slab) {
   if (b.z_0 - state.r[2] > kOffSlabRanges * p.lambda_z) return Phase::off_slab;
   if (slab.V_R < p.V_s) return Phase::stick;
-  return -slab.e_x < std::cos(kSideSlip) ? Phase::side_slip : Phase::slip;
+  return -slab.e_x < cos(kSideSlip) ? Phase::side_slip : Phase::slip;
 }
 
 }  // namespace

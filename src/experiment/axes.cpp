@@ -3,6 +3,7 @@
 #include "experiment/input_error.hpp"
 #include "experiment/schema.hpp"
 #include "experiment/suggest.hpp"
+#include "model/elementary.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -93,7 +94,7 @@ class AxisReader {
     std::vector<double> values(n, from);
     for (std::size_t i = 1; i < n; ++i) {
       const double share = double(i) / double(n - 1);
-      values[i] = logarithmic ? from * std::pow(to / from, share)
+      values[i] = logarithmic ? from * pow(to / from, share)
                               : from + (to - from) * double(i) / double(n - 1);  // whole numbers stay whole
     }
     if (n > 1) values.back() = to;

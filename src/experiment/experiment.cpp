@@ -6,6 +6,7 @@
 #include "experiment/schema.hpp"
 #include "experiment/si_units.hpp"
 #include "interface/lattice.hpp"
+#include "model/elementary.hpp"
 
 #include <fmt/format.h>
 #include <cmath>
@@ -122,7 +123,7 @@ void set_peak(const Json& model, Parameters& p) {
 void check_gap(const Document& d, const Experiment& e) {
   for (std::size_t i = 0; i < e.points(); ++i) {
     const PointInput point = e.point(i);
-    const double highest = std::sin(point.interface.parameters.phi_0);
+    const double highest = sin(point.interface.parameters.phi_0);
     if (!point.loading.z_0) return;
     if (*point.loading.z_0 > highest)
       fail(d, d.json()["load"].contains("z_0") ? "/load/z_0" : "/sweep/z_0",

@@ -1,5 +1,7 @@
 #include "interface/ensemble.hpp"
 
+#include "model/elementary.hpp"
+
 #include <cmath>
 
 namespace bristle {
@@ -131,7 +133,7 @@ void EnsembleMean::average_list() {
 
 double rigid_friction(const Parameters& p, double R_n) {
   if (p.friction == FrictionLaw::coulomb) return p.mu_c * R_n;
-  const double root = std::cbrt(R_n);
+  const double root = cbrt(R_n);
   return p.tau_f * hertz_area_factor(p.R_c, p.E_star) * root * root;
 }
 

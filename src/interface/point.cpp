@@ -1,5 +1,7 @@
 #include "interface/point.hpp"
 
+#include "model/elementary.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -89,7 +91,7 @@ class PointSolver {
     search.target = loading_.R_n;
     search.path = loading_.path;
     search.rtol = interface_.orientation.rtol;
-    search.first_contact = std::sin(interface_.parameters.phi_0);
+    search.first_contact = sin(interface_.parameters.phi_0);
     return first_crossing([this](double z_0, Accuracy accuracy) { return load_at(z_0, accuracy); }, search);
   }
 

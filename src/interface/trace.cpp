@@ -1,6 +1,7 @@
 #include "interface/trace.hpp"
 
 #include "dynamics/together.hpp"
+#include "model/elementary.hpp"
 
 #include <boost/math/tools/minima.hpp>
 #include <boost/math/tools/roots.hpp>
@@ -23,7 +24,7 @@ class Tracer {
       : interface_(interface), trace_(trace), run_(run) {}
 
   std::vector<CurveNode> trace() {
-    const double top = std::sin(interface_.parameters.phi_0);
+    const double top = sin(interface_.parameters.phi_0);
     std::vector<double> first;
     for (int i = 0; i <= kFirstIntervals; ++i) first.push_back(top - (top - trace_.to) * i / kFirstIntervals);
     compute(first);

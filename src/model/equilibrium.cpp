@@ -18,7 +18,7 @@ double middle(const std::pair<double, double>& bracket) {
 
 // r at which the radial forces balance at the elevation phi. The residual rises strictly with r.
 double radial_balance(const Bristle<double>& b, double phi) {
-  const double sin_phi = std::sin(phi), cos_phi = std::cos(phi);
+  const double sin_phi = sin(phi), cos_phi = cos(phi);
   const auto residual = [&](double r) {
     return b.k_r * (r - 1) + sin_phi * short_range_force(b.z_0 - r * sin_phi, b.wall_peak, b.wall_rate) -
            cos_phi * short_range_force(r * cos_phi, b.axis_peak, b.axis_rate);
@@ -30,7 +30,7 @@ double radial_balance(const Bristle<double>& b, double phi) {
 // dU/dphi along r = radial_balance(phi); zero at an equilibrium.
 double polar_residual(const Bristle<double>& b, double phi) {
   const double r = radial_balance(b, phi);
-  const double z = r * std::sin(phi), s = r * std::cos(phi);
+  const double z = r * sin(phi), s = r * cos(phi);
   return b.k_phi * (phi - b.phi_0) + s * short_range_force(b.z_0 - z, b.wall_peak, b.wall_rate) +
          z * short_range_force(s, b.axis_peak, b.axis_rate);
 }
@@ -48,7 +48,7 @@ Equilibrium static_equilibrium(const Bristle<double>& b) {
     if (at_upper >= 0 && at_lower < 0) {  // a minimum of the energy, not a maximum
       const double phi = middle(bisect(residual, lower, upper, eps_tolerance<double>(50)));
       const double r = radial_balance(b, phi);
-      const Vector3<double> position(r * std::cos(phi), 0, r * std::sin(phi));
+      const Vector3<double> position(r * cos(phi), 0, r * sin(phi));
       const double U = potential_energy(b, position, b.theta_0, phi);
       if (U < least) {
         least = U;
@@ -63,9 +63,8 @@ Equilibrium static_equilibrium(const Bristle<double>& b) {
 }
 
 State<double> state_at_rest(const Bristle<double>& b, const Equilibrium& e) {
-  const double s = e.r * std::cos(e.phi);
-  return {
-      {s * std::cos(b.theta_0), s * std::sin(b.theta_0), e.r * std::sin(e.phi)}, {0, 0, 0}, b.theta_0, e.phi};
+  const double s = e.r * cos(e.phi);
+  return {{s * cos(b.theta_0), s * sin(b.theta_0), e.r * sin(e.phi)}, {0, 0, 0}, b.theta_0, e.phi};
 }
 
 }  // namespace bristle

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cmath>
+#include "model/elementary.hpp"
 
 namespace bristle {
 
@@ -12,6 +12,6 @@ inline double inverse_sqrt(double x) { return 1 / std::sqrt(x); }
 constexpr double kNegligible = -40;
 
 // exp(x) for x <= 0, and exactly 0 where that is negligible.
-inline double decay(double x) { return x < kNegligible ? 0 : std::exp(x); }
+inline double decay(double x) { return x < kNegligible ? 0 : exp(x); }
 
 }  // namespace bristle

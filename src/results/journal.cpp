@@ -49,8 +49,10 @@ std::string point_key(const Experiment& experiment, std::size_t index) {
   return sha256_of(inputs.dump());
 }
 
-Journal::Journal(const std::string& result, bool forget)
-    : path_(result + kExtension), file_(lock_file(result, path_)) {
+bool is_dirty(const std::string& commit) { return commit.ends_with("-dirty") || commit == "unknown"; }
+
+Journal::Journal(const std::string& result, const std::string& commit, bool forget)
+    : path_(result + kExtension), commit_(commit), file_(lock_file(result, path_)) {
   try {
     scan();
     if (forget) {
@@ -70,14 +72,16 @@ Journal::~Journal() { ::close(file_); }
 void Journal::scan() {
   bool known = false;
   end_ = each_line(path_, [&](const std::string& line, std::uint64_t offset) {
-    const auto key = key_of(line);
-    if (key) entries_[*key] = {offset, line.size()};
-    known = known || key;
+    const auto head = head_of(line);
+    if (head && trusts(*head)) entries_[head->key] = {offset, line.size()};
+    known = known || head;
   });
   if (!known && !may_be_torn(path_))
     throw InputError(
         fmt::format("{}: is no journal of bristle; move it: the run keeps its points there", path_));
 }
+
+bool Journal::trusts(const JournalLine& head) const { return is_dirty(commit_) || !is_dirty(head.commit); }
 
 JournalLine Journal::read(const std::string& key) const {
   const Entry& entry = entries_.at(key);
@@ -88,15 +92,15 @@ JournalLine Journal::read(const std::string& key) const {
   throw RunError(fmt::format("{}: changed while in use; run the same command again", path_));
 }
 
-void Journal::append(const std::string& key, const PointRecord& record, const std::string& commit) {
-  const std::string text = encode({key, commit, record});
+void Journal::append(const JournalLine& line) {
+  const std::string text = encode(line);
   for (std::size_t written = 0; written < text.size();) {
     const ssize_t n = pwrite(file_, text.data() + written, text.size() - written, off_t(end_ + written));
     if (n < 0 && errno == EINTR) continue;
     if (n <= 0) throw RunError(fmt::format("{}: {}", path_, std::strerror(n < 0 ? errno : ENOSPC)));
     written += std::size_t(n);
   }
-  entries_[key] = {end_, text.size() - 1};
+  entries_[line.key] = {end_, text.size() - 1};
   end_ += text.size();
   if (std::time(nullptr) >= synced_ + kSyncSeconds) sync();
 }
@@ -116,11 +120,11 @@ void Journal::adopt(const Experiment& experiment, const std::vector<std::size_t>
     if (!name.ends_with(kExtension) || !other.is_regular_file() || fs::equivalent(other.path(), path_))
       continue;
     each_line(name, [&](const std::string& text, std::uint64_t) {
-      const auto key = key_of(text);
-      if (!key || !wanted.count(*key)) return;
+      const auto head = head_of(text);
+      if (!head || !wanted.count(head->key) || !trusts(*head)) return;
       if (const auto line = decode(text); line && fits(line->record, experiment)) {
-        append(*key, line->record, line->commit);
-        wanted.erase(*key);
+        append(*line);
+        wanted.erase(line->key);
       }
     });
     if (wanted.empty()) return;

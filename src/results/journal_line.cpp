@@ -73,11 +73,22 @@ std::optional<JournalLine> decode(std::string_view line) {
   }
 }
 
-std::optional<std::string> key_of(std::string_view line) {
+std::optional<JournalLine> head_of(std::string_view line) {
   const auto text = checked(line);
-  const std::string before = std::string(R"({"schema":")") + kJournalSchema + R"(","key":")";
-  if (!text || text->size() < before.size() + kDigest || !text->starts_with(before)) return {};
-  return std::string(text->substr(before.size(), kDigest));
+  if (!text) return {};
+  // As encode() writes it, without reading the numbers.
+  std::string_view rest = *text;
+  const auto take = [&rest](const std::string& before) -> std::optional<std::string> {
+    if (!rest.starts_with(before)) return {};
+    rest.remove_prefix(before.size());
+    const auto end = rest.find('"');
+    std::string word(rest.substr(0, end));
+    rest.remove_prefix(std::min(end, rest.size()));
+    return word;
+  };
+  const auto schema = take(R"({"schema":")"), key = take(R"(","key":")"), commit = take(R"(","commit":")");
+  if (!commit || *schema != kJournalSchema) return {};
+  return JournalLine{*key, *commit, {}};
 }
 
 }  // namespace bristle

@@ -20,7 +20,7 @@ constexpr const char* kJournalSchema = "bristle-journal/1";
 std::string encode(const JournalLine& line);
 // None if it is torn or damaged. line is without its line feed.
 std::optional<JournalLine> decode(std::string_view line);
-// The key alone, of a line whose checksum holds.
-std::optional<std::string> key_of(std::string_view line);
+// Key and commit alone, of a line whose checksum holds.
+std::optional<JournalLine> head_of(std::string_view line);
 
 }  // namespace bristle

@@ -1,6 +1,7 @@
 #include "run/provenance.hpp"
 
 #include "dynamics/lanes/kernels.hpp"
+#include "results/journal.hpp"
 
 #include <Eigen/Core>
 #include <boost/version.hpp>
@@ -8,16 +9,41 @@
 #include <fmt/format.h>
 #include <hdf5.h>
 #include <nlohmann/json.hpp>
+#include <hwy/base.h>
+#include <openssl/opensslv.h>
+#include <sleef.h>
+#include <sys/utsname.h>
 #include <unistd.h>
+#include <fstream>
+#include <gnu/libc-version.h>
 
 namespace bristle {
 
 namespace {
 
-// Of the fast engine's kernels.
+// Of the fast engine's kernels, and what the processor has.
 std::string instruction_set() {
-  const auto available = available_kernels();
-  return available.empty() ? "none with fused multiply-add" : available.front()->target;
+  return available_kernels().empty() ? "none with fused multiply-add" : best_kernels().target;
+}
+
+std::string cpu_features() {
+  std::string out;
+  for (const Kernels* kernels : available_kernels())
+    out += fmt::format("{}{}", out.empty() ? "" : " ", kernels->target);
+  return out;
+}
+
+std::string cpu_model() {
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);)
+    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+  return "unknown";
+}
+
+std::string system_text() {
+  utsname names{};
+  return uname(&names) == 0 ? fmt::format("{} {} {}", names.sysname, names.release, names.machine)
+                            : "unknown";
 }
 
 }  // namespace
@@ -37,6 +63,7 @@ std::map<std::string, std::string> provenance(const std::string& command_line, i
   return {
       {"version", kVersion},
       {"commit", kCommit},
+      {"dirty", is_dirty(kCommit) ? "yes: built from uncommitted changes, or without git" : "no"},
       {"compiler", BRISTLE_COMPILER},
       {"flags", BRISTLE_FLAGS},
       {"eigen", fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
@@ -45,7 +72,14 @@ std::map<std::string, std::string> provenance(const std::string& command_line, i
       {"nlohmann_json", fmt::format("{}.{}.{}", NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR,
                                     NLOHMANN_JSON_VERSION_PATCH)},
       {"fmt", fmt::format("{}", FMT_VERSION)},
+      {"highway", fmt::format("{}.{}", HWY_MAJOR, HWY_MINOR)},
+      {"sleef", fmt::format("{}.{}.{}", SLEEF_VERSION_MAJOR, SLEEF_VERSION_MINOR, SLEEF_VERSION_PATCHLEVEL)},
+      {"openssl", OPENSSL_VERSION_TEXT},
+      {"c_library", gnu_get_libc_version()},
       {"instruction_set", instruction_set()},
+      {"cpu_features", cpu_features()},
+      {"cpu", cpu_model()},
+      {"system", system_text()},
       {"host", host},
       {"threads", fmt::format("{}", threads)},
       {"command_line", command_line},

@@ -31,13 +31,23 @@ std::vector<const Kernels*> available_kernels() {
   return out;
 }
 
+namespace {
+const Kernels* preferred = nullptr;
+}
+
+bool prefer_kernels(const std::string& target) {
+  for (const Kernels* kernels : available_kernels())
+    if (kernels->target == target) preferred = kernels;
+  return preferred && preferred->target == target;
+}
+
 const Kernels& best_kernels() {
+  if (preferred) return *preferred;
   const auto available = available_kernels();
   if (available.empty())
     throw std::runtime_error(
         "this processor has no fused multiply-add on vectors (AVX2 or better), without which the fast "
-        "engine's numbers "
-        "would be others; choose \"integrator\": { \"engine\": \"reference\" }");
+        "engine's numbers would be others; choose \"integrator\": { \"engine\": \"reference\" }");
   return *available.front();
 }
 

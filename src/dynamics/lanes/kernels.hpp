@@ -2,6 +2,7 @@
 
 #include "dynamics/lanes/block.hpp"
 
+#include <string>
 #include <vector>
 
 namespace bristle {
@@ -18,7 +19,11 @@ struct Kernels {
 // multiply-add: without it the numbers would be others.
 std::vector<const Kernels*> available_kernels();
 
-// Throws std::runtime_error with the remedy if there are none.
+// The first of them, or those that were preferred. Throws std::runtime_error with the remedy if there are
+// none.
 const Kernels& best_kernels();
+// From now on best_kernels() are those of this instruction set, to see that the numbers are the same. False
+// if this processor has none of that name.
+bool prefer_kernels(const std::string& target);
 
 }  // namespace bristle

@@ -1,0 +1,180 @@
+#include "experiment/canonical.hpp"
+#include "experiment/input_error.hpp"
+#include "results/journal.hpp"
+#include "small_result.hpp"
+
+#include <bit>
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <rapidcheck.h>
+#include <set>
+
+using namespace bristle;
+using namespace bristle::testing;
+
+namespace {
+
+PointRecord small_record(const Experiment& e, std::size_t i) { return record_of(e, small_point(i), {}); }
+
+// A journal of the small experiment's first points.
+void write_journal(const std::string& result, const Experiment& e, std::size_t points) {
+  Journal journal(result, "0123abc", false);
+  for (std::size_t i = 0; i < points; ++i) journal.append(point_key(e, i), small_record(e, i));
+}
+
+bool holds(const Journal& journal, const Experiment& e, std::size_t i) {
+  const std::string key = point_key(e, i);
+  return journal.has(key) && differences(journal.read(key).record, small_record(e, i)).empty();
+}
+
+std::size_t points_in(const Journal& journal, const Experiment& e) {
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < e.points(); ++i) n += journal.has(point_key(e, i));
+  return n;
+}
+
+}  // namespace
+
+TEST_CASE("a line reads back to the bit, whatever the numbers") {
+  rc::check([](const std::vector<std::uint64_t>& bits) {
+    PointRecord record;
+    for (const std::uint64_t b : bits) {
+      const double x = std::bit_cast<double>(b);
+      record.values["x"].push_back(std::isnan(x) ? kNone : x);
+    }
+    record.values["edge"] = {0.0, -0.0, INFINITY, -INFINITY, kNone, 5e-324, 0.1};
+    record.tables["t"] = {{1, 2}, {kNone, 1e308}};
+    const std::string text = encode({std::string(64, 'a'), "c", record});
+    const auto line = decode(std::string_view(text).substr(0, text.size() - 1));
+    RC_ASSERT(line.has_value());
+    RC_ASSERT(differences(line->record, record).empty());
+    const auto head = head_of(text.substr(0, text.size() - 1));
+    RC_ASSERT(head && head->key == std::string(64, 'a') && head->commit == "c");
+  });
+}
+
+TEST_CASE("torn at any byte of its last record, a journal has all the others and takes new ones") {
+  const Scratch s;
+  const Experiment e = small_experiment(s);
+  const std::string result = s.path("r.h5"), path = result + ".journal";
+  write_journal(result, e, 2);
+  const auto two = std::filesystem::file_size(path);
+  write_journal(result, e, 3);
+  const std::string whole = bytes_of(path);
+  REQUIRE(whole.size() > two + 500);
+  for (std::size_t size = two; size < whole.size(); ++size) {
+    s.write("r.h5.journal", whole.substr(0, size));
+    Journal journal(result, "0123abc", false);
+    if (points_in(journal, e) != 2 || !holds(journal, e, 0) || !holds(journal, e, 1)) FAIL(size);
+    journal.append(point_key(e, 2), small_record(e, 2));
+    if (bytes_of(path) != whole) FAIL("not mended: " << size);
+  }
+}
+
+TEST_CASE("the first record torn, or zeros where a power cut left no data: the journal begins anew") {
+  const Scratch s;
+  const Experiment e = small_experiment(s);
+  write_journal(s.path("r.h5"), e, 1);
+  const std::string whole = bytes_of(s.path("r.h5.journal"));
+  for (const std::string& left :
+       {std::string(), whole.substr(0, 10), whole.substr(0, 300), std::string(4096, '\0')}) {
+    s.write("r.h5.journal", left);
+    CHECK(points_in(Journal(s.path("r.h5"), "0123abc", false), e) == 0);
+    CHECK(bytes_of(s.path("r.h5.journal")).empty());
+  }
+}
+
+TEST_CASE("a record that is damaged is passed over, the others count") {
+  const Scratch s;
+  const Experiment e = small_experiment(s);
+  write_journal(s.path("r.h5"), e, 3);
+  std::string text = bytes_of(s.path("r.h5.journal"));
+  const auto second = text.find('\n') + 1, digit = text.find("\"R_x\":[", second) + 8;
+  text[digit] = text[digit] == '1' ? '2' : '1';
+  s.write("r.h5.journal", text);
+  const Journal journal(s.path("r.h5"), "0123abc", false);
+  CHECK(holds(journal, e, 0));
+  CHECK(!journal.has(point_key(e, 1)));
+  CHECK(holds(journal, e, 2));
+}
+
+TEST_CASE("what a program with uncommitted changes computed serves such programs only") {
+  const Scratch s;
+  const Experiment e = small_experiment(s);
+  { Journal(s.path("r.h5"), "0123abc-dirty", false).append(point_key(e, 0), small_record(e, 0)); }
+  { Journal(s.path("r.h5"), "4567def", false).append(point_key(e, 1), small_record(e, 1)); }
+  const auto has = [&](const char* commit, std::size_t i) {
+    return Journal(s.path("r.h5"), commit, false).has(point_key(e, i));
+  };
+  CHECK(has("0123abc-dirty", 0));
+  CHECK(has("unknown", 0));
+  CHECK(!has("4567def", 0));
+  for (const char* commit : {"4567def", "0123abc-dirty", "unknown"}) CHECK(has(commit, 1));
+  Journal other(s.path("other.h5"), "4567def", false);
+  other.adopt(e, {0, 1});
+  CHECK(points_in(other, e) == 1);
+}
+
+TEST_CASE("another run has the journal: refused; gone with its process: no lock is left") {
+  const Scratch s;
+  const Experiment e = small_experiment(s);
+  {
+    const Journal first(s.path("r.h5"), "0123abc", false);
+    CHECK_THROWS_WITH(Journal(s.path("r.h5"), "0123abc", false),
+                      Catch::Contains("another run is writing it"));
+  }
+  CHECK_NOTHROW(Journal(s.path("r.h5"), "0123abc", false));
+}
+
+TEST_CASE("a file that is no journal is not touched; a place that cannot be written is named") {
+  const Scratch s;
+  s.write("r.h5.journal", "Dear diary,\n");
+  CHECK_THROWS_WITH(Journal(s.path("r.h5"), "0123abc", false), Catch::Contains("is no journal"));
+  CHECK(bytes_of(s.path("r.h5.journal")) == "Dear diary,\n");
+  CHECK_THROWS_AS(Journal("/proc/nowhere/r.h5", "0123abc", false), InputError);
+}
+
+TEST_CASE("points of other journals in the folder are taken over, those of this experiment only") {
+  const Scratch s;
+  const Experiment e = small_experiment(s);
+  write_journal(s.path("other.h5"), e, 4);
+  Journal journal(s.path("r.h5"), "0123abc", false);
+  journal.adopt(e, {0, 2, 5});
+  CHECK(holds(journal, e, 0));
+  CHECK(!journal.has(point_key(e, 1)));
+  CHECK(holds(journal, e, 2));
+  CHECK(!journal.has(point_key(e, 5)));
+  const Experiment recorded = small_experiment(s, R"(, "record": ["observables", "bristles"])");
+  journal.adopt(recorded, {0, 1, 2, 3});
+  CHECK(points_in(journal, recorded) == 0);
+}
+
+TEST_CASE("equal points have equal keys, whatever the grid and the names; any parameter makes another") {
+  const Scratch s;
+  const Experiment e = small_experiment(s);
+  const Experiment finer = small_experiment(
+      s, R"(, "name": "finer", "title": "t", "sweep": {"k_theta": {"values": [0.1, 0.3, 1, 3]}})");
+  CHECK(point_key(e, 0) == point_key(finer, 1));
+  CHECK(point_key(e, 5) == point_key(finer, 7));
+  std::set<std::string> keys;
+  for (std::size_t i = 0; i < finer.points(); ++i) keys.insert(point_key(finer, i));
+  CHECK(keys.size() == 8);
+  const auto one = [&](const std::string& name, double value) {
+    Experiment changed = e;
+    changed.axes = {{name, {value}}};
+    return point_key(changed, 0);
+  };
+  for (const Sweepable& sweepable : sweepables()) {
+    CAPTURE(sweepable.name);
+    if (sweepable.name == "z_0") continue;  // in place of the load, below
+    CHECK(one(sweepable.name, 1) != one(sweepable.name, 0));
+  }
+  for (const char* change :
+       {R"("load": {"R_n": null, "z_0": 0.5})", R"("load": {"R_n": 1.5})", R"("orientation": {"rtol": 0.5})",
+        R"("orientation": {"full_circle": true})", R"("integrator": {"rtol": 1e-3})",
+        R"("integrator": {"engine": "reference"})", R"("integrator": {"max_evaluations": 1000})",
+        R"("record": ["bristles"])", R"("load": {"R_n": null, "trace": {"nodes": 9}})"}) {
+    CAPTURE(change);
+    CHECK(point_key(small_experiment(s, std::string(", ") + change), 0) != point_key(e, 0));
+  }
+}
