@@ -48,6 +48,11 @@ mkdir unpacked && tar xf "$archive" -C unpacked || failures=$((failures + 1))
 (cd unpacked/*/data && [ "$(git get-tar-commit-id <source/*.tar)" = "$(git -C "$folder" rev-parse HEAD)" ]) || failures=$((failures + 1))
 cmp unpacked/*/data/results/quick.h5 results/quick.h5 || failures=$((failures + 1))
 
+# No room left: a reason, an exit code, nothing left behind.
+limited() { (ulimit -f 16; "$@"); }
+expect 3 "is there room?" limited "$bristle" archive --allow-dirty -o big.tar
+[ -z "$(ls big.tar* 2>/dev/null)" ] || { echo "FAILED: a part of an archive was left"; failures=$((failures + 1)); }
+
 # Points computed again.
 expect 0 "3 of 3 points computed again are the same, bit for bit (seed 1)" "$bristle" verify "$archive" --rerun 3
 expect 0 "k_r = 20, friction = coulomb: the same, bit for bit" "$bristle" verify "$archive" --rerun 9 --seed 5

@@ -173,6 +173,16 @@ TEST_CASE(
              Contains("bristle-9.9.9: is the folder of another version"));
 }
 
+TEST_CASE("no text of an archive commands the terminal") {
+  const Scratch s;
+  Files files = read_tar(s.write("a.tar", sound()));
+  for (auto& [name, content] : files)
+    if (name.find("/manifest-sha512.txt") != std::string::npos)
+      content += std::string(128, 'f') + "  data/\x1b]0;evil\x07\n";
+  CHECK_THAT(problems_text(verify_bytes(s, tar_of(files)).problems),
+             Contains("data/\\x1b]0;evil\\x07: is missing") && !Contains("\x1b"));
+}
+
 TEST_CASE("entries that could do harm are refused by name, and nothing is unpacked") {
   const auto refused = [](const std::string& entries) { return problems_of(ended(entries)); };
   CHECK_THAT(refused(entry("../evil", '0', "x")), Contains("\"../evil\": leads out of the archive"));

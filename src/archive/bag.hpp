@@ -12,6 +12,9 @@ namespace bristle {
 // What is wrong, one line each, beginning with the file it is about.
 using Problems = std::vector<std::string>;
 
+// A text from an archive without what would command a terminal.
+std::string printable(const std::string& text);
+
 // Lines of bag-info.txt.
 using BagInfo = std::vector<std::pair<std::string, std::string>>;
 

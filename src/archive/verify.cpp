@@ -120,6 +120,12 @@ class Verifier {
 
 }  // namespace
 
-Verification verify_archive(const std::string& path) { return Verifier(path).run(); }
+Verification verify_archive(const std::string& path) {
+  Verification found = Verifier(path).run();
+  for (std::string& problem : found.problems) problem = printable(problem);
+  for (std::string* text : {&found.version, &found.commit, &found.identifier, &found.draft})
+    *text = printable(*text);
+  return found;
+}
 
 }  // namespace bristle
