@@ -16,7 +16,7 @@ bool is_dirty(const std::string& commit);
 
 // Finished points, kept beside a result in FILE.h5.journal: whatever ends a run, the next one continues. One
 // line per point, the SHA-256 of the rest and JSON with numbers that read back exactly; see
-// docs/results.md. What is torn or damaged is passed over, so that its point is computed again.
+// docs/results-format.md. What is torn or damaged is passed over, so that its point is computed again.
 class Journal {
  public:
   // Creates the file and its folder if need be, and keeps other runs off until it is destroyed or the process

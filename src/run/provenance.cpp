@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 #include <hdf5.h>
 #include <nlohmann/json.hpp>
-#include <hwy/base.h>
 #include <openssl/opensslv.h>
 #include <sleef.h>
 #include <sys/utsname.h>
@@ -72,7 +71,7 @@ std::map<std::string, std::string> provenance(const std::string& command_line, i
       {"nlohmann_json", fmt::format("{}.{}.{}", NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR,
                                     NLOHMANN_JSON_VERSION_PATCH)},
       {"fmt", fmt::format("{}", FMT_VERSION)},
-      {"highway", fmt::format("{}.{}", HWY_MAJOR, HWY_MINOR)},
+      {"highway", BRISTLE_HIGHWAY},
       {"sleef", fmt::format("{}.{}.{}", SLEEF_VERSION_MAJOR, SLEEF_VERSION_MINOR, SLEEF_VERSION_PATCHLEVEL)},
       {"openssl", OPENSSL_VERSION_TEXT},
       {"c_library", gnu_get_libc_version()},

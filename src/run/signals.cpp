@@ -1,7 +1,6 @@
 #include "run/signals.hpp"
 
 #include <csignal>
-#include <initializer_list>
 
 namespace bristle {
 namespace {
@@ -17,8 +16,9 @@ void on_signal(int signal) {
 }  // namespace
 
 void end_tidily_on_signals() {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP})
-    if (std::signal(signal, on_signal) == SIG_IGN) std::signal(signal, SIG_IGN);
+  std::signal(SIGINT, on_signal);
+  std::signal(SIGTERM, on_signal);
+  if (std::signal(SIGHUP, on_signal) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // nohup
 }
 
 bool interrupted() { return received != 0; }

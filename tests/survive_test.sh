@@ -1,0 +1,150 @@
+#!/bin/bash
+# Whatever ends a run, nothing computed is lost and no file is half written. usage: survive_test.sh BRISTLE
+set -u
+bristle=$1
+folder=$(mktemp -d)
+mounted=
+cleanup() {
+  [ -z "$mounted" ] || umount "$mounted"
+  rm -rf "$folder"
+}
+trap cleanup EXIT
+failures=0
+failed() {
+  echo "FAILED: $*"
+  failures=$((failures + 1))
+}
+RANDOM=${SEED:-$$}
+echo "seed $RANDOM (SEED=... repeats)"
+
+# 32 points, one after the other, about a second; and the same with another stiffness, which is the old result.
+options=(--set '/sweep={"k_r":{"logspace":[2,20,8]},"k_theta":{"values":[0.5,1,2,4]}}' --set '/load={"R_n":null,"z_0":0.5}'
+  --set '/orientation={"sampling":"list","theta_0_deg":[10,100,170]}' --set /integrator/engine=reference --quiet)
+run() { "$bristle" run experiments/paper.json "${options[@]}" "$@"; }
+digest() { "$bristle" info "$1" | sed -n 's/^payload sha256 \(.*\) (verified)$/\1/p'; }
+run -o "$folder/undisturbed.h5" || failed "the undisturbed run"
+run -o "$folder/old.h5" --set /model/k_phi=2.5 || failed "the old result"
+new=$(digest "$folder/undisturbed.h5") old=$(digest "$folder/old.h5")
+[ -n "$new" ] && [ -n "$old" ] && [ "$new" != "$old" ] || failed "digests of the undisturbed runs: '$new' and '$old'"
+rm "$folder"/*.journal
+
+r=$folder/work/r.h5
+again=("$bristle" run experiments/paper.json "${options[@]}" -o "$r")  # in the background a function would be a shell
+points() { if [ -f "$r.journal" ]; then wc -l <"$r.journal"; else echo 0; fi; }
+# The result is the old or the new one, whole.
+whole() {
+  local is
+  is=$(digest "$r")
+  [ "$is" = "$old" ] || [ "$is" = "$new" ] || failed "$1: the result is neither the old nor the new one: $("$bristle" info "$r" 2>&1 | head -n 2)"
+}
+# A fresh folder with the old result.
+begin() {
+  rm -rf "$folder/work"
+  mkdir "$folder/work"
+  cp "$folder/old.h5" "$r"
+}
+finish() {
+  run -o "$r" || failed "$1: the run that continues"
+  [ "$(digest "$r")" = "$new" ] || failed "$1: other numbers than those of the undisturbed run"
+  [ ! -e "$r.partial" ] || failed "$1: a partial file is left"
+}
+
+# Killed at random moments, again and again, until one run gets through.
+kills=0 kept=0
+while [ $kills -lt 40 ]; do
+  begin
+  for ((i = 0; i < 60; ++i)); do
+    before=$(points)
+    "${again[@]}" &
+    pid=$!
+    sleep "0.$(printf %03d $((RANDOM % 450)))"
+    if kill -KILL $pid 2>/dev/null; then kills=$((kills + 1)); fi
+    wait $pid 2>/dev/null && break
+    whole "kill -9"
+    after=$(points)
+    [ "$after" -ge "$before" ] || failed "kill -9: $before points were saved, then $after"
+    [ "$after" -gt 0 ] && [ "$after" -lt 32 ] && kept=$((kept + 1))
+  done
+  finish "kill -9"
+done
+[ $kept -gt 5 ] || failed "only $kept of $kills kills came between the first point and the last"
+echo "$kills kills, $kept of them between the first point and the last"
+
+# Killed while the result is written: all points are there.
+for ((i = 0; i < 20; ++i)); do
+  cp "$folder/old.h5" "$r"
+  "${again[@]}" &
+  pid=$!
+  sleep "0.0$(printf %02d $((RANDOM % 60)))"
+  kill -KILL $pid 2>/dev/null
+  wait $pid 2>/dev/null
+  whole "kill -9 while writing"
+done
+finish "kill -9 while writing"
+
+# Ctrl-C: says what is saved, exit code 3, and the same command goes on.
+begin
+"${again[@]}" 2>"$folder/log" &
+pid=$!
+while [ "$(points)" -lt 3 ]; do sleep 0.01; done
+kill -INT $pid
+wait $pid
+[ $? = 3 ] || failed "Ctrl-C: exit code"
+grep -q "interrupted; [0-9]* of 32 points are saved in $r.journal: the same command computes the rest" "$folder/log" ||
+  failed "Ctrl-C: $(cat "$folder/log")"
+saved=$(sed -n 's/.*interrupted; \([0-9]*\) of.*/\1/p' "$folder/log")
+[ "$saved" = "$(points)" ] || failed "Ctrl-C: $saved points are said to be saved, $(points) are"
+whole "Ctrl-C"
+finish "Ctrl-C"
+grep -q "32" <<<"$(points)" || failed "Ctrl-C: $(points) points in the journal after the continuation, not 32"
+
+# No room: a small file system where mounting is allowed, and a limit on the size of files.
+no_room() {
+  whole "$1"
+  grep -qE "No space left|File too large" "$folder/log" || failed "$1: $(cat "$folder/log")"
+  grep -q "computes the rest\|HDF5\|journal" "$folder/log" || failed "$1: $(cat "$folder/log")"
+}
+for size in 2 16 40; do
+  begin
+  (ulimit -f $size; run -o "$r" 2>"$folder/log")
+  [ $? = 3 ] && no_room "files of at most $size KiB" || failed "files of at most $size KiB: exit code, $(cat "$folder/log")"
+  finish "files of at most $size KiB"
+done
+begin
+run -o "$r" && cp "$folder/old.h5" "$r"
+(ulimit -f 16; run -o "$r" 2>"$folder/log")
+[ $? = 3 ] && no_room "no room for the result" || failed "no room for the result: exit code, $(cat "$folder/log")"
+finish "no room for the result"
+begin
+if mount -t tmpfs -o size=180k none "$folder/work" 2>/dev/null; then
+  mounted=$folder/work
+  cp "$folder/old.h5" "$r"
+  head -c 70000 /dev/zero >"$folder/work/ballast"
+  run -o "$r" 2>"$folder/log"
+  [ $? = 3 ] && no_room "a full disk" || failed "a full disk: exit code, $(cat "$folder/log")"
+  rm "$folder/work/ballast"
+  finish "a full disk"
+  umount "$folder/work" && mounted=
+else
+  echo "no file system may be mounted here: the full disk is left out"
+fi
+
+# Two runs at once: one writes, the other says so.
+begin
+"${again[@]}" &
+pid=$!
+while [ "$(points)" -lt 1 ]; do sleep 0.01; done
+run -o "$r" 2>"$folder/log"
+[ $? = 3 ] && grep -q "another run is writing it" "$folder/log" || failed "two runs: $(cat "$folder/log")"
+wait $pid || failed "two runs: the first"
+[ "$(digest "$r")" = "$new" ] || failed "two runs: the numbers"
+
+# A finer grid computes its new points only; a touched file and a new name nothing.
+begin
+run -o "$r"
+touch experiments/paper.json
+finer=$("$bristle" run experiments/paper.json "${options[@]/--quiet/--set=/title=finer}" -o "$r" \
+  --set '/sweep/k_theta/values=[0.5,0.7,1,2,4]')
+grep -q "32 computed before" <<<"$finer" || failed "a finer grid: $finer"
+[ "$(points)" = 40 ] || failed "a finer grid: $(points) points in the journal, not 40"
+exit $((failures > 0))
