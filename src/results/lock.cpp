@@ -47,8 +47,12 @@ int lock_file(const std::string& result, const std::string& path) {
     struct flock whole {};
     whole.l_type = F_WRLCK;
     const bool locked = fcntl(descriptor, F_OFD_SETLK, &whole) == 0;
+    const int error_of_lock = errno;
     if (locked && still_named(descriptor, path)) return descriptor;
     ::close(descriptor);
+    if (!locked && error_of_lock != EAGAIN && error_of_lock != EACCES)
+      throw RunError(fmt::format("{}: cannot be locked: {}; give a place with -o whose file system has locks",
+                                 path, std::strerror(error_of_lock)));
     if (!locked)
       throw RunError(
           fmt::format("{}: another run is writing it; wait for that, or give another place with -o", result));
