@@ -178,7 +178,7 @@ TEST_CASE("no text of an archive commands the terminal") {
   Files files = read_tar(s.write("a.tar", sound()));
   for (auto& [name, content] : files)
     if (name.find("/manifest-sha512.txt") != std::string::npos)
-      content += std::string(128, 'f') + "  data/\x1b]0;evil\x07\n";
+      content = std::string(128, 'f') + "  data/\x1b]0;evil\x07\n" + content;
   CHECK_THAT(problems_text(verify_bytes(s, tar_of(files)).problems),
              Contains("data/\\x1b]0;evil\\x07: is missing") && !Contains("\x1b"));
 }
