@@ -161,7 +161,8 @@ TEST_CASE("files that are missing, added, renamed or exchanged are named") {
 }
 
 TEST_CASE(
-    "a file added with its line in the manifest is in no metadata; a folder of another version is noticed") {
+    "a file added with its line in the manifest is in no metadata, and a folder of another version is "
+    "noticed") {
   CHECK_THAT(problems_of(repacked(sound(), [](Files& payload) { payload["new.txt"] = "x"; })),
              Contains("new.txt: the file is not described"));
   const Scratch s;
