@@ -6,6 +6,7 @@
 #include "archive/result_facts.hpp"
 #include "experiment/experiment.hpp"
 #include "experiment/input_error.hpp"
+#include "results/journal.hpp"
 #include "results/sha.hpp"
 #include "results/writer.hpp"
 
@@ -151,8 +152,7 @@ class Gatherer {
       if (commit.back() == ',') commit.pop_back();
       const std::string place = fmt::format("{} (commit {})", path, commit);
       const std::string remedy = "commit, then compute it anew by `bristle run --force`";
-      if (commit.size() > 6 && commit.substr(commit.size() - 6) == "-dirty")
-        return doubt(place, "was computed by a program with uncommitted changes", remedy);
+      if (is_dirty(commit)) return doubt(place, "was computed by a program with uncommitted changes", remedy);
       if (!repository_.follows(commit))
         return doubt(place, "was computed by a program that is not in this commit's history", remedy);
     }

@@ -4,7 +4,6 @@
 #include "archive/result_facts.hpp"
 #include "archive/safe_json.hpp"
 #include "experiment/input_error.hpp"
-#include "experiment/sweepable.hpp"
 #include "results/writer.hpp"
 #include "run/sweep.hpp"
 
@@ -40,19 +39,6 @@ std::vector<Draw> draw(const Verification& archive, std::size_t count, std::uint
   return all;
 }
 
-std::string place_of(const Experiment& experiment, std::size_t index) {
-  const h5::Shape at = grid_position(experiment, index);
-  std::vector<std::string> parts;
-  for (std::size_t d = 0; d < experiment.axes.size(); ++d) {
-    const Axis& axis = experiment.axes[d];
-    const double value = axis.values[at[d]];
-    const auto& options = find_sweepable(axis.name)->options;
-    parts.push_back(options.empty() ? fmt::format("{} = {}", axis.name, value)
-                                    : fmt::format("{} = {}", axis.name, options[std::size_t(value)]));
-  }
-  return parts.empty() ? "the only point" : fmt::format("{}", fmt::join(parts, ", "));
-}
-
 Json compare_point(const std::string& path, const std::string& name, std::size_t index) {
   const ResultReader result(path);
   const Experiment experiment = stored_experiment(result.experiment(), result.text("tier"), name);
@@ -63,7 +49,7 @@ Json compare_point(const std::string& path, const std::string& name, std::size_t
   run_sweep(
       experiment, {index}, 1, [&](PointReport&& report) { computed = std::move(report.record); },
       [] { return false; });
-  return {{"place", place_of(experiment, index)},
+  return {{"place", place_text(experiment, index)},
           {"different", differences(read_record(result.file(), experiment, index), computed)}};
 }
 

@@ -4,6 +4,7 @@
 #include "checks/diff.hpp"
 #include "checks/reference_update.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,8 +22,9 @@ struct RunOptions {
   std::string experiment, output;  // empty output: results/<name>.h5
   std::vector<std::string> set;
   std::string tier = "full";
-  int threads = 0;              // 0: all cores
-  std::string instruction_set;  // empty: the widest
+  std::optional<std::string> shard;  // "i/N"; none: the whole
+  int threads = 0;                   // 0: all cores
+  std::string instruction_set;       // empty: the widest
   bool force = false, quiet = false;
   std::string command_line;
 };
@@ -43,6 +45,12 @@ struct DiffOptions {
   Tolerances tolerances;
 };
 int diff_command(const DiffOptions& options);
+
+struct MergeOptions {
+  std::vector<std::string> parts;
+  std::string output, command_line;
+};
+int merge_command(const MergeOptions& options);
 
 int reference_update_command(ReferenceUpdate update);
 

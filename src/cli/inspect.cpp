@@ -30,9 +30,26 @@ void print_variable(const ResultReader& result, const std::string& name) {
              values < v.values.size() ? fmt::format(" {} without a value", v.values.size() - values) : "");
 }
 
+// Of a part: the statuses of its own points.
+void keep_part(const ResultReader& result, Variable& status) {
+  std::size_t points = 1;
+  const Json sweep = result.experiment().value("sweep", Json::object());
+  for (const auto& [name, axis] : sweep.items()) points *= result.variable(axis_variable(name)).values.size();
+  const std::size_t nodes = status.values.size() / points;  // of a traced curve, else 1
+  const auto own = result.part_points();
+  fmt::print("part {}: {} of {} points; {}\n", shard_text(*result.shard()), own.size(), points,
+             how_to_merge(result.path(), *result.shard()));
+  std::vector<double> kept;
+  for (const std::size_t p : own)
+    kept.insert(kept.end(), status.values.begin() + long(p * nodes),
+                status.values.begin() + long((p + 1) * nodes));
+  status.values = std::move(kept);
+}
+
 void print_statuses(const ResultReader& result) {
-  const Variable status = result.variable("status");
-  fmt::print("points:");
+  Variable status = result.variable("status");
+  if (result.shard()) keep_part(result, status);
+  fmt::print("points:{}", status.values.empty() ? " none" : "");
   for (std::size_t s = 0; s < kPointStatusNames.size(); ++s)
     if (const auto n = std::count(status.values.begin(), status.values.end(), double(s)))
       fmt::print(" {} {}", n, kPointStatusNames[s]);
@@ -50,7 +67,7 @@ void print_provenance(const ResultReader& result) {
 }  // namespace
 
 int info_command(const std::string& file) {
-  const ResultReader result(file);
+  const ResultReader result(file, Expected::either);
   const std::string stored = result.text("payload_sha256");
   const bool intact = payload_sha256(result.file()) == stored;
   fmt::print("{}: {}\n", file, result.text("title"));

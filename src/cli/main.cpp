@@ -1,3 +1,4 @@
+#include "checks/comparison.hpp"
 #include "cli/commands.hpp"
 #include "experiment/input_error.hpp"
 #include "results/hdf5.hpp"
@@ -25,6 +26,8 @@ CLI::App* add_run(CLI::App& app, RunOptions& run) {
   auto* command = app.add_subcommand("run", "compute an experiment into an HDF5 result file");
   add_experiment(*command, run);
   command->add_option("-o,--output", run.output, "result file [results/<name>.h5]");
+  command->add_option("--shard", run.shard, "compute the i-th of N parts, for `bristle merge`")
+      ->type_name("i/N");
   command->add_option("--threads", run.threads, "threads [all cores]")->check(CLI::Range(1, 1024));
   command->add_option("--instruction-set", run.instruction_set,
                       "of the fast engine, the numbers are the same [the widest that the processor has]");
@@ -48,6 +51,14 @@ CLI::App* add_diff(CLI::App& app, DiffOptions& diff) {
   command->add_option("B", diff.b, "result file")->required();
   command->add_option("--rtol", diff.tolerances.rtol, "relative tolerance [none: any difference counts]");
   command->add_option("--atol", diff.tolerances.atol, "absolute tolerance");
+  return command;
+}
+
+CLI::App* add_merge(CLI::App& app, MergeOptions& merge) {
+  auto* command = app.add_subcommand("merge", "make one result of the parts of a sharded run");
+  command->add_option("-o,--output", merge.output, "result file")->required();
+  command->add_option("PARTS", merge.parts, "what `bristle run --shard i/N` wrote, all N, in any order")
+      ->required();
   return command;
 }
 
@@ -88,7 +99,7 @@ int dispatch(int argc, char** argv) {
       "Exit codes: 0 fine; 1 a check failed; 2 wrong input or command line; 3 the run could not finish.");
 
   RunOptions run;
-  for (int i = 0; i < argc; ++i) run.command_line += fmt::format("{}{}", i ? " " : "", argv[i]);
+  for (int i = 0; i < argc; ++i) run.command_line += fmt::format("{}{}", i ? " " : "", shell_quoted(argv[i]));
   auto* run_app = add_run(app, run);
   auto* validate_app = app.add_subcommand("validate", "check an experiment file, compute nothing");
   add_experiment(*validate_app, run);
@@ -97,11 +108,14 @@ int dispatch(int argc, char** argv) {
   auto* info_app = app.add_subcommand("info", "what a result file holds and where it is from");
   info_app->add_option("FILE", info_file, "result file")->required();
 
+  MergeOptions merge;
+  merge.command_line = run.command_line;
   CheckOptions check;
   DiffOptions diff;
   ReferenceUpdate update;
   auto* check_app = add_check(app, check);
   auto* diff_app = add_diff(app, diff);
+  auto* merge_app = add_merge(app, merge);
   ArchiveOptions archive;
   VerifyOptions verify;
   auto* archive_app = add_archive(app, archive);
@@ -118,6 +132,7 @@ int dispatch(int argc, char** argv) {
   if (*info_app) return info_command(info_file);
   if (*check_app) return check_command(check);
   if (*diff_app) return diff_command(diff);
+  if (*merge_app) return merge_command(merge);
   if (*archive_app) return archive_command(archive);
   if (*verify_app) return verify_command(verify);
   return reference_update_command(update);

@@ -4,13 +4,14 @@
 #include "experiment/experiment.hpp"
 #include "experiment/input_error.hpp"
 #include "results/journal.hpp"
+#include "results/lock.hpp"
 #include "results/writer.hpp"
 #include "run/progress.hpp"
 #include "run/provenance.hpp"
+#include "run/signals.hpp"
 #include "run/sweep.hpp"
 
 #include <fmt/format.h>
-#include <csignal>
 #include <filesystem>
 #include <fmt/ranges.h>
 #include <map>
@@ -20,18 +21,16 @@
 namespace bristle {
 namespace {
 
-volatile std::sig_atomic_t interrupted = 0;
-// The first asks for an end, the second ends.
-void on_interrupt(int signal) {
-  interrupted = 1;
-  std::signal(signal, SIG_DFL);
-}
+// What a run is to compute, and where to.
+struct Task {
+  const Experiment& experiment;
+  std::optional<Shard> shard;
+  std::string path;
 
-void end_tidily_on_signals() {
-  std::signal(SIGINT, on_interrupt);
-  std::signal(SIGTERM, on_interrupt);
-  if (std::signal(SIGHUP, on_interrupt) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // nohup
-}
+  std::vector<std::size_t> points() const {
+    return shard_points(shard.value_or(Shard{1, 1}), experiment.points());
+  }
+};
 
 // Stores the verdicts beside the numbers that they follow from.
 void add_checks(const std::string& path) {
@@ -40,14 +39,14 @@ void add_checks(const std::string& path) {
 }
 
 // The numbers are there; what describes them has changed.
-void refresh(const std::string& path, const Experiment& experiment) {
-  if (ResultReader(path).experiment() == experiment.document) return;
-  const Journal others_stay_off(path, kCommit, false);
-  const std::string copy = path + ".partial";
-  std::filesystem::copy_file(path, copy, std::filesystem::copy_options::overwrite_existing);
-  annotate(copy, experiment);
-  add_checks(copy);
-  std::filesystem::rename(copy, path);
+void refresh(const Task& task) {
+  if (ResultReader(task.path, Expected::either).experiment() == task.experiment.document) return;
+  const Journal others_stay_off(task.path, kCommit, false);
+  const std::string copy = task.path + ".partial";
+  std::filesystem::copy_file(task.path, copy, std::filesystem::copy_options::overwrite_existing);
+  annotate(copy, task.experiment, task.shard);
+  if (!task.shard) add_checks(copy);
+  replace_file(copy, task.path);
 }
 
 // Counts of the points' statuses, for the closing line.
@@ -68,18 +67,20 @@ class Tally {
   std::vector<long> counts_ = std::vector<long>(kPointStatusNames.size(), 0);
 };
 
-std::vector<std::size_t> missing_points(const Experiment& experiment, const Journal& journal) {
+std::vector<std::size_t> missing_points(const Task& task, const Journal& journal) {
   std::vector<std::size_t> missing;
-  for (std::size_t i = 0; i < experiment.points(); ++i)
-    if (!journal.has(point_key(experiment, i))) missing.push_back(i);
+  for (const std::size_t i : task.points())
+    if (!journal.has(point_key(task.experiment, i))) missing.push_back(i);
   return missing;
 }
 
 // Computes what the journal lacks, each point into it as it is done.
-void fill_journal(const Experiment& experiment, const std::vector<std::size_t>& missing, int threads,
-                  Journal& journal, bool quiet) {
+void fill_journal(const Task& task, const std::vector<std::size_t>& missing, int threads, Journal& journal,
+                  bool quiet) {
+  const Experiment& experiment = task.experiment;
+  const std::size_t all = task.points().size();
   Progress progress(experiment.name, missing.size(), quiet);
-  std::size_t saved = experiment.points() - missing.size();
+  std::size_t saved = all - missing.size();
   const auto sink = [&](PointReport&& report) {
     journal.append(point_key(experiment, report.index), report.record);
     ++saved;
@@ -87,8 +88,7 @@ void fill_journal(const Experiment& experiment, const std::vector<std::size_t>& 
   };
   std::string trouble;
   try {
-    if (!run_sweep(experiment, missing, threads, sink, [] { return interrupted != 0; }))
-      trouble = "interrupted";
+    if (!run_sweep(experiment, missing, threads, sink, interrupted)) trouble = "interrupted";
     journal.sync();
   } catch (const RunError& e) {
     trouble = e.what();
@@ -96,17 +96,19 @@ void fill_journal(const Experiment& experiment, const std::vector<std::size_t>& 
   progress.finish();
   if (!trouble.empty())
     throw RunError(fmt::format("{}; {} of {} points are saved in {}: the same command computes the rest",
-                               trouble, saved, experiment.points(), journal.path()));
+                               trouble, saved, all, journal.path()));
 }
 
 // From the journal to the result, in the order of the points.
-Tally write_result(const Experiment& experiment, const std::string& path, const Journal& journal,
-                   std::map<std::string, std::string> record) {
+Tally write_result(const Task& task, const Journal& journal, std::map<std::string, std::string> record) {
   Tally tally;
   std::set<std::string> commits;
-  ResultWriter writer(experiment, path);
-  for (std::size_t i = 0; i < experiment.points(); ++i) {
-    const JournalLine line = journal.read(point_key(experiment, i));
+  ResultWriter writer(task.experiment, task.path, task.shard);
+  for (const std::size_t i : task.points()) {
+    const JournalLine line = journal.read(point_key(task.experiment, i));
+    if (!fits(line.record, task.experiment))
+      throw RunError(fmt::format("{}: has other variables than this program's results; --force computes anew",
+                                 journal.path()));
     writer.write(i, line.record);
     tally.add(line.record);
     commits.insert(line.commit);
@@ -114,28 +116,42 @@ Tally write_result(const Experiment& experiment, const std::string& path, const 
   record["points_commits"] = fmt::format("{}", fmt::join(commits, ", "));
   record["finished"] = utc_now();
   writer.close(record);
-  add_checks(writer.partial());
+  if (!task.shard) add_checks(writer.partial());
   writer.publish();
   return tally;
 }
 
-void compute(const Experiment& experiment, const std::string& path, int threads, const RunOptions& options) {
+void compute(const Task& task, int threads, const RunOptions& options) {
   end_tidily_on_signals();
   auto record = provenance(options.command_line, threads);
   record["started"] = utc_now();
-  Journal journal(path, kCommit, options.force);
-  std::vector<std::size_t> missing = missing_points(experiment, journal);
+  Journal journal(task.path, kCommit, options.force);
+  std::vector<std::size_t> missing = missing_points(task, journal);
   if (!options.force && !missing.empty()) {
-    journal.adopt(experiment, missing);
-    missing = missing_points(experiment, journal);
+    journal.adopt(task.experiment, missing);
+    missing = missing_points(task, journal);
   }
-  const std::size_t found = experiment.points() - missing.size();
-  record["points_computed"] = fmt::format("{} of {}", missing.size(), experiment.points());
-  fill_journal(experiment, missing, threads, journal, options.quiet);
-  const Tally tally = write_result(experiment, path, journal, record);
+  const std::size_t all = task.points().size(), found = all - missing.size();
+  record["points_computed"] = fmt::format("{} of {}", missing.size(), all);
+  fill_journal(task, missing, threads, journal, options.quiet);
+  const Tally tally = [&] {
+    try {
+      return write_result(task, journal, record);
+    } catch (const RunError& e) {
+      throw RunError(fmt::format("{}; all points are saved in {}: the same command writes the result",
+                                 e.what(), journal.path()));
+    }
+  }();
   if (options.quiet) return;
-  fmt::print("{}: points: {}{}\n", path, tally.text(),
+  fmt::print("{}: points: {}{}\n", task.path, all > 0 ? tally.text() : "none in this shard",
              found > 0 ? fmt::format("; {} computed before", found) : std::string());
+}
+
+// A part in place of a whole result would be a loss.
+void keep_whole(const std::string& path) {
+  if (holds_whole_result(path))
+    throw InputError(fmt::format(
+        "-o {}: holds a whole result, which a part would replace; give the part another name", path));
 }
 
 void choose_instruction_set(const std::string& name) {
@@ -156,16 +172,21 @@ Experiment load_checked(const RunOptions& options) {
 
 int run_command(const RunOptions& options) {
   choose_instruction_set(options.instruction_set);
+  std::optional<Shard> shard;
+  if (options.shard) shard = parse_shard(*options.shard);
   const Experiment experiment = load_checked(options);
-  const std::string path =
-      options.output.empty() ? fmt::format("results/{}.h5", experiment.name) : options.output;
-  if (!options.force && up_to_date(path, experiment)) {
-    refresh(path, experiment);
-    if (!options.quiet) fmt::print("{} is up to date: nothing to compute (--force computes it anew)\n", path);
+  const std::string whole = fmt::format("results/{}.h5", experiment.name);
+  const std::string usual = shard ? part_path(whole, *shard) : whole;
+  const Task task{experiment, shard, options.output.empty() ? usual : options.output};
+  if (shard) keep_whole(task.path);
+  if (!options.force && up_to_date(task.path, experiment, shard)) {
+    refresh(task);
+    if (!options.quiet)
+      fmt::print("{} is up to date: nothing to compute (--force computes it anew)\n", task.path);
     return kFine;
   }
   const int cores = int(std::max(1u, std::thread::hardware_concurrency()));
-  compute(experiment, path, options.threads > 0 ? options.threads : cores, options);
+  compute(task, options.threads > 0 ? options.threads : cores, options);
   return kFine;
 }
 

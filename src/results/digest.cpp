@@ -68,13 +68,16 @@ std::string inputs_sha256(const Json& document) {
   return sha256_of(inputs.dump());
 }
 
-bool up_to_date(const std::string& path, const Experiment& experiment) {
+bool up_to_date(const std::string& path, const Experiment& experiment, const std::optional<Shard>& shard) {
   if (!std::filesystem::is_regular_file(path)) return false;
   try {
     const h5::Handle file = h5::open_file(path, false);
     for (const char* name : {"schema_version", "inputs_sha256", "numerics_version", "payload_sha256"})
       if (!h5::has_attribute(file, name)) return false;
-    return h5::read_text_attribute(file, "schema_version") == kResultSchema &&
+    const bool same_share = !shard || (h5::has_attribute(file, "shard") &&
+                                       h5::read_text_attribute(file, "shard") == shard_text(*shard));
+    return same_share &&
+           h5::read_text_attribute(file, "schema_version") == (shard ? kPartSchema : kResultSchema) &&
            h5::read_number_attribute(file, "numerics_version") == double(kNumericsVersion) &&
            h5::read_text_attribute(file, "inputs_sha256") == inputs_sha256(experiment.document) &&
            h5::read_text_attribute(file, "payload_sha256") == payload_sha256(file);

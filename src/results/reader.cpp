@@ -11,18 +11,42 @@
 
 namespace bristle {
 
-ResultReader::ResultReader(const std::string& path) : path_(path) {
+ResultReader::ResultReader(const std::string& path, Expected expected) : path_(path) {
   if (!std::filesystem::is_regular_file(path))
-    throw InputError(
-        fmt::format("{}: no such file; `bristle run EXPERIMENT.json -o {}` makes it", path, path));
+    throw InputError(fmt::format("{}: no such file; `bristle run EXPERIMENT.json {}-o {}` makes it", path,
+                                 expected == Expected::part ? "--shard i/N " : "", path));
   if (H5Fis_hdf5(path.c_str()) <= 0) throw InputError(fmt::format("{}: not an HDF5 file", path));
   file_ = h5::open_file(path, false);
   if (!h5::has_attribute(file_, "schema_version"))
     throw InputError(fmt::format("{}: not a result of bristle: there is no attribute schema_version", path));
+  require(expected);
+}
+
+void ResultReader::require(Expected expected) const {
   const std::string version = text("schema_version");
-  if (version != kResultSchema)
+  if (version != kResultSchema && version != kPartSchema)
+    throw InputError(fmt::format("{}: schema version {}; this program reads {} and {}", path_, version,
+                                 kResultSchema, kPartSchema));
+  const auto part = shard();
+  if (part && expected == Expected::whole)
+    throw InputError(fmt::format("{}: a part ({}) of {}, not the whole; merge the parts first: {}", path_,
+                                 shard_text(*part), text("name"), how_to_merge(path_, *part)));
+  if (!part && expected == Expected::part)
     throw InputError(
-        fmt::format("{}: schema version {}; this program reads {}", path, version, kResultSchema));
+        fmt::format("{}: the whole result of {}, not a part of one (`bristle run --shard` makes these)",
+                    path_, text("name")));
+}
+
+std::optional<Shard> ResultReader::shard() const {
+  if (text("schema_version") != kPartSchema) return {};
+  return parse_shard(text("shard"));
+}
+
+std::vector<std::size_t> ResultReader::part_points() const {
+  const h5::Handle dataset = h5::open_dataset(file_, "part/points");
+  std::vector<double> numbers(h5::shape_of(dataset).at(0));
+  if (!numbers.empty()) h5::read_part(dataset, H5T_NATIVE_DOUBLE, {0}, {numbers.size()}, numbers.data());
+  return {numbers.begin(), numbers.end()};
 }
 
 std::vector<std::string> ResultReader::variables() const {
@@ -63,6 +87,13 @@ std::string ResultReader::text(const std::string& attribute) const {
   if (!h5::has_attribute(file_, attribute))
     throw InputError(fmt::format("{}: there is no attribute {}", path_, attribute));
   return h5::read_text_attribute(file_, attribute);
+}
+
+bool holds_whole_result(const std::string& path) {
+  if (!std::filesystem::is_regular_file(path) || H5Fis_hdf5(path.c_str()) <= 0) return false;
+  const h5::Handle file = h5::open_file(path, false);
+  return h5::has_attribute(file, "schema_version") &&
+         h5::read_text_attribute(file, "schema_version").rfind("bristle-result/", 0) == 0;
 }
 
 Json ResultReader::experiment() const { return Json::parse(text("experiment")); }

@@ -2,6 +2,7 @@
 
 #include "experiment/document.hpp"
 #include "results/hdf5.hpp"
+#include "results/part.hpp"
 
 #include <string>
 #include <vector>
@@ -15,11 +16,18 @@ struct Variable {
   std::vector<double> values;
 };
 
+// What a reader is to be given: a whole result, a part of one, or either.
+enum class Expected {
+  whole,
+  part,
+  either
+};
+
 // Reads result files. Throws InputError that names file and dataset for what is not a result, is of an
-// unknown schema version, or is missing.
+// unknown schema version, is a part where the whole is expected or the reverse, or is missing.
 class ResultReader {
  public:
-  explicit ResultReader(const std::string& path);
+  explicit ResultReader(const std::string& path, Expected expected = Expected::whole);
 
   const std::string& path() const { return path_; }
   hid_t file() const { return file_; }
@@ -29,10 +37,17 @@ class ResultReader {
   std::vector<std::string> flag_meanings(const std::string& name) const;
   std::string text(const std::string& attribute) const;
   Json experiment() const;
+  std::optional<Shard> shard() const;            // of a part; none for a whole result
+  std::vector<std::size_t> part_points() const;  // of a part: indices of its points, ascending
 
  private:
+  void require(Expected expected) const;
+
   std::string path_;
   h5::Handle file_;
 };
+
+// Whether a file is there that holds a whole result, of whatever version.
+bool holds_whole_result(const std::string& path);
 
 }  // namespace bristle

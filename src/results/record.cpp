@@ -1,5 +1,6 @@
 #include "results/record.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -42,6 +43,20 @@ void append(Rows& rows, const Rows& more) {
   for (std::size_t i = 0; i < more.size(); ++i) rows[i].insert(rows[i].end(), more[i].begin(), more[i].end());
 }
 
+// The first row of this point or a later one, by bisection: a table may be too long to be read for each
+// point.
+hsize_t first_row(hid_t points, std::size_t index) {
+  hsize_t low = 0, high = h5::shape_of(points).at(0);
+  while (low < high) {
+    const hsize_t middle = low + (high - low) / 2;
+    double point = 0;
+    h5::read_part(points, H5T_NATIVE_DOUBLE, {middle}, {1}, &point);
+    if (point < double(index)) low = middle + 1;
+    else high = middle;
+  }
+  return low;
+}
+
 // The rows of one point; a table is in ascending order of points.
 Rows read_rows(hid_t file, const std::string& table, std::size_t index) {
   const h5::Handle group(H5Gopen2(file, table.c_str(), H5P_DEFAULT), H5Gclose, "opening /" + table);
@@ -51,11 +66,10 @@ Rows read_rows(hid_t file, const std::string& table, std::size_t index) {
       h5::read_part(h5::open_dataset(group, column), H5T_NATIVE_DOUBLE, {from}, {count}, out.data());
     return out;
   };
-  const auto points = read("point", 0, h5::shape_of(h5::open_dataset(group, "point"))[0]);
-  const auto [first, last] = std::equal_range(points.begin(), points.end(), double(index));
+  const h5::Handle points = h5::open_dataset(group, "point");
+  const hsize_t first = first_row(points, index), last = first_row(points, index + 1);
   Rows rows;
-  for (const std::string& column : table_columns(table))
-    rows.push_back(read(column, hsize_t(first - points.begin()), hsize_t(last - first)));
+  for (const std::string& column : table_columns(table)) rows.push_back(read(column, first, last - first));
   return rows;
 }
 
@@ -178,6 +192,19 @@ h5::Shape grid_position(const Experiment& experiment, std::size_t index) {
   h5::Shape at(shape.size());
   for (std::size_t d = shape.size(); d-- > 0; index /= shape[d]) at[d] = index % shape[d];
   return at;
+}
+
+std::string place_text(const Experiment& experiment, std::size_t index) {
+  const h5::Shape at = grid_position(experiment, index);
+  std::string out;
+  for (std::size_t d = 0; d < at.size(); ++d) {
+    const Axis& axis = experiment.axes[d];
+    const auto& options = find_sweepable(axis.name)->options;
+    const double value = axis.values[at[d]];
+    out += fmt::format("{}{} = {}", d > 0 ? ", " : "", axis.name,
+                       options.empty() ? fmt::format("{:.6g}", value) : options[std::size_t(value)]);
+  }
+  return out.empty() ? "the only point" : out;
 }
 
 }  // namespace bristle

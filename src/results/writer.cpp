@@ -17,10 +17,12 @@ std::string axis_variable(const std::string& name) {
   return name == "R_n" || name == "z_0" ? name + "_target" : name;
 }
 
-ResultWriter::ResultWriter(const Experiment& experiment, const std::string& path)
+ResultWriter::ResultWriter(const Experiment& experiment, const std::string& path,
+                           const std::optional<Shard>& shard)
     : experiment_(experiment),
       path_(path),
       partial_(path + ".partial"),
+      shard_(shard),
       curves_(experiment.base.loading.trace.has_value()),
       searched_(!curves_ && !experiment.base.loading.z_0) {
   lock_ = lock_file(path_, partial_);
@@ -43,7 +45,20 @@ void ResultWriter::create() {
                  {"node", "number of the node, from first contact down", "1"});
   }
   create_variables();
+  if (shard_) create_part();
   for (const std::string& name : table_names(experiment_)) tables_.emplace(name, create_table(file_, name));
+}
+
+void ResultWriter::create_part() {
+  const auto points = shard_points(*shard_, experiment_.points());
+  const std::vector<double> numbers(points.begin(), points.end());
+  h5::Handle group = h5::create_group(file_, "part");
+  h5::Handle dataset = h5::create_dataset(group, "points", H5T_NATIVE_LONG, {points.size()});
+  describe(dataset, "indices of the sweep points in this part, the last axis fastest", "", "");
+  h5::make_scale(dataset, "points");
+  if (!numbers.empty()) h5::write_part(dataset, H5T_NATIVE_DOUBLE, {0}, {numbers.size()}, numbers.data());
+  dataset.close("closing /part/points");
+  group.close("closing /part");
 }
 
 void ResultWriter::create_axis(const Axis& axis) {
@@ -141,15 +156,13 @@ void ResultWriter::close(const std::map<std::string, std::string>& provenance) {
   for (auto& [name, table] : tables_) table.close();
   load_error_.close("closing /load_error");
   file_.close("closing " + partial_);
-  annotate(partial_, experiment_);
+  annotate(partial_, experiment_, shard_);
   if (payload_sha256(h5::open_file(partial_, false)) != digest)
     throw RunError(fmt::format("{}: reads back differently from what was written", partial_));
 }
 
 void ResultWriter::publish() {
-  std::error_code error;
-  fs::rename(partial_, path_, error);
-  if (error) throw RunError(fmt::format("{}: cannot be renamed to {}: {}", partial_, path_, error.message()));
+  replace_file(partial_, path_);
   published_ = true;
 }
 

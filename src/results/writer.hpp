@@ -1,6 +1,7 @@
 #pragma once
 
 #include "experiment/experiment.hpp"
+#include "results/part.hpp"
 #include "results/record.hpp"
 #include "results/table.hpp"
 
@@ -16,8 +17,9 @@ constexpr long kNumericsVersion = 4;
 // it its name. Without publish() the final name is untouched and the temporary file removed.
 class ResultWriter {
  public:
-  // Throws InputError if the output cannot be written there.
-  ResultWriter(const Experiment& experiment, const std::string& path);
+  // Of a shard: the file is a part, with these points only. Throws InputError if the output cannot be written
+  // there.
+  ResultWriter(const Experiment& experiment, const std::string& path, const std::optional<Shard>& shard = {});
   ~ResultWriter();
 
   // Call in ascending order of index: what is recorded is appended. The record must fit the experiment.
@@ -33,6 +35,7 @@ class ResultWriter {
  private:
   void create();
   void discard();
+  void create_part();
   void create_axis(const Axis& axis);
   void create_scale(const std::string& name, hid_t type, const std::vector<double>& values,
                     const std::array<std::string, 3>& label);  // symbol, description, units
@@ -44,6 +47,7 @@ class ResultWriter {
 
   const Experiment& experiment_;
   std::string path_, partial_;
+  std::optional<Shard> shard_;
   bool curves_;    // of R_n(z_0), along a last dimension "node"
   bool searched_;  // the gap was searched for: errors have a part from that
   int lock_ = -1;  // descriptor that keeps other runs off the temporary file
@@ -60,7 +64,7 @@ class ResultWriter {
 std::string axis_variable(const std::string& name);
 
 // Writes the root attributes that describe the numbers: title, the experiment as run, its digests.
-void annotate(const std::string& path, const Experiment& experiment);
+void annotate(const std::string& path, const Experiment& experiment, const std::optional<Shard>& shard = {});
 
 // Digest of the experiment's parts that decide the numbers: all but name, title, figure, notes and checks.
 std::string inputs_sha256(const Json& document);
@@ -68,7 +72,8 @@ std::string inputs_sha256(const Json& document);
 // SHA-256 over name, type, shape and values of every dataset outside /checks and /provenance.
 std::string payload_sha256(hid_t file);
 
-// The output holds this experiment's numbers already, complete and intact.
-bool up_to_date(const std::string& path, const Experiment& experiment);
+// The output holds the numbers of this experiment, or of this shard of it, already, complete and intact.
+bool up_to_date(const std::string& path, const Experiment& experiment,
+                const std::optional<Shard>& shard = {});
 
 }  // namespace bristle

@@ -1,0 +1,77 @@
+#!/bin/bash
+# Computes an experiment as a Slurm job array and merges the parts; see docs/cluster.md. Called again after a failure, it
+# computes only what is missing.
+set -eu
+
+usage() {
+  cat >&2 <<'EOF'
+usage: scripts/slurm/array.sh [-o FILE.h5] EXPERIMENT.json N[%M] [SBATCH OPTIONS ...] [-- RUN OPTIONS ...]
+
+  -o FILE.h5       the result [results/EXPERIMENT.h5]; its parts, FILE.i-of-N.h5, and the jobs' logs lie beside it
+  N[%M]            number of shards, each a task of the array; at most M run at a time
+  SBATCH OPTIONS   for all tasks: --cpus-per-task=8 --time=2:00:00 --partition=... --account=...
+  RUN OPTIONS      for `bristle run`: --tier smoke --set /model/k_r=20
+BRISTLE names the program [build/bristle of this folder].
+EOF
+  exit 2
+}
+
+die() {
+  echo "array.sh: $1" >&2
+  exit 2
+}
+
+output=
+while [ $# -gt 0 ]; do
+  case $1 in
+    -o) [ $# -ge 2 ] || usage; output=$2; shift 2 ;;
+    -o*) output=${1#-o}; shift ;;
+    -*) usage ;;
+    *) break ;;
+  esac
+done
+[ $# -ge 2 ] || usage
+experiment=$1 array=$2
+shift 2
+[[ $array =~ ^([1-9][0-9]*)(%[1-9][0-9]*)?$ ]] || die "N is \"$array\"; it is a number of shards from 1, or N%M for at most M at a time"
+shards=${BASH_REMATCH[1]}
+[ -f "$experiment" ] || die "$experiment: no such file"
+
+sbatch_options=()
+while [ $# -gt 0 ] && [ "$1" != -- ]; do
+  sbatch_options+=("$1")
+  shift
+done
+[ $# -eq 0 ] || shift
+run_options=("$@")
+
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+program=${BRISTLE:-$(dirname "$(dirname "$here")")/build/bristle}
+command -v "$program" >/dev/null || die "$program: no such program; \`make build\` makes it, BRISTLE=... names another"
+command -v sbatch >/dev/null || die "sbatch: not found; this needs a machine that submits to Slurm (docs/cluster.md has other ways)"
+
+name=$(basename "$experiment" .json)
+output=${output:-results/$name.h5}
+stem=${output%.h5}
+mkdir -p "$(dirname "$output")"
+# A mistake is found here and now rather than by N tasks.
+options=()
+for ((i = 0; i < ${#run_options[@]}; ++i)); do
+  case ${run_options[i]} in
+    --set | --tier) options+=("${run_options[i]}" "${run_options[i + 1]-}"); i=$((i + 1)) ;;
+    --set=* | --tier=*) options+=("${run_options[i]}") ;;
+  esac
+done
+"$program" validate "$experiment" "${options[@]}"
+
+log=${stem//%/%%}  # sbatch replaces %a
+tasks=$(sbatch --parsable --job-name="$name" --output="$log.%a-of-$shards.log" "${sbatch_options[@]}" \
+  --array="1-$array" "$here/shard.sbatch" "$program" "$experiment" "$stem" "$shards" "${run_options[@]}")
+tasks=${tasks%%;*}  # "job;cluster" where there are several clusters
+merge=$(sbatch --parsable --job-name="$name-merge" --output="$log.merge.log" "${sbatch_options[@]}" \
+  --dependency="afterok:$tasks" --kill-on-invalid-dep=yes "$here/merge.sbatch" "$program" "$stem" "$shards")
+cat <<EOF
+job $tasks: $shards shards, logs $stem.*-of-$shards.log
+job ${merge%%;*}: merges them into $output once all are done, log $stem.merge.log
+\`squeue --me\` shows both. If a task fails, the same command again computes what is missing.
+EOF

@@ -1,0 +1,18 @@
+#include "cli/commands.hpp"
+#include "run/merge.hpp"
+#include "run/signals.hpp"
+
+#include <fmt/format.h>
+
+namespace bristle {
+
+int merge_command(const MergeOptions& options) {
+  end_tidily_on_signals();
+  PartSet parts(options.parts);
+  merge_parts(parts, options.output, options.command_line, interrupted);
+  fmt::print("{}: {} points of {} parts, payload sha256 {}\n", options.output, parts.experiment().points(),
+             parts.parts().size(), ResultReader(options.output).text("payload_sha256"));
+  return kFine;
+}
+
+}  // namespace bristle

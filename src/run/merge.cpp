@@ -1,0 +1,83 @@
+#include "run/merge.hpp"
+
+#include "checks/checks.hpp"
+#include "experiment/input_error.hpp"
+#include "results/writer.hpp"
+#include "run/provenance.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <filesystem>
+#include <set>
+
+namespace bristle {
+namespace {
+
+std::string entry(const Part& part, const std::string& name) {
+  const auto found = part.provenance.find(name);
+  return found == part.provenance.end() ? "unknown" : found->second;
+}
+
+void require_other_file(const std::vector<Part>& parts, const std::string& output) {
+  std::error_code none;
+  for (const Part& part : parts)
+    if (std::filesystem::equivalent(part.path, output, none))
+      throw InputError(fmt::format("-o {}: is one of the parts ({}); give another file", output, part.path));
+}
+
+// "a, b": each by itself.
+void add_listed(std::set<std::string>& out, const std::string& text) {
+  for (std::size_t from = 0; from < text.size();) {
+    const std::size_t to = std::min(text.find(", ", from), text.size());
+    out.insert(text.substr(from, to - from));
+    from = to + 2;
+  }
+}
+
+std::string part_line(const Part& part) {
+  return fmt::format("{} {}: {} points, payload sha256 {}; {} to {} on {}: {}", shard_text(part.shard),
+                     std::filesystem::path(part.path).filename().string(), part.points.size(),
+                     part.payload_sha256, entry(part, "started"), entry(part, "finished"),
+                     entry(part, "host"), entry(part, "command_line"));
+}
+
+}  // namespace
+
+std::map<std::string, std::string> merged_provenance(const std::vector<Part>& parts) {
+  std::map<std::string, std::set<std::string>> values;
+  for (const Part& part : parts)
+    for (const auto& [name, text] : part.provenance)
+      if (name == "points_commits") add_listed(values[name], text);
+      else values[name].insert(text);
+  std::map<std::string, std::string> out;
+  values.erase("points_computed");
+  for (const auto& [name, texts] : values) out[name] = fmt::format("{}", fmt::join(texts, ", "));
+  // Times as ISO 8601 sort as texts do.
+  if (const auto& started = values["started"]; !started.empty()) out["started"] = *started.begin();
+  if (const auto& finished = values["finished"]; !finished.empty()) out["finished"] = *finished.rbegin();
+  const std::size_t digits = fmt::format("{}", parts.size()).size();
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    out[fmt::format("part_{:0{}}", i + 1, digits)] = part_line(parts[i]);
+  return out;
+}
+
+void merge_parts(PartSet& parts, const std::string& output, const std::string& command_line,
+                 const std::function<bool()>& stop) {
+  require_other_file(parts.parts(), output);
+  parts.require_complete();
+  const Experiment& experiment = parts.experiment();
+  ResultWriter writer(experiment, output);
+  for (std::size_t i = 0; i < experiment.points(); ++i) {
+    if (stop()) throw RunError(fmt::format("interrupted; {} is as it was", output));
+    writer.write(i, parts.record(i));
+  }
+  auto record = merged_provenance(parts.parts());
+  record["command_line"] = command_line;
+  record["merged"] = fmt::format("{} by bristle {} ({})", utc_now(), kVersion, kCommit);
+  writer.close(record);
+  const auto checks = evaluate_checks(ResultReader(writer.partial()));
+  write_checks(writer.partial(), checks);
+  writer.publish();
+}
+
+}  // namespace bristle

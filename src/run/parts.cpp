@@ -1,0 +1,206 @@
+#include "run/parts.hpp"
+
+#include "experiment/input_error.hpp"
+#include "results/sha.hpp"
+#include "results/writer.hpp"
+#include "run/provenance.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <algorithm>
+#include <set>
+
+namespace bristle {
+namespace {
+
+constexpr std::size_t kOpened = 200;  // of the 1024 descriptors that a process usually may have
+constexpr std::size_t kNamed = 10;
+
+std::map<std::string, std::string> provenance_of(const ResultReader& part) {
+  std::map<std::string, std::string> out;
+  const h5::Handle group(H5Gopen2(part.file(), "provenance", H5P_DEFAULT), H5Gclose, "opening /provenance");
+  for (const std::string& name : h5::attribute_names(group)) out[name] = h5::read_text_attribute(group, name);
+  return out;
+}
+
+std::string replaced(std::string text, const std::string& what, const std::string& by) {
+  for (auto at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size()))
+    text.replace(at, what.size(), by);
+  return text;
+}
+
+// The command that computes this shard, after the one that computed the part.
+std::string shard_command(const Part& part, const Shard& shard) {
+  const auto line = part.provenance.find("command_line");
+  const std::string was = "--shard " + shard_text(part.shard), is = "--shard " + shard_text(shard);
+  if (line == part.provenance.end() || line->second.find(was) == std::string::npos)
+    return "bristle run EXPERIMENT.json " + is;
+  return replaced(replaced(line->second, was, is), part_path("", part.shard), part_path("", shard));
+}
+
+void require_intact(const ResultReader& file, const Part& part, std::size_t points) {
+  const bool intact = payload_sha256(file.file()) == part.payload_sha256 &&
+                      sha256_of(file.text("experiment")) == file.text("experiment_sha256");
+  const bool fits = part.points.empty() || part.points.back() < points;
+  if (!intact || !fits)
+    throw InputError(fmt::format("{}: damaged: its contents do not match their digest; compute it again: {}",
+                                 part.path, shard_command(part, part.shard)));
+}
+
+// The places where two documents differ, with both values.
+std::vector<std::string> differences_of(const Json& a, const Json& b) {
+  const Json flat_a = a.flatten(), flat_b = b.flatten();
+  std::vector<std::string> out;
+  const auto value = [](const Json& flat, const std::string& at) {
+    return flat.contains(at) ? shown(flat[at]) : "not there";
+  };
+  const auto add = [&](const Json& from, bool only_new) {
+    for (const auto& [at, unused] : from.items())
+      if (only_new ? !flat_a.contains(at) : value(flat_a, at) != value(flat_b, at))
+        out.push_back(fmt::format("{} is {} and {}", at, value(flat_a, at), value(flat_b, at)));
+  };
+  add(flat_a, false);
+  add(flat_b, true);
+  if (out.empty()) out.push_back("the keys are in another order");
+  return out;
+}
+
+void require_same_experiment(const ResultReader& first, const ResultReader& other) {
+  const Json a = first.experiment(), b = other.experiment();
+  if (a == b && first.text("tier") == other.text("tier")) return;
+  const auto differences = differences_of(a, b);
+  const std::string more =
+      differences.size() > 1 ? fmt::format(" (and {} more)", differences.size() - 1) : "";
+  if (inputs_sha256(a) != inputs_sha256(b))
+    throw InputError(fmt::format("{} and {} are parts of different experiments: {}{}", first.path(),
+                                 other.path(), differences.front(), more));
+  throw InputError(fmt::format(
+      "{} and {} hold the same experiment with different descriptions: {}{}; run the shards again: that "
+      "computes nothing anew and brings the descriptions up to date",
+      first.path(), other.path(), differences.front(), more));
+}
+
+struct Version {
+  std::string program;
+  long numerics;
+};
+
+Version version_of(const ResultReader& file, const Part& part) {
+  const auto program = part.provenance.find("version");
+  return {program == part.provenance.end() ? "unknown" : program->second,
+          long(h5::read_number_attribute(file.file(), "numerics_version"))};
+}
+
+std::string version_text(const Version& v) {
+  return fmt::format("bristle {} (numerics version {})", v.program, v.numerics);
+}
+
+bool same(const Version& a, const Version& b) { return a.program == b.program && a.numerics == b.numerics; }
+
+void require_same_version(const Part& first, const Version& of_first, const Part& other,
+                          const Version& of_other) {
+  if (!same(of_first, of_other))
+    throw InputError(fmt::format("{} was computed by {}, {} by {}: compute one of them again", first.path,
+                                 version_text(of_first), other.path, version_text(of_other)));
+}
+
+ResultReader open_part(const std::string& path) {
+  try {
+    return ResultReader(path, Expected::part);
+  } catch (const RunError& e) {
+    throw InputError(fmt::format("{}: damaged: {}; compute it again", path, e.what()));
+  }
+}
+
+}  // namespace
+
+std::string point_text(const Experiment& experiment, std::size_t index) {
+  return fmt::format("{} ({})", index, place_text(experiment, index));
+}
+
+PartSet::PartSet(const std::vector<std::string>& paths) : parts_(read(paths)) {
+  std::stable_sort(parts_.begin(), parts_.end(), [](const Part& a, const Part& b) {
+    return std::pair(a.shard.count, a.shard.number) < std::pair(b.shard.count, b.shard.number);
+  });
+  for (std::size_t i = 0; i < parts_.size(); ++i)
+    for (const std::size_t point : parts_[i].points) places_.push_back({point, i});
+  std::sort(places_.begin(), places_.end());
+}
+
+std::vector<Part> PartSet::read(const std::vector<std::string>& paths) {
+  std::vector<Part> parts;
+  Version of_first{};
+  for (const std::string& path : paths) {
+    const ResultReader file = open_part(path);
+    try {
+      parts.push_back(
+          {path, *file.shard(), file.part_points(), file.text("payload_sha256"), provenance_of(file)});
+      if (parts.size() == 1) {
+        of_first = version_of(file, parts[0]);
+        experiment_ = stored_experiment(file.experiment(), file.text("tier"), path);
+      }
+      require_intact(file, parts.back(), experiment_.points());
+    } catch (const RunError& e) {
+      throw InputError(fmt::format("{}: damaged: {}; compute it again", path, e.what()));
+    }
+    require_same_version(parts[0], of_first, parts.back(), version_of(file, parts.back()));
+    require_same_experiment(open_part(paths[0]), file);
+  }
+  const Version own{kVersion, kNumericsVersion};
+  if (!same(of_first, own))
+    throw InputError(
+        fmt::format("{} was computed by {}, this is {}: merge with the program that computed the parts, or "
+                    "compute them again",
+                    paths[0], version_text(of_first), version_text(own)));
+  return parts;
+}
+
+void PartSet::require_complete() const {
+  std::vector<std::size_t> missing;
+  auto place = places_.begin();
+  for (std::size_t i = 0; i < experiment_.points(); ++i) {
+    if (place == places_.end() || place->point != i) missing.push_back(i);
+    while (place != places_.end() && place->point == i) ++place;
+  }
+  if (missing.empty()) return;
+  const Part& model = parts_.front();
+  std::set<std::size_t> numbers;
+  std::vector<std::string> points, shards;
+  for (const std::size_t i : missing) {
+    numbers.insert(i % model.shard.count + 1);
+    if (points.size() < kNamed) points.push_back(point_text(experiment_, i));
+  }
+  for (const std::size_t n : numbers)
+    if (shards.size() < kNamed) shards.push_back(shard_text({n, model.shard.count}));
+  const auto more = [](std::size_t all) {
+    return all > kNamed ? fmt::format(" and {} more", all - kNamed) : "";
+  };
+  throw InputError(fmt::format(
+      "{} of {} points are missing: {}{}.\nShards that have them: {}{}. To compute {}:\n  {}", missing.size(),
+      experiment_.points(), fmt::join(points, ", "), more(missing.size()), fmt::join(shards, ", "),
+      more(numbers.size()), shards.size() > 1 ? "the first, the others likewise" : "it",
+      shard_command(model, {*numbers.begin(), model.shard.count})));
+}
+
+const ResultReader& PartSet::open(std::size_t part) {
+  const auto found = opened_.find(part);
+  if (found != opened_.end()) return found->second;
+  if (opened_.size() == kOpened) opened_.clear();
+  return opened_.try_emplace(part, parts_[part].path, Expected::part).first->second;
+}
+
+PointRecord PartSet::record(std::size_t index) {
+  auto place = std::lower_bound(places_.begin(), places_.end(), Place{index, 0});
+  const std::size_t from = place->part;
+  const PointRecord out = read_record(open(from).file(), experiment_, index);
+  for (++place; place != places_.end() && place->point == index; ++place) {
+    const auto other = differences(out, read_record(open(place->part).file(), experiment_, index));
+    if (!other.empty())
+      throw InputError(fmt::format("{} and {} differ at point {}: {}; compute one of them again",
+                                   parts_[from].path, parts_[place->part].path,
+                                   point_text(experiment_, index), other.front()));
+  }
+  return out;
+}
+
+}  // namespace bristle

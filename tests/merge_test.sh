@@ -1,0 +1,64 @@
+#!/bin/bash
+# Shards and their merge as a user meets them. usage: merge_test.sh BRISTLE, from the repository's root.
+set -u
+bristle=$1
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+failures=0
+
+# expect CODE TEXT COMMAND...: the command ends with this code and its output holds the text.
+expect() {
+  local code=$1 text=$2 output got
+  shift 2
+  output=$("$@" 2>&1)
+  got=$?
+  if [ "$got" != "$code" ] || ! grep -qF -- "$text" <<<"$output"; then
+    printf 'FAILED: %s\n  expected exit code %s and: %s\n  got exit code %s and: %s\n' "$*" "$code" "$text" "$got" "$output"
+    failures=$((failures + 1))
+  fi
+}
+digest() { "$bristle" info "$1" | grep '^payload sha256 .* (verified)'; }
+
+# Fifteen quick points, with tables.
+run=("$bristle" run experiments/fig4.json --tier smoke --set '/orientation={"sampling":"list","theta_0_deg":[10,100]}'
+  --set '/record=["bristles","trajectories"]')
+part() { echo "$folder/r.$1-of-$2.h5"; }
+
+for shard in 0/3 4/3 a/b 1/0 3 ""; do expect 2 "--shard $shard: " "${run[@]}" --shard "$shard" -o "$folder/x.h5"; done
+expect 2 "numbered 1/3 to 3/3" "${run[@]}" --shard 4/3 -o "$folder/x.h5"
+mkdir "$folder/whole"
+expect 0 "15 ok" "${run[@]}" -o "$folder/whole/r.h5" --set /load='{"z_0":0.5,"R_n":null}'
+run+=(--set /load='{"z_0":0.5,"R_n":null}')
+for n in 1 4 17; do
+  for i in $(seq $n); do expect 0 "points: " "${run[@]}" --shard "$i/$n" -o "$(part "$i" $n)" --threads $((i % 2 + 1)) --force; done
+  expect 0 "15 points of $n parts" "$bristle" merge -o "$folder/r.h5" "$folder"/r.*-of-$n.h5
+  expect 0 "the same, bit for bit" "$bristle" diff "$folder/r.h5" "$folder/whole/r.h5"
+  [ "$(digest "$folder/r.h5")" = "$(digest "$folder/whole/r.h5")" ] || { echo "FAILED: digest of $n parts"; failures=$((failures + 1)); }
+  rm "$folder/r.h5"
+done
+expect 0 "none in this shard" "${run[@]}" --shard 17/17 -o "$(part 17 17)" --force
+expect 0 "is up to date" "${run[@]}" --shard 2/4 -o "$(part 2 4)"
+expect 0 "part 2/4: 4 of 15 points" "$bristle" info "$(part 2 4)"
+expect 0 "points: none" "$bristle" info "$(part 17 17)"
+
+# A result is made of all parts or not at all; a part is none.
+expect 2 "4 of 15 points are missing: 1 (k_r = 2, k_theta = 1.73205)" \
+  "$bristle" merge -o "$folder/r.h5" "$(part 1 4)" "$(part 3 4)" "$(part 4 4)"
+[ ! -e "$folder/r.h5" ] || { echo "FAILED: a merge of too few parts left a result"; failures=$((failures + 1)); }
+command=$("$bristle" merge -o "$folder/r.h5" "$(part 1 4)" "$(part 3 4)" "$(part 4 4)" 2>&1 | tail -n 1)
+rm "$(part 2 4)"
+eval "$command --quiet" || { echo "FAILED: the command that was named: $command"; failures=$((failures + 1)); }
+expect 0 "15 points of 4 parts" "$bristle" merge -o "$folder/r.h5" "$folder"/r.?-of-4.h5
+expect 0 "part_4" "$bristle" info "$folder/r.h5"
+first="merge the parts first: bristle merge -o $folder/r.h5 $folder/r.*-of-4.h5"
+expect 2 "$first" "$bristle" check "$(part 2 4)"
+expect 2 "$first" "$bristle" diff "$folder/r.h5" "$(part 2 4)"
+expect 2 "a part (2/4) of fig4" "$(scripts/find-python)" scripts/fig4.py "$(part 2 4)" -o "$folder"
+expect 2 "holds a whole result" "${run[@]}" --shard 1/4 -o "$folder/r.h5"
+expect 2 "is one of the parts" "$bristle" merge -o "$(part 1 4)" "$folder"/r.?-of-4.h5
+expect 2 "not a part of one" "$bristle" merge -o "$folder/x.h5" "$folder/r.h5"
+expect 2 "not an HDF5 file" "$bristle" merge -o "$folder/x.h5" CMakeLists.txt
+expect 2 "no such file" "$bristle" merge -o "$folder/x.h5" nowhere.h5
+expect 2 "PARTS" "$bristle" merge -o "$folder/x.h5"
+expect 2 "--output" "$bristle" merge "$(part 1 4)"
+exit $((failures > 0))
