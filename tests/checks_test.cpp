@@ -162,7 +162,7 @@ TEST_CASE("verdicts: near, selections, comparisons, and trends of too few points
         Verdict::undecided);  // R_n is 0
 }
 
-TEST_CASE("points without values are left out and counted; without any the claim is undecided") {
+TEST_CASE("points without values are left out and counted, without any the claim is undecided") {
   const Scratch s;
   const std::string falls = R"("predicate": "trend", "is": "at_most", "threshold": -0.5)";
   const auto some = verdicts(s, {5, 4, kNone, 2, 1}, 0, falls).at(0);

@@ -87,7 +87,7 @@ TEST_CASE("diff: a variable without an error estimate has no unit") {
   CHECK_THAT(diff_text(d), Contains(" - "));
 }
 
-TEST_CASE("diff: NaN and infinity against a number differ whatever the tolerance; NaN equals NaN") {
+TEST_CASE("diff: NaN and infinity against a number differ whatever the tolerance, NaN equals NaN") {
   const double bad = GENERATE(as<double>(), kNone, INFINITY, -INFINITY);
   const Two two;
   put(two.b, "R_x", {0, 2}, bad);
@@ -124,7 +124,7 @@ TEST_CASE("diff: a missing and an extra variable, another shape, another type") 
   CHECK_FALSE(two.compare(kGenerous).agree());
 }
 
-TEST_CASE("diff: flags differ or do not; their meanings are shown") {
+TEST_CASE("diff: flags differ or do not, their meanings are shown") {
   const Two two;
   put(two.b, "status", {1, 0}, 1);
   const Diff d = two.compare(kGenerous);
@@ -142,7 +142,7 @@ TEST_CASE("diff: where an axis differs, nothing over it is compared") {
   CHECK(d.same == 1);  // k_r
 }
 
-TEST_CASE("diff: groups are compared, /provenance and /checks are not; other experiments are named") {
+TEST_CASE("diff: groups are compared, /provenance and /checks are not, other experiments are named") {
   const Two two;
   const auto add = [](const std::string& path, const std::string& group, double value) {
     h5::create_group(h5::open_file(path, true), group);

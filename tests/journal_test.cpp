@@ -117,7 +117,7 @@ TEST_CASE("what a program with uncommitted changes computed serves such programs
   CHECK(points_in(other, e) == 1);
 }
 
-TEST_CASE("another run has the journal: refused; gone with its process: no lock is left") {
+TEST_CASE("another run has the journal: refused, gone with its process: no lock is left") {
   const Scratch s;
   const Experiment e = small_experiment(s);
   {
@@ -128,7 +128,7 @@ TEST_CASE("another run has the journal: refused; gone with its process: no lock 
   CHECK_NOTHROW(Journal(s.path("r.h5"), "0123abc", false));
 }
 
-TEST_CASE("a file that is no journal is not touched; a place that cannot be written is named") {
+TEST_CASE("a file that is no journal is not touched, a place that cannot be written is named") {
   const Scratch s;
   s.write("r.h5.journal", "Dear diary,\n");
   CHECK_THROWS_WITH(Journal(s.path("r.h5"), "0123abc", false), Catch::Contains("is no journal"));
@@ -160,7 +160,7 @@ TEST_CASE("points of other journals in the folder are taken over, those of this 
   CHECK(points_in(journal, recorded) == 0);
 }
 
-TEST_CASE("equal points have equal keys, whatever the grid and the names; any parameter makes another") {
+TEST_CASE("equal points have equal keys, whatever the grid and the names, any parameter makes another") {
   const Scratch s;
   const Experiment e = small_experiment(s);
   Experiment finer = e;

@@ -102,7 +102,7 @@ TEST_CASE("the time mean over the lattice is the ensemble mean within its standa
   }
 }
 
-TEST_CASE("R(t): its mean over the window is the mean; a lattice's prefix is a shorter lattice's") {
+TEST_CASE("R(t): its mean over the window is the mean, a lattice's prefix is a shorter lattice's") {
   const Interface i = lattice(70, 2, 3);
   const LatticeMean l = lattice_mean(i, 0.3, fast());
   const auto from = l.force.R_n.begin() + std::lround(lattice_start(i) / l.force.interval);

@@ -81,7 +81,7 @@ TEST_CASE("load control: a load below that of the soft wall at first contact is 
   CHECK(p.z_0 > kContact);
 }
 
-TEST_CASE("load control: rough means may place a stop wrongly; what counts is the precise ones") {
+TEST_CASE("load control: rough means may place a stop wrongly, what counts is the precise ones") {
   for (const double bias : {-0.3, 0.3}) {
     CAPTURE(bias);
     LoadSearch s;

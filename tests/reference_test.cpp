@@ -126,7 +126,7 @@ TEST_CASE(
                           Contains("--set /checks=null"));
 }
 
-TEST_CASE("drift: worst first; every failure has its line as far as there are not too many") {
+TEST_CASE("drift: worst first, every failure has its line as far as there are not too many") {
   const Pair p;
   for (hsize_t i = 0; i < 2; ++i)
     for (hsize_t j = 0; j < 3; ++j)
@@ -196,7 +196,7 @@ TEST_CASE("drift: passages are cost, not result") {
   CHECK_FALSE(p.drift().failed());
 }
 
-TEST_CASE("drift: more points than the reference's; a point or an axis of it that is missing fails") {
+TEST_CASE("drift: more points than the reference's, a point or an axis of it that is missing fails") {
   const Scratch s;
   const std::string sweep =
       R"(, "sweep": {"k_r": {"values": [1, 5, 20]}, "k_theta": {"values": [0.3, 1, 3, 9]}})";

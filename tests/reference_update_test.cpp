@@ -46,7 +46,7 @@ std::string refusal(const ReferenceUpdate& update) {
 
 }  // namespace
 
-TEST_CASE("update: writes reference and record; the same again writes nothing; a change is on record") {
+TEST_CASE("update: writes reference and record, the same again writes nothing, a change is on record") {
   Repository r;
   CHECK_THAT(update_reference(r.update), Contains("new reference") && Contains("program: 0123abc"));
   CHECK_FALSE(drift(read_reference(r.json()), reference_of(r.file)).failed());
