@@ -83,5 +83,5 @@ TEST_CASE("a merged result has checks, attributes of a whole one, and says what 
   CHECK(record.at("part_2") ==
         "2/2 small.2-of-2.h5: 3 points, payload sha256 " +
             ResultReader(paths[1], Expected::part).text("payload_sha256") +
-            "; 2026-01-02 to 2026-02-01 on node2: bristle run small.json --shard 2/2 -o small.2-of-2.h5");
+            "; 2026-01-02 to 2026-02-01 on node2 by 0123abc: bristle run small.json --shard 2/2 -o small.2-of-2.h5");
 }
