@@ -2,7 +2,7 @@
 .DEFAULT_GOAL := help
 
 FIGURES := fig2 fig3 fig4 fig5 fig6 fig7 fig8 figA1 figA2 figA3
-.PHONY: help packages build test bench clean figures findings $(FIGURES)
+.PHONY: help packages build test bench clean figures findings archive verify release $(FIGURES)
 JOBS ?= $(shell nproc 2>/dev/null || echo 1)
 BUILD := build
 # TIER=smoke computes a small subset of the points, in seconds.
@@ -50,6 +50,17 @@ bench: build ## benchmarks: ratios against peers in the same run, into docs/perf
 	$$(scripts/find-python) benchmarks/scipy_peer.py $(BUILD)/benchmarks/libscipy_slopes.so >$(BUILD)/bench/scipy.json
 	scripts/time-figures $$(scripts/find-python) $(BUILD)/bristle $(FIGURES) >$(BUILD)/bench/figures.json
 	@$$(scripts/find-python) scripts/performance.py $(BUILD)/bench
+
+archive: figures ## one citable file of all results: dist/bristle-<version>.tar
+	$(BUILD)/bristle archive
+
+# ARCHIVE=FILE is another archive, RERUN=N computes N of its points again.
+ARCHIVE ?= dist/bristle-$(shell sed -n 's/^version: //p' CITATION.cff).tar
+verify: build ## check the archive; RERUN=N also computes N points again and compares every bit
+	$(BUILD)/bristle verify $(ARCHIVE) $(if $(RERUN),--rerun $(RERUN))
+
+release: ## VERSION=x.y.z: write the new version everywhere, commit nothing
+	@scripts/release '$(VERSION)'
 
 clean: ## remove what was built; results and figures stay
 	rm -rf $(BUILD)

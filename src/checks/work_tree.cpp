@@ -1,28 +1,19 @@
 #include "checks/work_tree.hpp"
 
 #include "checks/comparison.hpp"
+#include "checks/process.hpp"
 #include "experiment/input_error.hpp"
 
 #include <fmt/format.h>
-#include <cstdio>
 #include <filesystem>
 
 namespace bristle {
 namespace fs = std::filesystem;
 namespace {
 
-struct Outcome {
-  int code;
-  std::string output;  // of both streams
-};
-
+// Output of both streams, without line ends.
 Outcome run(const std::string& command) {
-  std::FILE* pipe = popen((command + " 2>&1").c_str(), "r");
-  if (!pipe) throw RunError(fmt::format("cannot start: {}", command));
-  Outcome out{0, ""};
-  char buffer[4096];
-  while (const std::size_t n = std::fread(buffer, 1, sizeof buffer, pipe)) out.output.append(buffer, n);
-  out.code = pclose(pipe);
+  Outcome out = run_process(command + " 2>&1");
   while (!out.output.empty() && out.output.back() == '\n') out.output.pop_back();
   return out;
 }

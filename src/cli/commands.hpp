@@ -1,5 +1,6 @@
 #pragma once
 
+#include "archive/build.hpp"
 #include "checks/diff.hpp"
 #include "checks/reference_update.hpp"
 
@@ -52,5 +53,14 @@ struct MergeOptions {
 int merge_command(const MergeOptions& options);
 
 int reference_update_command(ReferenceUpdate update);
+
+int archive_command(ArchiveOptions options);
+
+struct VerifyOptions {
+  std::string file;
+  std::size_t rerun = 0;   // points to compute again
+  std::uint64_t seed = 1;  // decides which
+};
+int verify_command(const VerifyOptions& options);
 
 }  // namespace bristle

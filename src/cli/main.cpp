@@ -71,6 +71,26 @@ void add_reference_update(CLI::App& app, ReferenceUpdate& update) {
   command->add_option("--reference", update.folder, "folder of the references")->capture_default_str();
 }
 
+CLI::App* add_archive(CLI::App& app, ArchiveOptions& archive) {
+  auto* command = app.add_subcommand("archive", "one citable file of all figures' results");
+  command->add_option("-o,--output", archive.output, "archive [dist/bristle-<version>.tar]");
+  command->add_option("--results", archive.results, "folder of the results")->capture_default_str();
+  command->add_option("--figures", archive.figures, "folder of the figures")->capture_default_str();
+  command->add_option("--source", archive.source, "the repository they are of")->capture_default_str();
+  command->add_flag("--allow-dirty", archive.allow_dirty,
+                    "a draft of what cannot be traced to a commit, on record in it");
+  return command;
+}
+
+CLI::App* add_verify(CLI::App& app, VerifyOptions& verify) {
+  auto* command = app.add_subcommand("verify", "hold an archive against its hashes, digests and metadata");
+  command->add_option("ARCHIVE", verify.file, "archive")->required();
+  command->add_option("--rerun", verify.rerun, "compute so many points again and compare every bit")
+      ->type_name("N");
+  command->add_option("--seed", verify.seed, "decides which points")->capture_default_str();
+  return command;
+}
+
 int dispatch(int argc, char** argv) {
   CLI::App app{"bristle: dry friction of a lattice of elastic bristles under a sliding slab"};
   app.set_version_flag("--version", fmt::format("bristle {} ({})", kVersion, kCommit));
@@ -96,6 +116,10 @@ int dispatch(int argc, char** argv) {
   auto* check_app = add_check(app, check);
   auto* diff_app = add_diff(app, diff);
   auto* merge_app = add_merge(app, merge);
+  ArchiveOptions archive;
+  VerifyOptions verify;
+  auto* archive_app = add_archive(app, archive);
+  auto* verify_app = add_verify(app, verify);
   add_reference_update(app, update);  // the last that is left
 
   try {
@@ -109,6 +133,8 @@ int dispatch(int argc, char** argv) {
   if (*check_app) return check_command(check);
   if (*diff_app) return diff_command(diff);
   if (*merge_app) return merge_command(merge);
+  if (*archive_app) return archive_command(archive);
+  if (*verify_app) return verify_command(verify);
   return reference_update_command(update);
 }
 

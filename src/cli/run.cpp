@@ -4,6 +4,7 @@
 #include "experiment/experiment.hpp"
 #include "experiment/input_error.hpp"
 #include "results/journal.hpp"
+#include "results/lock.hpp"
 #include "results/writer.hpp"
 #include "run/progress.hpp"
 #include "run/provenance.hpp"
@@ -45,7 +46,7 @@ void refresh(const Task& task) {
   std::filesystem::copy_file(task.path, copy, std::filesystem::copy_options::overwrite_existing);
   annotate(copy, task.experiment, task.shard);
   if (!task.shard) add_checks(copy);
-  std::filesystem::rename(copy, task.path);
+  replace_file(copy, task.path);
 }
 
 // Counts of the points' statuses, for the closing line.
@@ -105,6 +106,9 @@ Tally write_result(const Task& task, const Journal& journal, std::map<std::strin
   ResultWriter writer(task.experiment, task.path, task.shard);
   for (const std::size_t i : task.points()) {
     const JournalLine line = journal.read(point_key(task.experiment, i));
+    if (!fits(line.record, task.experiment))
+      throw RunError(fmt::format("{}: has other variables than this program's results; --force computes anew",
+                                 journal.path()));
     writer.write(i, line.record);
     tally.add(line.record);
     commits.insert(line.commit);
@@ -130,7 +134,14 @@ void compute(const Task& task, int threads, const RunOptions& options) {
   const std::size_t all = task.points().size(), found = all - missing.size();
   record["points_computed"] = fmt::format("{} of {}", missing.size(), all);
   fill_journal(task, missing, threads, journal, options.quiet);
-  const Tally tally = write_result(task, journal, record);
+  const Tally tally = [&] {
+    try {
+      return write_result(task, journal, record);
+    } catch (const RunError& e) {
+      throw RunError(fmt::format("{}; all points are saved in {}: the same command writes the result",
+                                 e.what(), journal.path()));
+    }
+  }();
   if (options.quiet) return;
   fmt::print("{}: points: {}{}\n", task.path, all > 0 ? tally.text() : "none in this shard",
              found > 0 ? fmt::format("; {} computed before", found) : std::string());

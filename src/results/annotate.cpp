@@ -1,4 +1,4 @@
-#include "results/sha256.hpp"
+#include "results/sha.hpp"
 #include "results/writer.hpp"
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 #include "experiment/input_error.hpp"
-#include "results/sha256.hpp"
+#include "results/sha.hpp"
 #include "results/writer.hpp"
 
 #include <fmt/format.h>
@@ -9,7 +9,7 @@ namespace bristle {
 namespace {
 
 // Feeds a dataset's rows to the digest a block at a time.
-void add_values(Sha256& digest, hid_t dataset, const h5::Shape& shape) {
+void add_values(Digest& digest, hid_t dataset, const h5::Shape& shape) {
   const h5::Handle type(H5Dget_type(dataset), H5Tclose, "reading a dataset's type");
   const std::size_t bytes = H5Tget_size(type);
   hsize_t row = 1;
@@ -29,7 +29,7 @@ void add_values(Sha256& digest, hid_t dataset, const h5::Shape& shape) {
   }
 }
 
-void add_group(Sha256& digest, hid_t group, const std::string& prefix) {
+void add_group(Digest& digest, hid_t group, const std::string& prefix) {
   for (const std::string& name : h5::children(group)) {
     const std::string path = prefix + "/" + name;
     if (path == "/checks" || path == "/provenance") continue;
@@ -52,7 +52,7 @@ void add_group(Sha256& digest, hid_t group, const std::string& prefix) {
 }  // namespace
 
 std::string payload_sha256(hid_t file) {
-  Sha256 digest;
+  Digest digest(Sha::bits_256);
   add_group(digest, file, "");
   return digest.hex();
 }

@@ -3,7 +3,7 @@
 #include "experiment/canonical.hpp"
 #include "experiment/input_error.hpp"
 #include "results/lock.hpp"
-#include "results/sha256.hpp"
+#include "results/sha.hpp"
 #include "results/writer.hpp"
 
 #include <fmt/format.h>

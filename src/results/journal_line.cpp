@@ -1,6 +1,6 @@
 #include "results/journal_line.hpp"
 
-#include "results/sha256.hpp"
+#include "results/sha.hpp"
 
 #include <cmath>
 #include <limits>

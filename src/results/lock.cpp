@@ -22,6 +22,14 @@ bool still_named(int descriptor, const std::string& path) {
          opened.st_ino == named.st_ino && opened.st_dev == named.st_dev;
 }
 
+void to_disk(const std::string& path, int flags) {
+  const int descriptor = open(path.c_str(), flags | O_CLOEXEC);
+  const bool done = descriptor >= 0 && fsync(descriptor) == 0;
+  const int reason = errno;
+  if (descriptor >= 0) ::close(descriptor);
+  if (!done) throw RunError(fmt::format("{}: {}", path, std::strerror(reason)));
+}
+
 }  // namespace
 
 int lock_file(const std::string& result, const std::string& path) {
@@ -49,6 +57,15 @@ int lock_file(const std::string& result, const std::string& path) {
       throw RunError(
           fmt::format("{}: another run is writing it; wait for that, or give another place with -o", result));
   }
+}
+
+void replace_file(const std::string& from, const std::string& to) {
+  to_disk(from, O_RDONLY);
+  std::error_code error;
+  fs::rename(from, to, error);
+  if (error) throw RunError(fmt::format("{}: cannot be renamed to {}: {}", from, to, error.message()));
+  const fs::path folder = fs::path(to).parent_path();
+  to_disk(folder.empty() ? "." : folder.string(), O_RDONLY | O_DIRECTORY);
 }
 
 }  // namespace bristle

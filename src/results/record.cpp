@@ -1,5 +1,6 @@
 #include "results/record.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -191,6 +192,19 @@ h5::Shape grid_position(const Experiment& experiment, std::size_t index) {
   h5::Shape at(shape.size());
   for (std::size_t d = shape.size(); d-- > 0; index /= shape[d]) at[d] = index % shape[d];
   return at;
+}
+
+std::string place_text(const Experiment& experiment, std::size_t index) {
+  const h5::Shape at = grid_position(experiment, index);
+  std::string out;
+  for (std::size_t d = 0; d < at.size(); ++d) {
+    const Axis& axis = experiment.axes[d];
+    const auto& options = find_sweepable(axis.name)->options;
+    const double value = axis.values[at[d]];
+    out += fmt::format("{}{} = {}", d > 0 ? ", " : "", axis.name,
+                       options.empty() ? fmt::format("{:.6g}", value) : options[std::size_t(value)]);
+  }
+  return out.empty() ? "the only point" : out;
 }
 
 }  // namespace bristle

@@ -33,5 +33,7 @@ std::vector<std::string> differences(const PointRecord& a, const PointRecord& b)
 
 // Position of a point in the sweep's grid, the last axis fastest.
 h5::Shape grid_position(const Experiment& experiment, std::size_t index);
+// The same for people: "k_r = 2, friction = nss".
+std::string place_text(const Experiment& experiment, std::size_t index);
 
 }  // namespace bristle

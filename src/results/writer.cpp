@@ -162,9 +162,7 @@ void ResultWriter::close(const std::map<std::string, std::string>& provenance) {
 }
 
 void ResultWriter::publish() {
-  std::error_code error;
-  fs::rename(partial_, path_, error);
-  if (error) throw RunError(fmt::format("{}: cannot be renamed to {}: {}", partial_, path_, error.message()));
+  replace_file(partial_, path_);
   published_ = true;
 }
 

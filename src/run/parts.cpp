@@ -1,7 +1,7 @@
 #include "run/parts.hpp"
 
 #include "experiment/input_error.hpp"
-#include "results/sha256.hpp"
+#include "results/sha.hpp"
 #include "results/writer.hpp"
 #include "run/provenance.hpp"
 
@@ -115,16 +115,7 @@ ResultReader open_part(const std::string& path) {
 }  // namespace
 
 std::string point_text(const Experiment& experiment, std::size_t index) {
-  const h5::Shape at = grid_position(experiment, index);
-  std::vector<std::string> parts;
-  for (std::size_t d = 0; d < at.size(); ++d) {
-    const Axis& axis = experiment.axes[d];
-    const auto& options = find_sweepable(axis.name)->options;
-    const double value = axis.values[at[d]];
-    parts.push_back(fmt::format(
-        "{} = {}", axis.name, options.empty() ? fmt::format("{:.6g}", value) : options[std::size_t(value)]));
-  }
-  return parts.empty() ? "the only point" : fmt::format("{} ({})", index, fmt::join(parts, ", "));
+  return fmt::format("{} ({})", index, place_text(experiment, index));
 }
 
 PartSet::PartSet(const std::vector<std::string>& paths) : parts_(read(paths)) {

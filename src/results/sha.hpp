@@ -5,11 +5,16 @@
 
 namespace bristle {
 
-// SHA-256 over bytes fed in pieces, by libcrypto. Throws RunError if the library refuses.
-class Sha256 {
+enum class Sha {
+  bits_256,
+  bits_512
+};
+
+// SHA-2 over bytes fed in pieces, by libcrypto. Throws RunError if the library refuses.
+class Digest {
  public:
-  Sha256();
-  ~Sha256();
+  explicit Digest(Sha algorithm);
+  ~Digest();
   void add(const void* data, std::size_t bytes);
   void add(const std::string& text) { add(text.data(), text.size()); }
   std::string hex();  // ends the digest
@@ -20,5 +25,6 @@ class Sha256 {
 };
 
 std::string sha256_of(const std::string& text);
+std::string sha512_of(const std::string& text);
 
 }  // namespace bristle

@@ -1,0 +1,161 @@
+#include "archive/bag.hpp"
+
+#include "results/sha.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <sstream>
+
+namespace bristle {
+namespace {
+
+constexpr const char* kDeclaration = "BagIt-Version: 1.0\nTag-File-Character-Encoding: UTF-8\n";
+constexpr const char* kManifest = "manifest-sha512.txt";
+constexpr const char* kTagManifest = "tagmanifest-sha512.txt";
+constexpr std::size_t kHash = 128;  // hexadecimal digits of SHA-512
+
+bool is_payload(const std::string& name) { return name.compare(0, 5, "data/") == 0; }
+
+std::string manifest_of(const Files& files) {
+  std::string text;
+  for (const auto& [name, content] : files) text += fmt::format("{}  {}\n", sha512_of(content), name);
+  return text;
+}
+
+std::string oxum(const Files& files) {
+  std::size_t bytes = 0, count = 0;
+  for (const auto& [name, content] : files)
+    if (is_payload(name)) {
+      bytes += content.size();
+      ++count;
+    }
+  return fmt::format("{}.{}", bytes, count);
+}
+
+// A UUID of version 8 that follows from the payload: equal payloads, equal identifiers.
+std::string identifier(const std::string& manifest) {
+  std::string hex = sha512_of(manifest).substr(0, 32);
+  hex[12] = '8';
+  hex[16] = "89ab"[hex[16] % 4];
+  return fmt::format("urn:uuid:{}-{}-{}-{}-{}", hex.substr(0, 8), hex.substr(8, 4), hex.substr(12, 4),
+                     hex.substr(16, 4), hex.substr(20));
+}
+
+// Manifest lines in the one form that write has: so that every changed byte of a line is noticed.
+std::map<std::string, std::string> parse_manifest(const std::string& file, const std::string& text,
+                                                  Problems& problems) {
+  std::map<std::string, std::string> hashes;
+  std::istringstream in(text);
+  std::size_t number = 0;
+  for (std::string line; std::getline(in, line);) {
+    ++number;
+    const bool sound = line.size() > kHash + 2 && line.compare(kHash, 2, "  ") == 0 &&
+                       line.find_first_not_of("0123456789abcdef") == kHash;
+    const std::string name = sound ? line.substr(kHash + 2) : "";
+    if (!sound)
+      problems.push_back(fmt::format(
+          "{}: line {} is not 128 lower-case hexadecimal digits, two spaces, a name", file, number));
+    else if (!hashes.empty() && name <= hashes.rbegin()->first)
+      problems.push_back(fmt::format("{}: line {}: names are not in order", file, number));
+    else hashes[name] = line.substr(0, kHash);
+  }
+  if (text.empty() || text.back() != '\n') problems.push_back(fmt::format("{}: ends within a line", file));
+  return hashes;
+}
+
+// Hashes of different files differ in nearly all digits: in a few, and it is the manifest that was changed.
+std::string mismatch(const std::string& manifest, const std::string& file, const std::string& is,
+                     const std::string& told) {
+  std::size_t off = 0;
+  for (std::size_t i = 0; i < kHash; ++i) off += is[i] != told[i];
+  if (off <= 16)
+    return fmt::format("{}: was changed: its SHA-512 of {} is off in {} of {} digits", manifest, file, off,
+                       kHash);
+  return fmt::format("{}: its SHA-512 is {}..., not the {}... of {}", file, is.substr(0, 16),
+                     told.substr(0, 16), manifest);
+}
+
+// Files of one manifest against its lines.
+void check_manifest(const std::string& manifest, const Files& files, Problems& problems) {
+  std::map<std::string, const std::string*> listed;
+  for (const auto& [name, content] : files)
+    if (name != kTagManifest && is_payload(name) == (manifest == kManifest)) listed[name] = &content;
+  const auto hashes = parse_manifest(manifest, files.at(manifest), problems);
+  for (const auto& [name, hash] : hashes) {
+    const auto file = listed.find(name);
+    if (file == listed.end()) problems.push_back(fmt::format("{}: is missing; {} lists it", name, manifest));
+    else if (const std::string is = sha512_of(*file->second); is != hash)
+      problems.push_back(mismatch(manifest, name, is, hash));
+  }
+  for (const auto& [name, content] : listed)
+    if (!hashes.count(name))
+      problems.push_back(fmt::format("{}: does not belong here; {} does not list it", name, manifest));
+}
+
+}  // namespace
+
+std::string printable(const std::string& text) {
+  std::string out;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    // Control characters of ASCII, and the others of Unicode: 0xc2 0x80 to 0xc2 0x9f.
+    const bool second = byte >= 0x80 && byte < 0xa0 && i > 0 && text[i - 1] == '\xc2';
+    out += byte < 0x20 || byte == 0x7f || second ? fmt::format("\\x{:02x}", byte) : std::string(1, text[i]);
+  }
+  return out;
+}
+
+Files make_bag(const std::string& folder, const Files& payload, const BagInfo& info) {
+  Files data;
+  for (const auto& [name, content] : payload) data["data/" + name] = content;
+  Files tags{{"bagit.txt", kDeclaration}, {kManifest, manifest_of(data)}};
+  std::string& text = tags["bag-info.txt"];
+  for (const auto& [label, value] : info) text += fmt::format("{}: {}\n", label, value);
+  text += fmt::format("External-Identifier: {}\nPayload-Oxum: {}\n", identifier(tags[kManifest]), oxum(data));
+  const std::string tag_manifest = manifest_of(tags);
+  tags[kTagManifest] = tag_manifest;
+  Files bag;
+  for (const Files* part : {&data, &tags})
+    for (const auto& [name, content] : *part) bag[folder + "/" + name] = content;
+  return bag;
+}
+
+std::string strip_folder(Files& files) {
+  const std::string first = files.begin()->first, folder = first.substr(0, first.find('/'));
+  Files stripped;
+  for (auto& [name, content] : files) {
+    if (name.compare(0, folder.size() + 1, folder + "/") != 0)
+      throw BadArchive(fmt::format("{}: lies outside of the archive's folder {}/", name, folder));
+    stripped[name.substr(folder.size() + 1)] = std::move(content);
+  }
+  files = std::move(stripped);
+  return folder;
+}
+
+Problems check_bag(const Files& files) {
+  Problems problems;
+  for (const char* tag : {"bagit.txt", "bag-info.txt", kManifest, kTagManifest})
+    if (!files.count(tag)) problems.push_back(fmt::format("{}: is missing", tag));
+  if (!problems.empty()) return problems;
+  check_manifest(kTagManifest, files, problems);
+  check_manifest(kManifest, files, problems);
+  if (files.at("bagit.txt") != kDeclaration)
+    problems.push_back("bagit.txt: is not the declaration of BagIt 1.0 in UTF-8");
+  for (const auto& [name, content] : files)
+    if (!is_payload(name) && name != "bagit.txt" && name != "bag-info.txt" && name != kManifest &&
+        name != kTagManifest)
+      problems.push_back(
+          fmt::format("{}: does not belong here; beside data/ there are BagIt's files only", name));
+  if (const std::string told = bag_info(files, "Payload-Oxum"), is = oxum(files); told != is)
+    problems.push_back(fmt::format("bag-info.txt: Payload-Oxum is \"{}\", of the files {}", told, is));
+  return problems;
+}
+
+std::string bag_info(const Files& files, const std::string& label) {
+  std::istringstream in(files.at("bag-info.txt"));
+  for (std::string line; std::getline(in, line);)
+    if (line.compare(0, label.size() + 2, label + ": ") == 0) return line.substr(label.size() + 2);
+  return "";
+}
+
+}  // namespace bristle

@@ -1,0 +1,214 @@
+#include "archive/crate.hpp"
+
+#include "results/sha.hpp"
+
+#include <fmt/format.h>
+#include <filesystem>
+#include <sstream>
+
+namespace bristle {
+namespace {
+
+constexpr const char* kProfile = "https://w3id.org/ro/wfrun/process/0.5";
+
+Json id(const std::string& name) { return {{"@id", name}}; }
+
+Json ids(const std::vector<std::string>& names) {
+  Json out = Json::array();
+  for (const std::string& name : names) out.push_back(id(name));
+  return out;
+}
+
+std::string author_id(std::size_t index) { return fmt::format("#author-{}", index + 1); }
+
+Json author(const Json& from, std::size_t index) {
+  if (from.contains("name"))
+    return {{"@id", author_id(index)}, {"@type", "Organization"}, {"name", from["name"]}};
+  const std::string given = from.value("given-names", ""), family = from.value("family-names", "");
+  return {{"@id", author_id(index)},
+          {"@type", "Person"},
+          {"name", given.empty() || family.empty() ? given + family : given + " " + family}};
+}
+
+std::string encoding_of(const std::string& name) {
+  const std::map<std::string, std::string> known = {
+      {".h5", "application/x-hdf5"}, {".json", "application/json"}, {".pdf", "application/pdf"},
+      {".png", "image/png"},         {".md", "text/markdown"},      {".tar", "application/x-tar"},
+      {".cff", "application/yaml"},  {".svg", "image/svg+xml"}};
+  const auto found = known.find(std::filesystem::path(name).extension().string());
+  return found == known.end() ? "text/plain" : found->second;
+}
+
+std::string description_of(const std::string& name, const Contents& contents) {
+  for (const ArchivedResult& result : contents.results) {
+    const std::string title = result.facts["title"];
+    if (name == result.file) return "Result: " + title;
+    if (name == result.experiments.back()) return "Experiment: " + title;
+    for (const std::string& figure : result.figures)
+      if (name == figure) return "Plot: " + title;
+  }
+  if (name == contents.source) return "The program's source at commit " + contents.commit;
+  if (name == "CITATION.cff") return "How to cite this archive";
+  if (name == "LICENSE") return "The licence";
+  if (name == "README.md") return "What is in this archive, for a reader who has nothing else";
+  const std::string folder = name.substr(0, name.find('/'));
+  if (folder == "experiments") return "Experiment that others extend";
+  if (folder == "reference") return "Numbers that every commit of the program is held against";
+  return "Documentation";
+}
+
+Json file_entity(const std::string& name, const std::string& bytes, const Contents& contents) {
+  return {{"@id", name},
+          {"@type", "File"},
+          {"name", std::filesystem::path(name).filename().string()},
+          {"description", description_of(name, contents)},
+          {"encodingFormat", encoding_of(name)},
+          {"contentSize", fmt::format("{}", bytes.size())},
+          {"sha512", sha512_of(bytes)}};
+}
+
+std::string provenance(const ArchivedResult& result, const char* key) {
+  return result.facts["provenance"].value(key, "unknown");
+}
+
+// The commit of the program that wrote the result, then others that computed points of it before.
+std::vector<std::string> commits_of(const ArchivedResult& result) {
+  std::vector<std::string> commits{provenance(result, "commit")};
+  std::istringstream others(result.facts["provenance"].value("points_commits", ""));
+  for (std::string commit; others >> commit;) {
+    if (commit.back() == ',') commit.pop_back();
+    if (commit != commits.front()) commits.push_back(commit);
+  }
+  return commits;
+}
+
+std::string program_id(const std::string& commit) { return "#bristle-" + commit; }
+
+// Of a program that computed points only, the commit is all that is known.
+Json program(const std::string& commit, const ArchivedResult& result, const Contents& contents) {
+  const bool wrote = commit == provenance(result, "commit");
+  return {{"@id", program_id(commit)},
+          {"@type", "SoftwareApplication"},
+          {"name", "bristle"},
+          {"softwareVersion", wrote ? provenance(result, "version") : commit},
+          {"identifier", commit},
+          {"url", contents.citation["references"][0].value("repository-code", contents.source)}};
+}
+
+Json programs(const ArchivedResult& result) {
+  std::vector<std::string> names;
+  for (const std::string& commit : commits_of(result)) names.push_back(program_id(commit));
+  return ids(names);
+}
+
+Json run_action(const ArchivedResult& result) {
+  return {{"@id", fmt::format("#run-{}", result.facts["name"].get<std::string>())},
+          {"@type", "CreateAction"},
+          {"name", fmt::format("Computation of {}", result.facts["title"].get<std::string>())},
+          {"description", provenance(result, "command_line")},
+          {"startTime", provenance(result, "started")},
+          {"endTime", provenance(result, "finished")},
+          {"agent", id(author_id(0))},
+          {"instrument", programs(result)},
+          {"object", ids(result.experiments)},
+          {"result", id(result.file)}};
+}
+
+std::string script_id(const ArchivedResult& result) {
+  return fmt::format("#scripts/{}.py", result.facts["name"].get<std::string>());
+}
+
+Json script(const ArchivedResult& result, const Contents& contents) {
+  return {{"@id", script_id(result)},
+          {"@type", "SoftwareApplication"},
+          {"name", script_id(result).substr(1)},
+          {"softwareVersion", contents.citation["version"]},
+          {"identifier", contents.commit},
+          {"url", contents.source}};
+}
+
+Json plot_action(const ArchivedResult& result) {
+  return {{"@id", fmt::format("#plot-{}", result.facts["name"].get<std::string>())},
+          {"@type", "CreateAction"},
+          {"name", fmt::format("Plot of {}", result.facts["title"].get<std::string>())},
+          {"agent", id(author_id(0))},
+          {"instrument", id(script_id(result))},
+          {"object", id(result.file)},
+          {"result", ids(result.figures)}};
+}
+
+// The root without its parts.
+Json root(const Contents& contents) {
+  const Json& citation = contents.citation;
+  Json out = {{"@id", "./"},
+              {"@type", "Dataset"},
+              {"name", citation["title"]},
+              {"description", citation["abstract"]},
+              {"version", citation["version"]},
+              {"datePublished", citation["date-released"]},
+              {"license", id("https://spdx.org/licenses/" + citation["license"].get<std::string>())},
+              {"conformsTo", id(kProfile)},
+              {"author", Json::array()},
+              {"publisher", id(author_id(0))},
+              {"hasPart", Json::array()},
+              {"mentions", Json::array()}};
+  for (std::size_t i = 0; i < citation["authors"].size(); ++i) out["author"].push_back(id(author_id(i)));
+  if (!contents.draft.empty()) out["creativeWorkStatus"] = "Draft, not to be cited: " + contents.draft;
+  return out;
+}
+
+// Entities that are no files: profile, licence, authors, programs, what they did.
+std::vector<Json> context(const Contents& contents) {
+  const std::string license = contents.citation["license"];
+  std::vector<Json> out;
+  out.push_back(
+      {{"@id", kProfile}, {"@type", "CreativeWork"}, {"name", "Process Run Crate"}, {"version", "0.5"}});
+  out.push_back({{"@id", "https://spdx.org/licenses/" + license},
+                 {"@type", "CreativeWork"},
+                 {"name", license},
+                 {"description", "The text is in the file LICENSE."}});
+  const Json& authors = contents.citation["authors"];
+  for (std::size_t i = 0; i < authors.size(); ++i) out.push_back(author(authors[i], i));
+  std::map<std::string, Json> instruments;
+  for (const ArchivedResult& result : contents.results) {
+    for (const std::string& commit : commits_of(result)) {
+      const Json entity = program(commit, result, contents);
+      if (commit == provenance(result, "commit")) instruments[program_id(commit)] = entity;
+      else instruments.emplace(program_id(commit), entity);
+    }
+    instruments[script_id(result)] = script(result, contents);
+  }
+  for (const auto& [name, entity] : instruments) out.push_back(entity);
+  for (const ArchivedResult& result : contents.results) {
+    out.push_back(run_action(result));
+    out.push_back(plot_action(result));
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string crate_text(const Contents& contents) {
+  Json dataset = root(contents);
+  std::vector<Json> others = context(contents);
+  for (const Json& entity : others)
+    if (entity["@type"] == "CreateAction") dataset["mentions"].push_back(id(entity["@id"]));
+  for (const auto& [name, bytes] : contents.payload) {
+    dataset["hasPart"].push_back(id(name));
+    others.push_back(file_entity(name, bytes, contents));
+  }
+  Json graph = Json::array();
+  graph.push_back({{"@id", kCrateFile},
+                   {"@type", "CreativeWork"},
+                   {"conformsTo", id("https://w3id.org/ro/crate/1.1")},
+                   {"about", id("./")}});
+  graph.push_back(dataset);
+  for (Json& entity : others) graph.push_back(std::move(entity));
+  const Json crate = {
+      {"@context",
+       {"https://w3id.org/ro/crate/1.1/context", "https://w3id.org/ro/terms/workflow-run/context"}},
+      {"@graph", graph}};
+  return crate.dump(1) + "\n";
+}
+
+}  // namespace bristle

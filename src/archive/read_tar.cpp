@@ -1,0 +1,184 @@
+#include "archive/tar.hpp"
+#include "experiment/input_error.hpp"
+
+#include <archive.h>
+#include <archive_entry.h>
+#include <fmt/format.h>
+#include <algorithm>
+#include <cctype>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+
+namespace bristle {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::size_t kBlock = 512;
+constexpr std::size_t kType = 156;  // of the header: the byte that says what the entry is
+constexpr std::uintmax_t kMostBytes = std::uintmax_t(4) << 30;
+constexpr std::size_t kMostFiles = 10000;
+
+std::string bytes_at(const std::string& path, std::size_t offset, std::size_t count) {
+  std::ifstream in(path, std::ios::binary);
+  std::string bytes(count, '\0');
+  in.seekg(std::streamoff(offset));
+  in.read(bytes.data(), std::streamsize(count));
+  bytes.resize(std::size_t(in.gcount()));
+  return bytes;
+}
+
+bool portable(char c) { return std::isalnum(static_cast<unsigned char>(c)) || std::strchr("._-/", c); }
+
+// Names come from the archive: no control characters reach the terminal.
+std::string quoted(const std::string& name) {
+  std::string out;
+  for (const char c : name.substr(0, 100))
+    out += c >= ' ' && c <= '~' ? std::string(1, c)
+                                : fmt::format("\\x{:02x}", unsigned(static_cast<unsigned char>(c)));
+  return '"' + out + '"';
+}
+
+// A file's name as the raw header gives it, whatever else is wrong with that.
+std::string raw_name(const std::string& path, std::size_t header) {
+  const std::string block = bytes_at(path, header, kBlock);
+  if (block.size() < 345 + 155) return "";
+  const std::string name(block.c_str(), strnlen(block.c_str(), 100));
+  const std::string prefix(block.c_str() + 345, strnlen(block.c_str() + 345, 155));
+  return prefix.empty() ? name : prefix + "/" + name;
+}
+
+std::string compression(const std::string& start) {
+  const std::pair<const char*, std::string> known[] = {{"gzip", "\x1f\x8b"},
+                                                       {"xz",
+                                                        "\xfd"
+                                                        "7zXZ"},
+                                                       {"zstd", "\x28\xb5\x2f\xfd"},
+                                                       {"bzip2", "BZh"},
+                                                       {"zip", "PK"}};
+  for (const auto& [name, magic] : known)
+    if (start.compare(0, magic.size(), magic) == 0) return name;
+  return "";
+}
+
+class TarReader {
+ public:
+  explicit TarReader(const std::string& path) : path_(path), in_(archive_read_new(), archive_read_free) {
+    std::error_code error;
+    if (!fs::exists(path, error))
+      throw InputError(fmt::format("{}: no such file; `make archive` makes one", path));
+    if (!fs::is_regular_file(path, error)) throw InputError(fmt::format("{}: not a file", path));
+    size_ = fs::file_size(path, error);
+    if (error || !std::ifstream(path)) throw InputError(fmt::format("{}: cannot be read", path));
+    if (size_ == 0) throw BadArchive("the file is empty");
+    if (size_ > kMostBytes)
+      throw BadArchive(
+          fmt::format("{} bytes are more than the {} that an archive may have", size_, kMostBytes));
+    if (const std::string how = compression(bytes_at(path, 0, 8)); !how.empty())
+      throw BadArchive(
+          fmt::format("the file is compressed ({}); archives are plain tar: unpack it first", how));
+    archive_read_support_format_tar(in_.get());
+    archive_read_support_filter_none(in_.get());
+    if (archive_read_open_filename(in_.get(), path.c_str(), 1 << 16) != ARCHIVE_OK) broken_header();
+  }
+
+  Files read() {
+    Files files;
+    while (const auto entry = next()) {
+      const std::string name = checked_name(*entry, files);
+      if (files.size() == kMostFiles) throw BadArchive(fmt::format("more than {} files", kMostFiles));
+      last_ = name;
+      const std::string& content = files[name] = read_content(*entry, name);
+      header_ += kBlock + (content.size() + kBlock - 1) / kBlock * kBlock;
+    }
+    if (files.empty()) throw BadArchive("there are no files in it");
+    return files;
+  }
+
+ private:
+  struct Found {
+    archive_entry* entry;
+    std::string name;
+  };
+
+  [[noreturn]] void broken_header() {
+    const char* reason = archive_error_string(in_.get());
+    throw BadArchive(fmt::format("{}: its tar header (byte {}{}) is damaged, or this is no tar archive: {}",
+                                 quoted(raw_name(path_, header_)), header_,
+                                 last_.empty() ? "" : fmt::format(", after {}", last_),
+                                 reason ? reason : "unknown reason"));
+  }
+
+  std::unique_ptr<Found> next() {
+    archive_entry* entry = nullptr;
+    const int code = archive_read_next_header(in_.get(), &entry);
+    if (code == ARCHIVE_EOF) return nullptr;
+    if (code != ARCHIVE_OK) broken_header();
+    const char* name = archive_entry_pathname(entry);
+    return std::make_unique<Found>(Found{entry, name ? name : ""});
+  }
+
+  // The entry is a plain file of ustar, under a name that can do no harm, after those before it.
+  std::string checked_name(const Found& found, const Files& files) const {
+    const auto refuse = [&](const std::string& why) {
+      throw BadArchive(fmt::format("{}: {}", quoted(found.name), why));
+    };
+    if (archive_entry_hardlink(found.entry) || archive_entry_filetype(found.entry) == AE_IFLNK)
+      refuse("is a link; an archive holds plain files only");
+    if (archive_entry_filetype(found.entry) == AE_IFDIR)
+      refuse("is a folder's own entry; an archive holds plain files only");
+    if (archive_entry_filetype(found.entry) != AE_IFREG)
+      refuse("is a device or another special file; an archive holds plain files only");
+    // Extended headers come before the file's own.
+    if (archive_format(in_.get()) != ARCHIVE_FORMAT_TAR_USTAR || bytes_at(path_, header_ + kType, 1) != "0")
+      refuse("is stored in another kind of tar than ustar; the archive was packed by another program");
+    if (found.name.empty() || !std::all_of(found.name.begin(), found.name.end(), portable))
+      refuse("names may have letters, digits and . _ - / only");
+    if (found.name.front() == '/') refuse("is an absolute path");
+    for (const fs::path& part : fs::path(found.name))
+      if (part == ".." || part == ".") refuse("leads out of the archive");
+    if (found.name.back() == '/' || found.name.find("//") != std::string::npos) refuse("has empty parts");
+    if (files.count(found.name)) refuse("is there twice");
+    if (!files.empty() && found.name < files.rbegin()->first)
+      refuse(fmt::format("is out of order: it comes after {}", files.rbegin()->first));
+    return found.name;
+  }
+
+  std::string read_content(const Found& found, const std::string& name) {
+    const la_int64_t size = archive_entry_size(found.entry);
+    const std::uintmax_t from = header_ + kBlock;
+    if (size < 0 || from > size_ || std::uintmax_t(size) > size_ - from)
+      throw BadArchive(fmt::format(
+          "{}: its header declares {} bytes, more than the archive has left: cut short?", name, size));
+    std::string content;
+    content.reserve(std::size_t(size));
+    const void* block = nullptr;
+    std::size_t count = 0;
+    la_int64_t offset = 0;
+    for (;;) {
+      const int code = archive_read_data_block(in_.get(), &block, &count, &offset);
+      if (code == ARCHIVE_EOF) break;
+      if (code != ARCHIVE_OK || offset != la_int64_t(content.size()))
+        throw BadArchive(
+            fmt::format("{}: its content cannot be read: {}", name,
+                        code == ARCHIVE_OK ? "there are holes" : archive_error_string(in_.get())));
+      content.append(static_cast<const char*>(block), count);
+    }
+    if (content.size() != std::size_t(size))
+      throw BadArchive(
+          fmt::format("{}: {} bytes of the {} that its header declares", name, content.size(), size));
+    return content;
+  }
+
+  std::string path_, last_;
+  std::unique_ptr<archive, int (*)(archive*)> in_;
+  std::uintmax_t size_ = 0;
+  std::size_t header_ = 0;  // offset of the next entry's header
+};
+
+}  // namespace
+
+Files read_tar(const std::string& path) { return TarReader(path).read(); }
+
+}  // namespace bristle

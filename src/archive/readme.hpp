@@ -1,0 +1,11 @@
+#pragma once
+
+#include "archive/crate.hpp"
+
+namespace bristle {
+
+// README.md of the archive, for a reader who has nothing else: src/archive/README.md.in with the results'
+// table and the claims' verdicts.
+std::string archive_readme(const Contents& contents);
+
+}  // namespace bristle

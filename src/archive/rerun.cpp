@@ -1,0 +1,78 @@
+#include "archive/rerun.hpp"
+
+#include "archive/isolated.hpp"
+#include "archive/result_facts.hpp"
+#include "archive/safe_json.hpp"
+#include "experiment/input_error.hpp"
+#include "results/writer.hpp"
+#include "run/sweep.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <algorithm>
+
+namespace bristle {
+namespace {
+
+struct Draw {
+  std::string file;
+  std::size_t index;
+};
+
+// SplitMix64 (Steele, Lea, Flood 2014): the same points for the same seed, everywhere.
+std::uint64_t next(std::uint64_t& state) {
+  std::uint64_t z = state += 0x9e3779b97f4a7c15;
+  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
+  z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
+  return z ^ (z >> 31);
+}
+
+// The first count of all points in an order that the seed decides.
+std::vector<Draw> draw(const Verification& archive, std::size_t count, std::uint64_t seed) {
+  std::vector<Draw> all;
+  for (const auto& [name, result] : archive.results)
+    for (std::size_t i = 0; i < result.facts["sweep_points"].get<std::size_t>(); ++i)
+      all.push_back({name, i});
+  count = std::min(count, all.size());
+  for (std::size_t i = 0; i < count; ++i) std::swap(all[i], all[i + next(seed) % (all.size() - i)]);
+  all.resize(count);
+  return all;
+}
+
+Json compare_point(const std::string& path, const std::string& name, std::size_t index) {
+  const ResultReader result(path);
+  const Experiment experiment = stored_experiment(result.experiment(), result.text("tier"), name);
+  if (index >= experiment.points())
+    throw BadArchive(fmt::format("its experiment has {} points, not the {} or more of its datasets",
+                                 experiment.points(), index + 1));
+  PointRecord computed;
+  run_sweep(
+      experiment, {index}, 1, [&](PointReport&& report) { computed = std::move(report.record); },
+      [] { return false; });
+  return {{"place", place_text(experiment, index)},
+          {"different", differences(read_record(result.file(), experiment, index), computed)}};
+}
+
+}  // namespace
+
+void rerun(const Verification& archive, std::size_t count, std::uint64_t seed,
+           const std::function<void(const Rerun&)>& report) {
+  for (const auto& [name, result] : archive.results)
+    if (const double made = result.facts["numerics_version"]; made != kNumericsVersion)
+      throw InputError(fmt::format(
+          "--rerun: {} is of numerics_version {}, this program computes {}, whose numbers may differ; "
+          "build the program in the archive's data/source",
+          name, made, kNumericsVersion));
+  for (const Draw& drawn : draw(archive, count, seed)) {
+    const TemporaryFile file(archive.results.at(drawn.file).bytes);
+    try {
+      const Json found =
+          safe_json(isolated([&] { return compare_point(file.path(), drawn.file, drawn.index).dump(); }));
+      report({drawn.file, found["place"], found["different"]});
+    } catch (const BadArchive& e) {
+      throw BadArchive(fmt::format("{}: {}", drawn.file, without_path(e.what(), file.path())));
+    }
+  }
+}
+
+}  // namespace bristle

@@ -1,0 +1,89 @@
+#include "archive/tar.hpp"
+
+#include "experiment/input_error.hpp"
+
+#include <archive.h>
+#include <archive_entry.h>
+#include <fmt/format.h>
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+namespace bristle {
+namespace {
+
+constexpr std::size_t kBlock = 512, kRecord = 20 * kBlock;
+
+std::size_t padded(std::size_t size) { return (size + kBlock - 1) / kBlock * kBlock; }
+
+using Writer = std::unique_ptr<archive, int (*)(archive*)>;
+using Entry = std::unique_ptr<archive_entry, void (*)(archive_entry*)>;
+using Sink = std::function<void(const char*, std::size_t)>;
+
+la_ssize_t give(archive*, void* sink, const void* bytes, std::size_t size) {
+  (*static_cast<const Sink*>(sink))(static_cast<const char*>(bytes), size);
+  return la_ssize_t(size);
+}
+
+void write_file(archive* out, const std::string& name, const std::string& content, std::time_t time) {
+  const Entry entry(archive_entry_new(), archive_entry_free);
+  archive_entry_set_pathname(entry.get(), name.c_str());
+  archive_entry_set_size(entry.get(), la_int64_t(content.size()));
+  archive_entry_set_filetype(entry.get(), AE_IFREG);
+  archive_entry_set_perm(entry.get(), 0644);
+  archive_entry_set_mtime(entry.get(), time, 0);
+  if (archive_write_header(out, entry.get()) != ARCHIVE_OK)
+    throw RunError(fmt::format("{}: cannot be archived: {}", name, archive_error_string(out)));
+  if (archive_write_data(out, content.data(), content.size()) != la_ssize_t(content.size()))
+    throw RunError(fmt::format("{}: cannot be archived: {}", name, archive_error_string(out)));
+}
+
+// Where in the archive of these files a byte lies.
+std::string place_of(const Files& files, std::size_t offset) {
+  std::size_t at = 0;
+  for (const auto& [name, content] : files) {
+    if (offset < at + kBlock) return fmt::format("{}: its tar header", name);
+    if (offset < at + kBlock + content.size()) return fmt::format("{}: its content", name);
+    at += kBlock + padded(content.size());
+    if (offset < at) return fmt::format("{}: the padding after it", name);
+  }
+  return "the end of the archive";
+}
+
+}  // namespace
+
+void write_tar(const Files& files, std::time_t time, const Sink& sink) {
+  const Writer out(archive_write_new(), archive_write_free);
+  archive_write_set_format_ustar(out.get());
+  archive_write_add_filter_none(out.get());
+  archive_write_set_bytes_per_block(out.get(), kRecord);
+  archive_write_set_bytes_in_last_block(out.get(), kRecord);
+  void* const context = const_cast<Sink*>(&sink);
+  if (archive_write_open(out.get(), context, nullptr, give, nullptr) != ARCHIVE_OK)
+    throw RunError(fmt::format("libarchive: {}", archive_error_string(out.get())));
+  for (const auto& [name, content] : files) write_file(out.get(), name, content, time);
+  if (archive_write_close(out.get()) != ARCHIVE_OK)
+    throw RunError(fmt::format("libarchive: {}", archive_error_string(out.get())));
+}
+
+std::string tar_difference(const std::string& path, const Files& files, std::time_t time) {
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
+  if (!file) throw InputError(fmt::format("{}: cannot be read", path));
+  std::vector<char> there;
+  std::size_t at = 0;
+  std::string found;
+  write_tar(files, time, [&](const char* bytes, std::size_t size) {
+    there.resize(size);
+    const std::size_t got = found.empty() ? std::fread(there.data(), 1, size, file.get()) : 0;
+    const auto same = std::mismatch(there.begin(), there.begin() + long(got), bytes).first - there.begin();
+    if (found.empty() && std::size_t(same) < size)
+      found = fmt::format("{} (byte {}) is not as the program writes it",
+                          place_of(files, at + std::size_t(same)), at + std::size_t(same));
+    at += size;
+  });
+  if (found.empty() && std::fgetc(file.get()) != EOF)
+    found = fmt::format("the end of the archive: there are bytes after it (byte {})", at);
+  return found;
+}
+
+}  // namespace bristle

@@ -1,0 +1,72 @@
+#include "archive/rerun.hpp"
+#include "cli/commands.hpp"
+#include "run/provenance.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace bristle {
+namespace {
+
+// A damaged manifest makes one problem per file.
+constexpr std::size_t kMostShown = 20;
+
+void print_problems(const std::string& path, const Problems& problems) {
+  for (std::size_t i = 0; i < std::min(kMostShown, problems.size()); ++i)
+    fmt::print("FAILED: {}\n", problems[i]);
+  if (problems.size() > kMostShown) fmt::print("... and {} more\n", problems.size() - kMostShown);
+  fmt::print("{}: NOT as it was archived: {} problem{}\n", path, problems.size(),
+             problems.size() == 1 ? "" : "s");
+}
+
+void print_draft(const std::string& draft) {
+  if (!draft.empty()) fmt::print("a draft, not to be cited: {}\n", draft);
+}
+
+// Whether all have the bits that the archive has.
+bool rerun_points(const VerifyOptions& options, const Verification& archive) {
+  std::size_t done = 0, same = 0;
+  try {
+    rerun(archive, options.rerun, options.seed, [&](const Rerun& point) {
+      ++done;
+      same += point.different.empty();
+      const std::string verdict = point.different.empty()
+                                      ? "the same, bit for bit"
+                                      : fmt::format("DIFFERS in {}", fmt::join(point.different, ", "));
+      fmt::print("{}: {}: {}\n", point.file, point.place, verdict);
+      std::fflush(stdout);  // a point may take minutes
+    });
+  } catch (const BadArchive& e) {
+    fmt::print("FAILED: {}\n", e.what());
+    return false;
+  }
+  fmt::print("{} of {} points computed again are the same, bit for bit (seed {})\n", same, done,
+             options.seed);
+  return same == done;
+}
+
+}  // namespace
+
+int archive_command(ArchiveOptions options) {
+  options.version = kVersion;
+  options.commit = kCommit;
+  const BuiltArchive built = build_archive(options);
+  fmt::print("{}: {} files, {} bytes, verified\nsha512 {}\n", built.path, built.files, built.bytes,
+             built.sha512);
+  print_draft(built.draft);
+  return kFine;
+}
+
+int verify_command(const VerifyOptions& options) {
+  const Verification found = verify_archive(options.file);
+  if (!found.problems.empty()) {
+    print_problems(options.file, found.problems);
+    return kCheckFailed;
+  }
+  fmt::print("{}: version {} of commit {}\n{} files and {} results are as they were archived ({})\n",
+             options.file, found.version, found.commit, found.files, found.results.size(), found.identifier);
+  print_draft(found.draft);
+  return options.rerun == 0 || rerun_points(options, found) ? kFine : kCheckFailed;
+}
+
+}  // namespace bristle

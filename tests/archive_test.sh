@@ -1,0 +1,75 @@
+#!/bin/bash
+# The archive as a user meets it: a quick experiment's result in a repository of its own, archived, verified,
+# computed again, and damaged. usage: archive_test.sh BRISTLE SOURCE
+set -u
+bristle=$1 source=$2
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+failures=0
+
+# expect CODE TEXT COMMAND...: the command ends with this code and its output holds the text.
+expect() {
+  local code=$1 text=$2 output got
+  shift 2
+  output=$("$@" 2>&1)
+  got=$?
+  if [ "$got" != "$code" ] || ! grep -qF -- "$text" <<<"$output"; then
+    printf 'FAILED: %s\n  expected exit code %s and: %s\n  got exit code %s and: %s\n' "$*" "$code" "$text" "$got" "$output"
+    failures=$((failures + 1))
+  fi
+}
+
+cd "$folder" && git init -q . && mkdir experiments figures
+cp "$source"/{CITATION.cff,LICENSE} . && cp "$source/experiments/paper.json" experiments/
+sed -i "s/^version: .*/version: $("$bristle" --version | cut -d' ' -f2)/" CITATION.cff
+cat >experiments/quick.json <<END
+{ "extends": "paper.json", "name": "quick", "title": "Quick", "figure": "0", "load": { "R_n": null, "z_0": 0.5 },
+  "orientation": { "sampling": "list", "theta_0_deg": [10, 100] }, "record": ["observables", "bristles"],
+  "sweep": { "k_r": { "values": [5, 20] }, "friction": { "values": ["nss", "coulomb"] } } }
+END
+printf '/results/\n/figures/\n/dist/\n/*.tar\n' >.gitignore
+git add . && git -c user.name=n -c user.email=e commit -qm m
+
+expect 2 "there are no results" "$bristle" archive --allow-dirty
+expect 0 "4 ok" "$bristle" run experiments/quick.json
+expect 2 "figures/quick.pdf: no such file" "$bristle" archive --allow-dirty
+touch figures/quick.{pdf,png}
+# The program is of another repository.
+expect 2 "this program, of commit" "$bristle" archive
+expect 0 "verified" "$bristle" archive --allow-dirty
+archive=$(ls dist/*.tar)
+expect 0 "a draft, not to be cited: " "$bristle" verify "$archive"
+expect 0 "a draft" "$bristle" archive --allow-dirty -o again.tar
+cmp "$archive" again.tar || failures=$((failures + 1))
+
+# All of it can be checked by standard tools.
+mkdir unpacked && tar xf "$archive" -C unpacked || failures=$((failures + 1))
+(cd unpacked/* && sha512sum --quiet -c manifest-sha512.txt tagmanifest-sha512.txt) || failures=$((failures + 1))
+(cd unpacked/*/data && [ "$(git get-tar-commit-id <source/*.tar)" = "$(git -C "$folder" rev-parse HEAD)" ]) || failures=$((failures + 1))
+cmp unpacked/*/data/results/quick.h5 results/quick.h5 || failures=$((failures + 1))
+
+# No room left: a reason, an exit code, nothing left behind.
+limited() { (ulimit -f 16; "$@"); }
+expect 3 "is there room?" limited "$bristle" archive --allow-dirty -o big.tar
+[ -z "$(ls big.tar* 2>/dev/null)" ] || { echo "FAILED: a part of an archive was left"; failures=$((failures + 1)); }
+
+# Points computed again.
+expect 0 "3 of 3 points computed again are the same, bit for bit (seed 1)" "$bristle" verify "$archive" --rerun 3
+expect 0 "k_r = 20, friction = coulomb: the same, bit for bit" "$bristle" verify "$archive" --rerun 9 --seed 5
+expect 2 "--rerun" "$bristle" verify "$archive" --rerun x
+
+# Damage.
+expect 2 "no such file" "$bristle" verify nowhere.tar
+expect 2 "ARCHIVE is required" "$bristle" verify
+expect 1 "no tar archive" "$bristle" verify CITATION.cff
+gzip -k again.tar
+expect 1 "compressed (gzip)" "$bristle" verify again.tar.gz
+head -c 30000 "$archive" >cut.tar
+expect 1 "NOT as it was archived" "$bristle" verify cut.tar
+at=$(grep -obUaF 'Permission is hereby granted' "$archive" | head -n 1 | cut -d: -f1)
+printf 'p' | dd of="again.tar" bs=1 seek="$at" conv=notrunc status=none
+expect 1 "FAILED: data/LICENSE: its SHA-512 is" "$bristle" verify again.tar
+# Packed anew by another program: the same files, but not the archive that was published.
+tar cf packed.tar -C unpacked --sort=name "$(ls unpacked)"
+expect 1 "NOT as it was archived" "$bristle" verify packed.tar
+exit $((failures > 0))

@@ -1,0 +1,100 @@
+#pragma once
+
+#include "archive/build.hpp"
+#include "archive/citation.hpp"
+#include "archive/verify.hpp"
+#include "small_result.hpp"
+
+#include <catch2/catch.hpp>
+#include <cstdlib>
+
+// An archive of one small result, of a repository of its own; and ways to repack it.
+namespace bristle::testing {
+
+struct Release {
+  Scratch s;
+  ArchiveOptions options;
+
+  Release() {
+    const std::string root = std::string(BRISTLE_EXPERIMENTS) + "/../";
+    for (const char* name : {"CITATION.cff", "LICENSE", "experiments/paper.json"})
+      s.write(name, bytes_of(root + name));
+    s.write("experiments/small.json",
+            R"({"extends": "paper.json", "name": "small", "title": "Small", "figure": "9",
+      "load": {"R_n": null, "z_0": 0.5}, "orientation": {"sampling": "list", "theta_0_deg": [10, 100]},
+      "sweep": {"k_r": {"values": [5, 20]}, "k_theta": {"values": [0.3, 1, 3]}}, "checks": [{"claim": "x",
+      "statement": "falls", "predicate": "end_ratio", "variable": "R_x_norm", "along": "k_r", "is": "at_most",
+      "threshold": 0.99}]})");
+    s.write("reference/small.json", "{}");
+    s.write("docs/model.md", "# The model\n");
+    s.write(".gitignore", "/results/\n/figures/\n*.tar\n");
+    git("init -q .");
+    commit();
+    options.source = s.path("");
+    options.results = s.path("results");
+    options.figures = s.path("figures");
+    options.output = s.path("archive.tar");
+    options.version = parse_citation(bytes_of(s.path("CITATION.cff")))["version"];
+    options.commit = head();
+    compute();
+  }
+
+  void git(const std::string& arguments) const {
+    REQUIRE(std::system(("git -C " + s.path("") + " " + arguments).c_str()) == 0);
+  }
+  void commit() const {
+    git("add .");
+    git("-c user.name=n -c user.email=e commit -q -m m");
+  }
+  std::string head() const { return bytes_of(s.path(".git/refs/heads/") + branch()).substr(0, 40); }
+  std::string branch() const {
+    const std::string ref = bytes_of(s.path(".git/HEAD"));
+    return ref.substr(16, ref.size() - 17);
+  }
+
+  // The result, with made-up numbers and this provenance, and its figures.
+  void compute(const std::string& by = "", const std::string& tier = "full") const {
+    const Experiment experiment = load_experiment(s.path("experiments/small.json"), {{}, tier});
+    std::filesystem::create_directories(s.path("results"));
+    ResultWriter writer(experiment, result());
+    for (std::size_t i = 0; i < experiment.points(); ++i)
+      writer.write(i, record_of(experiment, small_point(i), {}));
+    writer.close({{"commit", by.empty() ? head() : by},
+                  {"version", options.version},
+                  {"started", "2026-01-02T03:04:05Z"},
+                  {"finished", "2026-01-02T03:04:06Z"},
+                  {"command_line", "bristle run experiments/small.json"}});
+    writer.publish();
+    s.write("figures/small.pdf", "%PDF");
+    s.write("figures/small.png", "PNG");
+  }
+  std::string result() const { return s.path("results/small.h5"); }
+  std::string build() const { return bytes_of(build_archive(options).path); }
+};
+
+inline Verification verify_bytes(const Scratch& s, const std::string& bytes) {
+  s.write("verified.tar", bytes);
+  return verify_archive(s.path("verified.tar"));
+}
+
+inline std::string tar_of(const Files& files, std::time_t time = 1) {
+  std::string bytes;
+  write_tar(files, time, [&](const char* part, std::size_t size) { bytes.append(part, size); });
+  return bytes;
+}
+
+// The archive with another payload and manifests that fit it: what someone would make who means to deceive.
+inline std::string repacked(const std::string& archive, const std::function<void(Files&)>& change) {
+  const Scratch s;
+  Files files = read_tar(s.write("a.tar", archive)), payload;
+  const std::string folder = strip_folder(files);
+  BagInfo info;
+  for (const char* label : {"Source-Organization", "External-Description", "Source-Date-Epoch"})
+    info.push_back({label, bag_info(files, label)});
+  for (const auto& [name, bytes] : files)
+    if (name.compare(0, 5, "data/") == 0) payload[name.substr(5)] = bytes;
+  change(payload);
+  return tar_of(make_bag(folder, payload, info), std::stol(bag_info(files, "Source-Date-Epoch")));
+}
+
+}  // namespace bristle::testing
