@@ -77,6 +77,9 @@ def apply_look():
     matplotlib.rcParams.update(LOOK)
 
 
+SCHEMA = "bristle-result/1"
+
+
 def open_result(path, needed=()):
     """The result file, open for reading, with all datasets that are needed."""
     if os.path.isdir(path):
@@ -91,9 +94,12 @@ def open_result(path, needed=()):
         file = h5py.File(path, "r")
     except OSError as error:
         fail(f"{path}: damaged HDF5 file ({error})")
-    if text(file.attrs.get("schema_version", "")).startswith("bristle-part/"):
+    schema = text(file.attrs.get("schema_version", ""))
+    if schema.startswith("bristle-part/"):
         fail(f"{path}: a part ({text(file.attrs.get('shard', '?'))}) of {text(file.attrs.get('name', '?'))}, not the whole; "
              "merge the parts first: bristle merge -o FILE.h5 PARTS...")
+    if schema != SCHEMA:
+        fail(f"{path}: schema version {schema or 'none'}; this script reads {SCHEMA}")
     for name in needed:
         dataset(file, name)
     return file

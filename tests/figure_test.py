@@ -37,3 +37,8 @@ with h5py.File(folder / "lacking.h5", "a") as f:
 lacking = plot(folder / "lacking.h5", folder)
 assert lacking.returncode == 2 and needed in lacking.stderr, lacking.stderr
 assert "Traceback" not in lacking.stderr
+shutil.copy(result, folder / "old.h5")
+with h5py.File(folder / "old.h5", "a") as f:
+    f.attrs["schema_version"] = "bristle-result/0"
+old = plot(folder / "old.h5", folder)
+assert old.returncode == 2 and "bristle-result/0" in old.stderr, old.stderr

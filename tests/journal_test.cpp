@@ -1,6 +1,7 @@
 #include "experiment/canonical.hpp"
 #include "experiment/input_error.hpp"
 #include "results/journal.hpp"
+#include "results/sha.hpp"
 #include "small_result.hpp"
 
 #include <bit>
@@ -133,6 +134,15 @@ TEST_CASE("a file that is no journal is not touched; a place that cannot be writ
   CHECK_THROWS_WITH(Journal(s.path("r.h5"), "0123abc", false), Catch::Contains("is no journal"));
   CHECK(bytes_of(s.path("r.h5.journal")) == "Dear diary,\n");
   CHECK_THROWS_AS(Journal("/proc/nowhere/r.h5", "0123abc", false), InputError);
+}
+
+TEST_CASE("a journal of another version is refused by name, not emptied") {
+  const Scratch s;
+  const std::string json = R"({"schema":"bristle-journal/9","key":"k","commit":"c"})";
+  const std::string text = sha256_of(json) + " " + json + "\n";
+  s.write("r.h5.journal", text);
+  CHECK_THROWS_WITH(Journal(s.path("r.h5"), "0123abc", false), Catch::Contains("schema bristle-journal/9"));
+  CHECK(bytes_of(s.path("r.h5.journal")) == text);
 }
 
 TEST_CASE("points of other journals in the folder are taken over, those of this experiment only") {

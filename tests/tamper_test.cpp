@@ -161,7 +161,8 @@ TEST_CASE("files that are missing, added, renamed or exchanged are named") {
 }
 
 TEST_CASE(
-    "a file added with its line in the manifest is in no metadata; a folder of another version is noticed") {
+    "a file added with its line in the manifest is in no metadata, and a folder of another version is "
+    "noticed") {
   CHECK_THAT(problems_of(repacked(sound(), [](Files& payload) { payload["new.txt"] = "x"; })),
              Contains("new.txt: the file is not described"));
   const Scratch s;
@@ -178,7 +179,7 @@ TEST_CASE("no text of an archive commands the terminal") {
   Files files = read_tar(s.write("a.tar", sound()));
   for (auto& [name, content] : files)
     if (name.find("/manifest-sha512.txt") != std::string::npos)
-      content += std::string(128, 'f') + "  data/\x1b]0;evil\x07\n";
+      content = std::string(128, 'f') + "  data/\x1b]0;evil\x07\n" + content;
   CHECK_THAT(problems_text(verify_bytes(s, tar_of(files)).problems),
              Contains("data/\\x1b]0;evil\\x07: is missing") && !Contains("\x1b"));
 }

@@ -72,6 +72,11 @@ Journal::~Journal() { ::close(file_); }
 void Journal::scan() {
   bool known = false;
   end_ = each_line(path_, [&](const std::string& line, std::uint64_t offset) {
+    const auto schema = schema_of(line);
+    if (schema && *schema != kJournalSchema)
+      throw InputError(fmt::format(
+          "{}: schema {}; this program writes {}: move the file, or use the program that wrote it", path_,
+          *schema, kJournalSchema));
     const auto head = head_of(line);
     if (head && trusts(*head)) entries_[head->key] = {offset, line.size()};
     known = known || head;

@@ -2,6 +2,7 @@
 
 #include "results/sha.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -38,6 +39,16 @@ std::optional<std::string_view> checked(std::string_view line) {
   const std::string_view json = line.substr(kDigest + 1);
   if (sha256_of(std::string(json)) != line.substr(0, kDigest)) return {};
   return json;
+}
+
+// The word after before, up to the next quote; takes both from text.
+std::optional<std::string> take(std::string_view& text, const std::string& before) {
+  if (!text.starts_with(before)) return {};
+  text.remove_prefix(before.size());
+  const auto end = std::min(text.find('"'), text.size());
+  std::string word(text.substr(0, end));
+  text.remove_prefix(end);
+  return word;
 }
 
 }  // namespace
@@ -78,17 +89,15 @@ std::optional<JournalLine> head_of(std::string_view line) {
   if (!text) return {};
   // As encode() writes it, without reading the numbers.
   std::string_view rest = *text;
-  const auto take = [&rest](const std::string& before) -> std::optional<std::string> {
-    if (!rest.starts_with(before)) return {};
-    rest.remove_prefix(before.size());
-    const auto end = rest.find('"');
-    std::string word(rest.substr(0, end));
-    rest.remove_prefix(std::min(end, rest.size()));
-    return word;
-  };
-  const auto schema = take(R"({"schema":")"), key = take(R"(","key":")"), commit = take(R"(","commit":")");
+  const auto schema = take(rest, R"({"schema":")"), key = take(rest, R"(","key":")"),
+             commit = take(rest, R"(","commit":")");
   if (!commit || *schema != kJournalSchema) return {};
   return JournalLine{*key, *commit, {}};
+}
+
+std::optional<std::string> schema_of(std::string_view line) {
+  auto text = checked(line);
+  return text ? take(*text, R"({"schema":")") : std::nullopt;
 }
 
 }  // namespace bristle

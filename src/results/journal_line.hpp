@@ -22,5 +22,7 @@ std::string encode(const JournalLine& line);
 std::optional<JournalLine> decode(std::string_view line);
 // Key and commit alone, of a line whose checksum holds.
 std::optional<JournalLine> head_of(std::string_view line);
+// The schema of a line whose checksum holds.
+std::optional<std::string> schema_of(std::string_view line);
 
 }  // namespace bristle
