@@ -38,7 +38,7 @@ std::string part_line(const Part& part) {
   return fmt::format("{} {}: {} points, payload sha256 {}; {} to {} on {} by {}: {}", shard_text(part.shard),
                      std::filesystem::path(part.path).filename().string(), part.points.size(),
                      part.payload_sha256, entry(part, "started"), entry(part, "finished"),
-                     entry(part, "host"), entry(part, "command_line"));
+                     entry(part, "host"), entry(part, "commit"), entry(part, "command_line"));
 }
 
 }  // namespace
