@@ -3,21 +3,7 @@
 # computed again, and damaged. usage: archive_test.sh BRISTLE SOURCE
 set -u
 bristle=$1 source=$2
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-failures=0
-
-# expect CODE TEXT COMMAND...: the command ends with this code and its output holds the text.
-expect() {
-  local code=$1 text=$2 output got
-  shift 2
-  output=$("$@" 2>&1)
-  got=$?
-  if [ "$got" != "$code" ] || ! grep -qF -- "$text" <<<"$output"; then
-    printf 'FAILED: %s\n  expected exit code %s and: %s\n  got exit code %s and: %s\n' "$*" "$code" "$text" "$got" "$output"
-    failures=$((failures + 1))
-  fi
-}
+. "$(dirname "$0")/shell.sh"
 
 cd "$folder" && git init -q . && mkdir experiments figures
 cp "$source"/{CITATION.cff,LICENSE} . && cp "$source/experiments/paper.json" experiments/
@@ -40,18 +26,18 @@ expect 0 "verified" "$bristle" archive --allow-dirty
 archive=$(ls dist/*.tar)
 expect 0 "a draft, not to be cited: " "$bristle" verify "$archive"
 expect 0 "a draft" "$bristle" archive --allow-dirty -o again.tar
-cmp "$archive" again.tar || failures=$((failures + 1))
+cmp "$archive" again.tar || failed "line $LINENO"
 
 # All of it can be checked by standard tools.
-mkdir unpacked && tar xf "$archive" -C unpacked || failures=$((failures + 1))
-(cd unpacked/* && sha512sum --quiet -c manifest-sha512.txt tagmanifest-sha512.txt) || failures=$((failures + 1))
-(cd unpacked/*/data && [ "$(git get-tar-commit-id <source/*.tar)" = "$(git -C "$folder" rev-parse HEAD)" ]) || failures=$((failures + 1))
-cmp unpacked/*/data/results/quick.h5 results/quick.h5 || failures=$((failures + 1))
+mkdir unpacked && tar xf "$archive" -C unpacked || failed "line $LINENO"
+(cd unpacked/* && sha512sum --quiet -c manifest-sha512.txt tagmanifest-sha512.txt) || failed "line $LINENO"
+(cd unpacked/*/data && [ "$(git get-tar-commit-id <source/*.tar)" = "$(git -C "$folder" rev-parse HEAD)" ]) || failed "line $LINENO"
+cmp unpacked/*/data/results/quick.h5 results/quick.h5 || failed "line $LINENO"
 
 # No room left: a reason, an exit code, nothing left behind.
 limited() { (ulimit -f 16; "$@"); }
 expect 3 "is there room?" limited "$bristle" archive --allow-dirty -o big.tar
-[ -z "$(ls big.tar* 2>/dev/null)" ] || { echo "FAILED: a part of an archive was left"; failures=$((failures + 1)); }
+[ -z "$(ls big.tar* 2>/dev/null)" ] || failed "a part of an archive was left"
 
 # Points computed again.
 expect 0 "3 of 3 points computed again are the same, bit for bit (seed 1)" "$bristle" verify "$archive" --rerun 3

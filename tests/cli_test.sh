@@ -2,21 +2,7 @@
 # Exit codes and messages of the program as a user meets them. usage: cli_test.sh BRISTLE RESULT.h5
 set -u
 bristle=$1 result=$2
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-failures=0
-
-# expect CODE TEXT COMMAND...: the command ends with this code and its output holds the text.
-expect() {
-  local code=$1 text=$2 output got
-  shift 2
-  output=$("$@" 2>&1)
-  got=$?
-  if [ "$got" != "$code" ] || ! grep -qF -- "$text" <<<"$output"; then
-    printf 'FAILED: %s\n  expected exit code %s and: %s\n  got exit code %s and: %s\n' "$*" "$code" "$text" "$got" "$output"
-    failures=$((failures + 1))
-  fi
-}
+. "$(dirname "$0")/shell.sh"
 
 expect 0 "validate" "$bristle" --help
 expect 0 "--threads" "$bristle" run --help
@@ -58,8 +44,8 @@ expect 2 '/checks/0/along: "k_r" is not in the result' \
 limited() { (trap '' XFSZ; ulimit -f 16; "$@"); }
 before=$(sha256sum "$folder/r.h5")
 expect 3 "File too large" limited "$bristle" run "${quick[@]}" --force
-[ ! -e "$folder/r.h5.partial" ] || { echo "FAILED: a partial file was left"; failures=$((failures + 1)); }
-[ "$before" = "$(sha256sum "$folder/r.h5")" ] || { echo "FAILED: the result changed"; failures=$((failures + 1)); }
+[ ! -e "$folder/r.h5.partial" ] || failed "a partial file was left"
+[ "$before" = "$(sha256sum "$folder/r.h5")" ] || failed "the result changed"
 
 # Numbers changed by hand are noticed.
 cp "$result" "$folder/tampered.h5"
@@ -118,7 +104,7 @@ before=$(sha256sum "$result")
 sleep 1
 kill -INT $!
 wait $!
-[ $? = 3 ] || { echo "FAILED: exit code after an interrupt"; failures=$((failures + 1)); }
-grep -q "interrupted" "$folder/log" || { echo "FAILED: message after an interrupt"; failures=$((failures + 1)); }
-[ "$before" = "$(sha256sum "$result")" ] || { echo "FAILED: the result changed"; failures=$((failures + 1)); }
+[ $? = 3 ] || failed "exit code after an interrupt"
+grep -q "interrupted" "$folder/log" || failed "message after an interrupt"
+[ "$before" = "$(sha256sum "$result")" ] || failed "the result changed"
 exit $((failures > 0))

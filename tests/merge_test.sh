@@ -2,22 +2,7 @@
 # Shards and their merge as a user meets them. usage: merge_test.sh BRISTLE, from the repository's root.
 set -u
 bristle=$1
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-failures=0
-
-# expect CODE TEXT COMMAND...: the command ends with this code and its output holds the text.
-expect() {
-  local code=$1 text=$2 output got
-  shift 2
-  output=$("$@" 2>&1)
-  got=$?
-  if [ "$got" != "$code" ] || ! grep -qF -- "$text" <<<"$output"; then
-    printf 'FAILED: %s\n  expected exit code %s and: %s\n  got exit code %s and: %s\n' "$*" "$code" "$text" "$got" "$output"
-    failures=$((failures + 1))
-  fi
-}
-digest() { "$bristle" info "$1" | grep '^payload sha256 .* (verified)'; }
+. "$(dirname "$0")/shell.sh"
 
 # Fifteen quick points, with tables.
 run=("$bristle" run experiments/fig4.json --tier smoke --set '/orientation={"sampling":"list","theta_0_deg":[10,100]}'
@@ -33,7 +18,7 @@ for n in 1 4 17; do
   for i in $(seq $n); do expect 0 "points: " "${run[@]}" --shard "$i/$n" -o "$(part "$i" $n)" --threads $((i % 2 + 1)) --force; done
   expect 0 "15 points of $n parts" "$bristle" merge -o "$folder/r.h5" "$folder"/r.*-of-$n.h5
   expect 0 "the same, bit for bit" "$bristle" diff "$folder/r.h5" "$folder/whole/r.h5"
-  [ "$(digest "$folder/r.h5")" = "$(digest "$folder/whole/r.h5")" ] || { echo "FAILED: digest of $n parts"; failures=$((failures + 1)); }
+  [ "$(digest "$folder/r.h5")" = "$(digest "$folder/whole/r.h5")" ] || failed "digest of $n parts"
   rm "$folder/r.h5"
 done
 expect 0 "none in this shard" "${run[@]}" --shard 17/17 -o "$(part 17 17)" --force
@@ -44,10 +29,10 @@ expect 0 "points: none" "$bristle" info "$(part 17 17)"
 # A result is made of all parts or not at all; a part is none.
 expect 2 "4 of 15 points are missing: 1 (k_r = 2, k_theta = 1.73205)" \
   "$bristle" merge -o "$folder/r.h5" "$(part 1 4)" "$(part 3 4)" "$(part 4 4)"
-[ ! -e "$folder/r.h5" ] || { echo "FAILED: a merge of too few parts left a result"; failures=$((failures + 1)); }
+[ ! -e "$folder/r.h5" ] || failed "a merge of too few parts left a result"
 command=$("$bristle" merge -o "$folder/r.h5" "$(part 1 4)" "$(part 3 4)" "$(part 4 4)" 2>&1 | tail -n 1)
 rm "$(part 2 4)"
-eval "$command --quiet" || { echo "FAILED: the command that was named: $command"; failures=$((failures + 1)); }
+eval "$command --quiet" || failed "the command that was named: $command"
 expect 0 "15 points of 4 parts" "$bristle" merge -o "$folder/r.h5" "$folder"/r.?-of-4.h5
 expect 0 "part_4" "$bristle" info "$folder/r.h5"
 first="merge the parts first: bristle merge -o $folder/r.h5 $folder/r.*-of-4.h5"

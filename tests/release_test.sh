@@ -2,13 +2,7 @@
 # scripts/release in a repository of its own. usage: release_test.sh SOURCE
 set -u
 source=$1
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-failures=0
-fail() {
-  echo "FAILED: $1"
-  failures=$((failures + 1))
-}
+. "$(dirname "$0")/shell.sh"
 
 cd "$folder" && git init -q . && mkdir scripts && cp "$source/scripts/release" scripts/
 cp "$source"/{CMakeLists.txt,CITATION.cff} .
@@ -21,7 +15,7 @@ version_of() { case $1 in
   CMakeLists.txt) sed -n 's/^project(bristle VERSION \([^ ]*\) .*/\1/p' "$1" ;;
   CITATION.cff) sed -n 's/^version: //p' "$1" ;;
 esac; }
-[ "$(version_of CMakeLists.txt)" = "$(version_of CITATION.cff)" ] || fail "CMakeLists.txt and CITATION.cff have different versions"
+[ "$(version_of CMakeLists.txt)" = "$(version_of CITATION.cff)" ] || failed "CMakeLists.txt and CITATION.cff have different versions"
 old=$(version_of CMakeLists.txt)
 
 # refuse TEXT ARGUMENTS...: refused with this text, and nothing is changed.
@@ -30,8 +24,8 @@ refuse() {
   shift
   output=$(scripts/release "$@" 2>&1)
   got=$?
-  [ $got = 2 ] && grep -qF -- "$text" <<<"$output" || fail "release $*: exit code $got and: $output"
-  git diff --quiet || fail "release $*: files were changed"
+  [ $got = 2 ] && grep -qF -- "$text" <<<"$output" || failed "release $*: exit code $got and: $output"
+  git diff --quiet || failed "release $*: files were changed"
 }
 refuse "the version is missing"
 refuse "the version is missing" ""
@@ -44,14 +38,14 @@ sed -i 's/^## Unreleased$/## 0.0.2 (2020-01-02)/' CHANGELOG.md && commit
 refuse "there is no heading '## Unreleased'" 99.10.0
 git -c user.name=n -c user.email=e revert --no-edit HEAD >/dev/null
 
-output=$(scripts/release 99.10.0 2>&1) || fail "a release: $output"
-grep -qF "git tag -a v99.10.0" <<<"$output" || fail "the commands to commit and tag: $output"
+output=$(scripts/release 99.10.0 2>&1) || failed "a release: $output"
+grep -qF "git tag -a v99.10.0" <<<"$output" || failed "the commands to commit and tag: $output"
 today=$(date -u +%Y-%m-%d)
-for file in CMakeLists.txt CITATION.cff; do [ "$(version_of $file)" = 99.10.0 ] || fail "$file: $(version_of $file)"; done
-grep -qx "date-released: $today" CITATION.cff || fail "the date in CITATION.cff"
-[ "$(sed -n 3,7p CHANGELOG.md)" = "$(printf '## Unreleased\n\n## 99.10.0 (%s)\n\n- new' "$today")" ] || fail "CHANGELOG.md: $(cat CHANGELOG.md)"
-[ "$(git diff --numstat | awk '{ print $1 + $2 }' | paste -sd ' ')" = "2 4 2" ] || fail "more was changed: $(git diff)"
-if grep -rnF -- "$old" CMakeLists.txt CITATION.cff | grep -v cff-version; then fail "$old is still there"; fi
+for file in CMakeLists.txt CITATION.cff; do [ "$(version_of $file)" = 99.10.0 ] || failed "$file: $(version_of $file)"; done
+grep -qx "date-released: $today" CITATION.cff || failed "the date in CITATION.cff"
+[ "$(sed -n 3,7p CHANGELOG.md)" = "$(printf '## Unreleased\n\n## 99.10.0 (%s)\n\n- new' "$today")" ] || failed "CHANGELOG.md: $(cat CHANGELOG.md)"
+[ "$(git diff --numstat | awk '{ print $1 + $2 }' | paste -sd ' ')" = "2 4 2" ] || failed "more was changed: $(git diff)"
+if grep -rnF -- "$old" CMakeLists.txt CITATION.cff | grep -v cff-version; then failed "$old is still there"; fi
 commit
 refuse "is not newer than 99.10.0" 99.9.1
 exit $((failures > 0))

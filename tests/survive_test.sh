@@ -2,18 +2,13 @@
 # Whatever ends a run, nothing computed is lost and no file is half written. usage: survive_test.sh BRISTLE
 set -u
 bristle=$1
-folder=$(mktemp -d)
+. "$(dirname "$0")/shell.sh"
 mounted=
 cleanup() {
   [ -z "$mounted" ] || umount "$mounted"
   rm -rf "$folder"
 }
 trap cleanup EXIT
-failures=0
-failed() {
-  echo "FAILED: $*"
-  failures=$((failures + 1))
-}
 RANDOM=${SEED:-$$}
 echo "seed $RANDOM (SEED=... repeats)"
 
@@ -21,7 +16,6 @@ echo "seed $RANDOM (SEED=... repeats)"
 options=(--set '/sweep={"k_r":{"logspace":[2,20,8]},"k_theta":{"values":[0.5,1,2,4]}}' --set '/load={"R_n":null,"z_0":0.5}'
   --set '/orientation={"sampling":"list","theta_0_deg":[10,100,170]}' --set /integrator/engine=reference --quiet)
 run() { "$bristle" run experiments/paper.json "${options[@]}" "$@"; }
-digest() { "$bristle" info "$1" | sed -n 's/^payload sha256 \(.*\) (verified)$/\1/p'; }
 run -o "$folder/undisturbed.h5" || failed "the undisturbed run"
 run -o "$folder/old.h5" --set /model/k_phi=2.5 || failed "the old result"
 new=$(digest "$folder/undisturbed.h5") old=$(digest "$folder/old.h5")

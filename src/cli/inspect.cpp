@@ -59,9 +59,17 @@ void print_statuses(const ResultReader& result) {
 void print_provenance(const ResultReader& result) {
   if (!h5::exists(result.file(), "provenance")) return;
   const h5::Handle group(H5Gopen2(result.file(), "provenance", H5P_DEFAULT), H5Gclose, "opening /provenance");
-  fmt::print("provenance:\n");
+  // What was run, when and where, by which program on what; then the libraries, or what else there is.
+  std::vector<std::string> names = {"command_line",    "started",        "finished", "host",
+                                    "system",          "threads",        "cpu",      "cpu_features",
+                                    "instruction_set", "version",        "commit",   "dirty",
+                                    "points_computed", "points_commits", "compiler", "flags"};
   for (const std::string& name : h5::attribute_names(group))
-    fmt::print("  {:<22} {}\n", name, h5::read_text_attribute(group, name));
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  fmt::print("provenance:\n");
+  for (const std::string& name : names)
+    if (h5::has_attribute(group, name))
+      fmt::print("  {:<22} {}\n", name, h5::read_text_attribute(group, name));
 }
 
 }  // namespace
