@@ -7,7 +7,9 @@
 #include "scratch.hpp"
 
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <cmath>
+#include <thread>
 
 using namespace bristle;
 using namespace bristle::testing;
@@ -57,6 +59,16 @@ TEST_CASE("thread counts 1 and 2 give byte-equal digests with quadrature and loa
         "integrator": {"rtol": 1e-4, "atol": 1e-6}, "sweep": {"k_r": {"values": [5, 20, 80]}}})"),
       {});
   CHECK(run_to(e, s.path("one.h5"), 1) == run_to(e, s.path("two.h5"), 2));
+}
+
+TEST_CASE("equal runs with equal provenance give equal files, byte for byte: no object has a time") {
+  const Scratch s;
+  const Experiment e = quick(s);
+  run_to(e, s.path("r.h5"), 1);
+  const std::string first = bytes_of(s.path("r.h5"));
+  std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // HDF5's times are seconds
+  run_to(e, s.path("r.h5"), 2);
+  CHECK((first == bytes_of(s.path("r.h5"))));
 }
 
 TEST_CASE("what is written reads back: axes, values, bristles, attributes") {

@@ -42,8 +42,8 @@ int lock_file(const std::string& result, const std::string& path) {
   for (;;) {
     const int descriptor = open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
     if (descriptor < 0)
-      throw InputError(fmt::format("-o {}: cannot be written: {}; give another place with -o", result,
-                                   reason.empty() ? std::strerror(errno) : reason));
+      throw InputError(fmt::format("-o {}: {} cannot be written: {}; give another place with -o", result,
+                                   path, reason.empty() ? std::strerror(errno) : reason));
     struct flock whole {};
     whole.l_type = F_WRLCK;
     const bool locked = fcntl(descriptor, F_OFD_SETLK, &whole) == 0;
