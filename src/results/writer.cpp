@@ -134,6 +134,7 @@ void ResultWriter::write(std::size_t index, const PointRecord& record) {
   if (curves_) {
     at.push_back(0);
     count.push_back(record.values.at("branch").size());
+    if (count.back() == 0) return;
   }
   for (const auto& [name, dataset] : variables_)
     h5::write_part(dataset, H5T_NATIVE_DOUBLE, at, count, record.values.at(name).data());
