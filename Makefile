@@ -23,7 +23,7 @@ $(BUILD)/build.ninja: CMakeLists.txt tests/CMakeLists.txt benchmarks/CMakeLists.
 	@log=$$(mktemp); cmake --preset release -G Ninja >$$log 2>&1 || { cat $$log; rm -f $$log; exit 1; }; rm -f $$log
 
 build: packages $(BUILD)/build.ninja ## build the program: build/bristle
-	@test -x $(BUILD)/bristle || echo "Building, about a minute ..."
+	@test -x $(BUILD)/bristle || echo "Building, a few minutes ..."
 	@ninja -C $(BUILD) --quiet -j $(JOBS) bristle
 
 $(FIGURES): %: build
