@@ -13,12 +13,6 @@ using Catch::Contains;
 
 namespace {
 
-// Built once; the tests take copies.
-const std::string& sound() {
-  static const std::string bytes = Release().build();
-  return bytes;
-}
-
 Problems problems_after(const std::function<void(Files&)>& change) {
   const Scratch s;
   return verify_bytes(s, repacked(sound(), change)).problems;

@@ -77,6 +77,12 @@ inline Verification verify_bytes(const Scratch& s, const std::string& bytes) {
   return verify_archive(s.path("verified.tar"));
 }
 
+// Built once; the tests take copies.
+inline const std::string& sound() {
+  static const std::string bytes = Release().build();
+  return bytes;
+}
+
 inline std::string tar_of(const Files& files, std::time_t time = 1) {
   std::string bytes;
   write_tar(files, time, [&](const char* part, std::size_t size) { bytes.append(part, size); });

@@ -22,7 +22,7 @@ new=$(digest "$folder/undisturbed.h5") old=$(digest "$folder/old.h5")
 [ -n "$new" ] && [ -n "$old" ] && [ "$new" != "$old" ] || failed "digests of the undisturbed runs: '$new' and '$old'"
 rm "$folder"/*.journal
 
-r=$folder/work/r.h5
+r=$folder/results/r.h5
 again=("$bristle" run experiments/paper.json "${options[@]}" -o "$r")  # in the background a function would be a shell
 points() { if [ -f "$r.journal" ]; then wc -l <"$r.journal"; else echo 0; fi; }
 # The result is the old or the new one, whole.
@@ -33,8 +33,8 @@ whole() {
 }
 # A fresh folder with the old result.
 begin() {
-  rm -rf "$folder/work"
-  mkdir "$folder/work"
+  rm -rf "$folder/results"
+  mkdir "$folder/results"
   cp "$folder/old.h5" "$r"
 }
 finish() {
@@ -110,15 +110,15 @@ run -o "$r" && cp "$folder/old.h5" "$r"
 [ $? = 3 ] && no_room "no room for the result" || failed "no room for the result: exit code, $(cat "$folder/log")"
 finish "no room for the result"
 begin
-if mount -t tmpfs -o size=180k none "$folder/work" 2>/dev/null; then
-  mounted=$folder/work
+if mount -t tmpfs -o size=180k none "$folder/results" 2>/dev/null; then
+  mounted=$folder/results
   cp "$folder/old.h5" "$r"
-  head -c 70000 /dev/zero >"$folder/work/ballast"
+  head -c 70000 /dev/zero >"$folder/results/ballast"
   run -o "$r" 2>"$folder/log"
   [ $? = 3 ] && no_room "a full disk" || failed "a full disk: exit code, $(cat "$folder/log")"
-  rm "$folder/work/ballast"
+  rm "$folder/results/ballast"
   finish "a full disk"
-  umount "$folder/work" && mounted=
+  umount "$folder/results" && mounted=
 else
   echo "no file system may be mounted here: the full disk is left out"
 fi

@@ -14,11 +14,6 @@ using Catch::Contains;
 
 namespace {
 
-const std::string& sound() {
-  static const std::string bytes = Release().build();
-  return bytes;
-}
-
 std::string problems_text(const Problems& problems) {
   std::string text;
   for (const std::string& problem : problems) text += problem + "\n";
