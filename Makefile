@@ -2,7 +2,9 @@
 .DEFAULT_GOAL := help
 
 FIGURES := fig2 fig3 fig4 fig5 fig6 fig7 fig8 figA1 figA2 figA3
-.PHONY: help packages build test bench clean figures findings archive verify release $(FIGURES)
+# Research of one's own, made as the figures are.
+STUDIES := ski orientation stribeck
+.PHONY: help packages build test bench clean figures findings assumptions archive verify release $(FIGURES) $(STUDIES)
 JOBS ?= $(shell nproc 2>/dev/null || echo 1)
 BUILD := build
 # TIER=smoke computes a small subset of the points, in seconds.
@@ -14,7 +16,7 @@ help: ## list the targets
 	@sed -n 's/^\([a-z%][a-z0-9 %-]*\):.*## \(.*\)/\1\t\2/p' $(MAKEFILE_LIST) | \
 	  while IFS="$$(printf '\t')" read -r target text; do printf '  make %-10s %s\n' "$$target" "$$text"; done
 	@echo "  make FIG        make one figure: results/FIG.h5, figures/FIG.pdf and .png, and the claims' verdicts"
-	@echo "FIG is one of $(FIGURES). TIER=smoke makes a quick, coarse one."
+	@echo "FIG is one of $(FIGURES), $(STUDIES). TIER=smoke makes a quick, coarse one."
 
 packages: ## install the missing Debian packages (root or sudo)
 	@scripts/install-packages
@@ -26,7 +28,7 @@ build: packages $(BUILD)/build.ninja ## build the program: build/bristle
 	@test -x $(BUILD)/bristle || echo "Building, a few minutes ..."
 	@ninja -C $(BUILD) --quiet -j $(JOBS) bristle
 
-$(FIGURES): %: build
+$(FIGURES) $(STUDIES): %: build
 	$(BUILD)/bristle run experiments/$*.json --tier $(TIER) -o results/$*$(SUFFIX).h5
 	@$$(scripts/find-python) scripts/$*.py results/$*$(SUFFIX).h5 -o figures$(SUFFIX)
 	@echo "The paper's claims (docs/claims.md), and drift against the reference (docs/reference.md):"
@@ -36,6 +38,10 @@ figures: $(FIGURES) ## make all figures
 
 findings: figures ## all figures, and docs/findings.md: every claim with its verdict and numbers
 	@$$(scripts/find-python) scripts/findings.py $(FIGURES:%=results/%$(SUFFIX).h5) -o $(if $(SUFFIX),results/findings$(SUFFIX).md,docs/findings.md)
+
+assumptions: build ## every claim under every alternative to what the paper leaves open: docs/assumptions.md
+	$(BUILD)/bristle assumptions
+	@$$(scripts/find-python) scripts/assumptions.py results/assumptions.json -o figures --text docs/assumptions.md
 
 test: packages $(BUILD)/build.ninja ## build everything and run the tests
 	@echo "Building program and tests ..."

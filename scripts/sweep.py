@@ -6,7 +6,7 @@ import numpy as np
 
 from style import attribute, dataset, fail, text, values
 
-NAMES = {"nss": "NSS", "coulomb": "Amontons\u2013Coulomb"}  # of choices, as the figures show them
+NAMES = {"nss": "NSS", "coulomb": "Amontons\u2013Coulomb", "stribeck": "exponential Stribeck"}  # of choices, as the figures show them
 
 
 def where(data):

@@ -41,7 +41,7 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
       {"{ \"schema\": ",
        "@/e.json: not JSON: parse error at line 1, column 13: syntax error while parsing value - "
        "unexpected end of input; expected '[', '{', or a literal"},
-      {"[1]", "@/e.json: an experiment is a JSON object {...}, this is [1]"},
+      {"[1]", "@/e.json: a JSON object {...} is expected, this is [1]"},
       {with(R"("model": {"k_r": 1, "k_r": 2})"), "@/e.json: the key \"k_r\" appears twice in one object"},
       {with(R"("schema": "bristle-experiment/2")"),
        "@/e.json: /schema: \"bristle-experiment/2\" is not allowed; allowed: \"bristle-experiment/1\" "

@@ -1,4 +1,5 @@
 #include "dynamics/passage.hpp"
+#include "dynamics/rules.hpp"
 #include "generators.hpp"
 
 #include <catch2/catch.hpp>
@@ -141,6 +142,44 @@ TEST_CASE("what the pole rule gives does not hang on s_min") {
   CHECK(fine.contact_time == Approx(coarse.contact_time).epsilon(1e-3));
   CHECK(fine.end[NORMAL] == Approx(coarse.end[NORMAL]).epsilon(1e-3));
   CHECK(fine.end[FRICTION_X] == Approx(coarse.end[FRICTION_X]).epsilon(3e-3));
+}
+
+TEST_CASE("a tip that crosses the axis goes on beyond it, and leaves") {
+  Parameters p = stiff_paper_point();
+  p.pole_rule = PoleRule::cross;
+  const double speed = 0.1;
+  OdeState y{};
+  y[X] = 1e-4, y[VX] = -speed, y[VY] = 1e-3, y[THETA] = 0.3;
+  OdeState crossed = y;
+  REQUIRE(answer_pole(PoleRule::cross, crossed));
+  CHECK(crossed[X] == -y[X]);
+  CHECK(crossed[VX] == y[VX]);
+  CHECK(crossed[VY] == y[VY]);
+  CHECK(crossed[THETA] == Approx(0.3 + M_PI));
+  CHECK_FALSE(answer_pole(PoleRule::cross, crossed));  // it recedes now
+  const Passage r = pass(p, 0.62, 180 * kDegree);
+  CHECK(r.outcome == Outcome::left);
+  CHECK(r.reflections > 0);
+}
+
+TEST_CASE("the initial states: at the slab's height, at rest, and with the springs' energy asked for") {
+  Parameters p = with_peak();
+  const double z_0 = 0.6;
+  const Equilibrium under = initial_state(p, z_0);
+  CHECK(under.r * std::sin(under.phi) < z_0);
+  p.initial_state = InitialState::upright;
+  const Equilibrium upright = initial_state(p, z_0);
+  CHECK(upright.phi == p.phi_0);
+  CHECK(upright.r * std::sin(upright.phi) == Approx(z_0));
+  p.initial_state = InitialState::at_slab;
+  const Equilibrium bent = initial_state(p, z_0);
+  CHECK(bent.r * std::sin(bent.phi) == Approx(z_0));
+  const auto b = make_bristle(p, z_0, 0);
+  const auto U = [&](double phi) {
+    const double r = z_0 / std::sin(phi);
+    return potential_energy(b, {r * std::cos(phi), 0, z_0}, 0.0, phi);
+  };
+  for (double phi = 0.05; phi < p.phi_0; phi += 0.01) CHECK(U(bent.phi) <= U(phi) + 1e-9);
 }
 
 TEST_CASE("the cap on evaluations ends a passage with a status, rejected steps included") {

@@ -92,7 +92,7 @@ class Gatherer {
   void add_results() {
     std::vector<Experiment> experiments;
     for (const std::string& name : repository_.files("experiments"))
-      if (fs::path(name).extension() == ".json")
+      if (fs::path(name).parent_path() == "experiments" && fs::path(name).extension() == ".json")
         if (Experiment e = load_experiment(in_source(name), {}); !e.figure.empty())
           experiments.push_back(std::move(e));
     const auto exists = [&](const Experiment& e) { return fs::exists(result_path(e)); };

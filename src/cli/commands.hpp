@@ -3,6 +3,7 @@
 #include "archive/build.hpp"
 #include "checks/diff.hpp"
 #include "checks/reference_update.hpp"
+#include "study/study.hpp"
 
 #include <optional>
 #include <string>
@@ -51,6 +52,8 @@ struct MergeOptions {
   std::string output, command_line;
 };
 int merge_command(const MergeOptions& options);
+
+int assumptions_command(StudyOptions options);
 
 int reference_update_command(ReferenceUpdate update);
 

@@ -17,8 +17,10 @@ void add_experiment(CLI::App& command, RunOptions& options) {
   command.add_option("--set", options.set, "change a value: /json/pointer=value (repeatable)")
       ->type_name("PTR=VALUE")
       ->allow_extra_args(false);
-  command.add_option("--tier", options.tier, "smoke: the experiment's small subset; full: all of it")
-      ->check(CLI::IsMember({"smoke", "full"}))
+  command
+      .add_option("--tier", options.tier,
+                  "smoke: the experiment's small subset; study: that of `assumptions`; full: all of it")
+      ->check(CLI::IsMember({"smoke", "study", "full"}))
       ->capture_default_str();
 }
 
@@ -59,6 +61,21 @@ CLI::App* add_merge(CLI::App& app, MergeOptions& merge) {
   command->add_option("-o,--output", merge.output, "result file")->required();
   command->add_option("PARTS", merge.parts, "what `bristle run --shard i/N` wrote, all N, in any order")
       ->required();
+  return command;
+}
+
+CLI::App* add_assumptions(CLI::App& app, StudyOptions& study) {
+  auto* command =
+      app.add_subcommand("assumptions", "every claim under every alternative to what the paper leaves open");
+  command->add_option("FILES", study.files, "assumptions [all of <experiments>/assumptions]");
+  command->add_option("--experiments", study.experiments, "folder of the experiments")->capture_default_str();
+  command->add_option("-o,--output", study.output, "matrix; the runs' results go into a folder beside it")
+      ->capture_default_str();
+  command->add_option("--tier", study.tier, "of the experiments")
+      ->check(CLI::IsMember({"smoke", "study", "full"}))
+      ->capture_default_str();
+  command->add_option("--threads", study.threads, "threads [all cores]")->check(CLI::Range(1, 1024));
+  command->add_flag("-q,--quiet", study.quiet, "no progress");
   return command;
 }
 
@@ -120,6 +137,9 @@ int dispatch(int argc, char** argv) {
   VerifyOptions verify;
   auto* archive_app = add_archive(app, archive);
   auto* verify_app = add_verify(app, verify);
+  StudyOptions study;
+  study.command_line = run.command_line;
+  auto* assumptions_app = add_assumptions(app, study);
   add_reference_update(app, update);  // the last that is left
 
   try {
@@ -135,6 +155,7 @@ int dispatch(int argc, char** argv) {
   if (*merge_app) return merge_command(merge);
   if (*archive_app) return archive_command(archive);
   if (*verify_app) return verify_command(verify);
+  if (*assumptions_app) return assumptions_command(study);
   return reference_update_command(update);
 }
 

@@ -49,7 +49,7 @@ enum Component {
   NORMAL,      // F_n
   FRICTION_X,  // F_fx as the slab feels it: the component that opposes its motion
   FRICTION_Y,
-  MODULATION,  // F_n chi, numerator of Eq. (24)
+  MODULATION,  // F_n modulation, numerator of Eq. (24)
   ALIGNMENT,   // -F_n e_f.i, numerator of Eq. (25)
   AREA,        // F_n^(2/3), numerator of Eq. (26)
   WORK,        // power(): the energy budget's right-hand side
@@ -90,7 +90,7 @@ void derivative(const Bristle<P>& b, const In& y, Out& dydt) {
   dydt[NORMAL] = m.slab.F_n;
   dydt[FRICTION_X] = -m.slab.F_f * m.slab.e_x;
   dydt[FRICTION_Y] = -m.slab.F_f * m.slab.e_y;
-  dydt[MODULATION] = m.slab.F_n * m.slab.chi;
+  dydt[MODULATION] = m.slab.F_n * m.slab.modulation;
   dydt[ALIGNMENT] = -m.slab.F_n * m.slab.e_x;
   dydt[AREA] = m.slab.F_n_23;
   dydt[WORK] = power(b, m);

@@ -156,7 +156,7 @@ class Run {
       }
       sample(along);
       if (!exits && pole <= to) {
-        if (reflect(y_)) ++reflections_;
+        if (answer_pole(p_.pole_rule, y_)) ++reflections_;
         stepper.initialize(y_, t_, std::min(dt_, kFirstStep));
       }
       if (observe_) observe_(t_, y_);

@@ -25,13 +25,20 @@ inline Outcome outcome_at_exit(const Parameters& p, const OdeState& y) {
   return in_plane_distance(y) < kPinnedRanges * p.lambda ? Outcome::pinned : Outcome::left;
 }
 
-// The pole rule: the in-plane radial velocity changes sign, all else stays. Only an approaching tip is
-// reflected.
-inline bool reflect(OdeState& y) {
+// The pole rule for a tip at s = s_min; only an approaching one is concerned. Either its in-plane radial
+// velocity changes sign and all else stays; or the tip is put to the other side of the axis, with its
+// velocity, and its azimuth is half a turn farther in the sense in which it passes.
+inline bool answer_pole(PoleRule rule, OdeState& y) {
   const double s2 = y[X] * y[X] + y[Y] * y[Y], inward = radial_product(y);
   if (inward >= 0) return false;
-  y[VX] -= 2 * inward / s2 * y[X];
-  y[VY] -= 2 * inward / s2 * y[Y];
+  if (rule == PoleRule::reflect) {
+    y[VX] -= 2 * inward / s2 * y[X];
+    y[VY] -= 2 * inward / s2 * y[Y];
+  } else {
+    y[THETA] += y[X] * y[VY] - y[Y] * y[VX] >= 0 ? M_PI : -M_PI;
+    y[X] = -y[X];
+    y[Y] = -y[Y];
+  }
   return true;
 }
 

@@ -1,6 +1,7 @@
 #include "experiment/canonical.hpp"
 
 #include "experiment/parameters_table.hpp"
+#include "experiment/si_units.hpp"
 
 namespace bristle {
 namespace {
@@ -8,7 +9,7 @@ namespace {
 using Object = nlohmann::json;  // keys in ascending order; numbers in the shortest form that reads back
 
 // A member that is added and forgotten here would let different points pass for equal.
-static_assert(sizeof(Parameters) == 23 * sizeof(double));
+static_assert(sizeof(Parameters) == 24 * sizeof(double));
 static_assert(sizeof(Orientation) == 11 * sizeof(double));
 static_assert(sizeof(IntegratorOptions) == 4 * sizeof(double));
 static_assert(sizeof(Loading) == 8 * sizeof(double));
@@ -17,8 +18,7 @@ static_assert(sizeof(Recording) == 4 * sizeof(double));
 Object canonical(const Parameters& p) {
   Object out;
   for (const ParameterEntry& entry : parameters_table()) out[entry.name] = p.*entry.member;
-  out["friction"] = int(p.friction);
-  out["azimuth_rate"] = int(p.azimuth_rate);
+  for (const Choice& choice : choices_table()) out[choice.name] = choice.get(p);
   return out;
 }
 
@@ -54,12 +54,14 @@ Object canonical(const Recording& r) {
 
 nlohmann::json canonical_point(const Experiment& experiment, std::size_t index) {
   const PointInput point = experiment.point(index);
-  return {{"model", canonical(point.interface.parameters)},
-          {"orientation", canonical(point.interface.orientation)},
-          {"integrator", canonical(point.interface.integrator)},
-          {"engine", int(experiment.engine)},
-          {"load", canonical(point.loading)},
-          {"record", canonical(experiment.record)}};
+  Object out = {{"model", canonical(point.interface.parameters)},
+                {"orientation", canonical(point.interface.orientation)},
+                {"integrator", canonical(point.interface.integrator)},
+                {"engine", int(experiment.engine)},
+                {"load", canonical(point.loading)},
+                {"record", canonical(experiment.record)}};
+  if (!point.si.empty()) out["force_unit"] = force_unit(point);
+  return out;
 }
 
 }  // namespace bristle

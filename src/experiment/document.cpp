@@ -18,30 +18,6 @@ std::string without_tag(const std::string& message) {
   return end == std::string::npos ? message : message.substr(end + 2);
 }
 
-Json parse_file(const std::string& path) {
-  std::ifstream in(path);
-  if (!in || fs::is_directory(path))
-    throw InputError(fmt::format("{}: cannot be read: {}", path,
-                                 fs::exists(path) ? "not a readable file" : "no such file"));
-  std::vector<std::set<std::string>> keys;
-  const auto watch = [&](int, Json::parse_event_t event, Json& parsed) {
-    if (event == Json::parse_event_t::object_start) keys.emplace_back();
-    if (event == Json::parse_event_t::object_end) keys.pop_back();
-    if (event == Json::parse_event_t::key && !keys.back().insert(parsed.get<std::string>()).second)
-      throw InputError(fmt::format("{}: the key {} appears twice in one object", path, parsed.dump()));
-    return true;
-  };
-  try {
-    Json content = Json::parse(in, watch);
-    if (!content.is_object())
-      throw InputError(
-          fmt::format("{}: an experiment is a JSON object {{...}}, this is {}", path, shown(content)));
-    return content;
-  } catch (const Json::exception& e) {
-    throw InputError(fmt::format("{}: not JSON: {}", path, without_tag(e.what())));
-  }
-}
-
 // Experiments extend each other within one folder: the outermost "experiments" above the file, or
 // the file's own.
 fs::path experiments_folder(const fs::path& file) {
@@ -58,7 +34,7 @@ bool inside(const fs::path& file, const fs::path& folder) {
 
 void collect(const std::string& path, const fs::path& root, std::vector<std::string>& chain,
              std::vector<Document::Source>& out) {
-  const Json content = parse_file(path);
+  const Json content = read_json_file(path);
   chain.push_back(fs::canonical(path).string());
   if (content.contains("extends")) {
     const Json& extends = content["extends"];
@@ -107,6 +83,30 @@ Document::Source parse_set(const std::string& argument) {
 
 }  // namespace
 
+Json read_json_file(const std::string& path) {
+  std::ifstream in(path);
+  if (!in || fs::is_directory(path))
+    throw InputError(fmt::format("{}: cannot be read: {}", path,
+                                 fs::exists(path) ? "not a readable file" : "no such file"));
+  std::vector<std::set<std::string>> keys;
+  const auto watch = [&](int, Json::parse_event_t event, Json& parsed) {
+    if (event == Json::parse_event_t::object_start) keys.emplace_back();
+    if (event == Json::parse_event_t::object_end) keys.pop_back();
+    if (event == Json::parse_event_t::key && !keys.back().insert(parsed.get<std::string>()).second)
+      throw InputError(fmt::format("{}: the key {} appears twice in one object", path, parsed.dump()));
+    return true;
+  };
+  try {
+    Json content = Json::parse(in, watch);
+    if (!content.is_object())
+      throw InputError(
+          fmt::format("{}: a JSON object {{...}} is expected, this is {}", path, shown(content)));
+    return content;
+  } catch (const Json::exception& e) {
+    throw InputError(fmt::format("{}: not JSON: {}", path, without_tag(e.what())));
+  }
+}
+
 std::string shown(const Json& value) {
   std::string text = value.dump();
   if (text.size() > 60) text = text.substr(0, 57) + "...";
@@ -118,7 +118,7 @@ Document Document::load(const std::string& path, const DocumentOptions& options)
   d.path_ = path;
   d.tier_ = options.tier;
   std::vector<std::string> chain;
-  parse_file(path);  // so that a missing file is reported before its folder
+  read_json_file(path);  // so that a missing file is reported before its folder
   collect(path, experiments_folder(path), chain, d.files_);
   for (const std::string& argument : options.set) d.set_.push_back(parse_set(argument));
   d.merge();

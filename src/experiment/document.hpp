@@ -46,6 +46,9 @@ class Document {
   Json merged_;
 };
 
+// A file that holds one JSON object, each key once. Throws InputError.
+Json read_json_file(const std::string& path);
+
 // Value as it appears in messages: JSON, shortened.
 std::string shown(const Json& value);
 

@@ -20,11 +20,15 @@ constexpr double kDegree = M_PI / 180;
   throw InputError(fmt::format("{}: {}: {}", d.origin(JsonPointer(at)), at, what));
 }
 
+int index_of(const std::vector<std::string>& words, const std::string& word) {
+  return int(std::find(words.begin(), words.end(), word) - words.begin());
+}
+
 Parameters read_model(const Document& d) {
   const Json& model = d.json()["model"];
   Parameters p;
-  p.friction = model["friction"] == "nss" ? FrictionLaw::nss : FrictionLaw::coulomb;
-  if (model.value("azimuth_rate", "kinematic") == "as_printed") p.azimuth_rate = AzimuthRate::as_printed;
+  for (const Choice& choice : choices_table())
+    if (model.contains(choice.name)) choice.set(p, index_of(choice.options, model[choice.name]));
   for (const ParameterEntry& entry : parameters_table())
     if (model.contains(entry.name) && model[entry.name].is_number())
       p.*entry.member = model[entry.name].get<double>() * entry.unit;
@@ -99,7 +103,8 @@ Recording read_recording(const Document& d, const Orientation& orientation, cons
 
 Loading read_loading(const Document& d, const std::vector<Axis>& axes) {
   const Json& json = d.json()["load"];
-  const bool by_load = json.contains("R_n") || swept(axes, "R_n");
+  const bool in_newtons = d.json().contains("si") && d.json()["si"].contains("R_n_N");
+  const bool by_load = json.contains("R_n") || swept(axes, "R_n") || swept(axes, "R_n_N") || in_newtons;
   const bool by_gap = json.contains("z_0") || swept(axes, "z_0");
   const bool by_trace = json.contains("trace");
   if (by_load + by_gap + by_trace != 1)
@@ -174,7 +179,8 @@ Experiment read(const Document& d) {
   if (d.json()["integrator"].value("engine", "fast") == "reference") e.engine = Engine::reference;
   e.base.interface = {read_model(d), read_orientation(d), read_integrator(d)};
   e.base.loading = read_loading(d, e.axes);
-  apply_si_units(d, e.base);
+  read_si_units(d, e.axes, e.base);
+  apply_si_units(e.base);
   e.record = read_recording(d, e.base.interface.orientation, e.base.loading);
   check_lattice(d, e);
   e.checks = json.value("checks", Json::array());
@@ -207,6 +213,7 @@ PointInput Experiment::point(std::size_t index) const {
     index /= axis->values.size();
     find_sweepable(axis->name)->set(point, value);
   }
+  apply_si_units(point);
   set_peak(document["model"], point.interface.parameters);
   return point;
 }
@@ -215,8 +222,8 @@ Experiment load_experiment(const std::string& path, const DocumentOptions& optio
   const Document document = Document::load(path, options);
   Experiment experiment = read(document);
   experiment.tier = options.tier;
-  // A mistake in the other tier is found now, not later; but what --set changes is meant for this one.
-  for (const char* tier : {"smoke", "full"})
+  // A mistake in another tier is found now, not later; but what --set changes is meant for this one.
+  for (const char* tier : {"smoke", "study", "full"})
     if (tier != options.tier && options.set.empty()) read(document.with_tier(tier));
   return experiment;
 }

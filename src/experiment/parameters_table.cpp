@@ -1,8 +1,21 @@
 #include "experiment/parameters_table.hpp"
 
+#include "model/friction/laws.hpp"
+
 #include <cmath>
 
 namespace bristle {
+
+namespace {
+
+template <class Enum>
+Choice choice(const char* name, const char* description, Enum Parameters::*member,
+              std::vector<std::string> options) {
+  return {name, description, std::move(options), [member](const Parameters& p) { return int(p.*member); },
+          [member](Parameters& p, int index) { p.*member = Enum(index); }};
+}
+
+}  // namespace
 
 const std::vector<ParameterEntry>& parameters_table() {
   using P = Parameters;
@@ -24,10 +37,22 @@ const std::vector<ParameterEntry>& parameters_table() {
       {"lambda_z", &P::lambda_z, 1, R"(\lambda_z)", "range of the slab's wall"},
       {"alpha", &P::alpha, 1, R"(\alpha)", "strength of the axis repulsion"},
       {"beta", &P::beta, 1, R"(\beta)", "strength of the slab's wall"},
-      {"s_min", &P::s_min, 1, R"(s_{\min})", "distance of reflection at the axis"},
+      {"s_min", &P::s_min, 1, R"(s_{\min})", "distance at which the pole rule acts"},
       {"L_x", &P::L_x, 1, R"(\tilde{L}_x)", "slab length"},
       {"L_y", &P::L_y, 1, R"(\tilde{L}_y)", "slab width"},
       {"spacing", &P::spacing, 1, R"(\tilde{\Delta})", "lattice spacing"},
+  };
+  return table;
+}
+
+const std::vector<Choice>& choices_table() {
+  using P = Parameters;
+  static const std::vector<Choice> table = {
+      choice("friction", "local friction law", &P::friction, friction_law_names()),
+      choice("azimuth_rate", "closing equation for theta'", &P::azimuth_rate, {"kinematic", "as_printed"}),
+      choice("initial_state", "state at the leading edge", &P::initial_state,
+             {"static_equilibrium", "at_slab", "upright"}),
+      choice("pole_rule", "what becomes of a tip at the axis", &P::pole_rule, {"reflect", "cross"}),
   };
   return table;
 }

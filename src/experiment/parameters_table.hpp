@@ -2,6 +2,8 @@
 
 #include "interface/point.hpp"
 
+#include <functional>
+#include <string>
 #include <vector>
 
 namespace bristle {
@@ -17,5 +19,16 @@ struct ParameterEntry {
 };
 
 const std::vector<ParameterEntry>& parameters_table();
+
+// A choice of the model block: one of some words.
+struct Choice {
+  const char* name;
+  const char* description;
+  std::vector<std::string> options;
+  std::function<int(const Parameters&)> get;  // index into options
+  std::function<void(Parameters&, int)> set;
+};
+
+const std::vector<Choice>& choices_table();
 
 }  // namespace bristle

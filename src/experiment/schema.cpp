@@ -105,10 +105,10 @@ bool matches(const Plain& schema_document, const Json& value,
   return fine;
 }
 
-// A sweepable's: of the model, the load or the orientation.
+// A sweepable's: of the model, the load, the orientation or the SI units.
 const Json& schema_of(const std::string& name) {
-  for (const char* place :
-       {"/definitions/model/properties", "/properties/load/properties", "/properties/orientation/properties"})
+  for (const char* place : {"/definitions/model/properties", "/properties/load/properties",
+                            "/properties/orientation/properties", "/definitions/si/properties"})
     if (const Json& properties = schema_json()[JsonPointer(place)]; properties.contains(name))
       return properties[name];
   throw std::logic_error("no schema for " + name);
@@ -140,14 +140,17 @@ std::string allowed_by_schema(const Json& schema) {
   return text;
 }
 
-void check_schema(const Document& document) {
+void check_schema(const Document& document) { check_schema(document, experiment_schema()); }
+
+void check_schema(const Document& document, const char* text) {
   std::vector<std::vector<std::string>> contexts;
-  if (matches(Plain::parse(experiment_schema()), document.json(), &contexts)) return;
+  if (matches(Plain::parse(text), document.json(), &contexts)) return;
   // The deepest place is the cause; the places above follow from it.
   const auto deepest = std::max_element(contexts.begin(), contexts.end(),
                                         [](const auto& a, const auto& b) { return a.size() < b.size(); });
   const JsonPointer at = pointer_from(*deepest);
-  const Json* schema = &resolve(schema_json());
+  const Json root = Json::parse(text);
+  const Json* schema = &resolve(root);
   for (std::size_t i = 1; i < deepest->size(); ++i)
     schema = &step_down(*schema, (*deepest)[i].substr(1, (*deepest)[i].size() - 2));
   explain(document, at, *schema);

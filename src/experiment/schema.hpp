@@ -4,11 +4,13 @@
 
 namespace bristle {
 
-// Checks the document, as merged, against the experiment schema (src/experiment/experiment.schema.json).
-// Throws InputError that names source, JSON pointer, offending value and what is allowed.
+// Checks the document, as merged, against the experiment schema (src/experiment/experiment.schema.json) or
+// another, whose text is given. Throws InputError that names source, JSON pointer, offending value and what is
+// allowed.
 void check_schema(const Document& document);
+void check_schema(const Document& document, const char* schema);
 
-// The schema's text, and what it allows at a place: "a number greater than 0 (radial stiffness)".
+// The experiment schema's text, and what it allows at a place: "a number greater than 0 (radial stiffness)".
 const char* experiment_schema();
 std::string allowed_by_schema(const Json& schema);
 

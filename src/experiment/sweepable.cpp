@@ -1,6 +1,7 @@
 #include "experiment/sweepable.hpp"
 
 #include "experiment/parameters_table.hpp"
+#include "experiment/si_units.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -37,14 +38,17 @@ std::vector<Sweepable> all() {
   number("rows", "n_\\mathrm{rows}", "rows of the lattice that enter",
          [](P& p, double v) { p.interface.orientation.rows = long(v); });
 
+  for (const SiQuantity& q : si_quantities())
+    number(
+        q.name, q.symbol, q.description, [key = std::string(q.name)](P& p, double v) { p.si[key] = v; },
+        q.units);
+
   const auto choice = [&](const char* name, const char* description, std::vector<std::string> options,
                           auto set) {
     out.push_back({name, name, description, "1", set, options});
   };
-  choice("friction", "local friction law", {"nss", "coulomb"},
-         [](P& p, double v) { p.interface.parameters.friction = FrictionLaw(int(v)); });
-  choice("azimuth_rate", "closing equation for theta'", {"kinematic", "as_printed"},
-         [](P& p, double v) { p.interface.parameters.azimuth_rate = AzimuthRate(int(v)); });
+  for (const Choice& c : choices_table())
+    choice(c.name, c.description, c.options, [c](P& p, double v) { c.set(p.interface.parameters, int(v)); });
   choice("path", "how the load is reached", {"loading", "unloading"},
          [](P& p, double v) { p.loading.path = LoadPath(int(v)); });
   choice("sampling", "how the mean over theta_0 is taken", {"quadrature", "lattice"},

@@ -3,6 +3,7 @@
 #include "interface/point.hpp"
 
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@ namespace bristle {
 struct PointInput {
   Interface interface;
   Loading loading;
+  std::map<std::string, double> si{};  // SI units by their names in JSON, see si_units.hpp
 };
 
 // Something that a sweep may vary, and how result files label its axis.

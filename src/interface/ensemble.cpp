@@ -44,7 +44,7 @@ ObservableArray observables(const Passage& passage, double L_x) {
 EnsembleMean::EnsembleMean(const Interface& interface, double z_0, PassageRunner run)
     : interface_(interface),
       run_(std::move(run)),
-      start_(static_equilibrium(make_bristle(interface.parameters, z_0, 0))),
+      start_(initial_state(interface.parameters, z_0)),
       half_circle_(mirror_symmetric(interface.orientation) && !interface.orientation.full_circle) {
   out_.z_0 = z_0;
   if (interface.orientation.sampling != Sampling::list)
@@ -132,9 +132,7 @@ void EnsembleMean::average_list() {
 }
 
 double rigid_friction(const Parameters& p, double R_n) {
-  if (p.friction == FrictionLaw::coulomb) return p.mu_c * R_n;
-  const double root = cbrt(R_n);
-  return p.tau_f * hertz_area_factor(p.R_c, p.E_star) * root * root;
+  return with_law(p.friction, [&](auto law) { return law.rigid(p, R_n); });
 }
 
 }  // namespace bristle

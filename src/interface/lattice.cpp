@@ -75,7 +75,7 @@ class Lattice {
         run_(run),
         p_(interface.parameters),
         z_0_(z_0),
-        start_(static_equilibrium(make_bristle(p_, z_0, 0))),
+        start_(initial_state(p_, z_0)),
         across_(std::lround(p_.L_y / p_.spacing)),
         interval_(p_.spacing / kIntervalsPerRow),
         first_(std::lround(std::ceil(lattice_start(interface) / interval_ - 1e-9))),

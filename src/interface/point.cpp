@@ -42,7 +42,7 @@ void add_load_error(PointResult& out, const Ensemble& near, const Ensemble& far,
 
 void normalise(PointResult& out, const Parameters& p) {
   const double R_rigid = rigid_friction(p, out.value[R_N]);
-  const double power = p.friction == FrictionLaw::nss ? 2.0 / 3 : 1.0;
+  const double power = with_law(p.friction, [](auto law) { return law.load_exponent; });
   const double load = power * out.error[R_N] / out.value[R_N];
   out.R_x_norm = out.value[R_X] / R_rigid;
   out.R_y_norm = out.value[R_Y] / R_rigid;
@@ -148,7 +148,7 @@ class PointSolver {
 
   void record_trajectories(double z_0) {
     const Parameters& p = interface_.parameters;
-    const Equilibrium start = static_equilibrium(make_bristle(p, z_0, 0));
+    const Equilibrium start = initial_state(p, z_0);
     for (const double theta_0 : record_.trajectories)
       recorded_.trajectories.push_back(
           record_trajectory({&p, make_bristle(p, z_0, theta_0), start, interface_.integrator}));

@@ -48,6 +48,7 @@ struct PointResult {
   double jump_z_0 = 0, jump_R_n = 0;  // last gap before the jump and its R_n; NaN without
   double incomplete_theta_0 = 0;      // rad; NaN if complete
   long passages = 0;                  // bristles integrated for this point
+  double force_unit = 0;              // newtons per dimensionless force, where there are SI units
 };
 
 // What is kept of a point beside its values.

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "model/contact.hpp"
-#include "model/friction.hpp"
+#include "model/friction/laws.hpp"
 #include "model/parameters.hpp"
 
 #include <Eigen/Core>
@@ -19,10 +19,10 @@ struct Bristle {
   FrictionLaw friction;
   AzimuthRate azimuth_rate;
   P k_r, k_theta, k_phi, c_theta, c_phi, theta_0, phi_0;
-  P A, B, C, inverse_V_s;
-  P friction_factor;       // mu_c (Coulomb) or tau_f times the Hertz area at F_n = 1 (NSS)
-  P axis_peak, axis_rate;  // of Eq. (4): alpha/(2 lambda), 1/lambda
-  P wall_peak, wall_rate;  // of Eq. (3): beta/(2 lambda_z), 1/lambda_z
+  FrictionConstants<P> friction_constants;  // of the law's modulation
+  P friction_factor;                        // F_f over modulation and load
+  P axis_peak, axis_rate;                   // of Eq. (4): alpha/(2 lambda), 1/lambda
+  P wall_peak, wall_rate;                   // of Eq. (3): beta/(2 lambda_z), 1/lambda_z
   P wall_root_peak, wall_root_rate;
   P z_0;
 };
@@ -30,9 +30,11 @@ struct Bristle {
 // Calls visit with every constant, in a fixed order.
 template <class B, class Visit>
 void for_each_constant(B& b, Visit visit) {
-  for (auto* constant : {&b.k_r, &b.k_theta, &b.k_phi, &b.c_theta, &b.c_phi, &b.theta_0, &b.phi_0, &b.A, &b.B,
-                         &b.C, &b.inverse_V_s, &b.friction_factor, &b.axis_peak, &b.axis_rate, &b.wall_peak,
-                         &b.wall_rate, &b.wall_root_peak, &b.wall_root_rate, &b.z_0})
+  auto& friction = b.friction_constants;
+  for (auto* constant :
+       {&b.k_r, &b.k_theta, &b.k_phi, &b.c_theta, &b.c_phi, &b.theta_0, &b.phi_0, &friction[0], &friction[1],
+        &friction[2], &friction[3], &b.friction_factor, &b.axis_peak, &b.axis_rate, &b.wall_peak,
+        &b.wall_rate, &b.wall_root_peak, &b.wall_root_rate, &b.z_0})
     visit(*constant);
 }
 constexpr int kConstants = 19;  // that for_each_constant visits
@@ -50,11 +52,10 @@ inline Bristle<double> make_bristle(const Parameters& p, double z_0, double thet
   b.c_phi = 2 * p.zeta_phi * std::sqrt(p.k_phi);
   b.theta_0 = theta_0;
   b.phi_0 = p.phi_0;
-  b.A = p.A;
-  b.B = chi_B(p.A);
-  b.C = p.C;
-  b.inverse_V_s = 1 / p.V_s;
-  b.friction_factor = p.friction == FrictionLaw::nss ? p.tau_f * hertz_area_factor(p.R_c, p.E_star) : p.mu_c;
+  with_law(p.friction, [&](auto law) {
+    b.friction_constants = law.constants(p);
+    b.friction_factor = law.factor(p);
+  });
   b.axis_peak = p.alpha / (2 * p.lambda);
   b.axis_rate = 1 / p.lambda;
   b.wall_peak = p.beta / (2 * p.lambda_z);
@@ -115,9 +116,11 @@ AngularRates<T> angular_rates(AzimuthRate rule, const Frame<T>& f, const Vector3
 // What the slab does to the tip. V_R = 0 is an ordinary point: F_f/V_R keeps its finite limit.
 template <class T>
 struct SlabContact {
-  T F_n, F_n_23;    // normal force, Eq. (3), and its power 2/3
-  T V_R, chi, F_f;  // relative speed, Eq. (7), friction force's magnitude, Eqs. (14, 15)
-  T e_x, e_y;       // e_f = V_R/|V_R|, Eq. (6)
+  T F_n, F_n_23;  // normal force, Eq. (3), and its power 2/3
+  T V_R;          // relative speed
+  T modulation;   // of friction by the speed: chi, Eq. (7), for the paper's laws
+  T F_f;          // friction force's magnitude, Eqs. (14, 15)
+  T e_x, e_y;     // e_f = V_R/|V_R|, Eq. (6)
 };
 
 template <class T, class P>
@@ -128,10 +131,11 @@ SlabContact<T> slab_contact(const Bristle<P>& b, const State<T>& state) {
   const T V_R2 = V_x * V_x + V_y * V_y + 1e-32;
   const T one_V_R = inverse_sqrt(V_R2);
   const T V_R = V_R2 * one_V_R;
-  const T chi_V = chi(T(V_R * b.inverse_V_s), b.A, b.B, b.C);
-  const T load = b.friction == FrictionLaw::nss ? wall.F_n_23 : wall.F_n;
-  return {wall.F_n,         wall.F_n_23,     V_R, chi_V, T(T(b.friction_factor * chi_V) * load),
-          T(V_x * one_V_R), T(V_y * one_V_R)};
+  return with_law(b.friction, [&](auto law) -> SlabContact<T> {
+    const T modulation = law.modulation(V_R, b.friction_constants);
+    const T F_f = T(b.friction_factor * modulation) * law.load(wall);
+    return {wall.F_n, wall.F_n_23, V_R, modulation, F_f, T(V_x * one_V_R), T(V_y * one_V_R)};
+  });
 }
 
 // Everything the integrators and diagnostics need at one instant.

@@ -2,7 +2,9 @@
 
 #include "model/energy.hpp"
 
+#include <boost/math/tools/minima.hpp>
 #include <boost/math/tools/roots.hpp>
+#include <algorithm>
 #include <limits>
 #include <stdexcept>
 
@@ -35,6 +37,21 @@ double polar_residual(const Bristle<double>& b, double phi) {
          z * short_range_force(s, b.axis_peak, b.axis_rate);
 }
 
+// Least energy of springs and axis repulsion with the tip at z = z_0, over 0 < phi <= phi_0.
+Equilibrium bent_at(const Bristle<double>& b) {
+  const auto at = [&](double phi) { return Equilibrium{b.z_0 / sin(phi), phi}; };
+  const auto U = [&](double phi) {
+    const Equilibrium e = at(phi);
+    return potential_energy(b, {e.r * cos(phi), 0, b.z_0}, b.theta_0, phi);
+  };
+  constexpr int scan = 64;
+  int least = 1;
+  for (int i = 2; i <= scan; ++i)
+    if (U(b.phi_0 * i / scan) < U(b.phi_0 * least / scan)) least = i;
+  const double from = b.phi_0 * (least - 1) / scan, to = b.phi_0 * std::min(least + 1, scan) / scan;
+  return at(boost::math::tools::brent_find_minima(U, std::max(from, 1e-6), to, 40).first);
+}
+
 }  // namespace
 
 Equilibrium static_equilibrium(const Bristle<double>& b) {
@@ -60,6 +77,16 @@ Equilibrium static_equilibrium(const Bristle<double>& b) {
   }
   if (!std::isfinite(least)) throw std::runtime_error("no static equilibrium under the slab");
   return best;
+}
+
+Equilibrium initial_state(const Parameters& p, double z_0) {
+  const Bristle<double> b = make_bristle(p, z_0, 0);
+  switch (p.initial_state) {
+    case InitialState::at_slab: return bent_at(b);
+    case InitialState::upright: return {z_0 / sin(p.phi_0), p.phi_0};
+    case InitialState::static_equilibrium: break;
+  }
+  return static_equilibrium(b);
 }
 
 State<double> state_at_rest(const Bristle<double>& b, const Equilibrium& e) {

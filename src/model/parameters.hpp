@@ -2,10 +2,7 @@
 
 namespace bristle {
 
-enum class FrictionLaw {
-  nss,
-  coulomb
-};
+enum class FrictionLaw : int;  // model/friction/laws.hpp
 
 // How theta' follows from the tip's velocity: kinematically exact, or Eq. (17) as printed.
 enum class AzimuthRate {
@@ -13,10 +10,25 @@ enum class AzimuthRate {
   as_printed
 };
 
+// The bristle at the slab's leading edge, at rest in the vertical plane theta = theta_0: in frictionless
+// equilibrium with the wall's force; or with its tip at z = z_0, bent as far as its springs like, or upright
+// at the elevation phi_0.
+enum class InitialState {
+  static_equilibrium,
+  at_slab,
+  upright
+};
+
+// A tip that comes to s = s_min: its radial in-plane velocity is reversed, or it is put across the axis.
+enum class PoleRule {
+  reflect,
+  cross
+};
+
 // The parameters of bristle, friction and slab, dimensionless (length r0, time r0/V0, force m V0^2/r0).
 // Values without a source in the paper are assumptions, listed in docs/model.md.
 struct Parameters {
-  FrictionLaw friction = FrictionLaw::nss;
+  FrictionLaw friction{};             // nss
   double k_r = 10;                    // radial stiffness
   double k_theta = 1;                 // azimuthal (torsional) stiffness
   double k_phi = 1.9;                 // polar (bending) stiffness
@@ -35,7 +47,9 @@ struct Parameters {
   double lambda_z = 1e-3;  // range and strength of the slab's wall, Eq. (3)
   double beta = 1;
   AzimuthRate azimuth_rate = AzimuthRate::kinematic;
-  double s_min = 1e-4;   // the pole rule: a tip that comes to s = s_min is reflected
+  InitialState initial_state = InitialState::static_equilibrium;
+  PoleRule pole_rule = PoleRule::reflect;
+  double s_min = 1e-4;   // where the pole rule acts
   double L_x = 5;        // slab length
   double L_y = 5;        // slab width (the lattice only)
   double spacing = 0.2;  // lattice spacing Delta (the lattice only)

@@ -1,33 +1,61 @@
+#include "experiment/si_units.hpp"
+#include "model/friction/laws.hpp"
 #include "results/sha.hpp"
 #include "results/writer.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <algorithm>
 
 namespace bristle {
 namespace {
 
-// What stays fixed in a sweep, for the figure's caption: mathtext.
-std::string caption(const Experiment& e) {
+bool fixed(const Experiment& e, const std::string& name) {
+  return std::none_of(e.axes.begin(), e.axes.end(), [&](const Axis& axis) { return axis.name == name; });
+}
+
+// "m = 10^{-4}$ kg": powers of ten as such.
+std::string quantity(const SiQuantity& q, double value) {
+  std::string number = fmt::format("{:.4g}", value);
+  if (const auto e = number.find('e'); e != std::string::npos) {
+    const std::string mantissa = number.substr(0, e);
+    number = fmt::format("{}10^{{{}}}", mantissa == "1" ? "" : mantissa + R"( \times )",
+                         std::stoi(number.substr(e + 1)));
+  }
+  const bool pure = std::string(q.units) == "1";
+  return fmt::format("${} = {}${}{}", q.symbol, number, pure ? "" : " ", pure ? "" : q.units);
+}
+
+std::vector<std::string> si_parts(const Experiment& e) {
+  std::vector<std::string> parts;
+  for (const SiQuantity& q : si_quantities())
+    if (fixed(e, q.name) && e.base.si.count(q.name)) parts.push_back(quantity(q, e.base.si.at(q.name)));
+  return parts;
+}
+
+std::vector<std::string> dimensionless_parts(const Experiment& e) {
   const Parameters& p = e.base.interface.parameters;
   std::vector<std::string> parts;
-  const auto fixed = [&](const char* name) {
-    for (const Axis& axis : e.axes)
-      if (axis.name == name) return false;
-    return true;
-  };
   const auto add = [&](const char* name, const char* symbol, double value) {
-    if (fixed(name)) parts.push_back(fmt::format("${} = {:.6g}$", symbol, value));
+    if (fixed(e, name)) parts.push_back(fmt::format("${} = {:.6g}$", symbol, value));
   };
-  const bool nss = p.friction == FrictionLaw::nss;
-  if (fixed("friction")) parts.push_back(nss ? "nominal shear stress (NSS)" : "Amontons-Coulomb");
   add("k_r", R"(\tilde{k}_r)", p.k_r);
   add("k_theta", R"(\tilde{k}_\theta)", p.k_theta);
   add("k_phi", R"(\tilde{k}_\varphi)", p.k_phi);
-  if (!nss) add("mu_c", R"(\mu_c)", p.mu_c);
+  if (p.friction != FrictionLaw::nss) add("mu_c", R"(\mu_c)", p.mu_c);
   const Loading& load = e.base.loading;
   if (load.z_0) add("z_0", R"(\tilde{z}_0)", *load.z_0);
   else if (!load.trace) add("R_n", R"(\tilde{R}_n/N_{c,0})", load.R_n);
+  return parts;
+}
+
+// What stays fixed in a sweep, for the figure's caption: mathtext.
+std::string caption(const Experiment& e) {
+  std::vector<std::string> parts;
+  if (fixed(e, "friction"))
+    parts.push_back(with_law(e.base.interface.parameters.friction, [](auto law) { return law.title; }));
+  for (std::string& part : e.base.si.empty() ? dimensionless_parts(e) : si_parts(e))
+    parts.push_back(std::move(part));
   if (e.tier != "full") parts.push_back(e.tier + " tier: a subset of the points");
   return fmt::format("{}", fmt::join(parts, ", "));
 }

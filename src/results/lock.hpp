@@ -9,7 +9,8 @@ namespace bristle {
 // there, RunError if another run has it.
 int lock_file(const std::string& result, const std::string& path);
 
-// Gives a finished file its name: after a power cut there is the old file or the whole new one. Throws RunError.
+// Gives a finished file its name: after a power cut there is the old file or the whole new one. Throws
+// RunError.
 void replace_file(const std::string& from, const std::string& to);
 
 }  // namespace bristle

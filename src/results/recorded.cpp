@@ -52,8 +52,7 @@ const std::vector<Field<Passage>>& bristle_fields() {
       {{"energy_residual", "defect of the energy budget over the energy dissipated", R"(\epsilon_E)", ""},
        [](B b) { return b.energy_residual; }},
       {{"steps", "integration steps", "", ""}, [](B b) { return double(b.steps); }},
-      {{"reflections", "reflections at the pole, s = s_min", "", ""},
-       [](B b) { return double(b.reflections); }},
+      {{"reflections", "arrivals at the pole, s = s_min", "", ""}, [](B b) { return double(b.reflections); }},
   };
   return fields;
 }

@@ -1,5 +1,9 @@
 #include "results/variables.hpp"
 
+#include "model/elementary.hpp"
+
+#include <cmath>
+
 namespace bristle {
 namespace {
 
@@ -51,6 +55,69 @@ ResultVariable fluctuation(const char* name, const char* long_name, const char* 
           {}};
 }
 
+// A mean in newtons.
+ResultVariable force(const char* name, const char* long_name, const char* symbol, Observable k) {
+  return {name,
+          long_name,
+          symbol,
+          "Eq. (19)",
+          [k](const PointResult& p) { return p.value[k] * p.force_unit; },
+          [k](const PointResult& p) { return p.error[k] * p.force_unit; },
+          [k](const PointResult& p) { return p.load_error[k] * p.force_unit; },
+          "N"};
+}
+
+// R_x/R_n.
+ResultVariable friction_coefficient() {
+  const Value value = [](const PointResult& p) { return p.value[R_X] / p.value[R_N]; };
+  const Value error = [=](const PointResult& p) {
+    return (p.error[R_X] + std::abs(value(p)) * p.error[R_N]) / p.value[R_N];
+  };
+  return {
+      "friction_coefficient", "friction force over normal load", R"(R_x/R_n)", "Eq. (19)", value, error, {}};
+}
+
+void add_si(std::vector<ResultVariable>& variables) {
+  variables.push_back(force("R_n_in_N", "normal load per bristle", R"(R_n/N_{c,0})", R_N));
+  variables.push_back(
+      force("R_x_in_N", "friction force per bristle along the motion", R"(R_x/N_{c,0})", R_X));
+  variables.push_back(
+      force("R_y_in_N", "friction force per bristle across the motion", R"(R_y/N_{c,0})", R_Y));
+  variables.push_back(friction_coefficient());
+}
+
+// Magnitude and direction of the friction in the plane, which differs from the motion's where the azimuths
+// are not evenly distributed.
+void add_direction(std::vector<ResultVariable>& variables) {
+  const Value size = [](const PointResult& p) {
+    return std::sqrt(p.R_x_norm * p.R_x_norm + p.R_y_norm * p.R_y_norm);
+  };
+  const Value size_error = [=](const PointResult& p) {
+    return (std::abs(p.R_x_norm) * p.R_x_norm_error + std::abs(p.R_y_norm) * p.R_y_norm_error) / size(p);
+  };
+  variables.push_back({"R_norm",
+                       "friction's magnitude in the plane over that of rigid bristles",
+                       R"(|\check{R}|)",
+                       "Eqs. (20, 21)",
+                       size,
+                       size_error,
+                       {}});
+  // R_x, against the motion, is positive whatever the bristles do.
+  const Value angle = [](const PointResult& p) { return atan(p.value[R_Y] / p.value[R_X]) * (180 / M_PI); };
+  const Value angle_error = [](const PointResult& p) {
+    const double x = p.value[R_X], y = p.value[R_Y];
+    return (std::abs(y) * p.error[R_X] + std::abs(x) * p.error[R_Y]) / (x * x + y * y) * (180 / M_PI);
+  };
+  variables.push_back({"direction",
+                       "direction of the friction force against that of the motion",
+                       R"(\angle R)",
+                       "Eq. (19)",
+                       angle,
+                       angle_error,
+                       {},
+                       "degree"});
+}
+
 }  // namespace
 
 std::vector<ResultVariable> result_variables(const Experiment& experiment) {
@@ -96,6 +163,8 @@ std::vector<ResultVariable> result_variables(const Experiment& experiment) {
         "R_n_fluctuation_of_rows", "standard deviation of R_n(t), averaged over a row's time, over its mean",
         R"(\sigma(\langle R_n\rangle_{\mathrm{row}})/R_n)", &P::fluctuation_of_rows));
   }
+  if (!experiment.base.si.empty()) add_si(variables);
+  if (experiment.base.interface.orientation.distribution == Distribution::von_mises) add_direction(variables);
   return variables;
 }
 

@@ -90,9 +90,9 @@ void ResultWriter::discard() {
 
 h5::Handle ResultWriter::create_variable(hid_t parent, const std::string& name, hid_t type,
                                          const std::string& long_name, const std::string& symbol,
-                                         const std::string& equation) {
+                                         const std::string& equation, const std::string& units) {
   h5::Handle dataset = h5::create_dataset(parent, name, type, shape_);
-  describe(dataset, long_name, symbol, equation);
+  describe(dataset, long_name, symbol, equation, units);
   for (unsigned d = 0; d < axes_.size(); ++d) h5::attach_scale(dataset, axes_[d], d);
   return dataset;
 }
@@ -100,16 +100,17 @@ h5::Handle ResultWriter::create_variable(hid_t parent, const std::string& name, 
 void ResultWriter::create_variables() {
   if (searched_) load_error_ = h5::create_group(file_, "load_error");
   for (const ResultVariable& v : result_variables(experiment_)) {
-    variables_[v.name] = create_variable(file_, v.name, H5T_NATIVE_DOUBLE, v.long_name, v.symbol, v.equation);
+    variables_[v.name] =
+        create_variable(file_, v.name, H5T_NATIVE_DOUBLE, v.long_name, v.symbol, v.equation, v.units);
     const std::string symbol = R"(\delta )" + v.symbol;
     if (v.error)
       variables_[v.name + "_err"] =
           create_variable(file_, v.name + "_err", H5T_NATIVE_DOUBLE, "estimated numerical error of " + v.name,
-                          symbol, v.equation);
+                          symbol, v.equation, v.units);
     if (searched_ && v.load_error)
       variables_["load_error/" + v.name] = create_variable(
           load_error_, v.name, H5T_NATIVE_DOUBLE,
-          "part of " + v.name + "_err from the load's distance to its target", symbol, v.equation);
+          "part of " + v.name + "_err from the load's distance to its target", symbol, v.equation, v.units);
   }
   variables_["passages"] =
       create_variable(file_, "passages", H5T_NATIVE_LONG, "bristles integrated for the point", "N", "");

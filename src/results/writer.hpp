@@ -41,7 +41,8 @@ class ResultWriter {
                     const std::array<std::string, 3>& label);  // symbol, description, units
   void create_variables();
   h5::Handle create_variable(hid_t parent, const std::string& name, hid_t type, const std::string& long_name,
-                             const std::string& symbol, const std::string& equation);
+                             const std::string& symbol, const std::string& equation,
+                             const std::string& units = "1");
   void create_flags(const std::string& name, const std::string& long_name,
                     const std::vector<std::string>& meanings, int absent);
 

@@ -2,6 +2,7 @@
 
 #include "dynamics/lanes/engine.hpp"
 #include "dynamics/together.hpp"
+#include "experiment/si_units.hpp"
 
 #include <boost/coroutine2/coroutine.hpp>
 #include <boost/coroutine2/protected_fixedsize_stack.hpp>
@@ -20,7 +21,8 @@ PointReport solve(const Experiment& experiment, std::size_t index, const Passage
   if (input.loading.trace)
     return {index, record_of(experiment, trace_curve(input.interface, *input.loading.trace, run))};
   Recorded recorded;
-  const PointResult result = solve_point(input.interface, input.loading, run, experiment.record, &recorded);
+  PointResult result = solve_point(input.interface, input.loading, run, experiment.record, &recorded);
+  result.force_unit = force_unit(input);
   return {index, record_of(experiment, result, recorded)};
 }
 

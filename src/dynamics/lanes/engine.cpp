@@ -232,7 +232,7 @@ class LaneEngine::Set {
 
   void reflect_at(int lane) {
     Flight& flight = flights_[lane];
-    if (reflect(flight.y)) ++flight.reflections;
+    if (answer_pole(flight.task.parameters->pole_rule, flight.y)) ++flight.reflections;
     flight.h = std::min(block_.h_next.lane[lane], kFirstStep);
     restart(lane);
   }

@@ -1,8 +1,15 @@
 #pragma once
 
 #include "model/elementary.hpp"
+#include "model/parameters.hpp"
+
+#include <array>
 
 namespace bristle {
+
+// The numbers that a friction law's modulation needs, computed once per bristle; each law says which.
+template <class P>
+using FrictionConstants = std::array<P, 4>;
 
 // B of Eq. (7), so that chi tends to 1 for V_R >> V_s. Needs A >= 1.
 inline double chi_B(double A) { return 2 * (1 - asin(1 / A) / M_PI); }
@@ -18,10 +25,15 @@ T chi(const T& u, const P& A, const P& B, const P& C) {
   return A * T(sin(angle));
 }
 
-// Contact area over F_n^(2/3), Eq. (16): A_c = area_factor F_n^(2/3). Dimensionless.
-inline double hertz_area_factor(double R_c, double E_star) {
-  const double c = cbrt(3 * R_c / (4 * E_star));
-  return M_PI * c * c;
-}
+// What the paper's two laws share: they are modulated by chi. Constants: A, B, C, 1/V_s.
+struct ModulatedByChi {
+  static FrictionConstants<double> constants(const Parameters& p) {
+    return {p.A, chi_B(p.A), p.C, 1 / p.V_s};
+  }
+  template <class T, class P>
+  static T modulation(const T& V_R, const FrictionConstants<P>& c) {
+    return chi(T(V_R * c[3]), c[0], c[1], c[2]);
+  }
+};
 
 }  // namespace bristle

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "model/contact.hpp"
+#include "model/friction/chi.hpp"
+
+namespace bristle {
+
+// Amontons-Coulomb: F_f = chi mu_c F_n, Eq. (14).
+struct Coulomb : ModulatedByChi {
+  static constexpr const char* name = "coulomb";
+  static constexpr const char* title = "Amontons-Coulomb";
+  static constexpr double load_exponent = 1;
+  static double factor(const Parameters& p) { return p.mu_c; }
+  template <class T>
+  static T load(const WallForce<T>& wall) {
+    return wall.F_n;
+  }
+  // Eq. (23)
+  static double rigid(const Parameters& p, double R_n) { return factor(p) * R_n; }
+};
+
+}  // namespace bristle

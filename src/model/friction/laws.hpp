@@ -1,0 +1,41 @@
+#pragma once
+
+#include "model/friction/coulomb.hpp"
+#include "model/friction/nss.hpp"
+#include "model/friction/stribeck.hpp"
+
+#include <cstddef>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace bristle {
+
+// The registered friction laws; experiments name them by Law::name, in the order of the list. A law says
+//   F_f = factor modulation(V_R) load(F_n)
+// with modulation 1 at speeds far above V_s, and the force rigid() on bristles that do not move
+// (docs/extending.md).
+using FrictionLaws = std::tuple<Nss, Coulomb, Stribeck>;
+enum class FrictionLaw : int {
+  nss,
+  coulomb,
+  stribeck,
+  count
+};
+static_assert(std::tuple_size_v<FrictionLaws> == std::size_t(FrictionLaw::count));
+
+// visit(Law()) of the law.
+template <std::size_t I = 0, class Visit>
+decltype(auto) with_law(FrictionLaw law, const Visit& visit) {
+  if constexpr (I + 1 < std::tuple_size_v<FrictionLaws>)
+    if (std::size_t(law) != I) return with_law<I + 1>(law, visit);
+  return visit(std::tuple_element_t<I, FrictionLaws>());
+}
+
+inline std::vector<std::string> friction_law_names() {
+  return std::apply([](auto... law) { return std::vector<std::string>{decltype(law)::name...}; },
+                    FrictionLaws());
+}
+
+}  // namespace bristle

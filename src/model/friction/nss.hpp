@@ -1,0 +1,31 @@
+#pragma once
+
+#include "model/contact.hpp"
+#include "model/friction/chi.hpp"
+
+namespace bristle {
+
+// Contact area over F_n^(2/3), Eq. (16): A_c = area_factor F_n^(2/3). Dimensionless.
+inline double hertz_area_factor(double R_c, double E_star) {
+  const double c = cbrt(3 * R_c / (4 * E_star));
+  return M_PI * c * c;
+}
+
+// Nominal shear stress: F_f = chi tau_f A_c, Eqs. (15, 16).
+struct Nss : ModulatedByChi {
+  static constexpr const char* name = "nss";
+  static constexpr const char* title = "nominal shear stress (NSS)";
+  static constexpr double load_exponent = 2.0 / 3;
+  static double factor(const Parameters& p) { return p.tau_f * hertz_area_factor(p.R_c, p.E_star); }
+  template <class T>
+  static T load(const WallForce<T>& wall) {
+    return wall.F_n_23;
+  }
+  // Eq. (22)
+  static double rigid(const Parameters& p, double R_n) {
+    const double root = cbrt(R_n);
+    return factor(p) * root * root;
+  }
+};
+
+}  // namespace bristle
