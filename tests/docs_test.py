@@ -15,9 +15,11 @@ import tempfile
 source, build = map(pathlib.Path, sys.argv[1:3])
 documents = sorted([source / "README.md", *(source / "docs").glob("*.md")])
 
+FIGURES = "|".join(path.stem for path in sorted((source / "experiments").glob("*.json")))
+
 # Run in another form, or by another test: the beginning of the command, and what stands for it.
 INSTEAD = [
-    (r"make (fig\w+|ski|orientation|stribeck)$", r"make \1 TIER=smoke"),  # the full tier takes minutes
+    (rf"make ({FIGURES})$", r"make \1 TIER=smoke"),  # the full tier takes minutes
     (r"make (figures|findings|report)$", r"make -n \1"),
     (r"make assumptions$", "make -n assumptions"),  # an hour; tests/assumptions_test.cpp computes a small one
     (r"make bench$", "make -n bench"),  # the test "benchmark: fast engine against Boost.Odeint" runs its engine part
