@@ -18,7 +18,8 @@ struct SmallStudy {
   SmallStudy() {
     std::filesystem::create_directories(s.path("experiments/assumptions"));
     std::filesystem::copy_file(kExperiments + "/paper.json", s.path("experiments/paper.json"));
-    const std::string list = R"("orientation": {"sampling": "list", "theta_0_deg": [20, 70]}, "load": {"R_n": null, "z_0": 0.5})";
+    const std::string list =
+        R"("orientation": {"sampling": "list", "theta_0_deg": [20, 70]}, "load": {"R_n": null, "z_0": 0.5})";
     s.write("experiments/a.json", R"({"extends": "paper.json", "name": "a", "figure": "1", )" + list + R"(,
       "sweep": {"mu_c": {"values": [0.5, 1]}}, "model": {"friction": "coulomb"},
       "checks": [{"claim": "1a", "statement": "R_x grows with mu_c", "predicate": "end_ratio", "variable": "R_x",
@@ -27,7 +28,8 @@ struct SmallStudy {
       "sweep": {"k_r": {"values": [5, 10]}},
       "checks": [{"claim": "2a", "statement": "R_x is positive", "predicate": "level", "variable": "R_x", "along": "k_r",
                   "is": "at_least", "threshold": 0}]})");
-    declare("one.json", R"({"schema": "bristle-assumption/1", "choice": "mu", "question": "which", "alternatives": [
+    declare("one.json",
+            R"({"schema": "bristle-assumption/1", "choice": "mu", "question": "which", "alternatives": [
       {"name": "rising", "description": "only a", "experiments": {"a": {"patch": {"sweep": {"mu_c": {"values": [0.6, 1]}}}}}},
       {"name": "impossible", "description": "only a", "experiments": {"a": {"set": {"/checks/0/threshold": 1000}}}},
       {"name": "slow", "description": "both", "patch": {"model": {"V_s": 0.02}}}]})");
@@ -58,7 +60,8 @@ std::string error_of(SmallStudy& small) {
 
 TEST_CASE("a study evaluates every check under every alternative, and says what hangs on it") {
   SmallStudy small;
-  small.declare("pairs.json", R"({"schema": "bristle-assumption/1", "choice": "pairs", "question": "both", "pairs": [
+  small.declare("pairs.json",
+                R"({"schema": "bristle-assumption/1", "choice": "pairs", "question": "both", "pairs": [
     {"members": ["slow", "impossible"], "description": "together"}]})");
   const Matrix m = study(small.options);
   REQUIRE(m.alternatives.size() == 5);
@@ -112,12 +115,15 @@ TEST_CASE("mistakes in assumptions are named before anything is computed") {
       {"[]", "a JSON object {...} is expected"},
       {head + R"("alternative": []})", "/alternative: unknown key (did you mean alternatives?)"},
       {head + R"("alternatives": [{"name": "n"}]})", "/alternatives/0/description: is missing"},
-      {head + R"("alternatives": [{"name": "slow", "description": "d"}]})", "two alternatives have the name slow"},
+      {head + R"("alternatives": [{"name": "slow", "description": "d"}]})",
+       "two alternatives have the name slow"},
       {head + R"("pairs": [{"members": ["slow", "risin"], "description": "d"}]})",
        "there is no alternative risin (did you mean rising?)"},
-      {head + R"("alternatives": [{"name": "n", "description": "d", "patch": {"model": {"phi_0_deg": 100}}}]})",
+      {head +
+           R"("alternatives": [{"name": "n", "description": "d", "patch": {"model": {"phi_0_deg": 100}}}]})",
        "a.json under n: /model/phi_0_deg: 100 is not allowed"},
-      {head + R"("alternatives": [{"name": "n", "description": "d", "experiments": {"a": {"set": {"/checks/7/is": 1}}}}]})",
+      {head +
+           R"("alternatives": [{"name": "n", "description": "d", "experiments": {"a": {"set": {"/checks/7/is": 1}}}}]})",
        "alternative n: a has nothing at /checks/7/is"},
   };
   for (const Row& row : table) {
@@ -134,8 +140,8 @@ TEST_CASE("the declared assumptions are sound, and reach every open choice") {
   for (const auto& entry : std::filesystem::directory_iterator(kExperiments + "/assumptions"))
     files.push_back(entry.path().string());
   const auto alternatives = read_alternatives(files);
-  for (const char* choice : {"phi_0", "A", "C", "V_s", "lambda", "alpha", "initial state", "closure of theta'",
-                             "axis rule", "damping", "swept ranges", "together"}) {
+  for (const char* choice : {"phi_0", "A", "C", "V_s", "lambda", "alpha", "initial state",
+                             "closure of theta'", "axis rule", "damping", "swept ranges", "together"}) {
     CAPTURE(choice);
     CHECK(std::any_of(alternatives.begin(), alternatives.end(),
                       [&](const Alternative& a) { return a.choice == choice; }));

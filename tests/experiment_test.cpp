@@ -1,8 +1,12 @@
 #include "experiment/experiment.hpp"
 #include "experiment/input_error.hpp"
+#include "experiment/si_units.hpp"
+#include "model/friction/laws.hpp"
 #include "scratch.hpp"
 
 #include <catch2/catch.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <cmath>
 
 using namespace bristle;
@@ -29,6 +33,9 @@ std::string error_of(const std::string& text, const DocumentOptions& options = {
   return "(no error)";
 }
 
+std::string laws() { return fmt::format("{}", fmt::join(friction_law_names(), ", ")); }
+std::string quoted_laws() { return fmt::format("\"{}\"", fmt::join(friction_law_names(), "\", \"")); }
+
 std::string with(const std::string& members) { return R"({"extends": "paper.json", )" + members + "}"; }
 
 }  // namespace
@@ -54,7 +61,7 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
        "@/e.json: /model/k_tehta: unknown key (did you mean k_theta?); allowed: friction, k_r, k_theta, "
        "k_phi, "
        "phi_0_deg, zeta_theta, zeta_phi, mu_c, tau_f, R_c, E_star, A, C, V_s, lambda, lambda_z, alpha, beta, "
-       "azimuth_rate, initial_state, s_min, L_x, L_y, spacing"},
+       "azimuth_rate, initial_state, pole_rule, s_min, L_x, L_y, spacing"},
       {with(R"("model": {"k_r": "ten"})"),
        "@/e.json: /model/k_r: \"ten\" is not allowed; allowed: a number greater than 0 (radial stiffness, "
        "dimensionless)"},
@@ -70,11 +77,10 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
        "of chi, "
        "Eq. (7))"},
       {with(R"("model": {"friction": "columb"})"),
-       "@/e.json: /model/friction: \"columb\" is not allowed (did you mean coulomb?); allowed: \"nss\", "
-       "\"coulomb\" "
-       "(local friction law)"},
+       "@/e.json: /model/friction: \"columb\" is not allowed (did you mean coulomb?); allowed: " +
+           quoted_laws() + " (local friction law)"},
       {with(R"("model": {"friction": null})"),
-       "@/e.json: /model/friction: is missing; allowed: \"nss\", \"coulomb\" (local friction law)"},
+       "@/e.json: /model/friction: is missing; allowed: " + quoted_laws() + " (local friction law)"},
       {with(R"("load": {"z_0": 0.5})"),
        "@/e.json: /load: more than one of R_n, z_0 and trace is given; keep one (null removes what extends "
        "brings)"},
@@ -98,17 +104,20 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
        "(7))"},
       {with(R"("sweep": {"kr": {"values": [1]}})"),
        "@/e.json: /sweep/kr: kr cannot be swept (did you mean k_r?); allowed: k_r, k_theta, k_phi, "
-       "phi_0_deg, "
-       "zeta_theta, zeta_phi, mu_c, tau_f, R_c, E_star, A, C, V_s, lambda, lambda_z, alpha, beta, s_min, "
-       "L_x, L_y, "
-       "spacing, R_n, z_0, mean_deg, concentration, seed, rows, friction, azimuth_rate, path, sampling"},
+       "phi_0_deg, zeta_theta, zeta_phi, mu_c, tau_f, R_c, E_star, A, C, V_s, lambda, lambda_z, alpha, beta, "
+       "s_min, "
+       "L_x, L_y, spacing, R_n, z_0, mean_deg, concentration, seed, rows, m_kg, r0_m, V0_m_per_s, E_Pa, nu, "
+       "R_m, "
+       "k_r_over_k_phi, k_r_N_per_m, k_theta_N_m, k_phi_N_m, E_star_Pa, tau_f_Pa, R_c_m, V_s_m_per_s, "
+       "alpha_J, "
+       "beta_J, R_n_N, friction, azimuth_rate, initial_state, pole_rule, path, sampling"},
       {with(R"("sweep": {"friction": {"values": ["nss", "coulom"]}})"),
-       "@/e.json: /sweep/friction/values: \"coulom\" is not known (did you mean coulomb?); allowed: nss, "
-       "coulomb"},
+       "@/e.json: /sweep/friction/values: \"coulom\" is not known (did you mean coulomb?); allowed: " +
+           laws()},
       {with(R"("sweep": {"friction": {"values": ["nss", "nss"]}})"),
        "@/e.json: /sweep/friction/values: \"nss\" appears twice"},
       {with(R"("sweep": {"friction": {"linspace": [0, 1, 2]}})"),
-       "@/e.json: /sweep/friction: friction takes \"values\", a list of: nss, coulomb"},
+       "@/e.json: /sweep/friction: friction takes \"values\", a list of: " + laws()},
       {with(R"("sweep": {"k_r": {"values": ["soft"]}})"),
        "@/e.json: /sweep/k_r/values: \"soft\" is not a number"},
       {with(R"("sweep": {"R_n": {"values": [0, 1]}})"),
@@ -147,6 +156,16 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
       {with(R"("checks": [{"claim": "1"}])"),
        "@/e.json: /checks/0/statement: is missing; allowed: a string (what the paper says, and the number "
        "that decides)"},
+      {with(R"("sweep": {"V0_m_per_s": {"values": [1, 2]}})"),
+       "@/e.json: /si/V0_m_per_s: is swept, but there is no si block with m_kg, r0_m and V0_m_per_s"},
+      {with(
+           R"("si": {"m_kg": 1, "r0_m": 1, "V0_m_per_s": 1, "k_r_N_per_m": 1}, "sweep": {"k_r": {"values": [1, 2]}})"),
+       "@/e.json: /si/k_r_N_per_m: k_r is swept as well; remove one"},
+      {with(R"("si": {"m_kg": 1, "r0_m": 1, "V0_m_per_s": 1, "nu": 0.4})"),
+       "@/e.json: /si/E_Pa: is missing; nu and R_m need it"},
+      {with(R"("si": {"m_kg": 1, "r0_m": 1, "V0_m_per_s": 1, "E_Pa": 1e8, "R_m": 0.001})"),
+       "@/e.json: /si/k_r_over_k_phi: R_m needs either k_r_over_k_phi or k_r_N_per_m for the radial "
+       "stiffness"},
       {R"({"extends": "nowhere.json"})",
        "@/e.json: /extends: \"nowhere.json\" does not exist (looked for @/nowhere.json)"},
       {R"({"extends": "e.json"})", "@/e.json: /extends: \"e.json\" extends this file in turn: a circle"},
@@ -234,4 +253,25 @@ TEST_CASE("an SI block gives the paper's dimensionless values") {
   CHECK(p.E_star == Approx(5.849e4).epsilon(1e-3));
   CHECK(p.k_theta == Approx(1));
   CHECK(p.k_r == Approx(10));
+}
+
+TEST_CASE("a material in SI units keeps its stiffness whatever the velocity") {
+  const Experiment e = load_experiment(kExperiments + "/ski.json", {});
+  // V0_m_per_s is the last axis: 13 values from 2 to 32.
+  const PointInput slow = e.point(0), fast = e.point(12);
+  const Parameters &a = slow.interface.parameters, &b = fast.interface.parameters;
+  CHECK(slow.si.at("V0_m_per_s") == 2);
+  CHECK(fast.si.at("V0_m_per_s") == 32);
+  // 3 pi E R^4/(4 r0), by hand
+  const double k = 3 * M_PI * 1e8 * std::pow(0.00108, 4) / (4 * 0.017);
+  CHECK(a.k_phi * 1e-4 * 4 == Approx(k));
+  CHECK(b.k_phi * 1e-4 * 1024 == Approx(k));
+  CHECK(a.k_theta == a.k_phi);
+  CHECK(a.k_r == Approx(10 * a.k_phi));
+  for (const auto member : {&Parameters::k_r, &Parameters::E_star, &Parameters::tau_f, &Parameters::alpha})
+    CHECK(a.*member / (b.*member) == Approx(256));
+  CHECK(a.V_s / b.V_s == Approx(16));
+  CHECK(a.E_star * 1e-4 * 4 / std::pow(0.017, 3) == Approx(1e8 / (1 - 0.16)));
+  CHECK(slow.loading.R_n * force_unit(slow) == Approx(0.1));
+  CHECK(fast.loading.R_n * force_unit(fast) == Approx(0.1));
 }
