@@ -275,3 +275,14 @@ TEST_CASE("a material in SI units keeps its stiffness whatever the velocity") {
   CHECK(slow.loading.R_n * force_unit(slow) == Approx(0.1));
   CHECK(fast.loading.R_n * force_unit(fast) == Approx(0.1));
 }
+
+TEST_CASE("a tier removes keys by null, and a child drops its parent's tier") {
+  Scratch s;
+  s.write("experiments/paper.json", bytes_of(kExperiments + "/paper.json"));
+  const auto parent = s.write("experiments/a.json", R"({"extends": "paper.json", "name": "a",
+    "tiers": {"smoke": {"load": {"R_n": null, "path": null, "z_0": 0.5}}}})");
+  CHECK(load_experiment(parent, {{}, "smoke"}).base.loading.z_0 == 0.5);
+  CHECK_FALSE(load_experiment(parent, {}).base.loading.z_0);
+  const auto child = s.write("experiments/b.json", R"({"extends": "a.json", "tiers": {"smoke": null}})");
+  CHECK_FALSE(load_experiment(child, {{}, "smoke"}).base.loading.z_0);
+}

@@ -141,14 +141,22 @@ Document Document::with_tier(const std::string& tier) const {
   return d;
 }
 
+// Those of the files, parents first: a patch merged with another would lose what it removes.
+std::vector<Json> Document::tier_patches() const {
+  std::vector<Json> patches;
+  for (const Source& s : files_) {
+    const Json tiers = s.content.value("tiers", Json::object());
+    const bool named = tiers.is_object() && tiers.contains(tier_);
+    if (tiers.is_null() || (named && tiers[tier_].is_null())) patches.clear();
+    else if (named && tiers[tier_].is_object()) patches.push_back(tiers[tier_]);
+  }
+  return patches;
+}
+
 void Document::merge() {
   merged_ = Json::object();
   for (const Source& s : files_) merged_.merge_patch(s.content);
-  const JsonPointer patch("/tiers/" + tier_);
-  if (merged_.contains(patch) && merged_[patch].is_object()) {
-    const Json tier = merged_[patch];
-    merged_.merge_patch(tier);
-  }
+  for (const Json& patch : tier_patches()) merged_.merge_patch(patch);
   for (const Source& s : set_) {
     try {
       merged_.merge_patch(s.content);

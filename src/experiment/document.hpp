@@ -38,6 +38,7 @@ class Document {
   Document with_tier(const std::string& tier) const;
 
  private:
+  std::vector<Json> tier_patches() const;
   void merge();
 
   std::string path_, tier_;
