@@ -2,7 +2,7 @@
 .DEFAULT_GOAL := help
 
 FIGURES := fig2 fig3 fig4 fig5 fig6 fig7 fig8 figA1 figA2 figA3
-.PHONY: help packages build test bench clean figures findings archive verify release $(FIGURES)
+.PHONY: help packages build test bench clean figures findings report archive verify release $(FIGURES)
 JOBS ?= $(shell nproc 2>/dev/null || echo 1)
 BUILD := build
 # TIER=smoke computes a small subset of the points, in seconds.
@@ -36,6 +36,9 @@ figures: $(FIGURES) ## make all figures
 
 findings: figures ## all figures, and docs/findings.md: every claim with its verdict and numbers
 	@$$(scripts/find-python) scripts/findings.py $(FIGURES:%=results/%$(SUFFIX).h5) -o $(if $(SUFFIX),results/findings$(SUFFIX).md,docs/findings.md)
+
+report: figures ## one page of all figures, claims, points and sources: report/index.html
+	@$$(scripts/find-python) scripts/report/report.py $(FIGURES:%=results/%$(SUFFIX).h5) -o report$(SUFFIX)/index.html
 
 test: packages $(BUILD)/build.ninja ## build everything and run the tests
 	@echo "Building program and tests ..."
