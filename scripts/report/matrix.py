@@ -83,7 +83,7 @@ def cell(found, settled, alternative, check):
     """What a cell shows, and what it says when it is chosen."""
     if found is None:
         return {"letter": "\u2013", "verdict": "missing", "changed": False, "affected": True,
-                "alternative": alternative["name"], "says": "not computed"}
+                "margin": "", "alternative": alternative["name"], "says": "not computed"}
     verdict = found["verdict"]
     margin = number(value(found, "margin"), "+.3f")
     measured = with_uncertainty(value(found, "measured"), value(found, "uncertainty"))
@@ -121,7 +121,7 @@ def sentence(rows, cells, alternatives, settled):
     single = {alternatives[j]["choice"]: None for j in changed if alternatives[j]["choice"] != "pair"}
     pairs = [j for j in changed if alternatives[j]["choice"] == "pair"]
     what = ", ".join(single) or "pairs of choices alone"
-    more = f"; {len(pairs)} of the pairs change it, too" if single and pairs else ""
+    more = f"; and on {len(pairs)} pair{'s' * (len(pairs) > 1)}" if single and pairs else ""
     return {"robust": False, "text": f"hangs on {what}{more}",
             "changes": [f"{alternatives[j]['name']}: {', '.join(dict.fromkeys(words))}"
                         for j, words in changed.items()]}
