@@ -86,7 +86,7 @@ def numbers(array):
 
 def symbol(data, name):
     found = text(data.attrs.get("symbol", ""))
-    return str(symbols.html(found)) if found else name
+    return str(symbols.html(found)) if found not in ("", name) else name  # a word is no formula
 
 
 def embedded(data):

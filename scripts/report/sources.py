@@ -58,8 +58,9 @@ def authors(entry):
 
 
 def as_text(entry):
-    where = f"version {entry['version']}" if entry["kind"] == "software" else entry["journal"]
-    return f"{', '.join(authors(entry))} ({entry['year']}). {entry['title']}. {where}."
+    where = f"Version {entry['version']}" if entry["kind"] == "software" else entry["journal"]
+    who = ", ".join(authors(entry))
+    return f"{who[0].upper()}{who[1:]} ({entry['year']}). {entry['title']}. {where}."
 
 
 def bibtex(entry):

@@ -53,10 +53,10 @@ function showPoint() {
   element("button", { type: "button", class: "copy", "data-what": "The command", text: "Copy" }));
   control("point").replaceChildren(
     element("h3", { html: data.axes.map((axis, i) => `${axis.symbol} = ${shortly(axis.values[at[i]])}`).join(", ") || "The point" }),
-    element("p", { class: "caption", text: `Status: ${data.status.words[data.status.codes[point]]}. A number's title has all its digits.` }),
+    element("p", { class: "caption", text: `Status: ${data.status.words[data.status.codes[point]]}. Rest on a number to see all its digits.` }),
     element("div", { class: "scroll", tabindex: 0, role: "group", "aria-label": "Numbers of the point" }, table),
     element("p", { class: "caption", text: data.nodes > 1 ? "The curve that it is on, computed again:"
-      : "The point alone, computed again (--force: even if the journal has it):" }), command);
+      : "The point alone, computed again (with --force even if results/ has it):" }), command);
 }
 
 function choosePoint(where, focus) {

@@ -43,7 +43,7 @@ function layout(data, width) {
   const longest = Math.max(...y.values.map((value) => tick(value).length));
   const left = 10 + 6.2 * longest, right = 8, top = 6, bottom = 24;
   const cell = (width - left - right) / x.values.length;
-  const row = Math.min(56, Math.max(18, Math.min(cell, 320 / y.values.length)));
+  const row = Math.min(48, Math.max(18, Math.min(Math.max(cell, 200 / y.values.length), 320 / y.values.length)));
   return { x, y, left, top, cell, row, width, height: top + row * y.values.length + bottom };
 }
 
