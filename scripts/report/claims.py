@@ -12,21 +12,21 @@ from verdicts import SYMBOLS, demand, number, with_uncertainty
 ORDER = ["supported", "refuted", "undecided"]
 
 
-def read(name, file):
+def read(figure, file):
     """One row for each check of the experiment, in its order."""
     if "checks" not in file:
         return []
-    margins, significances = (values(dataset(file["checks"], column)) for column in ("margin", "significance"))
-    return [row(name, check, claim, margins[i], significances[i])
+    margins, significances = (values(dataset(file["checks"], name)) for name in ("margin", "significance"))
+    return [row(figure, check, claim, margins[i], significances[i])
             for i, (check, claim) in enumerate(checks(file))]
 
 
-def row(name, check, claim, margin, significance):
+def row(figure, check, claim, margin, significance):
     measured = with_uncertainty(claim.measured, claim.uncertainty)
     if np.isfinite(significance):
         measured += f", p = {significance:.1g}" if significance >= 1e-4 else ", p < 0.0001"
     return {
-        "figure": name,
+        "figure": figure,
         "claim": claim.claim,
         "statement": symbols.prose(claim.statement),
         "quantity": quantity(check),

@@ -1,4 +1,4 @@
-"""How good the numbers of a result are: energy residual, error estimates, pinned bristles, points by status."""
+"""How good a result's numbers are: energy residual, error estimates, pinned bristles, points by status."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""The figures as inline SVG: what scripts/figN.py draws, without its header and verdicts, which the page has as text."""
+"""The figures as inline SVG: what scripts/figN.py draw, but for header and verdicts, which are text."""
 
 import importlib
 import io
@@ -38,7 +38,8 @@ def inline(svg, name, title, description):
     svg = re.sub(r"<style.*?</style>", "", svg, flags=re.DOTALL)
     svg = re.sub(r"<metadata>.*?</metadata>", "", svg, flags=re.DOTALL)
     used = set(re.findall(r'(?:href="|url\()#([^")]*)', svg))
-    svg = re.sub(r' id="([^"]*)"', lambda found: f' id="{name}-{found.group(1)}"' if found.group(1) in used else "", svg)
+    svg = re.sub(r' id="([^"]*)"',
+                 lambda found: f' id="{name}-{found.group(1)}"' if found.group(1) in used else "", svg)
     svg = re.sub(r'href="#', f'href="#{name}-', svg)
     svg = svg.replace("url(#", f"url(#{name}-")
     box = re.search(r'viewBox="([^"]*)"', svg).group(1)

@@ -15,7 +15,7 @@ ERROR = "_err"
 
 
 def collect(file, replay):
-    """Points as JSON will have them; replay: the command of each point of the sweep, the last axis fastest."""
+    """The points for the page; replay: the command of each point of the sweep, the last axis fastest."""
     status = dataset(file, "status")
     shape = np.shape(values(status))
     points = int(np.prod(shape))
@@ -91,4 +91,5 @@ def symbol(data, name):
 
 def embedded(data):
     """JSON that can stand within a script element."""
-    return Markup(json.dumps(data, ensure_ascii=False, allow_nan=False, separators=(",", ":")).replace("<", "\\u003c"))
+    words = json.dumps(data, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
+    return Markup(words.replace("<", "\\u003c"))

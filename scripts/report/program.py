@@ -1,4 +1,4 @@
-"""What the program says of a result: drift against the reference, replay commands, whether the numbers are intact."""
+"""What the program says of a result: drift, replay commands, whether the numbers are intact."""
 
 import json
 import subprocess

@@ -2,7 +2,6 @@
 
 import argparse
 import contextlib
-import json
 import os
 import re
 import sys
@@ -22,9 +21,11 @@ import points  # noqa: E402
 import program  # noqa: E402
 import sources  # noqa: E402
 import symbols  # noqa: E402
+from findings import experiment  # noqa: E402
 from style import COLORMAP, apply_look, fail, open_result, text  # noqa: E402
 
-ASSETS = {"css": ["base.css", "parts.css", "print.css"], "js": ["page.js", "tables.js", "map.js", "explorer.js"]}
+ASSETS = {"css": ["base.css", "parts.css", "print.css"],
+          "js": ["page.js", "tables.js", "map.js", "explorer.js"]}
 
 
 def main():
@@ -32,8 +33,10 @@ def main():
     parser.add_argument("results", metavar="RESULT.h5", nargs="+",
                         help="result files in the figures' order; one that is not there is named on the page")
     parser.add_argument("-o", dest="output", metavar="FILE", default="report/index.html")
-    parser.add_argument("--program", default="build/bristle", help="compares with the references (default: %(default)s)")
-    parser.add_argument("--reference", default="reference", help="folder of the references (default: %(default)s)")
+    parser.add_argument("--program", default="build/bristle",
+                        help="compares with the references (default: %(default)s)")
+    parser.add_argument("--reference", default="reference",
+                        help="folder of the references (default: %(default)s)")
     parser.add_argument("--assumptions", metavar="FILE", nargs="+", help="the first that is there is shown",
                         default=["results/assumptions.json", "reference/assumptions.json"])
     parser.add_argument("--citation", default="CITATION.cff", help="(default: %(default)s)")
@@ -60,7 +63,7 @@ def figure(path, arguments):
             "title": symbols.prose(heading(file)),
             "caption": symbols.prose(text(file.attrs.get("caption", ""))),
             "tier": text(file.attrs.get("tier", "full")),
-            "notes": [symbols.prose(note) for note in json.loads(text(file.attrs["experiment"])).get("notes", [])],
+            "notes": [symbols.prose(note) for note in experiment(file).get("notes", [])],
             "svg": svg, "width": round(width * 100), "claims": rows,
             "points": points.collect(file, said["replay"]),
             "drift": said["drift"], "outcome": program.outcome(said["drift"]),

@@ -8,8 +8,8 @@ import yaml
 
 from style import fail, text
 
-FIRST = ["version", "commit", "dirty", "compiler", "flags", "started", "finished", "cpu", "instruction_set", "threads",
-         "system", "command_line", "points_computed", "points_commits"]
+FIRST = ["version", "commit", "dirty", "compiler", "flags", "started", "finished", "cpu", "instruction_set",
+         "threads", "system", "command_line", "points_computed", "points_commits"]
 DIGESTS = ["payload_sha256", "experiment_sha256", "inputs_sha256", "numerics_version"]
 
 
@@ -34,7 +34,8 @@ def sha256(path):
 
 def duration(found):
     try:
-        start, end = (datetime.fromisoformat(found[name].replace("Z", "+00:00")) for name in ("started", "finished"))
+        start, end = (datetime.fromisoformat(found[name].replace("Z", "+00:00"))
+                      for name in ("started", "finished"))
     except (KeyError, ValueError):
         return "\u2013"
     minutes, seconds = divmod(int((end - start).total_seconds()), 60)
@@ -54,7 +55,8 @@ def citation(path):
 
 
 def authors(entry):
-    return [author.get("name") or f"{author['given-names']} {author['family-names']}" for author in entry["authors"]]
+    return [author.get("name") or f"{author['given-names']} {author['family-names']}"
+            for author in entry["authors"]]
 
 
 def as_text(entry):

@@ -27,12 +27,17 @@ function withError(value, error) {
   return [minus(value.toFixed(digits)), minus(error.toFixed(digits))];
 }
 
+function statusOf(data, point) {
+  return data.status.words[data.status.codes[point]];
+}
+
 function numberRow(data, variable, point) {
   const value = valueOf(variable, point), error = variable.errors?.[point];
   const [shown, uncertain] = variable.words ? [value, ""] : withError(value, error);
-  const row = element("tr", { "data-name": variable.name, class: variable === chosen.variable ? "current" : "" });
+  const row = element("tr", { "data-name": variable.name });
+  row.classList.toggle("current", variable === chosen.variable);
   const cell = (content, exact) => element("td", { class: "number" },
-    exact === null || exact === undefined ? content : element("data", { value: exact, title: exact, text: content }));
+    (exact ?? null) === null ? content : element("data", { value: exact, title: exact, text: content }));
   const head = element("th", { scope: "row", html: variable.symbol });
   head.append(element("small", { text: variable.title + (variable.equation && `, ${variable.equation}`) }));
   row.append(head, cell(shown, value), cell(uncertain && `± ${uncertain}`, error));
@@ -43,7 +48,7 @@ function showPoint() {
   const { data, at } = chosen, point = pointAt(data, at);
   const table = element("table", {}, element("caption", { class: "hidden", text: "Numbers of the point" }));
   const head = element("tr");
-  for (const title of ["Quantity", "Value", "Error"]) head.append(element("th", { scope: "col", text: title }));
+  for (const text of ["Quantity", "Value", "Error"]) head.append(element("th", { scope: "col", text }));
   table.append(element("thead", {}, head));
   const body = element("tbody");
   for (const variable of data.variables) body.append(numberRow(data, variable, point));
@@ -51,10 +56,12 @@ function showPoint() {
   const command = element("div", { class: "copyable" }, element("pre", { tabindex: 0, id: "replay",
     text: data.replay[Math.floor(point / data.nodes)] }),
   element("button", { type: "button", class: "copy", "data-what": "The command", text: "Copy" }));
+  const places = data.axes.map((axis, i) => `${axis.symbol} = ${shortly(axis.values[at[i]])}`);
   control("point").replaceChildren(
-    element("h3", { html: data.axes.map((axis, i) => `${axis.symbol} = ${shortly(axis.values[at[i]])}`).join(", ") || "The point" }),
-    element("p", { class: "caption", text: `Status: ${data.status.words[data.status.codes[point]]}. Rest on a number to see all its digits.` }),
-    element("div", { class: "scroll", tabindex: 0, role: "group", "aria-label": "Numbers of the point" }, table),
+    element("h3", { html: places.join(", ") || "The point" }),
+    element("p", { class: "caption",
+      text: `Status: ${statusOf(data, point)}. Rest on a number to see all its digits.` }),
+    element("div", { class: "scroll", tabindex: 0, role: "group", "aria-label": "Its numbers" }, table),
     element("p", { class: "caption", text: data.nodes > 1 ? "The curve that it is on, computed again:"
       : "The point alone, computed again (with --force even if results/ has it):" }), command);
 }
@@ -62,8 +69,9 @@ function showPoint() {
 function choosePoint(where, focus) {
   chosen.at = where;
   chosen.mark?.(where, focus);
-  for (const row of control("points").querySelectorAll("[aria-selected=true]")) row.removeAttribute("aria-selected");
-  control("points").querySelector(`[data-point="${pointAt(chosen.data, where)}"]`)?.setAttribute("aria-selected", "true");
+  const table = control("points"), point = pointAt(chosen.data, where);
+  table.querySelector("[aria-selected=true]")?.removeAttribute("aria-selected");
+  table.querySelector(`[data-point="${point}"]`)?.setAttribute("aria-selected", "true");
   showPoint();
 }
 
@@ -71,7 +79,8 @@ function showMap() {
   const { data, variable, at } = chosen, box = control("map");
   chosen.mark = null;
   if (data.map) chosen.mark = drawMap(box, data, variable, at, choosePoint);
-  else box.replaceChildren(element("p", { text: data.axes.length ? "One axis: its points are in the table below." : "This figure is of one point." }));
+  else box.replaceChildren(element("p", { text: data.axes.length
+    ? "One axis: its points are in the table below." : "This figure is of one point." }));
   choosePoint(at, false);
 }
 
@@ -81,7 +90,8 @@ function showSlices() {
   const selections = data.axes.map((axis, i) => {
     if (data.map?.includes(i)) return null;
     const select = element("select", { "data-axis": axis.name });
-    axis.values.forEach((value, k) => select.append(element("option", { value: k, text: `${axis.name} = ${shortly(value)}` })));
+    axis.values.forEach((value, k) => select.append(element("option", { value: k,
+      text: `${axis.name} = ${shortly(value)}` })));
     select.value = chosen.at[i];
     select.addEventListener("change", () => {
       chosen.at[i] = Number(select.value);
@@ -123,12 +133,12 @@ function showTable() {
   chosen.table = data;
   const shown = data.variables.filter((variable) => variable.errors).slice(0, 8);
   const head = element("tr");
-  for (const { symbol } of [...data.axes, ...shown]) head.append(element("th", { scope: "col", html: symbol }));
+  for (const { symbol: html } of [...data.axes, ...shown]) head.append(element("th", { scope: "col", html }));
   head.append(element("th", { scope: "col", text: "status" }));
   table.tHead.replaceChildren(head);
   const absent = data.status.words.indexOf("absent");
-  const rows = data.status.codes.map((code, point) => (code === absent ? null : pointRow(data, shown, point)));
-  table.tBodies[0].replaceChildren(...rows.filter(Boolean));
+  const there = [...data.status.codes.keys()].filter((point) => data.status.codes[point] !== absent);
+  table.tBodies[0].replaceChildren(...there.map((point) => pointRow(data, shown, point)));
   makeSortable(table);
   filter(document.querySelector("[data-table=points]"));
 }
@@ -136,12 +146,13 @@ function showTable() {
 function pointRow(data, shown, point) {
   const at = positionOf(data, point);
   const row = element("tr", { "data-point": point, tabindex: 0 });
-  data.axes.forEach((axis, i) => row.append(element("td", { class: "number", text: shortly(axis.values[at[i]]),
+  data.axes.forEach((axis, i) => row.append(element("td", { class: "number",
+    text: shortly(axis.values[at[i]]),
     ...(axis.words ? {} : { "data-value": axis.values[at[i]] }) })));
   for (const variable of shown)
     row.append(element("td", { class: "number", "data-value": variable.values[point] ?? "",
       text: withError(variable.values[point], variable.errors[point])[0] }));
-  row.append(element("td", { text: data.status.words[data.status.codes[point]] }));
+  row.append(element("td", { text: statusOf(data, point) }));
   return row;
 }
 
@@ -169,7 +180,8 @@ control("points").addEventListener("keydown", (event) => {
   const row = event.target.closest("tbody tr");
   if (row && event.key === "Enter") pickRow(row);
 });
-for (const link of document.querySelectorAll("a.explore")) link.addEventListener("click", () => chooseFigure(link.dataset.figure));
+for (const link of document.querySelectorAll("a.explore"))
+  link.addEventListener("click", () => chooseFigure(link.dataset.figure));
 
 let width = 0;
 new ResizeObserver(([entry]) => {

@@ -1,9 +1,11 @@
 "use strict";
 
-// element("p", { class: "x", text: "..." }, children...): `text` and `html` are content, the rest are attributes.
+// element("p", { class: "x", text: "..." }, children...): `text` and `html` are content, the rest are
+// attributes.
 function element(name, attributes = {}, ...children) {
   const svg = ["svg", "g", "rect", "text", "line", "circle", "path", "pattern", "defs"].includes(name);
-  const made = svg ? document.createElementNS("http://www.w3.org/2000/svg", name) : document.createElement(name);
+  const made = svg ? document.createElementNS("http://www.w3.org/2000/svg", name)
+    : document.createElement(name);
   for (const [key, value] of Object.entries(attributes)) {
     if (key === "text") made.textContent = value;
     else if (key === "html") made.innerHTML = value;  // of symbols, which the report's templates made

@@ -1,4 +1,5 @@
-// Tables with class "sortable": a button in each header sorts, a form with data-table filters by words and verdicts.
+// Tables with class "sortable": a button in each header sorts, a form with data-table filters by words and
+// verdicts.
 
 function sortKey(row, column) {
   const cell = row.cells[column];
@@ -49,7 +50,8 @@ function filter(form) {
   form.querySelector(".shown").textContent = `${shown} of ${rows.length} shown`;
 }
 
-for (const table of document.querySelectorAll("table.sortable")) if (table.tHead.rows.length) makeSortable(table);
+for (const table of document.querySelectorAll("table.sortable"))
+  if (table.tHead.rows.length) makeSortable(table);
 for (const form of document.querySelectorAll("form.filters")) {
   form.addEventListener("input", () => filter(form));
   form.addEventListener("submit", (event) => event.preventDefault());
