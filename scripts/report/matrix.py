@@ -121,7 +121,7 @@ def sentence(rows, cells, alternatives, settled):
     single = {alternatives[j]["choice"]: None for j in changed if alternatives[j]["choice"] != "pair"}
     pairs = [j for j in changed if alternatives[j]["choice"] == "pair"]
     what = ", ".join(single) or "pairs of choices alone"
-    more = f"; and on {len(pairs)} pair{'s' * (len(pairs) > 1)}" if single and pairs else ""
+    more = f", and on {len(pairs)} pair{'s' * (len(pairs) > 1)} of choices" if single and pairs else ""
     return {"robust": False, "text": f"hangs on {what}{more}",
             "changes": [f"{alternatives[j]['name']}: {', '.join(dict.fromkeys(words))}"
                         for j, words in changed.items()]}

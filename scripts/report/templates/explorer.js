@@ -123,6 +123,7 @@ function chooseFigure(name) {
   control("points").tBodies[0].replaceChildren();
   showSlices();
   showMap();
+  if (!data.map) control("table-of-points").open = true;
   if (control("table-of-points").open) showTable();
 }
 
