@@ -183,9 +183,9 @@ def check_point(driver, name, point, replay):
 
 def check_map(driver, keys):
     """A click on a cell, the arrow keys, another slice, another variable, and a row of the table."""
-    said = subprocess.run([program, "check", named["fig6"], "--json", "--report-only"], capture_output=True,
+    done = subprocess.run([program, "check", named["fig6"], "--json", "--report-only"], capture_output=True,
                           text=True, cwd=root)
-    replay = json.loads(said.stdout)["replay"]
+    replay = json.loads(done.stdout)["replay"]
     for selector, value in (("#choose-figure", "fig6"), ("#choose-variable", "gamma_1"), ("#slices select", "0")):
         select(driver, selector, value)
     with h5py.File(named["fig6"]) as file:
@@ -208,8 +208,12 @@ def check_map(driver, keys):
     assert one(driver, "#slices select").get_attribute("value") == "1"
     one(driver, "#point button.copy").click()
     driver.implicitly_wait(0)
-    time.sleep(0.3)
-    assert one(driver, "#said").get_attribute("textContent") == "The command: copied."
+    said = "The command: copied."
+    for _ in range(50):  # the clipboard takes its time
+        if one(driver, "#said").get_attribute("textContent") == said:
+            break
+        time.sleep(0.1)
+    assert one(driver, "#said").get_attribute("textContent") == said
     return replay[4]
 
 
