@@ -4,7 +4,7 @@
 FIGURES := fig2 fig3 fig4 fig5 fig6 fig7 fig8 figA1 figA2 figA3
 # Research of one's own, made as the figures are.
 STUDIES := ski orientation stribeck
-.PHONY: help packages build test bench clean figures findings assumptions archive verify release $(FIGURES) $(STUDIES)
+.PHONY: help packages build test bench clean figures findings assumptions report archive verify release $(FIGURES) $(STUDIES)
 JOBS ?= $(shell nproc 2>/dev/null || echo 1)
 BUILD := build
 # TIER=smoke computes a small subset of the points, in seconds.
@@ -42,6 +42,9 @@ findings: figures ## all figures, and docs/findings.md: every claim with its ver
 assumptions: build ## every claim under every alternative to what the paper leaves open: docs/assumptions.md
 	$(BUILD)/bristle assumptions
 	@$$(scripts/find-python) scripts/assumptions.py results/assumptions.json -o figures --text docs/assumptions.md
+
+report: figures $(STUDIES) ## one page of all figures, claims, points and sources: report/index.html
+	@$$(scripts/find-python) scripts/report/report.py $(patsubst %,results/%$(SUFFIX).h5,$(FIGURES) $(STUDIES)) -o report$(SUFFIX)/index.html
 
 test: packages $(BUILD)/build.ninja ## build everything and run the tests
 	@echo "Building program and tests ..."

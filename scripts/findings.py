@@ -106,11 +106,16 @@ def table_row(file, check, index):
     asked = {"at_most": f"≤ {threshold:.3g}", "at_least": f"≥ {threshold:.3g}",
              "near": f"{threshold:.3g} ± {band:.3g}"}[check["is"]]
     verdict = text(group["verdict"][index])
+    return (f"| {check['claim']} | {check['statement']} | {emphasised(verdict)} | "
+            f"{quantity(check)} {found} | {asked} |")
+
+
+def quantity(check):
+    """What the check measures, in words."""
     what = check["predicate"].replace("_", " ")
     if "compare" in check and check["predicate"] not in PAIRS:
-        what = f"{check.get('by', 'ratio')} of {what}"
-    return (f"| {check['claim']} | {check['statement']} | {emphasised(verdict)} | "
-            f"{what} {found} | {asked} |")
+        return f"{check.get('by', 'ratio')} of {what}"
+    return what
 
 
 if __name__ == "__main__":

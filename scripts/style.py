@@ -49,7 +49,9 @@ LOOK = {
 METADATA = {
     "pdf": {"CreationDate": None, "Creator": None, "Producer": None},
     "png": {"Software": None},
+    "svg": {"Date": None, "Creator": None},
 }
+SAVED = ("pdf", "png")
 
 
 def fail(message, code=2):
@@ -201,10 +203,10 @@ def draw_header(figure, file):
 
 def save(figure, directory, name):
     """Write name.pdf and name.png into the directory, whole or not at all."""
-    for kind, metadata in METADATA.items():
+    for kind in SAVED:
         path = os.path.join(directory, f"{name}.{kind}")
         buffer = io.BytesIO()
-        figure.savefig(buffer, format=kind, metadata=metadata)
+        figure.savefig(buffer, format=kind, metadata=METADATA[kind])
         try:
             os.makedirs(directory, exist_ok=True)
             with open(path + ".part", "wb") as part:

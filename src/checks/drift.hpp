@@ -30,7 +30,16 @@ DriftReport drift(const Reference& reference, const Reference& now);
 // the commands that compute their points again.
 std::string drift_text(const DriftReport& report, const ResultReader& result, const std::string& reference);
 
+// For programs: the counts, the worst five, failures and notes.
+Json drift_json(const DriftReport& report, const ResultReader& result, const std::string& reference);
+
+// How many points the result's sweep has; a traced curve is one.
+std::size_t sweep_points(const ResultReader& result);
+
 // The command that computes one point of a result anew, alone, to the same bits.
 std::string replay_command(const ResultReader& result, std::size_t point);
+
+// That of every point of the sweep, the last axis fastest.
+Json replay_json(const ResultReader& result);
 
 }  // namespace bristle

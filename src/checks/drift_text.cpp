@@ -87,6 +87,13 @@ std::string replays(const DriftReport& report, const ResultReader& result, std::
 
 }  // namespace
 
+std::size_t sweep_points(const ResultReader& result) {
+  std::size_t points = 1;
+  const Json sweep = result.experiment().value("sweep", Json::object());
+  for (const auto& [name, axis] : sweep.items()) points *= result.variable(axis_variable(name)).values.size();
+  return points;
+}
+
 std::string replay_command(const ResultReader& result, std::size_t point) {
   const Json experiment = result.experiment();
   const std::string file = experiment_file(result), tier = tier_of(result);
@@ -100,9 +107,8 @@ std::string replay_command(const ResultReader& result, std::size_t point) {
     values.push_back(result.variable(axis_variable(name)).values);
     shape.push_back(values.back().size());
   }
-  std::size_t points = 1;
-  for (const std::size_t n : shape) points *= n;
-  const std::size_t nodes = result.variable("status").values.size() / points;  // of a traced curve, else 1
+  const std::size_t nodes =
+      result.variable("status").values.size() / sweep_points(result);  // of a traced curve, else 1
   const auto at = unravel(point / nodes, shape);
   std::size_t d = 0;
   for (const auto& [name, axis] : sweep.items()) {

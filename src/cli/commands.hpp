@@ -38,6 +38,7 @@ struct CheckOptions {
   std::string file, reference = "reference";
   bool report_only = false;  // claims that are not supported do not fail
   bool claims_only = false;  // no comparison with the reference
+  bool json = false;         // for programs: drift, and the command that computes each point again
 };
 int check_command(const CheckOptions& options);
 

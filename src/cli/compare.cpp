@@ -43,6 +43,20 @@ bool report_drift(const CheckOptions& options, const ResultReader& result,
   return !report.failed();
 }
 
+// Both for programs, a missing reference is null; whether nothing failed.
+bool print_json(const CheckOptions& options, const ResultReader& result,
+                const std::vector<CheckResult>& checks) {
+  const std::string path = reference_path(options.reference, result.text("name"));
+  Json out = {{"file", options.file}, {"drift", nullptr}, {"replay", replay_json(result)}};
+  if (std::filesystem::exists(path))
+    out["drift"] = drift_json(drift(read_reference(path), make_reference(result, checks)), result, path);
+  fmt::print("{}\n", out.dump(1));
+  const bool claims = std::all_of(checks.begin(), checks.end(),
+                                  [](const CheckResult& c) { return c.verdict == Verdict::supported; });
+  const bool drifted = out["drift"].is_null() || out["drift"]["failed"].get<bool>();
+  return (claims || options.report_only) && (!drifted || options.claims_only);
+}
+
 }  // namespace
 
 int diff_command(const DiffOptions& options) {
@@ -55,6 +69,7 @@ int diff_command(const DiffOptions& options) {
 int check_command(const CheckOptions& options) {
   const ResultReader result(options.file);
   const auto checks = evaluate_checks(result);
+  if (options.json) return print_json(options, result, checks) ? kFine : kCheckFailed;
   const bool claims = report_claims(options, checks) || options.report_only;
   const bool reference = options.claims_only || report_drift(options, result, checks);
   return claims && reference ? kFine : kCheckFailed;

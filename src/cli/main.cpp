@@ -44,6 +44,8 @@ CLI::App* add_check(CLI::App& app, CheckOptions& check) {
   command->add_option("--reference", check.reference, "folder of the references")->capture_default_str();
   command->add_flag("--report-only", check.report_only, "a claim that is not supported is no failure");
   command->add_flag("--claims-only", check.claims_only, "no comparison with the reference");
+  command->add_flag("--json", check.json,
+                    "for programs: the comparison, and for each point the command that computes it again");
   return command;
 }
 

@@ -1,0 +1,78 @@
+"""The figures as inline SVG: what scripts/figN.py draw, but for header and verdicts, which are text."""
+
+import importlib
+import io
+import re
+
+import numpy as np
+from markupsafe import Markup, escape
+from matplotlib.transforms import Bbox
+
+from style import METADATA, dataset, header_height, text, values
+from sweep import axis, axis_names
+from symbols import plain
+from verdicts import read_claims, strip_height
+
+
+def draw(name, file, verdicts):
+    """The figure's SVG element; verdicts: (claim, verdict) of its checks, for the description."""
+    module = importlib.import_module(name)
+    figure = module.draw(file)
+    width, height = figure.get_size_inches()
+    claims = read_claims(file)
+    foot, head = strip_height(claims, width), header_height(file, width) - 0.15
+    for artist in figure.texts:
+        artist.set_visible(artist.get_position()[1] * height < height - head)
+    if claims:
+        figure.axes[0].set_visible(False)  # the strip of verdicts is the first that a page has
+    buffer = io.StringIO()
+    figure.savefig(buffer, format="svg", metadata=METADATA["svg"],
+                   bbox_inches=Bbox([[0, foot], [width, height - head]]))
+    title = plain(text(file.attrs["title"]))
+    return inline(buffer.getvalue(), name, title, describe(module, file, verdicts)), width
+
+
+def inline(svg, name, title, description):
+    """The SVG as an element of a page that has others: ids of its own, no rules that reach beyond it."""
+    svg = svg[svg.index("<svg"):]
+    svg = re.sub(r"<style.*?</style>", "", svg, flags=re.DOTALL)
+    svg = re.sub(r"<metadata>.*?</metadata>", "", svg, flags=re.DOTALL)
+    used = set(re.findall(r'(?:href="|url\()#([^")]*)', svg))
+    svg = re.sub(r' id="([^"]*)"',
+                 lambda found: f' id="{name}-{found.group(1)}"' if found.group(1) in used else "", svg)
+    svg = re.sub(r'href="#', f'href="#{name}-', svg)
+    svg = svg.replace("url(#", f"url(#{name}-")
+    box = re.search(r'viewBox="([^"]*)"', svg).group(1)
+    words = (f'<title id="{name}-title">{escape(title)}</title>'
+             f'<desc id="{name}-desc">{escape(description)}</desc>')
+    start = (f'<svg xmlns:xlink="http://www.w3.org/1999/xlink" viewBox="{box}" class="plot" role="img" '
+             f'aria-labelledby="{name}-title {name}-desc" stroke-linejoin="round" stroke-linecap="butt">')
+    return Markup(start + words + svg[svg.index(">") + 1:])
+
+
+def describe(module, file, verdicts):
+    """What is plotted, over which ranges, and what came out, in words."""
+    names = getattr(module, "NAMES", None) or [getattr(module, "NAME", "R_n"), "z_0"]
+    shown = [name for name in dict.fromkeys(names) if name in file]
+    sentences = [module.__doc__.splitlines()[0], plain(text(file.attrs.get("caption", ""))) + "."]
+    ranges = [axis_range(file, name) for name in axis_names(dataset(file, "status"))]
+    if ranges:
+        sentences.append(f"Swept: {'; '.join(ranges)}.")
+    sentences.append(f"Plotted: {'; '.join(value_range(file, name) for name in shown)}.")
+    if verdicts:
+        sentences.append(f"Verdicts: {', '.join(f'{claim} {verdict}' for claim, verdict in verdicts)}.")
+    return " ".join(sentences)
+
+
+def axis_range(file, name):
+    line = axis(file, name)
+    if isinstance(line[0], str):
+        return f"{name}: {', '.join(line)}"
+    return f"{name} from {line[0]:g} to {line[-1]:g}, {len(line)} values"
+
+
+def value_range(file, name):
+    numbers = values(dataset(file, name))
+    numbers = numbers[np.isfinite(numbers)]
+    what = f"{name} ({text(file[name].attrs['long_name'])})"
+    return f"{what} from {numbers.min():.3g} to {numbers.max():.3g}" if numbers.size else f"{what}, no values"

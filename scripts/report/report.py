@@ -1,0 +1,125 @@
+"""The report: one page with all figures, claims, points, diagnostics and sources, from result files alone."""
+
+import argparse
+import contextlib
+import os
+import re
+import sys
+
+from jinja2 import Environment, FileSystemLoader, StrictUndefined
+from markupsafe import Markup
+from matplotlib import colormaps, colors
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path.append(os.path.dirname(HERE))  # what the figures' scripts share
+
+import claims  # noqa: E402
+import diagnostics  # noqa: E402
+import matrix  # noqa: E402
+import plots  # noqa: E402
+import points  # noqa: E402
+import program  # noqa: E402
+import sources  # noqa: E402
+import symbols  # noqa: E402
+from findings import experiment  # noqa: E402
+from style import COLORMAP, apply_look, fail, open_result, text  # noqa: E402
+
+ASSETS = {"css": ["base.css", "parts.css", "print.css"],
+          "js": ["page.js", "tables.js", "map.js", "explorer.js"]}
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("results", metavar="RESULT.h5", nargs="+",
+                        help="result files in the figures' order; one that is not there is named on the page")
+    parser.add_argument("-o", dest="output", metavar="FILE", default="report/index.html")
+    parser.add_argument("--program", default="build/bristle",
+                        help="compares with the references (default: %(default)s)")
+    parser.add_argument("--reference", default="reference",
+                        help="folder of the references (default: %(default)s)")
+    parser.add_argument("--assumptions", metavar="FILE", nargs="+", help="the first that is there is shown",
+                        default=["results/assumptions.json", "reference/assumptions.json"])
+    parser.add_argument("--citation", default="CITATION.cff", help="(default: %(default)s)")
+    arguments = parser.parse_args()
+    apply_look()
+    present = [path for path in arguments.results if os.path.exists(path)]
+    if not present:
+        fail(f"none of the results is there: {', '.join(arguments.results)}; `make figures` computes them")
+    figures = [figure(path, arguments) if path in present else missing(path) for path in arguments.results]
+    page = render(figures, arguments)
+    write(page, arguments.output)
+    print(f"{arguments.output}: {len(present)} of {len(figures)} figures, {len(page.encode()) / 1e6:.1f} MB")
+
+
+def figure(path, arguments):
+    """Everything that the page says of one result."""
+    with open_result(path, ["status"]) as file:
+        name = text(file.attrs["name"])
+        rows = claims.read(name, file)
+        said = program.check(arguments.program, path, arguments.reference)
+        svg, width = plots.draw(name, file, [(row["claim"], row["verdict"]) for row in rows])
+        return {
+            "name": name, "path": path, "present": True, "number": text(file.attrs.get("figure", "")),
+            "title": symbols.prose(heading(file)),
+            "caption": symbols.prose(text(file.attrs.get("caption", ""))),
+            "tier": text(file.attrs.get("tier", "full")),
+            "notes": [symbols.prose(note) for note in experiment(file).get("notes", [])],
+            "svg": svg, "width": round(width * 100), "claims": rows,
+            "points": points.collect(file, said["replay"]),
+            "drift": said["drift"], "outcome": program.outcome(said["drift"]),
+            "intact": program.intact(arguments.program, path),
+            "diagnostics": diagnostics.read(file), "provenance": sources.provenance(file, path),
+        }
+
+
+def heading(file):
+    """The title without the figure's number, which stands beside it."""
+    title = text(file.attrs["title"])
+    return re.sub(r"^(Figure \w+|Appendix \w+): (.)", lambda found: found.group(2).upper(), title)
+
+
+def missing(path):
+    """A figure without a result, and what computes it."""
+    stem = os.path.splitext(os.path.basename(path))[0]
+    name = re.split("[-_]", stem)[0]
+    tier = " TIER=smoke" if stem.endswith("smoke") else ""
+    return {"name": name, "path": path, "present": False, "number": name.removeprefix("fig"), "claims": [],
+            "command": f"make {name}{tier}"}
+
+
+def render(figures, arguments):
+    environment = Environment(loader=FileSystemLoader(os.path.join(HERE, "templates")), autoescape=True,
+                              undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True)
+    rows = [row for figure in figures for row in figure["claims"]]
+    shown = [figure for figure in figures if figure["present"]]
+    return environment.get_template("page.html.j2").render(
+        figures=figures, shown=shown, missing=[figure for figure in figures if not figure["present"]],
+        claims=rows, count=claims.count(rows), tiers=sorted({figure["tier"] for figure in shown}),
+        matrix=matrix.read(arguments.assumptions), citation=sources.citation(arguments.citation),
+        colours=points.embedded([colors.to_hex(colormaps[COLORMAP](i / 32)) for i in range(33)]),
+        embedded=points.embedded, **{kind: asset(names) for kind, names in ASSETS.items()})
+
+
+def asset(names):
+    parts = []
+    for name in names:
+        with open(os.path.join(HERE, "templates", name), encoding="utf-8") as file:
+            parts.append(file.read())
+    return Markup("\n".join(parts))
+
+
+def write(page, path):
+    """The page, whole or not at all."""
+    try:
+        os.makedirs(os.path.dirname(path) or ".", exist_ok=True)
+        with open(path + ".part", "w", encoding="utf-8") as part:
+            part.write(page)
+        os.replace(path + ".part", path)
+    except OSError as error:
+        with contextlib.suppress(OSError):
+            os.remove(path + ".part")
+        fail(f"{path}: cannot be written ({error.strerror})", 3)
+
+
+if __name__ == "__main__":
+    main()

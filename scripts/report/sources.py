@@ -1,0 +1,76 @@
+"""Where the numbers are from, and how they are cited."""
+
+import hashlib
+from collections import defaultdict
+from datetime import datetime
+
+import yaml
+
+from style import fail, text
+
+FIRST = ["version", "commit", "dirty", "compiler", "flags", "started", "finished", "cpu", "instruction_set",
+         "threads", "system", "command_line", "points_computed", "points_commits"]
+DIGESTS = ["payload_sha256", "experiment_sha256", "inputs_sha256", "numerics_version"]
+
+
+def provenance(file, path):
+    """Digests of the file, and all of /provenance with what matters most first."""
+    stored = file["provenance"].attrs if "provenance" in file else {}
+    found = defaultdict(str, {key: text(value) for key, value in stored.items()})
+    names = [name for name in FIRST if name in found] + sorted(set(found) - set(FIRST))
+    return {
+        "file_sha256": sha256(path),
+        "digests": [(name, text(file.attrs[name])) for name in DIGESTS if name in file.attrs],
+        "all": [(name.replace("_", " "), found[name].strip()) for name in names],
+        "found": found,
+        "duration": duration(found),
+    }
+
+
+def sha256(path):
+    with open(path, "rb") as file:
+        return hashlib.sha256(file.read()).hexdigest()
+
+
+def duration(found):
+    try:
+        start, end = (datetime.fromisoformat(found[name].replace("Z", "+00:00"))
+                      for name in ("started", "finished"))
+    except (KeyError, ValueError):
+        return "\u2013"
+    minutes, seconds = divmod(int((end - start).total_seconds()), 60)
+    return f"{minutes} min {seconds} s" if minutes else f"{seconds} s"
+
+
+def citation(path):
+    """The software and the paper, as text and as BibTeX, from CITATION.cff."""
+    try:
+        with open(path, encoding="utf-8") as file:
+            cff = yaml.safe_load(file)
+        software = {**cff, "year": str(cff["date-released"])[:4], "kind": "software"}
+        entries = [software, *({**reference, "kind": "article"} for reference in cff.get("references", []))]
+        return [{"text": as_text(entry), "bibtex": bibtex(entry)} for entry in entries]
+    except (OSError, yaml.YAMLError, KeyError, TypeError) as error:
+        fail(f"{path}: not a citation file ({type(error).__name__}: {error})")
+
+
+def authors(entry):
+    return [author.get("name") or f"{author['given-names']} {author['family-names']}"
+            for author in entry["authors"]]
+
+
+def as_text(entry):
+    where = f"Version {entry['version']}" if entry["kind"] == "software" else entry["journal"]
+    who = ", ".join(authors(entry))
+    return f"{who[0].upper()}{who[1:]} ({entry['year']}). {entry['title']}. {where}."
+
+
+def bibtex(entry):
+    first = entry["authors"][0]
+    key = f"{first.get('family-names', 'bristle').lower()}{entry['year']}"
+    people = [f"{{{name}}}" if "name" in author else f"{author['family-names']}, {author['given-names']}"
+              for name, author in zip(authors(entry), entry["authors"])]
+    fields = {"author": " and ".join(people), "title": f"{{{entry['title']}}}", "year": entry["year"]}
+    fields |= {name: entry[name] for name in ("journal", "version", "doi") if name in entry}
+    lines = [f"  {name} = {{{value}}}" for name, value in fields.items()]
+    return "\n".join([f"@{entry['kind']}{{{key},", ",\n".join(lines), "}"])

@@ -1,0 +1,96 @@
+"use strict";
+
+// element("p", { class: "x", text: "..." }, children...): `text` and `html` are content, the rest are
+// attributes.
+function element(name, attributes = {}, ...children) {
+  const svg = ["svg", "g", "rect", "text", "line", "circle", "path", "pattern", "defs"].includes(name);
+  const made = svg ? document.createElementNS("http://www.w3.org/2000/svg", name)
+    : document.createElement(name);
+  for (const [key, value] of Object.entries(attributes)) {
+    if (key === "text") made.textContent = value;
+    else if (key === "html") made.innerHTML = value;  // of symbols, which the report's templates made
+    else made.setAttribute(key, value);
+  }
+  made.append(...children);
+  return made;
+}
+
+function say(words) {
+  document.getElementById("said").textContent = words;
+}
+
+// A file opened from disk may have no clipboard to write to: then what is selected is copied.
+async function copy(source, what) {
+  try {
+    await navigator.clipboard.writeText(source.textContent);
+  } catch {
+    const selection = getSelection();
+    selection.removeAllRanges();
+    const range = document.createRange();
+    range.selectNodeContents(source);
+    selection.addRange(range);
+    if (!document.execCommand("copy")) return say("It could not be copied; it is selected.");
+    selection.removeAllRanges();
+  }
+  say(`${what}: copied.`);
+  return true;
+}
+
+document.addEventListener("click", async (event) => {
+  const button = event.target.closest("button.copy");
+  if (!button) return;
+  if (!(await copy(button.parentElement.querySelector("pre"), button.dataset.what))) return;
+  button.textContent = "Copied";
+  setTimeout(() => { button.textContent = "Copy"; }, 1500);
+});
+
+// Paper shows everything; afterwards the reader's state is back.
+const opened = [];
+addEventListener("beforeprint", () => {
+  for (const details of document.querySelectorAll("details:not([open])")) {
+    if (details.closest("#explorer")) continue;
+    details.open = true;
+    opened.push(details);
+  }
+});
+addEventListener("afterprint", () => {
+  for (const details of opened.splice(0)) details.open = false;
+});
+
+if (matchMedia("(max-width: 64rem)").matches) document.querySelector(".contents details").open = false;
+
+// Steps of the arrow keys in a grid: [rows, columns].
+const STEPS = { ArrowUp: [-1, 0], ArrowDown: [1, 0], ArrowLeft: [0, -1], ArrowRight: [0, 1] };
+
+// The assumptions matrix: one tab stop, arrow keys within, the chosen cell's numbers below.
+function startMatrix(table) {
+  const rows = [...table.querySelectorAll("tbody tr")].map((row) => [...row.querySelectorAll("td")]);
+  const says = document.getElementById("matrix-says");
+  let current = rows[0][0];
+  table.setAttribute("role", "grid");
+  for (const cell of rows.flat()) {
+    cell.setAttribute("role", "gridcell");
+    cell.tabIndex = cell === current ? 0 : -1;
+  }
+  function choose(cell) {
+    current.tabIndex = -1;
+    current = cell;
+    current.tabIndex = 0;
+    current.focus({ preventScroll: false });
+    says.textContent = cell.dataset.says;
+  }
+  table.addEventListener("click", (event) => {
+    const cell = event.target.closest("td");
+    if (cell) choose(cell);
+  });
+  table.addEventListener("keydown", (event) => {
+    const j = rows.findIndex((row) => row.includes(current)), i = rows[j].indexOf(current);
+    if (event.key === "Enter" || event.key === " ") choose(current);
+    else if (event.key in STEPS) choose(rows[j + STEPS[event.key][0]]?.[i + STEPS[event.key][1]] ?? current);
+    else return;
+    event.preventDefault();
+  });
+}
+
+const assumptions = document.getElementById("matrix");
+if (assumptions?.querySelector("tbody td")) startMatrix(assumptions);

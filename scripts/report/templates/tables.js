@@ -1,0 +1,59 @@
+// Tables with class "sortable": a button in each header sorts, a form with data-table filters by words and
+// verdicts.
+
+function sortKey(row, column) {
+  const cell = row.cells[column];
+  const value = cell.dataset.value;
+  return value === undefined ? cell.textContent.trim() : value === "" ? NaN : Number(value);
+}
+
+// Numbers by size and last where there are none; words as people order them.
+function compare(a, b) {
+  if (typeof a === "number" && typeof b === "number") return isNaN(a) - isNaN(b) || a - b;
+  return String(a).localeCompare(String(b), "en", { numeric: true });
+}
+
+function sortBy(table, column) {
+  const header = table.tHead.rows[0].cells[column];
+  const up = header.getAttribute("aria-sort") !== "ascending";
+  for (const cell of table.tHead.rows[0].cells) cell.setAttribute("aria-sort", "none");
+  header.setAttribute("aria-sort", up ? "ascending" : "descending");
+  const keyed = [...table.tBodies[0].rows].map((row) => [sortKey(row, column), row]);
+  const empty = (key) => typeof key === "number" && isNaN(key);
+  keyed.sort(([a], [b]) => (empty(a) || empty(b) || up ? compare(a, b) : compare(b, a)));
+  table.tBodies[0].append(...keyed.map(([, row]) => row));
+  say(`Sorted by ${header.textContent.trim()}, ${up ? "ascending" : "descending"}.`);
+}
+
+// Puts the buttons into the headers.
+function makeSortable(table) {
+  [...table.tHead.rows[0].cells].forEach((header, column) => {
+    const button = element("button", { type: "button" }, ...header.childNodes);
+    button.addEventListener("click", () => sortBy(table, column));
+    header.append(button);
+    header.setAttribute("aria-sort", "none");
+  });
+}
+
+function filter(form) {
+  const rows = [...document.getElementById(form.dataset.table).tBodies[0].rows];
+  const words = form.elements.words.value.toLowerCase().split(/\s+/).filter(Boolean);
+  const verdicts = [...form.querySelectorAll("[name=verdict]")];
+  const wanted = verdicts.filter((box) => box.checked).map((box) => box.value);
+  let shown = 0;
+  for (const row of rows) {
+    const content = row.textContent.toLowerCase();
+    row.hidden = !words.every((word) => content.includes(word)) ||
+      (verdicts.length > 0 && !wanted.includes(row.dataset.verdict));
+    shown += !row.hidden;
+  }
+  form.querySelector(".shown").textContent = `${shown} of ${rows.length} shown`;
+}
+
+for (const table of document.querySelectorAll("table.sortable"))
+  if (table.tHead.rows.length) makeSortable(table);
+for (const form of document.querySelectorAll("form.filters")) {
+  form.addEventListener("input", () => filter(form));
+  form.addEventListener("submit", (event) => event.preventDefault());
+  if (document.getElementById(form.dataset.table).tHead.rows.length) filter(form);
+}
