@@ -59,7 +59,7 @@ def figure(path, arguments):
         said = program.check(arguments.program, path, arguments.reference)
         svg, width = plots.draw(name, file, [(row["claim"], row["verdict"]) for row in rows])
         return {
-            "name": name, "path": path, "present": True, "number": text(file.attrs.get("figure", "")),
+            "name": name, "path": path, "present": True, **labels(name, text(file.attrs.get("figure", ""))),
             "title": symbols.prose(heading(file)),
             "caption": symbols.prose(text(file.attrs.get("caption", ""))),
             "tier": text(file.attrs.get("tier", "full")),
@@ -70,6 +70,11 @@ def figure(path, arguments):
             "intact": program.intact(arguments.program, path),
             "diagnostics": diagnostics.read(file), "provenance": sources.provenance(file, path),
         }
+
+
+def labels(name, number):
+    """What a figure of the paper is called, and what one of our own is: in full and in short."""
+    return {"label": f"Figure {number}" if number else f"Study {name}", "number": number or name}
 
 
 def heading(file):
@@ -83,7 +88,8 @@ def missing(path):
     stem = os.path.splitext(os.path.basename(path))[0]
     name = re.split("[-_]", stem)[0]
     tier = " TIER=smoke" if stem.endswith("smoke") else ""
-    return {"name": name, "path": path, "present": False, "number": name.removeprefix("fig"), "claims": [],
+    number = name.removeprefix("fig") if name.startswith("fig") else ""
+    return {"name": name, "path": path, "present": False, **labels(name, number), "claims": [],
             "command": f"make {name}{tier}"}
 
 
