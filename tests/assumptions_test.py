@@ -1,0 +1,56 @@
+"""The recorded matrix of assumptions is that of the experiments and of docs/assumptions.md, and a part of it, computed anew, is the same.
+
+assumptions_test.py SOURCE BRISTLE FOLDER
+"""
+import json
+import pathlib
+import shutil
+import subprocess
+import sys
+
+source, program, folder = pathlib.Path(sys.argv[1]), sys.argv[2], pathlib.Path(sys.argv[3])
+recorded = json.loads((source / "reference/assumptions.json").read_text())
+declared, pairs = [], []
+for path in sorted((source / "experiments/assumptions").glob("*.json")):
+    one = json.loads(path.read_text())
+    declared += [a["name"] for a in one.get("alternatives", [])]
+    pairs += [" + ".join(pair["members"]) for pair in one.get("pairs", [])]
+names = [a["name"] for a in recorded["alternatives"]]
+assert names == ["settled", *declared, *pairs], "reference/assumptions.json is not of these alternatives: make assumptions"
+
+checks = []
+for path in sorted((source / "experiments").glob("*.json")):
+    experiment = json.loads(path.read_text())
+    if experiment.get("figure"):
+        checks += [(experiment["name"], c["claim"], c["statement"]) for c in experiment.get("checks", [])]
+assert [(c["experiment"], c["claim"], c["statement"]) for c in recorded["checks"]] == checks, "other checks: make assumptions"
+assert len(recorded["cells"]) == len(names) * len(checks)
+
+shutil.rmtree(folder, ignore_errors=True)
+made = []
+for run in ("first", "second"):
+    done = subprocess.run([sys.executable, source / "scripts/assumptions.py", source / "reference/assumptions.json", "-o", folder / run,
+                           "--text", folder / f"{run}.md"], capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    made.append([(folder / run / f"assumptions.{kind}").read_bytes() for kind in ("pdf", "png")])
+assert made[0] == made[1], "two runs gave different bytes"
+assert (folder / "first.md").read_text() == (source / "docs/assumptions.md").read_text(), "docs/assumptions.md is not of this matrix"
+(folder / "wrong.json").write_text("{}")
+for wrong in ("none.json", "wrong.json"):
+    done = subprocess.run([sys.executable, source / "scripts/assumptions.py", folder / wrong], capture_output=True, text=True)
+    assert done.returncode == 2 and "Traceback" not in done.stderr, done.stderr
+
+# Figure 8 under the other rules for the axis, computed again.
+part = folder / "experiments"
+(part / "assumptions").mkdir(parents=True)
+for name in ("paper.json", "fig8.json", "assumptions/axis.json"):
+    shutil.copy(source / "experiments" / name, part / name)
+subprocess.run([program, "assumptions", "--experiments", part, "-o", folder / "part.json", "--tier", recorded["tier"], "--quiet"],
+               check=True, stdout=subprocess.DEVNULL)
+again = json.loads((folder / "part.json").read_text())
+for cell in again["cells"]:
+    check, name = again["checks"][cell["check"]], again["alternatives"][cell["alternative"]]["name"]
+    row = checks.index((check["experiment"], check["claim"], check["statement"]))
+    before = next(c for c in recorded["cells"] if c["check"] == row and c["alternative"] == names.index(name))
+    for key in ("verdict", "measured", "uncertainty", "margin", "affected"):
+        assert cell[key] == before[key], f"{check['claim']} under {name}: {key} is {cell[key]}, was {before[key]}"
