@@ -46,6 +46,10 @@ class Document {
   Json merged_;
 };
 
+// JSON that is not trusted. Throws InputError, without a file's name, if it is none, is nested too deeply or
+// has a key twice in one object.
+Json parse_json(const std::string& text);
+
 // Value as it appears in messages: JSON, shortened.
 std::string shown(const Json& value);
 
