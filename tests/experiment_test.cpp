@@ -177,6 +177,16 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
   }
 }
 
+TEST_CASE("an experiment nested deeper than the stack is an error, no crash") {
+  const Scratch s;
+  for (const char* bracket : {"[", "{\"a\":"}) {
+    std::string text;
+    for (int i = 0; i < 100000; ++i) text += bracket;
+    CHECK_THROWS_WITH(load_experiment(s.write("e.json", text), {}),
+                      Catch::Contains("e.json: JSON nested more than 64 deep"));
+  }
+}
+
 TEST_CASE("extends: chains, folders and what lies outside") {
   Scratch s;
   s.write("experiments/paper.json", bytes_of(kExperiments + "/paper.json"));
@@ -212,7 +222,11 @@ TEST_CASE("the option --set changes a value, names itself in errors, and refuses
   CHECK_THROWS_WITH(load_experiment(file, {{"/model/k_r"}, "full"}), Catch::Contains("there is no '='"));
   CHECK_THROWS_WITH(load_experiment(file, {{"model/k_r=1"}, "full"}),
                     Catch::Contains("must be empty or begin with '/'"));
-  CHECK_THROWS_WITH(load_experiment(file, {{"/model/k_r=1x"}, "full"}), Catch::Contains("is not JSON"));
+  CHECK_THROWS_WITH(load_experiment(file, {{"/model/k_r=1x"}, "full"}), Catch::Contains("not JSON"));
+  CHECK_THROWS_WITH(load_experiment(file, {{"/name=\xff"}, "full"}), Catch::Contains("invalid UTF-8"));
+  std::string deep;
+  for (int i = 0; i < 30000; ++i) deep += "/a";
+  CHECK_THROWS_WITH(load_experiment(file, {{deep + "=1"}, "full"}), Catch::Contains("more than 64 deep"));
 }
 
 TEST_CASE("axes: values as asked, ends exact, the smoke tier a subset of the full one bit for bit") {

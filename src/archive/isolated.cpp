@@ -2,6 +2,7 @@
 
 #include "archive/tar.hpp"
 #include "experiment/input_error.hpp"
+#include "experiment/sanitized.hpp"
 
 #include <fmt/format.h>
 #include <cerrno>
@@ -47,9 +48,7 @@ void be_quiet() {
   be_quiet();
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_CPU, kMostSeconds);
-#ifndef __SANITIZE_ADDRESS__  // reserves more addresses than that
-  limit(RLIMIT_AS, kMostMemory);
-#endif
+  if (!kSanitized) limit(RLIMIT_AS, kMostMemory);
   std::string answer;
   try {
     answer = "+" + work();

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <cctype>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -11,6 +13,9 @@
 namespace bristle {
 namespace fs = std::filesystem;
 namespace {
+
+// Deeper than any experiment; what walks through it calls itself once per level.
+constexpr int kDeepest = 64;
 
 // The library's messages begin with "[json.exception.parse_error.101] ".
 std::string without_tag(const std::string& message) {
@@ -61,13 +66,17 @@ Document::Source parse_set(const std::string& argument) {
   };
   if (equals == std::string::npos) fail("there is no '='");
   const std::string text = argument.substr(equals + 1);
+  if (std::count(argument.begin(), argument.begin() + long(equals), '/') > kDeepest)
+    fail(fmt::format("the pointer is more than {} deep", kDeepest));
   Json value;
   try {
-    value = Json::parse(text);
-  } catch (const Json::exception&) {
-    if (!text.empty() && (std::isdigit(text[0]) || std::string("-[{\"").find(text[0]) != std::string::npos))
-      fail(fmt::format("'{}' is not JSON", text));
-    value = text;  // a bare word is a string
+    const bool meant = std::isdigit(static_cast<unsigned char>(text[0])) || std::strchr("-[{\"", text[0]);
+    value = Json::accept(text) || (meant && !text.empty()) ? parse_json(text) : Json(text);  // or a bare word
+    value.dump();  // throws for text that is not UTF-8
+  } catch (const InputError& e) {
+    fail(fmt::format("'{}': {}", text.substr(0, 60), e.what()));
+  } catch (const Json::exception& e) {
+    fail(without_tag(e.what()));
   }
   try {
     const JsonPointer pointer(argument.substr(0, equals));
@@ -88,22 +97,30 @@ Json read_json_file(const std::string& path) {
   if (!in || fs::is_directory(path))
     throw InputError(fmt::format("{}: cannot be read: {}", path,
                                  fs::exists(path) ? "not a readable file" : "no such file"));
+  try {
+    Json content = parse_json({std::istreambuf_iterator<char>(in), {}});
+    if (!content.is_object())
+      throw InputError(fmt::format("a JSON object {{...}} is expected, this is {}", shown(content)));
+    return content;
+  } catch (const InputError& e) {
+    throw InputError(fmt::format("{}: {}", path, e.what()));
+  }
+}
+
+Json parse_json(const std::string& text) {
   std::vector<std::set<std::string>> keys;
-  const auto watch = [&](int, Json::parse_event_t event, Json& parsed) {
+  const auto watch = [&](int depth, Json::parse_event_t event, Json& parsed) {
+    if (depth > kDeepest) throw InputError(fmt::format("JSON nested more than {} deep", kDeepest));
     if (event == Json::parse_event_t::object_start) keys.emplace_back();
     if (event == Json::parse_event_t::object_end) keys.pop_back();
     if (event == Json::parse_event_t::key && !keys.back().insert(parsed.get<std::string>()).second)
-      throw InputError(fmt::format("{}: the key {} appears twice in one object", path, parsed.dump()));
+      throw InputError(fmt::format("the key {} appears twice in one object", shown(parsed)));
     return true;
   };
   try {
-    Json content = Json::parse(in, watch);
-    if (!content.is_object())
-      throw InputError(
-          fmt::format("{}: a JSON object {{...}} is expected, this is {}", path, shown(content)));
-    return content;
+    return Json::parse(text, watch);
   } catch (const Json::exception& e) {
-    throw InputError(fmt::format("{}: not JSON: {}", path, without_tag(e.what())));
+    throw InputError(fmt::format("not JSON: {}", without_tag(e.what())));
   }
 }
 

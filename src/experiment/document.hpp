@@ -50,6 +50,10 @@ class Document {
 // A file that holds one JSON object, each key once. Throws InputError.
 Json read_json_file(const std::string& path);
 
+// JSON that is not trusted. Throws InputError, without a file's name, if it is none, is nested too deeply or
+// has a key twice in one object.
+Json parse_json(const std::string& text);
+
 // Value as it appears in messages: JSON, shortened.
 std::string shown(const Json& value);
 

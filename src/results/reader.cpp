@@ -96,6 +96,12 @@ bool holds_whole_result(const std::string& path) {
          h5::read_text_attribute(file, "schema_version").rfind("bristle-result/", 0) == 0;
 }
 
-Json ResultReader::experiment() const { return Json::parse(text("experiment")); }
+Json ResultReader::experiment() const {
+  try {
+    return parse_json(text("experiment"));
+  } catch (const InputError& e) {
+    throw InputError(fmt::format("{}: attribute experiment: {}", path_, e.what()));
+  }
+}
 
 }  // namespace bristle

@@ -3,6 +3,7 @@
 #include "dynamics/lanes/engine.hpp"
 #include "dynamics/together.hpp"
 #include "experiment/si_units.hpp"
+#include "experiment/sanitized.hpp"
 
 #include <boost/coroutine2/coroutine.hpp>
 #include <boost/coroutine2/protected_fixedsize_stack.hpp>
@@ -150,12 +151,8 @@ void work_one_by_one(const Experiment& experiment, PointQueue& queue, Engine eng
 }  // namespace
 
 void work(const Experiment& experiment, PointQueue& queue, std::size_t share) {
-#ifdef __SANITIZE_ADDRESS__
-  // The sanitizer knows nothing of the points' own stacks. The results are the same without.
-  constexpr bool together = false;
-#else
-  constexpr bool together = true;
-#endif
+  // Sanitizers know nothing of the points' own stacks. The results are the same without.
+  constexpr bool together = !kSanitized;
   if (together && experiment.engine == Engine::fast) LaneWorker(experiment, queue, share).work();
   else work_one_by_one(experiment, queue, experiment.engine);
 }
