@@ -65,6 +65,7 @@ with tempfile.TemporaryDirectory() as folder:
         assert path.read_bytes() == (source / path.relative_to(copy)).read_bytes(), path
         os.utime(path, (times[path], times[path]))
 
+    shutil.copytree(source / "reference", copy / "reference")
     # The copy is the source: what was built of that is the copy's build.
     (copy / "build").symlink_to(build, target_is_directory=True)
     for command in commands:
