@@ -1,6 +1,6 @@
 """The documents' links lead somewhere, and their commands run as they are written.
 
-docs_test.py SOURCE BUILD
+docs_test.py SOURCE BUILD [DOCUMENT.md...]
 
 Commands are the lines of ```sh blocks, run in order, each document's in a copy of the source of its own.
 """
@@ -14,6 +14,8 @@ import tempfile
 
 source, build = map(pathlib.Path, sys.argv[1:3])
 documents = sorted([source / "README.md", *(source / "docs").glob("*.md")])
+if len(sys.argv) > 3:  # only these
+    documents = [d for d in documents if d.name in sys.argv[3:]]
 
 FIGURES = "|".join(path.stem for path in sorted((source / "experiments").glob("*.json")))
 
