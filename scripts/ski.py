@@ -44,7 +44,7 @@ def draw_panel(axes, file, law, name, along, other):
         axes.set_xlim(left=0)
         axes.set_ylim(bottom=0)
     number_axis(axes, "y", dataset(file, name))
-    legend(axes, entries, loc="lower right" if along == "R_n_N" else "best", fontsize=8, ncol=1 if along == "R_n_N" else 2)
+    legend(axes, entries, loc="upper left" if along == "R_n_N" else "best", fontsize=8, ncol=1 if along == "R_n_N" else 2)
 
 
 def with_units(data, value):

@@ -4,9 +4,10 @@ import re
 
 from markupsafe import Markup, escape
 
-GREEK = dict(zip("alpha beta gamma delta epsilon zeta theta lambda mu tau varphi phi xi".split(),
-                 "αβγδεζθλμτφφξ"))
-SIGNS = {"propto": "∝", "cdot": "·", "pm": "±", "le": "≤", "ge": "≥", "infty": "∞", ",": " "}
+GREEK = dict(zip("alpha beta gamma delta epsilon zeta theta lambda mu nu tau varphi phi xi kappa".split(),
+                 "αβγδεζθλμντφφξκ"))
+SIGNS = {"propto": "∝", "cdot": "·", "pm": "±", "le": "≤", "ge": "≥", "infty": "∞", ",": " ", "times": "×", "angle": "∠",
+         "langle": "⟨", "rangle": "⟩"}
 ACCENTS = {"tilde": "\u0303", "check": "\u030c", "breve": "\u0306", "dot": "\u0307", "bar": "\u0304"}
 TOKEN = re.compile(r"\\[a-zA-Z]+|\\.|.", re.DOTALL)
 
