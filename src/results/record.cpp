@@ -90,7 +90,7 @@ void add_differences(const Map& a, const Map& b, std::vector<std::string>& out) 
     if (const auto other = b.find(name); other == b.end() || !same_bits(values, other->second))
       out.push_back(name);
   for (const auto& [name, values] : b)
-    if (!a.count(name)) out.push_back(name);
+    if (!a.contains(name)) out.push_back(name);
 }
 
 }  // namespace
@@ -164,7 +164,8 @@ std::vector<std::string> table_names(const Experiment& experiment) {
 bool fits(const PointRecord& record, const Experiment& experiment) {
   const auto has = [](const auto& map, const std::vector<std::string>& names) {
     return map.size() == names.size() &&
-           std::all_of(names.begin(), names.end(), [&](const std::string& name) { return map.count(name); });
+           std::all_of(names.begin(), names.end(),
+                       [&](const std::string& name) { return map.contains(name); });
   };
   if (!has(record.values, value_names(experiment)) || !has(record.tables, table_names(experiment)))
     return false;
