@@ -4,7 +4,8 @@
 FIGURES := fig2 fig3 fig4 fig5 fig6 fig7 fig8 figA1 figA2 figA3
 # Research of one's own, made as the figures are.
 STUDIES := ski orientation stribeck
-.PHONY: help packages build test bench clean figures findings assumptions report archive verify release $(FIGURES) $(STUDIES)
+.PHONY: help packages build test bench clean figures findings assumptions report archive verify release \
+  sanitize fuzz tidy coverage $(FIGURES) $(STUDIES)
 JOBS ?= $(shell nproc 2>/dev/null || echo 1)
 BUILD := build
 # TIER=smoke computes a small subset of the points, in seconds.
@@ -70,6 +71,32 @@ verify: build ## check the archive; RERUN=N also computes N points again and com
 
 release: ## VERSION=x.y.z: write the new version everywhere, commit nothing
 	@scripts/release '$(VERSION)'
+
+# What follows has build folders of its own; docs/hardening.md tells what it looks for.
+SANITIZER ?= address
+CHECKED := $(if $(filter thread,$(SANITIZER)),thread,sanitize)
+sanitize: packages ## unit and shell tests under the sanitizers of SANITIZER=address (and undefined), or thread
+	cmake --preset $(CHECKED) -G Ninja
+	ninja -C build-$(CHECKED) --quiet -j $(JOBS) bristle unit_tests
+	cd build-$(CHECKED) && ctest -L '^(unit|shell)$$' --output-on-failure
+
+SECONDS ?= 60
+fuzz: packages ## what reads files on random changes of tests/fuzz/corpus, SECONDS=60 for each kind
+	@scripts/install-packages hardening
+	tests/fuzz/run.sh . build-fuzz $(SECONDS)
+
+tidy: packages ## clang-tidy over src/, as .clang-tidy says
+	@scripts/install-packages hardening
+	cmake --preset clang -B build-tidy -G Ninja -DBRISTLE_TESTS=OFF -DCMAKE_EXPORT_COMPILE_COMMANDS=ON
+	scripts/tidy build-tidy $(JOBS)
+
+coverage: packages ## the lines of src/ that unit tests, shell tests and smoke runs execute: at least 90 %
+	@scripts/install-packages hardening
+	cmake --preset coverage -G Ninja
+	ninja -C build-coverage --quiet -j $(JOBS) bristle unit_tests
+	find build-coverage -name '*.gcda' -delete
+	cd build-coverage && ctest -L '^(unit|shell|smoke)$$' --output-on-failure
+	gcovr --root . --filter src/ --object-directory build-coverage --print-summary --fail-under-line 90
 
 clean: ## remove what was built; results and figures stay
 	rm -rf $(BUILD)

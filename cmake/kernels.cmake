@@ -6,9 +6,10 @@ function(add_kernels_for target prefix source)
   set(name ${prefix}_${target})
   add_library(${name} OBJECT ${source})
   target_link_libraries(${name} PRIVATE options Eigen3::Eigen PkgConfig::SLEEF)
-  # Without debugging information and sanitizers: on code inlined this far they take the compiler ten minutes, and it
-  # has no memory of its own.
-  target_compile_options(${name} PRIVATE ${BRISTLE_KERNEL_OPTIMISATION} -g0 -fno-sanitize=all ${ARGN})
+  # Without debugging information, sanitizers and coverage: on code inlined this far they take the compiler ten minutes,
+  # and it has no memory of its own.
+  target_compile_options(${name} PRIVATE ${BRISTLE_KERNEL_OPTIMISATION} -g0 -fno-sanitize=all
+    -fno-profile-arcs -fno-test-coverage ${ARGN})
   target_compile_definitions(${name} PRIVATE BRISTLE_TARGET=HWY_${target} NDEBUG)
   set(${prefix} ${${prefix}} $<TARGET_OBJECTS:${name}> PARENT_SCOPE)
 endfunction()

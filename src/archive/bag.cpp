@@ -88,7 +88,7 @@ void check_manifest(const std::string& manifest, const Files& files, Problems& p
       problems.push_back(mismatch(manifest, name, is, hash));
   }
   for (const auto& [name, content] : listed)
-    if (!hashes.count(name))
+    if (!hashes.contains(name))
       problems.push_back(fmt::format("{}: does not belong here; {} does not list it", name, manifest));
 }
 
@@ -135,7 +135,7 @@ std::string strip_folder(Files& files) {
 Problems check_bag(const Files& files) {
   Problems problems;
   for (const char* tag : {"bagit.txt", "bag-info.txt", kManifest, kTagManifest})
-    if (!files.count(tag)) problems.push_back(fmt::format("{}: is missing", tag));
+    if (!files.contains(tag)) problems.push_back(fmt::format("{}: is missing", tag));
   if (!problems.empty()) return problems;
   check_manifest(kTagManifest, files, problems);
   check_manifest(kManifest, files, problems);

@@ -74,9 +74,12 @@ Json parse_citation(const std::string& text) {
     std::size_t nodes = 0;
     const Json citation = to_json(YAML::Load(text), 0, nodes);
     if (!citation.is_object()) throw BadArchive("not a YAML object");
+    citation.dump();  // throws for text that is not UTF-8
     return citation;
   } catch (const YAML::Exception& e) {
     throw BadArchive(fmt::format("not YAML: {}", e.what()));
+  } catch (const Json::exception&) {
+    throw BadArchive("not text in UTF-8");
   }
 }
 
@@ -115,7 +118,8 @@ Problems check_citation(const Json& citation) {
   for (const auto& [key, value] : citation.items())
     if (std::find(known.begin(), known.end(), key) == known.end())
       wrong(key, "is no key of CFF 1.2.0 that a dataset here has");
-  for (const char* key : {"cff-version", "message", "type", "title", "version", "date-released", "license"})
+  for (const char* key :
+       {"cff-version", "message", "type", "title", "version", "date-released", "license", "commit"})
     if (!citation.contains(key)) wrong(key, "is missing");
     else if (!is_text(citation[key])) wrong(key, fmt::format("{} is not a text", shown(citation[key])));
   if (!problems.empty()) return problems;

@@ -94,7 +94,7 @@ class CrateCheck {
       const auto targets = references(entity(id), key);
       if (targets.empty()) wrong(id, fmt::format("{} is missing", key));
       for (const std::string& target : targets)
-        if (!entities_.count(target)) wrong(id, fmt::format("{} \"{}\" is not described", key, target));
+        if (!entities_.contains(target)) wrong(id, fmt::format("{} \"{}\" is not described", key, target));
     }
   }
 
@@ -144,7 +144,7 @@ class CrateCheck {
       if (text(entity(name), "sha512") != sha512_of(bytes)) wrong(name, "sha512 is not the file's");
     }
     for (const auto& [id, entity] : entities_)
-      if ((is_a(entity, "File") || has(parts, id)) && !files_.count("data/" + id))
+      if ((is_a(entity, "File") || has(parts, id)) && !files_.contains("data/" + id))
         wrong(id, "is described, but there is no such file");
   }
 
@@ -157,7 +157,7 @@ class CrateCheck {
     }
     for (const char* key : {"object", "result"})
       for (const std::string& file : references(action, key))
-        if (!files_.count("data/" + file)) wrong(id, fmt::format("{} \"{}\" is no file here", key, file));
+        if (!files_.contains("data/" + file)) wrong(id, fmt::format("{} \"{}\" is no file here", key, file));
   }
 
   // A result is what one action made, as the result's own provenance tells.

@@ -170,7 +170,7 @@ class Gatherer {
   // The experiment's files, those that it extends first.
   std::vector<std::string> chain(const std::string& path) const {
     std::vector<std::string> files;
-    const Json json = Json::parse(read_file(path, ""));
+    const Json json = read_json_file(path);
     if (json.contains("extends"))
       files = chain(
           (fs::path(path).parent_path() / json["extends"].get<std::string>()).lexically_normal().string());

@@ -139,7 +139,7 @@ class TarReader {
     for (const fs::path& part : fs::path(found.name))
       if (part == ".." || part == ".") refuse("leads out of the archive");
     if (found.name.back() == '/' || found.name.find("//") != std::string::npos) refuse("has empty parts");
-    if (files.count(found.name)) refuse("is there twice");
+    if (files.contains(found.name)) refuse("is there twice");
     if (!files.empty() && found.name < files.rbegin()->first)
       refuse(fmt::format("is out of order: it comes after {}", files.rbegin()->first));
     return found.name;

@@ -44,7 +44,7 @@ class Verifier {
 
   void check_content() {
     for (const char* name : {"data/README.md", "data/LICENSE", kCitation, kCratePath.c_str()})
-      if (!files_.count(name))
+      if (!files_.contains(name))
         out_.problems.push_back(fmt::format("{}: is missing; every archive has it", name));
     if (!out_.problems.empty()) return;
     std::map<std::string, Json> facts;
@@ -103,7 +103,7 @@ class Verifier {
 
   // Headers, padding, order: all that is not content.
   void check_bytes() {
-    if (!files_.count("bag-info.txt")) return;
+    if (!files_.contains("bag-info.txt")) return;
     const std::string time = bag_info(files_, "Source-Date-Epoch");
     if (time.empty() || time.size() > 11 || !std::all_of(time.begin(), time.end(), ::isdigit))
       return out_.problems.push_back("bag-info.txt: Source-Date-Epoch is not a number of seconds");

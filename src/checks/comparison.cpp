@@ -36,7 +36,9 @@ std::string coordinate(const ResultReader& result, const std::string& folder, co
   if (axis.empty()) return fmt::format("row {}", i);
   const std::string name = h5::exists(result.file(), folder + axis) ? folder + axis : axis;
   if (!h5::exists(result.file(), name)) return fmt::format("{}[{}]", axis, i);
-  const double value = result.variable(name).values.at(i);
+  const auto values = result.variable(name).values;
+  if (i >= values.size()) return fmt::format("{}[{}]", axis, i);
+  const double value = values[i];
   const std::string text = value_text(result, name, value);
   return fmt::format("{} = {}", axis, text == fmt::format("{}", value) ? fmt::format("{:.6g}", value) : text);
 }

@@ -38,17 +38,29 @@ std::size_t dimension_of(const ResultReader& result, const Field& field, const s
   return std::size_t(found - field.dimensions.begin());
 }
 
+// Of a variable that has the value of each point, or of an axis each of the dimension.
+std::vector<double> values_of(const ResultReader& result, const std::string& name, std::size_t count) {
+  std::vector<double> values = result.variable(name).values;
+  if (values.size() != count)
+    throw InputError(
+        fmt::format("{}: damaged: {} has {} values, not {}", result.path(), name, values.size(), count));
+  return values;
+}
+
 Field read(const ResultReader& result, const std::string& name) {
   const Variable v = result.variable(name);
   Field field{v.dimensions, v.shape, v.values, std::vector<double>(v.values.size(), 0),
               std::vector<bool>(v.values.size(), true)};
   const auto known = result.variables();
   if (std::find(known.begin(), known.end(), name + "_err") != known.end())
-    field.errors = result.variable(name + "_err").values;
+    field.errors = values_of(result, name + "_err", field.values.size());
   return field;
 }
 
-void divide(Field& field, const Field& by, double power) {
+void divide(const ResultReader& result, Field& field, const std::string& name, double power) {
+  const Field by = read(result, name);
+  if (by.shape != field.shape)
+    throw InputError(fmt::format("{}: damaged: {} is of another shape", result.path(), name));
   for (std::size_t i = 0; i < field.values.size(); ++i) {
     const double relative = std::abs(power) * by.errors[i] / std::abs(by.values[i]);
     field.values[i] /= pow(by.values[i], power);
@@ -69,7 +81,7 @@ double number_of(const ResultReader& result, const std::string& name, const Json
 
 void keep_on_axis(const ResultReader& result, Field& field, std::size_t d, const Json& wanted) {
   const std::string& name = field.dimensions[d];
-  const std::vector<double> axis = result.variable(name).values;
+  const std::vector<double> axis = values_of(result, name, field.shape[d]);
   const bool range = wanted.is_array();
   const double low = number_of(result, name, range ? wanted[0] : wanted);
   const double high = range ? number_of(result, name, wanted[1]) : low;
@@ -90,7 +102,7 @@ void select(const ResultReader& result, Field& field, const Json& where) {
       keep_on_axis(result, field, std::size_t(axis - field.dimensions.begin()), wanted);
       continue;
     }
-    const std::vector<double> values = result.variable(name).values;
+    const std::vector<double> values = values_of(result, name, field.values.size());
     for (std::size_t i = 0; i < field.kept.size(); ++i)
       if (!(values[i] >= wanted[0] && values[i] <= wanted[1])) field.kept[i] = false;
   }
@@ -111,8 +123,10 @@ CurvePoint interpolate(const Curve& nodes, double target) {
 
 // The field without its last dimension, "node", taken where the named variable has the value.
 Field reduce(const ResultReader& result, const Field& field, const std::string& name, double target) {
-  const std::vector<double> abscissa = result.variable(name).values;
-  const std::vector<double> branch = result.variable("branch").values;
+  if (field.shape.empty())
+    throw InputError(fmt::format("{}: damaged: what is taken at {} has no nodes", result.path(), name));
+  const std::vector<double> abscissa = values_of(result, name, field.values.size());
+  const std::vector<double> branch = values_of(result, "branch", field.values.size());
   const bool loading_path = name == "R_n";
   const std::size_t nodes = field.shape.back();
   Field out;
@@ -138,7 +152,7 @@ Field reduce(const ResultReader& result, const Field& field, const std::string& 
 Field field_of(const ResultReader& result, const Json& check, const std::string& variable, const Json& more) {
   Field field = read(result, variable);
   if (check.contains("divide_by") && variable == check["variable"])
-    for (const auto& [name, power] : check["divide_by"].items()) divide(field, read(result, name), power);
+    for (const auto& [name, power] : check["divide_by"].items()) divide(result, field, name, power);
   select(result, field, check.value("where", Json::object()));
   select(result, field, more.is_null() ? Json::object() : more);
   if (check.contains("at"))
@@ -152,9 +166,12 @@ Curves curves_of(const ResultReader& result, const Json& check, const Json& more
   const std::string variable = check["variable"], along = check["along"];
   const Field y = field_of(result, check, variable, more);
   const std::size_t d = dimension_of(result, y, variable, along), stride = stride_of(y, d);
-  const std::vector<double> axis = result.variable(along).values;
+  const std::vector<double> axis = values_of(result, along, y.shape[d]);
   std::optional<Field> x;
   if (check.contains("x")) x = field_of(result, check, check["x"], more);
+  if (x && x->shape != y.shape)
+    throw InputError(fmt::format("{}: damaged: {} and {} have other shapes", result.path(), variable,
+                                 check["x"].get<std::string>()));
   Curves out;
   out.independent = check.value("errors", "") == "independent";
   for (std::size_t start = 0; start < y.values.size(); ++start) {

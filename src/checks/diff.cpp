@@ -148,7 +148,7 @@ void compare_variables(const Pair& files, const std::vector<std::string>& names,
     ++out.compared;
     const Variable a = files.a.variable(name), b = files.b.variable(name);
     const auto other = std::find_if(a.dimensions.begin(), a.dimensions.end(),
-                                    [&](const std::string& d) { return other_axes.count(d) > 0; });
+                                    [&](const std::string& d) { return other_axes.contains(d); });
     if (!same_kind) out.plain.push_back(fmt::format("{}: another type of numbers", name));
     else if (a.dimensions == b.dimensions && other != a.dimensions.end()) ++skipped[*other];
     else if (a.shape != b.shape || a.dimensions != b.dimensions)

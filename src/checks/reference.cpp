@@ -135,7 +135,7 @@ Reference make_reference(const ResultReader& result, const std::vector<CheckResu
   out.inputs_sha256 = result.text("inputs_sha256");
   out.payload_sha256 = result.text("payload_sha256");
   out.commit = commit_of(result);
-  out.numerics_version = long(h5::read_number_attribute(result.file(), "numerics_version"));
+  out.numerics_version = h5::read_integer_attribute(result.file(), "numerics_version");
   const std::vector<std::string> axes = dimensions_of(result, experiment);
   for (const std::string& name : axes) out.axes.push_back({name, result.variable(name).values});
   const double rtol = experiment["integrator"]["rtol"];

@@ -178,9 +178,9 @@ Json parse(const std::string& path) {
   std::ifstream in(path);
   if (!in) throw InputError(fmt::format("{}: cannot be read", path));
   try {
-    return Json::parse(in);
-  } catch (const Json::exception& e) {
-    Node(path, Json()).fail(fmt::format("not JSON: {}", e.what()));
+    return parse_json({std::istreambuf_iterator<char>(in), {}});
+  } catch (const InputError& e) {
+    Node(path, Json()).fail(e.what());
   }
 }
 

@@ -55,7 +55,7 @@ void require_origin(const ResultReader& result, const Reference& made) {
 bool is_lost(const std::string& name, double value, double status) {
   if (std::isinf(value)) return true;
   const bool has_values = status_is(status, PointStatus::ok) || status_is(status, PointStatus::jump);
-  return std::isnan(value) && has_values && kMayBeMissing.count(name) == 0;
+  return std::isnan(value) && has_values && !kMayBeMissing.contains(name);
 }
 
 void require_sound_run(const ResultReader& result, const Reference& made) {

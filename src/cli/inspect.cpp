@@ -1,4 +1,5 @@
 #include "cli/commands.hpp"
+#include "experiment/input_error.hpp"
 #include "results/reader.hpp"
 #include "results/variables.hpp"
 #include "results/writer.hpp"
@@ -35,8 +36,11 @@ void keep_part(const ResultReader& result, Variable& status) {
   std::size_t points = 1;
   const Json sweep = result.experiment().value("sweep", Json::object());
   for (const auto& [name, axis] : sweep.items()) points *= result.variable(axis_variable(name)).values.size();
-  const std::size_t nodes = status.values.size() / points;  // of a traced curve, else 1
   const auto own = result.part_points();
+  if (points == 0 || status.values.size() % points != 0 || (!own.empty() && own.back() >= points))
+    throw InputError(
+        fmt::format("{}: damaged: status, part/points and the sweep do not fit each other", result.path()));
+  const std::size_t nodes = status.values.size() / points;  // of a traced curve, else 1
   fmt::print("part {}: {} of {} points; {}\n", shard_text(*result.shard()), own.size(), points,
              how_to_merge(result.path(), *result.shard()));
   std::vector<double> kept;

@@ -48,9 +48,13 @@ void collect(const std::string& path, const fs::path& root, std::vector<std::str
     };
     if (!extends.is_string()) fail("is not a file name");
     const fs::path parent = fs::path(path).parent_path() / extends.get<std::string>();
-    if (!inside(fs::weakly_canonical(parent), root))
+    std::error_code error;  // a name too long, a loop of links
+    const fs::path there = fs::weakly_canonical(parent, error);
+    if (error) fail(fmt::format("is no file's name: {}", error.message()));
+    if (!inside(there, root))
       fail(fmt::format("lies outside the experiments folder {}; copy it there", root.string()));
-    if (!fs::is_regular_file(parent)) fail(fmt::format("does not exist (looked for {})", parent.string()));
+    if (!fs::is_regular_file(parent, error))
+      fail(fmt::format("does not exist (looked for {})", parent.string()));
     if (std::count(chain.begin(), chain.end(), fs::canonical(parent).string()))
       fail("extends this file in turn: a circle");
     collect(parent.lexically_normal().string(), root, chain, out);

@@ -74,7 +74,7 @@ void read_si_units(const Document& document, const std::vector<Axis>& axes, Poin
 void apply_si_units(PointInput& input) {
   if (input.si.empty()) return;
   const auto value = [&](const char* key) { return input.si.at(key); };
-  const auto has = [&](const char* key) { return input.si.count(key) > 0; };
+  const auto has = [&](const char* key) { return input.si.contains(key); };
   const double r0 = value("r0_m"), energy = energy_unit(input), force = energy / r0;
   const double stress = force / (r0 * r0);
   Parameters& p = input.interface.parameters;

@@ -173,7 +173,7 @@ class Tracer {
 
   // Adds nodes towards the gap that carries the fold's load again.
   void land(const Landing& landing, const PassageRunner& run) {
-    const auto known = [&](double z_0) { return nodes_.count(z_0) > 0 || room(1); };
+    const auto known = [&](double z_0) { return nodes_.contains(z_0) || room(1); };
     const auto beyond = [&](double z_0) {
       return known(z_0) ? load(z_0, run) - landing.load : 0;
     };  // 0 ends it

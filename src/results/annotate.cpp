@@ -29,7 +29,7 @@ std::string quantity(const SiQuantity& q, double value) {
 std::vector<std::string> si_parts(const Experiment& e) {
   std::vector<std::string> parts;
   for (const SiQuantity& q : si_quantities())
-    if (fixed(e, q.name) && e.base.si.count(q.name)) parts.push_back(quantity(q, e.base.si.at(q.name)));
+    if (fixed(e, q.name) && e.base.si.contains(q.name)) parts.push_back(quantity(q, e.base.si.at(q.name)));
   return parts;
 }
 

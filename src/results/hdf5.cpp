@@ -1,5 +1,6 @@
 #include "results/hdf5.hpp"
 
+#include "experiment/document.hpp"
 #include "experiment/input_error.hpp"
 
 #include <fmt/format.h>
@@ -21,6 +22,9 @@ Handle space_of(hid_t dataset) { return {H5Dget_space(dataset), H5Sclose, "readi
 
 Handle selection(hid_t dataset, const Shape& start, const Shape& count) {
   Handle space = space_of(dataset);
+  // HDF5 believes that start and count are as long as the file's dataset has dimensions.
+  if (check(H5Sget_simple_extent_ndims(space), "reading a dataset's rank") != int(start.size()))
+    throw RunError(fmt::format("HDF5: a dataset has other than {} dimensions", start.size()));
   if (!start.empty())
     check(H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr),
           "selecting a part of a dataset");
@@ -39,8 +43,22 @@ void put_attribute(hid_t object, const std::string& name, hid_t type, hid_t spac
   check(H5Awrite(attribute, type, data), "writing attribute " + name);
 }
 
+bool is_utf8(const std::string& text) {
+  try {
+    Json(text).dump();  // throws for what is not
+    return true;
+  } catch (const Json::exception&) {
+    return false;
+  }
+}
+
+// A single value: HDF5 would write as many as the file's attribute has.
 Handle open_attribute(hid_t object, const std::string& name) {
-  return {H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose, "opening attribute " + name};
+  Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose, "opening attribute " + name);
+  const Handle space(H5Aget_space(attribute), H5Sclose, "reading the shape of attribute " + name);
+  if (H5Sget_simple_extent_npoints(space) != 1)
+    throw RunError(fmt::format("HDF5: attribute {} is not a single value", name));
+  return attribute;
 }
 
 void set_fill_and_chunks(hid_t properties, hid_t type, const Shape& shape) {
@@ -141,9 +159,15 @@ Shape shape_of(hid_t dataset) {
   return shape;
 }
 
+hsize_t length_of(hid_t dataset) {
+  const Shape shape = shape_of(dataset);
+  if (shape.size() != 1) throw RunError("HDF5: a dataset is not a list");
+  return shape[0];
+}
+
 void write_part(hid_t dataset, hid_t type, const Shape& start, const Shape& count, const void* data) {
   Shape shape = shape_of(dataset);
-  if (!shape.empty() && start[0] + count[0] > shape[0]) {
+  if (!shape.empty() && !start.empty() && start[0] + count[0] > shape[0]) {
     shape[0] = start[0] + count[0];
     check(H5Dset_extent(dataset, shape.data()), "extending a dataset");
   }
@@ -184,12 +208,19 @@ std::string read_text_attribute(hid_t object, const std::string& name) {
   std::string text(H5Tget_size(type), '\0');
   check(H5Aread(attribute, type, text.data()), "reading attribute " + name);
   text.erase(std::find(text.begin(), text.end(), '\0'), text.end());
+  if (!is_utf8(text)) throw RunError(fmt::format("HDF5: attribute {} is not text in UTF-8", name));
   return text;
 }
 
 double read_number_attribute(hid_t object, const std::string& name) {
   double value = 0;
   check(H5Aread(open_attribute(object, name), H5T_NATIVE_DOUBLE, &value), "reading attribute " + name);
+  return value;
+}
+
+long read_integer_attribute(hid_t object, const std::string& name) {
+  long value = 0;
+  check(H5Aread(open_attribute(object, name), H5T_NATIVE_LONG, &value), "reading attribute " + name);
   return value;
 }
 

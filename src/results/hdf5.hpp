@@ -46,7 +46,9 @@ bool exists(hid_t parent, const std::string& name);
 // Doubles are filled with NaN.
 Handle create_dataset(hid_t parent, const std::string& name, hid_t type, const Shape& shape);
 Shape shape_of(hid_t dataset);
-// Part of a dataset: count elements along each dimension from start.
+hsize_t length_of(hid_t dataset);  // of one dimension; else throws RunError
+// Part of a dataset: count elements along each dimension from start. Throws RunError if it has other
+// dimensions.
 void write_part(hid_t dataset, hid_t type, const Shape& start, const Shape& count, const void* data);
 void read_part(hid_t dataset, hid_t type, const Shape& start, const Shape& count, void* data);
 
@@ -54,8 +56,10 @@ void write_attribute(hid_t object, const std::string& name, const std::string& t
 void write_attribute(hid_t object, const std::string& name, const char* text);
 void write_attribute(hid_t object, const std::string& name, long value);
 void write_attribute(hid_t object, const std::string& name, const std::vector<signed char>& values);
+// Single values; of a list they throw RunError.
 std::string read_text_attribute(hid_t object, const std::string& name);
 double read_number_attribute(hid_t object, const std::string& name);
+long read_integer_attribute(hid_t object, const std::string& name);
 bool has_attribute(hid_t object, const std::string& name);
 std::vector<std::string> attribute_names(hid_t object);
 // Names of the links of a group, ascending.

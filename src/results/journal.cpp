@@ -126,7 +126,7 @@ void Journal::adopt(const Experiment& experiment, const std::vector<std::size_t>
       continue;
     each_line(name, [&](const std::string& text, std::uint64_t) {
       const auto head = head_of(text);
-      if (!head || !wanted.count(head->key) || !trusts(*head)) return;
+      if (!head || !wanted.contains(head->key) || !trusts(*head)) return;
       if (const auto line = decode(text); line && fits(line->record, experiment)) {
         append(*line);
         wanted.erase(line->key);

@@ -29,7 +29,7 @@ class Journal {
   Journal& operator=(const Journal&) = delete;
 
   const std::string& path() const { return path_; }
-  bool has(const std::string& key) const { return entries_.count(key) > 0; }
+  bool has(const std::string& key) const { return entries_.contains(key); }
   // Throws RunError if it reads otherwise than before.
   JournalLine read(const std::string& key) const;
 

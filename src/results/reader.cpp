@@ -1,13 +1,15 @@
 #include "results/reader.hpp"
 
+#include "experiment/axes.hpp"
 #include "experiment/input_error.hpp"
 #include "experiment/suggest.hpp"
 #include "results/writer.hpp"
 
 #include <fmt/format.h>
-#include <sstream>
 #include <fmt/ranges.h>
+#include <cmath>
 #include <filesystem>
+#include <sstream>
 
 namespace bristle {
 
@@ -44,8 +46,12 @@ std::optional<Shard> ResultReader::shard() const {
 
 std::vector<std::size_t> ResultReader::part_points() const {
   const h5::Handle dataset = h5::open_dataset(file_, "part/points");
-  std::vector<double> numbers(h5::shape_of(dataset).at(0));
+  std::vector<double> numbers(h5::length_of(dataset));
   if (!numbers.empty()) h5::read_part(dataset, H5T_NATIVE_DOUBLE, {0}, {numbers.size()}, numbers.data());
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    if (!(numbers[i] >= 0 && numbers[i] < kMostPoints) || numbers[i] != std::floor(numbers[i]) ||
+        (i > 0 && numbers[i] <= numbers[i - 1]))
+      throw RunError(fmt::format("part/points: {} is no point's number, or out of order", numbers[i]));
   return {numbers.begin(), numbers.end()};
 }
 
@@ -98,7 +104,9 @@ bool holds_whole_result(const std::string& path) {
 
 Json ResultReader::experiment() const {
   try {
-    return parse_json(text("experiment"));
+    Json document = parse_json(text("experiment"));
+    if (!document.is_object()) throw InputError(fmt::format("{} is not an object", shown(document)));
+    return document;
   } catch (const InputError& e) {
     throw InputError(fmt::format("{}: attribute experiment: {}", path_, e.what()));
   }

@@ -46,7 +46,7 @@ void append(Rows& rows, const Rows& more) {
 // The first row of this point or a later one, by bisection: a table may be too long to be read for each
 // point.
 hsize_t first_row(hid_t points, std::size_t index) {
-  hsize_t low = 0, high = h5::shape_of(points).at(0);
+  hsize_t low = 0, high = h5::length_of(points);
   while (low < high) {
     const hsize_t middle = low + (high - low) / 2;
     double point = 0;
@@ -67,7 +67,7 @@ Rows read_rows(hid_t file, const std::string& table, std::size_t index) {
     return out;
   };
   const h5::Handle points = h5::open_dataset(group, "point");
-  const hsize_t first = first_row(points, index), last = first_row(points, index + 1);
+  const hsize_t first = first_row(points, index), last = std::max(first, first_row(points, index + 1));
   Rows rows;
   for (const std::string& column : table_columns(table)) rows.push_back(read(column, first, last - first));
   return rows;
@@ -90,7 +90,7 @@ void add_differences(const Map& a, const Map& b, std::vector<std::string>& out) 
     if (const auto other = b.find(name); other == b.end() || !same_bits(values, other->second))
       out.push_back(name);
   for (const auto& [name, values] : b)
-    if (!a.count(name)) out.push_back(name);
+    if (!a.contains(name)) out.push_back(name);
 }
 
 }  // namespace
@@ -164,9 +164,12 @@ std::vector<std::string> table_names(const Experiment& experiment) {
 bool fits(const PointRecord& record, const Experiment& experiment) {
   const auto has = [](const auto& map, const std::vector<std::string>& names) {
     return map.size() == names.size() &&
-           std::all_of(names.begin(), names.end(), [&](const std::string& name) { return map.count(name); });
+           std::all_of(names.begin(), names.end(),
+                       [&](const std::string& name) { return map.contains(name); });
   };
-  const std::size_t nodes = record.values.empty() ? 0 : record.values.begin()->second.size();
+  if (!has(record.values, value_names(experiment)) || !has(record.tables, table_names(experiment)))
+    return false;
+  const std::size_t nodes = record.values.begin()->second.size();
   const bool curve = experiment.base.loading.trace.has_value();
   const bool room = curve ? nodes <= std::size_t(experiment.base.loading.trace->nodes) : nodes == 1;
   const bool even = std::all_of(record.values.begin(), record.values.end(),
@@ -176,8 +179,11 @@ bool fits(const PointRecord& record, const Experiment& experiment) {
            std::all_of(t.second.begin(), t.second.end(),
                        [&](const auto& column) { return column.size() == t.second.front().size(); });
   });
-  return has(record.values, value_names(experiment)) && has(record.tables, table_names(experiment)) && room &&
-         even && tables;
+  const auto& status = record.values.at("status");
+  const bool known = std::all_of(status.begin(), status.end(), [](double s) {
+    return s >= 0 && s < double(kPointStatusNames.size()) && s == std::floor(s);
+  });
+  return room && even && tables && known;
 }
 
 std::vector<std::string> differences(const PointRecord& a, const PointRecord& b) {

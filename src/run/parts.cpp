@@ -88,7 +88,7 @@ struct Version {
 Version version_of(const ResultReader& file, const Part& part) {
   const auto program = part.provenance.find("version");
   return {program == part.provenance.end() ? "unknown" : program->second,
-          long(h5::read_number_attribute(file.file(), "numerics_version"))};
+          h5::read_integer_attribute(file.file(), "numerics_version")};
 }
 
 std::string version_text(const Version& v) {

@@ -1,0 +1,159 @@
+#include "archive/citation.hpp"
+#include "archive/tar.hpp"
+#include "cli/commands.hpp"
+#include "experiment/input_error.hpp"
+#include "parts.hpp"
+#include "results/journal.hpp"
+
+// Files that no program of ours wrote: an error with a name, never an access beyond what is there.
+using namespace bristle;
+using namespace bristle::testing;
+using Catch::Contains;
+
+namespace {
+
+// In place of the attribute, a list of so many texts or numbers.
+void make_list(const std::string& path, const std::string& name, hsize_t count, bool texts) {
+  const h5::Handle file = h5::open_file(path, true);
+  const h5::Handle type(H5Tcopy(texts ? H5T_C_S1 : H5T_NATIVE_LONG), H5Tclose, "type");
+  if (texts) h5::check(H5Tset_size(type, 64), "size");
+  const h5::Handle space(H5Screate_simple(1, &count, nullptr), H5Sclose, "space");
+  h5::check(H5Adelete(file, name.c_str()), "removing");
+  const h5::Handle attribute(H5Acreate2(file, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
+                             "creating");
+  const std::vector<char> zeros(count * 64);
+  h5::check(H5Awrite(attribute, type, zeros.data()), "writing");
+}
+
+void replace_dataset(const std::string& path, const std::string& name, const h5::Shape& shape) {
+  remove_dataset(path, name);
+  add_dataset(path, name, shape);
+}
+
+template <class Value>
+void set_attribute(const std::string& path, const std::string& name, const Value& value) {
+  h5::write_attribute(h5::open_file(path, true), name, value);
+}
+
+}  // namespace
+
+TEST_CASE("an attribute that is a list where one value belongs") {
+  const Scratch s;
+  const std::string path = small_result(s, "r.h5");
+  make_list(path, "numerics_version", 1000, false);
+  make_list(path, "title", 1000, true);
+  const ResultReader result(path);
+  for (const char* name : {"numerics_version", "title"}) CHECK(h5::has_attribute(result.file(), name));
+  CHECK_THROWS_WITH(h5::read_number_attribute(result.file(), "numerics_version"),
+                    Contains("numerics_version is not a single value"));
+  CHECK_THROWS_AS(h5::read_integer_attribute(result.file(), "numerics_version"), RunError);
+  CHECK_THROWS_WITH(result.text("title"), Contains("title is not a single value"));
+}
+
+TEST_CASE("an attribute that is not text in UTF-8") {
+  const Scratch s;
+  const std::string path = small_result(s, "r.h5");
+  set_attribute(path, "title", std::string("\xff"));
+  CHECK_THROWS_WITH(ResultReader(path).text("title"), Contains("title is not text in UTF-8"));
+}
+
+TEST_CASE("a dataset of more or fewer dimensions than the sweep") {
+  const Scratch s;
+  const Experiment e = small_experiment(s);
+  for (const h5::Shape& shape : {h5::Shape{}, h5::Shape{6}, h5::Shape{2, 3, 1}}) {
+    const std::string path = small_result(s, "r.h5");
+    replace_dataset(path, "R_x", shape);
+    CHECK_THROWS_AS(read_record(ResultReader(path).file(), e, 5), RunError);
+  }
+}
+
+TEST_CASE("a part whose points are no numbers of points, or in disorder") {
+  const Scratch s;
+  const Experiment e = sharded(s);
+  for (const double wrong : {-1.0, 0.5, 1e300, kNone, 4.0}) {
+    const std::string path = write_part(s, e, {1, 2});  // 0, 2, 4
+    remove_dataset(path, "part/points");
+    add_dataset(path, "part/points", {3});
+    const double points[] = {0, wrong, 4};
+    for (hsize_t i = 0; i < 3; ++i) put(path, "part/points", {i}, points[i]);
+    CHECK_THROWS_WITH(ResultReader(path, Expected::part).part_points(), Contains("part/points"));
+  }
+  const std::string path = write_part(s, e, {1, 2});
+  replace_dataset(path, "part/points", {});
+  CHECK_THROWS_AS(ResultReader(path, Expected::part).part_points(), RunError);
+}
+
+TEST_CASE("info of a part whose points are not the sweep's") {
+  const Scratch s;
+  const std::string path = write_part(s, sharded(s), {1, 2});
+  put(path, "part/points", {2}, 1000);
+  CHECK_THROWS_WITH(info_command(path), Contains("do not fit each other"));
+}
+
+TEST_CASE("an experiment in a result that is none, and checks that are none") {
+  const Scratch s;
+  const std::string path = small_result(s, "r.h5");
+  const Json document = ResultReader(path).experiment();
+  for (const char* text : {"1", "[]", "null", "\"x\"", "{"}) {
+    set_attribute(path, "experiment", text);
+    CHECK_THROWS_AS(ResultReader(path).experiment(), InputError);
+  }
+  for (const char* checks : {"5", "[{}]", R"([{"claim": "x"}])", R"([[]])"}) {
+    Json changed = document;
+    changed["checks"] = Json::parse(checks);
+    set_attribute(path, "experiment", changed.dump());
+    CHECK_THROWS_AS(evaluate_checks(ResultReader(path)), InputError);
+  }
+}
+
+TEST_CASE("checks of a variable whose errors are fewer than its values") {
+  const Scratch s;
+  const std::string path = small_result(s, "r.h5");
+  replace_dataset(path, "R_x_norm_err", {1});
+  CHECK_THROWS_WITH(evaluate_checks(ResultReader(path)), Contains("R_x_norm_err has 1 values, not 6"));
+}
+
+TEST_CASE("a journal's line with a status or a table that there is not") {
+  const Scratch s;
+  const Experiment e = small_experiment(s);
+  PointRecord record = record_of(e, small_point(0), {});
+  CHECK(fits(record, e));
+  for (const double status : {-1.0, 0.5, 99.0, 1e300, kNone}) {
+    record.values["status"] = {status};
+    CHECK_FALSE(fits(record, e));
+  }
+  record.values["status"] = {0};
+  record.tables["no_such"] = {};
+  CHECK_FALSE(fits(record, e));
+}
+
+TEST_CASE("a reference nested deeper than the stack, or with a key twice") {
+  const Scratch s;
+  const std::string deep = std::string(200000, '[') + std::string(200000, ']');
+  CHECK_THROWS_AS(read_reference(s.write("r.json", R"({"schema": )" + deep + "}")), InputError);
+  CHECK_THROWS_WITH(read_reference(s.write("r.json", R"({"schema": "a", "schema": "b"})")),
+                    Contains("r.json") && Contains("twice"));
+}
+
+TEST_CASE("an experiment that extends what cannot be a file's name") {
+  const Scratch s;
+  const std::string path = s.write("e.json", R"({"extends": ")" + std::string(5000, 'x') + R"("})");
+  CHECK_THROWS_WITH(load_experiment(path, {}), Contains("/extends") && Contains("e.json"));
+  CHECK_THROWS_AS(load_experiment(path, {}), InputError);
+}
+
+TEST_CASE("a citation that is no text in UTF-8, or whose commit is none") {
+  CHECK_THROWS_AS(parse_citation("title: [\"\xff\"]\n"), BadArchive);
+  const std::string sound = R"(cff-version: "1.2.0"
+message: m
+type: dataset
+title: t
+version: "1"
+date-released: "2026-01-02"
+license: MIT
+authors: [{name: n}]
+)";
+  CHECK(check_citation(parse_citation(sound + "commit: 0123abc\n")).empty());
+  CHECK(check_citation(parse_citation(sound + "commit: 1234567\n")).size() == 1);
+  CHECK(check_citation(parse_citation(sound)).size() == 1);
+}

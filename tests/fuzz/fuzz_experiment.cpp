@@ -1,0 +1,24 @@
+#include "fuzz.hpp"
+
+#include "checks/checks.hpp"
+#include "experiment/experiment.hpp"
+#include "experiment/input_error.hpp"
+
+// The bytes as an experiment file: an experiment or an InputError, never anything else.
+using namespace bristle;
+using namespace bristle::testing;
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static const Scratch s;
+  static const std::string parent =
+      s.write("experiments/paper.json", bytes_of(std::string(BRISTLE_EXPERIMENTS) + "/paper.json"));
+  const std::string path = s.write("experiments/fuzz.json", text_of(data, size));
+  try {
+    const Experiment experiment = load_experiment(path, {});
+    validate_checks(experiment);
+    // The document as it is stored in a result reads as the same experiment.
+    require(stored_experiment(experiment.document, experiment.tier, path).points() == experiment.points());
+  } catch (const InputError&) {
+  }
+  return 0;
+}

@@ -1,0 +1,39 @@
+#include "fuzz.hpp"
+
+#include "experiment/input_error.hpp"
+#include "results/journal.hpp"
+#include "results/sha.hpp"
+
+// The bytes as a journal, and as the JSON of a line whose checksum holds.
+using namespace bristle;
+using namespace bristle::testing;
+
+namespace {
+
+void open_journal(const Scratch& s, const std::string& bytes) {
+  s.write("fuzz.h5.journal", bytes);
+  try {
+    Journal journal(s.path("fuzz.h5"), "0123abc", false);
+    journal.append("key", {{{"R_n", {2}}}, {}});
+    require(journal.read("key").record.values.at("R_n").at(0) == 2);
+  } catch (const InputError&) {
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static const Scratch s;
+  const std::string bytes = text_of(data, size), line = sha256_of(bytes) + " " + bytes;
+  open_journal(s, bytes);
+  open_journal(s, line + "\n");
+  head_of(line);
+  schema_of(line);
+  // What is read is what would be written again.
+  if (const auto read = decode(line)) {
+    const std::string text = encode(*read);
+    const auto again = decode(std::string_view(text).substr(0, text.size() - 1));
+    require(again && encode(*again) == text);
+  }
+  return 0;
+}

@@ -1,0 +1,32 @@
+#!/bin/sh
+# Builds the fuzz targets in FOLDER and runs each on its corpus, then for SECONDS on what libFuzzer makes of it.
+# usage: run.sh SOURCE FOLDER SECONDS. Exit code 77 (skipped) without a clang++ that has libFuzzer.
+set -eu
+[ $# = 3 ] || { sed -n '3s/^# //p' "$0"; exit 2; }
+mkdir -p "$2"
+source=$(cd "$1" && pwd) folder=$(cd "$2" && pwd) seconds=$3
+cd "$folder"
+
+empty='extern "C" int LLVMFuzzerTestOneInput(const unsigned char*, unsigned long) { return 0; }'
+if ! echo "$empty" | clang++ -fsanitize=fuzzer,address -x c++ - -o probe >probe.log 2>&1; then
+  echo "no clang++ with libFuzzer: scripts/install-packages hardening"
+  exit 77
+fi
+(cd "$source" && cmake --preset fuzz -B "$folder" -G Ninja) >configure.log 2>&1 || { cat configure.log; exit 1; }
+nice -n 10 ninja --quiet fuzz
+
+# Leaks are for `make sanitize`. An input that takes two minutes is an error, too.
+failed=
+for corpus in "$source"/tests/fuzz/corpus/*/; do
+  target=$(basename "$corpus")
+  mkdir -p "found/$target"
+  echo "$target: $(ls "$corpus" | wc -l) files, then $seconds s"
+  if nice -n 10 "tests/fuzz/fuzz_$target" -max_total_time="$seconds" -timeout=120 -rss_limit_mb=4096 -detect_leaks=0 \
+    -artifact_prefix="$folder/$target-" "found/$target" "$corpus" >"$target.log" 2>&1; then
+    grep -E '^Done|DONE' "$target.log" | tail -n 1
+  else
+    failed="$failed $target"
+    tail -n 40 "$target.log"
+  fi
+done
+[ -z "$failed" ] || { echo "FAILED:$failed; the input that did it is the last line's file, or in $folder"; exit 1; }
