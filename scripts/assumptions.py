@@ -16,7 +16,7 @@ SCHEMA = "bristle-assumptions/1"
 LETTERS = {"supported": ("+", GREEN), "refuted": ("\u2212", VERMILION), "undecided": ("?", BLUE)}
 
 CELL_INCHES = 0.27
-LEFT_INCHES, TOP_INCHES, BOTTOM_INCHES = 5.6, 3.1, 0.75
+LEFT_INCHES, RIGHT_INCHES, TOP_INCHES, BOTTOM_INCHES = 5.6, 1.3, 2.7, 0.75
 STATEMENT_LETTERS = 62
 
 # cells[check][alternative]
@@ -58,7 +58,7 @@ def read(path):
 def draw(study):
     """Rows are checks, columns alternatives; a pale cell is one that the alternative cannot change."""
     rows, columns = len(study.checks), len(study.alternatives)
-    width = LEFT_INCHES + CELL_INCHES * columns + 0.3
+    width = LEFT_INCHES + CELL_INCHES * columns + RIGHT_INCHES
     height = TOP_INCHES + CELL_INCHES * rows + BOTTOM_INCHES
     figure = Figure(figsize=(width, height))
     axes = figure.add_axes((0, 0, 1, 1), xlim=(0, width), ylim=(height, 0))
@@ -160,10 +160,11 @@ def account(study):
 def sentence(study, conclusion):
     check = study.checks[conclusion["check"]]
     line = f"- {check['claim']}, {conclusion['settled']}: {check['statement']}."
-    if conclusion["other"]:
-        line += f" Reversed under: {', '.join(conclusion['other'])}."
-    if conclusion["undecided"]:
-        line += f" Undecided under: {', '.join(conclusion['undecided'])}."
+    cells = study.cells[conclusion["check"]]
+    for verdict in LETTERS:
+        names = [a["name"] for a, cell in zip(study.alternatives, cells) if cell["verdict"] == verdict]
+        if names and verdict != conclusion["settled"]:
+            line += f" {verdict.capitalize()} under: {', '.join(names)}."
     return line
 
 

@@ -34,12 +34,12 @@ Json cell_json(std::size_t check, std::size_t alternative, const Cell& cell) {
 Json conclusion_json(const Matrix& matrix, std::size_t index) {
   const Matrix::Row& row = matrix.rows[index];
   const Verdict settled = row.cells.front().check.verdict;
-  Json reversed = Json::array(), undecided = Json::array(), choices = Json::array();
+  Json decided = Json::array(), undecided = Json::array(), choices = Json::array();
   for (std::size_t a = 1; a < row.cells.size(); ++a) {
     const Verdict verdict = row.cells[a].check.verdict;
     if (verdict == settled) continue;
     const Alternative& alternative = matrix.alternatives[a];
-    (contrary(verdict, settled) ? reversed : undecided).push_back(alternative.name);
+    (verdict == Verdict::undecided ? undecided : decided).push_back(alternative.name);
     if (std::find(choices.begin(), choices.end(), alternative.choice) == choices.end())
       choices.push_back(alternative.choice);
   }
@@ -47,7 +47,7 @@ Json conclusion_json(const Matrix& matrix, std::size_t index) {
           {"settled", to_string(settled)},
           {"conclusion", conclusion(row)},
           {"hangs_on", choices},
-          {"other", reversed},
+          {"other", decided},
           {"undecided", undecided}};
 }
 
