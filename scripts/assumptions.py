@@ -144,7 +144,7 @@ choice if an alternative reverses it; **open** is a check that the settled assum
 
 
 def account(study):
-    parts = [TEXT.format(tier=study.tier)]
+    parts = [TEXT.format(tier=study.tier), influence(study)]
     for conclusion, title in (("robust", "Robust"), ("weakened", "Weakened"), ("hangs", "Hangs on an assumption"),
                               ("open", "Open")):
         found = [c for c in study.conclusions if c["conclusion"] == conclusion]
@@ -155,6 +155,19 @@ def account(study):
     parts += [alternative_row(study, i) for i in range(1, len(study.alternatives))]
     parts += ["", "## The numbers\n", *number_table(study)]
     return "\n".join(parts) + "\n"
+
+
+def influence(study):
+    """The open choices by the verdicts that an alternative of theirs reverses at most."""
+    most = {}
+    for index, alternative in enumerate(study.alternatives[1:], 1):
+        reversals = sum({cells[0]["verdict"], cells[index]["verdict"]} == {"supported", "refuted"} for cells in study.cells)
+        most[alternative["choice"]] = max(most.get(alternative["choice"], 0), reversals)
+    ranked = sorted((choice for choice in most if most[choice] and choice != "together"), key=lambda c: -most[c])
+    harmless = [choice for choice in most if not most[choice]]
+    return (f"The choices that matter, with the verdicts that one alternative reverses: "
+            f"{', '.join(f'{choice} ({most[choice]})' for choice in ranked)}. "
+            f"No verdict is reversed by {', '.join(harmless)}.\n")
 
 
 def sentence(study, conclusion):
