@@ -5,8 +5,8 @@
 namespace bristle {
 
 // Checks the document, as merged, against the experiment schema (src/experiment/experiment.schema.json) or
-// another, whose text is given. Throws InputError that names source, JSON pointer, offending value and what is
-// allowed.
+// another, whose text is given. Throws InputError that names source, JSON pointer, offending value and what
+// is allowed.
 void check_schema(const Document& document);
 void check_schema(const Document& document, const char* schema);
 

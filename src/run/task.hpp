@@ -24,9 +24,9 @@ struct TaskOptions {
   std::string command_line;  // for the record
 };
 
-// Makes the result file be that of the experiment: what the journal or another in its folder has is not computed
-// again. Prints what became of the points unless quiet. Throws RunError if interrupted or if there is no room;
-// what was computed is in the journal then.
+// Makes the result file be that of the experiment: what the journal or another in its folder has is not
+// computed again. Prints what became of the points unless quiet. Throws RunError if interrupted or if there
+// is no room; what was computed is in the journal then.
 void carry_out(const Task& task, const TaskOptions& options);
 
 }  // namespace bristle
