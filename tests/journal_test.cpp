@@ -1,3 +1,4 @@
+#include "experiment/si_units.hpp"
 #include "experiment/canonical.hpp"
 #include "experiment/input_error.hpp"
 #include "results/journal.hpp"
@@ -177,10 +178,25 @@ TEST_CASE("equal points have equal keys, whatever the grid and the names, any pa
     changed.document["model"]["C"] = 0;  // C follows A unless it is a number
     return point_key(changed, 0);
   };
+  const auto in_si = [](const std::string& name) {
+    const auto& all = si_quantities();
+    return std::any_of(all.begin(), all.end(), [&](const SiQuantity& q) { return q.name == name; });
+  };
   for (const Sweepable& sweepable : sweepables()) {
     CAPTURE(sweepable.name);
-    if (sweepable.name == "z_0") continue;  // in place of the load, below
+    if (sweepable.name == "z_0" || in_si(sweepable.name)) continue;  // below
     CHECK(one(sweepable.name, 1) != one(sweepable.name, 0));
+  }
+  const auto one_in_si = [&](const std::string& name, double value) {
+    Experiment changed = e;
+    changed.axes = {{name, {value}}};
+    changed.base.si = {{"m_kg", 1}, {"r0_m", 1}, {"V0_m_per_s", 1}, {"E_Pa", 1}, {"nu", 0.1}, {"R_m", 1}};
+    changed.base.si["k_r_over_k_phi"] = 1;
+    return point_key(changed, 0);
+  };
+  for (const SiQuantity& q : si_quantities()) {
+    CAPTURE(q.name);
+    CHECK(one_in_si(q.name, 0.3) != one_in_si(q.name, 0.2));
   }
   for (const char* change :
        {R"("load": {"R_n": null, "z_0": 0.5})", R"("load": {"R_n": 1.5})", R"("orientation": {"rtol": 0.5})",

@@ -10,6 +10,7 @@ from style import fail
 from verdicts import number, with_uncertainty
 
 SCHEMA = "bristle-assumptions/1"
+TOGETHER = "together"  # the choice of alternatives that are assumed at once
 LETTERS = {"supported": "S", "refuted": "R", "undecided": "U"}
 
 
@@ -103,25 +104,31 @@ def asked(check):
 
 def sentence(rows, cells, alternatives, settled):
     """Whether the claim's verdicts stand under every alternative that was computed, and what they hang on."""
-    changed, computed = {}, set()
+    changed, reversing, computed = {}, set(), set()
     for i, _ in rows:
         base = cells.get((i, settled))
-        for j, alternative in enumerate(alternatives):
+        for j in range(len(alternatives)):
             found = cells.get((i, j))
             if j == settled or found is None or base is None or not found["affected"]:
                 continue
             computed.add(j)
             if found["verdict"] != base["verdict"]:
                 changed.setdefault(j, []).append(f"{base['verdict']} \u2192 {found['verdict']}")
+                if "undecided" not in (found["verdict"], base["verdict"]):
+                    reversing.add(j)
     if not computed:
         return {"robust": None, "text": "no alternative that concerns it was computed", "changes": []}
     if not changed:
         return {"robust": True, "text": f"robust: the same under each of {len(computed)} alternatives",
                 "changes": []}
-    single = {alternatives[j]["choice"]: None for j in changed if alternatives[j]["choice"] != "pair"}
-    pairs = [j for j in changed if alternatives[j]["choice"] == "pair"]
-    what = ", ".join(single) or "pairs of choices alone"
-    more = f", and on {len(pairs)} pair{'s' * (len(pairs) > 1)} of choices" if single and pairs else ""
-    return {"robust": False, "text": f"hangs on {what}{more}",
+    text = f"hangs on {choices(reversing, alternatives)}" if reversing else \
+        f"not reversed, but decided otherwise or not with {choices(changed, alternatives)}"
+    return {"robust": False, "text": text,
             "changes": [f"{alternatives[j]['name']}: {', '.join(dict.fromkeys(words))}"
                         for j, words in changed.items()]}
+
+
+def choices(found, alternatives):
+    """The open choices of these alternatives; those taken together if there are no others."""
+    single = dict.fromkeys(alternatives[j]["choice"] for j in sorted(found) if alternatives[j]["choice"] != TOGETHER)
+    return ", ".join(single) or "some taken together"
