@@ -4,7 +4,7 @@
 FIGURES := fig2 fig3 fig4 fig5 fig6 fig7 fig8 figA1 figA2 figA3
 # Research of one's own, made as the figures are.
 STUDIES := ski orientation stribeck
-.PHONY: help packages build test bench clean figures findings assumptions report archive verify release \
+.PHONY: help packages build test bench accuracy clean figures findings assumptions report archive verify release \
   sanitize fuzz tidy coverage $(FIGURES) $(STUDIES)
 JOBS ?= $(shell nproc 2>/dev/null || echo 1)
 BUILD := build
@@ -60,6 +60,12 @@ bench: build ## benchmarks: ratios against peers in the same run, into docs/perf
 	$$(scripts/find-python) benchmarks/scipy_peer.py $(BUILD)/benchmarks/libscipy_slopes.so >$(BUILD)/bench/scipy.json
 	scripts/time-figures $$(scripts/find-python) $(BUILD)/bristle $(FIGURES) >$(BUILD)/bench/figures.json
 	@$$(scripts/find-python) scripts/performance.py $(BUILD)/bench
+
+accuracy: build ## errors of the methods, measured: docs/accuracy.md
+	@ninja -C $(BUILD) --quiet -j $(JOBS) accuracy
+	@mkdir -p $(BUILD)/bench
+	$(BUILD)/benchmarks/accuracy >$(BUILD)/bench/accuracy.json
+	@$$(scripts/find-python) scripts/accuracy.py $(BUILD)/bench/accuracy.json
 
 archive: figures ## one citable file of all results: dist/bristle-<version>.tar
 	$(BUILD)/bristle archive

@@ -2,13 +2,13 @@
 
 import argparse
 import json
-import os
 from collections import namedtuple
 from itertools import groupby
 
 from matplotlib import patches
 from matplotlib.figure import Figure
 
+from document import table, write
 from style import BLUE, GREEN, GREY, VERMILION, apply_look, fail, prose, save
 from verdicts import number, with_uncertainty
 
@@ -34,9 +34,7 @@ def main():
     apply_look()
     save(draw(study), arguments.directory, "assumptions")
     if arguments.text:
-        with open(arguments.text + ".part", "w", encoding="utf-8") as part:
-            part.write(account(study))
-        os.replace(arguments.text + ".part", arguments.text)
+        write(arguments.text, account(study))
 
 
 def read(path):
@@ -150,10 +148,10 @@ def account(study):
         found = [c for c in study.conclusions if c["conclusion"] == conclusion]
         parts.append(f"## {title}: {len(found)} of {len(study.conclusions)}\n")
         parts += [sentence(study, c) for c in found] + [""] if found else []
-    parts += ["## The alternatives\n", "| what is open | alternative | what is assumed | verdicts other than settled |",
-              "|---|---|---|---|"]
-    parts += [alternative_row(study, i) for i in range(1, len(study.alternatives))]
-    parts += ["", "## The numbers\n", *number_table(study)]
+    alternatives = [alternative_row(study, i) for i in range(1, len(study.alternatives))]
+    parts += ["## The alternatives\n",
+              table(["what is open", "alternative", "what is assumed", "verdicts other than settled"], *alternatives),
+              "\n## The numbers\n", number_table(study)]
     return "\n".join(parts) + "\n"
 
 
@@ -185,13 +183,12 @@ def alternative_row(study, index):
     alternative = study.alternatives[index]
     changed = [f"{study.checks[row]['claim']} {cells[index]['verdict']}" for row, cells in enumerate(study.cells)
                if cells[index]["verdict"] != cells[0]["verdict"]]
-    return (f"| {alternative['choice']} | {alternative['name']} | {alternative['description']} | "
-            f"{', '.join(changed) or 'none'} |")
+    return [alternative["choice"], alternative["name"], alternative["description"], ", ".join(changed) or "none"]
 
 
 def number_table(study):
     """Settled value, and the range over the alternatives that touch the check."""
-    lines = ["| claim | statement | settled | asked | over the alternatives |", "|---|---|---|---|---|"]
+    rows = []
     for check, cells in zip(study.checks, study.cells):
         values = [c["measured"] for c in cells if c["affected"] and c["measured"] is not None]
         spread = f"{number(min(values), '.3g')} to {number(max(values), '.3g')}" if values else "none"
@@ -199,8 +196,8 @@ def number_table(study):
         if check["band"] is not None:
             asked += f" \u00b1 {number(check['band'], '.3g')}"
         settled = [float("nan") if cells[0][key] is None else cells[0][key] for key in ("measured", "uncertainty")]
-        lines.append(f"| {check['claim']} | {check['statement']} | {with_uncertainty(*settled)} | {asked} | {spread} |")
-    return lines
+        rows.append([check["claim"], check["statement"], with_uncertainty(*settled), asked, spread])
+    return table(["claim", "statement", "settled", "asked", "over the alternatives"], *rows)
 
 
 if __name__ == "__main__":

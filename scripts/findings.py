@@ -2,11 +2,11 @@
 
 import argparse
 import json
-import os
 
 import h5py
 import numpy as np
 
+from document import table, write
 from style import attribute, dataset, fail, open_result, text, values
 from verdicts import read_claims
 
@@ -29,9 +29,7 @@ def main():
     arguments = parser.parse_args()
     files = [open_result(path, ["status"]) for path in arguments.results]
     page = "\n".join([INTRODUCTION, overview(files), *map(section, files)])
-    with open(arguments.output + ".part", "w", encoding="utf-8") as part:
-        part.write(page)
-    os.replace(arguments.output + ".part", arguments.output)
+    write(arguments.output, page)
     print(f"{arguments.output}: {sum(len(checks(file)) for file in files)} checks of {len(files)} results")
 
 
@@ -54,10 +52,8 @@ def overview(files):
     for file in files:
         for check, row in checks(file):
             verdicts.setdefault(check["claim"], []).append(row.verdict)
-    lines = ["| claim | verdict |", "|---|---|"]
-    for claim, found in verdicts.items():
-        lines.append(f"| {claim} | {', '.join(map(emphasised, found))} |")
-    return "\n".join(lines) + "\n"
+    rows = [[claim, ", ".join(map(emphasised, found))] for claim, found in verdicts.items()]
+    return table(["claim", "verdict"], *rows) + "\n"
 
 
 def emphasised(verdict):
@@ -68,9 +64,8 @@ def section(file):
     lines = [f"## {text(file.attrs['title'])}", "", provenance(file), ""]
     rows = checks(file)
     if rows:
-        lines += ["| claim | statement | verdict | measured | asked |", "|---|---|---|---|---|"]
-        lines += [table_row(file, check, index) for index, (check, _) in enumerate(rows)]
-        lines.append("")
+        cells = [table_row(file, check, index) for index, (check, _) in enumerate(rows)]
+        lines += [table(["claim", "statement", "verdict", "measured", "asked"], *cells), ""]
     opened = {}
     for check, _ in rows:
         if "leaves_open" in check:
@@ -85,14 +80,15 @@ def section(file):
 
 
 def provenance(file):
-    """What the numbers are of: caption, points by status, passages, digest."""
+    """What the numbers are of: caption, points by status, passages, how long bristles stay, digest."""
     status = dataset(file, "status")
     names = attribute(status, "flag_meanings").split()
     counts = np.bincount(np.ravel(values(status)), minlength=len(names))
     points = ", ".join(f"{n} {name.replace('_', ' ')}" for name, n in zip(names, counts) if n and name != "absent")
     passages = int(np.sum(values(dataset(file, "passages"))))
     digest = text(file.attrs["payload_sha256"])
-    return (f"{text(file.attrs['caption'])}. Points: {points}; {passages} passages. "
+    contact = np.nanmax(values(dataset(file, "N_c_ratio")))
+    return (f"{text(file.attrs['caption'])}. Points: {points}; {passages} passages, in the mean at most {contact:.2f} L_x/V_0 long. "
             f"Payload SHA-256 `{digest[:16]}`.")
 
 
@@ -106,8 +102,7 @@ def table_row(file, check, index):
     asked = {"at_most": f"≤ {threshold:.3g}", "at_least": f"≥ {threshold:.3g}",
              "near": f"{threshold:.3g} ± {band:.3g}"}[check["is"]]
     verdict = text(group["verdict"][index])
-    return (f"| {check['claim']} | {check['statement']} | {emphasised(verdict)} | "
-            f"{quantity(check)} {found} | {asked} |")
+    return [check["claim"], check["statement"], emphasised(verdict), f"{quantity(check)} {found}", asked]
 
 
 def quantity(check):

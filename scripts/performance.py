@@ -7,6 +7,7 @@ import os
 import numpy as np
 
 import style
+from document import table, write
 import matplotlib.pyplot as plt
 
 AT = 1e-4  # error at which solvers are compared
@@ -55,12 +56,6 @@ def save(figure, path):
     plt.close(figure)
 
 
-def table(rows):
-    head, *body = rows
-    lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
-    return "\n".join(lines + ["| " + " | ".join(row) + " |" for row in body])
-
-
 def document(engine, peers, cases, figures):
     everything = engine["all_kinds"]
     solvers = [["solver", f"ms per bristle at {AT:g}", "times the fast engine's"]]
@@ -87,7 +82,7 @@ Written by `make bench` from one run on one machine: {engine['processor']}, {os.
 90 in 100 bristles have their impulses of normal force and friction right to {AT:g}. All integrate the same
 compiled equations; a Python solver calls them.
 
-{table(solvers)}
+{table(*solvers)}
 
 ![Work and precision of the solvers](images/work-precision.png)
 
@@ -99,19 +94,19 @@ and Odeint {everything['ratio']:.1f} times as long. {everything['lane_utilisatio
 
 Relative error, the larger of R_n and R_x, against a mean to 3e-5.
 
-{table(passages)}
+{table(*passages)}
 
 ![Error against number of passages](images/quadrature.png)
 
 ## Scaling
 
-{table(scaling)}
+{table(*scaling)}
 
 Few bristles leave lanes empty; a sweep has several points under way on each thread for that.
 
 ## Figures, full tier
 
-{table(tiers)}
+{table(*tiers)}
 """
 
 
@@ -135,8 +130,7 @@ def main():
     work_precision(peers, os.path.join(images, "work-precision.png"))
     quadrature(cases, os.path.join(images, "quadrature.png"))
     path = os.path.join(arguments.output, "performance.md")
-    with open(path, "w", encoding="utf-8") as file:
-        file.write(document(engine, peers, cases, measured("figures.json")))
+    write(path, document(engine, peers, cases, measured("figures.json")))
     print(path)
 
 

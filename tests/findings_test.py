@@ -1,6 +1,8 @@
-"""docs/findings.md has a line with a verdict for every check of the experiments, and every claim of the paper is checked."""
+"""docs/findings.md has a line with a verdict for every check of the experiments, every claim of the paper is checked, and numbers
+of it that other documents repeat are the same there."""
 import json
 import pathlib
+import re
 import sys
 
 root = pathlib.Path(sys.argv[1])
@@ -15,3 +17,11 @@ for path in sorted((root / "experiments").glob("fig*.json")):
 paper = {"3a", "3b", "3c", "3d", "4a", "4b", "4c", "4d", "4e", "4f", "5a", "5b", "5c", "6a", "6b", "7a", "7b", "8a", "8b",
          "A1", "A2", "A3"}
 assert claims == paper, f"not checked: {sorted(paper - claims)}; not of the paper: {sorted(claims - paper)}"
+
+# Rounded, as the others say it.
+figure_4 = page.split("## Figure 4")[1]
+passages, contact = re.search(r"(\d+) passages, in the mean at most ([\d.]+) L_x/V_0 long", figure_4).groups()
+for document, pattern, number in (("README.md", r"the ([\d ]+) passages of Figure 4", round(int(passages), -3)),
+                                  ("docs/model.md", r"stay for up to ([\d.]+) L_x/V_0", round(float(contact), 1))):
+    said = re.findall(pattern, (root / document).read_text(encoding="utf-8"))
+    assert [float(one.replace(" ", "")) for one in said] == [number], f"{document} says {said}, docs/findings.md {number}"

@@ -1,0 +1,243 @@
+// What the errors of the method are, measured: of the integration, of the quadrature's estimates, of the
+// lattice's standard errors; and how stiff the equations are. Numbers of no processor and no clock: the same
+// everywhere. Writes JSON to standard output (scripts/accuracy.py makes docs/accuracy.md of it).
+#include "interface/lattice.hpp"
+#include "sample.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+using namespace bristle;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+struct Case {
+  double k_r, k_theta, z_0;
+};
+constexpr Case kCases[] = {{10, 1, 0.1}, {25, 1, 0.5}, {50, 1, 0.62}};
+
+constexpr Observable kControlled[] = {N_C_RATIO, R_N, R_X, GAMMA_1, GAMMA_2, GAMMA_3};
+constexpr const char* kNames[] = {"N_c_ratio", "R_n", "R_x", "gamma_1", "gamma_2", "gamma_3"};
+
+const PassageRunner& runner(Engine engine) {
+  static const PassageRunner fast = make_runner(Engine::fast), reference = make_runner(Engine::reference);
+  return engine == Engine::fast ? fast : reference;
+}
+
+const char* engine_name(Engine engine) { return engine == Engine::fast ? "fast" : "reference"; }
+
+Interface interface_of(const Case& c, double rtol = 1e-5) {
+  Interface interface;
+  interface.parameters.k_r = c.k_r;
+  interface.parameters.k_theta = c.k_theta;
+  interface.parameters.C = chi_C_peak_at_V_s(interface.parameters.A);
+  interface.integrator = {rtol, rtol / 100, Method::automatic, 200'000'000};
+  return interface;
+}
+
+// The mean over equidistant azimuths: the same bristles whatever the tolerance, so that integration alone
+// errs.
+ObservableArray mean_over_grid(const Case& c, double rtol, Engine engine) {
+  constexpr int kAzimuths = 200;
+  Interface interface = interface_of(c, rtol);
+  interface.orientation.sampling = Sampling::list;
+  for (int i = 0; i < kAzimuths; ++i) interface.orientation.theta_0.push_back(M_PI * (i + 0.5) / kAzimuths);
+  return EnsembleMean(interface, c.z_0, runner(engine)).full().mean;
+}
+
+// Relative errors of the means, the largest of the cases, against Odeint at 1e-9.
+Json integration() {
+  Json rows = Json::array();
+  std::vector<ObservableArray> exact;
+  for (const Case& c : kCases) exact.push_back(mean_over_grid(c, 1e-9, Engine::reference));
+  for (const Engine engine : {Engine::fast, Engine::reference})
+    for (const double rtol : {1e-4, 1e-5, 1e-6}) {
+      Json row = {{"engine", engine_name(engine)}, {"rtol", rtol}};
+      ObservableArray worst{};
+      for (std::size_t i = 0; i < std::size(kCases); ++i) {
+        const ObservableArray mean = mean_over_grid(kCases[i], rtol, engine);
+        for (const Observable k : kControlled)
+          worst[k] = std::max(worst[k], std::abs(mean[k] / exact[i][k] - 1));
+      }
+      for (std::size_t k = 0; k < std::size(kControlled); ++k) row[kNames[k]] = worst[kControlled[k]];
+      rows.push_back(row);
+    }
+  return rows;
+}
+
+// Single bristles of all kinds at the default tolerance: those the implicit lanes finished, and the others.
+Json bristles() {
+  const bench::Bristles sample(496, M_PI);
+  const auto exact = bench::run_odeint(sample.at(1e-9));
+  const auto fast = runner(Engine::fast)(sample.at(1e-5));
+  std::vector<Passage> of[2], exact_of[2];
+  for (std::size_t i = 0; i < fast.size(); ++i) {
+    of[fast[i].implicit].push_back(fast[i]);
+    exact_of[fast[i].implicit].push_back(exact[i]);
+  }
+  return {{"explicit", of[0].size()},
+          {"explicit_error", bench::impulse_error(of[0], exact_of[0])},
+          {"implicit", of[1].size()},
+          {"implicit_error", bench::impulse_error(of[1], exact_of[1])}};
+}
+
+// The contact time of the bristle that points exactly against the motion, at tolerances a factor of ten
+// apart: the largest scatter of the cases, and the most reflections.
+Json head_on() {
+  Json out;
+  for (const Engine engine : {Engine::fast, Engine::reference}) {
+    double scatter = 0;
+    int reflections = 0;
+    for (const Case& c : kCases) {
+      double least = INFINITY, most = 0;
+      for (const double rtol : {1e-5, 1e-6, 1e-7, 1e-8}) {
+        const Interface interface = interface_of(c, rtol);
+        const auto b = make_bristle(interface.parameters, c.z_0, M_PI);
+        const PassageTask task{&interface.parameters, b, static_equilibrium(b), interface.integrator};
+        const Passage p = runner(engine)({task}).front();
+        least = std::min(least, p.contact_time);
+        most = std::max(most, p.contact_time);
+        reflections = std::max(reflections, p.reflections);
+      }
+      scatter = std::max(scatter, most / least - 1);
+    }
+    const char* name = engine_name(engine);
+    out["scatter"][name] = scatter;
+    out["reflections"][name] = reflections;
+  }
+  return out;
+}
+
+// Below which half of the weights lie.
+double weighted_median(std::vector<std::pair<double, double>> values_and_weights) {
+  std::sort(values_and_weights.begin(), values_and_weights.end());
+  double all = 0, below = 0;
+  for (const auto& [value, weight] : values_and_weights) all += weight;
+  for (const auto& [value, weight] : values_and_weights)
+    if ((below += weight) >= all / 2) return value;
+  return NAN;
+}
+
+// The fastest decay (of the most negative eigenvalue) along the passage of a bristle: its median over the
+// time in contact, and its peak. Per case, their ranges over bristles.
+Json stiffness() {
+  Json rows = Json::array();
+  for (const Case& c : kCases) {
+    std::vector<double> medians, peaks;
+    for (int degrees = 5; degrees < 180; degrees += 10) {
+      const Interface interface = interface_of(c);
+      const auto b = make_bristle(interface.parameters, c.z_0, degrees * M_PI / 180);
+      std::vector<std::pair<double, double>> decays;
+      double last = 0;
+      run_passage({&interface.parameters, b, static_equilibrium(b), interface.integrator},
+                  [&](double xi, const OdeState& y) {
+                    StateJacobian J;
+                    IntegralJacobian of_integrals;
+                    jacobian(b, y, J, of_integrals);
+                    decays.emplace_back(-J.eigenvalues().real().minCoeff(), xi - last);
+                    last = xi;
+                  });
+      medians.push_back(weighted_median(decays));
+      peaks.push_back(std::max_element(decays.begin(), decays.end())->first);
+    }
+    const auto range = [](const std::vector<double>& v) {
+      const auto [least, most] = std::minmax_element(v.begin(), v.end());
+      return Json{*least, *most};
+    };
+    rows.push_back({{"k_r", c.k_r}, {"z_0", c.z_0}, {"median", range(medians)}, {"peak", range(peaks)}});
+  }
+  return rows;
+}
+
+// How often the quadrature's mean lies within the estimates, its own and that of a finer one.
+Json quadrature() {
+  struct Row {
+    double rtol;
+    int within = 0, within_two = 0;
+    double worst = 0;
+  };
+  Row rows[] = {{1e-3}, {3e-3}};
+  int values = 0;
+  for (const double k_r : {2., 3., 5., 8., 13., 22., 36., 60., 100.})
+    for (const double k_theta : {1., 5.})
+      for (const double z_0 : {0.1, 0.3, 0.5, 0.7, 0.9}) {
+        const Case c{k_r, k_theta, z_0};
+        Interface interface = interface_of(c), fine = interface;
+        fine.orientation.rtol = 2e-4;
+        EnsembleMean exact_mean(fine, z_0, runner(Engine::fast));
+        const Ensemble& exact = exact_mean.full();
+        values += int(std::size(kControlled));
+        for (Row& row : rows) {
+          interface.orientation.rtol = row.rtol;
+          EnsembleMean mean(interface, z_0, runner(Engine::fast));
+          const Ensemble& e = mean.full();
+          for (const Observable k : kControlled) {
+            const double units = std::abs(e.mean[k] - exact.mean[k]) / (e.error[k] + exact.error[k]);
+            row.within += units <= 1;
+            row.within_two += units <= 2;
+            row.worst = std::max(row.worst, units);
+          }
+        }
+      }
+  Json out = {{"values", values}, {"rows", Json::array()}};
+  for (const Row& row : rows)
+    out["rows"].push_back(
+        {{"rtol", row.rtol}, {"within", row.within}, {"within_two", row.within_two}, {"worst", row.worst}});
+  return out;
+}
+
+// Root mean square over seeds of the lattice's deviation from the mean over theta_0, in standard errors.
+Json lattice() {
+  constexpr int kSeeds = 40, kDraws = 3000;
+  constexpr Observable kShown[] = {R_N, R_X, R_Y, N_C_RATIO, GAMMA_1};
+  constexpr const char* kShownNames[] = {"R_n", "R_x", "R_y", "N_c_ratio", "gamma_1"};
+  Interface interface = interface_of({10, 1, 0.115});
+  const Ensemble mean = EnsembleMean(interface, 0.115, runner(Engine::fast)).full();
+  interface.parameters.L_y = 5;
+  interface.orientation.sampling = Sampling::lattice;
+  interface.orientation.rows = 120;
+  interface.orientation.t_1 = -1;
+  ObservableArray squares{};
+  // Of the sum of sin(theta_0), as R_y is odd in it: what these azimuths alone deviate by.
+  double sine_squares = 0, of_seeds = 0;
+  const long bristles = 120 * 25;
+  for (int seed = 1; seed <= kDraws; ++seed) {
+    interface.orientation.seed = std::uint64_t(seed);
+    double sum = 0;
+    for (long i = 0; i < bristles; ++i)
+      sum += std::sin(random_azimuth(interface.orientation, std::uint64_t(i)));
+    sine_squares += sum * sum / (0.5 * double(bristles));
+    if (seed == kSeeds) of_seeds = sine_squares;
+    if (seed > kSeeds) continue;
+    const LatticeMean l = lattice_mean(interface, 0.115, runner(Engine::fast));
+    for (const Observable k : kShown) {
+      const double units = (l.mean[k] - mean.mean[k]) / l.error[k];
+      squares[k] += units * units;
+    }
+  }
+  Json out = {{"seeds", kSeeds}, {"rows", 120}, {"bristles", bristles}};
+  for (std::size_t k = 0; k < std::size(kShown); ++k)
+    out["deviation"][kShownNames[k]] = std::sqrt(squares[kShown[k]] / kSeeds);
+  out["azimuths"] = {
+      {"seeds", std::sqrt(of_seeds / kSeeds)}, {"draws", kDraws}, {"all", std::sqrt(sine_squares / kDraws)}};
+  return out;
+}
+
+}  // namespace
+
+int main() {
+  Json out;
+  const auto measure = [&](const char* name, Json (*what)()) {
+    fmt::print(stderr, "accuracy: {} ...\n", name);
+    out[name] = what();
+  };
+  measure("integration", integration);
+  measure("bristles", bristles);
+  measure("head_on", head_on);
+  measure("stiffness", stiffness);
+  measure("quadrature", quadrature);
+  measure("lattice", lattice);
+  fmt::print("{}\n", out.dump(1));
+}
