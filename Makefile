@@ -15,8 +15,8 @@ SUFFIX := $(if $(filter full,$(TIER)),,-$(TIER))
 help: ## list the targets
 	@echo "bristle: friction of a bristle lattice under a sliding slab"
 	@sed -n 's/^\([a-z%][a-z0-9 %-]*\):.*## \(.*\)/\1\t\2/p' $(MAKEFILE_LIST) | \
-	  while IFS="$$(printf '\t')" read -r target text; do printf '  make %-10s %s\n' "$$target" "$$text"; done
-	@echo "  make FIG        make one figure: results/FIG.h5, figures/FIG.pdf and .png, and the claims' verdicts"
+	  while IFS="$$(printf '\t')" read -r target text; do printf '  make %-12s %s\n' "$$target" "$$text"; done
+	@echo "  make FIG          make one figure: results/FIG.h5, figures/FIG.pdf and .png, and the claims' verdicts"
 	@echo "FIG is one of $(FIGURES), $(STUDIES). TIER=smoke makes a quick, coarse one."
 
 packages: ## install the missing Debian packages (root or sudo)
@@ -81,10 +81,10 @@ release: ## VERSION=x.y.z: write the new version everywhere, commit nothing
 # What follows has build folders of its own; docs/hardening.md tells what it looks for.
 SANITIZER ?= address
 CHECKED := $(if $(filter thread,$(SANITIZER)),thread,sanitize)
-sanitize: packages ## unit and shell tests under the sanitizers of SANITIZER=address (and undefined), or thread
+sanitize: packages ## unit tests, shell tests and smoke runs under the sanitizers of SANITIZER=address (and undefined), or thread
 	cmake --preset $(CHECKED) -G Ninja
 	ninja -C build-$(CHECKED) --quiet -j $(JOBS) bristle unit_tests
-	cd build-$(CHECKED) && ctest -L '^(unit|shell)$$' --output-on-failure
+	cd build-$(CHECKED) && ctest -L '^(unit|shell|smoke)$$' --output-on-failure --parallel $(JOBS)
 
 SECONDS ?= 60
 fuzz: packages ## what reads files on random changes of tests/fuzz/corpus, SECONDS=60 for each kind
@@ -101,8 +101,8 @@ coverage: packages ## the lines of src/ that unit tests, shell tests and smoke r
 	cmake --preset coverage -G Ninja
 	ninja -C build-coverage --quiet -j $(JOBS) bristle unit_tests
 	find build-coverage -name '*.gcda' -delete
-	cd build-coverage && ctest -L '^(unit|shell|smoke)$$' --output-on-failure
+	cd build-coverage && ctest -L '^(unit|shell|smoke)$$' --output-on-failure --parallel $(JOBS)
 	gcovr --root . --filter src/ --object-directory build-coverage --print-summary --fail-under-line 90
 
 clean: ## remove what was built; results and figures stay
-	rm -rf $(BUILD)
+	rm -rf $(BUILD) build-*

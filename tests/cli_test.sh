@@ -67,7 +67,8 @@ reference=$folder/repository/reference
 git init -q "$folder/repository"
 cp "$result" "$folder/clean.h5"
 "$(scripts/find-python)" -c 'import h5py, numpy, sys
-h5py.File(sys.argv[1], "r+")["provenance"].attrs["commit"] = numpy.bytes_("0123abc")' "$folder/clean.h5"
+provenance = h5py.File(sys.argv[1], "r+")["provenance"].attrs
+for name in "commit", "points_commits": provenance[name] = numpy.bytes_("0123abc")' "$folder/clean.h5"
 expect 1 "no such reference" "$bristle" check --report-only "$folder/clean.h5" --reference "$reference"
 expect 2 "--reason" "$bristle" reference update "$folder/clean.h5" --reference "$reference"
 expect 2 "--reason" "$bristle" reference update "$folder/clean.h5" --reference "$reference" --reason ""

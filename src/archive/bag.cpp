@@ -121,7 +121,8 @@ Files make_bag(const std::string& folder, const Files& payload, const BagInfo& i
 }
 
 std::string strip_folder(Files& files) {
-  const std::string first = files.begin()->first, folder = first.substr(0, first.find('/'));
+  const std::string& first = files.begin()->first;
+  std::string folder = first.substr(0, first.find('/'));
   Files stripped;
   for (auto& [name, content] : files) {
     if (name.compare(0, folder.size() + 1, folder + "/") != 0)

@@ -12,7 +12,7 @@ constexpr int kDeepest = 16;
 constexpr std::size_t kMostNodes = 10000, kMostBytes = 1 << 20;
 
 Json scalar(const YAML::Node& node) {
-  const std::string text = node.Scalar();
+  const std::string& text = node.Scalar();
   static const std::regex integer("0|-?[1-9][0-9]{0,8}");  // years and volumes; quoted ones are texts
   if (node.Tag() == "?" && std::regex_match(text, integer)) return std::stol(text);
   return text;
@@ -72,7 +72,7 @@ Json parse_citation(const std::string& text) {
   if (text.size() > kMostBytes) throw BadArchive("too long for a citation");
   try {
     std::size_t nodes = 0;
-    const Json citation = to_json(YAML::Load(text), 0, nodes);
+    Json citation = to_json(YAML::Load(text), 0, nodes);
     if (!citation.is_object()) throw BadArchive("not a YAML object");
     citation.dump();  // throws for text that is not UTF-8
     return citation;

@@ -118,7 +118,7 @@ void note_other_origin(const Reference& reference, const Reference& now, DriftRe
     report.notes.push_back(fmt::format("numerics_version is {}, the reference's is {}", now.numerics_version,
                                        reference.numerics_version));
   if (report.points == report.points_in_file && reference.inputs_sha256 != now.inputs_sha256)
-    report.notes.push_back("computed from other inputs than the reference (inputs_sha256)");
+    report.notes.emplace_back("computed from other inputs than the reference (inputs_sha256)");
 }
 
 }  // namespace

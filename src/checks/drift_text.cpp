@@ -42,7 +42,7 @@ Json coordinate(const Json& axis, double value, std::size_t index) {
 }
 
 void add_set(std::vector<std::string>& words, const JsonPointer& at, const Json& value) {
-  words.push_back("--set");
+  words.emplace_back("--set");
   words.push_back(at.to_string() + "=" + value.dump());
 }
 

@@ -31,7 +31,7 @@ std::string layout(const Json& json, const std::string& indent) {
 class Node {
  public:
   Node(const std::string& path, const Json& json, JsonPointer at = JsonPointer())
-      : path_(path), json_(json), at_(at) {}
+      : path_(path), json_(json), at_(std::move(at)) {}
 
   [[noreturn]] void fail(const std::string& what) const {
     const std::string at = at_.empty() ? "/" : at_.to_string();
@@ -151,7 +151,7 @@ ReferenceVariable read_variable(const std::string& name, const Node& node, std::
   ReferenceVariable v;
   v.name = name;
   std::vector<std::string> keys = {"values"};
-  for (const TolerancePart& part : kToleranceParts) keys.push_back(part.name);
+  for (const TolerancePart& part : kToleranceParts) keys.emplace_back(part.name);
   node.only(keys);
   v.values = node["values"].list(number, points);
   for (const TolerancePart& part : kToleranceParts) v.*part.values = read_part(node[part.name], v.values);
@@ -159,7 +159,7 @@ ReferenceVariable read_variable(const std::string& name, const Node& node, std::
 }
 
 Axis read_axis(const std::string& name, const Node& node) {
-  const Axis axis{name, node.list(coordinate)};
+  Axis axis{name, node.list(coordinate)};
   if (axis.values.empty()) node.fail("an axis has at least one value");
   return axis;
 }

@@ -157,7 +157,7 @@ std::string update_reference(const ReferenceUpdate& update) {
   if (old && says_the_same(*old, made)) return "";
   require_clean_work_tree(update.folder);
   const fs::path log = fs::path(update.folder) / "CHANGELOG.md";
-  const std::string added = entry(update, result, old ? &*old : nullptr, made);
+  std::string added = entry(update, result, old ? &*old : nullptr, made);
   const std::string before = fs::exists(log)
                                  ? read_text(log)
                                  : "# Changes of the references\n\nWritten by `bristle reference update`; "

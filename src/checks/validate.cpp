@@ -19,7 +19,7 @@ class CheckValidator {
       : experiment_(experiment), index_(index), check_(experiment.checks[index]) {
     for (const ResultVariable& v : result_variables(experiment)) variables_.push_back(v.name);
     for (const Axis& axis : experiment.axes) axes_.push_back(axis_variable(axis.name));
-    if (experiment.base.loading.trace) axes_.push_back("node");
+    if (experiment.base.loading.trace) axes_.emplace_back("node");
   }
 
   void validate() const {

@@ -26,12 +26,17 @@ std::vector<std::string> declared_in(const std::string& folder) {
 
 void write_matrix(const std::string& path, const Matrix& matrix) {
   const std::string partial = path + ".partial";
-  {
+  try {
     std::ofstream out(partial);
     out << matrix_json(matrix).dump(1) << '\n';
-    if (!out.flush()) throw RunError(fmt::format("{}: cannot be written", partial));
+    out.close();
+    if (!out) throw RunError(fmt::format("{}: cannot be written", path));
+    replace_file(partial, path);
+  } catch (const RunError&) {
+    std::error_code ignored;
+    fs::remove(partial, ignored);
+    throw;
   }
-  replace_file(partial, path);
 }
 
 void print_conclusions(const Matrix& matrix) {

@@ -22,7 +22,7 @@ void keep_whole(const std::string& path) {
 void choose_instruction_set(const std::string& name) {
   if (name.empty() || prefer_kernels(name)) return;
   std::vector<std::string> names;
-  for (const Kernels* kernels : available_kernels()) names.push_back(kernels->target);
+  for (const Kernels* kernels : available_kernels()) names.emplace_back(kernels->target);
   throw InputError(fmt::format("--instruction-set {}: not of this processor; allowed: {}", name,
                                names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
 }

@@ -12,6 +12,6 @@ using Job = std::function<void(const PassageRunner& run)>;
 void run_together(const std::vector<Job>& jobs, const PassageRunner& run);
 
 // Stack of a job: what the equilibrium, the quadrature and a scalar passage take, with room to spare.
-constexpr std::size_t kJobStackBytes = 256 * 1024;
+constexpr std::size_t kJobStackBytes = 256 << 10;
 
 }  // namespace bristle

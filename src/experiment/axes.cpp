@@ -44,7 +44,7 @@ class AxisReader {
   std::vector<double> all_values() const {
     std::vector<std::string> given;
     for (const char* kind : {"values", "linspace", "logspace"})
-      if (json_.contains(kind)) given.push_back(kind);
+      if (json_.contains(kind)) given.emplace_back(kind);
     if (given.size() != 1)
       fail(at_, fmt::format("an axis is one of values, linspace, logspace; this has {}",
                             given.empty() ? "none" : fmt::format("{}", fmt::join(given, " and "))));

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <ranges>
 
 namespace bristle {
 namespace {
@@ -196,8 +197,7 @@ class Tracer {
       }
     }
     std::vector<CurveNode> out;
-    for (auto node = nodes_.rbegin(); node != nodes_.rend(); ++node)
-      out.push_back({node->second, Branch(branches[node->first])});
+    for (const auto& [z_0, node] : nodes_ | std::views::reverse) out.push_back({node, Branch(branches[z_0])});
     return out;
   }
 

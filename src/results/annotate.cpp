@@ -53,7 +53,7 @@ std::vector<std::string> dimensionless_parts(const Experiment& e) {
 std::string caption(const Experiment& e) {
   std::vector<std::string> parts;
   if (fixed(e, "friction"))
-    parts.push_back(with_law(e.base.interface.parameters.friction, [](auto law) { return law.title; }));
+    parts.emplace_back(with_law(e.base.interface.parameters.friction, [](auto law) { return law.title; }));
   for (std::string& part : e.base.si.empty() ? dimensionless_parts(e) : si_parts(e))
     parts.push_back(std::move(part));
   if (e.tier != "full") parts.push_back(e.tier + " tier: a subset of the points");

@@ -149,15 +149,15 @@ std::vector<std::string> value_names(const Experiment& experiment) {
   std::vector<std::string> names;
   each_value(experiment, result_variables(experiment), {},
              [&](const std::string& name, double) { names.push_back(name); });
-  if (experiment.base.loading.trace) names.push_back("branch");
+  if (experiment.base.loading.trace) names.emplace_back("branch");
   return names;
 }
 
 std::vector<std::string> table_names(const Experiment& experiment) {
   std::vector<std::string> names;
-  if (experiment.record.bristles) names.push_back("bristles");
-  if (!experiment.record.trajectories.empty()) names.push_back("trajectories");
-  if (experiment.record.slab_force) names.push_back("slab_force");
+  if (experiment.record.bristles) names.emplace_back("bristles");
+  if (!experiment.record.trajectories.empty()) names.emplace_back("trajectories");
+  if (experiment.record.slab_force) names.emplace_back("slab_force");
   return names;
 }
 

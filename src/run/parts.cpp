@@ -61,7 +61,7 @@ std::vector<std::string> differences_of(const Json& a, const Json& b) {
   };
   add(flat_a, false);
   add(flat_b, true);
-  if (out.empty()) out.push_back("the keys are in another order");
+  if (out.empty()) out.emplace_back("the keys are in another order");
   return out;
 }
 
@@ -192,7 +192,7 @@ const ResultReader& PartSet::open(std::size_t part) {
 PointRecord PartSet::record(std::size_t index) {
   auto place = std::lower_bound(places_.begin(), places_.end(), Place{index, 0});
   const std::size_t from = place->part;
-  const PointRecord out = read_record(open(from).file(), experiment_, index);
+  PointRecord out = read_record(open(from).file(), experiment_, index);
   for (++place; place != places_.end() && place->point == index; ++place) {
     const auto other = differences(out, read_record(open(place->part).file(), experiment_, index));
     if (!other.empty())

@@ -1,6 +1,7 @@
 #include "run/progress.hpp"
 
 #include <fmt/format.h>
+#include <cmath>
 #include <cstdio>
 #include <unistd.h>
 
@@ -12,7 +13,7 @@ constexpr double kTerminalSeconds = 0.2, kPlainSeconds = 30;
 }  // namespace
 
 std::string duration_text(double seconds) {
-  const long s = long(seconds + 0.5);
+  const long s = std::lround(seconds);
   if (s < 60) return fmt::format("{} s", s);
   if (s < 3600) return fmt::format("{} min {} s", s / 60, s % 60);
   return fmt::format("{} h {} min", s / 3600, s / 60 % 60);

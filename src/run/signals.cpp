@@ -1,15 +1,18 @@
 #include "run/signals.hpp"
 
+#include <atomic>
 #include <csignal>
 
 namespace bristle {
 namespace {
 
-volatile std::sig_atomic_t received = 0;
+// The handler runs on one thread, all ask. A sig_atomic_t is for one thread alone.
+std::atomic<bool> received = false;
+static_assert(std::atomic<bool>::is_always_lock_free);
 
 // The first asks for an end, the second ends.
 void on_signal(int signal) {
-  received = 1;
+  received = true;
   std::signal(signal, SIG_DFL);
 }
 
@@ -21,6 +24,6 @@ void end_tidily_on_signals() {
   if (std::signal(SIGHUP, on_signal) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // nohup
 }
 
-bool interrupted() { return received != 0; }
+bool interrupted() { return received; }
 
 }  // namespace bristle

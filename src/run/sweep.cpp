@@ -5,6 +5,7 @@
 #include <exception>
 #include <mutex>
 #include <thread>
+#include <utility>
 
 namespace bristle {
 namespace {
@@ -37,7 +38,7 @@ class Points : public PointQueue {
   // Ends the sweep for all threads.
   void fail(std::exception_ptr error) {
     const std::lock_guard lock(mutex_);
-    if (!error_) error_ = error;
+    if (!error_) error_ = std::move(error);
   }
 
   bool complete() const {

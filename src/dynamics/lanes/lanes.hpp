@@ -31,14 +31,14 @@ class Lanes {
   struct Mask;
 
   Lanes() = default;
-  Lanes(double value) : Lanes(make([&](int) { return hn::Set(tag, value); })) {}  // NOLINT: as numbers do
-  Lanes(const Product& p);                                                        // NOLINT
+  Lanes(double value) : Lanes(make([&](int) { return hn::Set(tag, value); })) {}  // implicit, as for numbers
+  Lanes(const Product& p);
 
   static Lanes load(const double* from) {
-    return make([&](int i) { return hn::Load(tag, from + i * kWidth); });
+    return make([&](int i) { return hn::Load(tag, from + std::ptrdiff_t(i) * kWidth); });
   }
   void store(double* to) const {
-    for (int i = 0; i < kVectors; ++i) hn::Store(v[i], tag, to + i * kWidth);
+    for (int i = 0; i < kVectors; ++i) hn::Store(v[i], tag, to + std::ptrdiff_t(i) * kWidth);
   }
 
   template <class F>
