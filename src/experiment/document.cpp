@@ -8,7 +8,6 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <ranges>
 #include <set>
 
 namespace bristle {
@@ -189,12 +188,12 @@ void Document::merge() {
 }
 
 std::string Document::origin(const JsonPointer& pointer) const {
-  for (const Source& s : set_ | std::views::reverse)
-    if (s.content.contains(pointer)) return s.name;
+  for (auto s = set_.rbegin(); s != set_.rend(); ++s)
+    if (s->content.contains(pointer)) return s->name;
   const JsonPointer in_tier = JsonPointer("/tiers/" + tier_) / pointer;
-  for (const Source& s : files_ | std::views::reverse) {
-    if (s.content.contains(in_tier)) return fmt::format("{} (tier {})", s.name, tier_);
-    if (s.content.contains(pointer)) return s.name;
+  for (auto s = files_.rbegin(); s != files_.rend(); ++s) {
+    if (s->content.contains(in_tier)) return fmt::format("{} (tier {})", s->name, tier_);
+    if (s->content.contains(pointer)) return s->name;
   }
   return path_;
 }

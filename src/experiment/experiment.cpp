@@ -10,7 +10,6 @@
 
 #include <fmt/format.h>
 #include <cmath>
-#include <ranges>
 
 namespace bristle {
 namespace {
@@ -209,10 +208,10 @@ bool Experiment::on_lattice() const {
 
 PointInput Experiment::point(std::size_t index) const {
   PointInput point = base;
-  for (const Axis& axis : axes | std::views::reverse) {
-    const double value = axis.values[index % axis.values.size()];
-    index /= axis.values.size();
-    find_sweepable(axis.name)->set(point, value);
+  for (auto axis = axes.rbegin(); axis != axes.rend(); ++axis) {
+    const double value = axis->values[index % axis->values.size()];
+    index /= axis->values.size();
+    find_sweepable(axis->name)->set(point, value);
   }
   apply_si_units(point);
   set_peak(document["model"], point.interface.parameters);

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <ranges>
 #include <vector>
 
 namespace bristle {
@@ -75,8 +74,8 @@ class Path {
 
   // The last of the stops that does not meet the target, by precise means, and the one behind it.
   bool bracket_before(LoadPoint& out, Stop far, const std::vector<Stop>& stops) {
-    for (const Stop& stop : stops | std::views::reverse) {
-      const Stop near = at(stop.z_0, Accuracy::precise);
+    for (auto stop = stops.rbegin(); stop != stops.rend(); ++stop) {
+      const Stop near = at(stop->z_0, Accuracy::precise);
       if (near.excess < 0) return set_bracket(out, near, far);
       far = near;
     }

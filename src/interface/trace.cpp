@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <ranges>
 
 namespace bristle {
 namespace {
@@ -197,7 +196,8 @@ class Tracer {
       }
     }
     std::vector<CurveNode> out;
-    for (const auto& [z_0, node] : nodes_ | std::views::reverse) out.push_back({node, Branch(branches[z_0])});
+    for (auto node = nodes_.rbegin(); node != nodes_.rend(); ++node)
+      out.push_back({node->second, Branch(branches[node->first])});
     return out;
   }
 
