@@ -96,12 +96,12 @@ tidy: packages ## clang-tidy over src/, as .clang-tidy says
 	cmake --preset clang -B build-tidy -G Ninja -DBRISTLE_TESTS=OFF -DCMAKE_EXPORT_COMPILE_COMMANDS=ON
 	scripts/tidy build-tidy $(JOBS)
 
-coverage: packages ## the lines of src/ that unit tests, shell tests and smoke runs execute: at least 90 %
+coverage: packages ## the lines of src/ that unit tests and shell tests execute: at least 90 %
 	@scripts/install-packages hardening
 	cmake --preset coverage -G Ninja
 	ninja -C build-coverage --quiet -j $(JOBS) bristle unit_tests
 	find build-coverage -name '*.gcda' -delete
-	cd build-coverage && ctest -L '^(unit|shell|smoke)$$' --output-on-failure --parallel $(JOBS)
+	cd build-coverage && ctest -L '^(unit|shell)$$' --output-on-failure --parallel $(JOBS)
 	gcovr --root . --filter src/ --object-directory build-coverage --print-summary --fail-under-line 90
 
 clean: ## remove what was built; results and figures stay
