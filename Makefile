@@ -43,6 +43,7 @@ findings: figures ## all figures, and docs/findings.md: every claim with its ver
 assumptions: build ## every claim under every alternative to what the paper leaves open: docs/assumptions.md
 	$(BUILD)/bristle assumptions
 	@$$(scripts/find-python) scripts/assumptions.py results/assumptions.json -o figures --text docs/assumptions.md
+	@cp figures/assumptions.png docs/images/
 
 report: figures $(STUDIES) ## one page of all figures, claims, points and sources: report/index.html
 	@$$(scripts/find-python) scripts/report/report.py $(patsubst %,results/%$(SUFFIX).h5,$(FIGURES) $(STUDIES)) -o report$(SUFFIX)/index.html

@@ -4,6 +4,7 @@ import argparse
 import json
 
 from document import table, write
+from style import fail
 
 QUANTITIES = ("N_c_ratio", "R_n", "R_x", "gamma_1", "gamma_2", "gamma_3")
 
@@ -86,8 +87,12 @@ def main():
     parser.add_argument("measured", metavar="ACCURACY.json")
     parser.add_argument("-o", dest="output", metavar="FILE", default="docs/accuracy.md")
     arguments = parser.parse_args()
-    with open(arguments.measured, encoding="utf-8") as file:
-        write(arguments.output, document(json.load(file)))
+    try:
+        with open(arguments.measured, encoding="utf-8") as file:
+            measured = json.load(file)
+    except (OSError, ValueError) as error:
+        fail(f"{arguments.measured}: not what build/benchmarks/accuracy prints ({error}); `make accuracy` makes it anew")
+    write(arguments.output, document(measured))
     print(arguments.output)
 
 

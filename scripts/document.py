@@ -1,6 +1,6 @@
 """Documents that are written from results."""
 
-import os
+from style import write_whole
 
 
 def table(head, *rows):
@@ -11,7 +11,4 @@ def table(head, *rows):
 
 
 def write(path, text):
-    """The whole file, or none."""
-    with open(path + ".part", "w", encoding="utf-8") as part:
-        part.write(text)
-    os.replace(path + ".part", path)
+    write_whole(path, text.encode())

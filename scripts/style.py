@@ -207,12 +207,17 @@ def save(figure, directory, name):
         path = os.path.join(directory, f"{name}.{kind}")
         buffer = io.BytesIO()
         figure.savefig(buffer, format=kind, metadata=METADATA[kind])
-        try:
-            os.makedirs(directory, exist_ok=True)
-            with open(path + ".part", "wb") as part:
-                part.write(buffer.getbuffer())
-            os.replace(path + ".part", path)
-        except OSError as error:
-            with contextlib.suppress(OSError):
-                os.remove(path + ".part")
-            fail(f"{path}: cannot be written ({error.strerror})", 3)
+        write_whole(path, buffer.getbuffer())
+
+
+def write_whole(path, content):
+    """A file of these bytes, and its folder; the whole file or, with an error, none."""
+    try:
+        os.makedirs(os.path.dirname(path) or ".", exist_ok=True)
+        with open(path + ".part", "wb") as part:
+            part.write(content)
+        os.replace(path + ".part", path)
+    except OSError as error:
+        with contextlib.suppress(OSError):
+            os.remove(path + ".part")
+        fail(f"{path}: cannot be written ({error.strerror})", 3)

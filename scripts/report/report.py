@@ -1,7 +1,6 @@
 """The report: one page with all figures, claims, points, diagnostics and sources, from result files alone."""
 
 import argparse
-import contextlib
 import os
 import re
 import sys
@@ -22,6 +21,7 @@ import program  # noqa: E402
 import sources  # noqa: E402
 import symbols  # noqa: E402
 from findings import experiment  # noqa: E402
+from document import write  # noqa: E402
 from style import COLORMAP, apply_look, fail, open_result, text  # noqa: E402
 
 ASSETS = {"css": ["base.css", "parts.css", "print.css"],
@@ -47,7 +47,7 @@ def main():
         fail(f"none of the results is there: {', '.join(arguments.results)}; `make figures` computes them")
     figures = [figure(path, arguments) if path in present else missing(path) for path in arguments.results]
     page = render(figures, arguments)
-    write(page, arguments.output)
+    write(arguments.output, page)
     print(f"{arguments.output}: {len(present)} of {len(figures)} figures, {len(page.encode()) / 1e6:.1f} MB")
 
 
@@ -112,19 +112,6 @@ def asset(names):
         with open(os.path.join(HERE, "templates", name), encoding="utf-8") as file:
             parts.append(file.read())
     return Markup("\n".join(parts))
-
-
-def write(page, path):
-    """The page, whole or not at all."""
-    try:
-        os.makedirs(os.path.dirname(path) or ".", exist_ok=True)
-        with open(path + ".part", "w", encoding="utf-8") as part:
-            part.write(page)
-        os.replace(path + ".part", path)
-    except OSError as error:
-        with contextlib.suppress(OSError):
-            os.remove(path + ".part")
-        fail(f"{path}: cannot be written ({error.strerror})", 3)
 
 
 if __name__ == "__main__":
