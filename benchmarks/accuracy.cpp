@@ -1,7 +1,7 @@
 // What the errors of the method are, measured: of the integration, of the quadrature's estimates, of the
 // lattice's standard errors; and how stiff the equations are. Numbers of no processor and no clock: the same
 // everywhere. Writes JSON to standard output (scripts/accuracy.py makes docs/accuracy.md of it).
-#include "interface/lattice.hpp"
+#include "ensemble/lattice.hpp"
 #include "sample.hpp"
 
 #include <Eigen/Eigenvalues>

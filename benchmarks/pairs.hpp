@@ -2,7 +2,7 @@
 
 namespace bristle {
 
-// Embedded pairs that the engine does not use, in the form of dynamics/lanes/tableau.hpp, to be compared with
+// Embedded pairs that the engine does not use, in the form of simd/tableau.hpp, to be compared with
 // the one it does.
 
 // J. R. Dormand, P. J. Prince, J. Comput. Appl. Math. 6 (1980), 5(4).

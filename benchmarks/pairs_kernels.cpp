@@ -1,6 +1,6 @@
-// Compiled once per instruction set, like src/dynamics/lanes/kernels.cpp.
+// Compiled once per instruction set, like src/simd/kernels.cpp.
 #define HWY_COMPILE_ONLY_STATIC
-#include "dynamics/lanes/explicit_kernel.hpp"
+#include "simd/explicit_kernel.hpp"
 #include "pairs.hpp"
 
 namespace bristle::HWY_NAMESPACE {

@@ -1,7 +1,7 @@
 // Error of the mean over theta_0 against the number of passages: the adaptive quadrature, an equidistant grid
 // and the paper's random lattice. Writes JSON to standard output (scripts/performance.py makes the figure of
 // it).
-#include "interface/ensemble.hpp"
+#include "ensemble/ensemble.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dynamics/lanes/engine.hpp"
+#include "simd/engine.hpp"
 
 #include <algorithm>
 #include <chrono>

@@ -1,6 +1,6 @@
 #include "archive/crate.hpp"
 #include "archive/rerun.hpp"
-#include "experiment/input_error.hpp"
+#include "util/error.hpp"
 #include "small_archive.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,6 +1,6 @@
-#include "experiment/input_error.hpp"
+#include "util/error.hpp"
 #include "scratch.hpp"
-#include "study/study.hpp"
+#include "assumptions/study.hpp"
 
 #include <catch2/catch.hpp>
 #include <filesystem>

@@ -1,5 +1,5 @@
 #include "checks/checks.hpp"
-#include "experiment/input_error.hpp"
+#include "util/error.hpp"
 #include "results/writer.hpp"
 #include "scratch.hpp"
 

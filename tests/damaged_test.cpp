@@ -1,7 +1,7 @@
 #include "archive/citation.hpp"
 #include "archive/tar.hpp"
 #include "cli/commands.hpp"
-#include "experiment/input_error.hpp"
+#include "util/error.hpp"
 #include "parts.hpp"
 #include "results/journal.hpp"
 

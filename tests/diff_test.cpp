@@ -1,5 +1,5 @@
 #include "checks/diff.hpp"
-#include "experiment/input_error.hpp"
+#include "util/error.hpp"
 #include "small_result.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-#include "interface/point.hpp"
+#include "ensemble/point.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

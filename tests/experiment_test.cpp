@@ -1,5 +1,5 @@
 #include "experiment/experiment.hpp"
-#include "experiment/input_error.hpp"
+#include "util/error.hpp"
 #include "experiment/si_units.hpp"
 #include "model/friction/laws.hpp"
 #include "scratch.hpp"

@@ -1,8 +1,8 @@
 #include "experiment/si_units.hpp"
 #include "experiment/canonical.hpp"
-#include "experiment/input_error.hpp"
+#include "util/error.hpp"
 #include "results/journal.hpp"
-#include "results/sha.hpp"
+#include "util/sha.hpp"
 #include "small_result.hpp"
 
 #include <bit>

@@ -1,5 +1,5 @@
-#include "dynamics/lanes/engine.hpp"
-#include "dynamics/lanes/tableau.hpp"
+#include "simd/engine.hpp"
+#include "simd/tableau.hpp"
 #include "generators.hpp"
 
 #include <hwy/targets.h>

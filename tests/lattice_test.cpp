@@ -1,6 +1,6 @@
 // Appendix A: random azimuths, the force on the slab over time, and its standard errors.
 #include "dynamics/trajectory.hpp"
-#include "interface/lattice.hpp"
+#include "ensemble/lattice.hpp"
 
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>

@@ -1,4 +1,4 @@
-#include "interface/load.hpp"
+#include "ensemble/load.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

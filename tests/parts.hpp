@@ -1,6 +1,6 @@
 #pragma once
 
-#include "experiment/input_error.hpp"
+#include "util/error.hpp"
 #include "results/writer.hpp"
 #include "run/merge.hpp"
 #include "run/provenance.hpp"

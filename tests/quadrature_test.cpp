@@ -1,5 +1,5 @@
 #include "generators.hpp"
-#include "interface/quadrature.hpp"
+#include "ensemble/quadrature.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

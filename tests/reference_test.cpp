@@ -1,5 +1,5 @@
 #include "checks/drift.hpp"
-#include "experiment/input_error.hpp"
+#include "util/error.hpp"
 #include "small_result.hpp"
 
 #include <catch2/catch.hpp>

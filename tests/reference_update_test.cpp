@@ -1,6 +1,6 @@
 #include "checks/drift.hpp"
 #include "checks/reference_update.hpp"
-#include "experiment/input_error.hpp"
+#include "util/error.hpp"
 #include "small_result.hpp"
 
 #include <catch2/catch.hpp>

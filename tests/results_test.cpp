@@ -1,5 +1,5 @@
 #include "checks/checks.hpp"
-#include "experiment/input_error.hpp"
+#include "util/error.hpp"
 #include "results/reader.hpp"
 #include "results/variables.hpp"
 #include "results/writer.hpp"

@@ -1,4 +1,4 @@
-#include "experiment/input_error.hpp"
+#include "util/error.hpp"
 #include "small_archive.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // The traced curve R_n(z_0): resolution, folds, landings and the slab's paths.
-#include "interface/trace.hpp"
+#include "ensemble/trace.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

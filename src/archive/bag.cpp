@@ -1,6 +1,6 @@
 #include "archive/bag.hpp"
 
-#include "results/sha.hpp"
+#include "util/sha.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>

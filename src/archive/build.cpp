@@ -1,8 +1,8 @@
 #include "archive/build.hpp"
 
 #include "archive/verify.hpp"
-#include "experiment/input_error.hpp"
-#include "results/sha.hpp"
+#include "util/error.hpp"
+#include "util/sha.hpp"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #include "archive/crate.hpp"
 
-#include "results/sha.hpp"
+#include "util/sha.hpp"
 
 #include <fmt/format.h>
 #include <filesystem>

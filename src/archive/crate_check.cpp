@@ -1,5 +1,5 @@
 #include "archive/crate.hpp"
-#include "results/sha.hpp"
+#include "util/sha.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>

@@ -2,12 +2,12 @@
 
 #include "archive/citation.hpp"
 #include "archive/readme.hpp"
-#include "archive/repository.hpp"
+#include "util/git.hpp"
 #include "archive/result_facts.hpp"
 #include "experiment/experiment.hpp"
-#include "experiment/input_error.hpp"
+#include "util/error.hpp"
 #include "results/journal.hpp"
-#include "results/sha.hpp"
+#include "util/sha.hpp"
 #include "results/writer.hpp"
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 #include "archive/tar.hpp"
-#include "experiment/input_error.hpp"
+#include "util/error.hpp"
 
 #include <archive.h>
 #include <archive_entry.h>

@@ -1,9 +1,9 @@
 #include "archive/rerun.hpp"
 
-#include "archive/isolated.hpp"
+#include "util/isolated.hpp"
 #include "archive/result_facts.hpp"
 #include "archive/safe_json.hpp"
-#include "experiment/input_error.hpp"
+#include "util/error.hpp"
 #include "results/writer.hpp"
 #include "run/sweep.hpp"
 

@@ -1,11 +1,11 @@
 #include "archive/result_facts.hpp"
 
-#include "archive/isolated.hpp"
+#include "util/isolated.hpp"
 #include "archive/plain_hdf5.hpp"
 #include "archive/safe_json.hpp"
 #include "archive/tar.hpp"
 #include "checks/checks.hpp"
-#include "results/sha.hpp"
+#include "util/sha.hpp"
 #include "results/variables.hpp"
 #include "results/writer.hpp"
 

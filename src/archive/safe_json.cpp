@@ -1,7 +1,7 @@
 #include "archive/safe_json.hpp"
 
 #include "archive/tar.hpp"
-#include "experiment/input_error.hpp"
+#include "util/error.hpp"
 
 namespace bristle {
 

@@ -1,6 +1,6 @@
 #include "archive/tar.hpp"
 
-#include "experiment/input_error.hpp"
+#include "util/error.hpp"
 
 #include <archive.h>
 #include <archive_entry.h>

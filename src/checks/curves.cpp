@@ -1,8 +1,8 @@
 #include "checks/curves.hpp"
 
-#include "experiment/input_error.hpp"
-#include "experiment/suggest.hpp"
-#include "interface/trace.hpp"
+#include "util/error.hpp"
+#include "util/text.hpp"
+#include "ensemble/trace.hpp"
 #include "model/elementary.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #include "checks/diff.hpp"
 
 #include "checks/comparison.hpp"
-#include "experiment/input_error.hpp"
+#include "util/error.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

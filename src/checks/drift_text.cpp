@@ -1,6 +1,6 @@
 #include "checks/comparison.hpp"
 #include "checks/drift.hpp"
-#include "experiment/input_error.hpp"
+#include "util/error.hpp"
 #include "results/writer.hpp"
 
 #include <fmt/format.h>

@@ -3,7 +3,7 @@
 #include "checks/comparison.hpp"
 #include "checks/drift.hpp"
 #include "checks/work_tree.hpp"
-#include "experiment/input_error.hpp"
+#include "util/error.hpp"
 #include "results/variables.hpp"
 #include "results/writer.hpp"
 

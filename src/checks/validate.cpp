@@ -1,7 +1,7 @@
 #include "checks/checks.hpp"
 #include "checks/vocabulary.hpp"
-#include "experiment/input_error.hpp"
-#include "experiment/suggest.hpp"
+#include "util/error.hpp"
+#include "util/text.hpp"
 #include "results/variables.hpp"
 #include "results/writer.hpp"
 

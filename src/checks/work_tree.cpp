@@ -1,8 +1,8 @@
 #include "checks/work_tree.hpp"
 
 #include "checks/comparison.hpp"
-#include "checks/process.hpp"
-#include "experiment/input_error.hpp"
+#include "util/process.hpp"
+#include "util/error.hpp"
 
 #include <fmt/format.h>
 #include <filesystem>

@@ -1,7 +1,7 @@
 #include "cli/commands.hpp"
-#include "experiment/input_error.hpp"
-#include "results/lock.hpp"
-#include "study/study.hpp"
+#include "util/error.hpp"
+#include "util/file.hpp"
+#include "assumptions/study.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>

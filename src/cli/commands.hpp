@@ -3,7 +3,7 @@
 #include "archive/build.hpp"
 #include "checks/diff.hpp"
 #include "checks/reference_update.hpp"
-#include "study/study.hpp"
+#include "assumptions/study.hpp"
 
 #include <optional>
 #include <string>

@@ -1,6 +1,6 @@
 #include "checks/comparison.hpp"
 #include "cli/commands.hpp"
-#include "experiment/input_error.hpp"
+#include "util/error.hpp"
 #include "results/hdf5.hpp"
 #include "run/provenance.hpp"
 

@@ -1,8 +1,8 @@
 #include "checks/checks.hpp"
 #include "cli/commands.hpp"
-#include "dynamics/lanes/kernels.hpp"
+#include "simd/kernels.hpp"
 #include "experiment/experiment.hpp"
-#include "experiment/input_error.hpp"
+#include "util/error.hpp"
 #include "results/reader.hpp"
 #include "run/task.hpp"
 

@@ -1,6 +1,6 @@
 #include "dynamics/runner.hpp"
 
-#include "dynamics/lanes/engine.hpp"
+#include "simd/engine.hpp"
 
 namespace bristle {
 namespace {

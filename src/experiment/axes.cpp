@@ -1,8 +1,8 @@
 #include "experiment/axes.hpp"
 
-#include "experiment/input_error.hpp"
+#include "util/error.hpp"
 #include "experiment/schema.hpp"
-#include "experiment/suggest.hpp"
+#include "util/text.hpp"
 #include "model/elementary.hpp"
 
 #include <fmt/format.h>

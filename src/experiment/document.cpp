@@ -1,6 +1,6 @@
 #include "experiment/document.hpp"
 
-#include "experiment/input_error.hpp"
+#include "util/error.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>

@@ -1,11 +1,11 @@
 #include "experiment/experiment.hpp"
 
 #include "experiment/axes.hpp"
-#include "experiment/input_error.hpp"
+#include "util/error.hpp"
 #include "experiment/parameters_table.hpp"
 #include "experiment/schema.hpp"
 #include "experiment/si_units.hpp"
-#include "interface/lattice.hpp"
+#include "ensemble/lattice.hpp"
 #include "model/elementary.hpp"
 
 #include <fmt/format.h>

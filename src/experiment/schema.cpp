@@ -1,7 +1,7 @@
 #include "experiment/schema.hpp"
 
-#include "experiment/input_error.hpp"
-#include "experiment/suggest.hpp"
+#include "util/error.hpp"
+#include "util/text.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,6 +1,6 @@
 #include "experiment/si_units.hpp"
 
-#include "experiment/input_error.hpp"
+#include "util/error.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "interface/point.hpp"
+#include "ensemble/point.hpp"
 
 #include <functional>
 #include <map>

@@ -1,6 +1,6 @@
 #include "experiment/si_units.hpp"
 #include "model/friction/laws.hpp"
-#include "results/sha.hpp"
+#include "util/sha.hpp"
 #include "results/writer.hpp"
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
-#include "experiment/input_error.hpp"
-#include "results/sha.hpp"
+#include "util/error.hpp"
+#include "util/sha.hpp"
 #include "results/writer.hpp"
 
 #include <fmt/format.h>

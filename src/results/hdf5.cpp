@@ -1,7 +1,7 @@
 #include "results/hdf5.hpp"
 
 #include "experiment/document.hpp"
-#include "experiment/input_error.hpp"
+#include "util/error.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>

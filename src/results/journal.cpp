@@ -1,9 +1,9 @@
 #include "results/journal.hpp"
 
 #include "experiment/canonical.hpp"
-#include "experiment/input_error.hpp"
-#include "results/lock.hpp"
-#include "results/sha.hpp"
+#include "util/error.hpp"
+#include "util/file.hpp"
+#include "util/sha.hpp"
 #include "results/writer.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #include "results/journal_line.hpp"
 
-#include "results/sha.hpp"
+#include "util/sha.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "results/part.hpp"
 
-#include "experiment/input_error.hpp"
+#include "util/error.hpp"
 
 #include <fmt/format.h>
 #include <charconv>

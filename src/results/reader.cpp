@@ -1,8 +1,8 @@
 #include "results/reader.hpp"
 
 #include "experiment/axes.hpp"
-#include "experiment/input_error.hpp"
-#include "experiment/suggest.hpp"
+#include "util/error.hpp"
+#include "util/text.hpp"
 #include "results/writer.hpp"
 
 #include <fmt/format.h>

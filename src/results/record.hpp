@@ -1,6 +1,6 @@
 #pragma once
 
-#include "interface/trace.hpp"
+#include "ensemble/trace.hpp"
 #include "results/variables.hpp"
 
 #include <map>

@@ -1,7 +1,7 @@
 #include "results/writer.hpp"
 
-#include "experiment/input_error.hpp"
-#include "results/lock.hpp"
+#include "util/error.hpp"
+#include "util/file.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

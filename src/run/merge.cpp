@@ -1,7 +1,7 @@
 #include "run/merge.hpp"
 
 #include "checks/checks.hpp"
-#include "experiment/input_error.hpp"
+#include "util/error.hpp"
 #include "results/writer.hpp"
 #include "run/provenance.hpp"
 

@@ -1,7 +1,7 @@
 #include "run/parts.hpp"
 
-#include "experiment/input_error.hpp"
-#include "results/sha.hpp"
+#include "util/error.hpp"
+#include "util/sha.hpp"
 #include "results/writer.hpp"
 #include "run/provenance.hpp"
 

@@ -1,6 +1,6 @@
 #include "run/provenance.hpp"
 
-#include "dynamics/lanes/kernels.hpp"
+#include "simd/kernels.hpp"
 #include "results/journal.hpp"
 
 #include <Eigen/Core>

@@ -1,9 +1,9 @@
 #include "run/task.hpp"
 
 #include "checks/checks.hpp"
-#include "experiment/input_error.hpp"
+#include "util/error.hpp"
 #include "results/journal.hpp"
-#include "results/lock.hpp"
+#include "util/file.hpp"
 #include "results/writer.hpp"
 #include "run/progress.hpp"
 #include "run/provenance.hpp"

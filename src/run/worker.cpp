@@ -1,9 +1,9 @@
 #include "run/worker.hpp"
 
-#include "dynamics/lanes/engine.hpp"
+#include "simd/engine.hpp"
 #include "dynamics/together.hpp"
 #include "experiment/si_units.hpp"
-#include "experiment/sanitized.hpp"
+#include "util/sanitizer.hpp"
 
 #include <boost/coroutine2/coroutine.hpp>
 #include <boost/coroutine2/protected_fixedsize_stack.hpp>

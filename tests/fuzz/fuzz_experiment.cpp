@@ -2,7 +2,7 @@
 
 #include "checks/checks.hpp"
 #include "experiment/experiment.hpp"
-#include "experiment/input_error.hpp"
+#include "util/error.hpp"
 
 // The bytes as an experiment file: an experiment or an InputError, never anything else.
 using namespace bristle;

@@ -1,8 +1,8 @@
 #include "fuzz.hpp"
 
-#include "experiment/input_error.hpp"
+#include "util/error.hpp"
 #include "results/journal.hpp"
-#include "results/sha.hpp"
+#include "util/sha.hpp"
 
 // The bytes as a journal, and as the JSON of a line whose checksum holds.
 using namespace bristle;

@@ -4,7 +4,7 @@
 #include "archive/result_facts.hpp"
 #include "archive/tar.hpp"
 #include "checks/diff.hpp"
-#include "experiment/input_error.hpp"
+#include "util/error.hpp"
 #include "small_result.hpp"
 
 #include <fuzzer/FuzzedDataProvider.h>

@@ -1,0 +1,138 @@
+#include "ensemble/ensemble.hpp"
+
+#include "model/elementary.hpp"
+
+#include <cmath>
+
+namespace bristle {
+namespace {
+
+// A decision against a target stops at this many times the tolerance: nearer, the full mean has to say.
+constexpr double kDecisionFactor = 4;
+
+// Widest panel (rad) of a mean to tolerance: its nodes, 2.5 degrees apart, see the stretches where the number
+// of bounces changes (docs/numerics.md has the measurement).
+constexpr double kWidest = 0.35;
+
+std::vector<double> first_edges(bool half_circle) {
+  // Bristles that point against the motion decide most: a panel of their own.
+  const double head_on = M_PI / 6;
+  if (half_circle) return {0, M_PI - head_on, M_PI};
+  return {-M_PI, -M_PI + head_on, 0, M_PI - head_on, M_PI};
+}
+
+}  // namespace
+
+ObservableArray observables(const Passage& passage, double L_x) {
+  const bool pinned = passage.outcome == Outcome::pinned;
+  const double R_n = passage.end[NORMAL] / L_x, R_x = passage.end[FRICTION_X] / L_x;
+  ObservableArray o{};
+  o[N_C_RATIO] = passage.contact_time / L_x;
+  o[R_N] = R_n;
+  o[R_X] = R_x;
+  o[R_Y] = passage.end[FRICTION_Y] / L_x;
+  o[GAMMA_1] = passage.gamma_1;
+  o[GAMMA_2] = passage.gamma_2;
+  o[GAMMA_3] = passage.gamma_3;
+  o[PINNED_FRACTION] = pinned ? 1 : 0;
+  o[PINNED_R_N] = pinned ? R_n : 0;
+  o[PINNED_R_X] = pinned ? R_x : 0;
+  o[ENERGY_RESIDUAL] = passage.energy_residual;
+  return o;
+}
+
+EnsembleMean::EnsembleMean(const Interface& interface, double z_0, PassageRunner run)
+    : interface_(interface),
+      run_(std::move(run)),
+      start_(initial_state(interface.parameters, z_0)),
+      half_circle_(mirror_symmetric(interface.orientation) && !interface.orientation.full_circle) {
+  out_.z_0 = z_0;
+  if (interface.orientation.sampling != Sampling::list)
+    quadrature_.emplace([this](const std::vector<double>& at) { return samples(at); },
+                        first_edges(half_circle_));
+}
+
+std::vector<Passage> EnsembleMean::run(const std::vector<double>& theta_0) {
+  std::vector<PassageTask> tasks;
+  for (double angle : theta_0)
+    tasks.push_back({&interface_.parameters, make_bristle(interface_.parameters, out_.z_0, angle), start_,
+                     interface_.integrator});
+  std::vector<Passage> results = run_(tasks);
+  for (const Passage& one : results)
+    if (!one.complete() && out_.incomplete++ == 0) out_.incomplete_theta_0 = one.theta_0;
+  passages_.insert(passages_.end(), results.begin(), results.end());
+  out_.passages = long(passages_.size());
+  return results;
+}
+
+std::vector<Sample<OBSERVABLES>> EnsembleMean::samples(const std::vector<double>& theta_0) {
+  std::vector<Sample<OBSERVABLES>> out;
+  for (const Passage& one : run(theta_0)) {
+    Sample<OBSERVABLES> sample;
+    sample.label = int(one.outcome);
+    sample.valid = one.complete();
+    sample.value = observables(one, interface_.parameters.L_x);
+    if (half_circle_) sample.value[R_Y] = 0;  // cancels against the mirror image
+    const double weight = (half_circle_ ? 2 : 1) * density(interface_.orientation, one.theta_0);
+    for (double& value : sample.value) value *= weight;
+    out.push_back(sample);
+  }
+  return out;
+}
+
+EnsembleMean::Goal EnsembleMean::goal() const {
+  Goal goal;
+  for (std::size_t k = 0; k < OBSERVABLES; ++k) goal.scale[k] = int(k);
+  goal.scale[R_Y] = R_X;  // R_y is near zero: measured against R_x
+  return goal;
+}
+
+const Ensemble& EnsembleMean::against(double R_n_target) {
+  Goal rough = goal();
+  rough.rtol[R_N] = kDecisionFactor * interface_.orientation.rtol;
+  rough.decide_about = R_n_target;
+  return refine(rough);
+}
+
+const Ensemble& EnsembleMean::near_target() {
+  Goal close = goal();
+  close.widest = kWidest;
+  close.rtol[R_N] = interface_.orientation.rtol / 2;
+  return refine(close);
+}
+
+const Ensemble& EnsembleMean::full() {
+  Goal all = goal();
+  all.widest = kWidest;
+  for (Observable k : {N_C_RATIO, R_N, R_X, GAMMA_1, GAMMA_2, GAMMA_3})
+    all.rtol[k] = interface_.orientation.rtol;
+  if (!half_circle_) all.rtol[R_Y] = interface_.orientation.rtol;
+  return refine(all);
+}
+
+const Ensemble& EnsembleMean::refine(const Goal& goal) {
+  if (!quadrature_) {
+    if (passages_.empty()) average_list();
+    return out_;
+  }
+  const auto& result = quadrature_->refine(goal);
+  out_.mean = result.integral;
+  out_.error = result.error;
+  out_.converged = result.status == QuadratureStatus::converged;
+  out_.jumps = result.jumps;
+  return out_;
+}
+
+void EnsembleMean::average_list() {
+  const std::vector<Passage> all = run(interface_.orientation.theta_0);
+  for (const Passage& one : all) {
+    const ObservableArray value = observables(one, interface_.parameters.L_x);
+    for (std::size_t k = 0; k < OBSERVABLES; ++k) out_.mean[k] += value[k] / double(all.size());
+  }
+}
+
+double rigid_friction(const Parameters& p, double R_n) {
+  return with_law(p.friction, [&](auto law) { return law.rigid(p, R_n); });
+}
+
+}  // namespace bristle

@@ -1,0 +1,195 @@
+#include "ensemble/lattice.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace bristle {
+namespace {
+
+constexpr long kIntervalsPerRow = 4;
+constexpr long kBatch = 4096;  // passages under way with their samples
+
+// What bristles do to the slab in an interval, before division by its length and N_c0.
+struct Impulse {
+  double R_n = 0, R_x = 0, R_y = 0, time = 0;
+};
+
+Impulse& operator+=(Impulse& a, const Impulse& b) {
+  a.R_n += b.R_n;
+  a.R_x += b.R_x;
+  a.R_y += b.R_y;
+  a.time += b.time;
+  return a;
+}
+
+Impulse operator-(const Impulse& a, const Impulse& b) {
+  return {a.R_n - b.R_n, a.R_x - b.R_x, a.R_y - b.R_y, a.time - b.time};
+}
+
+// Sum of independent contributions in order, and its standard error from the differences of successive ones:
+// the mean may drift slowly along the order (von Neumann et al., Ann. Math. Stat. 12 (1941) 153).
+class Contributions {
+ public:
+  void add(double value) {
+    if (count_ > 0) squares_ += (value - last_) * (value - last_) / 2;
+    sum_ += value;
+    last_ = value;
+    ++count_;
+  }
+  double sum() const { return sum_; }
+  double error() const {
+    return count_ > 1 ? std::sqrt(squares_ * double(count_) / double(count_ - 1)) : INFINITY;
+  }
+  long count() const { return count_; }
+
+ private:
+  double sum_ = 0, squares_ = 0, last_ = 0;
+  long count_ = 0;
+};
+
+// The error is from the number of independent values, by the autocorrelation up to its first zero.
+Fluctuation fluctuation_of(const std::vector<double>& series) {
+  const std::size_t n = series.size();
+  const double mean = std::accumulate(series.begin(), series.end(), 0.0) / double(n);
+  const auto covariance = [&](std::size_t lag) {
+    double sum = 0;
+    for (std::size_t i = 0; i + lag < n; ++i) sum += (series[i] - mean) * (series[i + lag] - mean);
+    return sum / double(n);
+  };
+  const double variance = covariance(0);
+  double correlated = 0.5;
+  for (std::size_t lag = 1; lag < n / 2; ++lag) {
+    const double c = covariance(lag);
+    if (c <= 0) break;
+    correlated += c / variance;
+  }
+  const double value = std::sqrt(variance) / mean;
+  return {value, value * std::sqrt(correlated / double(n))};
+}
+
+class Lattice {
+ public:
+  Lattice(const Interface& interface, double z_0, const PassageRunner& run)
+      : interface_(interface),
+        run_(run),
+        p_(interface.parameters),
+        z_0_(z_0),
+        start_(initial_state(p_, z_0)),
+        across_(std::lround(p_.L_y / p_.spacing)),
+        interval_(p_.spacing / kIntervalsPerRow),
+        first_(std::lround(std::ceil(lattice_start(interface) / interval_ - 1e-9))),
+        series_(std::size_t(interface.orientation.rows * kIntervalsPerRow)) {}
+
+  LatticeMean average() {
+    const long rows = interface_.orientation.rows, step = std::max(1L, kBatch / across_);
+    for (long row = 0; row < rows; row += step) {
+      const long first = row * across_, last = std::min(row + step, rows) * across_;
+      std::vector<PassageTask> tasks;
+      for (long i = first; i < last; ++i) {
+        const double theta_0 = random_azimuth(interface_.orientation, std::uint64_t(i));
+        tasks.push_back({&p_, make_bristle(p_, z_0_, theta_0), start_, interface_.integrator, interval_});
+      }
+      std::vector<Passage> passages = run_(tasks);
+      for (long i = first; i < last; ++i) pass(i / across_, passages[std::size_t(i - first)]);
+    }
+    finish();
+    return std::move(out_);
+  }
+
+ private:
+  double in_lattice() const { return double(across_) * p_.L_x / p_.spacing; }  // N_c0
+
+  void pass(long row, Passage& passage) {
+    Impulse until, in_window;
+    std::size_t at = std::size_t(row * kIntervalsPerRow);
+    const auto add_until = [&](const Impulse& now) {
+      if (at < series_.size()) series_[at] += now - until;
+      if (at < series_.size() && at >= first_) in_window += now - until;
+      until = now;
+      ++at;
+    };
+    double time = 0;
+    for (const PathSample& s : passage.samples)
+      add_until({s.normal, s.friction_x, s.friction_y, time += interval_});
+    const OdeState& end = passage.end;
+    add_until({end[NORMAL], end[FRICTION_X], end[FRICTION_Y], passage.contact_time});
+    passage.samples.clear();
+    passage.samples.shrink_to_fit();
+    add(passage, in_window);
+  }
+
+  void add(const Passage& passage, const Impulse& in_window) {
+    if (!passage.complete() && out_.incomplete++ == 0) out_.incomplete_theta_0 = passage.theta_0;
+    ObservableArray value = observables(passage, p_.L_x);
+    const bool pinned = passage.outcome == Outcome::pinned;
+    value[R_N] = in_window.R_n;
+    value[R_X] = in_window.R_x;
+    value[R_Y] = in_window.R_y;
+    value[N_C_RATIO] = in_window.time;
+    value[PINNED_R_N] = pinned ? in_window.R_n : 0;
+    value[PINNED_R_X] = pinned ? in_window.R_x : 0;
+    for (std::size_t k = 0; k < OBSERVABLES; ++k) contributions_[k].add(value[k]);
+    out_.passages.push_back(passage);
+  }
+
+  void finish() {
+    const double window = double(series_.size() - first_) * interval_;
+    for (std::size_t k = 0; k < OBSERVABLES; ++k) {
+      const bool of_passages =
+          k == GAMMA_1 || k == GAMMA_2 || k == GAMMA_3 || k == PINNED_FRACTION || k == ENERGY_RESIDUAL;
+      const double whole = !of_passages ? window * in_lattice() : double(contributions_[k].count());
+      out_.mean[k] = contributions_[k].sum() / whole;
+      out_.error[k] = contributions_[k].error() / whole;
+    }
+    out_.force.interval = interval_;
+    const double whole = interval_ * in_lattice();
+    for (const Impulse& i : series_) {
+      out_.force.R_n.push_back(i.R_n / whole);
+      out_.force.R_x.push_back(i.R_x / whole);
+      out_.force.R_y.push_back(i.R_y / whole);
+      out_.force.N_c.push_back(i.time / whole);
+    }
+    out_.fluctuation = fluctuation_of(window_means(1));
+    out_.fluctuation_of_rows = fluctuation_of(window_means(kIntervalsPerRow));
+  }
+
+  // R_n(t) in the window t_1..t_2, in means over so many intervals.
+  std::vector<double> window_means(std::size_t intervals) const {
+    std::vector<double> out;
+    const std::vector<double>& R_n = out_.force.R_n;
+    for (std::size_t i = first_; i + intervals <= R_n.size(); i += intervals)
+      out.push_back(std::accumulate(R_n.begin() + long(i), R_n.begin() + long(i + intervals), 0.0) /
+                    double(intervals));
+    return out;
+  }
+
+  const Interface& interface_;
+  const PassageRunner& run_;
+  const Parameters& p_;
+  double z_0_;
+  Equilibrium start_;
+  long across_;        // bristles of a row
+  double interval_;    // of the series, in units of r0/V0
+  std::size_t first_;  // interval of the window
+  std::vector<Impulse> series_;
+  std::array<Contributions, OBSERVABLES> contributions_;
+  LatticeMean out_;
+};
+
+}  // namespace
+
+double lattice_start(const Interface& interface) {
+  const double t_1 = interface.orientation.t_1;
+  return t_1 < 0 ? 2 * interface.parameters.L_x : t_1;
+}
+
+double lattice_end(const Interface& interface) {
+  return double(interface.orientation.rows) * interface.parameters.spacing;
+}
+
+LatticeMean lattice_mean(const Interface& interface, double z_0, const PassageRunner& run) {
+  return Lattice(interface, z_0, run).average();
+}
+
+}  // namespace bristle

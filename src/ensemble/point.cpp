@@ -1,0 +1,191 @@
+#include "ensemble/point.hpp"
+
+#include "model/elementary.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace bristle {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+// R_n is told from the target when this many of its errors lie between: less than a decision asks for.
+constexpr double kDecided = 3;
+
+PointResult without_values(PointStatus status) {
+  PointResult out;
+  out.status = status;
+  out.z_0 = out.z_0_error = kNone;
+  out.value.fill(kNone);
+  out.error.fill(kNone);
+  out.R_x_norm = out.R_x_norm_error = out.R_y_norm = out.R_y_norm_error = kNone;
+  out.R_x_norm_load_error = out.R_y_norm_load_error = kNone;
+  out.load_error.fill(kNone);
+  out.fluctuation = out.fluctuation_of_rows = {kNone, kNone};
+  out.jump_z_0 = out.jump_R_n = out.incomplete_theta_0 = kNone;
+  return out;
+}
+
+// Adds to the errors what a load off its target by off (R_n units) changes, from the secant through
+// the scan's gaps on both sides of the crossing.
+void add_load_error(PointResult& out, const Ensemble& near, const Ensemble& far, double off) {
+  const double span = std::abs(far.mean[R_N] - near.mean[R_N]);
+  if (span == 0) return;
+  const double share = off / span;
+  for (std::size_t k = 0; k < OBSERVABLES; ++k)
+    if (k != R_N) out.load_error[k] = std::abs(far.mean[k] - near.mean[k]) * share;
+  for (std::size_t k = 0; k < OBSERVABLES; ++k) out.error[k] += out.load_error[k];
+  out.z_0_error = std::abs(far.z_0 - near.z_0) * share;
+}
+
+void normalise(PointResult& out, const Parameters& p) {
+  const double R_rigid = rigid_friction(p, out.value[R_N]);
+  const double power = with_law(p.friction, [](auto law) { return law.load_exponent; });
+  const double load = power * out.error[R_N] / out.value[R_N];
+  out.R_x_norm = out.value[R_X] / R_rigid;
+  out.R_y_norm = out.value[R_Y] / R_rigid;
+  out.R_x_norm_load_error = out.load_error[R_X] / R_rigid;
+  out.R_y_norm_load_error = out.load_error[R_Y] / R_rigid;
+  out.R_x_norm_error = out.error[R_X] / R_rigid + std::abs(out.R_x_norm) * load;
+  out.R_y_norm_error = out.error[R_Y] / R_rigid + std::abs(out.R_y_norm) * load;
+}
+
+class PointSolver {
+ public:
+  PointSolver(const Interface& interface, const Loading& loading, const PassageRunner& run,
+              const Recording& record, Recorded& recorded)
+      : interface_(interface), loading_(loading), run_(run), record_(record), recorded_(recorded) {}
+
+  PointResult solve() {
+    PointResult out = values();
+    if (interface_.orientation.sampling == Sampling::lattice && std::isfinite(out.z_0)) out = on_lattice(out);
+    if (std::isfinite(out.z_0)) record_trajectories(out.z_0);
+    out.passages = lattice_passages_;
+    for (const auto& [z_0, mean] : means_) out.passages += long(mean.passages().size());
+    return out;
+  }
+
+ private:
+  PointResult values() {
+    if (loading_.z_0) return at_gap(*loading_.z_0, LoadStatus::reached);
+    const LoadPoint found = search();
+    if (found.status == LoadStatus::unreachable) return without_values(PointStatus::unreachable);
+    if (found.status == LoadStatus::failed) return incomplete();
+    PointResult out = at_gap(found.z_0, found.status);
+    if (out.status == PointStatus::incomplete) return out;
+    if (found.status == LoadStatus::jump) {
+      out.jump_z_0 = found.jump_z_0;
+      out.jump_R_n = found.jump_R_n;
+    } else {
+      const double off = std::abs(out.value[R_N] - loading_.R_n) + out.error[R_N];
+      add_load_error(out, mean_at(found.z_0_near).near_target(), mean_at(found.z_0_far).near_target(), off);
+      normalise(out, interface_.parameters);
+    }
+    return out;
+  }
+
+  LoadPoint search() {
+    LoadSearch search;
+    search.target = loading_.R_n;
+    search.path = loading_.path;
+    search.rtol = interface_.orientation.rtol;
+    search.first_contact = sin(interface_.parameters.phi_0);
+    return first_crossing([this](double z_0, Accuracy accuracy) { return load_at(z_0, accuracy); }, search);
+  }
+
+  // Rough: only so well that R_n is told from the target. Precise: and where it is the target, as well as the
+  // values that will be reported.
+  Load load_at(double z_0, Accuracy accuracy) {
+    EnsembleMean& mean = mean_at(z_0);
+    const Ensemble* e = &mean.against(loading_.R_n);
+    const auto distance = [&] { return std::abs(e->mean[R_N] - loading_.R_n); };
+    const bool decided = distance() > kDecided * e->error[R_N];
+    if (e->incomplete == 0 && (accuracy == Accuracy::precise || !decided)) e = &mean.near_target();
+    if (e->incomplete == 0 && distance() <= 2 * interface_.orientation.rtol * loading_.R_n) e = &mean.full();
+    if (e->incomplete == 0) return {e->mean[R_N], e->error[R_N]};
+    lost_ = e->incomplete_theta_0;
+    return {kNone, kNone};
+  }
+
+  EnsembleMean& mean_at(double z_0) { return means_.try_emplace(z_0, interface_, z_0, run_).first->second; }
+
+  PointResult incomplete() const {
+    PointResult out = without_values(PointStatus::incomplete);
+    out.incomplete_theta_0 = lost_;
+    return out;
+  }
+
+  PointResult at_gap(double z_0, LoadStatus status) {
+    EnsembleMean& mean = mean_at(z_0);
+    const Ensemble& ensemble = mean.full();
+    if (record_.bristles) recorded_.bristles = mean.passages();
+    PointResult out = values_of(interface_.parameters, ensemble);
+    if (status == LoadStatus::jump && out.status != PointStatus::incomplete) out.status = PointStatus::jump;
+    return out;
+  }
+
+  // The lattice's values in place of the mean's at the same gap.
+  PointResult on_lattice(const PointResult& mean) {
+    LatticeMean lattice = lattice_mean(interface_, mean.z_0, run_);
+    lattice_passages_ = long(lattice.passages.size());
+    PointResult out = mean;
+    if (lattice.incomplete > 0) {
+      lost_ = lattice.incomplete_theta_0;
+      return incomplete();
+    }
+    out.value = lattice.mean;
+    out.error = lattice.error;
+    out.load_error.fill(0);
+    out.fluctuation = lattice.fluctuation;
+    out.fluctuation_of_rows = lattice.fluctuation_of_rows;
+    normalise(out, interface_.parameters);
+    if (record_.bristles) recorded_.bristles = std::move(lattice.passages);
+    if (record_.slab_force) recorded_.slab_force = std::move(lattice.force);
+    return out;
+  }
+
+  void record_trajectories(double z_0) {
+    const Parameters& p = interface_.parameters;
+    const Equilibrium start = initial_state(p, z_0);
+    for (const double theta_0 : record_.trajectories)
+      recorded_.trajectories.push_back(
+          record_trajectory({&p, make_bristle(p, z_0, theta_0), start, interface_.integrator}));
+  }
+
+  const Interface& interface_;
+  const Loading& loading_;
+  const PassageRunner& run_;
+  const Recording& record_;
+  Recorded& recorded_;
+  std::map<double, EnsembleMean> means_;  // by gap
+  long lattice_passages_ = 0;
+  double lost_ = kNone;  // theta_0 of a passage without an exit
+};
+
+}  // namespace
+
+PointResult values_of(const Parameters& parameters, const Ensemble& ensemble) {
+  if (ensemble.incomplete > 0) {
+    PointResult out = without_values(PointStatus::incomplete);
+    out.incomplete_theta_0 = ensemble.incomplete_theta_0;
+    return out;
+  }
+  PointResult out = without_values(ensemble.converged ? PointStatus::ok : PointStatus::not_converged);
+  out.z_0 = ensemble.z_0;
+  out.z_0_error = 0;
+  out.value = ensemble.mean;
+  out.error = ensemble.error;
+  out.load_error.fill(0);
+  normalise(out, parameters);
+  return out;
+}
+
+PointResult solve_point(const Interface& interface, const Loading& loading, const PassageRunner& run,
+                        const Recording& record, Recorded* recorded) {
+  Recorded unused;
+  return PointSolver(interface, loading, run, record, recorded ? *recorded : unused).solve();
+}
+
+}  // namespace bristle

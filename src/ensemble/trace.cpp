@@ -1,0 +1,217 @@
+#include "ensemble/trace.hpp"
+
+#include "dynamics/together.hpp"
+#include "model/elementary.hpp"
+
+#include <boost/math/tools/minima.hpp>
+#include <boost/math/tools/roots.hpp>
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace bristle {
+namespace {
+
+constexpr int kFirstIntervals = 24;
+constexpr double kSmallLoad = 0.1;  // R_n below which the resolution is absolute
+constexpr int kSearchSteps = 10;    // of a fold or a landing
+constexpr long kReserved = 48;      // nodes kept for them
+constexpr double kShallow = 0.25;   // of the resolution: folds less deep than this are not told from none
+
+class Tracer {
+ public:
+  Tracer(const Interface& interface, const Trace& trace, const PassageRunner& run)
+      : interface_(interface), trace_(trace), run_(run) {}
+
+  std::vector<CurveNode> trace() {
+    const double top = sin(interface_.parameters.phi_0);
+    std::vector<double> first;
+    for (int i = 0; i <= kFirstIntervals; ++i) first.push_back(top - (top - trace_.to) * i / kFirstIntervals);
+    compute(first);
+    while (refine()) {
+    }
+    const auto found = folds();
+    side_by_side(found, [this](const Fold& fold, const PassageRunner& run) { sharpen(fold, run); });
+    side_by_side(landings(found),
+                 [this](const Landing& landing, const PassageRunner& run) { land(landing, run); });
+    return marked();
+  }
+
+ private:
+  // A node at which the path ends, with its neighbours on the route: down for sign 1, up for sign -1.
+  struct Fold {
+    double sign, before, at, after;
+  };
+  // Neighbouring nodes behind a fold, the first that carries less than the fold and the other more.
+  struct Landing {
+    double near, far, load;
+  };
+
+  template <class Task, class Do>
+  void side_by_side(const std::vector<Task>& tasks, Do what) {
+    std::vector<Job> jobs;
+    for (const Task& task : tasks)
+      jobs.push_back([&task, what](const PassageRunner& run) { what(task, run); });
+    run_together(jobs, run_);
+  }
+
+  PointResult solve(double z_0, const PassageRunner& run) const {
+    EnsembleMean mean(interface_, z_0, run);
+    PointResult node = values_of(interface_.parameters, mean.full());
+    node.passages = long(mean.passages().size());
+    node.z_0 = z_0;
+    return node;
+  }
+
+  void compute(const std::vector<double>& gaps) {
+    side_by_side(gaps, [this](double z_0, const PassageRunner& run) { nodes_[z_0] = solve(z_0, run); });
+  }
+
+  // R_n at a gap that may not be a node yet.
+  double load(double z_0, const PassageRunner& run) {
+    if (nodes_.find(z_0) == nodes_.end()) {
+      ++under_way_;
+      const PointResult node = solve(z_0, run);
+      --under_way_;
+      nodes_[z_0] = node;
+    }
+    return load(z_0);
+  }
+  double load(double z_0) const { return nodes_.at(z_0).value[R_N]; }
+  double error(double z_0) const { return nodes_.at(z_0).error[R_N]; }
+  bool room(long nodes) const { return long(nodes_.size()) + under_way_ + nodes <= trace_.nodes; }
+
+  std::vector<double> gaps() const {
+    std::vector<double> out;
+    for (const auto& [z_0, node] : nodes_)
+      if (std::isfinite(node.value[R_N])) out.push_back(z_0);
+    return out;
+  }
+
+  // Halves the intervals beside the nodes that lie off their neighbours' chord; false if there is none, or no
+  // room: then these nodes say so.
+  bool refine() {
+    const std::vector<double> z = gaps();
+    std::vector<double> between, off;
+    const auto halve = [&](std::size_t i) {
+      const double middle = (z[i] + z[i + 1]) / 2;
+      if (z[i + 1] - z[i] > kClosest && (between.empty() || between.back() != middle))
+        between.push_back(middle);
+    };
+    for (std::size_t i = 1; i + 1 < z.size(); ++i) {
+      const double share = (z[i] - z[i - 1]) / (z[i + 1] - z[i - 1]);
+      const double chord = load(z[i - 1]) + share * (load(z[i + 1]) - load(z[i - 1]));
+      const double noise = error(z[i - 1]) + error(z[i]) + error(z[i + 1]);
+      const double allowed = trace_.resolution * std::max(std::abs(load(z[i])), kSmallLoad);
+      if (std::abs(load(z[i]) - chord) <= allowed + noise) continue;
+      off.push_back(z[i]);
+      halve(i - 1);
+      halve(i);
+    }
+    if (between.empty()) return false;
+    if (!room(long(between.size()) + kReserved)) {
+      for (const double z_0 : off) nodes_[z_0].status = PointStatus::not_converged;
+      return false;
+    }
+    compute(between);
+    return true;
+  }
+
+  std::vector<double> route(double sign) const {
+    std::vector<double> z = gaps();
+    if (sign > 0) std::reverse(z.begin(), z.end());
+    return z;
+  }
+
+  // R_n has not passed the extreme of the path by more than the errors, or what the resolution cannot tell.
+  bool on_path(double z_0, double extreme_at, double sign) const {
+    const double allowed = kShallow * trace_.resolution * std::max(load(z_0), kSmallLoad);
+    return sign * (load(z_0) - load(extreme_at)) >= -std::max(error(z_0) + error(extreme_at), allowed);
+  }
+
+  std::vector<Fold> folds() const {
+    std::vector<Fold> out;
+    for (const double sign : {1.0, -1.0}) {
+      const std::vector<double> z = route(sign);
+      std::size_t extreme = 0;
+      for (std::size_t i = 1; i < z.size(); ++i) {
+        const bool leaves = on_path(z[i - 1], z[extreme], sign) && !on_path(z[i], z[extreme], sign);
+        if (leaves && extreme > 0) out.push_back({sign, z[extreme - 1], z[extreme], z[extreme + 1]});
+        if (sign * (load(z[i]) - load(z[extreme])) > 0) extreme = i;
+      }
+    }
+    return out;
+  }
+
+  // Adds nodes towards the extreme of R_n between the fold's neighbours.
+  void sharpen(const Fold& fold, const PassageRunner& run) {
+    const auto [low, high] = std::minmax(fold.before, fold.after);
+    const auto falling = [&](double z_0) { return room(1) ? -fold.sign * load(z_0, run) : INFINITY; };
+    std::uintmax_t iterations = kSearchSteps;
+    boost::math::tools::brent_find_minima(falling, low, high, 12, iterations);
+  }
+
+  // Where the slab lands that jumps from the folds.
+  std::vector<Landing> landings(const std::vector<Fold>& folds) const {
+    std::vector<Landing> out;
+    for (const Fold& fold : folds) {
+      const std::vector<double> z = route(fold.sign);
+      const auto before = std::find(z.begin(), z.end(), fold.before);
+      const auto after = std::find(before, z.end(), fold.after);
+      double extreme = load(fold.at);
+      for (auto at = before; at != after; ++at)
+        if (fold.sign * (load(*at) - extreme) > 0) extreme = load(*at);
+      for (auto near = after; near != z.end() && std::next(near) != z.end(); ++near) {
+        const double far = *std::next(near);
+        if (!(fold.sign * (load(*near) - extreme) < 0 && fold.sign * (load(far) - extreme) > 0)) continue;
+        out.push_back({*near, far, extreme});
+        break;
+      }
+    }
+    return out;
+  }
+
+  // Adds nodes towards the gap that carries the fold's load again.
+  void land(const Landing& landing, const PassageRunner& run) {
+    const auto known = [&](double z_0) { return nodes_.contains(z_0) || room(1); };
+    const auto beyond = [&](double z_0) {
+      return known(z_0) ? load(z_0, run) - landing.load : 0;
+    };  // 0 ends it
+    const auto [low, high] = std::minmax(landing.near, landing.far);
+    const auto close = [](double a, double b) { return b - a < kClosest; };
+    std::uintmax_t iterations = kSearchSteps;
+    boost::math::tools::toms748_solve(beyond, low, high, beyond(low), beyond(high), close, iterations);
+  }
+
+  std::vector<CurveNode> marked() {
+    std::map<double, int> branches;
+    for (const int path : {1, 2}) {
+      const double sign = path == 1 ? 1 : -1;
+      const std::vector<double> z = route(sign);
+      double extreme = z.empty() ? 0 : z.front();
+      for (const double z_0 : z) {
+        if (!on_path(z_0, extreme, sign)) continue;
+        branches[z_0] |= path;
+        if (sign * (load(z_0) - load(extreme)) > 0) extreme = z_0;
+      }
+    }
+    std::vector<CurveNode> out;
+    for (auto node = nodes_.rbegin(); node != nodes_.rend(); ++node)
+      out.push_back({node->second, Branch(branches[node->first])});
+    return out;
+  }
+
+  const Interface& interface_;
+  const Trace& trace_;
+  const PassageRunner& run_;
+  std::map<double, PointResult> nodes_;  // by gap
+  long under_way_ = 0;                   // nodes of searches, not yet there
+};
+
+}  // namespace
+
+std::vector<CurveNode> trace_curve(const Interface& interface, const Trace& trace, const PassageRunner& run) {
+  return Tracer(interface, trace, run).trace();
+}
+
+}  // namespace bristle

@@ -1,0 +1,54 @@
+#include "simd/kernels.hpp"
+
+#include <hwy/targets.h>
+
+#include <stdexcept>
+
+namespace bristle {
+
+#if HWY_ARCH_X86
+namespace N_AVX3 {
+extern const Kernels kKernels;
+}
+namespace N_AVX2 {
+extern const Kernels kKernels;
+}
+#else
+namespace N_NEON {
+extern const Kernels kKernels;
+}
+#endif
+
+std::vector<const Kernels*> available_kernels() {
+  const auto supported = hwy::SupportedTargets();
+  std::vector<const Kernels*> out;
+#if HWY_ARCH_X86
+  if (supported & HWY_AVX3) out.push_back(&N_AVX3::kKernels);
+  if (supported & HWY_AVX2) out.push_back(&N_AVX2::kKernels);
+#else
+  if (supported & HWY_NEON) out.push_back(&N_NEON::kKernels);
+#endif
+  return out;
+}
+
+namespace {
+const Kernels* preferred = nullptr;
+}
+
+bool prefer_kernels(const std::string& target) {
+  for (const Kernels* kernels : available_kernels())
+    if (kernels->target == target) preferred = kernels;
+  return preferred && preferred->target == target;
+}
+
+const Kernels& best_kernels() {
+  if (preferred) return *preferred;
+  const auto available = available_kernels();
+  if (available.empty())
+    throw std::runtime_error(
+        "this processor has no fused multiply-add on vectors (AVX2 or better), without which the fast "
+        "engine's numbers would be others; choose \"integrator\": { \"engine\": \"reference\" }");
+  return *available.front();
+}
+
+}  // namespace bristle

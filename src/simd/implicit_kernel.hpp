@@ -1,0 +1,112 @@
+#pragma once
+
+#include "simd/group.hpp"
+
+namespace bristle::HWY_NAMESPACE {
+
+// Steps by an additive Runge-Kutta pair. What makes the equations stiff is the damping of the velocity v by
+// friction and by the dampers of azimuth and elevation: J (v - v_n), with J its derivative at the step's
+// start, is the implicit part, the rest the explicit one. J is 3 x 3, so that a stage costs hardly more than
+// an explicit method's, and the order does not depend on how good J is.
+template <class Tableau>
+class AdditiveStep {
+ public:
+  static constexpr double kExponent = Tableau::exponent;
+
+  static void refresh(Group&) {}
+
+  // Fills y_new; returns the largest error over tolerance.
+  static Lanes attempt(Group& g) {
+    Slopes<S> k;
+    Slopes<S, 3> implicit;  // J (v - v_n) at the stages
+    const Damping damping(g, evaluate_damping(g.bristle, g.y, k[0]));
+    implicit[0] = {0.0, 0.0, 0.0};
+    stages(g, damping, k, implicit, std::make_index_sequence<S>());
+    std::array<Lanes, COMPONENTS> error;
+    for (int c = 0; c < COMPONENTS; ++c) {
+      g.y_new[c] = g.y[c] + g.h * combine<S>(k, c, [](int j) { return Tableau::b[j]; });
+      error[c] = g.h * combine<S>(k, c, [](int j) { return Tableau::error[j]; });
+    }
+    ErrorNorm norm(g);
+    for (int c = 0; c < COMPONENTS; ++c) norm.add(c, error[c]);
+    g.slope_new = g.slope;  // not used
+    return norm.value();
+  }
+
+  // It may have come down to the pole: it is within at the end, or it was approaching, recedes, and was
+  // or may have been near.
+  static Lanes::Mask axis_event(const Group& g) {
+    const Lanes zero = 0.0, reach = g.pole * g.pole;
+    const auto aims_at_it = [&](const auto& y) {
+      const Lanes moment = y[X] * y[VY] - y[Y] * y[VX];
+      return Lanes(moment * moment) < Lanes(Lanes(4.0 * reach) * Lanes(y[VX] * y[VX] + y[VY] * y[VY]));
+    };
+    const Lanes::Mask within = (in_plane_square(g.y_new) < 1.01 * reach) & (radial_product(g.y_new) < zero);
+    const Lanes::Mask turned = (radial_product(g.y) < zero) & (radial_product(g.y_new) >= zero);
+    const Lanes::Mask near =
+        (in_plane_square(g.y) < 100.0 * reach) | (in_plane_square(g.y_new) < 100.0 * reach);
+    return within | (turned & (near | aims_at_it(g.y) | aims_at_it(g.y_new)));
+  }
+
+  static Lanes::Mask leaves_axis(const Group& g) {
+    return Lanes(g.near_axis * g.near_axis) < in_plane_square(g.y_new);
+  }
+
+ private:
+  static constexpr int S = Tableau::stages;
+
+  static HWY_NOINLINE HWY_FLATTEN Eigen::Matrix<Lanes, 3, 3> evaluate_damping(
+      const Bristle<Lanes>& b, const std::array<Lanes, COMPONENTS>& y, std::array<Lanes, COMPONENTS>& slope) {
+    return damping_matrix(b, y, slope);
+  }
+
+  // The inverse of I - h gamma J, by cofactors.
+  struct Damping {
+    Damping(const Group& g, const Eigen::Matrix<Lanes, 3, 3>& J)
+        : h_gamma(g.h * Lanes(Tableau::gamma)), one_h_gamma(1.0 / h_gamma) {
+      Lanes m[3][3];
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) m[i][j] = (i == j ? 1.0 : 0.0) - h_gamma * J(i, j);
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) {
+          const int a = (j + 1) % 3, b = (j + 2) % 3, c = (i + 1) % 3, d = (i + 2) % 3;
+          inverse[i][j] = m[a][c] * m[b][d] - m[a][d] * m[b][c];
+        }
+      const Lanes one_det =
+          1.0 / (m[0][0] * inverse[0][0] + (m[0][1] * inverse[1][0] + m[0][2] * inverse[2][0]));
+      for (auto& row : inverse)
+        for (Lanes& entry : row) entry *= one_det;
+    }
+    Lanes h_gamma, one_h_gamma, inverse[3][3];
+  };
+
+  template <std::size_t... I>
+  static HWY_INLINE void stages(const Group& g, const Damping& damping, Slopes<S>& k, Slopes<S, 3>& implicit,
+                                std::index_sequence<I...>) {
+    (stage<int(I)>(g, damping, k, implicit), ...);
+  }
+  template <int I>
+  static HWY_INLINE void stage(const Group& g, const Damping& damping, Slopes<S>& k, Slopes<S, 3>& implicit) {
+    if constexpr (I > 0) {
+      std::array<Lanes, kState> at;
+      for (int c = 0; c < kState; ++c)
+        at[c] = g.y[c] + g.h * combine<I>(k, c, [](int j) { return Tableau::a[I][j]; });
+      // Of the slopes' sum the implicit part is to be weighted otherwise, and this stage's is yet to be
+      // found.
+      const auto missing = [&](int c) {
+        return combine<I>(implicit, c, [](int j) { return Tableau::a_implicit[I][j] - Tableau::a[I][j]; });
+      };
+      Lanes without[3];
+      for (int i = 0; i < 3; ++i) without[i] = (at[VX + i] - g.y[VX + i]) + g.h * missing(i);
+      for (int i = 0; i < 3; ++i) {
+        const auto& row = damping.inverse[i];
+        const Lanes v = row[0] * without[0] + (row[1] * without[1] + row[2] * without[2]);
+        implicit[I][i] = Lanes(v - without[i]) * damping.one_h_gamma;
+        at[VX + i] = g.y[VX + i] + v;
+      }
+      evaluate(g.bristle, at, k[I]);
+    }
+  }
+};
+
+}  // namespace bristle::HWY_NAMESPACE

@@ -1,0 +1,71 @@
+#include "util/file.hpp"
+
+#include "util/error.hpp"
+
+#include <fmt/format.h>
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <filesystem>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace bristle {
+namespace fs = std::filesystem;
+namespace {
+
+// The descriptor is of the file that has this name now: it was not renamed between opening and locking.
+bool still_named(int descriptor, const std::string& path) {
+  struct stat opened {
+  }, named{};
+  return fstat(descriptor, &opened) == 0 && stat(path.c_str(), &named) == 0 &&
+         opened.st_ino == named.st_ino && opened.st_dev == named.st_dev;
+}
+
+void to_disk(const std::string& path, int flags) {
+  const int descriptor = open(path.c_str(), flags | O_CLOEXEC);
+  const bool done = descriptor >= 0 && fsync(descriptor) == 0;
+  const int reason = errno;
+  if (descriptor >= 0) ::close(descriptor);
+  if (!done) throw RunError(fmt::format("{}: {}", path, std::strerror(reason)));
+}
+
+}  // namespace
+
+int lock_file(const std::string& result, const std::string& path) {
+  std::error_code error;
+  const fs::path folder = fs::path(result).parent_path();
+  if (!folder.empty()) fs::create_directories(folder, error);
+  const std::string reason = error ? error.message() : "";
+  if (fs::is_directory(result, error))
+    throw InputError(fmt::format("-o {}: is a folder; give a file name", result));
+  for (;;) {
+    const int descriptor = open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (descriptor < 0)
+      throw InputError(fmt::format("-o {}: {} cannot be written: {}; give another place with -o", result,
+                                   path, reason.empty() ? std::strerror(errno) : reason));
+    struct flock whole {};
+    whole.l_type = F_WRLCK;
+    const bool locked = fcntl(descriptor, F_OFD_SETLK, &whole) == 0;
+    const int error_of_lock = errno;
+    if (locked && still_named(descriptor, path)) return descriptor;
+    ::close(descriptor);
+    if (!locked && error_of_lock != EAGAIN && error_of_lock != EACCES)
+      throw RunError(fmt::format("{}: cannot be locked: {}; give a place with -o whose file system has locks",
+                                 path, std::strerror(error_of_lock)));
+    if (!locked)
+      throw RunError(
+          fmt::format("{}: another run is writing it; wait for that, or give another place with -o", result));
+  }
+}
+
+void replace_file(const std::string& from, const std::string& to) {
+  to_disk(from, O_RDONLY);
+  std::error_code error;
+  fs::rename(from, to, error);
+  if (error) throw RunError(fmt::format("{}: cannot be renamed to {}: {}", from, to, error.message()));
+  const fs::path folder = fs::path(to).parent_path();
+  to_disk(folder.empty() ? "." : folder.string(), O_RDONLY | O_DIRECTORY);
+}
+
+}  // namespace bristle

@@ -1,0 +1,61 @@
+#include "util/git.hpp"
+
+#include "checks/comparison.hpp"
+#include "util/process.hpp"
+#include "util/error.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <sstream>
+
+namespace bristle {
+namespace {
+
+std::string without_newline(std::string text) {
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  return text;
+}
+
+}  // namespace
+
+Repository::Repository(const std::string& folder) : folder_(folder) {
+  const auto top = run_process(fmt::format("git -C {} rev-parse --show-prefix 2>&1", shell_quoted(folder)));
+  if (top.code != 0)
+    throw InputError(
+        fmt::format("--source {}: not a git repository: {}; an archive holds the commit it is of", folder,
+                    without_newline(top.output)));
+  if (!without_newline(top.output).empty())
+    throw InputError(fmt::format("--source {}: not the top folder of its repository", folder));
+  commit_ = without_newline(git("rev-parse --verify HEAD"));
+}
+
+std::string Repository::git(const std::string& arguments) const {
+  const std::string command = fmt::format("git -C {} {}", shell_quoted(folder_), arguments);
+  const Outcome out = run_process(command);
+  if (out.code != 0) throw InputError(fmt::format("--source {}: failed: {}", folder_, command));
+  return out.output;
+}
+
+std::time_t Repository::time() const { return std::stol(git("show -s --format=%ct HEAD")); }
+
+std::string Repository::changes() const { return git("status --porcelain --untracked-files=all"); }
+
+bool Repository::follows(const std::string& commit) const {
+  return !commit.empty() && std::all_of(commit.begin(), commit.end(), ::isxdigit) &&
+         run_process(fmt::format("git -C {} merge-base --is-ancestor {} HEAD 2>/dev/null",
+                                 shell_quoted(folder_), commit))
+                 .code == 0;
+}
+
+std::vector<std::string> Repository::files(const std::string& under) const {
+  std::istringstream in(git("ls-files -z -- " + shell_quoted(under)));
+  std::vector<std::string> names;
+  for (std::string name; std::getline(in, name, '\0');) names.push_back(name);
+  return names;
+}
+
+std::string Repository::source(const std::string& prefix) const {
+  return git(fmt::format("-c tar.umask=0022 archive --format=tar --prefix={} HEAD", shell_quoted(prefix)));
+}
+
+}  // namespace bristle

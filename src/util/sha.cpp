@@ -1,0 +1,52 @@
+#include "util/sha.hpp"
+
+#include "util/error.hpp"
+
+#include <fmt/format.h>
+#include <openssl/evp.h>
+
+namespace bristle {
+
+struct Digest::State {
+  EVP_MD_CTX* context = EVP_MD_CTX_new();
+  ~State() { EVP_MD_CTX_free(context); }
+  static void check(int code) {
+    if (code != 1) throw RunError("libcrypto: SHA-2 failed");
+  }
+};
+
+Digest::Digest(Sha algorithm) : state_(std::make_unique<State>()) {
+  State::check(state_->context != nullptr);
+  const EVP_MD* method = algorithm == Sha::bits_256 ? EVP_sha256() : EVP_sha512();
+  State::check(EVP_DigestInit_ex(state_->context, method, nullptr));
+}
+
+Digest::~Digest() = default;
+
+void Digest::add(const void* data, std::size_t bytes) {
+  State::check(EVP_DigestUpdate(state_->context, data, bytes));
+}
+
+std::string Digest::hex() {
+  unsigned char digest[EVP_MAX_MD_SIZE];
+  unsigned length = 0;
+  State::check(EVP_DigestFinal_ex(state_->context, digest, &length));
+  std::string text;
+  for (unsigned i = 0; i < length; ++i) text += fmt::format("{:02x}", digest[i]);
+  return text;
+}
+
+namespace {
+
+std::string hex_of(Sha algorithm, const std::string& text) {
+  Digest digest(algorithm);
+  digest.add(text);
+  return digest.hex();
+}
+
+}  // namespace
+
+std::string sha256_of(const std::string& text) { return hex_of(Sha::bits_256, text); }
+std::string sha512_of(const std::string& text) { return hex_of(Sha::bits_512, text); }
+
+}  // namespace bristle
