@@ -92,13 +92,17 @@ def defines(text, name):
 
 
 def check_architecture(path):
-    """Every folder of src/ has its paragraph, in the order of the layers; every file has the names beside it."""
+    """Every folder of src/ has its paragraph, in the order of the layers; the files that it names exist and have the
+    names beside them."""
     text = path.read_text(encoding="utf-8")
     headings = re.findall(r"^### src/(\w+)$", text, re.M)
     folders = {folder.name for folder in (source / "src").iterdir() if folder.is_dir()}
     assert set(headings) == folders, f"{path.name}: other folders than src/: {set(headings) ^ folders}"
     order = re.search(r"in\s+this\s+order:([^.]*)\.", text).group(1)
     assert names_in(order) == headings, f"{path.name}: the paragraphs are not in the order of the layers"
+    for folder, paragraph in re.findall(r"^### src/(\w+)\n(.*?)(?=^##)", text, re.M | re.S):
+        for name in re.findall(r"`([\w.]+\.(?:hpp|cpp|json))`", paragraph):
+            assert (source / "src" / folder / name).exists(), f"{path.name}: there is no src/{folder}/{name}"
     rows = table_cells(path, "Where to find")
     assert len(rows) > 30, f"{path.name}: the table has lost its rows"
     for what, file, names in rows:
