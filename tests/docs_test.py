@@ -5,6 +5,7 @@ docs_test.py SOURCE BUILD [DOCUMENT.md...]
 Commands are the lines of ```sh blocks (a backslash continues a line), run in order, each document's in its own copy of
 the source.
 """
+import json
 import os
 import pathlib
 import re
@@ -132,6 +133,26 @@ def check_glossary(path):
             assert defines(code, word), f"{path.name}: {symbol or meaning}: no {name} in src/"
 
 
+def words_of(schema):
+    """Keys and words that a schema allows, wherever they are in it."""
+    if isinstance(schema, list):
+        return set().union(*map(words_of, schema))
+    if not isinstance(schema, dict):
+        return set()
+    words = set(schema.get("properties", {})) | {word for word in schema.get("enum", []) if isinstance(word, str)}
+    return words.union(*map(words_of, schema.values()))
+
+
+def check_experiments(path):
+    """The pages on experiments and claims have every key and word of the schema."""
+    schema = json.loads((source / "src/experiment/experiment.schema.json").read_text(encoding="utf-8"))
+    of_checks = words_of(schema["definitions"].pop("check"))
+    for page, words in ((path, words_of(schema)), (path.with_name("claims.md"), of_checks)):
+        text = " ".join(re.findall(r"`([^`]+)`", page.read_text(encoding="utf-8")))
+        missing = sorted(word for word in words if not defines(text, word))
+        assert not missing, f"{page.name} lacks {', '.join(missing)}"
+
+
 def commands(path):
     blocks = re.findall(r"^```sh\n(.*?)^```$", path.read_text(encoding="utf-8"), re.M | re.S)
     lines = [line for block in blocks for line in block.replace("\\\n", " ").splitlines()]
@@ -169,7 +190,8 @@ for document in documents:
     if document.name != HISTORY:
         check_mentions(document)
     check_width(document)
-for name, check in (("architecture.md", check_architecture), ("model.md", check_model), ("glossary.md", check_glossary)):
+for name, check in (("architecture.md", check_architecture), ("model.md", check_model), ("glossary.md", check_glossary),
+                    ("experiments.md", check_experiments)):
     check(source / "docs" / name)
 with tempfile.TemporaryDirectory() as folder:
     for document in documents:
