@@ -1,3 +1,4 @@
+#include "archive/citation.hpp"
 #include "archive/crate.hpp"
 #include "archive/rerun.hpp"
 #include "util/error.hpp"
@@ -7,8 +8,8 @@
 #include <fmt/format.h>
 #include <sys/stat.h>
 
-using namespace bristle;
-using namespace bristle::testing;
+namespace bristle::archive_test {
+using namespace testing;
 using Catch::Contains;
 
 namespace {
@@ -21,30 +22,6 @@ Problems problems_after(const std::function<void(Files&)>& change) {
 std::string first_problem_after(const std::function<void(Files&)>& change) {
   const Problems problems = problems_after(change);
   return problems.empty() ? "" : problems.front();
-}
-
-// Changes the crate as JSON and says what verification finds.
-std::string crate_problem(const std::function<void(Json& crate, Json& root)>& change) {
-  return first_problem_after([&](Files& payload) {
-    Json crate = Json::parse(payload[kCrateFile]);
-    change(crate, crate["@graph"][1]);
-    payload[kCrateFile] = crate.dump(1) + "\n";
-  });
-}
-
-Json& entity(Json& crate, const std::string& id) {
-  for (Json& e : crate["@graph"])
-    if (e["@id"] == id) return e;
-  throw std::runtime_error("no entity " + id);
-}
-
-std::string citation_problem(const std::string& from, const std::string& to) {
-  return first_problem_after([&](Files& payload) {
-    std::string& text = payload["CITATION.cff"];
-    const auto at = text.find(from);
-    REQUIRE(at != std::string::npos);
-    text.replace(at, from.size(), to);
-  });
 }
 
 std::string refusal(const Release& release) {
@@ -100,58 +77,62 @@ TEST_CASE("a repacked archive is the same to the byte") {
   CHECK(problems_after([](Files&) {}) == Problems{});
 }
 
-TEST_CASE("metadata: what RO-Crate, Process Run Crate and the program's own provenance ask for") {
-  for (const char* key :
-       {"name", "description", "datePublished", "version", "license", "author", "publisher"}) {
-    CAPTURE(key);
-    CHECK_THAT(crate_problem([&](Json&, Json& root) { root.erase(key); }),
-               Contains(std::string(": ./: ") + key + " is missing"));
+TEST_CASE("README, citation and crate are those that follow from the other files") {
+  for (const char* name : {"README.md", "CITATION.cff", kCrateFile}) {
+    CAPTURE(name);
+    CHECK_THAT(first_problem_after([&](Files& payload) { payload[name] += "x"; }),
+               Contains(std::string("data/") + name + ": line ") &&
+                   Contains("is \"x\", but from the archive's other files follows the end of the file"));
+    CHECK_THAT(first_problem_after([&](Files& payload) { payload.erase(name); }),
+               Contains(std::string("data/") + name + ": is missing"));
+    CHECK_FALSE(first_problem_after([&](Files& payload) { payload[name] = "[[[["; }).empty());
   }
-  CHECK_THAT(
-      crate_problem([](Json& crate, Json&) { crate["@context"] = "https://w3id.org/ro/crate/1.2/context"; }),
-      Contains("@context: is not that of RO-Crate 1.1"));
-  CHECK_THAT(crate_problem([](Json& crate, Json&) { entity(crate, kCrateFile).erase("conformsTo"); }),
-             Contains("conformsTo is not https://w3id.org/ro/crate/1.1"));
-  CHECK_THAT(crate_problem([](Json&, Json& root) { root["version"] = "9.9.9"; }),
-             Contains("version is \"9.9.9\", in CITATION.cff"));
-  CHECK_THAT(crate_problem([](Json& crate, Json&) { entity(crate, "#run-small").erase("instrument"); }),
-             Contains("instrument is missing"));
-  CHECK_THAT(crate_problem(
-                 [](Json& crate, Json&) { entity(crate, "#run-small")["endTime"] = "2020-01-01T00:00:00Z"; }),
-             Contains("#run-small: says \"2020-01-01T00:00:00Z\", the /provenance of results/small.h5"));
-  CHECK_THAT(crate_problem([](Json& crate, Json&) { entity(crate, "LICENSE")["sha512"] = "00"; }),
-             Contains("LICENSE: sha512 is not the file's"));
-  CHECK_THAT(crate_problem([](Json&, Json& root) { root["hasPart"].erase(0); }),
-             Contains("hasPart lacks CITATION.cff"));
-  CHECK_THAT(crate_problem([](Json& crate, Json&) {
-               crate["@graph"].push_back({{"@id", "results/none.h5"}, {"@type", "File"}});
+  CHECK_THAT(first_problem_after([](Files& payload) {
+               std::string& text = payload["README.md"];
+               text.replace(text.find("| x | falls |"), 5, "| y |");
              }),
-             Contains("results/none.h5: is described, but there is no such file"));
-  CHECK_THAT(crate_problem([](Json& crate, Json&) { crate["@graph"].push_back("nonsense"); }),
-             Contains("has no @id"));
-  CHECK_THAT(crate_problem([](Json& crate, Json&) { crate["@graph"] = 7; }), Contains("is not a list"));
+             Contains("README.md: line") && Contains("| y | falls"));
+  CHECK_THAT(first_problem_after([](Files& payload) { payload["experiments/small.json"] += " "; }),
+             Contains("ro-crate-metadata.json: line"));
 }
 
-TEST_CASE("metadata that is no JSON, nested without end or contradicts itself is refused, not followed") {
-  const auto with = [](const std::string& text) {
-    return first_problem_after([&](Files& payload) { payload[kCrateFile] = text; });
+TEST_CASE("a payload from which the metadata cannot follow is refused") {
+  const auto without = [](const std::string& name) {
+    return first_problem_after([&](Files& payload) { payload.erase(name); });
   };
-  CHECK_THAT(with("{"), Contains("ro-crate-metadata.json: not JSON"));
-  CHECK_THAT(with(std::string(100000, '[')), Contains("nested"));
-  CHECK_THAT(with(R"({"@graph": [], "@graph": []})"), Contains("appears twice"));
-  CHECK_THAT(with("[]"), Contains("ro-crate-metadata.json: not a JSON object"));
+  CHECK_THAT(without("experiments/small.json"), Contains("data/experiments/small.json: is missing"));
+  CHECK_THAT(without("experiments/paper.json"), Contains("data/experiments/paper.json: is missing"));
+  CHECK_THAT(without("figures/small.png"), Contains("data/figures/small.png: is missing"));
+  CHECK_THAT(without("results/small.h5"), Contains("data/results: there are no results"));
+  const auto with_experiment = [](const std::string& text) {
+    return first_problem_after([&](Files& payload) { payload["experiments/small.json"] = text; });
+  };
+  CHECK_THAT(with_experiment("{"), Contains("not JSON"));
+  CHECK_THAT(with_experiment(std::string(100000, '[')), Contains("nested"));
+  CHECK_THAT(with_experiment(R"({"extends": 7})"), Contains("data/experiments/small.json: "));
+  CHECK_THAT(with_experiment(R"({"extends": "small.json"})"), Contains("extends this file in turn"));
+  const auto with_source = [](const std::function<void(Files&, const std::string& name)>& change) {
+    return first_problem_after([&](Files& payload) { change(payload, payload.lower_bound("source/")->first); });
+  };
+  CHECK_THAT(with_source([](Files& payload, const std::string& name) { payload.erase(name); }),
+             Contains("data/source: the source of the commit is missing"));
+  CHECK_THAT(with_source([](Files& payload, const std::string& name) { payload[name] = "x"; }),
+             Contains("is not git's archive of that commit"));
+  CHECK_THAT(with_source([](Files& payload, const std::string&) { payload["source/other"] = "x"; }),
+             Contains("data/source/other: is not the source of the archive's commit"));
+  CHECK_THAT(with_source([](Files& payload, const std::string& name) {
+               std::string& bytes = payload[name];
+               bytes.replace(bytes.find("cff-version:"), 4, "[[[[");
+             }),
+             Contains("CITATION.cff: not YAML"));
 }
 
-TEST_CASE("a citation is one of a dataset in CFF 1.2.0") {
-  CHECK_THAT(citation_problem("type: \"dataset\"", "type: \"software\""),
-             Contains("type: \"software\" is not dataset"));
-  CHECK_THAT(citation_problem("cff-version: \"1.2.0\"", "cff-version: \"1.3.0\""), Contains("is not 1.2.0"));
-  CHECK_THAT(citation_problem("license:", "licence:"),
-             Contains("licence: is no key") || Contains("license: is missing"));
-  CHECK_THAT(citation_problem("date-released: \"20", "date-released: \"3 of 20"), Contains("is not a date"));
-  CHECK_THAT(citation_problem("authors:\n  - name", "authors:\n  - nom"), Contains("authors: is not a list"));
-  CHECK_THAT(citation_problem("message:", "message: ["), Contains("CITATION.cff: not YAML"));
-  CHECK_THAT(citation_problem("keywords:", "keywords: &a [*a]\nmore:"), Contains("CITATION.cff"));
+TEST_CASE("a citation that lacks what an archive needs, or is no text, is refused") {
+  CHECK_THROWS_WITH(dataset_citation(parse_citation("title: x"), "c"), Contains("version is missing"));
+  CHECK_THROWS_WITH(parse_citation("a: ["), Contains("not YAML"));
+  CHECK_THROWS_WITH(parse_citation("a: 1\na: 2"), Contains("the key a appears twice"));
+  CHECK_THROWS_WITH(parse_citation("a: \xff"), Contains("UTF-8"));
+  CHECK_THROWS_WITH(parse_citation("a: &a [*a]"), Contains("YAML") || Contains("nested"));
 }
 
 TEST_CASE("a result that does not fit its digests is found behind manifests that fit") {
@@ -246,7 +227,7 @@ TEST_CASE("what cannot be cited is not archived: each refusal names the file and
   }
   SECTION("no repository") {
     std::filesystem::remove_all(r.s.path(".git"));
-    CHECK_THAT(refusal(r), Contains("not a git repository"));
+    CHECK_THAT(refusal(r), Contains("not in a git work tree"));
   }
 }
 
@@ -279,8 +260,10 @@ TEST_CASE("what cannot be traced to a commit is refused, or a draft that says so
 TEST_CASE("an output that cannot be written is refused, and nothing is left behind") {
   Release r;
   r.options.output = "/proc/nowhere/a.tar";
-  CHECK_THROWS_WITH(build_archive(r.options), Contains("-o /proc/nowhere/a.tar: cannot be written"));
+  CHECK_THROWS_WITH(build_archive(r.options), Contains("/proc/nowhere/a.tar: cannot be written"));
   r.options.output = r.s.path("docs");
   CHECK_THROWS_WITH(build_archive(r.options), Contains("is a folder"));
   CHECK_FALSE(std::filesystem::exists(r.s.path("docs.partial")));
 }
+
+}  // namespace bristle::archive_test

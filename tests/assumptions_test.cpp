@@ -1,13 +1,15 @@
+#include "assumptions/assumptions.hpp"
+#include "checks/validate.hpp"
 #include "util/error.hpp"
 #include "scratch.hpp"
-#include "assumptions/study.hpp"
 
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
-using namespace bristle;
-using namespace bristle::testing;
+namespace bristle::assumptions_test {
+using namespace testing;
 
 namespace {
 
@@ -44,12 +46,12 @@ struct SmallStudy {
   }
 
   Scratch s;
-  StudyOptions options;
+  AssumptionsOptions options;
 };
 
 std::string error_of(SmallStudy& small) {
   try {
-    study(small.options);
+    run_assumptions(small.options);
   } catch (const InputError& e) {
     return e.what();
   }
@@ -58,33 +60,33 @@ std::string error_of(SmallStudy& small) {
 
 }  // namespace
 
-TEST_CASE("a study evaluates every check under every alternative, and says what hangs on it") {
+TEST_CASE("every check is evaluated under every alternative") {
   SmallStudy small;
   small.declare("pairs.json",
                 R"({"schema": "bristle-assumption/1", "choice": "pairs", "question": "both", "pairs": [
     {"members": ["slow", "impossible"], "description": "together"}]})");
-  const Matrix m = study(small.options);
+  const Matrix m = run_assumptions(small.options);
   REQUIRE(m.alternatives.size() == 5);
   CHECK(m.alternatives.back().name == "slow + impossible");
   REQUIRE(m.rows.size() == 2);
   for (const Matrix::Row& row : m.rows) REQUIRE(row.cells.size() == 5);
 
   const auto& a = m.rows[0].cells;
-  CHECK(a[0].check.verdict == Verdict::supported);
-  CHECK(a[1].check.measured.value != a[0].check.measured.value);
-  CHECK(a[2].check.measured.value == a[0].check.measured.value);
-  CHECK(a[2].check.verdict == Verdict::refuted);
+  CHECK(a[0].result.verdict == Verdict::supported);
+  CHECK(a[1].result.measured.value != a[0].result.measured.value);
+  CHECK(a[2].result.measured.value == a[0].result.measured.value);
+  CHECK(a[2].result.verdict == Verdict::refuted);
   CHECK(a[2].affected);
-  CHECK(a[3].check.measured.value != a[0].check.measured.value);
-  CHECK(a[4].check.measured.value == a[3].check.measured.value);
-  CHECK(a[4].check.verdict == Verdict::refuted);
+  CHECK(a[3].result.measured.value != a[0].result.measured.value);
+  CHECK(a[4].result.measured.value == a[3].result.measured.value);
+  CHECK(a[4].result.verdict == Verdict::refuted);
 
   const auto& b = m.rows[1].cells;
   CHECK_FALSE(b[1].affected);
   CHECK_FALSE(b[2].affected);
   CHECK(b[3].affected);
-  CHECK(b[1].check.measured.value == b[0].check.measured.value);
-  CHECK(std::string(conclusion(m.rows[0])) == "hangs");
+  CHECK(b[1].result.measured.value == b[0].result.measured.value);
+  CHECK(std::string(conclusion(m.rows[0])) == "assumption-dependent");
   CHECK(std::string(conclusion(m.rows[1])) == "robust");
 
   const Json json = matrix_json(m);
@@ -93,17 +95,17 @@ TEST_CASE("a study evaluates every check under every alternative, and says what 
   CHECK(json["checks"][0]["band"].is_null());
 }
 
-TEST_CASE("a second study computes nothing, a further alternative only itself") {
+TEST_CASE("a second call computes nothing") {
   SmallStudy small;
-  study(small.options);
-  const std::string result = small.s.path("out/matrix/settled/a.h5");
+  run_assumptions(small.options);
+  const std::string result = small.s.path("out/matrix/baseline/a.h5");
   const auto written = std::filesystem::last_write_time(result);
   const std::string other = small.s.path("out/matrix/rising/a.h5");
   REQUIRE(std::filesystem::exists(other));
   CHECK_FALSE(std::filesystem::exists(small.s.path("out/matrix/rising/b.h5")));
-  const Matrix again = study(small.options);
+  const Matrix again = run_assumptions(small.options);
   CHECK(std::filesystem::last_write_time(result) == written);
-  CHECK(again.rows[0].cells[2].check.verdict == Verdict::refuted);
+  CHECK(again.rows[0].cells[2].result.verdict == Verdict::refuted);
 }
 
 TEST_CASE("mistakes in assumptions are named before anything is computed") {
@@ -150,6 +152,8 @@ TEST_CASE("the declared assumptions are sound, and reach every open choice") {
     for (const Alternative& a : alternatives) {
       CAPTURE(name, a.name);
       const Experiment e = load_experiment(kExperiments + "/" + name + ".json", {{}, "study"});
-      CHECK_NOTHROW(validate_checks(stored_experiment(a.apply(name, e.document), "study", name)));
+      CHECK_NOTHROW(validate_checks(stored_experiment(a.apply(name, *e.document), "study", name)));
     }
 }
+
+}  // namespace bristle::assumptions_test

@@ -1,17 +1,15 @@
 #include "checks/checks.hpp"
+#include "checks/measure.hpp"
 #include "util/error.hpp"
-#include "results/writer.hpp"
-#include "scratch.hpp"
+#include "small_result.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
-using namespace bristle;
-using namespace bristle::testing;
+namespace bristle::checks_test {
+using namespace testing;
 
 namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 Curve curve(const std::vector<double>& values, double error, double first_x = 1) {
   Curve c;
@@ -201,3 +199,5 @@ TEST_CASE("checks are stored beside the numbers without changing their digest") 
   CHECK(payload_sha256(h5::open_file(s.path("c.h5"), false)) == before);
   CHECK(checks_table(checks).find("supported") != std::string::npos);
 }
+
+}  // namespace bristle::checks_test

@@ -1,13 +1,14 @@
 #include "archive/citation.hpp"
 #include "archive/tar.hpp"
+#include "checks/reference_file.hpp"
 #include "cli/commands.hpp"
 #include "util/error.hpp"
 #include "parts.hpp"
 #include "results/journal.hpp"
 
 // Files that no program of ours wrote: an error with a name, never an access beyond what is there.
-using namespace bristle;
-using namespace bristle::testing;
+namespace bristle::damaged_test {
+using namespace testing;
 using Catch::Contains;
 
 namespace {
@@ -142,18 +143,4 @@ TEST_CASE("an experiment that extends what cannot be a file's name") {
   CHECK_THROWS_AS(load_experiment(path, {}), InputError);
 }
 
-TEST_CASE("a citation that is no text in UTF-8, or whose commit is none") {
-  CHECK_THROWS_AS(parse_citation("title: [\"\xff\"]\n"), MalformedError);
-  const std::string sound = R"(cff-version: "1.2.0"
-message: m
-type: dataset
-title: t
-version: "1"
-date-released: "2026-01-02"
-license: MIT
-authors: [{name: n}]
-)";
-  CHECK(check_citation(parse_citation(sound + "commit: 0123abc\n")).empty());
-  CHECK(check_citation(parse_citation(sound + "commit: 1234567\n")).size() == 1);
-  CHECK(check_citation(parse_citation(sound)).size() == 1);
-}
+}  // namespace bristle::damaged_test

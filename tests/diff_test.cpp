@@ -4,8 +4,8 @@
 
 #include <catch2/catch.hpp>
 
-using namespace bristle;
-using namespace bristle::testing;
+namespace bristle::diff_test {
+using namespace testing;
 using Catch::Contains;
 
 namespace {
@@ -166,3 +166,5 @@ TEST_CASE("diff: groups are compared, /provenance and /checks are not, other exp
   const Diff named = diff(two.a, other);
   CHECK_THAT(named.notes.at(0), Contains("different experiments: small and large"));
 }
+
+}  // namespace bristle::diff_test

@@ -1,10 +1,12 @@
 #include "ensemble/point.hpp"
 
 #include <algorithm>
+#include "model/friction/laws.hpp"
+
 #include <catch2/catch.hpp>
 #include <cmath>
 
-using namespace bristle;
+namespace bristle::ensemble_test {
 
 namespace {
 
@@ -160,3 +162,5 @@ TEST_CASE("rigid friction: Eqs. (22, 23)") {
   p.mu_c = 0.7;
   CHECK(rigid_friction(p, 2) == Approx(1.4));
 }
+
+}  // namespace bristle::ensemble_test

@@ -9,8 +9,8 @@
 #include <fmt/ranges.h>
 #include <cmath>
 
-using namespace bristle;
-using namespace bristle::testing;
+namespace bristle::experiment_test {
+using namespace testing;
 
 namespace {
 
@@ -300,3 +300,5 @@ TEST_CASE("a tier removes keys by null, and a child drops its parent's tier") {
   const auto child = s.write("experiments/b.json", R"({"extends": "a.json", "tiers": {"smoke": null}})");
   CHECK_FALSE(load_experiment(child, {{}, "smoke"}).base.loading.z_0);
 }
+
+}  // namespace bristle::experiment_test

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "model/energy.hpp"
+#include "model/friction/laws.hpp"
 
 #include <cmath>
 #include <rapidcheck/catch.h>
@@ -29,12 +30,9 @@ inline Parameters random_parameters() {
 // A tip off the axis and near the wall, with angles that need not fit its position.
 inline State<double> random_state(double z_0) {
   const double theta = uniform(-3, 3), s = uniform(0.01, 1), z = z_0 - uniform(-2e-3, 0.1);
-  State<double> state;
-  state.r << s * std::cos(theta), s * std::sin(theta), z;
-  state.v << uniform(-1, 2), uniform(-1, 1), uniform(-1, 1);
-  state.theta = theta + uniform(-1, 1);
-  state.phi = std::atan2(z, s) + uniform(-0.5, 0.5);
-  return state;
+  const Vector3<double> v{uniform(-1, 2), uniform(-1, 1), uniform(-1, 1)};
+  return {{s * std::cos(theta), s * std::sin(theta), z}, v, theta + uniform(-1, 1),
+          std::atan2(z, s) + uniform(-0.5, 0.5)};
 }
 
 }  // namespace bristle::testing

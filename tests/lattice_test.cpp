@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/special_functions/bessel.hpp>
+#include "model/friction/laws.hpp"
+
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numeric>
 
-using namespace bristle;
+namespace bristle::lattice_test {
 
 namespace {
 
@@ -155,3 +157,5 @@ TEST_CASE("a trajectory's phases are those of its numbers") {
   }
   for (const long n : counts) CHECK(n > 0);
 }
+
+}  // namespace bristle::lattice_test

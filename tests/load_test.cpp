@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-using namespace bristle;
+namespace bristle::load_test {
 
 namespace {
 
@@ -121,3 +121,5 @@ TEST_CASE("load control: a hump found beside a stop that a rough mean placed wro
 TEST_CASE("load control: a curve that cannot be computed fails as such") {
   CHECK(search([](double z_0) { return z_0 < 0.7 ? NAN : 0.1; }, 2).status == LoadStatus::failed);
 }
+
+}  // namespace bristle::load_test

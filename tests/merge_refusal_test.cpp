@@ -3,8 +3,8 @@
 #include <catch2/catch.hpp>
 
 // Parts broken on purpose: each is refused by name, nothing is left and what was there stays.
-using namespace bristle;
-using namespace bristle::testing;
+namespace bristle::merge_refusal_test {
+using namespace testing;
 
 namespace {
 
@@ -123,7 +123,7 @@ TEST_CASE(
   damaged([](const std::string& path) { remove_dataset(path, "part"); });
   damaged([](const std::string& path) { remove_dataset(path, "provenance"); });
   damaged([&](const std::string& path) {
-    set_attribute(path, "experiment", sharded(s, kTables + R"(, "title": "x")").document.dump(1));
+    set_attribute(path, "experiment", sharded(s, kTables + R"(, "title": "x")").document->dump(1));
   });
   damaged([](const std::string& path) {
     std::filesystem::resize_file(path, std::filesystem::file_size(path) / 2);
@@ -170,3 +170,5 @@ TEST_CASE("a part is up to date for its own shard only, and is no result to any 
                                             Catch::Contains("bristle merge -o ") &&
                                             Catch::Contains("small.*-of-2.h5"));
 }
+
+}  // namespace bristle::merge_refusal_test

@@ -3,8 +3,8 @@
 #include <catch2/catch.hpp>
 #include <rapidcheck/catch.h>
 
-using namespace bristle;
-using namespace bristle::testing;
+namespace bristle::merge_test {
+using namespace testing;
 
 TEST_CASE("shards share out the points, each once") {
   for (std::size_t points = 0; points < 12; ++points)
@@ -71,7 +71,7 @@ TEST_CASE("a merged result has checks, attributes of a whole one, and says what 
   const ResultReader result(s.path("merged.h5"));
   CHECK(!result.shard());
   CHECK(result.text("tier") == "smoke");
-  CHECK(result.experiment() == e.document);
+  CHECK(result.experiment() == *e.document);
   CHECK(h5::exists(result.file(), "checks"));
   CHECK(!h5::exists(result.file(), "part"));
   CHECK(up_to_date(result.path(), e));
@@ -85,3 +85,5 @@ TEST_CASE("a merged result has checks, attributes of a whole one, and says what 
             ResultReader(paths[1], Expected::part).text("payload_sha256") +
             "; 2026-01-02 to 2026-02-01 on node2 by 0123abc: bristle run small.json --shard 2/2 -o small.2-of-2.h5");
 }
+
+}  // namespace bristle::merge_test

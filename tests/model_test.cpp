@@ -1,16 +1,19 @@
 #include "generators.hpp"
 
-#include "dynamics/ode.hpp"
+#include "dynamics/jacobian.hpp"
 #include "model/equilibrium.hpp"
 
 #include <catch2/catch.hpp>
 
-using namespace bristle;
-using namespace bristle::testing;
+namespace bristle::model_test {
+using namespace testing;
 
 namespace {
 
 constexpr double kRounding = 1e-12;
+
+Eigen::Vector3d vector(const Vector3<double>& v) { return {v[0], v[1], v[2]}; }
+Vector3<double> array(const Eigen::Vector3d& v) { return {v[0], v[1], v[2]}; }
 
 double nss_chi(double u) { return chi(u, 1.2, chi_B(1.2), chi_C_peak_at_V_s(1.2)); }
 
@@ -51,8 +54,8 @@ TEST_CASE("the frame of Eq. (2) fits the position") {
     RC_ASSERT(std::abs(f.s * f.one_s - 1) < kRounding);
     RC_ASSERT(std::abs(f.r * f.one_r - 1) < kRounding);
     RC_ASSERT(std::abs(std::hypot(f.cos_theta, f.sin_theta) - 1) < kRounding);
-    const Vector3<double> e_r(f.cos_phi * f.cos_theta, f.cos_phi * f.sin_theta, f.sin_phi);
-    RC_ASSERT((f.r * e_r - r).norm() < kRounding);
+    const Eigen::Vector3d e_r(f.cos_phi * f.cos_theta, f.cos_phi * f.sin_theta, f.sin_phi);
+    RC_ASSERT((f.r * e_r - vector(r)).norm() < kRounding);
   });
 }
 
@@ -74,14 +77,15 @@ TEST_CASE("without friction and damping the force is minus the gradient of the p
     const auto potential = [&](const Vector3<double>& at) {
       return potential_energy(b, at, std::atan2(at[1], at[0]), std::atan2(at[2], std::hypot(at[0], at[1])));
     };
-    const auto force = motion(b, state).acceleration;
+    const Eigen::Vector3d force = vector(motion(b, state).acceleration);
     const double scale = 1 + force.norm();
     for (int i = 0; i < 3; ++i) {
       // Central differences err by h^2/6 times the third derivative, 1/lambda^2 times the force.
       const double h = 1e-6;
-      Vector3<double> step = Vector3<double>::Zero();
-      step[i] = h;
-      const double slope = (potential(state.r + step) - potential(state.r - step)) / (2 * h);
+      Vector3<double> above = state.r, below = state.r;
+      above[i] += h;
+      below[i] -= h;
+      const double slope = (potential(above) - potential(below)) / (2 * h);
       RC_ASSERT(std::abs(force[i] + slope) < 1e-5 * scale);
     }
   });
@@ -96,14 +100,14 @@ TEST_CASE("closing equations: theta' exact or as printed, phi' exact") {
     const double cross = s.r[0] * s.v[1] - s.r[1] * s.v[0];
     RC_ASSERT(std::abs(exact.theta - cross / (f.s * f.s)) < 1e-10 * (1 + std::abs(exact.theta)));
     RC_ASSERT(std::abs(printed.theta - cross / (f.r * f.r)) < 1e-10 * (1 + std::abs(printed.theta)));
-    const double Eq18 = (s.v[2] - s.r[2] * s.r.dot(s.v) / (f.r * f.r)) / f.s;
+    const double Eq18 = (s.v[2] - s.r[2] * vector(s.r).dot(vector(s.v)) / (f.r * f.r)) / f.s;
     RC_ASSERT(std::abs(exact.phi - Eq18) < 1e-10 * (1 + std::abs(Eq18)));
     const double h = 1e-7;
-    const auto elevation = [&](double t) {
-      const Vector3<double> at = s.r + t * s.v;
+    const auto polar_angle = [&](double t) {
+      const Eigen::Vector3d at = vector(s.r) + t * vector(s.v);
       return std::asin(at[2] / at.norm());
     };
-    const double slope = (elevation(h) - elevation(-h)) / (2 * h);
+    const double slope = (polar_angle(h) - polar_angle(-h)) / (2 * h);
     RC_ASSERT(std::abs(exact.phi - slope) < 1e-5 * (1 + std::abs(slope)));
   });
 }
@@ -131,15 +135,15 @@ TEST_CASE("the power of the forces is the rate of the energy, for the exact clos
       const auto b = make_bristle(p, z_0, 0.3);
       const auto m = motion(b, s);
       const auto at = [&](double t) {
-        return State<double>{s.r + t * s.v, s.v + t * m.acceleration, s.theta + t * m.rates.theta,
-                             s.phi + t * m.rates.phi};
+        return State<double>{array(vector(s.r) + t * vector(s.v)), array(vector(s.v) + t * vector(m.acceleration)),
+                             s.theta + t * m.rates.theta, s.phi + t * m.rates.phi};
       };
       const double rate = (energy(b, at(h)) - energy(b, at(-h))) / (2 * h);
       const double defect = std::abs(rate - power(b, m));
       const auto exact = angular_rates(AzimuthRate::kinematic, frame_at(s.r), s.v);
       const double printed_defect = std::abs((b.k_theta * (s.theta - b.theta_0) + b.c_theta * m.rates.theta) *
                                              (m.rates.theta - exact.theta));
-      const double scale = 1 + std::abs(rate) + m.acceleration.norm() * s.v.norm();
+      const double scale = 1 + std::abs(rate) + vector(m.acceleration).norm() * vector(s.v).norm();
       RC_ASSERT(std::abs(defect - printed_defect) < 1e-4 * scale);
     }
   });
@@ -162,11 +166,11 @@ TEST_CASE("static equilibrium: no force, and no lower energy nearby") {
     const auto b = make_bristle(p, uniform(0.05, 0.98), uniform(-3, 3));
     const Equilibrium e = static_equilibrium(b);
     const State<double> s = state_at_rest(b, e);
-    const Vector3<double> force = motion(b, s).acceleration;
+    const Eigen::Vector3d force = vector(motion(b, s).acceleration);
     // The wall's stiffness F_n/lambda_z turns the last bit of z into this much force.
     RC_ASSERT(force.norm() < 1e-8 * (1 + p.k_r));
     const auto U = [&](double r, double phi) {
-      return potential_energy(b, Vector3<double>(r * std::cos(phi), 0, r * std::sin(phi)), b.theta_0, phi);
+      return potential_energy(b, Vector3<double>{r * std::cos(phi), 0, r * std::sin(phi)}, b.theta_0, phi);
     };
     for (const double d : {-1e-4, 1e-4}) {
       RC_ASSERT(U(e.r + d, e.phi) > U(e.r, e.phi));
@@ -202,3 +206,5 @@ TEST_CASE("automatic differentiation gives the derivatives of the equations") {
     }
   });
 }
+
+}  // namespace bristle::model_test

@@ -4,8 +4,8 @@
 
 #include <catch2/catch.hpp>
 
-using namespace bristle;
-using namespace bristle::testing;
+namespace bristle::passage_test {
+using namespace testing;
 
 namespace {
 
@@ -210,3 +210,5 @@ TEST_CASE("the observer sees a passage from start to exit") {
   CHECK(times.back() == r.contact_time);
   CHECK(std::is_sorted(times.begin(), times.end()));
 }
+
+}  // namespace bristle::passage_test

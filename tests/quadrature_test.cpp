@@ -1,11 +1,11 @@
 #include "generators.hpp"
-#include "ensemble/quadrature.hpp"
+#include "ensemble/quadrature_impl.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-using namespace bristle;
-using namespace bristle::testing;
+namespace bristle::quadrature_test {
+using namespace testing;
 
 namespace {
 
@@ -174,3 +174,5 @@ TEST_CASE("a decision needs fewer samples than a value") {
   CHECK(decision.samples < value.samples / 3);
   CHECK(decision.error[0] <= std::abs(decision.integral[0] - 2) / 4);
 }
+
+}  // namespace bristle::quadrature_test

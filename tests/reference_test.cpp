@@ -1,11 +1,13 @@
-#include "checks/drift.hpp"
+#include "checks/deviation_text.hpp"
+#include "checks/reference_file.hpp"
+#include "checks/replay.hpp"
 #include "util/error.hpp"
 #include "small_result.hpp"
 
 #include <catch2/catch.hpp>
 
-using namespace bristle;
-using namespace bristle::testing;
+namespace bristle::reference_test {
+using namespace testing;
 using Catch::Contains;
 
 namespace {
@@ -23,8 +25,8 @@ struct Pair {
   std::string a = small_result(s, "a.h5"), b = small_result(s, "b.h5");
   Reference reference = reference_of(a);
 
-  DriftReport drift() const { return bristle::drift(reference, reference_of(b)); }
-  std::string text() const { return drift_text(drift(), ResultReader(b), "reference/small.json"); }
+  DeviationReport report() const { return compare_with_reference(reference, reference_of(b)); }
+  std::string text() const { return deviation_text(report(), ResultReader(b), "reference/small.json"); }
   // Moves R_x at k_r = 20, k_theta = 0.3 by so many of its tolerances.
   void move_R_x(double tolerances) const {
     const ReferenceVariable& v = named(reference.variables, "R_x");
@@ -70,18 +72,18 @@ TEST_CASE("reference: its file reads back to the same text") {
   CHECK_THAT(text, Contains("\"jump_z_0\": {\n   \"values\": [null,null,null,null,null,null],\n"));
 }
 
-TEST_CASE("drift: none, half a tolerance, above one") {
+TEST_CASE("deviations: none, half a tolerance, above one") {
   const Pair p;
-  CHECK_FALSE(p.drift().failed());
-  CHECK(p.drift().drifts.empty());
+  CHECK_FALSE(p.report().failed());
+  CHECK(p.report().deviations.empty());
   CHECK_THAT(p.text(), Contains("the same, bit for bit"));
   p.move_R_x(0.6);
-  CHECK_FALSE(p.drift().failed());
-  CHECK(p.drift().drifts.at(0).units == Approx(0.6));
+  CHECK_FALSE(p.report().failed());
+  CHECK(p.report().deviations.at(0).tolerances == Approx(0.6));
   CHECK_THAT(p.text(), Contains("above half its tolerance") && Contains("k_r = 20, k_theta = 0.3"));
   p.move_R_x(-1.5);
-  CHECK(p.drift().failed());
-  CHECK(p.drift().drifts.at(0).units == Approx(1.5));
+  CHECK(p.report().failed());
+  CHECK(p.report().deviations.at(0).tolerances == Approx(1.5));
   CHECK_THAT(p.text(), Contains("FAILED"));
   CHECK_THAT(p.text(),
              Contains(R"(build/bristle run experiments/small.json --tier smoke --set )"
@@ -126,30 +128,30 @@ TEST_CASE(
                           Contains("--set /checks=null"));
 }
 
-TEST_CASE("drift: worst first, every failure has its line as far as there are not too many") {
+TEST_CASE("deviations: worst first, every failure has its line as far as there are not too many") {
   const Pair p;
   for (hsize_t i = 0; i < 2; ++i)
     for (hsize_t j = 0; j < 3; ++j)
       for (const char* name : {"R_x", "R_n", "gamma_1", "gamma_2", "gamma_3"})
         put(p.b, name, {i, j}, double(10 * i + j));
-  const DriftReport report = p.drift();
+  const DeviationReport report = p.report();
   CHECK(report.above(1) == 30);
-  for (std::size_t i = 1; i < report.drifts.size(); ++i)
-    CHECK(report.drifts[i - 1].units >= report.drifts[i].units);
+  for (std::size_t i = 1; i < report.deviations.size(); ++i)
+    CHECK(report.deviations[i - 1].tolerances >= report.deviations[i].tolerances);
   CHECK_THAT(p.text(), Contains("and 5 more above half their tolerances") && Contains("FAILED: 30 above"));
 }
 
-TEST_CASE("drift: NaN and infinity fail, in either direction") {
+TEST_CASE("deviations: NaN and infinity fail, in either direction") {
   const Pair p;
   SECTION("a value was lost") { put(p.b, "R_x", {1, 2}, kNone); }
   SECTION("infinite") { put(p.b, "R_x", {1, 2}, INFINITY); }
   SECTION("a value where there was none") { put(p.b, "jump_z_0", {1, 2}, 0.5); }
-  CHECK(p.drift().failed());
-  CHECK(p.drift().drifts.at(0).units == INFINITY);
+  CHECK(p.report().failed());
+  CHECK(p.report().deviations.at(0).tolerances == INFINITY);
   CHECK_THAT(p.text(), Contains("k_r = 20, k_theta = 3  FAILED"));
 }
 
-TEST_CASE("drift: missing and extra variables, another shape, another status, another verdict fail") {
+TEST_CASE("deviations: missing and extra variables, another shape, another status, another verdict fail") {
   Pair p;
   std::string expected;
   SECTION("missing") {
@@ -186,17 +188,17 @@ TEST_CASE("drift: missing and extra variables, another shape, another status, an
     p.reference.claims.push_back({"y", "rises", "supported"});
     expected = "other checks";
   }
-  CHECK(p.drift().failed());
+  CHECK(p.report().failed());
   CHECK_THAT(p.text(), Contains(expected));
 }
 
-TEST_CASE("drift: passages are cost, not result") {
+TEST_CASE("deviations: passages are cost, not result") {
   const Pair p;
   put(p.b, "passages", {0, 0}, 9999);
-  CHECK_FALSE(p.drift().failed());
+  CHECK_FALSE(p.report().failed());
 }
 
-TEST_CASE("drift: more points than the reference's, a point or an axis of it that is missing fails") {
+TEST_CASE("deviations: more points than the reference's, a point or an axis of it that is missing fails") {
   const Scratch s;
   const std::string sweep =
       R"(, "sweep": {"k_r": {"values": [1, 5, 20]}, "k_theta": {"values": [0.3, 1, 3, 9]}})";
@@ -209,14 +211,14 @@ TEST_CASE("drift: more points than the reference's, a point or an axis of it tha
     if (i / 4 >= 1 && i % 4 < 3) p = small_point((i / 4 - 1) * 3 + i % 4);
   };
   const std::string all = small_result(s, "b.h5", more, same);
-  const DriftReport report = drift(r, reference_of(all));
+  const DeviationReport report = compare_with_reference(r, reference_of(all));
   CHECK_FALSE(report.failed());
   CHECK(report.points == 6);
-  CHECK_THAT(drift_text(report, ResultReader(all), "r.json"), Contains("6 of 12 points"));
+  CHECK_THAT(deviation_text(report, ResultReader(all), "r.json"), Contains("6 of 12 points"));
   put(all, "k_r", {1}, 5.1);
-  CHECK_THAT(drift(r, reference_of(all)).failures.at(0), Contains("k_r = 5 is not among"));
+  CHECK_THAT(compare_with_reference(r, reference_of(all)).failures.at(0), Contains("k_r = 5 is not among"));
   r.axes.pop_back();
-  CHECK_THAT(drift(r, reference_of(all)).failures.at(0), Contains("other axes"));
+  CHECK_THAT(compare_with_reference(r, reference_of(all)).failures.at(0), Contains("different axes"));
 }
 
 TEST_CASE("reference: a broken file is refused with its place") {
@@ -259,3 +261,5 @@ TEST_CASE("reference: a broken file is refused with its place") {
   expected = "is not an object";
   refused("[1]");
 }
+
+}  // namespace bristle::reference_test

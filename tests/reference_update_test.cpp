@@ -1,4 +1,5 @@
-#include "checks/drift.hpp"
+#include "checks/deviation.hpp"
+#include "checks/reference_file.hpp"
 #include "checks/reference_update.hpp"
 #include "util/error.hpp"
 #include "small_result.hpp"
@@ -7,8 +8,8 @@
 #include <cstdlib>
 #include <filesystem>
 
-using namespace bristle;
-using namespace bristle::testing;
+namespace bristle::reference_update_test {
+using namespace testing;
 using Catch::Contains;
 
 namespace {
@@ -49,7 +50,7 @@ std::string refusal(const ReferenceUpdate& update) {
 TEST_CASE("update: writes reference and record, the same again writes nothing, a change is on record") {
   Repository r;
   CHECK_THAT(update_reference(r.update), Contains("new reference") && Contains("program: 0123abc"));
-  CHECK_FALSE(drift(read_reference(r.json()), reference_of(r.file)).failed());
+  CHECK_FALSE(compare_with_reference(read_reference(r.json()), reference_of(r.file)).failed());
   const std::string before = bytes_of(r.json()), log = r.log();
   r.update.reason = "again";
   CHECK(update_reference(r.update) == "");
@@ -120,3 +121,5 @@ TEST_CASE("update: refused for a run with failures") {
           p.z_0 = p.R_x_norm = p.R_y_norm = kNone;
         }) == "");
 }
+
+}  // namespace bristle::reference_update_test

@@ -6,13 +6,14 @@
 #include "records.hpp"
 #include "scratch.hpp"
 
+#include <nlohmann/json.hpp>
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <cmath>
 #include <thread>
 
-using namespace bristle;
-using namespace bristle::testing;
+namespace bristle::results_test {
+using namespace testing;
 
 namespace {
 
@@ -180,9 +181,13 @@ TEST_CASE("an experiment of more than 64 KiB is stored whole") {
   std::string angles = "1";
   for (int i = 0; i < 20000; ++i) angles += ", 100.5";
   Experiment e = quick(s);
-  e.document["orientation"]["theta_0_deg"] = Json::parse("[" + angles + "]");
+  Json document = *e.document;
+  document["orientation"]["theta_0_deg"] = Json::parse("[" + angles + "]");
+  e.document = std::make_shared<const Json>(document);
   ResultWriter writer(e, s.path("big.h5"));
   writer.close({});
   writer.publish();
-  CHECK(ResultReader(s.path("big.h5")).experiment() == e.document);
+  CHECK(ResultReader(s.path("big.h5")).experiment() == *e.document);
 }
+
+}  // namespace bristle::results_test

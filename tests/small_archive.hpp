@@ -2,6 +2,7 @@
 
 #include "archive/build.hpp"
 #include "archive/citation.hpp"
+#include "archive/read_tar.hpp"
 #include "archive/verify.hpp"
 #include "small_result.hpp"
 

@@ -1,13 +1,19 @@
 #pragma once
 
 #include "checks/reference.hpp"
+#include "checks/store.hpp"
+#include "checks/validate.hpp"
 #include "experiment/experiment.hpp"
+#include "results/digest.hpp"
 #include "results/hdf5.hpp"
+#include "results/reader.hpp"
+#include "results/version.hpp"
 #include "results/writer.hpp"
 #include "scratch.hpp"
 
 #include <cmath>
 #include <functional>
+#include <nlohmann/json.hpp>
 
 // Results of 2 x 3 points with made-up numbers: quick, every one known; and ways to break them.
 namespace bristle::testing {

@@ -6,7 +6,7 @@
 #include <catch2/catch.hpp>
 #include <functional>
 
-using namespace bristle;
+namespace bristle::stepper_test {
 
 namespace {
 
@@ -95,3 +95,5 @@ TEST_CASE("the Rosenbrock method is stable where an explicit step is not") {
   dopri5(system, y, 1e-3);
   CHECK(std::abs(y[VY]) > 1);
 }
+
+}  // namespace bristle::stepper_test

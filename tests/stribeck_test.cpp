@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-using namespace bristle;
+namespace bristle::stribeck_test {
 
 namespace {
 
@@ -46,3 +46,5 @@ TEST_CASE("under Stribeck friction both engines agree, and energy is conserved")
     CHECK(fast[i].energy_residual < 1e-5);
   }
 }
+
+}  // namespace bristle::stribeck_test

@@ -1,10 +1,12 @@
 // The traced curve R_n(z_0): resolution, folds, landings and the slab's paths.
 #include "ensemble/trace.hpp"
 
+#include "model/friction/laws.hpp"
+
 #include <catch2/catch.hpp>
 #include <cmath>
 
-using namespace bristle;
+namespace bristle::trace_test {
 
 namespace {
 
@@ -79,3 +81,5 @@ TEST_CASE(
     bottom = std::min(bottom, node->result.value[R_N]);
   }
 }
+
+}  // namespace bristle::trace_test

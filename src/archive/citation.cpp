@@ -76,13 +76,15 @@ Json parse_citation(const std::string& text) {
   }
 }
 
-std::string citation_text(const Json& citation) {
+std::string citation_text(const Json& citation) try {
   YAML::Emitter out;
   emit(out, citation);
   return std::string(out.c_str()) + "\n";
+} catch (const Json::exception& e) {
+  throw MalformedError(json_error(e.what()));
 }
 
-Json dataset_citation(const Json& software, const std::string& commit) {
+Json dataset_citation(const Json& software, const std::string& commit) try {
   for (const char* key : {"title", "version", "date-released", "license", "authors"})
     if (!software.contains(key)) throw MalformedError(fmt::format("{} is missing; an archive needs it", key));
 
@@ -101,6 +103,8 @@ Json dataset_citation(const Json& software, const std::string& commit) {
   out["references"] = software.value("references", Json::array());
   out["references"].insert(out["references"].begin(), program);
   return out;
+} catch (const Json::exception& e) {
+  throw MalformedError(json_error(e.what()));
 }
 
 }  // namespace bristle

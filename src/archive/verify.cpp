@@ -4,6 +4,7 @@
 #include "archive/crate.hpp"
 #include "archive/read_tar.hpp"
 #include "archive/result_facts.hpp"
+#include "run/provenance.hpp"
 #include "util/error.hpp"
 #include "util/text.hpp"
 
@@ -77,8 +78,8 @@ class Verifier {
       check_description(facts);
     } catch (const MalformedError& e) {
       out_.problems.push_back(e.what());
-    } catch (const Json::exception& e) {
-      out_.problems.push_back(fmt::format("the source's CITATION.cff: {}", json_error(e.what())));
+    } catch (const Json::exception& e) {  // an attribute of a result, or a key of the citation, of another type
+      out_.problems.push_back(fmt::format("the metadata cannot be generated: {}", json_error(e.what())));
     }
   }
 
@@ -112,11 +113,16 @@ class Verifier {
       out_.problems.push_back(
           fmt::format("{}: is the folder of another version than that of the source, {}", out_.folder,
                       out_.version));
+    const std::string agent = bag_info(files_, "Bag-Software-Agent");
+    const std::string other = agent.empty() || agent == fmt::format("bristle {}", kVersion)
+                                  ? ""
+                                  : fmt::format(" (archived by {}, this is {}: verify with the program in data/source)",
+                                                agent, kVersion);
     for (const char* name : kGenerated) {
       const auto file = files_.find(std::string("data/") + name);
       if (file == files_.end()) out_.problems.push_back(fmt::format("data/{}: is missing; every archive has it", name));
       else if (const std::string& wanted = contents.payload.at(name); file->second != wanted)
-        out_.problems.push_back(fmt::format("data/{}: {}", name, first_difference(file->second, wanted)));
+        out_.problems.push_back(fmt::format("data/{}: {}{}", name, first_difference(file->second, wanted), other));
     }
   }
 

@@ -1,23 +1,18 @@
 #include "fuzz.hpp"
 
 #include "archive/citation.hpp"
-#include "archive/crate.hpp"
+#include "archive/contents.hpp"
 #include "archive/result_facts.hpp"
-#include "archive/safe_json.hpp"
 #include "archive/verify.hpp"
 #include "results/hdf5.hpp"
+#include "util/error.hpp"
+#include "util/text.hpp"
 
-// The first byte tells what the others are: a tar, a citation, metadata, a bag's manifest or HDF5.
+// The first byte tells what the others are: a tar, a citation, an experiment, a bag's manifest or HDF5.
 using namespace bristle;
 using namespace bristle::testing;
 
 namespace {
-
-void crate_of(const std::string& text) {
-  const Files files{{"data/results/small.h5", "x"}, {"data/README.md", "y"}};
-  const std::map<std::string, Json> facts{{"data/results/small.h5", {{"provenance", {{"commit", "c"}}}}}};
-  check_crate(safe_json(text), files, {{"version", "1"}, {"license", "MIT"}}, facts);
-}
 
 void bag_of(const std::string& text) {
   Files bag = make_bag("f", {{"a", "x"}}, {{"Draft", "no"}});
@@ -30,8 +25,8 @@ void bag_of(const std::string& text) {
 void read_as(char kind, const std::string& bytes) {
   static const Scratch s;
   switch (kind) {
-    case 'c': check_citation(parse_citation(bytes)); return;
-    case 'j': crate_of(bytes); return;
+    case 'c': citation_text(dataset_citation(parse_citation(bytes), "c")); return;
+    case 'j': experiment_chain({{"experiments/a.json", bytes}}, "experiments/a.json"); return;
     case 'b': bag_of(bytes); return;
     case 'h': checked_result_facts(bytes); return;  // in a process of its own: HDF5 does not survive all
     default: verify_archive(s.write("fuzz.tar", bytes));

@@ -8,8 +8,8 @@
 #include <catch2/catch.hpp>
 #include <deque>
 
-using namespace bristle;
-using namespace bristle::testing;
+namespace bristle::simd_test {
+using namespace testing;
 
 namespace {
 
@@ -204,3 +204,5 @@ TEST_CASE("tableaus: order conditions up to three, the error's weights sum to no
     CHECK(implicit == Approx(explicit_part).epsilon(1e-14));
   }
 }
+
+}  // namespace bristle::simd_test
