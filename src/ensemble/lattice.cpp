@@ -188,6 +188,8 @@ double lattice_end(const Interface& interface) {
   return double(interface.orientation.rows) * interface.parameters.spacing;
 }
 
+double bristles_per_width(const Parameters& p) { return p.L_x / (p.spacing * p.spacing); }
+
 LatticeMean lattice_mean(const Interface& interface, double z_0, const PassageRunner& run) {
   return Lattice(interface, z_0, run).average();
 }

@@ -39,4 +39,7 @@ LatticeMean lattice_mean(const Interface& interface, double z_0, const PassageRu
 double lattice_start(const Interface& interface);
 double lattice_end(const Interface& interface);
 
+// N_c0/L_y: rigid bristles in contact per unit of the slab's width (dimensionless).
+double bristles_per_width(const Parameters& parameters);
+
 }  // namespace bristle
