@@ -1,21 +1,30 @@
-"""The verdicts on the paper's claims, as a strip of text at the bottom of a figure."""
+"""The verdicts on the paper's claims: reading, numbers as text, the strip at the foot of a figure."""
 
 from collections import namedtuple
 from math import floor, isfinite, log10
 
 import h5py
+import numpy as np
 
-from style import BLUE, GREEN, GREY, VERMILION, dataset, fail, prose, text, values
+from .errors import BristleError
+from .results import as_text, experiment, read
+from .style import BLUE, GREEN, GREY, VERMILION, wrapped
 
-Claim = namedtuple("Claim", "claim statement measured threshold uncertainty band is_ verdict")
+NUMBERS = ("measured", "uncertainty", "threshold", "band", "margin", "significance")
+TEXTS = ("claim", "statement", "is", "verdict")
+OPTIONAL = ("band", "margin", "significance")  # older files are without them
 
-SYMBOLS = {"supported": ("\u2714", GREEN), "refuted": ("\u2718", VERMILION), "undecided": ("?", BLUE)}
+# relation: how the measured value must compare with the threshold: at_most, at_least or near.
+Claim = namedtuple("Claim", "claim statement relation verdict " + " ".join(NUMBERS))
 
-# How the measured value has to compare with the threshold.
-SIGNS = {"at_most": "\u2264", "at_least": "\u2265", "near": "near"}
+VERDICT_SIGNS = {"supported": ("\u2714", GREEN), "refuted": ("\u2718", VERMILION), "undecided": ("?", BLUE)}
+RELATION_SIGNS = {"at_most": "\u2264", "at_least": "\u2265", "near": "near"}
+
+# Predicates that compare both sides of "compare" in one number.
+PAIRED_PREDICATES = ("ordering", "concordance", "equality")
 
 LINE_INCHES = 0.2
-NARROW_INCHES = 9  # a figure that has the numbers below the statement
+NARROW_INCHES = 9  # narrower figures have the numbers below the statement
 
 
 def read_claims(file):
@@ -23,31 +32,28 @@ def read_claims(file):
     group = file.get("checks")
     if not isinstance(group, h5py.Group):
         return []
-    without_band = [float("nan")] * len(values(dataset(group, "threshold")))  # older files
-    columns = [values(dataset(group, name.strip("_"))) if name != "band" or name in group else without_band
-               for name in Claim._fields]
+    missing = np.full(len(read(group, "threshold")), np.nan)
+    columns = [read(group, name) for name in TEXTS]
+    columns += [missing if name in OPTIONAL and name not in group else read(group, name) for name in NUMBERS]
     if len({len(column) for column in columns}) > 1:
-        fail(f"{file.filename}: the datasets of /checks differ in length")
-    return [Claim(text(row[0]), text(row[1]), *map(float, row[2:6]), *map(text, row[6:]))
-            for row in zip(*columns)]
+        raise BristleError(f"{file.filename}: the datasets of /checks differ in length")
+    return [Claim(*map(as_text, row[:len(TEXTS)]), *map(float, row[len(TEXTS):])) for row in zip(*columns)]
 
 
-def rows(claims, width):
-    """The claims with their statements broken to fit a figure of this width (inches)."""
-    room = width - (1.2 if width < NARROW_INCHES else 5.6)
-    return [claim._replace(statement=prose(claim.statement, int(14 * room))) for claim in claims]
+def declared_checks(file):
+    """The experiment's checks, each with its claim as measured."""
+    declared, measured = experiment(file).get("checks", []), read_claims(file)
+    if [check["claim"] for check in declared] != [claim.claim for claim in measured]:
+        raise BristleError(f"{file.filename}: /checks is not that of the experiment; run `bristle run` again")
+    return list(zip(declared, measured))
 
 
-def lines(row, width):
-    """How many lines the claim takes."""
-    return row.statement.count("\n") + (2 if width < NARROW_INCHES else 1)
-
-
-def strip_height(claims, width):
-    """Inches that the strip takes at the bottom of a figure."""
-    if not claims:
-        return 0
-    return (sum(lines(row, width) for row in rows(claims, width)) + 1) * LINE_INCHES + 0.2
+def quantity(check):
+    """The quantity that a check measures, in words."""
+    what = check["predicate"].replace("_", " ")
+    if "compare" in check and check["predicate"] not in PAIRED_PREDICATES:
+        return f"{check.get('by', 'ratio')} of {what}"
+    return what
 
 
 def number(value, form):
@@ -64,14 +70,38 @@ def with_uncertainty(value, uncertainty):
     return f"{number(value, f'.{digits}f')} \u00b1 {number(uncertainty, f'.{digits}f')}"
 
 
-def demand(row):
-    """What the claim asks of the measured value."""
-    band = f" \u00b1 {number(row.band, '.4g')}" if isfinite(row.band) else ""
-    return f"{SIGNS.get(row.is_, '')} {number(row.threshold, '.4g')}{band}"
+def threshold_text(relation, threshold, band):
+    """The relation to the threshold that supports the claim."""
+    range_text = f" \u00b1 {number(band, '.4g')}" if band is not None and isfinite(band) else ""
+    return f"{RELATION_SIGNS.get(relation, '')} {number(threshold, '.4g')}{range_text}"
+
+
+def p_text(claim):
+    """The significance, if the claim has one, to follow the measured value."""
+    if not isfinite(claim.significance):
+        return ""
+    return f", p = {claim.significance:.1g}" if claim.significance >= 1e-4 else ", p < 0.0001"
+
+
+def wrapped_claims(claims, width):
+    """The claims with their statements wrapped to a figure of this width (inches)."""
+    room = width - (1.2 if width < NARROW_INCHES else 5.6)
+    return [claim._replace(statement=wrapped(claim.statement, int(14 * room))) for claim in claims]
+
+
+def line_count(claim, width):
+    return claim.statement.count("\n") + (2 if width < NARROW_INCHES else 1)
+
+
+def strip_height(claims, width):
+    """Height of the strip in inches."""
+    if not claims:
+        return 0
+    return (sum(line_count(claim, width) for claim in wrapped_claims(claims, width)) + 1) * LINE_INCHES + 0.2
 
 
 def draw_strip(figure, claims):
-    """One line per claim in the bottom of the figure: what the paper says, what the run says."""
+    """A row for each claim at the foot of the figure: statement, measured value, threshold, verdict."""
     if not claims:
         return
     width, height = figure.get_size_inches()
@@ -85,16 +115,16 @@ def draw_strip(figure, claims):
         strip.text(x, line, title, color=GREY, va="center", fontsize=9)
     strip.axhline(line - LINE_INCHES / 2, 0.3 / width, 1 - 0.3 / width, color=GREY, linewidth=0.6)
     line -= 1.3 * LINE_INCHES
-    for row in rows(claims, width):
-        draw_row(strip, row, columns.values(), line + LINE_INCHES / 2, width < NARROW_INCHES)
-        line -= lines(row, width) * LINE_INCHES
+    for claim in wrapped_claims(claims, width):
+        draw_row(strip, claim, columns.values(), line + LINE_INCHES / 2, width < NARROW_INCHES)
+        line -= line_count(claim, width) * LINE_INCHES
 
 
-def draw_row(strip, row, columns, top, narrow):
-    symbol, colour = SYMBOLS.get(row.verdict, ("\u2022", GREY))
-    cells = (row.claim, row.statement, with_uncertainty(row.measured, row.uncertainty), demand(row),
-             f"{symbol} {row.verdict}")
-    below = top - (row.statement.count("\n") + 1) * LINE_INCHES if narrow else top
+def draw_row(strip, claim, columns, top, narrow):
+    sign, colour = VERDICT_SIGNS.get(claim.verdict, ("\u2022", GREY))
+    cells = (claim.claim, claim.statement, with_uncertainty(claim.measured, claim.uncertainty),
+             threshold_text(claim.relation, claim.threshold, claim.band), f"{sign} {claim.verdict}")
+    below = top - (claim.statement.count("\n") + 1) * LINE_INCHES if narrow else top
     for i, (x, cell) in enumerate(zip(columns, cells)):
         look = dict(color=colour, weight="bold") if i == len(cells) - 1 else {}
         strip.text(x, top if i < 2 else below, cell, va="top", fontsize=9.5, linespacing=1.55, **look)
