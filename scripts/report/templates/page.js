@@ -19,7 +19,7 @@ function say(words) {
   document.getElementById("said").textContent = words;
 }
 
-// A file opened from disk may have no clipboard to write to: then what is selected is copied.
+// A page opened from disk may have no access to the clipboard: then the selection is copied.
 async function copy(source, what) {
   try {
     await navigator.clipboard.writeText(source.textContent);
@@ -44,7 +44,7 @@ document.addEventListener("click", async (event) => {
   setTimeout(() => { button.textContent = "Copy"; }, 1500);
 });
 
-// Paper shows everything; afterwards the reader's state is back.
+// Printing opens everything; afterwards the previous state is restored.
 const opened = [];
 addEventListener("beforeprint", () => {
   for (const details of document.querySelectorAll("details:not([open])")) {
