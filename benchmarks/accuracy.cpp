@@ -28,23 +28,23 @@ const PassageRunner& runner(Engine engine) {
 
 const char* engine_name(Engine engine) { return engine == Engine::fast ? "fast" : "reference"; }
 
-Interface interface_of(const Case& c, double rtol = 1e-5) {
-  Interface interface;
-  interface.parameters.k_r = c.k_r;
-  interface.parameters.k_theta = c.k_theta;
-  interface.parameters.C = chi_C_peak_at_V_s(interface.parameters.A);
-  interface.integrator = {rtol, rtol / 100, Method::automatic, 200'000'000};
-  return interface;
+Setup interface_of(const Case& c, double rtol = 1e-5) {
+  Setup setup;
+  setup.parameters.k_r = c.k_r;
+  setup.parameters.k_theta = c.k_theta;
+  setup.parameters.C = chi_C_peak_at_V_s(setup.parameters.A);
+  setup.integrator = {rtol, rtol / 100, Method::automatic, 200'000'000};
+  return setup;
 }
 
 // The mean over equidistant azimuths: the same bristles whatever the tolerance, so that integration alone
 // errs.
 ObservableArray mean_over_grid(const Case& c, double rtol, Engine engine) {
   constexpr int kAzimuths = 200;
-  Interface interface = interface_of(c, rtol);
-  interface.orientation.sampling = Sampling::list;
-  for (int i = 0; i < kAzimuths; ++i) interface.orientation.theta_0.push_back(M_PI * (i + 0.5) / kAzimuths);
-  return EnsembleMean(interface, c.z_0, runner(engine)).full().mean;
+  Setup setup = interface_of(c, rtol);
+  setup.orientation.sampling = Sampling::list;
+  for (int i = 0; i < kAzimuths; ++i) setup.orientation.theta_0.push_back(M_PI * (i + 0.5) / kAzimuths);
+  return EnsembleMean(setup, c.z_0, runner(engine)).full().mean;
 }
 
 // Relative errors of the means, the largest of the cases, against Odeint at 1e-9.
@@ -93,9 +93,9 @@ Json head_on() {
     for (const Case& c : kCases) {
       double least = INFINITY, most = 0;
       for (const double rtol : {1e-5, 1e-6, 1e-7, 1e-8}) {
-        const Interface interface = interface_of(c, rtol);
-        const auto b = make_bristle(interface.parameters, c.z_0, M_PI);
-        const PassageTask task{&interface.parameters, b, static_equilibrium(b), interface.integrator};
+        const Setup setup = interface_of(c, rtol);
+        const auto b = make_bristle(setup.parameters, c.z_0, M_PI);
+        const PassageTask task{&setup.parameters, b, static_equilibrium(b), setup.integrator};
         const Passage p = runner(engine)({task}).front();
         least = std::min(least, p.contact_time);
         most = std::max(most, p.contact_time);
@@ -127,11 +127,11 @@ Json stiffness() {
   for (const Case& c : kCases) {
     std::vector<double> medians, peaks;
     for (int degrees = 5; degrees < 180; degrees += 10) {
-      const Interface interface = interface_of(c);
-      const auto b = make_bristle(interface.parameters, c.z_0, degrees * M_PI / 180);
+      const Setup setup = interface_of(c);
+      const auto b = make_bristle(setup.parameters, c.z_0, degrees * M_PI / 180);
       std::vector<std::pair<double, double>> decays;
       double last = 0;
-      run_passage({&interface.parameters, b, static_equilibrium(b), interface.integrator},
+      run_passage({&setup.parameters, b, static_equilibrium(b), setup.integrator},
                   [&](double xi, const OdeState& y) {
                     StateJacobian J;
                     IntegralJacobian of_integrals;
@@ -164,14 +164,14 @@ Json quadrature() {
     for (const double k_theta : {1., 5.})
       for (const double z_0 : {0.1, 0.3, 0.5, 0.7, 0.9}) {
         const Case c{k_r, k_theta, z_0};
-        Interface interface = interface_of(c), fine = interface;
+        Setup setup = interface_of(c), fine = setup;
         fine.orientation.rtol = 2e-4;
         EnsembleMean exact_mean(fine, z_0, runner(Engine::fast));
         const Ensemble& exact = exact_mean.full();
         values += int(std::size(kControlled));
         for (Row& row : rows) {
-          interface.orientation.rtol = row.rtol;
-          EnsembleMean mean(interface, z_0, runner(Engine::fast));
+          setup.orientation.rtol = row.rtol;
+          EnsembleMean mean(setup, z_0, runner(Engine::fast));
           const Ensemble& e = mean.full();
           for (const Observable k : kControlled) {
             const double units = std::abs(e.mean[k] - exact.mean[k]) / (e.error[k] + exact.error[k]);
@@ -193,25 +193,25 @@ Json lattice() {
   constexpr int kSeeds = 40, kDraws = 3000;
   constexpr Observable kShown[] = {R_N, R_X, R_Y, N_C_RATIO, GAMMA_1};
   constexpr const char* kShownNames[] = {"R_n", "R_x", "R_y", "N_c_ratio", "gamma_1"};
-  Interface interface = interface_of({10, 1, 0.115});
-  const Ensemble mean = EnsembleMean(interface, 0.115, runner(Engine::fast)).full();
-  interface.parameters.L_y = 5;
-  interface.orientation.sampling = Sampling::lattice;
-  interface.orientation.rows = 120;
-  interface.orientation.t_1 = -1;
+  Setup setup = interface_of({10, 1, 0.115});
+  const Ensemble mean = EnsembleMean(setup, 0.115, runner(Engine::fast)).full();
+  setup.parameters.L_y = 5;
+  setup.orientation.sampling = Sampling::lattice;
+  setup.orientation.rows = 120;
+  setup.orientation.t_1 = -1;
   ObservableArray squares{};
   // Of the sum of sin(theta_0), as R_y is odd in it: what these azimuths alone deviate by.
   double sine_squares = 0, of_seeds = 0;
   const long bristles = 120 * 25;
   for (int seed = 1; seed <= kDraws; ++seed) {
-    interface.orientation.seed = std::uint64_t(seed);
+    setup.orientation.seed = std::uint64_t(seed);
     double sum = 0;
     for (long i = 0; i < bristles; ++i)
-      sum += std::sin(random_azimuth(interface.orientation, std::uint64_t(i)));
+      sum += std::sin(random_azimuth(setup.orientation, std::uint64_t(i)));
     sine_squares += sum * sum / (0.5 * double(bristles));
     if (seed == kSeeds) of_seeds = sine_squares;
     if (seed > kSeeds) continue;
-    const LatticeMean l = lattice_mean(interface, 0.115, runner(Engine::fast));
+    const LatticeMean l = lattice_mean(setup, 0.115, runner(Engine::fast));
     for (const Observable k : kShown) {
       const double units = (l.mean[k] - mean.mean[k]) / l.error[k];
       squares[k] += units * units;

@@ -21,22 +21,22 @@ double error_of(double R_n, double R_x, const Ensemble& exact) {
   return std::max(std::abs(R_n / exact.mean[R_N] - 1), std::abs(R_x / exact.mean[R_X] - 1));
 }
 
-double mean_error(Interface interface, double z_0, std::vector<double> theta_0, const Ensemble& exact,
+double mean_error(Setup setup, double z_0, std::vector<double> theta_0, const Ensemble& exact,
                   const PassageRunner& run) {
-  interface.orientation.sampling = Sampling::list;
-  interface.orientation.theta_0 = std::move(theta_0);
-  EnsembleMean mean(interface, z_0, run);
+  setup.orientation.sampling = Sampling::list;
+  setup.orientation.theta_0 = std::move(theta_0);
+  EnsembleMean mean(setup, z_0, run);
   const Ensemble& e = mean.full();
   return error_of(e.mean[R_N], e.mean[R_X], exact);
 }
 
 Json compare(const Case& c) {
   const PassageRunner run = make_runner(Engine::fast);
-  Interface interface;
-  interface.parameters.k_r = c.k_r;
-  interface.parameters.C = chi_C_peak_at_V_s(interface.parameters.A);
-  interface.integrator = {1e-7, 1e-9, Method::automatic, 20'000'000};
-  Interface fine = interface;
+  Setup setup;
+  setup.parameters.k_r = c.k_r;
+  setup.parameters.C = chi_C_peak_at_V_s(setup.parameters.A);
+  setup.integrator = {1e-7, 1e-9, Method::automatic, 20'000'000};
+  Setup fine = setup;
   fine.orientation.rtol = 3e-5;
   EnsembleMean reference(fine, c.z_0, run);
   const Ensemble exact = reference.full();
@@ -46,8 +46,8 @@ Json compare(const Case& c) {
               {"grid", Json::array()},
               {"lattice", Json::array()}};
   for (const double rtol : {3e-2, 1e-2, 3e-3, 1e-3, 3e-4}) {
-    interface.orientation.rtol = rtol;
-    EnsembleMean mean(interface, c.z_0, run);
+    setup.orientation.rtol = rtol;
+    EnsembleMean mean(setup, c.z_0, run);
     const Ensemble& e = mean.full();
     out["quadrature"].push_back(
         {{"passages", e.passages},
@@ -58,13 +58,13 @@ Json compare(const Case& c) {
   for (const int count : {40, 80, 160, 320, 640, 1280, 2560}) {
     std::vector<double> grid;
     for (int i = 0; i < count; ++i) grid.push_back(M_PI * (i + 0.5) / count);
-    out["grid"].push_back({{"passages", count}, {"error", mean_error(interface, c.z_0, grid, exact, run)}});
+    out["grid"].push_back({{"passages", count}, {"error", mean_error(setup, c.z_0, grid, exact, run)}});
     double squares = 0;
     constexpr int seeds = 8;
     for (int seed = 0; seed < seeds; ++seed) {
       std::vector<double> lattice;
       for (int i = 0; i < count; ++i) lattice.push_back(M_PI * double(random() >> 11) * 0x1p-53);
-      const double error = mean_error(interface, c.z_0, lattice, exact, run);
+      const double error = mean_error(setup, c.z_0, lattice, exact, run);
       squares += error * error / seeds;
     }
     out["lattice"].push_back({{"passages", count}, {"error", std::sqrt(squares)}});

@@ -1,4 +1,4 @@
-# add_lane_kernels(NAME SOURCE): NAME becomes the list of object files of SOURCE, one per instruction set with fused
+# add_kernels(NAME SOURCE): NAME becomes the list of object files of SOURCE, one per instruction set with fused
 # multiply-add. Optimised in every build type: what they are made of is worth nothing if it is not inlined.
 set(BRISTLE_KERNEL_OPTIMISATION -O3 CACHE STRING "of the vector kernels, in every build type")
 
@@ -14,7 +14,7 @@ function(add_kernels_for target prefix source)
   set(${prefix} ${${prefix}} $<TARGET_OBJECTS:${name}> PARENT_SCOPE)
 endfunction()
 
-macro(add_lane_kernels prefix source)
+macro(add_kernels prefix source)
   set(${prefix})
   if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
     set(avx2 -mavx2 -mbmi -mbmi2 -mfma -mf16c -maes -mpclmul)

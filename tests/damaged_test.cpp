@@ -143,7 +143,7 @@ TEST_CASE("an experiment that extends what cannot be a file's name") {
 }
 
 TEST_CASE("a citation that is no text in UTF-8, or whose commit is none") {
-  CHECK_THROWS_AS(parse_citation("title: [\"\xff\"]\n"), BadArchive);
+  CHECK_THROWS_AS(parse_citation("title: [\"\xff\"]\n"), MalformedError);
   const std::string sound = R"(cff-version: "1.2.0"
 message: m
 type: dataset

@@ -1,9 +1,11 @@
-"""The documents' links lead somewhere, and their commands run as they are written.
+"""The documents' links resolve, the code has what they name, and their commands run as written.
 
 docs_test.py SOURCE BUILD [DOCUMENT.md...]
 
-Commands are the lines of ```sh blocks, run in order, each document's in a copy of the source of its own.
+Commands are the lines of ```sh blocks (a backslash continues a line), run in order, each document's in its own copy of
+the source.
 """
+import json
 import os
 import pathlib
 import re
@@ -13,19 +15,25 @@ import sys
 import tempfile
 
 source, build = map(pathlib.Path, sys.argv[1:3])
-documents = sorted([source / "README.md", *(source / "docs").glob("*.md")])
+HISTORY = "CHANGELOG.md"  # may name files that are gone
+documents = sorted([*(source / name for name in ("README.md", "CONTRIBUTING.md", HISTORY)), *(source / "docs").glob("*.md")])
 if len(sys.argv) > 3:  # only these
     documents = [d for d in documents if d.name in sys.argv[3:]]
 
 FIGURES = "|".join(path.stem for path in sorted((source / "experiments").glob("*.json")))
 
-# Run in another form, or by another test: the beginning of the command, and what stands for it.
+# Written by programs from results: what they quote may be wide.
+GENERATED = {"accuracy.md", "assumptions.md", "findings.md", "performance.md"}
+COLUMNS = 100
+
+# Run in another form, or by another test: the beginning of the command, and its replacement.
 INSTEAD = [
     (rf"make ({FIGURES})$", r"make \1 TIER=smoke"),  # the full tier takes minutes
     (r"make (figures|findings|report)$", r"make -n \1"),
     (r"make assumptions$", "make -n assumptions"),  # an hour; tests/assumptions_test.cpp computes a small one
     (r"make bench$", "make -n bench"),  # the test "benchmark: fast engine against Boost.Odeint" runs its engine part
-    (r"make test$", "make -n test"),  # this is it
+    (r"make accuracy$", "make -n accuracy"),  # tests/accuracy_test.py
+    (r"make (build|test|test-all)$", r"make -n \1"),  # the build and the tests that this test is part of
     (r"make (archive|verify\b.*|release\b.*)$", r"make -n \1"),  # tests/archive_test.sh, tests/release_test.sh
     (r"make (sanitize|tidy|coverage|fuzz)\b(.*)$", r"make -n \1\2"),  # hours, or tests of their own
     (r"(build/bristle run experiments/fig4.json --shard \S+)$", r"\1 --tier smoke"),
@@ -61,13 +69,98 @@ def check_mentions(path):
         assert (source / name).exists() or re.search("mine|NAME|figN", name), f"{path.name} names {name}, which is not there"
 
 
+def check_width(path):
+    """Lines outside of blocks that other tests compare with source files."""
+    text = re.sub(r"^```\w+ \S+\n.*?^```$", "", path.read_text(encoding="utf-8"), flags=re.M | re.S)
+    wide = [line for line in text.splitlines() if len(line) > COLUMNS]
+    assert path.name in GENERATED or not wide, f"{path.name}: more than {COLUMNS} columns: {wide[0]}"
+
+
+def table_cells(path, heading):
+    """The rows of the table below a heading, as lists of cells."""
+    section = path.read_text(encoding="utf-8").split(f"\n## {heading}\n")[1].split("\n## ")[0]
+    rows = [line.strip("|").split("|") for line in section.splitlines() if line.startswith("|")]
+    return [[cell.strip() for cell in row] for row in rows[2:]]
+
+
+def names_in(cell):
+    return re.findall(r"`([^`]+)`", cell)
+
+
+def defines(text, name):
+    """The text has the name as a whole word."""
+    return re.search(rf"(?<!\w){re.escape(name)}(?!\w)", text) is not None
+
+
+def check_architecture(path):
+    """Every folder of src/ has its paragraph, in the order of the layers; the files that it names exist and have the
+    names beside them."""
+    text = path.read_text(encoding="utf-8")
+    headings = re.findall(r"^### src/(\w+)$", text, re.M)
+    folders = {folder.name for folder in (source / "src").iterdir() if folder.is_dir()}
+    assert set(headings) == folders, f"{path.name}: other folders than src/: {set(headings) ^ folders}"
+    order = re.search(r"in\s+this\s+order:([^.]*)\.", text).group(1)
+    assert names_in(order) == headings, f"{path.name}: the paragraphs are not in the order of the layers"
+    for folder, paragraph in re.findall(r"^### src/(\w+)\n(.*?)(?=^##)", text, re.M | re.S):
+        for name in re.findall(r"`([\w.]+\.(?:hpp|cpp|json))`", paragraph):
+            assert (source / "src" / folder / name).exists(), f"{path.name}: there is no src/{folder}/{name}"
+    rows = table_cells(path, "Where to find")
+    assert len(rows) > 30, f"{path.name}: the table has lost its rows"
+    for what, file, names in rows:
+        content = (source / names_in(file)[0]).read_text(encoding="utf-8")
+        for name in names_in(names):
+            assert defines(content, name), f"{path.name}: {what}: {file} has no {name}"
+
+
+def check_model(path):
+    """The files of the table of equations have the functions beside them."""
+    rows = table_cells(path, "One bristle")
+    assert len(rows) > 10, f"{path.name}: the table has lost its rows"
+    for equation, file, function, _ in rows:
+        place = source / names_in(file)[0]
+        files = [place] if place.is_file() else sorted(place.glob("*.hpp"))
+        for name in names_in(function):
+            assert any(defines(one.read_text(encoding="utf-8"), name) for one in files), \
+                f"{path.name}: {equation}: {file} has no {name}"
+
+
+def check_glossary(path):
+    """The code has the names of the glossary."""
+    code = "\n".join(file.read_text(encoding="utf-8") for file in sorted((source / "src").rglob("*.?pp")))
+    for symbol, in_code, in_files, meaning, _ in table_cells(path, "Symbols"):
+        for name in [*names_in(in_code), *names_in(in_files)]:
+            word = re.split(r"::|/", name)[-1]
+            assert defines(code, word), f"{path.name}: {symbol or meaning}: no {name} in src/"
+
+
+def words_of(schema):
+    """Keys and words that a schema allows, wherever they are in it."""
+    if isinstance(schema, list):
+        return set().union(*map(words_of, schema))
+    if not isinstance(schema, dict):
+        return set()
+    words = set(schema.get("properties", {})) | {word for word in schema.get("enum", []) if isinstance(word, str)}
+    return words.union(*map(words_of, schema.values()))
+
+
+def check_experiments(path):
+    """The pages on experiments and claims have every key and word of the schema."""
+    schema = json.loads((source / "src/experiment/experiment.schema.json").read_text(encoding="utf-8"))
+    of_checks = words_of(schema["definitions"].pop("check"))
+    for page, words in ((path, words_of(schema)), (path.with_name("claims.md"), of_checks)):
+        text = " ".join(re.findall(r"`([^`]+)`", page.read_text(encoding="utf-8")))
+        missing = sorted(word for word in words if not defines(text, word))
+        assert not missing, f"{page.name} lacks {', '.join(missing)}"
+
+
 def commands(path):
     blocks = re.findall(r"^```sh\n(.*?)^```$", path.read_text(encoding="utf-8"), re.M | re.S)
-    return [line.split("  #")[0].strip() for block in blocks for line in block.splitlines() if line.strip()]
+    lines = [line for block in blocks for line in block.replace("\\\n", " ").splitlines()]
+    return [line.split("  #")[0].strip() for line in lines if line.strip()]
 
 
 def written_files(path):
-    """Files that the document has its reader write: ```json PATH."""
+    """Files that the document asks its reader to write: ```json PATH."""
     return re.findall(r"^```json (\S+)\n(.*?)^```$", path.read_text(encoding="utf-8"), re.M | re.S)
 
 
@@ -94,7 +187,12 @@ def run(path, folder):
 
 for document in documents:
     check_links(document)
-    check_mentions(document)
+    if document.name != HISTORY:
+        check_mentions(document)
+    check_width(document)
+for name, check in (("architecture.md", check_architecture), ("model.md", check_model), ("glossary.md", check_glossary),
+                    ("experiments.md", check_experiments)):
+    check(source / "docs" / name)
 with tempfile.TemporaryDirectory() as folder:
     for document in documents:
         if document.name not in ELSEWHERE and commands(document):

@@ -8,20 +8,20 @@ using namespace bristle;
 
 namespace {
 
-Interface paper(double k_r, double rtol = 1e-3) {
-  Interface i;
+Setup paper(double k_r, double rtol = 1e-3) {
+  Setup i;
   i.parameters.k_r = k_r;
   i.parameters.C = chi_C_peak_at_V_s(i.parameters.A);
   i.orientation.rtol = rtol;
   return i;
 }
 
-Ensemble ensemble_mean(const Interface& interface, double z_0) {
-  return EnsembleMean(interface, z_0, make_runner(Engine::fast)).full();
+Ensemble ensemble_mean(const Setup& setup, double z_0) {
+  return EnsembleMean(setup, z_0, make_runner(Engine::fast)).full();
 }
 
-PointResult solve(const Interface& interface, const Loading& loading) {
-  return solve_point(interface, loading, make_runner(Engine::fast));
+PointResult solve(const Setup& setup, const Loading& loading) {
+  return solve_point(setup, loading, make_runner(Engine::fast));
 }
 
 }  // namespace
@@ -56,7 +56,7 @@ TEST_CASE("the pinned range near head-on is found and located") {
 }
 
 TEST_CASE("R_y vanishes over the full circle without using the symmetry, and the halves agree") {
-  Interface whole = paper(10, 3e-3);
+  Setup whole = paper(10, 3e-3);
   whole.orientation.full_circle = true;
   const Ensemble full = ensemble_mean(whole, 0.5), half = ensemble_mean(paper(10, 3e-3), 0.5);
   CHECK(full.error[R_Y] > 0);
@@ -68,7 +68,7 @@ TEST_CASE("R_y vanishes over the full circle without using the symmetry, and the
 }
 
 TEST_CASE("a von Mises distribution: isotropic without concentration, R_y with it") {
-  Interface i = paper(10, 3e-3);
+  Setup i = paper(10, 3e-3);
   const Ensemble uniform = ensemble_mean(i, 0.5);
   i.orientation.distribution = Distribution::von_mises;
   i.orientation.full_circle = true;
@@ -84,7 +84,7 @@ TEST_CASE("a von Mises distribution: isotropic without concentration, R_y with i
 }
 
 TEST_CASE("a list of azimuths is averaged as given") {
-  Interface i = paper(10);
+  Setup i = paper(10);
   i.orientation.sampling = Sampling::list;
   i.orientation.theta_0 = {0.5, 2.5};
   EnsembleMean mean(i, 0.5, make_runner(Engine::reference));
@@ -96,8 +96,8 @@ TEST_CASE("a list of azimuths is averaged as given") {
 }
 
 TEST_CASE("a decision against a target takes fewer bristles, and what follows goes on from them") {
-  const Interface interface = paper(50);
-  EnsembleMean mean(interface, 0.62, make_runner(Engine::fast));
+  const Setup setup = paper(50);
+  EnsembleMean mean(setup, 0.62, make_runner(Engine::fast));
   const Ensemble decision = mean.against(1.0);
   CHECK(decision.error[R_N] <= std::abs(decision.mean[R_N] - 1.0) / 4);
   const Ensemble all = mean.full();
@@ -111,9 +111,9 @@ TEST_CASE("a decision against a target takes fewer bristles, and what follows go
 
 TEST_CASE("a point is the same from both engines, within the integrator's and the quadrature's error") {
   for (const double k_r : {5.0, 30.0}) {
-    const Interface interface = paper(k_r, 3e-3);
-    const PointResult fast = solve(interface, Loading{}),
-                      reference = solve_point(interface, Loading{}, make_runner(Engine::reference));
+    const Setup setup = paper(k_r, 3e-3);
+    const PointResult fast = solve(setup, Loading{}),
+                      reference = solve_point(setup, Loading{}, make_runner(Engine::reference));
     CAPTURE(k_r);
     for (const Observable k : {N_C_RATIO, R_N, R_X, GAMMA_1, GAMMA_2, GAMMA_3})
       CHECK(std::abs(fast.value[k] - reference.value[k]) <=
@@ -122,7 +122,7 @@ TEST_CASE("a point is the same from both engines, within the integrator's and th
 }
 
 TEST_CASE("an ensemble with a passage that reached no exit says so and has no values") {
-  Interface i = paper(10);
+  Setup i = paper(10);
   i.integrator.max_evaluations = 5000;
   const PointResult r = solve(i, Loading{0.3, 0, LoadPath::loading});
   CHECK(r.status == PointStatus::incomplete);
@@ -143,7 +143,7 @@ TEST_CASE("a point at a given load carries it, within its error and the toleranc
 }
 
 TEST_CASE("load control on the model: loading and unloading paths differ where R_n(z_0) folds") {
-  const Interface i = paper(27, 1e-2);
+  const Setup i = paper(27, 1e-2);
   Loading loading, unloading;
   unloading.path = LoadPath::unloading;
   const PointResult down = solve(i, loading), up = solve(i, unloading);

@@ -192,12 +192,12 @@ TEST_CASE("extends: chains, folders and what lies outside") {
   s.write("experiments/paper.json", bytes_of(kExperiments + "/paper.json"));
   const auto child =
       s.write("experiments/more/a.json", R"({"extends": "../paper.json", "model": {"k_r": 7}})");
-  CHECK(load_experiment(child, {}).base.interface.parameters.k_r == 7);
+  CHECK(load_experiment(child, {}).base.setup.parameters.k_r == 7);
   const auto grandchild =
       s.write("experiments/more/b.json", R"({"extends": "a.json", "model": {"k_phi": 3}})");
   const Experiment e = load_experiment(grandchild, {});
-  CHECK(e.base.interface.parameters.k_r == 7);
-  CHECK(e.base.interface.parameters.k_phi == 3);
+  CHECK(e.base.setup.parameters.k_r == 7);
+  CHECK(e.base.setup.parameters.k_phi == 3);
   s.write("outside.json", "{}");
   const auto outside = s.write("experiments/c.json", R"({"extends": "../outside.json"})");
   CHECK_THROWS_WITH(load_experiment(outside, {}), Catch::Contains("lies outside the experiments folder"));
@@ -210,8 +210,8 @@ TEST_CASE("extends: chains, folders and what lies outside") {
 
 TEST_CASE("the option --set changes a value, names itself in errors, and refuses nonsense") {
   const std::string file = kExperiments + "/paper.json";
-  CHECK(load_experiment(file, {{"/model/k_r=33"}, "full"}).base.interface.parameters.k_r == 33);
-  CHECK(load_experiment(file, {{"/model/friction=coulomb"}, "full"}).base.interface.parameters.friction ==
+  CHECK(load_experiment(file, {{"/model/k_r=33"}, "full"}).base.setup.parameters.k_r == 33);
+  CHECK(load_experiment(file, {{"/model/friction=coulomb"}, "full"}).base.setup.parameters.friction ==
         FrictionLaw::coulomb);
   const Experiment swept = load_experiment(file, {{R"(/sweep/k_r={"values":[1,2]})"}, "full"});
   CHECK(swept.points() == 2);
@@ -250,10 +250,10 @@ TEST_CASE("points: row-major over the axes, C follows A where it is to peak at V
                       {{R"(/sweep/A={"values":[1.2,1.5]})", R"(/sweep/R_n={"values":[1,2,3]})"}, "full"});
   CHECK(e.points() == 6);
   const PointInput p = e.point(4);
-  CHECK(p.interface.parameters.A == 1.5);
+  CHECK(p.setup.parameters.A == 1.5);
   CHECK(p.loading.R_n == 2);
-  CHECK(p.interface.parameters.C == Approx(chi_C_peak_at_V_s(1.5)));
-  CHECK(e.point(0).interface.parameters.C == Approx(chi_C_peak_at_V_s(1.2)));
+  CHECK(p.setup.parameters.C == Approx(chi_C_peak_at_V_s(1.5)));
+  CHECK(e.point(0).setup.parameters.C == Approx(chi_C_peak_at_V_s(1.2)));
 }
 
 TEST_CASE("an SI block gives the paper's dimensionless values") {
@@ -262,7 +262,7 @@ TEST_CASE("an SI block gives the paper's dimensionless values") {
       {{R"(/si={"m_kg":1e-4,"r0_m":0.017,"V0_m_per_s":10,"R_c_m":0.001,"E_star_Pa":1.190476e8,"k_theta_N_m":0.01,
            "k_r_N_per_m":346.0207612})"},
        "full"});
-  const Parameters& p = e.base.interface.parameters;
+  const Parameters& p = e.base.setup.parameters;
   CHECK(p.R_c == Approx(1.0 / 17));
   CHECK(p.E_star == Approx(5.849e4).epsilon(1e-3));
   CHECK(p.k_theta == Approx(1));
@@ -273,7 +273,7 @@ TEST_CASE("a material in SI units keeps its stiffness whatever the velocity") {
   const Experiment e = load_experiment(kExperiments + "/ski.json", {});
   // V0_m_per_s is the last axis: 13 values from 2 to 32.
   const PointInput slow = e.point(0), fast = e.point(12);
-  const Parameters &a = slow.interface.parameters, &b = fast.interface.parameters;
+  const Parameters &a = slow.setup.parameters, &b = fast.setup.parameters;
   CHECK(slow.si.at("V0_m_per_s") == 2);
   CHECK(fast.si.at("V0_m_per_s") == 32);
   // 3 pi E R^4/(4 r0), by hand

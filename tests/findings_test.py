@@ -18,7 +18,19 @@ paper = {"3a", "3b", "3c", "3d", "4a", "4b", "4c", "4d", "4e", "4f", "5a", "5b",
          "A1", "A2", "A3"}
 assert claims == paper, f"not checked: {sorted(paper - claims)}; not of the paper: {sorted(claims - paper)}"
 
-# Rounded, as in the other documents.
+# The README's summary.
+verdicts = [re.search("supported|refuted|undecided", line.split("|")[3]).group()
+            for line in page.splitlines() if line.startswith("| ") and line.count("|") == 6 and "---" not in line
+            and line.split("|")[1].strip() in claims]
+conclusions = json.loads((root / "reference" / "assumptions.json").read_text())["conclusions"]
+reversed_by_some = sum(bool(one["other"]) for one in conclusions if one["conclusion"] != "open")
+summary = re.search(r"(\d+) claims are tested by (\d+) checks: (\d+) are supported, (\d+) refuted and (\d+) undecided"
+                    r".*reverses (\d+) of the (\d+) verdicts",
+                    " ".join((root / "README.md").read_text(encoding="utf-8").split()))
+found = [len(claims), len(verdicts), *map(verdicts.count, ("supported", "refuted", "undecided")), reversed_by_some, len(conclusions)]
+assert [int(number) for number in summary.groups()] == found, f"README.md's summary is {summary.group()}, the findings are {found}"
+
+# Rounded, as the other documents quote it.
 figure_4 = page.split("## Figure 4")[1]
 passages, contact = re.search(r"(\d+) passages, ensemble mean of the contact time at most ([\d.]+) L_x/V_0",
                               " ".join(figure_4.split())).groups()

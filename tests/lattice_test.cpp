@@ -13,8 +13,8 @@ using namespace bristle;
 
 namespace {
 
-Interface lattice(long rows, double L_y, std::uint64_t seed) {
-  Interface i;
+Setup lattice(long rows, double L_y, std::uint64_t seed) {
+  Setup i;
   i.parameters.C = chi_C_peak_at_V_s(i.parameters.A);
   i.parameters.L_y = L_y;
   i.orientation.sampling = Sampling::lattice;
@@ -84,7 +84,7 @@ TEST_CASE("azimuths: von Mises draws have the mean resultant I_1/I_0 and their o
 }
 
 TEST_CASE("the time mean over the lattice is the ensemble mean within its standard error, over seeds") {
-  Interface mean = lattice(90, 5, 0);
+  Setup mean = lattice(90, 5, 0);
   mean.orientation.sampling = Sampling::quadrature;
   const Ensemble expected = EnsembleMean(mean, 0.115, fast()).full();
   for (const Observable k : {R_N, R_X, N_C_RATIO, GAMMA_1}) {
@@ -103,7 +103,7 @@ TEST_CASE("the time mean over the lattice is the ensemble mean within its standa
 }
 
 TEST_CASE("R(t): its mean over the window is the mean, a lattice's prefix is a shorter lattice's") {
-  const Interface i = lattice(70, 2, 3);
+  const Setup i = lattice(70, 2, 3);
   const LatticeMean l = lattice_mean(i, 0.3, fast());
   const auto from = l.force.R_n.begin() + std::lround(lattice_start(i) / l.force.interval);
   const auto mean = std::accumulate(from, l.force.R_n.end(), 0.0) / double(l.force.R_n.end() - from);

@@ -55,7 +55,7 @@ TEST_CASE("load control: a target just below the fold's top is met at the fold, 
 
 TEST_CASE("load control: a jump across the target is reported with both sides") {
   const LoadPoint p = search(jumping, 2);
-  CHECK(p.status == LoadStatus::jump);
+  CHECK(p.status == LoadStatus::load_jump);
   CHECK(p.z_0 == Approx(0.6).margin(1e-5));
   CHECK(p.load.R_n == Approx(rising(0.6) + 1).epsilon(1e-4));
   CHECK(p.jump_z_0 == Approx(0.6).margin(1e-5));

@@ -80,7 +80,7 @@ TEST_CASE("what is written reads back: axes, values, bristles, attributes") {
   CHECK(R_n.dimensions == std::vector<std::string>{"k_r", "k_phi"});
   CHECK(R_n.shape == std::vector<std::size_t>{2, 2});
   const PointInput last = e.point(3);
-  const PointResult expected = solve_point(last.interface, last.loading, make_runner(Engine::fast));
+  const PointResult expected = solve_point(last.setup, last.loading, make_runner(Engine::fast));
   CHECK(R_n.values[3] == expected.value[bristle::R_N]);
   CHECK(r.variable("R_x_norm").values[3] == expected.R_x_norm);
   CHECK(r.experiment()["name"] == "quick");

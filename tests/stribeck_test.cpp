@@ -1,4 +1,4 @@
-#include "dynamics/runner.hpp"
+#include "simd/runner.hpp"
 #include "model/friction/laws.hpp"
 
 #include <catch2/catch.hpp>

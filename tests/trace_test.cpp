@@ -8,16 +8,16 @@ using namespace bristle;
 
 namespace {
 
-const Interface& bent() {  // its curve has folds at R_n of about 1.1 and 1.45
-  static const Interface interface = [] {
-    Interface i;
+const Setup& bent() {  // its curve has folds at R_n of about 1.1 and 1.45
+  static const Setup setup = [] {
+    Setup i;
     i.parameters.k_r = 5;
     i.parameters.C = chi_C_peak_at_V_s(i.parameters.A);
     i.orientation.rtol = 0.005;
     i.integrator = {1e-5, 1e-7};
     return i;
   }();
-  return interface;
+  return setup;
 }
 
 bool on(const CurveNode& node, Branch path) { return node.branch == path || node.branch == Branch::both; }
@@ -44,7 +44,7 @@ TEST_CASE("a traced curve: gaps descend, neighbours are as near as asked or at a
 }
 
 TEST_CASE("a traced curve keeps to its number of nodes, folds and landings included") {
-  Interface rough = bent();
+  Setup rough = bent();
   rough.parameters.k_r = 20;
   const auto curve = trace_curve(rough, {0.05, 0.005, 96}, make_runner(Engine::fast));
   CHECK(curve.size() <= 96);

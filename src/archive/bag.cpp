@@ -1,5 +1,6 @@
 #include "archive/bag.hpp"
 
+#include "util/error.hpp"
 #include "util/sha.hpp"
 
 #include <fmt/format.h>
@@ -94,17 +95,6 @@ void check_manifest(const std::string& manifest, const Files& files, Problems& p
 
 }  // namespace
 
-std::string printable(const std::string& text) {
-  std::string out;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto byte = static_cast<unsigned char>(text[i]);
-    // Control characters of ASCII, and the others of Unicode: 0xc2 0x80 to 0xc2 0x9f.
-    const bool second = byte >= 0x80 && byte < 0xa0 && i > 0 && text[i - 1] == '\xc2';
-    out += byte < 0x20 || byte == 0x7f || second ? fmt::format("\\x{:02x}", byte) : std::string(1, text[i]);
-  }
-  return out;
-}
-
 Files make_bag(const std::string& folder, const Files& payload, const BagInfo& info) {
   Files data;
   for (const auto& [name, content] : payload) data["data/" + name] = content;
@@ -126,7 +116,7 @@ std::string strip_folder(Files& files) {
   Files stripped;
   for (auto& [name, content] : files) {
     if (name.compare(0, folder.size() + 1, folder + "/") != 0)
-      throw BadArchive(fmt::format("{}: lies outside of the archive's folder {}/", name, folder));
+      throw MalformedError(fmt::format("{}: lies outside of the archive's folder {}/", name, folder));
     stripped[name.substr(folder.size() + 1)] = std::move(content);
   }
   files = std::move(stripped);

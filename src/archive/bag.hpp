@@ -12,16 +12,13 @@ namespace bristle {
 // What is wrong, one line each, beginning with the file it is about.
 using Problems = std::vector<std::string>;
 
-// A text from an archive without what would command a terminal.
-std::string printable(const std::string& text);
-
 // Lines of bag-info.txt.
 using BagInfo = std::vector<std::pair<std::string, std::string>>;
 
 // The payload (names as under data/) with its tag files; names begin with the folder's.
 Files make_bag(const std::string& folder, const Files& payload, const BagInfo& info);
 
-// Removes the folder that all names begin with, and returns it. Throws BadArchive if there is no such.
+// Removes the folder that all names begin with, and returns it. Throws MalformedError if there is no such.
 std::string strip_folder(Files& files);
 
 // Holds a bag's files (without the folder) against its manifests: every hash, nothing missing, nothing added.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "archive/gather.hpp"
+#include "archive/options.hpp"
 
 namespace bristle {
 

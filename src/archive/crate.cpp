@@ -1,10 +1,11 @@
 #include "archive/crate.hpp"
 
 #include "util/sha.hpp"
+#include "util/text.hpp"
 
 #include <fmt/format.h>
 #include <filesystem>
-#include <sstream>
+#include <nlohmann/json.hpp>
 
 namespace bristle {
 namespace {
@@ -74,11 +75,8 @@ std::string provenance(const ArchivedResult& result, const char* key) {
 // The commit of the program that wrote the result, then others that computed points of it before.
 std::vector<std::string> commits_of(const ArchivedResult& result) {
   std::vector<std::string> commits{provenance(result, "commit")};
-  std::istringstream others(result.facts["provenance"].value("points_commits", ""));
-  for (std::string commit; others >> commit;) {
-    if (commit.back() == ',') commit.pop_back();
+  for (const std::string& commit : split_list(result.facts["provenance"].value("points_commits", "")))
     if (commit != commits.front()) commits.push_back(commit);
-  }
   return commits;
 }
 

@@ -1,58 +1,50 @@
 #include "archive/gather.hpp"
 
 #include "archive/citation.hpp"
-#include "archive/readme.hpp"
-#include "util/git.hpp"
 #include "archive/result_facts.hpp"
 #include "experiment/experiment.hpp"
-#include "util/error.hpp"
+#include "results/digest.hpp"
 #include "results/journal.hpp"
-#include "util/sha.hpp"
-#include "results/writer.hpp"
+#include "results/version.hpp"
+#include "util/error.hpp"
+#include "util/file.hpp"
+#include "util/git.hpp"
+#include "util/text.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
+#include <nlohmann/json.hpp>
 
 namespace bristle {
 namespace fs = std::filesystem;
 namespace {
-
-std::string read_file(const std::string& path, const std::string& remedy) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in || fs::is_directory(path)) throw InputError(fmt::format("{}: cannot be read; {}", path, remedy));
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 // A line of `git status`, "?? name".
 std::string without_blanks(const std::string& line) { return line.substr(line.find_first_not_of(' ')); }
 
 class Gatherer {
  public:
-  explicit Gatherer(const ArchiveOptions& options) : options_(options), repository_(options.source) {}
+  explicit Gatherer(const ArchiveOptions& options) : options_(options), repository_(options.source, "--source " + options.source, "an archive contains the source of its commit") {}
 
   Gathered run() {
     check_program();
-    Contents& contents = out_.contents;
-    contents.commit = repository_.commit();
-    contents.citation = dataset_citation(software_, contents.commit);
+    Files payload;
     for (const char* folder : {"experiments", "reference", "docs", "LICENSE"})
-      for (const std::string& name : repository_.files(folder))
-        contents.payload[name] = read_file(in_source(name), "git status shows why");
-    add_results();
-    contents.source = fmt::format("source/bristle-{}.tar", contents.commit);
-    contents.payload[contents.source] = repository_.source(fmt::format("bristle-{}/", contents.commit));
+      for (const std::string& name : repository_.files(folder)) payload[name] = read_file(in_source(name));
+    const std::string commit = repository_.commit();
+    payload[source_file(commit)] = repository_.source(fmt::format("bristle-{}/", commit));
+    const auto facts = add_results(payload);
+    check_findings(payload, facts);
     std::vector<std::string> doubts;
     for (const auto& [what, places] : doubts_)
       doubts.push_back(fmt::format("{} {}", fmt::join(places, ", "), what));
-    contents.draft = fmt::format("{}", fmt::join(doubts, "; "));
-    contents.payload["CITATION.cff"] = citation_text(contents.citation);
-    contents.payload["README.md"] = archive_readme(contents);
-    contents.payload[kCrateFile] = crate_text(contents);
-    out_.time = repository_.time();
-    return std::move(out_);
+    try {
+      return {describe(std::move(payload), facts, commit, fmt::format("{}", fmt::join(doubts, "; "))),
+              version_, repository_.time()};
+    } catch (const MalformedError& e) {
+      throw InputError(e.what());
+    }
   }
 
  private:
@@ -67,20 +59,18 @@ class Gatherer {
   }
 
   void check_program() {
+    if (!repository_.is_top())
+      throw InputError(fmt::format("--source {}: not the top folder of its repository", options_.source));
     const std::string file = in_source("CITATION.cff");
     try {
-      software_ = parse_citation(read_file(file, "an archive needs it"));
-    } catch (const BadArchive& e) {
+      version_ = dataset_citation(parse_citation(read_file(file)), "")["version"];
+    } catch (const MalformedError& e) {
       throw InputError(fmt::format("{}: {}", file, e.what()));
     }
-    for (const char* key : {"title", "version", "date-released", "license", "authors"})
-      if (!software_.contains(key))
-        throw InputError(fmt::format("{}: {} is missing; an archive needs it", file, key));
-    out_.version = software_["version"];
-    if (out_.version != options_.version)
+    if (version_ != options_.version)
       throw InputError(
           fmt::format("{}: version {}, but this program is {}; `make build` builds the one that is there",
-                      file, out_.version, options_.version));
+                      file, version_, options_.version));
     if (const std::string changes = repository_.changes(); !changes.empty())
       doubt(fmt::format("the work tree ({})", without_blanks(changes.substr(0, changes.find('\n')))),
             "differs from its commit", "commit or stash first, `git status` shows all");
@@ -89,7 +79,8 @@ class Gatherer {
             "was not built from the source archived", "`make build` builds that");
   }
 
-  void add_results() {
+  // Adds results and figures; returns the facts of each result by its file.
+  std::map<std::string, Json> add_results(Files& payload) {
     std::vector<Experiment> experiments;
     for (const std::string& name : repository_.files("experiments"))
       if (fs::path(name).parent_path() == "experiments" && fs::path(name).extension() == ".json")
@@ -100,27 +91,28 @@ class Gatherer {
       throw InputError(
           fmt::format("{}: there are no results of the figures' experiments; `make figures` computes them",
                       options_.results));
-    for (const Experiment& experiment : experiments) add_result(experiment);
-    check_findings();
+    std::map<std::string, Json> facts;
+    for (const Experiment& experiment : experiments)
+      facts["results/" + experiment.name + ".h5"] = add_result(experiment, payload);
+    return facts;
   }
 
   std::string result_path(const Experiment& e) const {
     return (fs::path(options_.results) / (e.name + ".h5")).string();
   }
 
-  void add_result(const Experiment& experiment) {
+  Json add_result(const Experiment& experiment, Files& payload) {
     const std::string path = result_path(experiment);
     if (!fs::exists(path))
       throw InputError(fmt::format("{}: no such file: the result of {} is missing; `make {}` computes it",
                                    path, experiment.path, experiment.name));
     const ResultReader result(path);
     check_current(result, experiment);
-    ArchivedResult archived{
-        "results/" + experiment.name + ".h5", chain(experiment.path), {}, result_facts(result)};
-    check_origin(path, archived.facts["provenance"]);
-    out_.contents.payload[archived.file] = read_file(path, "");
-    for (const char* suffix : {".pdf", ".png"}) add_figure(path, experiment.name + suffix, archived);
-    out_.contents.results.push_back(std::move(archived));
+    Json facts = result_facts(result);
+    check_origin(path, facts["provenance"]);
+    payload["results/" + experiment.name + ".h5"] = read_file(path);
+    for (const char* suffix : {".pdf", ".png"}) add_figure(path, experiment.name + suffix, payload);
+    return facts;
   }
 
   void check_current(const ResultReader& result, const Experiment& experiment) const {
@@ -133,9 +125,9 @@ class Gatherer {
     if (const double made = h5::read_number_attribute(result.file(), "numerics_version");
         made != kNumericsVersion)
       refuse(fmt::format("is of numerics_version {}, this program is of {}", made, kNumericsVersion));
-    if (result.text("inputs_sha256") != inputs_sha256(experiment.document))
+    if (result.text("inputs_sha256") != inputs_sha256(*experiment.document))
       refuse(fmt::format("is out of date: {} has changed since", experiment.path));
-    if (result.experiment() != experiment.document)
+    if (result.experiment() != *experiment.document)
       refuse(fmt::format("is out of date: title, notes or checks of {} have changed since", experiment.path));
     if (payload_sha256(result.file()) != result.text("payload_sha256"))
       refuse("is damaged: its numbers are not those of payload_sha256");
@@ -146,10 +138,9 @@ class Gatherer {
       if (provenance.value(key, "").empty())
         throw InputError(
             fmt::format("{}: /provenance lacks {}; only what `bristle run` wrote is archived", path, key));
-    const std::string by = provenance.value("points_commits", provenance["commit"]);
-    std::istringstream commits(fmt::format("{} {}", provenance["commit"].get<std::string>(), by));
-    for (std::string commit; commits >> commit;) {
-      if (commit.back() == ',') commit.pop_back();
+    std::vector<std::string> commits = split_list(provenance.value("points_commits", ""));
+    commits.insert(commits.begin(), provenance["commit"].get<std::string>());
+    for (const std::string& commit : commits) {
       const std::string place = fmt::format("{} (commit {})", path, commit);
       const std::string remedy = "commit, then compute it anew by `bristle run --force`";
       if (is_dirty(commit)) return doubt(place, "was computed by a program with uncommitted changes", remedy);
@@ -158,42 +149,28 @@ class Gatherer {
     }
   }
 
-  void add_figure(const std::string& result, const std::string& name, ArchivedResult& archived) {
+  void add_figure(const std::string& result, const std::string& name, Files& payload) {
     const std::string path = (fs::path(options_.figures) / name).string();
     if (!fs::exists(path)) throw InputError(fmt::format("{}: no such file; `make figures` draws it", path));
     if (fs::last_write_time(path) < fs::last_write_time(result))
       throw InputError(fmt::format("{}: is older than {}; `make figures` draws it anew", path, result));
-    archived.figures.push_back("figures/" + name);
-    out_.contents.payload[archived.figures.back()] = read_file(path, "");
+    payload["figures/" + name] = read_file(path);
   }
 
-  // The experiment's files, those that it extends first.
-  std::vector<std::string> chain(const std::string& path) const {
-    std::vector<std::string> files;
-    const Json json = read_json_file(path);
-    if (json.contains("extends"))
-      files = chain(
-          (fs::path(path).parent_path() / json["extends"].get<std::string>()).lexically_normal().string());
-    files.push_back(fs::path(path).lexically_relative(options_.source).lexically_normal().string());
-    return files;
-  }
-
-  // docs/findings.md names the payload that each of its sections is of.
-  void check_findings() {
-    const auto page = out_.contents.payload.find("docs/findings.md");
-    if (page == out_.contents.payload.end()) return;
-    for (const ArchivedResult& result : out_.contents.results)
-      if (page->second.find(result.facts["payload_sha256"].get<std::string>().substr(0, 16)) ==
-          std::string::npos)
-        return doubt("docs/findings.md", fmt::format("is of another result than {}", result.file),
+  // docs/findings.md names the payload digest of the result that each of its sections describes.
+  void check_findings(const Files& payload, const std::map<std::string, Json>& facts) {
+    const auto page = payload.find("docs/findings.md");
+    if (page == payload.end()) return;
+    for (const auto& [file, of_result] : facts)
+      if (page->second.find(of_result["payload_sha256"].get<std::string>().substr(0, 16)) == std::string::npos)
+        return doubt("docs/findings.md", fmt::format("describes another result than {}", file),
                      "run `make findings` and commit the page");
   }
 
   const ArchiveOptions& options_;
   Repository repository_;
-  Json software_;
-  std::map<std::string, std::vector<std::string>> doubts_;  // by what is in doubt
-  Gathered out_;
+  std::string version_;
+  std::map<std::string, std::vector<std::string>> doubts_;  // places by what is in doubt
 };
 
 }  // namespace

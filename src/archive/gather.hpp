@@ -1,18 +1,11 @@
 #pragma once
 
-#include "archive/crate.hpp"
+#include "archive/contents.hpp"
+#include "archive/options.hpp"
 
 #include <ctime>
 
 namespace bristle {
-
-struct ArchiveOptions {
-  std::string source = ".";  // the repository
-  std::string results = "results", figures = "figures";
-  std::string output;           // empty: dist/bristle-<version>.tar
-  bool allow_dirty = false;     // archive as a draft what cannot be traced to a commit
-  std::string version, commit;  // of this program
-};
 
 struct Gathered {
   Contents contents;

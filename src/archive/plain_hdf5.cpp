@@ -1,14 +1,14 @@
 #include "archive/plain_hdf5.hpp"
 
-#include "archive/tar.hpp"
 #include "results/hdf5.hpp"
+#include "util/error.hpp"
 
 #include <fmt/format.h>
 
 namespace bristle {
 namespace {
 
-constexpr int kDeepest = 4;
+constexpr int kDeepestGroup = 4;
 constexpr std::size_t kMostObjects = 10000;
 
 class Walk {
@@ -16,7 +16,7 @@ class Walk {
   explicit Walk(std::size_t size) : size_(size) {}
 
   void group(hid_t group, const std::string& path, int depth) {
-    if (depth > kDeepest) refuse(path, "groups nested too deeply");
+    if (depth > kDeepestGroup) refuse(path, "groups nested too deeply");
     attributes(group, path);
     for (const std::string& name : h5::children(group)) {
       const std::string at = path + "/" + name;
@@ -34,7 +34,7 @@ class Walk {
 
  private:
   [[noreturn]] void refuse(const std::string& at, const std::string& what) const {
-    throw BadArchive(fmt::format("{}: {}; a result file has none", at.empty() ? "/" : at, what));
+    throw MalformedError(fmt::format("{}: {}; a result file has none", at.empty() ? "/" : at, what));
   }
 
   // Types without pointers: numbers, texts of fixed length, and HDF5's own references of dimension scales.
@@ -77,7 +77,7 @@ class Walk {
 }  // namespace
 
 void require_plain_hdf5(const std::string& path, std::size_t size) {
-  if (H5Fis_hdf5(path.c_str()) <= 0) throw BadArchive("not an HDF5 file");
+  if (H5Fis_hdf5(path.c_str()) <= 0) throw MalformedError("not an HDF5 file");
   const h5::Handle file = h5::open_file(path, false);
   const h5::Handle root(H5Gopen2(file, "/", H5P_DEFAULT), H5Gclose, "opening the root");
   Walk(size).group(root, "", 0);

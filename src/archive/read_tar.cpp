@@ -1,4 +1,5 @@
-#include "archive/tar.hpp"
+#include "archive/read_tar.hpp"
+
 #include "util/error.hpp"
 
 #include <archive.h>
@@ -15,9 +16,8 @@ namespace bristle {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::size_t kBlock = 512;
 constexpr std::size_t kType = 156;  // of the header: the byte that says what the entry is
-constexpr std::uintmax_t kMostBytes = std::uintmax_t(4) << 30;
+constexpr std::uintmax_t kMostArchiveBytes = std::uintmax_t(4) << 30;
 constexpr std::size_t kMostFiles = 10000;
 
 std::string bytes_at(const std::string& path, std::size_t offset, std::size_t count) {
@@ -42,7 +42,7 @@ std::string quoted(const std::string& name) {
 
 // A file's name as the raw header gives it, whatever else is wrong with that.
 std::string raw_name(const std::string& path, std::size_t header) {
-  const std::string block = bytes_at(path, header, kBlock);
+  const std::string block = bytes_at(path, header, kTarBlock);
   if (block.size() < 345 + 155) return "";
   const std::string name(block.c_str(), strnlen(block.c_str(), 100));
   const std::string prefix(block.c_str() + 345, strnlen(block.c_str() + 345, 155));
@@ -71,12 +71,12 @@ class TarReader {
     if (!fs::is_regular_file(path, error)) throw InputError(fmt::format("{}: not a file", path));
     size_ = fs::file_size(path, error);
     if (error || !std::ifstream(path)) throw InputError(fmt::format("{}: cannot be read", path));
-    if (size_ == 0) throw BadArchive("the file is empty");
-    if (size_ > kMostBytes)
-      throw BadArchive(
-          fmt::format("{} bytes are more than the {} that an archive may have", size_, kMostBytes));
+    if (size_ == 0) throw MalformedError("the file is empty");
+    if (size_ > kMostArchiveBytes)
+      throw MalformedError(
+          fmt::format("{} bytes are more than the {} that an archive may have", size_, kMostArchiveBytes));
     if (const std::string how = compression(bytes_at(path, 0, 8)); !how.empty())
-      throw BadArchive(
+      throw MalformedError(
           fmt::format("the file is compressed ({}); archives are plain tar: unpack it first", how));
     archive_read_support_format_tar(in_.get());
     archive_read_support_filter_none(in_.get());
@@ -87,12 +87,12 @@ class TarReader {
     Files files;
     while (const auto entry = next()) {
       const std::string name = checked_name(*entry, files);
-      if (files.size() == kMostFiles) throw BadArchive(fmt::format("more than {} files", kMostFiles));
+      if (files.size() == kMostFiles) throw MalformedError(fmt::format("more than {} files", kMostFiles));
       last_ = name;
       const std::string& content = files[name] = read_content(*entry, name);
-      header_ += kBlock + (content.size() + kBlock - 1) / kBlock * kBlock;
+      header_ += kTarBlock + (content.size() + kTarBlock - 1) / kTarBlock * kTarBlock;
     }
-    if (files.empty()) throw BadArchive("there are no files in it");
+    if (files.empty()) throw MalformedError("there are no files in it");
     return files;
   }
 
@@ -104,7 +104,7 @@ class TarReader {
 
   [[noreturn]] void broken_header() {
     const char* reason = archive_error_string(in_.get());
-    throw BadArchive(fmt::format("{}: its tar header (byte {}{}) is damaged, or this is no tar archive: {}",
+    throw MalformedError(fmt::format("{}: its tar header (byte {}{}) is damaged, or this is no tar archive: {}",
                                  quoted(raw_name(path_, header_)), header_,
                                  last_.empty() ? "" : fmt::format(", after {}", last_),
                                  reason ? reason : "unknown reason"));
@@ -122,7 +122,7 @@ class TarReader {
   // The entry is a plain file of ustar, under a name that can do no harm, after those before it.
   std::string checked_name(const Found& found, const Files& files) const {
     const auto refuse = [&](const std::string& why) {
-      throw BadArchive(fmt::format("{}: {}", quoted(found.name), why));
+      throw MalformedError(fmt::format("{}: {}", quoted(found.name), why));
     };
     if (archive_entry_hardlink(found.entry) || archive_entry_filetype(found.entry) == AE_IFLNK)
       refuse("is a link; an archive holds plain files only");
@@ -147,9 +147,9 @@ class TarReader {
 
   std::string read_content(const Found& found, const std::string& name) {
     const la_int64_t size = archive_entry_size(found.entry);
-    const std::uintmax_t from = header_ + kBlock;
+    const std::uintmax_t from = header_ + kTarBlock;
     if (size < 0 || from > size_ || std::uintmax_t(size) > size_ - from)
-      throw BadArchive(fmt::format(
+      throw MalformedError(fmt::format(
           "{}: its header declares {} bytes, more than the archive has left: cut short?", name, size));
     std::string content;
     content.reserve(std::size_t(size));
@@ -160,13 +160,13 @@ class TarReader {
       const int code = archive_read_data_block(in_.get(), &block, &count, &offset);
       if (code == ARCHIVE_EOF) break;
       if (code != ARCHIVE_OK || offset != la_int64_t(content.size()))
-        throw BadArchive(
+        throw MalformedError(
             fmt::format("{}: its content cannot be read: {}", name,
                         code == ARCHIVE_OK ? "there are holes" : archive_error_string(in_.get())));
       content.append(static_cast<const char*>(block), count);
     }
     if (content.size() != std::size_t(size))
-      throw BadArchive(
+      throw MalformedError(
           fmt::format("{}: {} bytes of the {} that its header declares", name, content.size(), size));
     return content;
   }

@@ -1,6 +1,9 @@
 #include "archive/readme.hpp"
 
+#include "util/text.hpp"
+
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 namespace bristle {
 
@@ -63,9 +66,7 @@ std::string archive_readme(const Contents& contents) {
       {"{{claims}}", claims_table(contents)},
   };
   std::string text = readme_template();
-  for (const auto& [key, value] : values)
-    for (auto at = text.find(key); at != std::string::npos; at = text.find(key, at + value.size()))
-      text.replace(at, std::string(key).size(), value);
+  for (const auto& [key, value] : values) text = replace_all(std::move(text), key, value);
   return text;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "archive/crate.hpp"
+#include "archive/contents.hpp"
 
 namespace bristle {
 

@@ -1,15 +1,18 @@
 #include "archive/rerun.hpp"
 
-#include "util/isolated.hpp"
 #include "archive/result_facts.hpp"
-#include "archive/safe_json.hpp"
 #include "util/error.hpp"
-#include "results/writer.hpp"
+#include "util/process.hpp"
+#include "util/random.hpp"
+#include "util/text.hpp"
+#include "results/record.hpp"
+#include "results/version.hpp"
 #include "run/sweep.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 namespace bristle {
 namespace {
@@ -19,14 +22,6 @@ struct Draw {
   std::size_t index;
 };
 
-// SplitMix64 (Steele, Lea, Flood 2014): the same points for the same seed, everywhere.
-std::uint64_t next(std::uint64_t& state) {
-  std::uint64_t z = state += 0x9e3779b97f4a7c15;
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
-  return z ^ (z >> 31);
-}
-
 // The first count of all points in an order that the seed decides.
 std::vector<Draw> draw(const Verification& archive, std::size_t count, std::uint64_t seed) {
   std::vector<Draw> all;
@@ -34,7 +29,7 @@ std::vector<Draw> draw(const Verification& archive, std::size_t count, std::uint
     for (std::size_t i = 0; i < result.facts["sweep_points"].get<std::size_t>(); ++i)
       all.push_back({name, i});
   count = std::min(count, all.size());
-  for (std::size_t i = 0; i < count; ++i) std::swap(all[i], all[i + next(seed) % (all.size() - i)]);
+  for (std::size_t i = 0; i < count; ++i) std::swap(all[i], all[i + split_mix(seed + i * kSplitMixStep) % (all.size() - i)]);
   all.resize(count);
   return all;
 }
@@ -43,13 +38,13 @@ Json compare_point(const std::string& path, const std::string& name, std::size_t
   const ResultReader result(path);
   const Experiment experiment = stored_experiment(result.experiment(), result.text("tier"), name);
   if (index >= experiment.points())
-    throw BadArchive(fmt::format("its experiment has {} points, not the {} or more of its datasets",
+    throw MalformedError(fmt::format("its experiment has {} points, not the {} or more of its datasets",
                                  experiment.points(), index + 1));
   PointRecord computed;
   run_sweep(
       experiment, {index}, 1, [&](PointReport&& report) { computed = std::move(report.record); },
       [] { return false; });
-  return {{"place", place_text(experiment, index)},
+  return {{"place", experiment.place(index)},
           {"different", differences(read_record(result.file(), experiment, index), computed)}};
 }
 
@@ -67,10 +62,10 @@ void rerun(const Verification& archive, std::size_t count, std::uint64_t seed,
     const TemporaryFile file(archive.results.at(drawn.file).bytes);
     try {
       const Json found =
-          safe_json(isolated([&] { return compare_point(file.path(), drawn.file, drawn.index).dump(); }));
+          parse_untrusted(run_isolated([&] { return compare_point(file.path(), drawn.file, drawn.index).dump(); }));
       report({drawn.file, found["place"], found["different"]});
-    } catch (const BadArchive& e) {
-      throw BadArchive(fmt::format("{}: {}", drawn.file, without_path(e.what(), file.path())));
+    } catch (const MalformedError& e) {
+      throw MalformedError(fmt::format("{}: {}", drawn.file, replace_all(e.what(), file.path(), "the file")));
     }
   }
 }

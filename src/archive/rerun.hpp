@@ -14,7 +14,7 @@ struct Rerun {
 
 // Computes points of a sound archive's results again, drawn by the seed from all points, and compares every
 // number bit for bit. Points are reported as they are done. Throws InputError for results of another
-// numerics_version, BadArchive for a result that does not hold its experiment's points.
+// numerics_version, MalformedError for a result that does not hold its experiment's points.
 void rerun(const Verification& archive, std::size_t count, std::uint64_t seed,
            const std::function<void(const Rerun&)>& report);
 

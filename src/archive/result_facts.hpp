@@ -1,7 +1,7 @@
 #pragma once
 
-#include "experiment/document.hpp"
 #include "results/reader.hpp"
+#include "util/json.hpp"
 
 namespace bristle {
 
@@ -9,12 +9,12 @@ namespace bristle {
 // "points", "payload_sha256", "provenance": {...}, "checks": [{"claim", "statement", "verdict"}]}.
 Json result_facts(const ResultReader& result);
 
-// The same of a result file that is not trusted, read in a process of its own. Throws BadArchive if it is no
+// The same of a result file that is not trusted, read in a process of its own. Throws MalformedError if it is no
 // sound result: a payload or an experiment that is not that of its digest, links, filters, declared sizes
 // that the file does not hold.
 Json checked_result_facts(const std::string& bytes);
 
-// A message without the name of a temporary file, which says nothing to its reader.
-std::string without_path(std::string text, const std::string& path);
+// JSON that is not trusted: throws MalformedError, without a file name, where parse_json() throws InputError.
+Json parse_untrusted(const std::string& text);
 
 }  // namespace bristle

@@ -12,9 +12,9 @@
 namespace bristle {
 namespace {
 
-constexpr std::size_t kBlock = 512, kRecord = 20 * kBlock;
+constexpr std::size_t kRecord = 20 * kTarBlock;
 
-std::size_t padded(std::size_t size) { return (size + kBlock - 1) / kBlock * kBlock; }
+std::size_t padded(std::size_t size) { return (size + kTarBlock - 1) / kTarBlock * kTarBlock; }
 
 using Writer = std::unique_ptr<archive, int (*)(archive*)>;
 using Entry = std::unique_ptr<archive_entry, void (*)(archive_entry*)>;
@@ -42,9 +42,9 @@ void write_file(archive* out, const std::string& name, const std::string& conten
 std::string place_of(const Files& files, std::size_t offset) {
   std::size_t at = 0;
   for (const auto& [name, content] : files) {
-    if (offset < at + kBlock) return fmt::format("{}: its tar header", name);
-    if (offset < at + kBlock + content.size()) return fmt::format("{}: its content", name);
-    at += kBlock + padded(content.size());
+    if (offset < at + kTarBlock) return fmt::format("{}: its tar header", name);
+    if (offset < at + kTarBlock + content.size()) return fmt::format("{}: its content", name);
+    at += kTarBlock + padded(content.size());
     if (offset < at) return fmt::format("{}: the padding after it", name);
   }
   return "the end of the archive";
@@ -64,6 +64,25 @@ void write_tar(const Files& files, std::time_t time, const Sink& sink) {
   for (const auto& [name, content] : files) write_file(out.get(), name, content, time);
   if (archive_write_close(out.get()) != ARCHIVE_OK)
     throw RunError(fmt::format("libarchive: {}", archive_error_string(out.get())));
+}
+
+std::string file_in_tar(const std::string& bytes, const std::string& name) {
+  const std::unique_ptr<archive, int (*)(archive*)> in(archive_read_new(), archive_read_free);
+  archive_read_support_format_tar(in.get());
+  if (archive_read_open_memory(in.get(), bytes.data(), bytes.size()) != ARCHIVE_OK)
+    throw MalformedError("not a tar archive");
+  archive_entry* entry = nullptr;
+  while (archive_read_next_header(in.get(), &entry) == ARCHIVE_OK) {
+    if (name != archive_entry_pathname(entry)) continue;
+    std::string text;
+    char buffer[65536];
+    for (la_ssize_t n = 0; (n = archive_read_data(in.get(), buffer, sizeof buffer)) != 0;) {
+      if (n < 0) throw MalformedError("the tar archive is damaged");
+      text.append(buffer, std::size_t(n));
+    }
+    return text;
+  }
+  throw MalformedError("is missing");
 }
 
 std::string tar_difference(const std::string& path, const Files& files, std::time_t time) {

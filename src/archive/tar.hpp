@@ -3,16 +3,11 @@
 #include <ctime>
 #include <functional>
 #include <map>
-#include <stdexcept>
 #include <string>
 
 namespace bristle {
 
-// What is wrong with an archive, naming the place in it: verification failed, exit code 1.
-class BadArchive : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
+constexpr std::size_t kTarBlock = 512;  // bytes
 
 // Files of an archive by name; the map's order, bytewise, is their order in the archive.
 using Files = std::map<std::string, std::string>;
@@ -22,10 +17,8 @@ using Files = std::map<std::string, std::string>;
 void write_tar(const Files& files, std::time_t time,
                const std::function<void(const char*, std::size_t)>& sink);
 
-// Reads what write_tar wrote. The file is not trusted: nothing but plain files under relative names of the
-// portable characters, in order and once each, no larger than the archive itself; nothing is unpacked to
-// disk. Throws BadArchive for all else, InputError if there is no such file.
-Files read_tar(const std::string& path);
+// A file in a tar archive as git writes it. Throws MalformedError if it is not there or the archive cannot be read.
+std::string file_in_tar(const std::string& archive, const std::string& name);
 
 // The place at which the archive's bytes are not those that write_tar gives for these files: headers,
 // padding, what follows the end. Empty if there is none.

@@ -1,18 +1,42 @@
 #include "archive/verify.hpp"
 
-#include "archive/citation.hpp"
+#include "archive/contents.hpp"
 #include "archive/crate.hpp"
+#include "archive/read_tar.hpp"
 #include "archive/result_facts.hpp"
-#include "archive/safe_json.hpp"
+#include "util/error.hpp"
+#include "util/text.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+#include <sstream>
 
 namespace bristle {
 namespace {
 
-constexpr const char* kCitation = "data/CITATION.cff";
-const std::string kCratePath = std::string("data/") + kCrateFile;
+// Files that follow from the rest of the payload.
+constexpr std::array kGenerated = {"CITATION.cff", "README.md", kCrateFile};
+
+bool is_generated(const std::string& name) {
+  return std::find(kGenerated.begin(), kGenerated.end(), name) != kGenerated.end();
+}
+
+// Where a text departs from what follows from the other files.
+std::string first_difference(const std::string& text, const std::string& wanted) {
+  const auto at = std::mismatch(text.begin(), text.end(), wanted.begin(), wanted.end()).first - text.begin();
+  const auto line = std::count(text.begin(), text.begin() + at, '\n');
+  const auto line_of = [line](const std::string& whole) {
+    std::istringstream in(whole);
+    std::string found;
+    for (long i = 0; i <= line; ++i)
+      if (!std::getline(in, found)) return std::string("the end of the file");
+    return fmt::format("\"{}\"", found.substr(0, 80));
+  };
+  return fmt::format("line {} is {}, but from the archive's other files follows {}", line + 1, line_of(text),
+                     line_of(wanted));
+}
 
 bool is_result(const std::string& name) {
   return name.compare(0, 13, "data/results/") == 0 && name.size() > 3 &&
@@ -27,7 +51,7 @@ class Verifier {
     try {
       files_ = read_tar(path_);
       out_.folder = strip_folder(files_);
-    } catch (const BadArchive& e) {
+    } catch (const MalformedError& e) {
       out_.problems.push_back(e.what());
       return out_;
     }
@@ -43,29 +67,56 @@ class Verifier {
   void add(const Problems& more) { out_.problems.insert(out_.problems.end(), more.begin(), more.end()); }
 
   void check_content() {
-    for (const char* name : {"data/README.md", "data/LICENSE", kCitation, kCratePath.c_str()})
-      if (!files_.contains(name))
-        out_.problems.push_back(fmt::format("{}: is missing; every archive has it", name));
-    if (!out_.problems.empty()) return;
     std::map<std::string, Json> facts;
     for (const auto& [name, bytes] : files_)
       if (is_result(name)) check_result(name, bytes, facts);
     if (facts.empty()) out_.problems.push_back("data/results: there are no results");
-    const Json citation = parse(kCitation, parse_citation), crate = parse(kCratePath, safe_json);
-    if (!crate.is_null() && !crate.is_object()) out_.problems.push_back(kCratePath + ": not a JSON object");
-    if (!citation.is_object() || !crate.is_object()) return;
-    add(check_citation(citation));
+    find_commit();
     if (!out_.problems.empty()) return;
-    add(check_crate(crate, files_, citation, facts));
-    check_identity(citation);
+    try {
+      check_description(facts);
+    } catch (const MalformedError& e) {
+      out_.problems.push_back(e.what());
+    } catch (const Json::exception& e) {
+      out_.problems.push_back(fmt::format("the source's CITATION.cff: {}", json_error(e.what())));
+    }
   }
 
-  Json parse(const std::string& name, Json (*parser)(const std::string&)) {
-    try {
-      return parser(files_.at(name));
-    } catch (const BadArchive& e) {
-      out_.problems.push_back(fmt::format("{}: {}", name, e.what()));
-      return {};
+  // The name of the only file in data/source/.
+  void find_commit() {
+    const std::string before = "data/source/bristle-", after = ".tar";
+    for (const auto& [name, bytes] : files_) {
+      if (!name.starts_with("data/source/")) continue;
+      const bool named = name.starts_with(before) && name.ends_with(after) && out_.commit.empty();
+      if (!named) {
+        out_.problems.push_back(fmt::format("{}: is not the source of the archive's commit", name));
+        continue;
+      }
+      out_.commit = name.substr(before.size(), name.size() - before.size() - after.size());
+      if (bytes.substr(0, 1024).find("comment=" + out_.commit + "\n") == std::string::npos)
+        out_.problems.push_back(fmt::format("{}: is not git's archive of that commit", name));
+    }
+    if (out_.commit.empty()) out_.problems.push_back("data/source: the source of the commit is missing");
+  }
+
+  // README, citation and crate follow from the other files: generates them again and compares.
+  void check_description(const std::map<std::string, Json>& facts) {
+    out_.identifier = bag_info(files_, "External-Identifier");
+    out_.draft = bag_info(files_, "Draft");
+    Files payload;
+    for (const auto& [name, bytes] : files_)
+      if (name.starts_with("data/") && !is_generated(name.substr(5))) payload[name.substr(5)] = bytes;
+    const Contents contents = describe(std::move(payload), facts, out_.commit, out_.draft);
+    out_.version = contents.citation["version"];
+    if (out_.folder != "bristle-" + out_.version)
+      out_.problems.push_back(
+          fmt::format("{}: is the folder of another version than that of the source, {}", out_.folder,
+                      out_.version));
+    for (const char* name : kGenerated) {
+      const auto file = files_.find(std::string("data/") + name);
+      if (file == files_.end()) out_.problems.push_back(fmt::format("data/{}: is missing; every archive has it", name));
+      else if (const std::string& wanted = contents.payload.at(name); file->second != wanted)
+        out_.problems.push_back(fmt::format("data/{}: {}", name, first_difference(file->second, wanted)));
     }
   }
 
@@ -77,28 +128,11 @@ class Verifier {
       if (found["tier"] != "full")
         out_.problems.push_back(
             fmt::format("{}: is of the tier {}, not the full one", name, shown(found["tier"])));
-      facts[name] = found;
+      facts[name.substr(5)] = found;
       out_.results[name] = {bytes, found};
-    } catch (const BadArchive& e) {
+    } catch (const MalformedError& e) {
       out_.problems.push_back(fmt::format("{}: {}", name, e.what()));
     }
-  }
-
-  // Version, source and folder are one release's.
-  void check_identity(const Json& citation) {
-    out_.version = citation["version"];
-    out_.commit = citation.value("commit", "");
-    out_.identifier = bag_info(files_, "External-Identifier");
-    out_.draft = bag_info(files_, "Draft");
-    if (out_.folder != "bristle-" + out_.version)
-      out_.problems.push_back(fmt::format("{}: is the folder of another version than that of {}, {}",
-                                          out_.folder, kCitation, out_.version));
-    const std::string source = fmt::format("data/source/bristle-{}.tar", out_.commit);
-    const auto file = files_.find(source);
-    if (file == files_.end())
-      out_.problems.push_back(fmt::format("{}: is missing; {} names that commit", source, kCitation));
-    else if (file->second.substr(0, 1024).find("comment=" + out_.commit + "\n") == std::string::npos)
-      out_.problems.push_back(fmt::format("{}: is not git's archive of that commit", source));
   }
 
   // Headers, padding, order: all that is not content.

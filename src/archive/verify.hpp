@@ -1,7 +1,9 @@
 #pragma once
 
 #include "archive/bag.hpp"
-#include "experiment/document.hpp"
+#include "util/json.hpp"
+
+#include <nlohmann/json.hpp>
 
 namespace bristle {
 
@@ -19,8 +21,9 @@ struct Verification {
   std::map<std::string, VerifiedResult> results;  // by name
 };
 
-// Every hash and payload digest, nothing missing, added or changed, the metadata's required keys, and that
-// the bytes are those that the program writes for these files. Throws InputError if there is no such file.
+// Checks every hash and payload digest; that nothing is missing, added or changed; that README, citation and crate
+// are those that follow from the other files; and that the bytes are those that the program writes for these
+// files. Throws InputError if the archive does not exist.
 Verification verify_archive(const std::string& path);
 
 }  // namespace bristle

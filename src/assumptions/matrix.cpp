@@ -4,22 +4,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 namespace bristle {
 namespace {
 
 Json number(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
 
-bool contrary(Verdict a, Verdict b) { return a != b && a != Verdict::undecided && b != Verdict::undecided; }
+bool reversed(Verdict a, Verdict b) { return a != b && a != Verdict::undecided && b != Verdict::undecided; }
 
 Json check_json(const Matrix::Row& row) {
-  const CheckResult& c = row.cells.front().check;
-  return {{"experiment", row.experiment}, {"claim", row.claim},    {"statement", row.statement}, {"is", c.is},
-          {"threshold", c.threshold},     {"band", number(c.band)}};
+  const Check& c = row.cells.front().result.check;
+  return {{"experiment", row.experiment}, {"claim", c.claim},         {"statement", c.statement},
+          {"is", to_string(c.criterion)}, {"threshold", c.threshold}, {"band", number(c.band.value_or(NAN))}};
 }
 
 Json cell_json(std::size_t check, std::size_t alternative, const Cell& cell) {
-  const CheckResult& c = cell.check;
+  const CheckResult& c = cell.result;
   return {{"check", check},
           {"alternative", alternative},
           {"verdict", to_string(c.verdict)},
@@ -33,20 +34,20 @@ Json cell_json(std::size_t check, std::size_t alternative, const Cell& cell) {
 // The alternatives under which the verdict is another, by name.
 Json conclusion_json(const Matrix& matrix, std::size_t index) {
   const Matrix::Row& row = matrix.rows[index];
-  const Verdict settled = row.cells.front().check.verdict;
+  const Verdict baseline = row.cells.front().result.verdict;
   Json decided = Json::array(), undecided = Json::array(), choices = Json::array();
   for (std::size_t a = 1; a < row.cells.size(); ++a) {
-    const Verdict verdict = row.cells[a].check.verdict;
-    if (verdict == settled) continue;
+    const Verdict verdict = row.cells[a].result.verdict;
+    if (verdict == baseline) continue;
     const Alternative& alternative = matrix.alternatives[a];
     (verdict == Verdict::undecided ? undecided : decided).push_back(alternative.name);
     if (std::find(choices.begin(), choices.end(), alternative.choice) == choices.end())
       choices.push_back(alternative.choice);
   }
   return {{"check", index},
-          {"settled", to_string(settled)},
+          {"baseline", to_string(baseline)},
           {"conclusion", conclusion(row)},
-          {"hangs_on", choices},
+          {"depends_on", choices},
           {"other", decided},
           {"undecided", undecided}};
 }
@@ -54,12 +55,12 @@ Json conclusion_json(const Matrix& matrix, std::size_t index) {
 }  // namespace
 
 const char* conclusion(const Matrix::Row& row) {
-  const Verdict settled = row.cells.front().check.verdict;
-  if (settled == Verdict::undecided) return "open";
+  const Verdict baseline = row.cells.front().result.verdict;
+  if (baseline == Verdict::undecided) return "open";
   const char* out = "robust";
   for (const Cell& cell : row.cells) {
-    if (contrary(cell.check.verdict, settled)) return "hangs";
-    if (cell.check.verdict != settled) out = "weakened";
+    if (reversed(cell.result.verdict, baseline)) return "assumption-dependent";
+    if (cell.result.verdict != baseline) out = "weakened";
   }
   return out;
 }

@@ -1,26 +1,25 @@
 #pragma once
 
+#include "assumptions/alternative.hpp"
 #include "checks/checks.hpp"
-#include "assumptions/assumption.hpp"
 
 #include <string>
 #include <vector>
 
 namespace bristle {
 
-constexpr const char* kMatrixSchema = "bristle-assumptions/1";
+constexpr const char* kMatrixSchema = "bristle-assumptions/2";
 
 // One check of a claim under one alternative.
 struct Cell {
-  CheckResult check;
-  bool affected =
-      true;  // false: the alternative leaves this experiment as it is, and the numbers are the settled ones
+  CheckResult result;
+  bool affected = true;  // false: the alternative does not change this experiment; the numbers are the baseline's
 };
 
-// Every check of every experiment under every alternative; the first is the settled one.
+// Every check of every experiment under every alternative; the first alternative is the baseline.
 struct Matrix {
   struct Row {
-    std::string experiment, claim, statement;
+    std::string experiment;
     std::vector<Cell> cells;  // one for each alternative
   };
   std::string tier;
@@ -28,12 +27,11 @@ struct Matrix {
   std::vector<Row> rows;
 };
 
-// What a row says: "robust" if no alternative changes the verdict, "weakened" if some leave it undecided,
-// "hangs" if some reverse it, "open" if the settled assumptions do not decide it.
+// The conclusion about a claim: "robust" if no alternative changes the verdict, "weakened" if some leave it
+// undecided, "assumption-dependent" if some reverse it, "open" if the baseline does not decide it.
 const char* conclusion(const Matrix::Row& row);
 
-// schema, tier, program, checks, alternatives, cells, conclusions: docs/assumptions.md has an account of it.
-// NaN is null.
+// Keys: schema, tier, program, checks, alternatives, cells, conclusions (docs/assumptions.md). NaN is null.
 Json matrix_json(const Matrix& matrix);
 
 }  // namespace bristle

@@ -1,8 +1,12 @@
 #include "checks/checks.hpp"
 
-#include "checks/vocabulary.hpp"
+#include "checks/measure.hpp"
+#include "checks/validate.hpp"
 #include "experiment/experiment.hpp"
 
+#include <nlohmann/json.hpp>
+
+#include <fmt/format.h>
 #include <cmath>
 
 namespace bristle {
@@ -11,9 +15,14 @@ namespace {
 // Below this the association of a trend may be chance.
 constexpr double kSignificant = 0.05;
 
-double margin_of(const CheckResult& r) {
-  if (r.is == "near") return r.band - std::abs(r.measured.value - r.threshold);
-  return r.is == "at_most" ? r.threshold - r.measured.value : r.measured.value - r.threshold;
+// Distance from the threshold, or from the end of the band, positive where the claim holds.
+double margin_of(const Check& check, double value) {
+  switch (check.criterion) {
+    case Criterion::near: return *check.band - std::abs(value - check.threshold);
+    case Criterion::at_most: return check.threshold - value;
+    case Criterion::at_least: break;
+  }
+  return value - check.threshold;
 }
 
 Verdict decide(const Measurement& m, double margin) {
@@ -34,24 +43,45 @@ const char* to_string(Verdict verdict) {
   return "?";
 }
 
+const char* to_string(Criterion criterion) {
+  switch (criterion) {
+    case Criterion::at_most: return "at_most";
+    case Criterion::at_least: return "at_least";
+    case Criterion::near: return "near";
+  }
+  return "?";
+}
+
 std::vector<CheckResult> evaluate_checks(const ResultReader& result) {
   std::vector<CheckResult> out;
-  // The file's word for them is not taken: what measures relies on each key.
+  // A file's checks are untrusted: the measuring functions rely on what validation guarantees.
   const Experiment experiment = stored_experiment(result.experiment(), "full", result.path());
   validate_checks(experiment);
-  for (const Json& check : experiment.checks) {
-    CheckResult r;
-    r.claim = check["claim"];
-    r.statement = check["statement"];
-    r.measured = measure(result, check);
-    r.is = check["is"];
-    r.threshold = check.value("threshold", 0.0);
-    r.band = check.value("band", NAN);
-    r.margin = margin_of(r);
+  for (const Check& check : experiment.checks) {
+    CheckResult r{check, measure(result, check), 0, Verdict::undecided};
+    r.margin = margin_of(check, r.measured.value);
     r.verdict = decide(r.measured, r.margin);
-    out.push_back(r);
+    out.push_back(std::move(r));
   }
   return out;
+}
+
+std::string checks_table(const std::vector<CheckResult>& checks) {
+  std::string text = fmt::format("{:<5} {:<10} {:>18} {:>14} {:>9}  {}\n", "claim", "verdict", "measured",
+                                 "claimed", "margin", "statement");
+  for (const CheckResult& c : checks) {
+    const std::string measured = fmt::format("{:.3f} +- {:.3f}", c.measured.value, c.measured.uncertainty);
+    const std::string claimed =
+        c.check.criterion == Criterion::near
+            ? fmt::format("{:.3g} +- {:.3g}", c.check.threshold, *c.check.band)
+                       : fmt::format("{} {:.3g}", c.check.criterion == Criterion::at_most ? "at most" : "at least",
+                          c.check.threshold);
+    text += fmt::format(
+        "{:<5} {:<10} {:>18} {:>14} {:>9.3f}  {}{}\n", c.check.claim, to_string(c.verdict), measured, claimed,
+        c.margin, c.check.statement,
+        c.measured.missing ? fmt::format(" [{} points without a value]", c.measured.missing) : "");
+  }
+  return text;
 }
 
 }  // namespace bristle

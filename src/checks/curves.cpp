@@ -13,15 +13,9 @@
 namespace bristle {
 namespace {
 
-constexpr double kSameValue = 1e-9;  // relative, of an axis
+using Field = CheckedField;
 
-// A variable with its errors over the sweep, and which points are selected.
-struct Field {
-  std::vector<std::string> dimensions;
-  std::vector<std::size_t> shape;
-  std::vector<double> values, errors;
-  std::vector<bool> kept;
-};
+constexpr double kSameValue = 1e-9;  // relative, of an axis
 
 std::size_t stride_of(const Field& field, std::size_t dimension) {
   std::size_t stride = 1;
@@ -68,44 +62,46 @@ void divide(const ResultReader& result, Field& field, const std::string& name, d
   }
 }
 
-// The number that a selection's value stands for: itself, or the index of a word among a choice's options.
-double number_of(const ResultReader& result, const std::string& name, const Json& value) {
-  if (value.is_number()) return value;
+// The value of a word on an axis of choices: its index among the options.
+double index_of(const ResultReader& result, const std::string& name, const std::string& word) {
   const auto words = result.flag_meanings(name);
-  const auto found = std::find(words.begin(), words.end(), value.get<std::string>());
+  const auto found = std::find(words.begin(), words.end(), word);
   if (found == words.end())
-    throw InputError(fmt::format("{}: {} is not one of {}'s words: {}", result.path(), shown(value), name,
+    throw InputError(fmt::format("{}: {} is not one of {}'s words: {}", result.path(), word, name,
                                  fmt::join(words, ", ")));
   return double(found - words.begin());
 }
 
-void keep_on_axis(const ResultReader& result, Field& field, std::size_t d, const Json& wanted) {
+// The range [from, to] that a selection means on this axis.
+std::array<double, 2> range_of(const ResultReader& result, const std::string& name, const Selection& wanted) {
+  if (const auto* range = std::get_if<std::array<double, 2>>(&wanted)) return *range;
+  const auto* word = std::get_if<std::string>(&wanted);
+  const double value = word ? index_of(result, name, *word) : std::get<double>(wanted);
+  return {value, value};
+}
+
+void keep_on_axis(const ResultReader& result, Field& field, std::size_t d, const Selection& wanted) {
   const std::string& name = field.dimensions[d];
   const std::vector<double> axis = values_of(result, name, field.shape[d]);
-  const bool range = wanted.is_array();
-  const double low = number_of(result, name, range ? wanted[0] : wanted);
-  const double high = range ? number_of(result, name, wanted[1]) : low;
+  const auto [low, high] = range_of(result, name, wanted);
   const double slack = kSameValue * std::max(std::abs(low), std::abs(high));
-  const auto selected = [&](double x) { return x >= low - slack && x <= high + slack; };
+  const auto selected = [from = low - slack, to = high + slack](double x) { return x >= from && x <= to; };
   if (std::none_of(axis.begin(), axis.end(), selected))
     throw InputError(fmt::format("{}: the axis {} has no value {}; it has: {:.6g}", result.path(), name,
-                                 shown(wanted), fmt::join(axis, ", ")));
+                                 selection_text(wanted), fmt::join(axis, ", ")));
   const std::size_t stride = stride_of(field, d);
   for (std::size_t i = 0; i < field.kept.size(); ++i)
     if (!selected(axis[i / stride % field.shape[d]])) field.kept[i] = false;
 }
 
-void select(const ResultReader& result, Field& field, const Json& where) {
-  for (const auto& [name, wanted] : where.items()) {
-    const auto axis = std::find(field.dimensions.begin(), field.dimensions.end(), name);
-    if (axis != field.dimensions.end()) {
-      keep_on_axis(result, field, std::size_t(axis - field.dimensions.begin()), wanted);
-      continue;
-    }
-    const std::vector<double> values = values_of(result, name, field.values.size());
-    for (std::size_t i = 0; i < field.kept.size(); ++i)
-      if (!(values[i] >= wanted[0] && values[i] <= wanted[1])) field.kept[i] = false;
-  }
+void select(const ResultReader& result, Field& field, const std::string& name, const Selection& wanted) {
+  const auto axis = std::find(field.dimensions.begin(), field.dimensions.end(), name);
+  if (axis != field.dimensions.end())
+    return keep_on_axis(result, field, std::size_t(axis - field.dimensions.begin()), wanted);
+  const std::vector<double> values = values_of(result, name, field.values.size());
+  const auto [from, to] = std::get<std::array<double, 2>>(wanted);  // validate_checks(): a variable has a range
+  for (std::size_t i = 0; i < field.kept.size(); ++i)
+    if (!(values[i] >= from && values[i] <= to)) field.kept[i] = false;
 }
 
 // Value and error where the abscissa first passes the target along a curve's nodes; NaN if it does not.
@@ -149,31 +145,35 @@ Field reduce(const ResultReader& result, const Field& field, const std::string& 
   return out;
 }
 
-Field field_of(const ResultReader& result, const Json& check, const std::string& variable, const Json& more) {
-  Field field = read(result, variable);
-  if (check.contains("divide_by") && variable == check["variable"])
-    for (const auto& [name, power] : check["divide_by"].items()) divide(result, field, name, power);
-  select(result, field, check.value("where", Json::object()));
-  select(result, field, more.is_null() ? Json::object() : more);
-  if (check.contains("at"))
-    for (const auto& [name, value] : check["at"].items()) field = reduce(result, field, name, value);
-  return field;
-}
-
 }  // namespace
 
-Curves curves_of(const ResultReader& result, const Json& check, const Json& more) {
-  const std::string variable = check["variable"], along = check["along"];
-  const Field y = field_of(result, check, variable, more);
-  const std::size_t d = dimension_of(result, y, variable, along), stride = stride_of(y, d);
-  const std::vector<double> axis = values_of(result, along, y.shape[d]);
-  std::optional<Field> x;
-  if (check.contains("x")) x = field_of(result, check, check["x"], more);
+CheckedCurves::CheckedCurves(const ResultReader& result, const Check& check, const std::optional<Selection>& at)
+    : result_(result), check_(check) {
+  if (at) compared_.emplace(check.compare->axis, *at);
+}
+
+CheckedField CheckedCurves::field_of(const std::string& variable) const {
+  CheckedField field = read(result_, variable);
+  if (variable == check_.variable)
+    for (const auto& [name, power] : check_.divide_by) divide(result_, field, name, power);
+  for (const auto& [name, wanted] : check_.where) select(result_, field, name, wanted);
+  if (compared_) select(result_, field, compared_->first, compared_->second);
+  return check_.at ? reduce(result_, field, check_.at->first, check_.at->second) : field;
+}
+
+Curves CheckedCurves::along() const { return along(check_.along); }
+
+Curves CheckedCurves::along(const std::string& dimension) const {
+  const CheckedField y = field_of(check_.variable);
+  const std::size_t d = dimension_of(result_, y, check_.variable, dimension), stride = stride_of(y, d);
+  const std::vector<double> axis = values_of(result_, dimension, y.shape[d]);
+  std::optional<CheckedField> x;
+  if (!check_.x.empty()) x = field_of(check_.x);
   if (x && x->shape != y.shape)
-    throw InputError(fmt::format("{}: damaged: {} and {} have other shapes", result.path(), variable,
-                                 check["x"].get<std::string>()));
+    throw InputError(fmt::format("{}: damaged: {} and {} have different shapes", result_.path(),
+                                 check_.variable, check_.x));
   Curves out;
-  out.independent = check.value("errors", "") == "independent";
+  out.independent = check_.independent_errors;
   for (std::size_t start = 0; start < y.values.size(); ++start) {
     if (start / stride % y.shape[d] != 0) continue;
     Curve curve;
@@ -183,20 +183,15 @@ Curves curves_of(const ResultReader& result, const Json& check, const Json& more
       const CurvePoint point{x ? x->values[i] : axis[k], y.values[i], y.errors[i], x ? x->errors[i] : 0};
       if (std::isfinite(point.x) && std::isfinite(point.value) && std::isfinite(point.error))
         curve.push_back(point);
-      else if (along != "node") ++out.missing;
+      else if (dimension != "node") ++out.missing;
     }
     if (!curve.empty()) out.curves.push_back(curve);
   }
   return out;
 }
 
-Curves curves_along(const ResultReader& result, Json check, const std::string& along) {
-  check["along"] = along;
-  return curves_of(result, check);
-}
-
-Curve points_of(const ResultReader& result, const Json& check, const Json& more) {
-  const Field field = field_of(result, check, check["variable"], more);
+Curve CheckedCurves::points() const {
+  const CheckedField field = field_of(check_.variable);
   Curve out;
   for (std::size_t i = 0; i < field.values.size(); ++i)
     if (field.kept[i]) out.push_back({double(i), field.values[i], field.errors[i]});

@@ -1,6 +1,11 @@
 #pragma once
 
+#include "experiment/check.hpp"
 #include "results/reader.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace bristle {
 
@@ -11,26 +16,42 @@ struct CurvePoint {
 };
 using Curve = std::vector<CurvePoint>;
 
-// What a check measures on: curves along one dimension of a result.
+// Curves along one dimension of a result, on which a check measures.
 struct Curves {
   std::vector<Curve> curves;
   std::size_t missing = 0;   // points without a value, left out
   bool independent = false;  // the errors are independent and add in quadrature, otherwise linearly
 };
 
-// The variable of a check (divided by powers of others: "divide_by") along its dimension "along", over that
-// axis or over another variable ("x"), at the points that its "where" selects:
-//   "where": {"friction": "nss", "k_r": 5, "z_0": [0.9, 0.98]}   a word, a value of an axis, a range
-// With "at": {"R_n": 0.5} a traced curve is first reduced to the node, by linear interpolation, that carries
-// the load on the loading path (for any other variable: where it first passes the value); the error then
-// includes the distance to the nearer node. more adds selections to "where". Throws InputError naming what is
-// not there.
-Curves curves_of(const ResultReader& result, const Json& check, const Json& more = {});
+// A variable with its errors over the sweep; kept marks the selected points. All in row-major order.
+struct CheckedField {
+  std::vector<std::string> dimensions;
+  std::vector<std::size_t> shape;
+  std::vector<double> values, errors;
+  std::vector<bool> kept;
+};
 
-// The same along another dimension.
-Curves curves_along(const ResultReader& result, Json check, const std::string& along);
+// The variable of a check, divided by powers of others, at the points that its "where" selects. "at" reduces a
+// traced curve to one value: by linear interpolation, at the node that carries the given load on the loading
+// path (for another variable: where it first passes the given value); the error then includes the distance to
+// the nearer node. All members throw InputError for a name that the result does not have.
+class CheckedCurves {
+ public:
+  // at: of the check's comparison, the value of the axis at which to measure.
+  CheckedCurves(const ResultReader& result, const Check& check, const std::optional<Selection>& at = {});
 
-// All selected points in row-major order, those without a value included.
-Curve points_of(const ResultReader& result, const Json& check, const Json& more = {});
+  // Curves along the check's dimension, or another, over that axis or the check's abscissa x.
+  Curves along() const;
+  Curves along(const std::string& dimension) const;
+  // All selected points in row-major order, those without a value included.
+  Curve points() const;
+
+ private:
+  CheckedField field_of(const std::string& variable) const;
+
+  const ResultReader& result_;
+  const Check& check_;
+  std::optional<std::pair<std::string, Selection>> compared_;
+};
 
 }  // namespace bristle

@@ -1,6 +1,7 @@
 #include "checks/diff.hpp"
 
 #include "checks/comparison.hpp"
+#include "results/datasets.hpp"
 #include "util/error.hpp"
 
 #include <fmt/format.h>
@@ -15,7 +16,6 @@ namespace bristle {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct Pair {
   const ResultReader &a, &b;
@@ -84,20 +84,15 @@ std::vector<double> units_of(const Pair& files, const std::string& name, const V
     return units;
   }
   const std::string error = name + "_err";
-  if (!h5::exists(files.a.file(), error) || !h5::exists(files.b.file(), error)) return units;
+  if (!files.a.has(error) || !files.b.has(error)) return units;
   const auto in_a = files.a.variable(error).values, in_b = files.b.variable(error).values;
   if (in_a.size() == units.size() && in_b.size() == units.size())
     for (std::size_t i = 0; i < units.size(); ++i) units[i] = in_a[i] + in_b[i];
   return units;
 }
 
-double in_units(double size, double unit) {
-  if (size == 0) return 0;
-  return unit == 0 ? kInfinity : size / unit;
-}
-
 // Flags, NaN and infinity have no distance: the first of them, and how many there are.
-void tell_plainly(const Pair& files, const std::string& name, const Variable& a, const Variable& b,
+void report_incomparable(const Pair& files, const std::string& name, const Variable& a, const Variable& b,
                   const std::vector<std::size_t>& at, Diff& out) {
   if (at.empty()) return;
   const std::size_t i = at[0];
@@ -120,7 +115,7 @@ void compare_values(const Pair& files, const std::string& name, const Variable& 
     const bool distance = !flags && std::isfinite(x) && std::isfinite(y);
     (distance ? comparable : incomparable).push_back(i);
     if (!distance) continue;
-    const double size = std::abs(x - y), many = in_units(size, units[i]);
+    const double size = std::abs(x - y), many = in_tolerances(x, y, units[i]);
     d.absolute = std::max(d.absolute, size);
     if (size > 0) d.relative = std::max(d.relative, size / std::max(std::abs(x), std::abs(y)));
     if (!std::isnan(many)) d.units = std::max(d.units.value_or(0), many);
@@ -131,7 +126,7 @@ void compare_values(const Pair& files, const std::string& name, const Variable& 
     d.b = y;
     d.where = i;
   }
-  tell_plainly(files, name, a, b, incomparable, out);
+  report_incomparable(files, name, a, b, incomparable, out);
   if (incomparable.empty() && comparable.empty()) ++out.same;
   if (comparable.empty()) return;
   d.place = place(files.a, name, d.where);
@@ -175,7 +170,7 @@ std::string table(const std::vector<Difference>& numbers) {
 
 double Diff::worst() const {
   double most = 0;
-  for (const Difference& d : numbers) most = std::max(most, d.units.value_or(kInfinity));
+  for (const Difference& d : numbers) most = std::max(most, d.units.value_or(INFINITY));
   return most;
 }
 

@@ -1,13 +1,13 @@
 #include "checks/reference.hpp"
 
-#include "checks/comparison.hpp"
-#include "results/writer.hpp"
+#include "results/datasets.hpp"
+#include "util/grid.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
+#include <nlohmann/json.hpp>
 
 namespace bristle {
 namespace {
@@ -38,7 +38,7 @@ double scale_of(const std::vector<double>& values) {
 // A companion of a variable, zero where there is none: without a value, there is nothing to add.
 std::vector<double> companion(const ResultReader& result, const std::string& name, std::size_t size) {
   std::vector<double> values(size, 0);
-  if (!h5::exists(result.file(), name)) return values;
+  if (!result.has(name)) return values;
   const auto stored = result.variable(name).values;
   for (std::size_t i = 0; i < std::min(size, stored.size()); ++i)
     if (std::isfinite(stored[i])) values[i] = stored[i];
@@ -59,9 +59,9 @@ void add_to(std::vector<double>& values, double what) {
 // How far from its target the load search may stop: orientation.rtol of it; 0 where none was searched for.
 double search_error(const ResultReader& result) {
   const Json experiment = result.experiment();
-  if (!h5::exists(result.file(), "load_error")) return 0;
+  if (!result.has("load_error")) return 0;
   double largest = experiment["load"].value("R_n", 0.0);
-  if (h5::exists(result.file(), "R_n_target"))
+  if (result.has("R_n_target"))
     for (const double target : result.variable("R_n_target").values) largest = std::max(largest, target);
   return experiment["orientation"].value("rtol", 0.0) * largest;
 }
@@ -73,7 +73,7 @@ ReferenceVariable make_variable(const ResultReader& result, const std::string& n
   const double scale = scale_of(out.values);
   out.quadrature = companion(result, name + "_err", size);
   out.load_control.assign(size, 0);
-  if (h5::exists(result.file(), "load_error"))
+  if (result.has("load_error"))
     out.load_control = companion(result, "load_error/" + name, size);
   // energy_residual is the integrator's error itself.
   out.integrator.assign(size, (name == "energy_residual" ? 1 : kIntegrator * rtol) * scale);
@@ -89,21 +89,16 @@ ReferenceVariable make_variable(const ResultReader& result, const std::string& n
   return out;
 }
 
-// Of the points: those of the status, a curve's nodes included, or of the sweep if a damaged file lacks it.
-std::vector<std::string> dimensions_of(const ResultReader& result, const Json& experiment) {
-  if (h5::exists(result.file(), "status")) return result.variable("status").dimensions;
-  std::vector<std::string> axes;
-  const Json sweep = experiment.value("sweep", Json::object());
-  for (const auto& [name, axis] : sweep.items()) axes.push_back(axis_variable(name));
-  return axes;
+// Dimensions of the points: those of the status, nodes included, or of the sweep if a damaged file lacks it.
+std::vector<std::string> dimensions_of(const ResultReader& result) {
+  return result.has("status") ? result.variable("status").dimensions : result.axes();
 }
 
-// Of the program that computed the points; of several, if the points are from several runs.
+// The commit of the program that computed the points; several if the points are from several runs.
 std::string commit_of(const ResultReader& result) {
-  if (!h5::exists(result.file(), "provenance")) return "unknown";
-  const h5::Handle group(H5Gopen2(result.file(), "provenance", H5P_DEFAULT), H5Gclose, "opening /provenance");
+  const auto provenance = result.provenance();
   for (const char* name : {"points_commits", "commit"})
-    if (h5::has_attribute(group, name)) return h5::read_text_attribute(group, name);
+    if (const auto found = provenance.find(name); found != provenance.end()) return found->second;
   return "unknown";
 }
 
@@ -121,11 +116,7 @@ std::vector<std::size_t> Reference::shape() const {
   return s;
 }
 
-std::size_t Reference::points() const {
-  std::size_t n = 1;
-  for (const Axis& axis : axes) n *= axis.values.size();
-  return n;
-}
+std::size_t Reference::points() const { return grid_size(shape()); }
 
 Reference make_reference(const ResultReader& result, const std::vector<CheckResult>& checks) {
   const Json experiment = result.experiment();
@@ -136,7 +127,7 @@ Reference make_reference(const ResultReader& result, const std::vector<CheckResu
   out.payload_sha256 = result.text("payload_sha256");
   out.commit = commit_of(result);
   out.numerics_version = h5::read_integer_attribute(result.file(), "numerics_version");
-  const std::vector<std::string> axes = dimensions_of(result, experiment);
+  const std::vector<std::string> axes = dimensions_of(result);
   for (const std::string& name : axes) out.axes.push_back({name, result.variable(name).values});
   const double rtol = experiment["integrator"]["rtol"];
   for (const std::string& name : numeric_datasets(result)) {
@@ -149,12 +140,8 @@ Reference make_reference(const ResultReader& result, const std::vector<CheckResu
     if (kind == Kind::real) out.variables.push_back(make_variable(result, name, v.values, rtol, wrong));
     else out.flags.push_back({name, std::vector<long>(v.values.begin(), v.values.end()), wrong});
   }
-  for (const CheckResult& c : checks) out.claims.push_back({c.claim, c.statement, to_string(c.verdict)});
+  for (const CheckResult& c : checks) out.claims.push_back({c.check.claim, c.check.statement, to_string(c.verdict)});
   return out;
-}
-
-std::string reference_path(const std::string& folder, const std::string& name) {
-  return (std::filesystem::path(folder) / (name + ".json")).string();
 }
 
 }  // namespace bristle

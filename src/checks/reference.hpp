@@ -6,8 +6,6 @@
 
 namespace bristle {
 
-constexpr const char* kReferenceSchema = "bristle-reference/1";
-
 // A quantity over the points, row-major, the last axis fastest, with what its value leaves open: a change
 // within the sum of the parts is none. docs/reference.md derives them. NaN: the point has no value.
 struct ReferenceVariable {
@@ -57,14 +55,5 @@ struct Reference {
 // What a result file with these verdicts would be as a reference. Left out: errors (they are the tolerance),
 // axes, and counts without meanings such as passages, which are cost, not result.
 Reference make_reference(const ResultReader& result, const std::vector<CheckResult>& checks);
-
-// JSON, the same text for the same reference: one array per line, numbers that read back to the bit.
-std::string reference_text(const Reference& reference);
-
-// Throws InputError naming file and JSON pointer for whatever is not a reference.
-Reference read_reference(const std::string& path);
-
-// Where an experiment's reference lies: FOLDER/<name>.json.
-std::string reference_path(const std::string& folder, const std::string& name);
 
 }  // namespace bristle

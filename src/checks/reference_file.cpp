@@ -1,4 +1,5 @@
-#include "checks/reference.hpp"
+#include "checks/reference_file.hpp"
+
 #include "util/error.hpp"
 #include "util/text.hpp"
 
@@ -6,8 +7,10 @@
 #include <fmt/ranges.h>
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 namespace bristle {
@@ -238,6 +241,10 @@ Reference read_reference(const std::string& path) {
     out.variables.push_back(read_variable(name, node, points));
   });
   return out;
+}
+
+std::string reference_path(const std::string& folder, const std::string& name) {
+  return (std::filesystem::path(folder) / (name + ".json")).string();
 }
 
 }  // namespace bristle

@@ -1,18 +1,19 @@
 #include "checks/reference_update.hpp"
 
-#include "checks/comparison.hpp"
-#include "checks/drift.hpp"
-#include "checks/work_tree.hpp"
-#include "util/error.hpp"
+#include "checks/checks.hpp"
+#include "checks/deviation.hpp"
+#include "checks/reference_file.hpp"
+#include "results/datasets.hpp"
+#include "results/digest.hpp"
 #include "results/variables.hpp"
-#include "results/writer.hpp"
+#include "util/error.hpp"
+#include "util/file.hpp"
+#include "util/git.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <set>
 
 namespace bristle {
@@ -54,7 +55,7 @@ void require_origin(const ResultReader& result, const Reference& made) {
 // A value that is not there although its point has values, or is infinite.
 bool is_lost(const std::string& name, double value, double status) {
   if (std::isinf(value)) return true;
-  const bool has_values = status_is(status, PointStatus::ok) || status_is(status, PointStatus::jump);
+  const bool has_values = status_is(status, PointStatus::ok) || status_is(status, PointStatus::load_jump);
   return std::isnan(value) && has_values && !kMayBeMissing.contains(name);
 }
 
@@ -78,30 +79,30 @@ void require_sound_run(const ResultReader& result, const Reference& made) {
   }
 }
 
-// Two references that hold a later program against the same: wherever they were computed.
-bool says_the_same(Reference a, const Reference& b) {
+// Whether two references contain the same numbers and verdicts, whichever commit computed them.
+bool equivalent(Reference a, const Reference& b) {
   a.commit = b.commit;
   a.payload_sha256 = b.payload_sha256;
   return reference_text(a) == reference_text(b);
 }
 
-std::string change_line(const ResultReader& result, const Drift& d) {
-  const std::string units =
-      std::isfinite(d.units) ? fmt::format(", {:.3g} of the old tolerance", d.units) : "";
+std::string change_line(const ResultReader& result, const Deviation& d) {
+  const std::string size =
+      std::isfinite(d.tolerances) ? fmt::format(", {:.3g} of the old tolerance", d.tolerances) : "";
   return fmt::format("- {}: {} -> {} at {}{}\n", d.variable, value_text(result, d.variable, d.reference),
-                     value_text(result, d.variable, d.now), place(result, d.variable, d.point), units);
+                     value_text(result, d.variable, d.now), place(result, d.variable, d.point), size);
 }
 
 // What changed: the largest change of every variable, and what has no size.
 std::string changes(const ResultReader& result, const Reference& old, const Reference& made) {
-  const DriftReport report = drift(old, made);
+  const DeviationReport report = compare_with_reference(old, made);
   std::string text;
   for (const std::string& note : report.notes) text += fmt::format("- {}\n", note);
   for (const std::string& failure : report.failures) text += fmt::format("- {}\n", failure);
-  std::set<std::string> told;
-  for (const Drift& d : report.drifts)  // worst first
-    if (told.insert(d.variable).second) text += change_line(result, d);
-  if (report.drifts.empty() && report.failures.empty())
+  std::set<std::string> listed;
+  for (const Deviation& d : report.deviations)  // worst first
+    if (listed.insert(d.variable).second) text += change_line(result, d);
+  if (report.deviations.empty() && report.failures.empty())
     text += "- the same values, other tolerances or inputs\n";
   return text;
 }
@@ -113,34 +114,30 @@ std::string entry(const ReferenceUpdate& update, const ResultReader& result, con
                      old ? changes(result, *old, made) : std::string("- new reference\n"));
 }
 
-std::string read_text(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-void write_text(const fs::path& path, const std::string& text) {
-  std::ofstream out(path, std::ios::binary);
-  out << text;
-  out.close();
-  if (!out) throw RunError(fmt::format("{}: cannot be written", path.string()));
-}
-
-// Both files under temporary names first: a full disk leaves the old ones.
-void write_files(const fs::path& reference, const std::string& text, const fs::path& log,
+// Both files under temporary names first: a full disk leaves both old files.
+void write_files(const std::string& reference, const std::string& text, const std::string& log,
                  const std::string& record) {
-  std::error_code error;
-  fs::create_directories(reference.parent_path(), error);
-  const fs::path new_reference = reference.string() + ".new", new_log = log.string() + ".new";
-  try {
-    write_text(new_reference, text);
-    write_text(new_log, record);
-    fs::rename(new_log, log);
-    fs::rename(new_reference, reference);
-  } catch (...) {
-    fs::remove(new_reference, error);
-    fs::remove(new_log, error);
-    throw;
-  }
+  WholeFile new_reference(reference), new_log(log);
+  new_reference.write(text.data(), text.size());
+  new_log.write(record.data(), record.size());
+  new_reference.close();
+  new_log.close();
+  new_log.publish();
+  new_reference.publish();
+}
+
+// What is recorded must follow from a state that can be restored: nothing outside the folder of the references,
+// which need not exist yet, may differ from the commit.
+void require_clean_work_tree(const std::string& folder) {
+  const std::string option = "--reference " + folder;
+  const fs::path path = fs::absolute(fs::path(folder) / "").lexically_normal().parent_path();
+  if (!fs::is_directory(path.parent_path()))
+    throw InputError(fmt::format("{}: there is no folder {}", option, path.parent_path().string()));
+  const Repository repository(path.parent_path().string(), option,
+                              "references belong to the program's repository");
+  if (const std::string changes = repository.changes(path.filename().string()); !changes.empty())
+    throw InputError(fmt::format("{}: the work tree differs from its commit; commit or stash first:\n{}",
+                                 option, changes));
 }
 
 }  // namespace
@@ -154,12 +151,12 @@ std::string update_reference(const ReferenceUpdate& update) {
   const std::string path = reference_path(update.folder, made.name);
   std::optional<Reference> old;
   if (fs::exists(path)) old = read_reference(path);
-  if (old && says_the_same(*old, made)) return "";
+  if (old && equivalent(*old, made)) return "";
   require_clean_work_tree(update.folder);
-  const fs::path log = fs::path(update.folder) / "CHANGELOG.md";
+  const std::string log = (fs::path(update.folder) / "CHANGELOG.md").string();
   std::string added = entry(update, result, old ? &*old : nullptr, made);
   const std::string before = fs::exists(log)
-                                 ? read_text(log)
+                                 ? read_file(log)
                                  : "# Changes of the references\n\nWritten by `bristle reference update`; "
                                    "oldest first. docs/reference.md says what is in a reference.\n";
   write_files(path, reference_text(made), log, before + added);

@@ -1,8 +1,9 @@
-#include "checks/checks.hpp"
+#include "checks/store.hpp"
+
 #include "results/hdf5.hpp"
 
-#include <fmt/format.h>
 #include <algorithm>
+#include <cmath>
 
 namespace bristle {
 namespace {
@@ -42,35 +43,19 @@ void write_checks(const std::string& path, const std::vector<CheckResult>& check
       const h5::Handle dataset = h5::create_dataset(group, name, H5T_NATIVE_DOUBLE, {all.size()});
       h5::write_part(dataset, H5T_NATIVE_DOUBLE, {0}, {all.size()}, all.data());
     };
-    texts("claim", [](const CheckResult& c) { return c.claim; });
-    texts("statement", [](const CheckResult& c) { return c.statement; });
-    texts("is", [](const CheckResult& c) { return c.is; });
+    texts("claim", [](const CheckResult& c) { return c.check.claim; });
+    texts("statement", [](const CheckResult& c) { return c.check.statement; });
+    texts("is", [](const CheckResult& c) { return std::string(to_string(c.check.criterion)); });
     texts("verdict", [](const CheckResult& c) { return std::string(to_string(c.verdict)); });
     numbers("measured", [](const CheckResult& c) { return c.measured.value; });
     numbers("uncertainty", [](const CheckResult& c) { return c.measured.uncertainty; });
-    numbers("threshold", [](const CheckResult& c) { return c.threshold; });
-    numbers("band", [](const CheckResult& c) { return c.band; });
+    numbers("threshold", [](const CheckResult& c) { return c.check.threshold; });
+    numbers("band", [](const CheckResult& c) { return c.check.band.value_or(NAN); });
     numbers("margin", [](const CheckResult& c) { return c.margin; });
     numbers("significance", [](const CheckResult& c) { return c.measured.significance; });
     group.close("closing /checks");
   }
   file.close("closing " + path);
-}
-
-std::string checks_table(const std::vector<CheckResult>& checks) {
-  std::string text = fmt::format("{:<5} {:<10} {:>18} {:>14} {:>9}  {}\n", "claim", "verdict", "measured",
-                                 "claimed", "margin", "statement");
-  for (const CheckResult& c : checks) {
-    const std::string measured = fmt::format("{:.3f} +- {:.3f}", c.measured.value, c.measured.uncertainty);
-    const std::string claimed =
-        c.is == "near" ? fmt::format("{:.3g} +- {:.3g}", c.threshold, c.band)
-                       : fmt::format("{} {:.3g}", c.is == "at_most" ? "at most" : "at least", c.threshold);
-    text += fmt::format(
-        "{:<5} {:<10} {:>18} {:>14} {:>9.3f}  {}{}\n", c.claim, to_string(c.verdict), measured, claimed,
-        c.margin, c.statement,
-        c.measured.missing ? fmt::format(" [{} points without a value]", c.measured.missing) : "");
-  }
-  return text;
 }
 
 }  // namespace bristle

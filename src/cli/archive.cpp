@@ -1,6 +1,7 @@
 #include "archive/rerun.hpp"
 #include "cli/commands.hpp"
 #include "run/provenance.hpp"
+#include "util/error.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -36,7 +37,7 @@ bool rerun_points(const VerifyOptions& options, const Verification& archive) {
       fmt::print("{}: {}: {}\n", point.file, point.place, verdict);
       std::fflush(stdout);  // a point may take minutes
     });
-  } catch (const BadArchive& e) {
+  } catch (const MalformedError& e) {
     fmt::print("FAILED: {}\n", e.what());
     return false;
   }

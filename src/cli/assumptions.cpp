@@ -1,13 +1,12 @@
 #include "cli/commands.hpp"
 #include "util/error.hpp"
 #include "util/file.hpp"
-#include "assumptions/study.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <map>
+#include <nlohmann/json.hpp>
 
 namespace bristle {
 namespace {
@@ -24,42 +23,26 @@ std::vector<std::string> declared_in(const std::string& folder) {
   return files;
 }
 
-void write_matrix(const std::string& path, const Matrix& matrix) {
-  const std::string partial = path + ".partial";
-  try {
-    std::ofstream out(partial);
-    out << matrix_json(matrix).dump(1) << '\n';
-    out.close();
-    if (!out) throw RunError(fmt::format("{}: cannot be written", path));
-    replace_file(partial, path);
-  } catch (const RunError&) {
-    std::error_code ignored;
-    fs::remove(partial, ignored);
-    throw;
-  }
-}
-
 void print_conclusions(const Matrix& matrix) {
   std::map<std::string, int> counts;
   for (const Matrix::Row& row : matrix.rows) {
     ++counts[conclusion(row)];
-    fmt::print("{:<5} {:<10} {:<9} {}\n", row.claim, to_string(row.cells.front().check.verdict),
-               conclusion(row), row.statement);
+    fmt::print("{:<5} {:<10} {:<20} {}\n", row.cells.front().result.check.claim,
+               to_string(row.cells.front().result.verdict),
+               conclusion(row), row.cells.front().result.check.statement);
   }
-  fmt::print("{} checks under {} alternatives: {} robust, {} weakened, {} hang on an assumption, {} open\n",
+  fmt::print("{} checks under {} alternatives: {} robust, {} weakened, {} assumption-dependent, {} open\n",
              matrix.rows.size(), matrix.alternatives.size() - 1, counts["robust"], counts["weakened"],
-             counts["hangs"], counts["open"]);
+             counts["assumption-dependent"], counts["open"]);
 }
 
 }  // namespace
 
-int assumptions_command(StudyOptions options) {
+int assumptions_command(AssumptionsOptions options) {
   if (options.files.empty())
     options.files = declared_in((fs::path(options.experiments) / "assumptions").string());
-  const fs::path folder = fs::path(options.output).parent_path();
-  if (!folder.empty()) fs::create_directories(folder);
-  const Matrix matrix = study(options);
-  write_matrix(options.output, matrix);
+  const Matrix matrix = run_assumptions(options);
+  write_whole(options.output, matrix_json(matrix).dump(1) + "\n");
   print_conclusions(matrix);
   return kFine;
 }

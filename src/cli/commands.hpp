@@ -1,9 +1,9 @@
 #pragma once
 
 #include "archive/build.hpp"
+#include "assumptions/assumptions.hpp"
 #include "checks/diff.hpp"
 #include "checks/reference_update.hpp"
-#include "assumptions/study.hpp"
 
 #include <optional>
 #include <string>
@@ -38,7 +38,7 @@ struct CheckOptions {
   std::string file, reference = "reference";
   bool report_only = false;  // claims that are not supported do not fail
   bool claims_only = false;  // no comparison with the reference
-  bool json = false;         // for programs: drift, and the command that computes each point again
+  bool json = false;         // for programs: deviations, and the command that computes each point again
 };
 int check_command(const CheckOptions& options);
 
@@ -54,7 +54,7 @@ struct MergeOptions {
 };
 int merge_command(const MergeOptions& options);
 
-int assumptions_command(StudyOptions options);
+int assumptions_command(AssumptionsOptions options);
 
 int reference_update_command(ReferenceUpdate update);
 

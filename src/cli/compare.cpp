@@ -1,5 +1,9 @@
 #include "checks/diff.hpp"
-#include "checks/drift.hpp"
+#include "checks/checks.hpp"
+#include "checks/deviation_json.hpp"
+#include "checks/deviation_text.hpp"
+#include "checks/reference_file.hpp"
+#include "checks/replay.hpp"
 #include "checks/reference_update.hpp"
 #include "cli/commands.hpp"
 #include "run/provenance.hpp"
@@ -7,6 +11,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 namespace bristle {
 namespace {
@@ -28,7 +33,7 @@ bool report_claims(const CheckOptions& options, const std::vector<CheckResult>& 
 }
 
 // Prints what differs from the stored reference; whether that is within the tolerances.
-bool report_drift(const CheckOptions& options, const ResultReader& result,
+bool report_deviations(const CheckOptions& options, const ResultReader& result,
                   const std::vector<CheckResult>& checks) {
   const std::string path = reference_path(options.reference, result.text("name"));
   if (!std::filesystem::exists(path)) {
@@ -38,8 +43,8 @@ bool report_drift(const CheckOptions& options, const ResultReader& result,
         path, options.file);
     return false;
   }
-  const DriftReport report = drift(read_reference(path), make_reference(result, checks));
-  fmt::print("{}", drift_text(report, result, path));
+  const DeviationReport report = compare_with_reference(read_reference(path), make_reference(result, checks));
+  fmt::print("{}", deviation_text(report, result, path));
   return !report.failed();
 }
 
@@ -47,14 +52,14 @@ bool report_drift(const CheckOptions& options, const ResultReader& result,
 bool print_json(const CheckOptions& options, const ResultReader& result,
                 const std::vector<CheckResult>& checks) {
   const std::string path = reference_path(options.reference, result.text("name"));
-  Json out = {{"file", options.file}, {"drift", nullptr}, {"replay", replay_json(result)}};
+  Json out = {{"file", options.file}, {"deviation", nullptr}, {"replay", replay_json(result)}};
   if (std::filesystem::exists(path))
-    out["drift"] = drift_json(drift(read_reference(path), make_reference(result, checks)), result, path);
+    out["deviation"] = deviation_json(compare_with_reference(read_reference(path), make_reference(result, checks)), result, path);
   fmt::print("{}\n", out.dump(1));
   const bool claims = std::all_of(checks.begin(), checks.end(),
                                   [](const CheckResult& c) { return c.verdict == Verdict::supported; });
-  const bool drifted = out["drift"].is_null() || out["drift"]["failed"].get<bool>();
-  return (claims || options.report_only) && (!drifted || options.claims_only);
+  const bool deviates = out["deviation"].is_null() || out["deviation"]["failed"].get<bool>();
+  return (claims || options.report_only) && (!deviates || options.claims_only);
 }
 
 }  // namespace
@@ -71,7 +76,7 @@ int check_command(const CheckOptions& options) {
   const auto checks = evaluate_checks(result);
   if (options.json) return print_json(options, result, checks) ? kFine : kCheckFailed;
   const bool claims = report_claims(options, checks) || options.report_only;
-  const bool reference = options.claims_only || report_drift(options, result, checks);
+  const bool reference = options.claims_only || report_deviations(options, result, checks);
   return claims && reference ? kFine : kCheckFailed;
 }
 

@@ -2,7 +2,8 @@
 #include "util/error.hpp"
 #include "results/reader.hpp"
 #include "results/variables.hpp"
-#include "results/writer.hpp"
+#include "results/digest.hpp"
+#include "util/grid.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -31,11 +32,9 @@ void print_variable(const ResultReader& result, const std::string& name) {
              values < v.values.size() ? fmt::format(" {} without a value", v.values.size() - values) : "");
 }
 
-// Of a part: the statuses of its own points.
+// Keeps the statuses of the points that the part holds.
 void keep_part(const ResultReader& result, Variable& status) {
-  std::size_t points = 1;
-  const Json sweep = result.experiment().value("sweep", Json::object());
-  for (const auto& [name, axis] : sweep.items()) points *= result.variable(axis_variable(name)).values.size();
+  const std::size_t points = grid_size(result.sweep_shape());
   const auto own = result.part_points();
   if (points == 0 || status.values.size() % points != 0 || (!own.empty() && own.back() >= points))
     throw InputError(
@@ -61,19 +60,19 @@ void print_statuses(const ResultReader& result) {
 }
 
 void print_provenance(const ResultReader& result) {
-  if (!h5::exists(result.file(), "provenance")) return;
-  const h5::Handle group(H5Gopen2(result.file(), "provenance", H5P_DEFAULT), H5Gclose, "opening /provenance");
-  // What was run, when and where, by which program on what; then the libraries, or what else there is.
+  const auto provenance = result.provenance();
+  if (provenance.empty()) return;
+  // The command, when and where it ran, and the program; then the libraries and the rest.
   std::vector<std::string> names = {"command_line",    "started",        "finished", "host",
                                     "system",          "threads",        "cpu",      "cpu_features",
                                     "instruction_set", "version",        "commit",   "dirty",
                                     "points_computed", "points_commits", "compiler", "flags"};
-  for (const std::string& name : h5::attribute_names(group))
+  for (const auto& [name, text] : provenance)
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   fmt::print("provenance:\n");
   for (const std::string& name : names)
-    if (h5::has_attribute(group, name))
-      fmt::print("  {:<22} {}\n", name, h5::read_text_attribute(group, name));
+    if (const auto entry = provenance.find(name); entry != provenance.end())
+      fmt::print("  {:<22} {}\n", name, entry->second);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
-#include "checks/comparison.hpp"
 #include "cli/commands.hpp"
 #include "util/error.hpp"
+#include "util/text.hpp"
 #include "results/hdf5.hpp"
 #include "run/provenance.hpp"
 
@@ -66,18 +66,18 @@ CLI::App* add_merge(CLI::App& app, MergeOptions& merge) {
   return command;
 }
 
-CLI::App* add_assumptions(CLI::App& app, StudyOptions& study) {
+CLI::App* add_assumptions(CLI::App& app, AssumptionsOptions& options) {
   auto* command =
       app.add_subcommand("assumptions", "every claim under every alternative to what the paper leaves open");
-  command->add_option("FILES", study.files, "assumptions [all of <experiments>/assumptions]");
-  command->add_option("--experiments", study.experiments, "folder of the experiments")->capture_default_str();
-  command->add_option("-o,--output", study.output, "matrix; the runs' results go into a folder beside it")
+  command->add_option("FILES", options.files, "assumptions [all of <experiments>/assumptions]");
+  command->add_option("--experiments", options.experiments, "folder of the experiments")->capture_default_str();
+  command->add_option("-o,--output", options.output, "matrix; the runs' results go into a folder beside it")
       ->capture_default_str();
-  command->add_option("--tier", study.tier, "of the experiments")
+  command->add_option("--tier", options.tier, "of the experiments")
       ->check(CLI::IsMember({"smoke", "study", "full"}))
       ->capture_default_str();
-  command->add_option("--threads", study.threads, "threads [all cores]")->check(CLI::Range(1, 1024));
-  command->add_flag("-q,--quiet", study.quiet, "no progress");
+  command->add_option("--threads", options.threads, "threads [all cores]")->check(CLI::Range(1, 1024));
+  command->add_flag("-q,--quiet", options.quiet, "no progress");
   return command;
 }
 
@@ -139,9 +139,9 @@ int dispatch(int argc, char** argv) {
   VerifyOptions verify;
   auto* archive_app = add_archive(app, archive);
   auto* verify_app = add_verify(app, verify);
-  StudyOptions study;
-  study.command_line = run.command_line;
-  auto* assumptions_app = add_assumptions(app, study);
+  AssumptionsOptions assumptions;
+  assumptions.command_line = run.command_line;
+  auto* assumptions_app = add_assumptions(app, assumptions);
   add_reference_update(app, update);  // the last that is left
 
   try {
@@ -157,7 +157,7 @@ int dispatch(int argc, char** argv) {
   if (*merge_app) return merge_command(merge);
   if (*archive_app) return archive_command(archive);
   if (*verify_app) return verify_command(verify);
-  if (*assumptions_app) return assumptions_command(study);
+  if (*assumptions_app) return assumptions_command(assumptions);
   return reference_update_command(update);
 }
 

@@ -1,4 +1,4 @@
-#include "checks/checks.hpp"
+#include "checks/validate.hpp"
 #include "cli/commands.hpp"
 #include "simd/kernels.hpp"
 #include "experiment/experiment.hpp"
@@ -44,7 +44,7 @@ int run_command(const RunOptions& options) {
   const std::string usual = shard ? part_path(whole, *shard) : whole;
   const Task task{experiment, shard, options.output.empty() ? usual : options.output};
   if (shard) keep_whole(task.path);
-  carry_out(task, {options.threads, options.force, options.quiet, options.command_line});
+  run_task(task, {options.threads, options.force, options.quiet, options.command_line});
   return kFine;
 }
 

@@ -1,75 +1,13 @@
 #pragma once
 
+#include "dynamics/components.hpp"
 #include "model/energy.hpp"
-
-#include <Eigen/Core>
-#include <array>
-#include <unsupported/Eigen/AutoDiff>
-
-// What Eigen's AutoDiffScalar lacks; T is a scalar or a vector of lanes.
-namespace Eigen {
-template <class D>
-AutoDiffScalar<typename internal::remove_all<D>::type::PlainObject> atan(const AutoDiffScalar<D>& u) {
-  using bristle::atan;
-  const auto x = u.value();
-  return {atan(x), u.derivatives() * decltype(x)(1.0 / (1.0 + x * x))};
-}
-// In place of Eigen's own, which is std::sin.
-template <int N>
-AutoDiffScalar<Matrix<double, N, 1>> sin(const AutoDiffScalar<Matrix<double, N, 1>>& u) {
-  return {bristle::sin(u.value()), u.derivatives() * bristle::cos(u.value())};
-}
-template <class D>
-AutoDiffScalar<D> inverse_sqrt(const AutoDiffScalar<D>& u) {
-  using bristle::inverse_sqrt;
-  const auto y = inverse_sqrt(u.value());
-  return {y, u.derivatives() * decltype(y)(-0.5 * y * y * y)};
-}
-template <class D>
-AutoDiffScalar<D> decay(const AutoDiffScalar<D>& u) {
-  using bristle::decay;
-  const auto y = decay(u.value());
-  return {y, u.derivatives() * y};
-}
-}  // namespace Eigen
 
 namespace bristle {
 
-// One passage as an initial value problem: the tip's state, then integrals along the way that no
-// force depends on. Each integral is over local time xi from 0; dimensionless.
-enum Component {
-  X,
-  Y,
-  Z,
-  VX,
-  VY,
-  VZ,
-  THETA,
-  PHI,
-  NORMAL,      // F_n
-  FRICTION_X,  // F_fx as the slab feels it: the component that opposes its motion
-  FRICTION_Y,
-  MODULATION,  // F_n modulation, numerator of Eq. (24)
-  ALIGNMENT,   // -F_n e_f.i, numerator of Eq. (25)
-  AREA,        // F_n^(2/3), numerator of Eq. (26)
-  WORK,        // power(): the energy budget's right-hand side
-  COMPONENTS
-};
-constexpr int kState = NORMAL;  // components that forces depend on
-constexpr int kIntegrals = COMPONENTS - NORMAL;
-
-using OdeState = std::array<double, COMPONENTS>;
-using StateJacobian = Eigen::Matrix<double, kState, kState>;
-using IntegralJacobian = Eigen::Matrix<double, kIntegrals, kState>;
-
 template <class T, class Array>
 State<T> unpack(const Array& y) {
-  State<T> state;
-  state.r << y[X], y[Y], y[Z];
-  state.v << y[VX], y[VY], y[VZ];
-  state.theta = y[THETA];
-  state.phi = y[PHI];
-  return state;
+  return {{y[X], y[Y], y[Z]}, {y[VX], y[VY], y[VZ]}, y[THETA], y[PHI]};
 }
 
 inline OdeState pack(const State<double>& s) {
@@ -94,34 +32,6 @@ void derivative(const Bristle<P>& b, const In& y, Out& dydt) {
   dydt[ALIGNMENT] = -m.slab.F_n * m.slab.e_x;
   dydt[AREA] = m.slab.F_n_23;
   dydt[WORK] = power(b, m);
-}
-
-// Derivatives of derivative() with respect to the state, by automatic differentiation of the same code.
-inline void jacobian(const Bristle<double>& b, const OdeState& y, StateJacobian& of_state,
-                     IntegralJacobian& of_integrals) {
-  using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<double, kState, 1>>;
-  std::array<Dual, kState> in;
-  std::array<Dual, COMPONENTS> out;
-  for (int i = 0; i < kState; ++i) in[i] = Dual(y[i], kState, i);
-  derivative<Dual>(b, in, out);
-  for (int i = 0; i < kState; ++i) of_state.row(i) = out[i].derivatives();
-  for (int i = 0; i < kIntegrals; ++i) of_integrals.row(i) = out[NORMAL + i].derivatives();
-}
-
-// Derivatives of the acceleration with respect to the velocity, and derivative(): friction and the dampers of
-// azimuth and elevation, which make the equations stiff, are in this block.
-template <class T, class In, class Out>
-Eigen::Matrix<T, 3, 3> damping_matrix(const Bristle<T>& b, const In& y, Out& dydt) {
-  using Column = Eigen::Matrix<T, 3, 1>;
-  using Dual = Eigen::AutoDiffScalar<Column>;
-  std::array<Dual, kState> in;
-  std::array<Dual, COMPONENTS> out;
-  for (int i = 0; i < kState; ++i) in[i] = Dual(y[i], Column(T(i == VX), T(i == VY), T(i == VZ)));
-  derivative<Dual>(b, in, out);
-  for (int i = 0; i < COMPONENTS; ++i) dydt[i] = out[i].value();
-  Eigen::Matrix<T, 3, 3> J;
-  for (int i = 0; i < 3; ++i) J.row(i) = out[VX + i].derivatives();
-  return J;
 }
 
 }  // namespace bristle

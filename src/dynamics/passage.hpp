@@ -1,6 +1,7 @@
 #pragma once
 
-#include "dynamics/ode.hpp"
+#include "dynamics/components.hpp"
+#include "model/bristle.hpp"
 #include "model/equilibrium.hpp"
 
 #include <functional>
@@ -58,6 +59,14 @@ struct PassageTask {
   Equilibrium start;  // at rest in it, at the bristle's theta_0
   IntegratorOptions integrator;
   double sample_interval = 0;  // of Passage::samples; 0: none. Nothing else depends on it
+};
+
+// Computes passages, in the order of the tasks. The result of a task does not depend on the others.
+using PassageRunner = std::function<std::vector<Passage>(const std::vector<PassageTask>&)>;
+
+enum class Engine {
+  fast,      // src/simd: one bristle per SIMD lane
+  reference  // run_passage(): one bristle after the other, by Boost.Odeint
 };
 
 // Called with time and state at the start, after each step and at the exit.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dynamics/ode.hpp"
+#include "dynamics/jacobian.hpp"
 
 #include <Eigen/LU>
 #include <boost/numeric/odeint/stepper/rosenbrock4.hpp>

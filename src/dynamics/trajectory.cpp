@@ -1,5 +1,6 @@
 #include "dynamics/trajectory.hpp"
 
+#include "dynamics/ode.hpp"
 #include "model/elementary.hpp"
 
 namespace bristle {
@@ -19,7 +20,7 @@ Trajectory record_trajectory(const PassageTask& task) {
   out.passage = run_passage(task, [&](double xi, const OdeState& y) {
     const auto state = unpack<double>(y);
     const SlabContact<double> slab = slab_contact(task.bristle, state);
-    out.points.push_back({xi, state, slab.F_n, -slab.F_f * slab.e_x, -slab.F_f * slab.e_y, slab.V_R,
+    out.points.push_back({xi, y, slab.F_n, -slab.F_f * slab.e_x, -slab.F_f * slab.e_y, slab.V_R,
                           phase_of(*task.parameters, task.bristle, state, slab)});
   });
   return out;

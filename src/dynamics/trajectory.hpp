@@ -17,7 +17,7 @@ constexpr double kSideSlip = 0.5235987755982988;  // rad (30 deg)
 // A passage after each step. Dimensionless; forces as the slab feels them.
 struct TrajectoryPoint {
   double xi;
-  State<double> state;
+  OdeState y;  // state and integrals, see Component
   double F_n, F_fx, F_fy, V_R;
   Phase phase;
 };

@@ -1,6 +1,8 @@
 #include "ensemble/ensemble.hpp"
 
+#include "ensemble/quadrature_impl.hpp"
 #include "model/elementary.hpp"
+#include "model/friction/laws.hpp"
 
 #include <cmath>
 
@@ -41,13 +43,13 @@ ObservableArray observables(const Passage& passage, double L_x) {
   return o;
 }
 
-EnsembleMean::EnsembleMean(const Interface& interface, double z_0, PassageRunner run)
-    : interface_(interface),
+EnsembleMean::EnsembleMean(const Setup& setup, double z_0, PassageRunner run)
+    : setup_(setup),
       run_(std::move(run)),
-      start_(initial_state(interface.parameters, z_0)),
-      half_circle_(mirror_symmetric(interface.orientation) && !interface.orientation.full_circle) {
+      start_(initial_state(setup.parameters, z_0)),
+      half_circle_(mirror_symmetric(setup.orientation) && !setup.orientation.full_circle) {
   out_.z_0 = z_0;
-  if (interface.orientation.sampling != Sampling::list)
+  if (setup.orientation.sampling != Sampling::list)
     quadrature_.emplace([this](const std::vector<double>& at) { return samples(at); },
                         first_edges(half_circle_));
 }
@@ -55,8 +57,8 @@ EnsembleMean::EnsembleMean(const Interface& interface, double z_0, PassageRunner
 std::vector<Passage> EnsembleMean::run(const std::vector<double>& theta_0) {
   std::vector<PassageTask> tasks;
   for (double angle : theta_0)
-    tasks.push_back({&interface_.parameters, make_bristle(interface_.parameters, out_.z_0, angle), start_,
-                     interface_.integrator});
+    tasks.push_back({&setup_.parameters, make_bristle(setup_.parameters, out_.z_0, angle), start_,
+                     setup_.integrator});
   std::vector<Passage> results = run_(tasks);
   for (const Passage& one : results)
     if (!one.complete() && out_.incomplete++ == 0) out_.incomplete_theta_0 = one.theta_0;
@@ -71,9 +73,9 @@ std::vector<Sample<OBSERVABLES>> EnsembleMean::samples(const std::vector<double>
     Sample<OBSERVABLES> sample;
     sample.label = int(one.outcome);
     sample.valid = one.complete();
-    sample.value = observables(one, interface_.parameters.L_x);
+    sample.value = observables(one, setup_.parameters.L_x);
     if (half_circle_) sample.value[R_Y] = 0;  // cancels against the mirror image
-    const double weight = (half_circle_ ? 2 : 1) * density(interface_.orientation, one.theta_0);
+    const double weight = (half_circle_ ? 2 : 1) * density(setup_.orientation, one.theta_0);
     for (double& value : sample.value) value *= weight;
     out.push_back(sample);
   }
@@ -89,7 +91,7 @@ EnsembleMean::Goal EnsembleMean::goal() const {
 
 const Ensemble& EnsembleMean::against(double R_n_target) {
   Goal rough = goal();
-  rough.rtol[R_N] = kDecisionFactor * interface_.orientation.rtol;
+  rough.rtol[R_N] = kDecisionFactor * setup_.orientation.rtol;
   rough.decide_about = R_n_target;
   return refine(rough);
 }
@@ -97,7 +99,7 @@ const Ensemble& EnsembleMean::against(double R_n_target) {
 const Ensemble& EnsembleMean::near_target() {
   Goal close = goal();
   close.widest = kWidest;
-  close.rtol[R_N] = interface_.orientation.rtol / 2;
+  close.rtol[R_N] = setup_.orientation.rtol / 2;
   return refine(close);
 }
 
@@ -105,8 +107,8 @@ const Ensemble& EnsembleMean::full() {
   Goal all = goal();
   all.widest = kWidest;
   for (Observable k : {N_C_RATIO, R_N, R_X, GAMMA_1, GAMMA_2, GAMMA_3})
-    all.rtol[k] = interface_.orientation.rtol;
-  if (!half_circle_) all.rtol[R_Y] = interface_.orientation.rtol;
+    all.rtol[k] = setup_.orientation.rtol;
+  if (!half_circle_) all.rtol[R_Y] = setup_.orientation.rtol;
   return refine(all);
 }
 
@@ -124,9 +126,9 @@ const Ensemble& EnsembleMean::refine(const Goal& goal) {
 }
 
 void EnsembleMean::average_list() {
-  const std::vector<Passage> all = run(interface_.orientation.theta_0);
+  const std::vector<Passage> all = run(setup_.orientation.theta_0);
   for (const Passage& one : all) {
-    const ObservableArray value = observables(one, interface_.parameters.L_x);
+    const ObservableArray value = observables(one, setup_.parameters.L_x);
     for (std::size_t k = 0; k < OBSERVABLES; ++k) out_.mean[k] += value[k] / double(all.size());
   }
 }

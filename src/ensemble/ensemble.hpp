@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dynamics/runner.hpp"
+#include "simd/runner.hpp"
 #include "ensemble/orientation.hpp"
 #include "ensemble/quadrature.hpp"
 
@@ -28,7 +28,7 @@ enum Observable {
 using ObservableArray = std::array<double, OBSERVABLES>;
 
 // Bristles, slab and how to compute them: everything a mean over theta_0 depends on but the gap.
-struct Interface {
+struct Setup {
   Parameters parameters;
   Orientation orientation;
   IntegratorOptions integrator;
@@ -46,10 +46,10 @@ struct Ensemble {
 
 // The mean over theta_0, by quadrature or over a list, of single passages at the gap z_0 (model:
 // docs/model.md, section "The slab"). Every passage counts for all that is asked of it later. A numerical
-// failure is reported in the result. The interface must outlive it.
+// failure is reported in the result. The setup must outlive it.
 class EnsembleMean {
  public:
-  EnsembleMean(const Interface& interface, double z_0, PassageRunner run);
+  EnsembleMean(const Setup& setup, double z_0, PassageRunner run);
   EnsembleMean(const EnsembleMean&) = delete;
   EnsembleMean& operator=(const EnsembleMean&) = delete;
 
@@ -73,7 +73,7 @@ class EnsembleMean {
   void average_list();
   Goal goal() const;
 
-  const Interface& interface_;
+  const Setup& setup_;
   PassageRunner run_;
   Equilibrium start_;
   bool half_circle_;

@@ -70,25 +70,25 @@ Fluctuation fluctuation_of(const std::vector<double>& series) {
 
 class Lattice {
  public:
-  Lattice(const Interface& interface, double z_0, const PassageRunner& run)
-      : interface_(interface),
+  Lattice(const Setup& setup, double z_0, const PassageRunner& run)
+      : setup_(setup),
         run_(run),
-        p_(interface.parameters),
+        p_(setup.parameters),
         z_0_(z_0),
         start_(initial_state(p_, z_0)),
         across_(std::lround(p_.L_y / p_.spacing)),
         interval_(p_.spacing / kIntervalsPerRow),
-        first_(std::lround(std::ceil(lattice_start(interface) / interval_ - 1e-9))),
-        series_(std::size_t(interface.orientation.rows * kIntervalsPerRow)) {}
+        first_(std::lround(std::ceil(lattice_start(setup) / interval_ - 1e-9))),
+        series_(std::size_t(setup.orientation.rows * kIntervalsPerRow)) {}
 
   LatticeMean average() {
-    const long rows = interface_.orientation.rows, step = std::max(1L, kBatch / across_);
+    const long rows = setup_.orientation.rows, step = std::max(1L, kBatch / across_);
     for (long row = 0; row < rows; row += step) {
       const long first = row * across_, last = std::min(row + step, rows) * across_;
       std::vector<PassageTask> tasks;
       for (long i = first; i < last; ++i) {
-        const double theta_0 = random_azimuth(interface_.orientation, std::uint64_t(i));
-        tasks.push_back({&p_, make_bristle(p_, z_0_, theta_0), start_, interface_.integrator, interval_});
+        const double theta_0 = random_azimuth(setup_.orientation, std::uint64_t(i));
+        tasks.push_back({&p_, make_bristle(p_, z_0_, theta_0), start_, setup_.integrator, interval_});
       }
       std::vector<Passage> passages = run_(tasks);
       for (long i = first; i < last; ++i) pass(i / across_, passages[std::size_t(i - first)]);
@@ -164,7 +164,7 @@ class Lattice {
     return out;
   }
 
-  const Interface& interface_;
+  const Setup& setup_;
   const PassageRunner& run_;
   const Parameters& p_;
   double z_0_;
@@ -179,19 +179,17 @@ class Lattice {
 
 }  // namespace
 
-double lattice_start(const Interface& interface) {
-  const double t_1 = interface.orientation.t_1;
-  return t_1 < 0 ? 2 * interface.parameters.L_x : t_1;
+double lattice_start(const Setup& setup) {
+  const double t_1 = setup.orientation.t_1;
+  return t_1 < 0 ? 2 * setup.parameters.L_x : t_1;
 }
 
-double lattice_end(const Interface& interface) {
-  return double(interface.orientation.rows) * interface.parameters.spacing;
-}
+double lattice_end(const Setup& setup) { return double(setup.orientation.rows) * setup.parameters.spacing; }
 
 double bristles_per_width(const Parameters& p) { return p.L_x / (p.spacing * p.spacing); }
 
-LatticeMean lattice_mean(const Interface& interface, double z_0, const PassageRunner& run) {
-  return Lattice(interface, z_0, run).average();
+LatticeMean lattice_mean(const Setup& setup, double z_0, const PassageRunner& run) {
+  return Lattice(setup, z_0, run).average();
 }
 
 }  // namespace bristle

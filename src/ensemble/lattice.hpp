@@ -32,12 +32,12 @@ struct LatticeMean {
 // passage are means over the bristles. Bristles are independent, so the standard errors follow from the
 // scatter of the single bristles' contributions; times at which the same bristle acts are not counted as
 // independent.
-LatticeMean lattice_mean(const Interface& interface, double z_0, const PassageRunner& run);
+LatticeMean lattice_mean(const Setup& setup, double z_0, const PassageRunner& run);
 
 // t_1 and t_2 of Eq. (A4), in units of r0/V0: orientation.t_1 or, if that is negative, 2 L_x; and the time at
 // which the last row has entered.
-double lattice_start(const Interface& interface);
-double lattice_end(const Interface& interface);
+double lattice_start(const Setup& setup);
+double lattice_end(const Setup& setup);
 
 // N_c0/L_y: rigid bristles in contact per unit of the slab's width (dimensionless).
 double bristles_per_width(const Parameters& parameters);

@@ -152,7 +152,7 @@ class Path {
     const double noise = near.load.error + far.load.error;
     const bool at_target = met || far.excess <= 2 * far.load.error;
     const bool jumps = !at_target && far.excess - near.excess > 2 * noise;
-    out.status = jumps ? LoadStatus::jump : LoadStatus::reached;
+    out.status = jumps ? LoadStatus::load_jump : LoadStatus::reached;
     if (jumps) {
       out.jump_z_0 = near.z_0;
       out.jump_R_n = near.load.R_n;

@@ -23,7 +23,7 @@ enum class LoadPath {
 
 enum class LoadStatus {
   reached,      // R_n(z_0) = target within rtol
-  jump,         // R_n(z_0) jumps across the target; z_0 and R_n are those of the far side
+  load_jump,    // R_n(z_0) jumps across the target; z_0 and R_n are those of the far side
   unreachable,  // no gap down to the ground carries (loading) or sheds down to (unloading) the target
   failed        // the curve could not be computed
 };

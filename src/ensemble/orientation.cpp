@@ -1,6 +1,7 @@
 #include "ensemble/orientation.hpp"
 
 #include "model/elementary.hpp"
+#include "util/random.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -34,17 +35,9 @@ bool mirror_symmetric(const Orientation& o) {
 
 namespace {
 
-// SplitMix64's output function: every bit of the result depends on every bit of x.
-std::uint64_t mix(std::uint64_t x) {
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111eb;
-  return x ^ (x >> 31);
-}
-
 // Uniform in [0, 1), keyed by seed, bristle and number of the draw.
 double uniform(std::uint64_t seed, std::uint64_t index, std::uint64_t draw) {
-  constexpr std::uint64_t golden = 0x9e3779b97f4a7c15;
-  const std::uint64_t bits = mix(mix(mix(seed + golden) + index + golden) + draw + golden);
+  const std::uint64_t bits = split_mix(split_mix(split_mix(seed) + index) + draw);
   return double(bits >> 11) * 0x1p-53;
 }
 

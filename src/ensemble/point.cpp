@@ -1,6 +1,7 @@
 #include "ensemble/point.hpp"
 
 #include "model/elementary.hpp"
+#include "model/friction/laws.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -54,13 +55,13 @@ void normalise(PointResult& out, const Parameters& p) {
 
 class PointSolver {
  public:
-  PointSolver(const Interface& interface, const Loading& loading, const PassageRunner& run,
+  PointSolver(const Setup& setup, const Loading& loading, const PassageRunner& run,
               const Recording& record, Recorded& recorded)
-      : interface_(interface), loading_(loading), run_(run), record_(record), recorded_(recorded) {}
+      : setup_(setup), loading_(loading), run_(run), record_(record), recorded_(recorded) {}
 
   PointResult solve() {
     PointResult out = values();
-    if (interface_.orientation.sampling == Sampling::lattice && std::isfinite(out.z_0)) out = on_lattice(out);
+    if (setup_.orientation.sampling == Sampling::lattice && std::isfinite(out.z_0)) out = on_lattice(out);
     if (std::isfinite(out.z_0)) record_trajectories(out.z_0);
     out.passages = lattice_passages_;
     for (const auto& [z_0, mean] : means_) out.passages += long(mean.passages().size());
@@ -75,13 +76,13 @@ class PointSolver {
     if (found.status == LoadStatus::failed) return incomplete();
     PointResult out = at_gap(found.z_0, found.status);
     if (out.status == PointStatus::incomplete) return out;
-    if (found.status == LoadStatus::jump) {
+    if (found.status == LoadStatus::load_jump) {
       out.jump_z_0 = found.jump_z_0;
       out.jump_R_n = found.jump_R_n;
     } else {
       const double off = std::abs(out.value[R_N] - loading_.R_n) + out.error[R_N];
       add_load_error(out, mean_at(found.z_0_near).near_target(), mean_at(found.z_0_far).near_target(), off);
-      normalise(out, interface_.parameters);
+      normalise(out, setup_.parameters);
     }
     return out;
   }
@@ -90,8 +91,8 @@ class PointSolver {
     LoadSearch search;
     search.target = loading_.R_n;
     search.path = loading_.path;
-    search.rtol = interface_.orientation.rtol;
-    search.first_contact = sin(interface_.parameters.phi_0);
+    search.rtol = setup_.orientation.rtol;
+    search.first_contact = sin(setup_.parameters.phi_0);
     return first_crossing([this](double z_0, Accuracy accuracy) { return load_at(z_0, accuracy); }, search);
   }
 
@@ -103,13 +104,13 @@ class PointSolver {
     const auto distance = [&] { return std::abs(e->mean[R_N] - loading_.R_n); };
     const bool decided = distance() > kDecided * e->error[R_N];
     if (e->incomplete == 0 && (accuracy == Accuracy::precise || !decided)) e = &mean.near_target();
-    if (e->incomplete == 0 && distance() <= 2 * interface_.orientation.rtol * loading_.R_n) e = &mean.full();
+    if (e->incomplete == 0 && distance() <= 2 * setup_.orientation.rtol * loading_.R_n) e = &mean.full();
     if (e->incomplete == 0) return {e->mean[R_N], e->error[R_N]};
     lost_ = e->incomplete_theta_0;
     return {kNone, kNone};
   }
 
-  EnsembleMean& mean_at(double z_0) { return means_.try_emplace(z_0, interface_, z_0, run_).first->second; }
+  EnsembleMean& mean_at(double z_0) { return means_.try_emplace(z_0, setup_, z_0, run_).first->second; }
 
   PointResult incomplete() const {
     PointResult out = without_values(PointStatus::incomplete);
@@ -121,14 +122,14 @@ class PointSolver {
     EnsembleMean& mean = mean_at(z_0);
     const Ensemble& ensemble = mean.full();
     if (record_.bristles) recorded_.bristles = mean.passages();
-    PointResult out = values_of(interface_.parameters, ensemble);
-    if (status == LoadStatus::jump && out.status != PointStatus::incomplete) out.status = PointStatus::jump;
+    PointResult out = values_of(setup_.parameters, ensemble);
+    if (status == LoadStatus::load_jump && out.status != PointStatus::incomplete) out.status = PointStatus::load_jump;
     return out;
   }
 
   // The lattice's values in place of the mean's at the same gap.
   PointResult on_lattice(const PointResult& mean) {
-    LatticeMean lattice = lattice_mean(interface_, mean.z_0, run_);
+    LatticeMean lattice = lattice_mean(setup_, mean.z_0, run_);
     lattice_passages_ = long(lattice.passages.size());
     PointResult out = mean;
     if (lattice.incomplete > 0) {
@@ -140,21 +141,21 @@ class PointSolver {
     out.load_error.fill(0);
     out.fluctuation = lattice.fluctuation;
     out.fluctuation_of_rows = lattice.fluctuation_of_rows;
-    normalise(out, interface_.parameters);
+    normalise(out, setup_.parameters);
     if (record_.bristles) recorded_.bristles = std::move(lattice.passages);
     if (record_.slab_force) recorded_.slab_force = std::move(lattice.force);
     return out;
   }
 
   void record_trajectories(double z_0) {
-    const Parameters& p = interface_.parameters;
+    const Parameters& p = setup_.parameters;
     const Equilibrium start = initial_state(p, z_0);
     for (const double theta_0 : record_.trajectories)
       recorded_.trajectories.push_back(
-          record_trajectory({&p, make_bristle(p, z_0, theta_0), start, interface_.integrator}));
+          record_trajectory({&p, make_bristle(p, z_0, theta_0), start, setup_.integrator}));
   }
 
-  const Interface& interface_;
+  const Setup& setup_;
   const Loading& loading_;
   const PassageRunner& run_;
   const Recording& record_;
@@ -182,10 +183,10 @@ PointResult values_of(const Parameters& parameters, const Ensemble& ensemble) {
   return out;
 }
 
-PointResult solve_point(const Interface& interface, const Loading& loading, const PassageRunner& run,
+PointResult solve_point(const Setup& setup, const Loading& loading, const PassageRunner& run,
                         const Recording& record, Recorded* recorded) {
   Recorded unused;
-  return PointSolver(interface, loading, run, record, recorded ? *recorded : unused).solve();
+  return PointSolver(setup, loading, run, record, recorded ? *recorded : unused).solve();
 }
 
 }  // namespace bristle

@@ -27,7 +27,7 @@ struct Loading {
 
 enum class PointStatus {
   ok,
-  jump,           // R_n(z_0) jumps across the target: the values are those of the far side
+  load_jump,      // R_n(z_0) jumps across the target: the values are those of the far side
   unreachable,    // no gap carries the target: no values
   incomplete,     // a passage ended without an exit: no values
   not_converged,  // values, but an error above rtol
@@ -66,7 +66,7 @@ struct Recorded {
 // Where the status is ok and a load was asked for, R_n is within orientation.rtol of it; on a lattice the gap
 // is the one at which the mean over theta_0 carries the load. run computes the passages; the result does not
 // depend on how. recorded must be given where something is to be kept.
-PointResult solve_point(const Interface& interface, const Loading& loading, const PassageRunner& run,
+PointResult solve_point(const Setup& setup, const Loading& loading, const PassageRunner& run,
                         const Recording& record = {}, Recorded* recorded = nullptr);
 
 // The values of a mean at its gap, with the status that follows from it.

@@ -113,5 +113,3 @@ class Quadrature {
 };
 
 }  // namespace bristle
-
-#include "ensemble/quadrature_impl.hpp"

@@ -1,6 +1,6 @@
 #include "ensemble/trace.hpp"
 
-#include "dynamics/together.hpp"
+#include "dynamics/jobs.hpp"
 #include "model/elementary.hpp"
 
 #include <boost/math/tools/minima.hpp>
@@ -20,11 +20,11 @@ constexpr double kShallow = 0.25;   // of the resolution: folds less deep than t
 
 class Tracer {
  public:
-  Tracer(const Interface& interface, const Trace& trace, const PassageRunner& run)
-      : interface_(interface), trace_(trace), run_(run) {}
+  Tracer(const Setup& setup, const Trace& trace, const PassageRunner& run)
+      : setup_(setup), trace_(trace), run_(run) {}
 
   std::vector<CurveNode> trace() {
-    const double top = sin(interface_.parameters.phi_0);
+    const double top = sin(setup_.parameters.phi_0);
     std::vector<double> first;
     for (int i = 0; i <= kFirstIntervals; ++i) first.push_back(top - (top - trace_.to) * i / kFirstIntervals);
     compute(first);
@@ -56,8 +56,8 @@ class Tracer {
   }
 
   PointResult solve(double z_0, const PassageRunner& run) const {
-    EnsembleMean mean(interface_, z_0, run);
-    PointResult node = values_of(interface_.parameters, mean.full());
+    EnsembleMean mean(setup_, z_0, run);
+    PointResult node = values_of(setup_.parameters, mean.full());
     node.passages = long(mean.passages().size());
     node.z_0 = z_0;
     return node;
@@ -201,7 +201,7 @@ class Tracer {
     return out;
   }
 
-  const Interface& interface_;
+  const Setup& setup_;
   const Trace& trace_;
   const PassageRunner& run_;
   std::map<double, PointResult> nodes_;  // by gap
@@ -210,8 +210,8 @@ class Tracer {
 
 }  // namespace
 
-std::vector<CurveNode> trace_curve(const Interface& interface, const Trace& trace, const PassageRunner& run) {
-  return Tracer(interface, trace, run).trace();
+std::vector<CurveNode> trace_curve(const Setup& setup, const Trace& trace, const PassageRunner& run) {
+  return Tracer(setup, trace, run).trace();
 }
 
 }  // namespace bristle

@@ -22,7 +22,7 @@ struct CurveNode {
 // R_n(z_0) and all other values from first contact down to trace.to, in that order. Nodes are added until R_n
 // departs from the straight line between neighbours by trace.resolution at most, or they are kClosest apart:
 // a jump. Folds are located, and so are the gaps at which the slab lands when it jumps from one.
-std::vector<CurveNode> trace_curve(const Interface& interface, const Trace& trace, const PassageRunner& run);
+std::vector<CurveNode> trace_curve(const Setup& setup, const Trace& trace, const PassageRunner& run);
 
 constexpr double kClosest = 1e-4;  // in units of r0
 

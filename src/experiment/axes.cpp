@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 namespace bristle {
 namespace {

@@ -2,6 +2,9 @@
 
 #include "experiment/parameters_table.hpp"
 #include "experiment/si_units.hpp"
+#include "experiment/words.hpp"
+
+#include <nlohmann/json.hpp>
 
 namespace bristle {
 namespace {
@@ -18,15 +21,15 @@ static_assert(sizeof(Recording) == 4 * sizeof(double));
 Object canonical(const Parameters& p) {
   Object out;
   for (const ParameterEntry& entry : parameters_table()) out[entry.name] = p.*entry.member;
-  for (const Choice& choice : choices_table()) out[choice.name] = choice.get(p);
+  for (const Choice& choice : choices_table()) out[choice.name] = choice.options.at(std::size_t(choice.get(p)));
   return out;
 }
 
 Object canonical(const Orientation& o) {
-  return {{"distribution", int(o.distribution)},
+  return {{"distribution", word(o.distribution)},
           {"mean", o.mean},
           {"concentration", o.concentration},
-          {"sampling", int(o.sampling)},
+          {"sampling", word(o.sampling)},
           {"full_circle", o.full_circle},
           {"rtol", o.rtol},
           {"theta_0", o.theta_0},
@@ -37,13 +40,13 @@ Object canonical(const Orientation& o) {
 
 Object canonical(const IntegratorOptions& i) {
   return {
-      {"rtol", i.rtol}, {"atol", i.atol}, {"method", int(i.method)}, {"max_evaluations", i.max_evaluations}};
+      {"rtol", i.rtol}, {"atol", i.atol}, {"method", word(i.method)}, {"max_evaluations", i.max_evaluations}};
 }
 
 Object canonical(const Loading& l) {
   if (l.z_0) return {{"z_0", *l.z_0}};
   if (l.trace) return {{"to", l.trace->to}, {"resolution", l.trace->resolution}, {"nodes", l.trace->nodes}};
-  return {{"R_n", l.R_n}, {"path", int(l.path)}};
+  return {{"R_n", l.R_n}, {"path", word(l.path)}};
 }
 
 Object canonical(const Recording& r) {
@@ -52,16 +55,16 @@ Object canonical(const Recording& r) {
 
 }  // namespace
 
-nlohmann::json canonical_point(const Experiment& experiment, std::size_t index) {
+std::string canonical_point(const Experiment& experiment, std::size_t index) {
   const PointInput point = experiment.point(index);
-  Object out = {{"model", canonical(point.interface.parameters)},
-                {"orientation", canonical(point.interface.orientation)},
-                {"integrator", canonical(point.interface.integrator)},
-                {"engine", int(experiment.engine)},
+  Object out = {{"model", canonical(point.setup.parameters)},
+                {"orientation", canonical(point.setup.orientation)},
+                {"integrator", canonical(point.setup.integrator)},
+                {"engine", word(experiment.engine)},
                 {"load", canonical(point.loading)},
                 {"record", canonical(experiment.record)}};
   if (!point.si.empty()) out["force_unit"] = force_unit(point);
-  return out;
+  return out.dump();
 }
 
 }  // namespace bristle

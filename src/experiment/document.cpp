@@ -2,6 +2,8 @@
 
 #include "util/error.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <fmt/format.h>
 #include <algorithm>
 #include <cctype>
@@ -13,15 +15,6 @@
 namespace bristle {
 namespace fs = std::filesystem;
 namespace {
-
-// Deeper than any experiment; what walks through it calls itself once per level.
-constexpr int kDeepest = 64;
-
-// The library's messages begin with "[json.exception.parse_error.101] ".
-std::string without_tag(const std::string& message) {
-  const auto end = message.find("] ");
-  return end == std::string::npos ? message : message.substr(end + 2);
-}
 
 // Experiments extend each other within one folder: the outermost "experiments" above the file, or
 // the file's own.
@@ -39,7 +32,7 @@ bool inside(const fs::path& file, const fs::path& folder) {
 
 void collect(const std::string& path, const fs::path& root, std::vector<std::string>& chain,
              std::vector<Document::Source>& out) {
-  const Json content = read_json_file(path);
+  Json content = read_json_file(path);
   chain.push_back(fs::canonical(path).string());
   if (content.contains("extends")) {
     const Json& extends = content["extends"];
@@ -59,8 +52,8 @@ void collect(const std::string& path, const fs::path& root, std::vector<std::str
       fail("extends this file in turn: a circle");
     collect(parent.lexically_normal().string(), root, chain, out);
   }
-  out.push_back({path, content});
-  out.back().content.erase("extends");
+  content.erase("extends");
+  out.push_back({path, std::make_shared<const Json>(std::move(content))});
 }
 
 Document::Source parse_set(const std::string& argument) {
@@ -70,8 +63,8 @@ Document::Source parse_set(const std::string& argument) {
   };
   if (equals == std::string::npos) fail("there is no '='");
   const std::string text = argument.substr(equals + 1);
-  if (std::count(argument.begin(), argument.begin() + long(equals), '/') > kDeepest)
-    fail(fmt::format("the pointer is more than {} deep", kDeepest));
+  if (std::count(argument.begin(), argument.begin() + long(equals), '/') > kDeepestJson)
+    fail(fmt::format("the pointer is more than {} deep", kDeepestJson));
   Json value;
   try {
     const bool meant = std::isdigit(static_cast<unsigned char>(text[0])) || std::strchr("-[{\"", text[0]);
@@ -80,59 +73,21 @@ Document::Source parse_set(const std::string& argument) {
   } catch (const InputError& e) {
     fail(fmt::format("'{}': {}", text.substr(0, 60), e.what()));
   } catch (const Json::exception& e) {
-    fail(without_tag(e.what()));
+    fail(json_error(e.what()));
   }
   try {
     const JsonPointer pointer(argument.substr(0, equals));
     if (pointer.empty()) fail("the pointer is empty");
     Json patch;
     patch[pointer] = value;
-    return {"--set " + argument, patch};
+    return {"--set " + argument, std::make_shared<const Json>(std::move(patch))};
   } catch (const Json::exception& e) {
-    fail(without_tag(e.what()));
+    fail(json_error(e.what()));
   }
   return {};
 }
 
 }  // namespace
-
-Json read_json_file(const std::string& path) {
-  std::ifstream in(path);
-  if (!in || fs::is_directory(path))
-    throw InputError(fmt::format("{}: cannot be read: {}", path,
-                                 fs::exists(path) ? "not a readable file" : "no such file"));
-  try {
-    Json content = parse_json({std::istreambuf_iterator<char>(in), {}});
-    if (!content.is_object())
-      throw InputError(fmt::format("a JSON object {{...}} is expected, this is {}", shown(content)));
-    return content;
-  } catch (const InputError& e) {
-    throw InputError(fmt::format("{}: {}", path, e.what()));
-  }
-}
-
-Json parse_json(const std::string& text) {
-  std::vector<std::set<std::string>> keys;
-  const auto watch = [&](int depth, Json::parse_event_t event, Json& parsed) {
-    if (depth > kDeepest) throw InputError(fmt::format("JSON nested more than {} deep", kDeepest));
-    if (event == Json::parse_event_t::object_start) keys.emplace_back();
-    if (event == Json::parse_event_t::object_end) keys.pop_back();
-    if (event == Json::parse_event_t::key && !keys.back().insert(parsed.get<std::string>()).second)
-      throw InputError(fmt::format("the key {} appears twice in one object", shown(parsed)));
-    return true;
-  };
-  try {
-    return Json::parse(text, watch);
-  } catch (const Json::exception& e) {
-    throw InputError(fmt::format("not JSON: {}", without_tag(e.what())));
-  }
-}
-
-std::string shown(const Json& value) {
-  std::string text = value.dump();
-  if (text.size() > 60) text = text.substr(0, 57) + "...";
-  return text;
-}
 
 Document Document::load(const std::string& path, const DocumentOptions& options) {
   Document d;
@@ -150,7 +105,7 @@ Document Document::stored(const Json& content, const std::string& source) {
   Document d;
   d.path_ = source;
   d.tier_ = "full";
-  d.files_.push_back({source, content});
+  d.files_.push_back({source, std::make_shared<const Json>(content)});
   d.merge();
   return d;
 }
@@ -166,7 +121,7 @@ Document Document::with_tier(const std::string& tier) const {
 std::vector<Json> Document::tier_patches() const {
   std::vector<Json> patches;
   for (const Source& s : files_) {
-    const Json tiers = s.content.value("tiers", Json::object());
+    const Json tiers = s.content->value("tiers", Json::object());
     const bool named = tiers.is_object() && tiers.contains(tier_);
     if (tiers.is_null() || (named && tiers[tier_].is_null())) patches.clear();
     else if (named && tiers[tier_].is_object()) patches.push_back(tiers[tier_]);
@@ -175,25 +130,26 @@ std::vector<Json> Document::tier_patches() const {
 }
 
 void Document::merge() {
-  merged_ = Json::object();
-  for (const Source& s : files_) merged_.merge_patch(s.content);
-  for (const Json& patch : tier_patches()) merged_.merge_patch(patch);
+  Json merged = Json::object();
+  for (const Source& s : files_) merged.merge_patch(*s.content);
+  for (const Json& patch : tier_patches()) merged.merge_patch(patch);
   for (const Source& s : set_) {
     try {
-      merged_.merge_patch(s.content);
+      merged.merge_patch(*s.content);
     } catch (const Json::exception& e) {
-      throw InputError(fmt::format("{}: {}", s.name, without_tag(e.what())));
+      throw InputError(fmt::format("{}: {}", s.name, json_error(e.what())));
     }
   }
+  merged_ = std::make_shared<const Json>(std::move(merged));
 }
 
 std::string Document::origin(const JsonPointer& pointer) const {
   for (auto s = set_.rbegin(); s != set_.rend(); ++s)
-    if (s->content.contains(pointer)) return s->name;
+    if (s->content->contains(pointer)) return s->name;
   const JsonPointer in_tier = JsonPointer("/tiers/" + tier_) / pointer;
   for (auto s = files_.rbegin(); s != files_.rend(); ++s) {
-    if (s->content.contains(in_tier)) return fmt::format("{} (tier {})", s->name, tier_);
-    if (s->content.contains(pointer)) return s->name;
+    if (s->content->contains(in_tier)) return fmt::format("{} (tier {})", s->name, tier_);
+    if (s->content->contains(pointer)) return s->name;
   }
   return path_;
 }

@@ -5,11 +5,16 @@
 #include "experiment/parameters_table.hpp"
 #include "experiment/schema.hpp"
 #include "experiment/si_units.hpp"
+#include "experiment/words.hpp"
 #include "ensemble/lattice.hpp"
 #include "model/elementary.hpp"
+#include "model/friction/chi.hpp"
+#include "util/grid.hpp"
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 namespace bristle {
 namespace {
@@ -38,10 +43,8 @@ Parameters read_model(const Document& d) {
 Orientation read_orientation(const Document& d) {
   const Json& json = d.json()["orientation"];
   Orientation o;
-  o.distribution = json["distribution"] == "uniform" ? Distribution::uniform : Distribution::von_mises;
-  o.sampling = json["sampling"] == "list"      ? Sampling::list
-               : json["sampling"] == "lattice" ? Sampling::lattice
-                                               : Sampling::quadrature;
+  o.distribution = from_word<Distribution>(json["distribution"]);
+  o.sampling = from_word<Sampling>(json["sampling"]);
   o.mean = json.value("mean_deg", 0.0) * kDegree;
   o.concentration = json.value("concentration", 0.0);
   o.full_circle = json.value("full_circle", false);
@@ -68,10 +71,6 @@ IntegratorOptions read_integrator(const Document& d) {
   options.atol = json["atol"];
   options.max_evaluations = json.value("max_evaluations", options.max_evaluations);
   return options;
-}
-
-bool swept(const std::vector<Axis>& axes, const std::string& name) {
-  return std::any_of(axes.begin(), axes.end(), [&](const Axis& a) { return a.name == name; });
 }
 
 Trace read_trace(const Json& json) {
@@ -116,19 +115,14 @@ Loading read_loading(const Document& d, const std::vector<Axis>& axes) {
   if (by_trace) loading.trace = read_trace(json["trace"]);
   if (by_gap) loading.z_0 = json.value("z_0", 0.0);
   loading.R_n = json.value("R_n", 0.0);
-  loading.path = json.value("path", "loading") == "unloading" ? LoadPath::unloading : LoadPath::loading;
+  loading.path = from_word<LoadPath>(json.value("path", "loading"));
   return loading;
-}
-
-// C = peak_at_V_s follows A, at every point.
-void set_peak(const Json& model, Parameters& p) {
-  if (!model.contains("C") || model["C"].is_string()) p.C = chi_C_peak_at_V_s(p.A);
 }
 
 void check_gap(const Document& d, const Experiment& e) {
   for (std::size_t i = 0; i < e.points(); ++i) {
     const PointInput point = e.point(i);
-    const double highest = sin(point.interface.parameters.phi_0);
+    const double highest = sin(point.setup.parameters.phi_0);
     if (!point.loading.z_0) return;
     if (*point.loading.z_0 > highest)
       fail(d, d.json()["load"].contains("z_0") ? "/load/z_0" : "/sweep/z_0",
@@ -144,10 +138,10 @@ void check_lattice(const Document& d, const Experiment& e) {
     fail(d, "/load/trace", "takes the mean over theta_0 by quadrature or over a list, not over a lattice");
   if (e.record.slab_force && !used) fail(d, "/record", "slab_force needs \"sampling\": \"lattice\"");
   for (const char* key : {"seed", "rows", "t_1"})
-    if (!used && (d.json()["orientation"].contains(key) || swept(e.axes, key)))
+    if (!used && (d.json()["orientation"].contains(key) || e.swept(key)))
       fail(d, (std::string("/orientation/") + key).c_str(), "is used with \"sampling\": \"lattice\" only");
   for (std::size_t i = 0; used && i < e.points(); ++i) {
-    const Interface point = e.point(i).interface;
+    const Setup point = e.point(i).setup;
     const Parameters& p = point.parameters;
     const double across = p.L_y / p.spacing;
     if (std::abs(across - std::round(across)) > 1e-6 || across < 0.5)
@@ -167,34 +161,37 @@ Experiment read(const Document& d) {
   check_schema(d);
   const Json& json = d.json();
   Experiment e;
-  e.document = json;
-  e.document.erase("tiers");
+  Json document = json;
+  document.erase("tiers");
+  e.document = std::make_shared<const Json>(std::move(document));
   e.path = d.path();
   e.name = json["name"];
   e.title = json.value("title", e.name);
   e.figure = json.value("figure", "");
   e.axes = read_axes(d);
-  if (swept(e.axes, "C") && json["model"].value("C", Json("")).is_string())
+  const Json& model = json["model"];
+  e.C_peaks_at_V_s = !model.contains("C") || model["C"].is_string();
+  if (e.swept("C") && model.contains("C") && model["C"].is_string())
     fail(d, "/model/C", "is swept, so give it a number here");
-  if (d.json()["integrator"].value("engine", "fast") == "reference") e.engine = Engine::reference;
-  e.base.interface = {read_model(d), read_orientation(d), read_integrator(d)};
+  e.engine = from_word<Engine>(json["integrator"].value("engine", "fast"));
+  e.base.setup = {read_model(d), read_orientation(d), read_integrator(d)};
   e.base.loading = read_loading(d, e.axes);
   read_si_units(d, e.axes, e.base);
   apply_si_units(e.base);
-  e.record = read_recording(d, e.base.interface.orientation, e.base.loading);
+  e.record = read_recording(d, e.base.setup.orientation, e.base.loading);
   check_lattice(d, e);
-  e.checks = json.value("checks", Json::array());
+  e.checks = read_checks(json, d.path());
   check_gap(d, e);
   return e;
 }
 
 }  // namespace
 
-std::size_t Experiment::points() const {
-  std::size_t n = 1;
-  for (const Axis& axis : axes) n *= axis.values.size();
-  return n;
+bool swept(const std::vector<Axis>& axes, const std::string& name) {
+  return std::any_of(axes.begin(), axes.end(), [&](const Axis& a) { return a.name == name; });
 }
+
+std::size_t Experiment::points() const { return grid_size(shape()); }
 
 std::vector<std::size_t> Experiment::shape() const {
   std::vector<std::size_t> s;
@@ -202,8 +199,19 @@ std::vector<std::size_t> Experiment::shape() const {
   return s;
 }
 
+bool Experiment::swept(const std::string& axis) const { return bristle::swept(axes, axis); }
+
 bool Experiment::on_lattice() const {
-  return base.interface.orientation.sampling == Sampling::lattice || swept(axes, "sampling");
+  return base.setup.orientation.sampling == Sampling::lattice || swept("sampling");
+}
+
+std::string Experiment::place(std::size_t index) const {
+  const auto at = unravel(index, shape());
+  std::string out;
+  for (std::size_t d = 0; d < at.size(); ++d)
+    out += fmt::format("{}{} = {}", d > 0 ? ", " : "", axes[d].name,
+                       find_sweepable(axes[d].name)->text(axes[d].values[at[d]]));
+  return out.empty() ? "the only point" : out;
 }
 
 PointInput Experiment::point(std::size_t index) const {
@@ -214,7 +222,8 @@ PointInput Experiment::point(std::size_t index) const {
     find_sweepable(axis->name)->set(point, value);
   }
   apply_si_units(point);
-  set_peak(document["model"], point.interface.parameters);
+  Parameters& p = point.setup.parameters;
+  if (C_peaks_at_V_s) p.C = chi_C_peak_at_V_s(p.A);
   return point;
 }
 

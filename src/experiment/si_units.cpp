@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 namespace bristle {
 namespace {
@@ -49,9 +50,7 @@ const std::vector<SiQuantity>& si_quantities() {
 }
 
 void read_si_units(const Document& document, const std::vector<Axis>& axes, PointInput& input) {
-  const auto swept = [&](const std::string& name) {
-    return std::any_of(axes.begin(), axes.end(), [&](const Axis& a) { return a.name == name; });
-  };
+  const auto swept = [&](const std::string& name) { return bristle::swept(axes, name); };
   const Json& json = document.json();
   const bool given = json.contains("si");
   const auto has = [&](const char* key) { return (given && json["si"].contains(key)) || swept(key); };
@@ -77,7 +76,7 @@ void apply_si_units(PointInput& input) {
   const auto has = [&](const char* key) { return input.si.contains(key); };
   const double r0 = value("r0_m"), energy = energy_unit(input), force = energy / r0;
   const double stress = force / (r0 * r0);
-  Parameters& p = input.interface.parameters;
+  Parameters& p = input.setup.parameters;
   if (has("R_m")) {
     p.k_theta = p.k_phi = cantilever(value("E_Pa"), value("R_m"), r0) / energy;
     if (has("k_r_over_k_phi")) p.k_r = value("k_r_over_k_phi") * p.k_phi;

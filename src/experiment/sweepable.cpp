@@ -2,7 +2,9 @@
 
 #include "experiment/parameters_table.hpp"
 #include "experiment/si_units.hpp"
+#include "experiment/words.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
 
@@ -12,7 +14,7 @@ namespace {
 Sweepable of_model(const ParameterEntry& entry) {
   const std::string units = std::string(entry.name) == "phi_0_deg" ? "degree" : "1";
   const auto set = [entry](PointInput& p, double value) {
-    p.interface.parameters.*entry.member = value * entry.unit;
+    p.setup.parameters.*entry.member = value * entry.unit;
   };
   return {entry.name, entry.symbol, entry.description, units, set, {}};
 }
@@ -30,13 +32,13 @@ std::vector<Sweepable> all() {
   number("z_0", R"(\tilde{z}_0)", "gap between slab and ground", [](P& p, double v) { p.loading.z_0 = v; });
   number(
       "mean_deg", R"(\langle\theta_0\rangle)", "von Mises: mean azimuth",
-      [](P& p, double v) { p.interface.orientation.mean = v * M_PI / 180; }, "degree");
+      [](P& p, double v) { p.setup.orientation.mean = v * M_PI / 180; }, "degree");
   number("concentration", R"(\kappa)", "von Mises: concentration",
-         [](P& p, double v) { p.interface.orientation.concentration = v; });
+         [](P& p, double v) { p.setup.orientation.concentration = v; });
   number("seed", "seed", "seed of the lattice's azimuths",
-         [](P& p, double v) { p.interface.orientation.seed = std::uint64_t(v); });
+         [](P& p, double v) { p.setup.orientation.seed = std::uint64_t(v); });
   number("rows", "n_\\mathrm{rows}", "rows of the lattice that enter",
-         [](P& p, double v) { p.interface.orientation.rows = long(v); });
+         [](P& p, double v) { p.setup.orientation.rows = long(v); });
 
   for (const SiQuantity& q : si_quantities())
     number(
@@ -48,15 +50,19 @@ std::vector<Sweepable> all() {
     out.push_back({name, name, description, "1", set, options});
   };
   for (const Choice& c : choices_table())
-    choice(c.name, c.description, c.options, [c](P& p, double v) { c.set(p.interface.parameters, int(v)); });
-  choice("path", "how the load is reached", {"loading", "unloading"},
+    choice(c.name, c.description, c.options, [c](P& p, double v) { c.set(p.setup.parameters, int(v)); });
+  choice("path", "how the load is reached", words<LoadPath>(),
          [](P& p, double v) { p.loading.path = LoadPath(int(v)); });
   choice("sampling", "how the mean over theta_0 is taken", {"quadrature", "lattice"},
-         [](P& p, double v) { p.interface.orientation.sampling = Sampling(int(v)); });
+         [](P& p, double v) { p.setup.orientation.sampling = Sampling(int(v)); });
   return out;
 }
 
 }  // namespace
+
+std::string Sweepable::text(double value) const {
+  return options.empty() ? fmt::format("{:.6g}", value) : options.at(std::size_t(value));
+}
 
 const std::vector<Sweepable>& sweepables() {
   static const std::vector<Sweepable> table = all();

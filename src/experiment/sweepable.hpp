@@ -11,7 +11,7 @@ namespace bristle {
 
 // What a point of the sweep is computed from.
 struct PointInput {
-  Interface interface;
+  Setup setup;
   Loading loading;
   std::map<std::string, double> si{};  // SI units by their names in JSON, see si_units.hpp
 };
@@ -20,7 +20,10 @@ struct PointInput {
 struct Sweepable {
   std::string name, symbol, description, units;
   std::function<void(PointInput&, double)> set;
-  std::vector<std::string> options;  // the words of a choice; its value is the index of one. Empty: a number
+  std::vector<std::string> options;  // the words of a choice, whose value is an index; empty for a number
+
+  // The value for messages: a word, or six digits of a number.
+  std::string text(double value) const;
 };
 
 // The model's numbers and choices, the load, and the orientation's numbers and sampling.

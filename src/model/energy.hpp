@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/bristle.hpp"
+#include "model/equations.hpp"
 
 namespace bristle {
 
@@ -11,13 +11,13 @@ T potential_energy(const Bristle<P>& b, const Vector3<T>& position, const T& the
   const T stretch = f.r - 1.0, twist = theta - b.theta_0, bend = phi - b.phi_0;
   return b.k_r * stretch * stretch / 2 + b.k_theta * twist * twist / 2 + b.k_phi * bend * bend / 2 +
          short_range_energy(T(b.z_0 - position[2]), b.wall_peak, b.wall_rate) +
-         short_range_energy(f.s, b.axis_peak, b.axis_rate);
+         short_range_energy(f.s, b.pole_peak, b.pole_rate);
 }
 
 // Total energy E of the tip in contact. Dimensionless (m V0^2).
 template <class T, class P>
 T energy(const Bristle<P>& b, const State<T>& state) {
-  return T(state.v.squaredNorm() / 2) + potential_energy(b, state.r, state.theta, state.phi);
+  return T((state.v[0] * state.v[0] + state.v[1] * state.v[1] + state.v[2] * state.v[2]) / 2) + potential_energy(b, state.r, state.theta, state.phi);
 }
 
 // dE/dt as the forces give it: the slab's work on the tip (F_fx V0) less friction and damping losses.

@@ -23,9 +23,9 @@ double radial_balance(const Bristle<double>& b, double phi) {
   const double sin_phi = sin(phi), cos_phi = cos(phi);
   const auto residual = [&](double r) {
     return b.k_r * (r - 1) + sin_phi * short_range_force(b.z_0 - r * sin_phi, b.wall_peak, b.wall_rate) -
-           cos_phi * short_range_force(r * cos_phi, b.axis_peak, b.axis_rate);
+           cos_phi * short_range_force(r * cos_phi, b.pole_peak, b.pole_rate);
   };
-  const double longest = 1 + b.axis_peak / b.k_r;
+  const double longest = 1 + b.pole_peak / b.k_r;
   return middle(bisect(residual, 0.0, longest, eps_tolerance<double>(52)));
 }
 
@@ -34,7 +34,7 @@ double polar_residual(const Bristle<double>& b, double phi) {
   const double r = radial_balance(b, phi);
   const double z = r * sin(phi), s = r * cos(phi);
   return b.k_phi * (phi - b.phi_0) + s * short_range_force(b.z_0 - z, b.wall_peak, b.wall_rate) +
-         z * short_range_force(s, b.axis_peak, b.axis_rate);
+         z * short_range_force(s, b.pole_peak, b.pole_rate);
 }
 
 // Least energy of springs and axis repulsion with the tip at z = z_0, over 0 < phi <= phi_0.
@@ -65,7 +65,7 @@ Equilibrium static_equilibrium(const Bristle<double>& b) {
     if (at_upper >= 0 && at_lower < 0) {  // a minimum of the energy, not a maximum
       const double phi = middle(bisect(residual, lower, upper, eps_tolerance<double>(50)));
       const double r = radial_balance(b, phi);
-      const Vector3<double> position(r * cos(phi), 0, r * sin(phi));
+      const Vector3<double> position{r * cos(phi), 0, r * sin(phi)};
       const double U = potential_energy(b, position, b.theta_0, phi);
       if (U < least) {
         least = U;

@@ -4,6 +4,9 @@
 
 namespace bristle {
 
+template <class T>
+struct State;  // model/equations.hpp
+
 // The frictionless static equilibrium in the vertical plane theta = theta_0: the point of least
 // potential energy over (r, phi) with 0 < phi <= phi_0. Lengths dimensionless, phi in rad.
 struct Equilibrium {

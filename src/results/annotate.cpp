@@ -1,11 +1,16 @@
+#include "results/annotate.hpp"
+
 #include "ensemble/lattice.hpp"
 #include "experiment/si_units.hpp"
 #include "model/friction/laws.hpp"
+#include "results/digest.hpp"
+#include "results/hdf5.hpp"
+#include "results/version.hpp"
 #include "util/sha.hpp"
-#include "results/writer.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 #include <algorithm>
 
 namespace bristle {
@@ -35,7 +40,7 @@ std::vector<std::string> si_parts(const Experiment& e) {
 }
 
 std::vector<std::string> dimensionless_parts(const Experiment& e) {
-  const Parameters& p = e.base.interface.parameters;
+  const Parameters& p = e.base.setup.parameters;
   std::vector<std::string> parts;
   const auto add = [&](const char* name, const char* symbol, double value) {
     if (fixed(e, name)) parts.push_back(fmt::format("${} = {:.6g}$", symbol, value));
@@ -54,7 +59,7 @@ std::vector<std::string> dimensionless_parts(const Experiment& e) {
 std::string caption(const Experiment& e) {
   std::vector<std::string> parts;
   if (fixed(e, "friction"))
-    parts.emplace_back(with_law(e.base.interface.parameters.friction, [](auto law) { return law.title; }));
+    parts.emplace_back(with_law(e.base.setup.parameters.friction, [](auto law) { return law.title; }));
   for (std::string& part : e.base.si.empty() ? dimensionless_parts(e) : si_parts(e))
     parts.push_back(std::move(part));
   if (e.tier != "full") parts.push_back(e.tier + " tier: a subset of the points");
@@ -65,17 +70,17 @@ std::string caption(const Experiment& e) {
 // and N_c0/L_y.
 void annotate_slab_force(hid_t file, const Experiment& e) {
   if (!h5::exists(file, "slab_force") || !fixed(e, "L_x") || !fixed(e, "spacing")) return;
-  const Interface& interface = e.base.interface;
-  h5::write_attribute(h5::open_dataset(file, "slab_force/t"), "t_1", lattice_start(interface));
+  const Setup& setup = e.base.setup;
+  h5::write_attribute(h5::open_dataset(file, "slab_force/t"), "t_1", lattice_start(setup));
   h5::write_attribute(h5::open_dataset(file, "slab_force/R_n"), "N_c0_per_L_y",
-                      bristles_per_width(interface.parameters));
+                      bristles_per_width(setup.parameters));
 }
 
 }  // namespace
 
 void annotate(const std::string& path, const Experiment& experiment, const std::optional<Shard>& shard) {
   h5::Handle file = h5::open_file(path, true);
-  const std::string document = experiment.document.dump(1);
+  const std::string document = experiment.document->dump(1);
   h5::write_attribute(file, "schema_version", shard ? kPartSchema : kResultSchema);
   if (shard) h5::write_attribute(file, "shard", shard_text(*shard));
   h5::write_attribute(file, "numerics_version", kNumericsVersion);
@@ -86,7 +91,7 @@ void annotate(const std::string& path, const Experiment& experiment, const std::
   h5::write_attribute(file, "tier", experiment.tier);
   h5::write_attribute(file, "experiment", document);
   h5::write_attribute(file, "experiment_sha256", sha256_of(document));
-  h5::write_attribute(file, "inputs_sha256", inputs_sha256(experiment.document));
+  h5::write_attribute(file, "inputs_sha256", inputs_sha256(*experiment.document));
   annotate_slab_force(file, experiment);
   file.close("closing " + path);
 }

@@ -1,9 +1,11 @@
-#include "util/error.hpp"
+#include "results/digest.hpp"
+
+#include "results/hdf5.hpp"
 #include "util/sha.hpp"
-#include "results/writer.hpp"
 
 #include <fmt/format.h>
-#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <algorithm>
 
 namespace bristle {
 namespace {
@@ -29,32 +31,38 @@ void add_values(Digest& digest, hid_t dataset, const h5::Shape& shape) {
   }
 }
 
-void add_group(Digest& digest, hid_t group, const std::string& prefix) {
+void collect(hid_t group, const std::string& prefix, std::vector<std::string>& paths) {
   for (const std::string& name : h5::children(group)) {
-    const std::string path = prefix + "/" + name;
-    if (path == "/checks" || path == "/provenance") continue;
-    if (h5::is_group(group, name)) {
-      const h5::Handle child(H5Gopen2(group, name.c_str(), H5P_DEFAULT), H5Gclose, "opening " + path);
-      add_group(digest, child, path);
-      continue;
-    }
-    const h5::Handle dataset = h5::open_dataset(group, name);
-    const h5::Handle type(H5Dget_type(dataset), H5Tclose, "reading the type of " + path);
-    const h5::Shape shape = h5::shape_of(dataset);
-    std::string head =
-        fmt::format("{} {}{}", path, H5Tget_class(type) == H5T_FLOAT ? "f" : "i", H5Tget_size(type));
-    for (const hsize_t n : shape) head += fmt::format(" {}", n);
-    digest.add(head + "\n");
-    add_values(digest, dataset, shape);
+    const std::string path = prefix + name;
+    if (path == "checks" || path == "provenance") continue;
+    if (h5::is_group(group, name)) collect(h5::open_group(group, name), path + "/", paths);
+    else paths.push_back(path);
   }
+}
+
+void add_dataset(Digest& digest, hid_t file, const std::string& path) {
+  const h5::Handle dataset = h5::open_dataset(file, path);
+  const h5::Handle type(H5Dget_type(dataset), H5Tclose, "reading the type of " + path);
+  const h5::Shape shape = h5::shape_of(dataset);
+  std::string head =
+      fmt::format("/{} {}{}", path, H5Tget_class(type) == H5T_FLOAT ? "f" : "i", H5Tget_size(type));
+  for (const hsize_t n : shape) head += fmt::format(" {}", n);
+  digest.add(head + "\n");
+  add_values(digest, dataset, shape);
 }
 
 }  // namespace
 
 std::string payload_sha256(hid_t file) {
   Digest digest(Sha::bits_256);
-  add_group(digest, file, "");
+  for (const std::string& path : payload_datasets(file)) add_dataset(digest, file, path);
   return digest.hex();
+}
+
+std::vector<std::string> payload_datasets(hid_t file) {
+  std::vector<std::string> paths;
+  collect(file, "", paths);
+  return paths;
 }
 
 std::string inputs_sha256(const Json& document) {
@@ -66,24 +74,6 @@ std::string inputs_sha256(const Json& document) {
     for (const auto& [name, axis] : document["sweep"].items()) axes.push_back(name);
   inputs["axes"] = axes;
   return sha256_of(inputs.dump());
-}
-
-bool up_to_date(const std::string& path, const Experiment& experiment, const std::optional<Shard>& shard) {
-  if (!std::filesystem::is_regular_file(path)) return false;
-  try {
-    const h5::Handle file = h5::open_file(path, false);
-    for (const char* name : {"schema_version", "inputs_sha256", "numerics_version", "payload_sha256"})
-      if (!h5::has_attribute(file, name)) return false;
-    const bool same_share = !shard || (h5::has_attribute(file, "shard") &&
-                                       h5::read_text_attribute(file, "shard") == shard_text(*shard));
-    return same_share &&
-           h5::read_text_attribute(file, "schema_version") == (shard ? kPartSchema : kResultSchema) &&
-           h5::read_number_attribute(file, "numerics_version") == double(kNumericsVersion) &&
-           h5::read_text_attribute(file, "inputs_sha256") == inputs_sha256(experiment.document) &&
-           h5::read_text_attribute(file, "payload_sha256") == payload_sha256(file);
-  } catch (const RunError&) {
-    return false;  // not a result file that can be read: computed anew
-  }
 }
 
 }  // namespace bristle

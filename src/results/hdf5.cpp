@@ -1,7 +1,8 @@
 #include "results/hdf5.hpp"
 
-#include "experiment/document.hpp"
 #include "util/error.hpp"
+#include "util/grid.hpp"
+#include "util/json.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -9,6 +10,7 @@
 #include <cstring>
 #include <hdf5_hl.h>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 namespace bristle::h5 {
 namespace {
@@ -130,6 +132,10 @@ Handle create_group(hid_t parent, const std::string& name) {
           "creating group " + name};
 }
 
+Handle open_group(hid_t parent, const std::string& name) {
+  return {H5Gopen2(parent, name.c_str(), H5P_DEFAULT), H5Gclose, "opening group " + name};
+}
+
 Handle open_dataset(hid_t parent, const std::string& name) {
   return {H5Dopen2(parent, name.c_str(), H5P_DEFAULT), H5Dclose, "opening dataset " + name};
 }
@@ -149,6 +155,11 @@ Handle create_dataset(hid_t parent, const std::string& name, hid_t type, const S
                                               H5Sclose, "creating the space of " + name);
   return {H5Dcreate2(parent, name.c_str(), type, space, H5P_DEFAULT, creation, H5P_DEFAULT), H5Dclose,
           "creating dataset " + name};
+}
+
+Shape position(const std::vector<std::size_t>& shape, std::size_t index) {
+  const auto at = unravel(index, shape);
+  return {at.begin(), at.end()};
 }
 
 Shape shape_of(hid_t dataset) {

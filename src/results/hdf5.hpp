@@ -35,10 +35,13 @@ class Handle {
 };
 
 using Shape = std::vector<hsize_t>;
+// Position of a point in a row-major grid of this shape.
+Shape position(const std::vector<std::size_t>& shape, std::size_t index);
 
 Handle create_file(const std::string& path);
 Handle open_file(const std::string& path, bool writable);
 Handle create_group(hid_t parent, const std::string& name);
+Handle open_group(hid_t parent, const std::string& name);
 Handle open_dataset(hid_t parent, const std::string& name);
 bool exists(hid_t parent, const std::string& name);
 

@@ -4,7 +4,7 @@
 #include "util/error.hpp"
 #include "util/file.hpp"
 #include "util/sha.hpp"
-#include "results/writer.hpp"
+#include "results/version.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -20,7 +20,7 @@ namespace bristle {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr const char* kExtension = ".journal";
+constexpr const char* kJournalExtension = ".journal";
 constexpr long kSyncSeconds = 2;
 
 // Calls visit(line, offset) for every line that ends in a line feed; returns the end of the last.
@@ -44,15 +44,13 @@ bool may_be_torn(const std::string& path) {
 }  // namespace
 
 std::string point_key(const Experiment& experiment, std::size_t index) {
-  const nlohmann::json inputs = {{"numerics_version", kNumericsVersion},
-                                 {"point", canonical_point(experiment, index)}};
-  return sha256_of(inputs.dump());
+  return sha256_of(fmt::format("numerics {}: {}", kNumericsVersion, canonical_point(experiment, index)));
 }
 
 bool is_dirty(const std::string& commit) { return commit.ends_with("-dirty") || commit == "unknown"; }
 
 Journal::Journal(const std::string& result, const std::string& commit, bool forget)
-    : path_(result + kExtension), commit_(commit), file_(lock_file(result, path_)) {
+    : path_(result + kJournalExtension), commit_(commit), file_(lock_file(result, path_)) {
   try {
     scan();
     if (forget) {
@@ -122,7 +120,7 @@ void Journal::adopt(const Experiment& experiment, const std::vector<std::size_t>
   if (folder.empty()) folder = ".";
   for (const auto& other : fs::directory_iterator(folder)) {
     const std::string name = other.path().string();
-    if (!name.ends_with(kExtension) || !other.is_regular_file() || fs::equivalent(other.path(), path_))
+    if (!name.ends_with(kJournalExtension) || !other.is_regular_file() || fs::equivalent(other.path(), path_))
       continue;
     each_line(name, [&](const std::string& text, std::uint64_t) {
       const auto head = head_of(text);

@@ -6,10 +6,6 @@
 
 namespace bristle {
 
-// A part has the layout of the whole result, without values where it has no point; its own schema keeps it
-// from being taken for one. Root attribute `shard`: "2/5"; dataset /part/points: the indices computed.
-constexpr const char* kPartSchema = "bristle-part/1";
-
 // A share of a sweep that is run by itself: number 1 .. count.
 struct Shard {
   std::size_t number, count;

@@ -3,10 +3,12 @@
 #include "experiment/axes.hpp"
 #include "util/error.hpp"
 #include "util/text.hpp"
-#include "results/writer.hpp"
+#include "results/digest.hpp"
+#include "results/version.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 #include <cmath>
 #include <filesystem>
 #include <sstream>
@@ -95,11 +97,56 @@ std::string ResultReader::text(const std::string& attribute) const {
   return h5::read_text_attribute(file_, attribute);
 }
 
+bool up_to_date(const std::string& path, const Experiment& experiment, const std::optional<Shard>& shard) {
+  if (!std::filesystem::is_regular_file(path)) return false;
+  try {
+    const h5::Handle file = h5::open_file(path, false);
+    for (const char* name : {"schema_version", "inputs_sha256", "numerics_version", "payload_sha256"})
+      if (!h5::has_attribute(file, name)) return false;
+    const bool same_share = !shard || (h5::has_attribute(file, "shard") &&
+                                       h5::read_text_attribute(file, "shard") == shard_text(*shard));
+    return same_share &&
+           h5::read_text_attribute(file, "schema_version") == (shard ? kPartSchema : kResultSchema) &&
+           h5::read_number_attribute(file, "numerics_version") == double(kNumericsVersion) &&
+           h5::read_text_attribute(file, "inputs_sha256") == inputs_sha256(*experiment.document) &&
+           h5::read_text_attribute(file, "payload_sha256") == payload_sha256(file);
+  } catch (const RunError&) {
+    return false;  // not a result file that can be read: computed anew
+  }
+}
+
+std::string axis_variable(const std::string& name) {
+  return name == "R_n" || name == "z_0" ? name + "_target" : name;
+}
+
 bool holds_whole_result(const std::string& path) {
   if (!std::filesystem::is_regular_file(path) || H5Fis_hdf5(path.c_str()) <= 0) return false;
   const h5::Handle file = h5::open_file(path, false);
   return h5::has_attribute(file, "schema_version") &&
          h5::read_text_attribute(file, "schema_version").rfind("bristle-result/", 0) == 0;
+}
+
+bool ResultReader::has(const std::string& name) const { return h5::exists(file_, name); }
+
+std::map<std::string, std::string> ResultReader::provenance() const {
+  std::map<std::string, std::string> out;
+  if (!has("provenance")) return out;
+  const h5::Handle group = h5::open_group(file_, "provenance");
+  for (const std::string& name : h5::attribute_names(group)) out[name] = h5::read_text_attribute(group, name);
+  return out;
+}
+
+std::vector<std::string> ResultReader::axes() const {
+  std::vector<std::string> names;
+  const Json sweep = experiment().value("sweep", Json::object());
+  for (const auto& [name, axis] : sweep.items()) names.push_back(axis_variable(name));
+  return names;
+}
+
+std::vector<std::size_t> ResultReader::sweep_shape() const {
+  std::vector<std::size_t> shape;
+  for (const std::string& axis : axes()) shape.push_back(variable(axis).values.size());
+  return shape;
 }
 
 Json ResultReader::experiment() const {

@@ -1,9 +1,11 @@
 #pragma once
 
-#include "experiment/document.hpp"
+#include "experiment/experiment.hpp"
 #include "results/hdf5.hpp"
 #include "results/part.hpp"
 
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,8 +37,12 @@ class ResultReader {
   Variable variable(const std::string& name) const;
   // The words that a flag variable's values 0, 1, ... stand for; none for another.
   std::vector<std::string> flag_meanings(const std::string& name) const;
+  bool has(const std::string& name) const;  // a dataset or group
   std::string text(const std::string& attribute) const;
   Json experiment() const;
+  std::map<std::string, std::string> provenance() const;  // empty if there is none
+  std::vector<std::string> axes() const;                  // of the sweep, by the names of their variables
+  std::vector<std::size_t> sweep_shape() const;           // a traced curve is one point
   std::optional<Shard> shard() const;            // of a part; none for a whole result
   std::vector<std::size_t> part_points() const;  // of a part: indices of its points, ascending
 
@@ -47,7 +53,14 @@ class ResultReader {
   h5::Handle file_;
 };
 
-// Whether a file is there that holds a whole result, of whatever version.
+// Whether the file exists and holds a whole result, of any version.
 bool holds_whole_result(const std::string& path);
+
+// Whether the file already holds the numbers of this experiment, or of this shard of it, complete and intact.
+bool up_to_date(const std::string& path, const Experiment& experiment,
+                const std::optional<Shard>& shard = {});
+
+// The name of an axis in the file: a swept R_n or z_0 is an input, R_n_target; the value reached is R_n.
+std::string axis_variable(const std::string& name);
 
 }  // namespace bristle

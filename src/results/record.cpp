@@ -1,10 +1,10 @@
 #include "results/record.hpp"
 
+#include "results/datasets.hpp"
+
 #include <fmt/format.h>
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 
 namespace bristle {
@@ -59,7 +59,7 @@ hsize_t first_row(hid_t points, std::size_t index) {
 
 // The rows of one point; a table is in ascending order of points.
 Rows read_rows(hid_t file, const std::string& table, std::size_t index) {
-  const h5::Handle group(H5Gopen2(file, table.c_str(), H5P_DEFAULT), H5Gclose, "opening /" + table);
+  const h5::Handle group = h5::open_group(file, table);
   const auto read = [&](const std::string& column, hsize_t from, hsize_t count) {
     std::vector<double> out(count);
     if (count > 0)
@@ -74,9 +74,8 @@ Rows read_rows(hid_t file, const std::string& table, std::size_t index) {
 }
 
 bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
-  const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x); };
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [&](double x, double y) { return bits(x) == bits(y); });
+                    [](double x, double y) { return bristle::same_bits(x, y); });
 }
 
 bool same_bits(const Rows& a, const Rows& b) {
@@ -125,7 +124,7 @@ PointRecord record_of(const Experiment& experiment, const std::vector<CurveNode>
 PointRecord read_record(hid_t file, const Experiment& experiment, std::size_t index) {
   PointRecord record;
   const bool curve = experiment.base.loading.trace.has_value();
-  h5::Shape at = grid_position(experiment, index), count(at.size(), 1);
+  h5::Shape at = h5::position(experiment.shape(), index), count(at.size(), 1);
   if (curve) {
     at.push_back(0);
     count.push_back(hsize_t(experiment.base.loading.trace->nodes));
@@ -191,26 +190,6 @@ std::vector<std::string> differences(const PointRecord& a, const PointRecord& b)
   add_differences(a.values, b.values, out);
   add_differences(a.tables, b.tables, out);
   return out;
-}
-
-h5::Shape grid_position(const Experiment& experiment, std::size_t index) {
-  const auto shape = experiment.shape();
-  h5::Shape at(shape.size());
-  for (std::size_t d = shape.size(); d-- > 0; index /= shape[d]) at[d] = index % shape[d];
-  return at;
-}
-
-std::string place_text(const Experiment& experiment, std::size_t index) {
-  const h5::Shape at = grid_position(experiment, index);
-  std::string out;
-  for (std::size_t d = 0; d < at.size(); ++d) {
-    const Axis& axis = experiment.axes[d];
-    const auto& options = find_sweepable(axis.name)->options;
-    const double value = axis.values[at[d]];
-    out += fmt::format("{}{} = {}", d > 0 ? ", " : "", axis.name,
-                       options.empty() ? fmt::format("{:.6g}", value) : options[std::size_t(value)]);
-  }
-  return out.empty() ? "the only point" : out;
 }
 
 }  // namespace bristle

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ensemble/trace.hpp"
+#include "results/recorded_tables.hpp"
 #include "results/variables.hpp"
 
 #include <map>
@@ -30,10 +31,5 @@ bool fits(const PointRecord& record, const Experiment& experiment);
 
 // Datasets and tables of which the two have other bits, or that one of them lacks.
 std::vector<std::string> differences(const PointRecord& a, const PointRecord& b);
-
-// Position of a point in the sweep's grid, the last axis fastest.
-h5::Shape grid_position(const Experiment& experiment, std::size_t index);
-// The same for people: "k_r = 2, friction = nss".
-std::string place_text(const Experiment& experiment, std::size_t index);
 
 }  // namespace bristle

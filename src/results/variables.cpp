@@ -1,8 +1,6 @@
 #include "results/variables.hpp"
 
-#include "model/elementary.hpp"
-
-#include <cmath>
+#include "ensemble/derived.hpp"
 
 namespace bristle {
 namespace {
@@ -20,17 +18,25 @@ ResultVariable mean(const char* name, const char* long_name, const char* symbol,
           [k](const PointResult& p) { return p.load_error[k]; }};
 }
 
-// Part of a total that pinned bristles carry.
-ResultVariable share(const char* name, const char* long_name, const char* symbol, Observable part,
-                     Observable total) {
-  const Value value = [=](const PointResult& p) { return p.value[part] / p.value[total]; };
-  const Value error = [=](const PointResult& p) {
-    return (p.error[part] + value(p) * p.error[total]) / p.value[total];
-  };
-  const Value load_error = [=](const PointResult& p) {
-    return (p.load_error[part] + value(p) * p.load_error[total]) / p.value[total];
-  };
-  return {name, long_name, symbol, "", value, error, load_error};
+ResultVariable derived(const char* name, const char* long_name, const char* symbol, const char* equation,
+                       std::function<Derived(const PointResult&)> of, bool has_load_error = false,
+                       const char* units = "1") {
+  Value load_error;
+  if (has_load_error) load_error = [of](const PointResult& p) { return of(p).load_error; };
+  return {name,
+          long_name,
+          symbol,
+          equation,
+          [of](const PointResult& p) { return of(p).value; },
+          [of](const PointResult& p) { return of(p).error; },
+          load_error,
+          units};
+}
+
+ResultVariable pinned_share(const char* name, const char* long_name, const char* symbol, Observable part,
+                            Observable total) {
+  return derived(
+      name, long_name, symbol, "", [=](const PointResult& p) { return share_of(p, part, total); }, true);
 }
 
 ResultVariable field(const char* name, const char* long_name, const char* symbol, const char* equation,
@@ -67,55 +73,22 @@ ResultVariable force(const char* name, const char* long_name, const char* symbol
           "N"};
 }
 
-// R_x/R_n.
-ResultVariable friction_coefficient() {
-  const Value value = [](const PointResult& p) { return p.value[R_X] / p.value[R_N]; };
-  const Value error = [=](const PointResult& p) {
-    return (p.error[R_X] + std::abs(value(p)) * p.error[R_N]) / p.value[R_N];
-  };
-  return {
-      "friction_coefficient", "friction force over normal load", R"(R_x/R_n)", "Eq. (19)", value, error, {}};
-}
-
 void add_si(std::vector<ResultVariable>& variables) {
   variables.push_back(force("R_n_in_N", "normal load per bristle", R"(R_n/N_{c,0})", R_N));
   variables.push_back(
       force("R_x_in_N", "friction force per bristle along the motion", R"(R_x/N_{c,0})", R_X));
   variables.push_back(
       force("R_y_in_N", "friction force per bristle across the motion", R"(R_y/N_{c,0})", R_Y));
-  variables.push_back(friction_coefficient());
+  variables.push_back(derived("friction_coefficient", "friction force over normal load", R"(R_x/R_n)",
+                              "Eq. (19)", friction_coefficient));
 }
 
-// Magnitude and direction of the friction in the plane, which differs from the motion's where the azimuths
-// are not evenly distributed.
+// Where the azimuths are not evenly distributed, the friction force is not parallel to the motion.
 void add_direction(std::vector<ResultVariable>& variables) {
-  const Value size = [](const PointResult& p) {
-    return std::sqrt(p.R_x_norm * p.R_x_norm + p.R_y_norm * p.R_y_norm);
-  };
-  const Value size_error = [=](const PointResult& p) {
-    return (std::abs(p.R_x_norm) * p.R_x_norm_error + std::abs(p.R_y_norm) * p.R_y_norm_error) / size(p);
-  };
-  variables.push_back({"R_norm",
-                       "friction's magnitude in the plane over that of rigid bristles",
-                       R"(|\check{R}|)",
-                       "Eqs. (20, 21)",
-                       size,
-                       size_error,
-                       {}});
-  // R_x, against the motion, is positive whatever the bristles do.
-  const Value angle = [](const PointResult& p) { return atan(p.value[R_Y] / p.value[R_X]) * (180 / M_PI); };
-  const Value angle_error = [](const PointResult& p) {
-    const double x = p.value[R_X], y = p.value[R_Y];
-    return (std::abs(y) * p.error[R_X] + std::abs(x) * p.error[R_Y]) / (x * x + y * y) * (180 / M_PI);
-  };
-  variables.push_back({"direction",
-                       "direction of the friction force against that of the motion",
-                       R"(\angle R)",
-                       "Eq. (19)",
-                       angle,
-                       angle_error,
-                       {},
-                       "degree"});
+  variables.push_back(derived("R_norm", "friction's magnitude in the plane over that of rigid bristles",
+                              R"(|\check{R}|)", "Eqs. (20, 21)", friction_magnitude));
+  variables.push_back(derived("direction", "direction of the friction force against that of the motion",
+                              R"(\angle R)", "Eq. (19)", friction_direction, false, "degree"));
 }
 
 }  // namespace
@@ -139,17 +112,18 @@ std::vector<ResultVariable> result_variables(const Experiment& experiment) {
       mean("gamma_2", "alignment of friction with the motion", R"(\tilde{\gamma}_2)", "Eq. (25)", GAMMA_2),
       mean("gamma_3", "reduction of the contact area by load fluctuations", R"(\tilde{\gamma}_3)", "Eq. (26)",
            GAMMA_3),
-      mean("pinned_fraction", "fraction of bristles held upright at the axis", R"(f_\mathrm{pinned})", "",
+      mean("pinned_fraction", "fraction of bristles held upright at the pole", R"(f_\mathrm{pinned})", "",
            PINNED_FRACTION),
-      share("pinned_share_R_n", "pinned bristles' share of R_n", R"(R_{n,\mathrm{pinned}}/R_n)", PINNED_R_N,
+      pinned_share("pinned_share_R_n", "pinned bristles' share of R_n", R"(R_{n,\mathrm{pinned}}/R_n)", PINNED_R_N,
             R_N),
-      share("pinned_share_R_x", "pinned bristles' share of R_x", R"(R_{x,\mathrm{pinned}}/R_x)", PINNED_R_X,
+      pinned_share("pinned_share_R_x", "pinned bristles' share of R_x", R"(R_{x,\mathrm{pinned}}/R_x)", PINNED_R_X,
             R_X),
       mean("energy_residual", "mean defect of the energy budget over the energy dissipated", R"(\epsilon_E)",
            "Eqs. (13, 17, 18)", ENERGY_RESIDUAL),
-      field("incomplete_theta_0", "azimuth (rad) of the first passage without an exit", R"(\theta_0)", "",
+      field("incomplete_theta_0", "azimuth of the first passage without an exit", R"(\theta_0)", "",
             &P::incomplete_theta_0),
   };
+  variables.back().units = "rad";
   if (!experiment.base.loading.z_0 && !experiment.base.loading.trace) {
     variables.push_back(field("jump_z_0", "last gap before R_n(z_0) jumps across the target",
                               R"(\tilde{z}_{0,\mathrm{jump}})", "Fig. 3", &P::jump_z_0));
@@ -164,11 +138,11 @@ std::vector<ResultVariable> result_variables(const Experiment& experiment) {
         R"(\sigma(\langle R_n\rangle_{\mathrm{row}})/R_n)", &P::fluctuation_of_rows));
   }
   if (!experiment.base.si.empty()) add_si(variables);
-  if (experiment.base.interface.orientation.distribution == Distribution::von_mises) add_direction(variables);
+  if (experiment.base.setup.orientation.distribution == Distribution::von_mises) add_direction(variables);
   return variables;
 }
 
-const std::vector<std::string> kPointStatusNames = {"ok",         "jump",          "unreachable",
+const std::vector<std::string> kPointStatusNames = {"ok",         "load_jump",     "unreachable",
                                                     "incomplete", "not_converged", "absent"};
 const std::vector<std::string> kBranchNames = {"unstable", "loading", "unloading", "both", "absent"};
 const std::vector<std::string> kOutcomeNames = {"left", "pinned", "step_limit", "not_finite"};

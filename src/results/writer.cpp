@@ -1,5 +1,9 @@
 #include "results/writer.hpp"
 
+#include "results/annotate.hpp"
+#include "results/digest.hpp"
+#include "results/reader.hpp"
+#include "results/version.hpp"
 #include "util/error.hpp"
 #include "util/file.hpp"
 
@@ -12,10 +16,6 @@
 
 namespace bristle {
 namespace fs = std::filesystem;
-
-std::string axis_variable(const std::string& name) {
-  return name == "R_n" || name == "z_0" ? name + "_target" : name;
-}
 
 ResultWriter::ResultWriter(const Experiment& experiment, const std::string& path,
                            const std::optional<Shard>& shard)
@@ -131,7 +131,7 @@ void ResultWriter::create_flags(const std::string& name, const std::string& long
 }
 
 void ResultWriter::write(std::size_t index, const PointRecord& record) {
-  h5::Shape at = grid_position(experiment_, index), count(at.size(), 1);
+  h5::Shape at = h5::position(experiment_.shape(), index), count(at.size(), 1);
   if (curves_) {
     at.push_back(0);
     count.push_back(record.values.at("branch").size());

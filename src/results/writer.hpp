@@ -9,10 +9,6 @@
 
 namespace bristle {
 
-constexpr const char* kResultSchema = "bristle-result/1";
-// Version of physics and numerics together: raised by hand when results may change.
-constexpr long kNumericsVersion = 4;
-
 // Writes a result file point by point, under a temporary name beside the final one; publish() gives
 // it its name. Without publish() the final name is untouched and the temporary file removed.
 class ResultWriter {
@@ -59,22 +55,5 @@ class ResultWriter {
   std::map<std::string, Table> tables_;
   bool published_ = false;
 };
-
-// Name that an axis has in the file: a swept R_n or z_0 is an input, the values reached are the variables of
-// those names.
-std::string axis_variable(const std::string& name);
-
-// Writes the root attributes that describe the numbers: title, the experiment as run, its digests.
-void annotate(const std::string& path, const Experiment& experiment, const std::optional<Shard>& shard = {});
-
-// Digest of the experiment's parts that decide the numbers: all but name, title, figure, notes and checks.
-std::string inputs_sha256(const Json& document);
-
-// SHA-256 over name, type, shape and values of every dataset outside /checks and /provenance.
-std::string payload_sha256(hid_t file);
-
-// The output holds the numbers of this experiment, or of this shard of it, already, complete and intact.
-bool up_to_date(const std::string& path, const Experiment& experiment,
-                const std::optional<Shard>& shard = {});
 
 }  // namespace bristle

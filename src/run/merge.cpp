@@ -1,9 +1,11 @@
 #include "run/merge.hpp"
 
 #include "checks/checks.hpp"
+#include "checks/store.hpp"
 #include "util/error.hpp"
 #include "results/writer.hpp"
 #include "run/provenance.hpp"
+#include "util/text.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -25,15 +27,6 @@ void require_other_file(const std::vector<Part>& parts, const std::string& outpu
       throw InputError(fmt::format("-o {}: is one of the parts ({}); give another file", output, part.path));
 }
 
-// "a, b": each by itself.
-void add_listed(std::set<std::string>& out, const std::string& text) {
-  for (std::size_t from = 0; from < text.size();) {
-    const std::size_t to = std::min(text.find(", ", from), text.size());
-    out.insert(text.substr(from, to - from));
-    from = to + 2;
-  }
-}
-
 std::string part_line(const Part& part) {
   return fmt::format("{} {}: {} points, payload sha256 {}; {} to {} on {} by {}: {}", shard_text(part.shard),
                      std::filesystem::path(part.path).filename().string(), part.points.size(),
@@ -47,7 +40,7 @@ std::map<std::string, std::string> merged_provenance(const std::vector<Part>& pa
   std::map<std::string, std::set<std::string>> values;
   for (const Part& part : parts)
     for (const auto& [name, text] : part.provenance)
-      if (name == "points_commits") add_listed(values[name], text);
+      if (name == "points_commits") for (const std::string& commit : split_list(text)) values[name].insert(commit);
       else values[name].insert(text);
   std::map<std::string, std::string> out;
   values.erase("points_computed");

@@ -1,13 +1,16 @@
 #include "run/parts.hpp"
 
 #include "util/error.hpp"
-#include "util/sha.hpp"
-#include "results/writer.hpp"
+#include "results/digest.hpp"
+#include "results/version.hpp"
 #include "run/provenance.hpp"
+#include "util/sha.hpp"
+#include "util/text.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <set>
 
 namespace bristle {
@@ -16,26 +19,13 @@ namespace {
 constexpr std::size_t kOpened = 200;  // of the 1024 descriptors that a process usually may have
 constexpr std::size_t kNamed = 10;
 
-std::map<std::string, std::string> provenance_of(const ResultReader& part) {
-  std::map<std::string, std::string> out;
-  const h5::Handle group(H5Gopen2(part.file(), "provenance", H5P_DEFAULT), H5Gclose, "opening /provenance");
-  for (const std::string& name : h5::attribute_names(group)) out[name] = h5::read_text_attribute(group, name);
-  return out;
-}
-
-std::string replaced(std::string text, const std::string& what, const std::string& by) {
-  for (auto at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size()))
-    text.replace(at, what.size(), by);
-  return text;
-}
-
 // The command that computes this shard, after the one that computed the part.
 std::string shard_command(const Part& part, const Shard& shard) {
   const auto line = part.provenance.find("command_line");
   const std::string was = "--shard " + shard_text(part.shard), is = "--shard " + shard_text(shard);
   if (line == part.provenance.end() || line->second.find(was) == std::string::npos)
     return "bristle run EXPERIMENT.json " + is;
-  return replaced(replaced(line->second, was, is), part_path("", part.shard), part_path("", shard));
+  return replace_all(replace_all(line->second, was, is), part_path("", part.shard), part_path("", shard));
 }
 
 void require_intact(const ResultReader& file, const Part& part, std::size_t points) {
@@ -114,10 +104,6 @@ ResultReader open_part(const std::string& path) {
 
 }  // namespace
 
-std::string point_text(const Experiment& experiment, std::size_t index) {
-  return fmt::format("{} ({})", index, place_text(experiment, index));
-}
-
 PartSet::PartSet(const std::vector<std::string>& paths) : parts_(read(paths)) {
   std::stable_sort(parts_.begin(), parts_.end(), [](const Part& a, const Part& b) {
     return std::pair(a.shard.count, a.shard.number) < std::pair(b.shard.count, b.shard.number);
@@ -134,7 +120,7 @@ std::vector<Part> PartSet::read(const std::vector<std::string>& paths) {
     const ResultReader file = open_part(path);
     try {
       parts.push_back(
-          {path, *file.shard(), file.part_points(), file.text("payload_sha256"), provenance_of(file)});
+          {path, *file.shard(), file.part_points(), file.text("payload_sha256"), file.provenance()});
       if (parts.size() == 1) {
         of_first = version_of(file, parts[0]);
         experiment_ = stored_experiment(file.experiment(), file.text("tier"), path);
@@ -155,6 +141,10 @@ std::vector<Part> PartSet::read(const std::vector<std::string>& paths) {
   return parts;
 }
 
+std::string PartSet::numbered_place(std::size_t index) const {
+  return fmt::format("{} ({})", index, experiment_.place(index));
+}
+
 void PartSet::require_complete() const {
   std::vector<std::size_t> missing;
   auto place = places_.begin();
@@ -168,7 +158,7 @@ void PartSet::require_complete() const {
   std::vector<std::string> points, shards;
   for (const std::size_t i : missing) {
     numbers.insert(i % model.shard.count + 1);
-    if (points.size() < kNamed) points.push_back(point_text(experiment_, i));
+    if (points.size() < kNamed) points.push_back(numbered_place(i));
   }
   for (const std::size_t n : numbers)
     if (shards.size() < kNamed) shards.push_back(shard_text({n, model.shard.count}));
@@ -198,7 +188,7 @@ PointRecord PartSet::record(std::size_t index) {
     if (!other.empty())
       throw InputError(fmt::format("{} and {} differ at point {}: {}; compute one of them again",
                                    parts_[from].path, parts_[place->part].path,
-                                   point_text(experiment_, index), other.front()));
+                                   numbered_place(index), other.front()));
   }
   return out;
 }

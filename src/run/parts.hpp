@@ -39,14 +39,12 @@ class PartSet {
   };
   std::vector<Part> read(const std::vector<std::string>& paths);
   const ResultReader& open(std::size_t part);
+  std::string numbered_place(std::size_t index) const;  // for messages: "3 (k_r = 2, k_theta = 0.5)"
 
   Experiment experiment_;
   std::vector<Part> parts_;
   std::vector<Place> places_;                   // of every point in every part, ascending
   std::map<std::size_t, ResultReader> opened_;  // a few of them: descriptors are limited
 };
-
-// A point for people: "3 (k_r = 2, k_theta = 0.5)".
-std::string point_text(const Experiment& experiment, std::size_t index);
 
 }  // namespace bristle

@@ -3,12 +3,11 @@
 #include "simd/kernels.hpp"
 #include "results/journal.hpp"
 
-#include <Eigen/Core>
 #include <boost/version.hpp>
 #include <ctime>
 #include <fmt/format.h>
 #include <hdf5.h>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <openssl/opensslv.h>
 #include <sleef.h>
 #include <sys/utsname.h>
@@ -65,7 +64,7 @@ std::map<std::string, std::string> provenance(const std::string& command_line, i
       {"dirty", is_dirty(kCommit) ? "yes: built from uncommitted changes, or without git" : "no"},
       {"compiler", BRISTLE_COMPILER},
       {"flags", BRISTLE_FLAGS},
-      {"eigen", fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
+      {"eigen", BRISTLE_EIGEN},
       {"boost",
        fmt::format("{}.{}.{}", BOOST_VERSION / 100000, BOOST_VERSION / 100 % 1000, BOOST_VERSION % 100)},
       {"hdf5", fmt::format("{}.{}.{}", H5_VERS_MAJOR, H5_VERS_MINOR, H5_VERS_RELEASE)},

@@ -1,9 +1,11 @@
 #include "run/task.hpp"
 
 #include "checks/checks.hpp"
+#include "checks/store.hpp"
 #include "util/error.hpp"
 #include "results/journal.hpp"
 #include "util/file.hpp"
+#include "results/annotate.hpp"
 #include "results/writer.hpp"
 #include "run/progress.hpp"
 #include "run/provenance.hpp"
@@ -14,6 +16,7 @@
 #include <filesystem>
 #include <fmt/ranges.h>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <thread>
 
@@ -26,10 +29,10 @@ void add_checks(const std::string& path) {
   write_checks(path, checks);
 }
 
-// The numbers are there; what describes them has changed.
+// Rewrites title, notes and checks of a result whose numbers are up to date.
 void refresh(const Task& task) {
-  if (ResultReader(task.path, Expected::either).experiment() == task.experiment.document) return;
-  const Journal others_stay_off(task.path, kCommit, false);
+  if (ResultReader(task.path, Expected::either).experiment() == *task.experiment.document) return;
+  const Journal lock(task.path, kCommit, false);
   const std::string copy = task.path + ".partial";
   std::filesystem::copy_file(task.path, copy, std::filesystem::copy_options::overwrite_existing);
   annotate(copy, task.experiment, task.shard);
@@ -141,7 +144,7 @@ std::vector<std::size_t> Task::points() const {
   return shard_points(shard.value_or(Shard{1, 1}), experiment.points());
 }
 
-void carry_out(const Task& task, const TaskOptions& options) {
+void run_task(const Task& task, const TaskOptions& options) {
   if (!options.force && up_to_date(task.path, task.experiment, task.shard)) {
     refresh(task);
     if (!options.quiet)

@@ -27,6 +27,6 @@ struct TaskOptions {
 // Makes the result file be that of the experiment: what the journal or another in its folder has is not
 // computed again. Prints what became of the points unless quiet. Throws RunError if interrupted or if there
 // is no room; what was computed is in the journal then.
-void carry_out(const Task& task, const TaskOptions& options);
+void run_task(const Task& task, const TaskOptions& options);
 
 }  // namespace bristle

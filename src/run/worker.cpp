@@ -1,18 +1,14 @@
 #include "run/worker.hpp"
 
 #include "simd/engine.hpp"
-#include "dynamics/together.hpp"
+#include "dynamics/jobs.hpp"
 #include "experiment/si_units.hpp"
 #include "util/sanitizer.hpp"
 
-#include <boost/coroutine2/coroutine.hpp>
-#include <boost/coroutine2/protected_fixedsize_stack.hpp>
 #include <list>
 
 namespace bristle {
 namespace {
-
-namespace coroutines = boost::coroutines2;
 
 // Enough points that the lanes are full while most of them wait for the last passages of a batch.
 constexpr std::size_t kPointsUnderWay = 24;
@@ -20,49 +16,49 @@ constexpr std::size_t kPointsUnderWay = 24;
 PointReport solve(const Experiment& experiment, std::size_t index, const PassageRunner& run) {
   const PointInput input = experiment.point(index);
   if (input.loading.trace)
-    return {index, record_of(experiment, trace_curve(input.interface, *input.loading.trace, run))};
+    return {index, record_of(experiment, trace_curve(input.setup, *input.loading.trace, run))};
   Recorded recorded;
-  PointResult result = solve_point(input.interface, input.loading, run, experiment.record, &recorded);
+  PointResult result = solve_point(input.setup, input.loading, run, experiment.record, &recorded);
   result.force_unit = force_unit(input);
   return {index, record_of(experiment, result, recorded)};
 }
 
-// Passages that a point waits for.
-struct Batch {
-  const std::vector<PassageTask>* tasks;
-  std::vector<Passage> results;
-  std::size_t missing;
-};
-
-// A point that is being solved; it stops wherever it needs passages.
-class Solving {
+// A point under way, suspended until the passages that it asked for are there.
+class SuspendedPoint {
  public:
-  using Routine = coroutines::coroutine<Batch*>;
+  SuspendedPoint(const Experiment& experiment, std::size_t index)
+      : job_([this, &experiment, index](const PassageRunner& run) { report_ = solve(experiment, index, run); }) {
+    prepare();
+  }
 
-  Solving(const Experiment& experiment, std::size_t index)
-      : routine_(coroutines::protected_fixedsize_stack(kJobStackBytes),
-                 [this, &experiment, index](Routine::push_type& wait) {
-                   const PassageRunner run = [&wait](const std::vector<PassageTask>& tasks) {
-                     Batch batch{&tasks, std::vector<Passage>(tasks.size()), tasks.size()};
-                     if (!tasks.empty()) wait(&batch);
-                     return std::move(batch.results);
-                   };
-                   report_ = solve(experiment, index, run);
-                 }) {}
-
-  // The batch it waits for; none once it is solved.
-  Batch* waits_for() { return routine_ ? routine_.get() : nullptr; }
-  void resume() { routine_(); }
+  // The passages that it is waiting for; null once the point is solved.
+  const std::vector<PassageTask>* waiting_for() const { return job_.waiting_for(); }
+  bool ready() const { return missing_ == 0; }
+  void receive(std::size_t place, Passage&& passage) {
+    passages_[place] = std::move(passage);
+    --missing_;
+  }
+  void resume() {
+    job_.resume(std::move(passages_));
+    prepare();
+  }
   PointReport&& report() { return std::move(report_); }
 
  private:
+  void prepare() {
+    missing_ = waiting_for() ? waiting_for()->size() : 0;
+    passages_.assign(missing_, {});
+  }
+
   PointReport report_{};
-  Routine::pull_type routine_;
+  SuspendedJob job_;
+  std::vector<Passage> passages_;
+  std::size_t missing_ = 0;
 };
 
-class LaneWorker {
+class FastWorker {
  public:
-  LaneWorker(const Experiment& experiment, PointQueue& queue, std::size_t share)
+  FastWorker(const Experiment& experiment, PointQueue& queue, std::size_t share)
       : experiment_(experiment),
         queue_(queue),
         under_way_(std::min(kPointsUnderWay, share)),
@@ -74,7 +70,7 @@ class LaneWorker {
       engine_.advance();
       for (auto it = points_.begin(); it != points_.end();) {
         const auto point = it++;
-        if (Batch* batch = point->waits_for(); batch && batch->missing > 0) continue;
+        if (!point->ready()) continue;
         point->resume();
         submit_or_deliver(point);
       }
@@ -82,9 +78,9 @@ class LaneWorker {
   }
 
  private:
-  using Points = std::list<Solving>;
+  using Points = std::list<SuspendedPoint>;
   struct Ticket {
-    Batch* batch;
+    SuspendedPoint* point;
     std::size_t place;
   };
 
@@ -100,13 +96,13 @@ class LaneWorker {
   }
 
   void submit_or_deliver(Points::iterator point) {
-    Batch* batch = point->waits_for();
-    if (!batch) {
+    const std::vector<PassageTask>* tasks = point->waiting_for();
+    if (!tasks) {
       queue_.deliver(point->report());
       points_.erase(point);
       return;
     }
-    for (std::size_t i = 0; i < batch->tasks->size(); ++i) {
+    for (std::size_t i = 0; i < tasks->size(); ++i) {
       std::size_t ticket = tickets_.size();
       if (free_.empty()) {
         tickets_.emplace_back();
@@ -114,16 +110,15 @@ class LaneWorker {
         ticket = free_.back();
         free_.pop_back();
       }
-      tickets_[ticket] = {batch, i};
-      engine_.submit((*batch->tasks)[i], ticket);
+      tickets_[ticket] = {&*point, i};
+      engine_.submit((*tasks)[i], ticket);
     }
   }
 
   void receive(std::size_t ticket, Passage&& passage) {
-    const auto [batch, place] = tickets_[ticket];
+    const auto [point, place] = tickets_[ticket];
     free_.push_back(ticket);
-    batch->results[place] = std::move(passage);
-    --batch->missing;
+    point->receive(place, std::move(passage));
   }
 
   const Experiment& experiment_;
@@ -151,9 +146,7 @@ void work_one_by_one(const Experiment& experiment, PointQueue& queue, Engine eng
 }  // namespace
 
 void work(const Experiment& experiment, PointQueue& queue, std::size_t share) {
-  // Sanitizers know nothing of the points' own stacks. The results are the same without.
-  constexpr bool together = !kSanitized;
-  if (together && experiment.engine == Engine::fast) LaneWorker(experiment, queue, share).work();
+  if (!kSanitized && experiment.engine == Engine::fast) FastWorker(experiment, queue, share).work();
   else work_one_by_one(experiment, queue, experiment.engine);
 }
 

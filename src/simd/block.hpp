@@ -1,6 +1,7 @@
 #pragma once
 
-#include "dynamics/ode.hpp"
+#include "dynamics/components.hpp"
+#include "model/bristle.hpp"
 
 #include <cstdint>
 
@@ -21,9 +22,9 @@ struct Block {
   std::uint32_t fresh = 0;     // lanes whose slope is not that of their state
   std::uint64_t tried = 0;     // steps, of occupied lanes or not
 
-  Row constants[kConstants];                // of Bristle, in the order of for_each_constant
+  Row constants[kConstants];                // of Bristle, in the order of constants_of()
   Row rtol, atol, L_x, x_0;                 // slip is xi - (x - x_0)
-  Row near_axis, pole;                      // distances s: where the other method takes over; s_min
+  Row near_pole, pole;                      // distances s: where the other method takes over; s_min
   Row t, y[COMPONENTS], slope[COMPONENTS];  // at the last accepted step
   Row h;                                    // next step to try
   Row attempts, max_attempts;

@@ -1,5 +1,6 @@
 #include "simd/engine.hpp"
 
+#include "dynamics/ode.hpp"
 #include "dynamics/rules.hpp"
 
 #include <algorithm>
@@ -102,12 +103,12 @@ class LaneEngine::Set {
     const double factor = implicit_ && !flight.slow ? kPinnedFactor : 1;
     const auto set = [lane](Row& row, double value) { row.lane[lane] = value; };
     int i = 0;
-    for_each_constant(task.bristle, [&](double constant) { set(block_.constants[i++], constant); });
+    for (const double* constant : constants_of(task.bristle)) set(block_.constants[i++], *constant);
     set(block_.rtol, factor * task.integrator.rtol);
     set(block_.atol, factor * task.integrator.atol);
     set(block_.L_x, task.parameters->L_x);
     set(block_.x_0, flight.x_0);
-    set(block_.near_axis, method_border(flight));
+    set(block_.near_pole, method_border(flight));
     set(block_.pole, task.parameters->s_min);
     set(block_.attempts, 0);
     const double interval = task.sample_interval;

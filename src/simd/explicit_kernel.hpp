@@ -30,10 +30,10 @@ class ExplicitStep {
   }
 
   // Near the axis the equations are stiff, and an explicit step could cross it.
-  static Lanes::Mask axis_event(const Group& g) {
-    return (in_plane_square(g.y_new) < Lanes(g.near_axis * g.near_axis)) | passes_axis(g);
+  static Lanes::Mask pole_event(const Group& g) {
+    return (in_plane_square(g.y_new) < Lanes(g.near_pole * g.near_pole)) | passes_pole(g);
   }
-  static Lanes::Mask leaves_axis(const Group&) { return Lanes(0.0) < Lanes(0.0); }
+  static Lanes::Mask leaves_pole(const Group&) { return Lanes(0.0) < Lanes(0.0); }
 
  private:
   static constexpr int S = Tableau::stages;
@@ -52,11 +52,11 @@ class ExplicitStep {
     }
   }
 
-  // It was approaching, it recedes, and a straight line would have passed within near_axis.
-  static Lanes::Mask passes_axis(const Group& g) {
+  // It was approaching, it recedes, and a straight line would have passed within near_pole.
+  static Lanes::Mask passes_pole(const Group& g) {
     const Lanes moment = g.y[X] * g.y[VY] - g.y[Y] * g.y[VX];
     const Lanes speed2 = g.y[VX] * g.y[VX] + g.y[VY] * g.y[VY];
-    const Lanes reach = g.near_axis * g.near_axis;
+    const Lanes reach = g.near_pole * g.near_pole;
     return (radial_product(g.y) < Lanes(0.0)) & (Lanes(0.0) < radial_product(g.y_new)) &
            (Lanes(moment * moment) < Lanes(reach * speed2));
   }

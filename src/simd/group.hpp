@@ -1,5 +1,6 @@
 #pragma once
 
+#include "dynamics/ode.hpp"
 #include "simd/block.hpp"
 #include "simd/lanes.hpp"
 
@@ -8,7 +9,7 @@ namespace bristle::HWY_NAMESPACE {
 // The lanes of a Block that one Lanes holds, while a step of them is tried.
 struct Group {
   Bristle<Lanes> bristle;
-  Lanes rtol, atol, near_axis, pole;
+  Lanes rtol, atol, near_pole, pole;
   Lanes h;
   std::array<Lanes, COMPONENTS> y, slope, y_new, slope_new;
 };
@@ -108,12 +109,12 @@ class Kernel {
     const Lanes::Mask good = error < 1.0;
     const Lanes slip = t_new - (g.y_new[X] - Lanes::load(row(block.x_0)));
     const Lanes::Mask exits = good & (slip >= Lanes::load(row(block.L_x)) - kSlipTolerance);
-    const Lanes::Mask meets_axis = good & Step::axis_event(g);
-    const Lanes::Mask passes = good & !(exits | meets_axis);
+    const Lanes::Mask meets_pole = good & Step::pole_event(g);
+    const Lanes::Mask passes = good & !(exits | meets_pole);
     const Lanes::Mask samples = passes & (t_new >= Lanes::load(row(block.next_sample)));
     const Lanes::Mask commits = passes & !samples;
     const Lanes::Mask stuck = (!good) & (h_next < kSmallestStep);
-    const Lanes::Mask away = passes & Step::leaves_axis(g);
+    const Lanes::Mask away = passes & Step::leaves_pole(g);
     const Lanes::Mask exhausted = attempts >= Lanes::load(row(block.max_attempts));
 
     select(commits, t_new, Lanes::load(row(block.t))).store(row(block.t));
@@ -123,10 +124,10 @@ class Kernel {
       select(commits, g.slope_new[c], g.slope[c]).store(row(block.slope[c]));
     }
     const auto bits = [&](const Lanes::Mask& m) { return (m.bits() << first) & block.occupied; };
-    const std::uint32_t any = bits(exits | meets_axis | samples | away | stuck | exhausted);
+    const std::uint32_t any = bits(exits | meets_pole | samples | away | stuck | exhausted);
     if (any == 0) return;
     events.exit |= bits(exits);
-    events.axis |= bits(meets_axis);
+    events.axis |= bits(meets_pole);
     events.sample |= bits(samples);
     events.away |= bits(away);
     events.stuck |= bits(stuck);
@@ -144,10 +145,10 @@ class Kernel {
     g.bristle.friction = block.friction;
     g.bristle.azimuth_rate = block.azimuth_rate;
     int i = 0;
-    for_each_constant(g.bristle, [&](Lanes& constant) { constant = row(block.constants[i++]); });
+    for (Lanes* constant : constants_of(g.bristle)) *constant = row(block.constants[i++]);
     g.rtol = row(block.rtol);
     g.atol = row(block.atol);
-    g.near_axis = row(block.near_axis);
+    g.near_pole = row(block.near_pole);
     g.pole = row(block.pole);
     g.h = row(block.h);
     for (int c = 0; c < COMPONENTS; ++c) {

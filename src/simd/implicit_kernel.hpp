@@ -1,5 +1,6 @@
 #pragma once
 
+#include "dynamics/jacobian.hpp"
 #include "simd/group.hpp"
 
 namespace bristle::HWY_NAMESPACE {
@@ -35,7 +36,7 @@ class AdditiveStep {
 
   // It may have come down to the pole: it is within at the end, or it was approaching, recedes, and was
   // or may have been near.
-  static Lanes::Mask axis_event(const Group& g) {
+  static Lanes::Mask pole_event(const Group& g) {
     const Lanes zero = 0.0, reach = g.pole * g.pole;
     const auto aims_at_it = [&](const auto& y) {
       const Lanes moment = y[X] * y[VY] - y[Y] * y[VX];
@@ -48,8 +49,8 @@ class AdditiveStep {
     return within | (turned & (near | aims_at_it(g.y) | aims_at_it(g.y_new)));
   }
 
-  static Lanes::Mask leaves_axis(const Group& g) {
-    return Lanes(g.near_axis * g.near_axis) < in_plane_square(g.y_new);
+  static Lanes::Mask leaves_pole(const Group& g) {
+    return Lanes(g.near_pole * g.near_pole) < in_plane_square(g.y_new);
   }
 
  private:

@@ -11,8 +11,15 @@ class InputError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// The run could not finish, through no fault of its input: exit code 3.
+// The run could not finish although its input is right: exit code 3.
 class RunError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+// Untrusted data, as an archive or a result file in it, is malformed or was changed: exit code 1. The message
+// names the place in the data.
+class MalformedError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <fcntl.h>
 #include <filesystem>
+#include <iterator>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -14,7 +15,7 @@ namespace bristle {
 namespace fs = std::filesystem;
 namespace {
 
-// The descriptor is of the file that has this name now: it was not renamed between opening and locking.
+// Whether the descriptor's file still has this name: it may have been renamed between opening and locking.
 bool still_named(int descriptor, const std::string& path) {
   struct stat opened {
   }, named{};
@@ -66,6 +67,50 @@ void replace_file(const std::string& from, const std::string& to) {
   if (error) throw RunError(fmt::format("{}: cannot be renamed to {}: {}", from, to, error.message()));
   const fs::path folder = fs::path(to).parent_path();
   to_disk(folder.empty() ? "." : folder.string(), O_RDONLY | O_DIRECTORY);
+}
+
+std::string read_file(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::error_code ignored;
+  if (!in || fs::is_directory(path, ignored))
+    throw InputError(fmt::format("{}: cannot be read: {}", path,
+                                 fs::exists(path, ignored) ? "not a readable file" : "no such file"));
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+WholeFile::WholeFile(std::string path) : path_(std::move(path)), partial_(path_ + ".partial") {
+  std::error_code ignored;
+  const fs::path folder = fs::path(path_).parent_path();
+  if (!folder.empty()) fs::create_directories(folder, ignored);
+  if (fs::is_directory(path_, ignored))
+    throw InputError(fmt::format("{}: is a folder; give a file name", path_));
+  out_.open(partial_, std::ios::binary);
+  if (!out_) throw InputError(fmt::format("{}: cannot be written: {}", path_, std::strerror(errno)));
+}
+
+WholeFile::~WholeFile() {
+  std::error_code ignored;
+  out_.close();
+  if (!published_) fs::remove(partial_, ignored);
+}
+
+void WholeFile::write(const char* bytes, std::size_t count) { out_.write(bytes, std::streamsize(count)); }
+
+void WholeFile::close() {
+  out_.close();
+  if (!out_) throw RunError(fmt::format("{}: cannot be written to the end: is there room?", path_));
+}
+
+void WholeFile::publish() {
+  replace_file(partial_, path_);
+  published_ = true;
+}
+
+void write_whole(const std::string& path, const std::string& text) {
+  WholeFile file(path);
+  file.write(text.data(), text.size());
+  file.close();
+  file.publish();
 }
 
 }  // namespace bristle

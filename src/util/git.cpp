@@ -1,8 +1,8 @@
 #include "util/git.hpp"
 
-#include "checks/comparison.hpp"
-#include "util/process.hpp"
 #include "util/error.hpp"
+#include "util/process.hpp"
+#include "util/text.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -18,27 +18,32 @@ std::string without_newline(std::string text) {
 
 }  // namespace
 
-Repository::Repository(const std::string& folder) : folder_(folder) {
-  const auto top = run_process(fmt::format("git -C {} rev-parse --show-prefix 2>&1", shell_quoted(folder)));
-  if (top.code != 0)
-    throw InputError(
-        fmt::format("--source {}: not a git repository: {}; an archive holds the commit it is of", folder,
-                    without_newline(top.output)));
-  if (!without_newline(top.output).empty())
-    throw InputError(fmt::format("--source {}: not the top folder of its repository", folder));
+Repository::Repository(const std::string& folder, const std::string& option, const std::string& purpose)
+    : folder_(folder), option_(option) {
+  if (run_process("git --version 2>&1").code != 0)
+    throw InputError(fmt::format("git is not installed; {}", purpose));
+  const auto prefix =
+      run_process(fmt::format("git -C {} rev-parse --show-prefix 2>&1", shell_quoted(folder_)));
+  if (prefix.code != 0)
+    throw InputError(fmt::format("{}: not in a git work tree: {}; {}", option_,
+                                 without_newline(prefix.output), purpose));
+  prefix_ = without_newline(prefix.output);
   commit_ = without_newline(git("rev-parse --verify HEAD"));
 }
 
 std::string Repository::git(const std::string& arguments) const {
   const std::string command = fmt::format("git -C {} {}", shell_quoted(folder_), arguments);
-  const Outcome out = run_process(command);
-  if (out.code != 0) throw InputError(fmt::format("--source {}: failed: {}", folder_, command));
+  const ProcessResult out = run_process(command);
+  if (out.code != 0) throw InputError(fmt::format("{}: failed: {}", option_, command));
   return out.output;
 }
 
 std::time_t Repository::time() const { return std::stol(git("show -s --format=%ct HEAD")); }
 
-std::string Repository::changes() const { return git("status --porcelain --untracked-files=all"); }
+std::string Repository::changes(const std::string& except) const {
+  const std::string others = except.empty() ? "" : " " + shell_quoted(":(exclude,literal)" + except);
+  return git("status --porcelain --untracked-files=all -- :/" + others);
+}
 
 bool Repository::follows(const std::string& commit) const {
   return !commit.empty() && std::all_of(commit.begin(), commit.end(), ::isxdigit) &&

@@ -1,20 +1,119 @@
 #include "util/process.hpp"
 
 #include "util/error.hpp"
+#include "util/sanitizer.hpp"
 
 #include <fmt/format.h>
+#include <cerrno>
+#include <csignal>
 #include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <fcntl.h>
+#include <filesystem>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace bristle {
+namespace {
 
-Outcome run_process(const std::string& command) {
+constexpr rlim_t kMostMemory = rlim_t(8) << 30;
+constexpr rlim_t kMostSeconds = 3600;
+constexpr std::size_t kMostText = std::size_t(64) << 20;
+
+void limit(int what, rlim_t most) {
+  const rlimit both{most, most};
+  setrlimit(what, &both);
+}
+
+bool write_all(int descriptor, const std::string& text) {
+  for (std::size_t at = 0; at < text.size();) {
+    const ssize_t n = write(descriptor, text.data() + at, text.size() - at);
+    if (n < 0 && errno != EINTR) return false;
+    if (n > 0) at += std::size_t(n);
+  }
+  return true;
+}
+
+// The parent reports a crash: inherited signal handlers and the C library's messages would report it twice.
+void silence_crash_output() {
+  for (const int signal : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL}) std::signal(signal, SIG_DFL);
+  const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
+  if (nowhere >= 0) dup2(nowhere, STDERR_FILENO);
+}
+
+[[noreturn]] void run_child(int descriptor, const std::function<std::string()>& work) {
+  silence_crash_output();
+  limit(RLIMIT_CORE, 0);
+  limit(RLIMIT_CPU, kMostSeconds);
+  if (!kSanitized) limit(RLIMIT_AS, kMostMemory);
+  std::string answer;
+  try {
+    answer = "+" + work();
+  } catch (const std::exception& e) {
+    answer = std::string("-") + e.what();
+  }
+  write_all(descriptor, answer);
+  _exit(0);
+}
+
+std::string read_all(int descriptor) {
+  std::string text;
+  char buffer[65536];
+  while (text.size() < kMostText) {
+    const ssize_t n = read(descriptor, buffer, sizeof buffer);
+    if (n == 0 || (n < 0 && errno != EINTR)) break;
+    if (n > 0) text.append(buffer, std::size_t(n));
+  }
+  return text;
+}
+
+}  // namespace
+
+ProcessResult run_process(const std::string& command) {
   std::FILE* pipe = popen(command.c_str(), "r");
   if (!pipe) throw RunError(fmt::format("cannot start: {}", command));
-  Outcome out{0, ""};
+  ProcessResult out{0, ""};
   char buffer[4096];
   while (const std::size_t n = std::fread(buffer, 1, sizeof buffer, pipe)) out.output.append(buffer, n);
   out.code = pclose(pipe);
   return out;
 }
+
+std::string run_isolated(const std::function<std::string()>& work) {
+  int ends[2];
+  std::fflush(nullptr);  // otherwise the child prints the buffered output a second time
+  if (pipe(ends) != 0) throw RunError(fmt::format("cannot open a pipe: {}", std::strerror(errno)));
+  const pid_t child = fork();
+  if (child < 0) throw RunError(fmt::format("cannot start a process: {}", std::strerror(errno)));
+  if (child == 0) run_child(ends[1], work);
+  close(ends[1]);
+  const std::string answer = read_all(ends[0]);
+  close(ends[0]);
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (WIFSIGNALED(status))
+    throw MalformedError(fmt::format("reading it ended the process (signal {}: {}): it is malformed",
+                                 WTERMSIG(status), strsignal(WTERMSIG(status))));
+  if (answer.empty() || WEXITSTATUS(status) != 0)
+    throw MalformedError("reading it ended the process: it is malformed");
+  if (answer[0] == '-') throw MalformedError(answer.substr(1));
+  return answer.substr(1);
+}
+
+TemporaryFile::TemporaryFile(const std::string& bytes)
+    : path_((std::filesystem::temp_directory_path() / "bristle-XXXXXX").string()) {
+  const int descriptor = mkstemp(path_.data());
+  if (descriptor < 0) throw RunError(fmt::format("{}: no temporary file: {}", path_, std::strerror(errno)));
+  const bool complete = write_all(descriptor, bytes);
+  close(descriptor);
+  if (complete) return;
+  unlink(path_.c_str());
+  throw RunError(fmt::format("{}: cannot be written: is there room?", path_));
+}
+
+TemporaryFile::~TemporaryFile() { unlink(path_.c_str()); }
 
 }  // namespace bristle

@@ -2,8 +2,8 @@
 
 namespace bristle {
 
-// Built under a sanitizer of addresses or threads: these know nothing of coroutines' stacks, and reserve more
-// addresses than a process's limit allows.
+// Whether this is a build with a sanitizer of addresses or threads. These sanitizers do not support coroutines'
+// stacks, and reserve more address space than a limited process may have.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr bool kSanitized = true;
 #elif defined(__has_feature)

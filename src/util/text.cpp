@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <cctype>
+#include <cstring>
 #include <numeric>
 
 namespace bristle {
@@ -34,6 +36,43 @@ std::string did_you_mean(const std::string& word, const std::vector<std::string>
       best = candidate;
     }
   return best.empty() ? "" : fmt::format(" (did you mean {}?)", best);
+}
+
+std::string shell_quoted(const std::string& text) {
+  const auto plain = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) || std::strchr("_./=:-", c);
+  };
+  if (!text.empty() && std::all_of(text.begin(), text.end(), plain)) return text;
+  std::string quoted = "'";
+  for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
+std::string printable(const std::string& text) {
+  std::string out;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    // Control characters of ASCII, and the others of Unicode: 0xc2 0x80 to 0xc2 0x9f.
+    const bool second = byte >= 0x80 && byte < 0xa0 && i > 0 && text[i - 1] == '\xc2';
+    out += byte < 0x20 || byte == 0x7f || second ? fmt::format("\\x{:02x}", byte) : std::string(1, text[i]);
+  }
+  return out;
+}
+
+std::string replace_all(std::string text, const std::string& what, const std::string& by) {
+  for (auto at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size()))
+    text.replace(at, what.size(), by);
+  return text;
+}
+
+std::vector<std::string> split_list(const std::string& text) {
+  std::vector<std::string> out;
+  for (std::size_t from = 0; from < text.size();) {
+    const std::size_t to = std::min(text.find(", ", from), text.size());
+    out.push_back(text.substr(from, to - from));
+    from = to + 2;
+  }
+  return out;
 }
 
 }  // namespace bristle

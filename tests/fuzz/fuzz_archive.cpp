@@ -45,7 +45,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size == 0) return 0;
   try {
     read_as(char(data[0]), text_of(data + 1, size - 1));
-  } catch (const BadArchive&) {
+  } catch (const MalformedError&) {
   }
   return 0;
 }

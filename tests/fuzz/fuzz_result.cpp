@@ -138,7 +138,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     read(original, path, reader);
   } catch (const InputError&) {
   } catch (const RunError&) {
-  } catch (const BadArchive&) {
+  } catch (const MalformedError&) {
   }
   return 0;
 }

@@ -1,15 +1,9 @@
 #pragma once
 
+#include "model/bristle.hpp"
 #include "model/elementary.hpp"
-#include "model/parameters.hpp"
-
-#include <array>
 
 namespace bristle {
-
-// The numbers that a friction law's modulation needs, computed once per bristle; each law says which.
-template <class P>
-using FrictionConstants = std::array<P, 4>;
 
 // B of Eq. (7), so that chi tends to 1 for V_R >> V_s. Needs A >= 1.
 inline double chi_B(double A) { return 2 * (1 - asin(1 / A) / M_PI); }

@@ -1,0 +1,79 @@
+#include "archive/contents.hpp"
+
+#include "archive/citation.hpp"
+#include "archive/crate.hpp"
+#include "archive/readme.hpp"
+#include "archive/result_facts.hpp"
+#include "util/error.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+namespace bristle {
+namespace {
+
+const std::string& file_of(const Files& payload, const std::string& name) {
+  const auto found = payload.find(name);
+  if (found == payload.end()) throw MalformedError(fmt::format("data/{}: is missing", name));
+  return found->second;
+}
+
+ArchivedResult archived_result(const Files& payload, const std::string& file, const Json& facts) {
+  const std::string name = facts["name"];
+  ArchivedResult result{file, experiment_chain(payload, fmt::format("experiments/{}.json", name)), {}, facts};
+  for (const char* extension : {"pdf", "png"}) {
+    result.figures.push_back(fmt::format("figures/{}.{}", name, extension));
+    file_of(payload, result.figures.back());
+  }
+  return result;
+}
+
+Json citation_of(const Contents& contents) {
+  const std::string name = fmt::format("bristle-{}/CITATION.cff", contents.commit);
+  try {
+    return dataset_citation(parse_citation(file_in_tar(file_of(contents.payload, contents.source), name)),
+                            contents.commit);
+  } catch (const MalformedError& e) {
+    throw MalformedError(fmt::format("data/{}: {}: {}", contents.source, name, e.what()));
+  }
+}
+
+}  // namespace
+
+std::string source_file(const std::string& commit) { return fmt::format("source/bristle-{}.tar", commit); }
+
+std::vector<std::string> experiment_chain(const Files& payload, const std::string& file) {
+  std::vector<std::string> files{file};
+  try {
+    while (true) {
+      const Json json = parse_untrusted(file_of(payload, files.front()));
+      if (!json.contains("extends")) return files;
+      const auto parent = std::filesystem::path(files.front()).parent_path() / json["extends"].get<std::string>();
+      const std::string name = parent.lexically_normal().string();
+      if (std::count(files.begin(), files.end(), name)) throw MalformedError("extends this file in turn");
+      files.insert(files.begin(), name);
+    }
+  } catch (const Json::exception& e) {
+    throw MalformedError(fmt::format("data/{}: {}", files.front(), json_error(e.what())));
+  }
+}
+
+Contents describe(Files payload, const std::map<std::string, Json>& facts, const std::string& commit,
+                  const std::string& draft) {
+  Contents contents;
+  contents.payload = std::move(payload);
+  contents.commit = commit;
+  contents.source = source_file(commit);
+  contents.draft = draft;
+  contents.citation = citation_of(contents);
+  for (const auto& [file, of_result] : facts)
+    contents.results.push_back(archived_result(contents.payload, file, of_result));
+  contents.payload["CITATION.cff"] = citation_text(contents.citation);
+  contents.payload["README.md"] = archive_readme(contents);
+  contents.payload[kCrateFile] = crate_text(contents);
+  return contents;
+}
+
+}  // namespace bristle

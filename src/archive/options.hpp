@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+namespace bristle {
+
+struct ArchiveOptions {
+  std::string source = ".";  // the repository
+  std::string results = "results", figures = "figures";
+  std::string output;           // empty: dist/bristle-<version>.tar
+  bool allow_dirty = false;     // archive as a draft what cannot be traced to a commit
+  std::string version, commit;  // of this program
+};
+
+}  // namespace bristle

@@ -1,0 +1,141 @@
+#include "checks/deviation.hpp"
+
+#include "checks/comparison.hpp"
+#include "results/datasets.hpp"
+#include "util/grid.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <algorithm>
+#include <cmath>
+
+namespace bristle {
+namespace {
+
+std::string names(const std::vector<Axis>& axes) {
+  std::vector<std::string> out;
+  for (const Axis& axis : axes) out.push_back(axis.name);
+  return out.empty() ? "none" : fmt::format("{}", fmt::join(out, ", "));
+}
+
+// Index in the file of each value of a reference's axis.
+std::vector<std::size_t> match_axis(const Axis& reference, const Axis& now, DeviationReport& report) {
+  std::vector<std::size_t> at;
+  for (const double value : reference.values) {
+    const auto found = std::find(now.values.begin(), now.values.end(), value);
+    if (found == now.values.end())
+      report.failures.push_back(
+          fmt::format("axis {}: the reference's {} = {} is not among the file's {} values", now.name,
+                      now.name, value, now.values.size()));
+    at.push_back(std::size_t(found - now.values.begin()));
+  }
+  return at;
+}
+
+// Index in the file of each point of the reference; failures if there is no such point.
+std::vector<std::size_t> match_points(const Reference& reference, const Reference& now, DeviationReport& report) {
+  if (names(reference.axes) != names(now.axes)) {
+    report.failures.push_back(fmt::format("different axes: the file's are {}, the reference's {}",
+                                          names(now.axes), names(reference.axes)));
+    return {};
+  }
+  std::vector<std::vector<std::size_t>> matched;
+  for (std::size_t d = 0; d < reference.axes.size(); ++d)
+    matched.push_back(match_axis(reference.axes[d], now.axes[d], report));
+  std::vector<std::size_t> points;
+  if (!report.failures.empty()) return points;
+  for (std::size_t p = 0; p < reference.points(); ++p) {
+    auto at = unravel(p, reference.shape());
+    for (std::size_t d = 0; d < at.size(); ++d) at[d] = matched[d][at[d]];
+    points.push_back(ravel(at, now.shape()));
+  }
+  return points;
+}
+
+// The same quantity in both; failures for what only one has and for what is not over the sweep.
+template <class Quantity, class Compare>
+void compare_by_name(const std::vector<Quantity>& reference, const std::vector<Quantity>& now,
+                     DeviationReport& report, Compare compare) {
+  const auto find = [](const std::vector<Quantity>& all, const std::string& name) {
+    return std::find_if(all.begin(), all.end(), [&](const Quantity& q) { return q.name == name; });
+  };
+  for (const Quantity& r : reference) {
+    const auto n = find(now, r.name);
+    if (n == now.end()) report.failures.push_back(fmt::format("{}: missing in the file", r.name));
+    else if (!n->misfit.empty()) report.failures.push_back(fmt::format("{}: {}", r.name, n->misfit));
+    else compare(r, *n);
+  }
+  for (const Quantity& n : now)
+    if (find(reference, n.name) == reference.end())
+      report.failures.push_back(fmt::format("{}: not in the reference", n.name));
+}
+
+void compare_variable(const ReferenceVariable& r, const ReferenceVariable& n,
+                      const std::vector<std::size_t>& points, DeviationReport& report) {
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    const double a = r.values[p], b = n.values[points[p]];
+    ++report.values;
+    if (!same_bits(a, b))
+      report.deviations.push_back({r.name, points[p], a, b, in_tolerances(a, b, r.tolerance(p))});
+  }
+}
+
+void compare_flags(const ReferenceFlags& r, const ReferenceFlags& n, const std::vector<std::size_t>& points,
+                   DeviationReport& report) {
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    const long a = r.values[p], b = n.values[points[p]];
+    ++report.values;
+    if (a != b) report.deviations.push_back({r.name, points[p], double(a), double(b), INFINITY});
+  }
+}
+
+// Only between equal sets of points: a claim over more of them may well end otherwise.
+void compare_claims(const Reference& reference, const Reference& now, DeviationReport& report) {
+  if (reference.claims.size() != now.claims.size())
+    report.failures.push_back(fmt::format("different checks: the file's experiment has {}, the reference {}",
+                                          now.claims.size(), reference.claims.size()));
+  for (std::size_t i = 0; i < std::min(reference.claims.size(), now.claims.size()); ++i) {
+    const ReferenceClaim &r = reference.claims[i], &n = now.claims[i];
+    if (r.claim != n.claim || r.statement != n.statement)
+      report.failures.push_back(fmt::format("check {}: claim {} \"{}\", in the reference claim {} \"{}\"", i,
+                                            n.claim, n.statement, r.claim, r.statement));
+    else if (r.verdict != n.verdict)
+      report.failures.push_back(
+          fmt::format("claim {} \"{}\": {}, was {}", n.claim, n.statement, n.verdict, r.verdict));
+  }
+}
+
+void note_other_origin(const Reference& reference, const Reference& now, DeviationReport& report) {
+  if (reference.numerics_version != now.numerics_version)
+    report.notes.push_back(fmt::format("numerics_version is {}, the reference's is {}", now.numerics_version,
+                                       reference.numerics_version));
+  if (report.points == report.points_in_file && reference.inputs_sha256 != now.inputs_sha256)
+    report.notes.emplace_back("computed from other inputs than the reference (inputs_sha256)");
+}
+
+}  // namespace
+
+std::size_t DeviationReport::above(double tolerances) const {
+  return std::size_t(
+      std::count_if(deviations.begin(), deviations.end(),
+                                   [=](const Deviation& d) { return d.tolerances > tolerances; }));
+}
+
+DeviationReport compare_with_reference(const Reference& reference, const Reference& now) {
+  DeviationReport report;
+  report.points_in_file = now.points();
+  const auto points = match_points(reference, now, report);
+  if (points.empty()) return report;
+  report.points = points.size();
+  note_other_origin(reference, now, report);
+  compare_by_name(reference.variables, now.variables, report,
+                  [&](const auto& r, const auto& n) { compare_variable(r, n, points, report); });
+  compare_by_name(reference.flags, now.flags, report,
+                  [&](const auto& r, const auto& n) { compare_flags(r, n, points, report); });
+  if (report.points == report.points_in_file) compare_claims(reference, now, report);
+  std::stable_sort(report.deviations.begin(), report.deviations.end(),
+                   [](const Deviation& a, const Deviation& b) { return a.tolerances > b.tolerances; });
+  return report;
+}
+
+}  // namespace bristle

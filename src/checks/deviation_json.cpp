@@ -1,0 +1,43 @@
+#include "checks/deviation_json.hpp"
+
+#include "results/datasets.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace bristle {
+namespace {
+
+constexpr std::size_t kWorst = 5;  // deviations that are listed
+
+Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json entry(const Deviation& d, const ResultReader& result) {
+  return {{"variable", d.variable},
+          {"place", place(result, d.variable, d.point)},
+          {"reference", value_text(result, d.variable, d.reference)},
+          {"now", value_text(result, d.variable, d.now)},
+          {"tolerances", finite(d.tolerances)}};
+}
+
+}  // namespace
+
+Json deviation_json(const DeviationReport& report, const ResultReader& result, const std::string& reference) {
+  Json worst = Json::array();
+  for (std::size_t i = 0; i < std::min(kWorst, report.deviations.size()); ++i)
+    worst.push_back(entry(report.deviations[i], result));
+  return {{"reference", reference},
+          {"failed", report.failed()},
+          {"values", report.values},
+          {"points", report.points},
+          {"points_in_file", report.points_in_file},
+          {"differ", report.deviations.size()},
+          {"above_half", report.above(0.5)},
+          {"above", report.above(1)},
+          {"worst", worst},
+          {"failures", report.failures},
+          {"notes", report.notes}};
+}
+
+}  // namespace bristle

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "checks/deviation.hpp"
+#include "results/reader.hpp"
+#include "util/json.hpp"
+
+#include <string>
+
+namespace bristle {
+
+// A report for programs: the counts, the worst five deviations, failures and notes.
+Json deviation_json(const DeviationReport& report, const ResultReader& result, const std::string& reference);
+
+}  // namespace bristle

@@ -1,0 +1,91 @@
+#include "experiment/check.hpp"
+
+#include "util/error.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace bristle {
+namespace {
+
+class CheckReader {
+ public:
+  CheckReader(const Json& json, std::string place) : json_(json), place_(std::move(place)) {}
+
+  Check read() const {
+    Check check;
+    for (const auto& [key, member] : {std::pair{"claim", &Check::claim},
+                                      {"statement", &Check::statement},
+                                      {"predicate", &Check::predicate},
+                                      {"variable", &Check::variable},
+                                      {"along", &Check::along},
+                                      {"x", &Check::x},
+                                      {"against", &Check::against}})
+      check.*member = json_.value(key, "");
+    for (const auto& [key, member] : {std::pair{"expected", &Check::expected},
+                                      {"resolution", &Check::resolution},
+                                      {"band", &Check::band}})
+      if (json_.contains(key)) check.*member = json_[key].get<double>();
+    for_each("divide_by", [&](const std::string& name, const Json& power) {
+      check.divide_by.emplace_back(name, power.get<double>());
+    });
+    for_each("where", [&](const std::string& name, const Json& value) {
+      check.where.emplace_back(name, selection("where/" + name, value));
+    });
+    for_each("at", [&](const std::string& name, const Json& value) {
+      check.at.emplace(name, value.get<double>());
+    });
+    for_each("compare", [&](const std::string& name, const Json& values) {
+      if (values.size() != 2) fail("compare/" + name, "give two values of the axis");
+      check.compare = AxisPair{name, selection("compare/" + name, values[0]),
+                               selection("compare/" + name, values[1])};
+    });
+    check.difference = json_.value("by", "ratio") == "difference";
+    check.logarithmic = json_.value("scale", "log") == "log";
+    check.independent_errors = json_.value("errors", "") == "independent";
+    const std::string is = json_["is"];
+    check.criterion = is == "near"      ? Criterion::near
+                      : is == "at_most" ? Criterion::at_most
+                                        : Criterion::at_least;
+    check.threshold = json_.value("threshold", 0.0);
+    return check;
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& key, const std::string& what) const {
+    throw InputError(fmt::format("{}/{}: {}", place_, key, what));
+  }
+
+  template <class Visit>
+  void for_each(const char* key, Visit visit) const {
+    if (!json_.contains(key)) return;
+    for (const auto& [name, value] : json_[key].items()) visit(name, value);
+  }
+
+  Selection selection(const std::string& key, const Json& value) const {
+    if (value.is_string()) return value.get<std::string>();
+    if (value.is_number()) return value.get<double>();
+    if (!value.is_array() || value.size() != 2 || !value[0].is_number() || !value[1].is_number())
+      fail(key, "a range is two numbers");
+    return std::array{value[0].get<double>(), value[1].get<double>()};
+  }
+
+  const Json& json_;
+  std::string place_;
+};
+
+}  // namespace
+
+std::vector<Check> read_checks(const Json& document, const std::string& source) {
+  std::vector<Check> checks;
+  if (!document.contains("checks")) return checks;
+  for (const Json& json : document["checks"])
+    checks.push_back(CheckReader(json, fmt::format("{}: /checks/{}", source, checks.size())).read());
+  return checks;
+}
+
+std::string selection_text(const Selection& selection) {
+  return std::visit([](const auto& value) { return shown(Json(value)); }, selection);
+}
+
+}  // namespace bristle

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "experiment/experiment.hpp"
+#include "results/part.hpp"
+
+#include <optional>
+#include <string>
+
+namespace bristle {
+
+// Writes the root attributes that describe the numbers: title, the experiment as run, digests of the inputs.
+void annotate(const std::string& path, const Experiment& experiment, const std::optional<Shard>& shard = {});
+
+}  // namespace bristle

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "util/json.hpp"
+
+#include <hdf5.h>
+#include <string>
+#include <vector>
+
+namespace bristle {
+
+// SHA-256 over name, type, shape and values of the payload: every dataset outside /checks and /provenance.
+std::string payload_sha256(hid_t file);
+// Paths of these datasets, in the order of the digest.
+std::vector<std::string> payload_datasets(hid_t file);
+
+// SHA-256 of the part of an experiment's document that determines the numbers: all but name, title, figure,
+// notes and checks.
+std::string inputs_sha256(const Json& document);
+
+}  // namespace bristle

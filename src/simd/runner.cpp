@@ -1,0 +1,29 @@
+#include "simd/runner.hpp"
+
+#include "simd/engine.hpp"
+
+namespace bristle {
+namespace {
+
+std::vector<Passage> run_reference(const std::vector<PassageTask>& tasks) {
+  std::vector<Passage> out;
+  for (const PassageTask& task : tasks) out.push_back(run_passage(task));
+  return out;
+}
+
+}  // namespace
+
+PassageRunner make_runner(Engine engine) {
+  if (engine == Engine::reference) return run_reference;
+  return [&kernels = best_kernels()](const std::vector<PassageTask>& tasks) {
+    std::vector<Passage> out(tasks.size());
+    LaneEngine lanes(kernels,
+                     [&out](std::size_t ticket, Passage&& passage) { out[ticket] = std::move(passage); });
+    for (std::size_t i = 0; i < tasks.size(); ++i) lanes.submit(tasks[i], i);
+    while (lanes.advance()) {
+    }
+    return out;
+  };
+}
+
+}  // namespace bristle

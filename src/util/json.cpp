@@ -1,0 +1,58 @@
+#include "util/json.hpp"
+
+#include "util/error.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <fmt/format.h>
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+namespace bristle {
+namespace fs = std::filesystem;
+
+std::string json_error(const std::string& message) {
+  const auto end = message.find("] ");
+  return end == std::string::npos ? message : message.substr(end + 2);
+}
+
+Json read_json_file(const std::string& path) {
+  std::ifstream in(path);
+  if (!in || fs::is_directory(path))
+    throw InputError(fmt::format("{}: cannot be read: {}", path,
+                                 fs::exists(path) ? "not a readable file" : "no such file"));
+  try {
+    Json content = parse_json({std::istreambuf_iterator<char>(in), {}});
+    if (!content.is_object())
+      throw InputError(fmt::format("a JSON object {{...}} is expected, this is {}", shown(content)));
+    return content;
+  } catch (const InputError& e) {
+    throw InputError(fmt::format("{}: {}", path, e.what()));
+  }
+}
+
+Json parse_json(const std::string& text) {
+  std::vector<std::set<std::string>> keys;
+  const auto watch = [&](int depth, Json::parse_event_t event, Json& parsed) {
+    if (depth > kDeepestJson) throw InputError(fmt::format("JSON nested more than {} deep", kDeepestJson));
+    if (event == Json::parse_event_t::object_start) keys.emplace_back();
+    if (event == Json::parse_event_t::object_end) keys.pop_back();
+    if (event == Json::parse_event_t::key && !keys.back().insert(parsed.get<std::string>()).second)
+      throw InputError(fmt::format("the key {} appears twice in one object", shown(parsed)));
+    return true;
+  };
+  try {
+    return Json::parse(text, watch);
+  } catch (const Json::exception& e) {
+    throw InputError(fmt::format("not JSON: {}", json_error(e.what())));
+  }
+}
+
+std::string shown(const Json& value) {
+  std::string text = value.dump();
+  if (text.size() > 60) text = text.substr(0, 57) + "...";
+  return text;
+}
+
+}  // namespace bristle
