@@ -1,73 +1,71 @@
-"""What hangs on what the paper leaves open: the matrix of claims and alternatives as a figure, and as text."""
+"""How the verdicts depend on what the paper leaves open: the matrix as a figure, and docs/assumptions.md."""
 
 import argparse
-import json
 from collections import namedtuple
 from itertools import groupby
 
 from matplotlib import patches
 from matplotlib.figure import Figure
 
-from document import table, write
-from style import BLUE, GREEN, GREY, VERMILION, apply_look, fail, prose, save
-from verdicts import number, with_uncertainty
+from bristle_plots.assumptions import TOGETHER, cells_by_place, read_matrix, reversed_verdict
+from bristle_plots.command_line import run
+from bristle_plots.errors import BristleError
+from bristle_plots.files import save_figure, write_text
+from bristle_plots.markdown import filled, table
+from bristle_plots.style import BLUE, GREEN, GREY, VERMILION, apply_look, wrapped
+from bristle_plots.verdicts import number, threshold_text, with_uncertainty
 
-SCHEMA = "bristle-assumptions/1"
-LETTERS = {"supported": ("+", GREEN), "refuted": ("\u2212", VERMILION), "undecided": ("?", BLUE)}
+SIGNS = {"supported": ("+", GREEN), "refuted": ("\u2212", VERMILION), "undecided": ("?", BLUE)}
+CONCLUSIONS = ("robust", "weakened", "assumption-dependent", "open")
 
 CELL_INCHES = 0.27
-LEFT_INCHES, RIGHT_INCHES, TOP_INCHES, BOTTOM_INCHES = 5.6, 1.3, 2.7, 0.75
+LEFT_INCHES, RIGHT_INCHES, TOP_INCHES, BOTTOM_INCHES = 6.1, 1.3, 2.7, 0.75
 STATEMENT_LETTERS = 62
 
-# cells[check][alternative]
-Study = namedtuple("Study", "tier program checks alternatives cells conclusions")
+# cells[check][alternative]; the first alternative is the baseline.
+Matrix = namedtuple("Matrix", "tier checks alternatives cells conclusions")
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("matrix", metavar="MATRIX.json", help="what `bristle assumptions` writes")
+    parser.add_argument("matrix", metavar="MATRIX.json", help="output of `bristle assumptions`")
     parser.add_argument("-o", dest="directory", metavar="DIRECTORY", default="figures",
                         help="where to write assumptions.pdf and .png (default: %(default)s)")
     parser.add_argument("--text", metavar="FILE", help="where to write the account in words (Markdown)")
     arguments = parser.parse_args()
-    study = read(arguments.matrix)
+    matrix = read(arguments.matrix)
     apply_look()
-    save(draw(study), arguments.directory, "assumptions")
+    save_figure(draw(matrix), arguments.directory, "assumptions")
     if arguments.text:
-        write(arguments.text, account(study))
+        write_text(arguments.text, account(matrix))
 
 
 def read(path):
+    document = read_matrix(path)
     try:
-        with open(path, encoding="utf-8") as file:
-            data = json.load(file)
-    except OSError as error:
-        fail(f"{path}: {error.strerror}; `make assumptions` writes it")
-    except ValueError as error:
-        fail(f"{path}: not JSON: {error}")
-    if not isinstance(data, dict) or data.get("schema") != SCHEMA:
-        fail(f"{path}: not a matrix of assumptions ({SCHEMA})")
-    cells = [[None] * len(data["alternatives"]) for _ in data["checks"]]
-    for cell in data["cells"]:
-        cells[cell["check"]][cell["alternative"]] = cell
-    return Study(data["tier"], data["program"], data["checks"], data["alternatives"], cells, data["conclusions"])
+        found, alternatives = cells_by_place(path, document), document["alternatives"]
+        cells = [[found[i, j] for j in range(len(alternatives))] for i in range(len(document["checks"]))]
+        return Matrix(document["tier"], document["checks"], alternatives, cells, document["conclusions"])
+    except (KeyError, TypeError) as error:
+        raise BristleError(f"{path}: incomplete ({type(error).__name__}: {error})") from error
 
 
-def draw(study):
-    """Rows are checks, columns alternatives; a pale cell is one that the alternative cannot change."""
-    rows, columns = len(study.checks), len(study.alternatives)
+def draw(matrix):
+    """Rows are checks, columns alternatives; pale: the alternative does not affect the check."""
+    rows, columns = len(matrix.checks), len(matrix.alternatives)
     width = LEFT_INCHES + CELL_INCHES * columns + RIGHT_INCHES
     height = TOP_INCHES + CELL_INCHES * rows + BOTTOM_INCHES
     figure = Figure(figsize=(width, height))
     axes = figure.add_axes((0, 0, 1, 1), xlim=(0, width), ylim=(height, 0))
     axes.axis("off")
-    axes.text(width / 2, 0.15, "What hangs on what the paper leaves open", ha="center", va="top", fontsize=14)
-    for index, check in enumerate(study.checks):
-        draw_row(axes, study, index, check)
-    for index, alternative in enumerate(study.alternatives):
+    axes.text(width / 2, 0.15, "How the verdicts depend on what the paper leaves open", ha="center", va="top",
+              fontsize=14)
+    for index, check in enumerate(matrix.checks):
+        draw_row(axes, matrix, index, check)
+    for index, alternative in enumerate(matrix.alternatives):
         axes.text(column_x(index) + CELL_INCHES / 2, TOP_INCHES - 0.08, alternative["name"], rotation=60,
                   rotation_mode="anchor", fontsize=8.5, va="center")
-    draw_borders(axes, study)
+    draw_borders(axes, matrix)
     draw_legend(axes, height - 0.45)
     return figure
 
@@ -80,125 +78,125 @@ def row_y(index):
     return TOP_INCHES + CELL_INCHES * index
 
 
-def draw_row(axes, study, index, check):
+def draw_row(axes, matrix, index, check):
     y = row_y(index) + CELL_INCHES / 2
     statement = check["statement"]
     if len(statement) > STATEMENT_LETTERS:
         statement = statement[:STATEMENT_LETTERS - 1].rsplit(" ", 1)[0] + " \u2026"
     axes.text(0.15, y, check["claim"], va="center", fontsize=9, weight="bold")
-    axes.text(0.55, y, prose(statement, 200), va="center", fontsize=8.5)
-    axes.text(LEFT_INCHES - 0.1, y, study.conclusions[index]["conclusion"], va="center", ha="right", fontsize=8.5,
-              color=GREY)
-    for column, cell in enumerate(study.cells[index]):
+    axes.text(0.55, y, wrapped(statement, 200), va="center", fontsize=8.5)
+    axes.text(LEFT_INCHES - 0.1, y, matrix.conclusions[index]["conclusion"], va="center", ha="right",
+              fontsize=8.5, color=GREY)
+    for column, cell in enumerate(matrix.cells[index]):
         draw_cell(axes, column_x(column), row_y(index), cell)
 
 
 def draw_cell(axes, x, y, cell):
-    letter, colour = LETTERS[cell["verdict"]]
+    sign, colour = SIGNS[cell["verdict"]]
     shade = 0.85 if cell["affected"] else 0.18
     axes.add_patch(patches.Rectangle((x, y), CELL_INCHES, CELL_INCHES, facecolor=colour, alpha=shade,
                                      edgecolor="white", linewidth=1.2))
-    axes.text(x + CELL_INCHES / 2, y + CELL_INCHES / 2, letter, ha="center", va="center", fontsize=9,
+    axes.text(x + CELL_INCHES / 2, y + CELL_INCHES / 2, sign, ha="center", va="center", fontsize=9,
               color="white" if cell["affected"] else GREY, weight="bold")
 
 
-def draw_borders(axes, study):
+def draw_borders(axes, matrix):
     """A line before each group of alternatives, and between figures."""
-    bottom = row_y(len(study.checks))
+    bottom = row_y(len(matrix.checks))
     column = 0
-    for _, group in groupby(study.alternatives, key=lambda a: a["choice"]):
+    for _, group in groupby(matrix.alternatives, key=lambda a: a["choice"]):
         axes.plot([column_x(column)] * 2, [TOP_INCHES - 0.05, bottom], color="black", linewidth=0.8)
         column += len(list(group))
     row = 0
-    for _, group in groupby(study.checks, key=lambda c: c["experiment"]):
-        axes.plot([0.15, column_x(len(study.alternatives))], [row_y(row)] * 2, color=GREY, linewidth=0.5)
+    for _, group in groupby(matrix.checks, key=lambda c: c["experiment"]):
+        axes.plot([0.15, column_x(len(matrix.alternatives))], [row_y(row)] * 2, color=GREY, linewidth=0.5)
         row += len(list(group))
 
 
 def draw_legend(axes, y):
     x = 0.15
-    for verdict in LETTERS:
+    for verdict in SIGNS:
         draw_cell(axes, x, y, {"verdict": verdict, "affected": True})
         axes.text(x + 0.35, y + CELL_INCHES / 2, verdict, va="center", fontsize=9)
         x += 1.35
     draw_cell(axes, x, y, {"verdict": "supported", "affected": False})
-    axes.text(x + 0.35, y + CELL_INCHES / 2, "pale: the alternative does not touch this claim's experiment",
+    axes.text(x + 0.35, y + CELL_INCHES / 2, "pale: the alternative does not affect this claim's experiment",
               va="center", fontsize=9)
 
 
 TEXT = """\
-# What hangs on what the paper leaves open
+# How the verdicts depend on what the paper leaves open
 
-The paper does not say everything that its numbers depend on. docs/model.md settles what it leaves open; here each choice is
-settled otherwise, one at a time and some together (experiments/assumptions/), and every claim is checked again. `make assumptions` computes it and writes
-this page; no number in it is typed. The runs are of the experiments' `{tier}` tier, coarser than the figures': a verdict
-under "settled" may differ from that in docs/findings.md, and comparisons are with "settled".
+The paper does not state everything that its numbers depend on. The baseline, described in
+docs/model.md, makes a choice for each point that it leaves open; here each choice is replaced by
+alternatives, singly and some together (experiments/assumptions/), and every claim is checked again.
+`make assumptions` computes the matrix and writes this page; no number in it is typed. The runs are of
+the experiments' `{tier}` tier, which is coarser than the figures: a baseline verdict may differ from that in
+docs/findings.md, and alternatives are compared with the baseline of the same tier.
 
 ![The matrix of claims and alternatives](images/assumptions.png)
 
-A check is **robust** if its verdict is the same under every alternative, **weakened** if some leave it undecided, and it **hangs** on a
-choice if an alternative reverses it; **open** is a check that the settled assumptions do not decide themselves.
+A check is **robust** if its verdict is the same under every alternative, **weakened** if some
+alternatives leave it undecided, and **assumption-dependent** if an alternative reverses it; **open** is
+a check that the baseline leaves undecided.
 """
 
 
-def account(study):
-    parts = [TEXT.format(tier=study.tier), influence(study)]
-    for conclusion, title in (("robust", "Robust"), ("weakened", "Weakened"), ("hangs", "Hangs on an assumption"),
-                              ("open", "Open")):
-        found = [c for c in study.conclusions if c["conclusion"] == conclusion]
-        parts.append(f"## {title}: {len(found)} of {len(study.conclusions)}\n")
-        parts += [sentence(study, c) for c in found] + [""] if found else []
-    alternatives = [alternative_row(study, i) for i in range(1, len(study.alternatives))]
+def account(matrix):
+    parts = [TEXT.format(tier=matrix.tier), influence(matrix)]
+    for name in CONCLUSIONS:
+        found = [c for c in matrix.conclusions if c["conclusion"] == name]
+        parts.append(f"## {name.capitalize()}: {len(found)} of {len(matrix.conclusions)}\n")
+        parts += [sentence(matrix, c) for c in found] + [""] if found else []
+    rows = [alternative_row(matrix, i) for i in range(1, len(matrix.alternatives))]
     parts += ["## The alternatives\n",
-              table(["what is open", "alternative", "what is assumed", "verdicts other than settled"], *alternatives),
-              "\n## The numbers\n", number_table(study)]
-    return "\n".join(parts) + "\n"
+              table(["open choice", "alternative", "assumption", "verdicts that differ from the baseline"], *rows),
+              "\n## The numbers\n", number_table(matrix)]
+    return filled("\n".join(parts))
 
 
-def influence(study):
-    """The open choices by the verdicts that an alternative of theirs reverses at most."""
+def influence(matrix):
+    """The open choices, by the largest number of verdicts that one of their alternatives reverses."""
     most = {}
-    for index, alternative in enumerate(study.alternatives[1:], 1):
-        reversals = sum({cells[0]["verdict"], cells[index]["verdict"]} == {"supported", "refuted"} for cells in study.cells)
+    for index, alternative in enumerate(matrix.alternatives[1:], 1):
+        reversals = sum(reversed_verdict(cells[index], cells[0]) for cells in matrix.cells)
         most[alternative["choice"]] = max(most.get(alternative["choice"], 0), reversals)
-    ranked = sorted((choice for choice in most if most[choice] and choice != "together"), key=lambda c: -most[c])
+    ranked = sorted((choice for choice in most if most[choice] and choice != TOGETHER), key=lambda c: -most[c])
     harmless = [choice for choice in most if not most[choice]]
-    return (f"The choices that matter, with the verdicts that one alternative reverses: "
+    return (f"The choices that matter, with the largest number of verdicts that one alternative reverses: "
             f"{', '.join(f'{choice} ({most[choice]})' for choice in ranked)}. "
             f"No verdict is reversed by {', '.join(harmless)}.\n")
 
 
-def sentence(study, conclusion):
-    check = study.checks[conclusion["check"]]
-    line = f"- {check['claim']}, {conclusion['settled']}: {check['statement']}."
-    cells = study.cells[conclusion["check"]]
-    for verdict in LETTERS:
-        names = [a["name"] for a, cell in zip(study.alternatives, cells) if cell["verdict"] == verdict]
-        if names and verdict != conclusion["settled"]:
+def sentence(matrix, conclusion):
+    check, cells = matrix.checks[conclusion["check"]], matrix.cells[conclusion["check"]]
+    line = f"- {check['claim']}, {conclusion['baseline']}: {check['statement']}."
+    for verdict in SIGNS:
+        names = [a["name"] for a, cell in zip(matrix.alternatives, cells) if cell["verdict"] == verdict]
+        if names and verdict != conclusion["baseline"]:
             line += f" {verdict.capitalize()} under: {', '.join(names)}."
     return line
 
 
-def alternative_row(study, index):
-    alternative = study.alternatives[index]
-    changed = [f"{study.checks[row]['claim']} {cells[index]['verdict']}" for row, cells in enumerate(study.cells)
+def alternative_row(matrix, index):
+    alternative = matrix.alternatives[index]
+    changed = [f"{check['claim']} {cells[index]['verdict']}" for check, cells in zip(matrix.checks, matrix.cells)
                if cells[index]["verdict"] != cells[0]["verdict"]]
-    return [alternative["choice"], alternative["name"], alternative["description"], ", ".join(changed) or "none"]
+    return [*(alternative[key] for key in ("choice", "name", "description")), ", ".join(changed) or "none"]
 
 
-def number_table(study):
-    """Settled value, and the range over the alternatives that touch the check."""
+def number_table(matrix):
+    """The baseline's value, and the range over the alternatives that affect the check."""
     rows = []
-    for check, cells in zip(study.checks, study.cells):
+    for check, cells in zip(matrix.checks, matrix.cells):
         values = [c["measured"] for c in cells if c["affected"] and c["measured"] is not None]
         spread = f"{number(min(values), '.3g')} to {number(max(values), '.3g')}" if values else "none"
-        asked = {"at_most": "\u2264 ", "at_least": "\u2265 ", "near": ""}[check["is"]] + number(check["threshold"], ".3g")
-        if check["band"] is not None:
-            asked += f" \u00b1 {number(check['band'], '.3g')}"
-        settled = [float("nan") if cells[0][key] is None else cells[0][key] for key in ("measured", "uncertainty")]
-        rows.append([check["claim"], check["statement"], with_uncertainty(*settled), asked, spread])
-    return table(["claim", "statement", "settled", "asked", "over the alternatives"], *rows)
+        threshold = threshold_text(check["is"], check["threshold"], check["band"])
+        baseline = [float("nan") if cells[0][key] is None else cells[0][key]
+                    for key in ("measured", "uncertainty")]
+        rows.append([check["claim"], check["statement"], with_uncertainty(*baseline), threshold, spread])
+    return table(["claim", "statement", "baseline", "threshold", "over the alternatives"], *rows)
 
 
 if __name__ == "__main__":
-    main()
+    run(main)

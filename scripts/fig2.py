@@ -1,5 +1,6 @@
-"""Fig. 2: time histories of bristles of different azimuth, with what the tip does at each time."""
+"""Fig. 2: time histories of bristles of different azimuth, with the phase of the tip at each time."""
 
+import re
 from collections import namedtuple
 
 import numpy as np
@@ -7,66 +8,80 @@ from matplotlib import patches
 from matplotlib.collections import LineCollection
 from matplotlib.lines import Line2D
 
-from contours import HALO
-from curves import stretches
-from page import page, place
-from space import draw_space
-from style import BLACK, BLUE, GREY, ORANGE, PURPLE, VERMILION, attribute, dataset, fail, label, run, values
-from sweep import flags, setting
+from bristle_plots.command_line import run_figure
+from bristle_plots.contour_labels import HALO
+from bristle_plots.curves import true_runs
+from bristle_plots.errors import BristleError
+from bristle_plots.layout import place, sheet
+from bristle_plots.results import attribute, constant, dataset, flags, read, setting
+from bristle_plots.style import BLACK, BLUE, GREY, ORANGE, PURPLE, VERMILION, label
+from bristle_plots.tip_path import draw_space
 
 TABLE = "trajectories"
-NUMBERS = ["xi", "x", "y", "z", "F_n", "F_fx", "F_fy", "V_R"]
+COLUMNS = ["xi", "x", "y", "z", "F_n", "F_fx", "F_fy", "V_R"]
 PHASES = {"stick": ("sticking", BLUE), "slip": ("sliding", GREY), "side_slip": ("side-slip", ORANGE),
           "off_slab": ("rebound", PURPLE)}
-NOTE = """Sticking: $V_R < V_s$. Side-slip: $V_R$ turned by more than 30\u00b0 from the slab's motion. \
-Rebound: tip more than 10 wall ranges $\\lambda_z$ off the slab. Of several, rebound comes first, then sticking.
+NOTE = """Sticking: $V_R < V_s$. Side-slip: $V_R$ turned by more than SIDE_SLIP\u00b0 from the slab's motion. \
+Rebound: tip more than WALL_RANGES wall ranges $\\lambda_z$ off the slab. Of several, rebound comes first, then \
+sticking.
 $t_0$, $t_1$, $t_2$: where the longest spells of sticking begin. Above: grey, the bristle at equal intervals of \
 time; dashed, before the slab arrives; plane, the slab. Dotted: mean load per bristle, $\\tilde{R}_n/N_{c,0}$."""
 
-COLUMN, LEFT, GAP = 3.65, 0.95, 0.35  # widths in inches
-SMALLEST_FORCE = 0.03  # that is drawn: a tip that rebounds has less
+COLUMN_INCHES, LEFT_INCHES, GAP_INCHES = 3.65, 0.95, 0.35
+LEAST_SPEED, LEAST_FORCE = 1e-4, 0.03  # lower ends of the logarithmic plots
 
-# theta_0 and phi_0 in radians; numbers: the columns by name; phase: of each row.
+# theta_0 and phi_0 in radians; numbers: the columns by name; phase: the word for each row.
 Passage = namedtuple("Passage", "theta_0 phi_0 numbers phase")
 
 
 def draw(file):
     passages = read_passages(file)
-    figure, bottom = page(file, LEFT + len(passages) * (COLUMN + GAP) + 0.1, 10.9, NOTE)
-    gap, load = (float(np.ravel(values(dataset(file, name)))[0]) for name in ("z_0", "R_n"))
+    width = LEFT_INCHES + len(passages) * (COLUMN_INCHES + GAP_INCHES) + 0.1
+    figure, bottom = sheet(file, width, 10.9, note(file))
+    gap, load = (float(np.ravel(read(file, name))[0]) for name in ("z_0", "R_n"))
     symbol = attribute(dataset(file, f"{TABLE}/theta_0"), "symbol")
     for i, passage in enumerate(passages):
-        x = LEFT + i * (COLUMN + GAP)
-        space = place(figure, x - 0.45, bottom + 7.75, COLUMN + 0.75, 2.9, projection="3d")
+        x = LEFT_INCHES + i * (COLUMN_INCHES + GAP_INCHES)
+        space = place(figure, x - 0.45, bottom + 7.75, COLUMN_INCHES + 0.75, 2.9, projection="3d")
         draw_space(space, passages, passage, gap, path_colours(passage),
                    [label(dataset(file, f"{TABLE}/{name}")) for name in "xyz"])
-        figure.text((x + COLUMN / 2) / figure.get_figwidth(), (bottom + 10.8) / figure.get_figheight(),
+        figure.text((x + COLUMN_INCHES / 2) / figure.get_figwidth(), (bottom + 10.8) / figure.get_figheight(),
                     f"${symbol}$ = {np.degrees(passage.theta_0):.0f}\u00b0", ha="center", va="top", fontsize=12)
-        draw_top_view(place(figure, x, bottom + 6.05, COLUMN, 1.55), file, passages, passage, first=i == 0)
-        rows = [place(figure, x, bottom + y, COLUMN, 1.45) for y in (4.0, 2.45, 0.9)]
+        above = place(figure, x, bottom + 6.05, COLUMN_INCHES, 1.55)
+        draw_top_view(above, file, passages, passage, first=i == 0)
+        rows = [place(figure, x, bottom + y, COLUMN_INCHES, 1.45) for y in (4.0, 2.45, 0.9)]
         draw_history(rows, file, passages, passage, load, first=i == 0)
     draw_legend(figure, file, bottom)
     return figure
 
 
+def note(file):
+    """The legend in words; the file states the limits of the phases."""
+    phase = dataset(file, f"{TABLE}/phase")
+    numbers = {"SIDE_SLIP": np.degrees(constant(phase, "side_slip_rad")),
+               "WALL_RANGES": constant(phase, "off_slab_wall_ranges")}
+    return re.sub("|".join(numbers), lambda found: f"{numbers[found.group()]:g}", NOTE)
+
+
 def read_passages(file):
     """The passages of the first point, in the order of the file."""
-    columns = {name: values(dataset(file, f"{TABLE}/{name}")) for name in [*NUMBERS, "theta_0", "point"]}
+    columns = {name: read(file, f"{TABLE}/{name}") for name in [*COLUMNS, "theta_0", "point"]}
     words, numbers = flags(dataset(file, f"{TABLE}/phase"))
     if unknown := set(words) - set(PHASES):
-        fail(f"{file.filename}: dataset '/{TABLE}/phase' has unknown phases: {', '.join(sorted(unknown))}")
+        raise BristleError(f"{file.filename}: dataset '/{TABLE}/phase' has unknown phases: "
+                           f"{', '.join(sorted(unknown))}")
     if len({len(column) for column in [*columns.values(), numbers]}) > 1 or not numbers.size:
-        fail(f"{file.filename}: the datasets of /{TABLE} are empty or differ in length")
+        raise BristleError(f"{file.filename}: the datasets of /{TABLE} are empty or differ in length")
     for name, column in columns.items():
         if not np.isfinite(column).all():
-            fail(f"{file.filename}: dataset '/{TABLE}/{name}' has values that are not finite")
+            raise BristleError(f"{file.filename}: dataset '/{TABLE}/{name}' has values that are not finite")
     first = columns["point"] == columns["point"][0]
     azimuths = dict.fromkeys(columns["theta_0"][first])
     phi_0 = np.radians(setting(file, "model", "phi_0_deg"))
     out = []
     for azimuth in azimuths:
         rows = first & (columns["theta_0"] == azimuth)
-        out.append(Passage(azimuth, phi_0, {name: columns[name][rows] for name in NUMBERS},
+        out.append(Passage(azimuth, phi_0, {name: columns[name][rows] for name in COLUMNS},
                            np.array(words)[numbers[rows]]))
     return out
 
@@ -74,7 +89,7 @@ def read_passages(file):
 def spells(passage, phase):
     """First and last row of each spell of the phase; the last is where the next begins."""
     final = len(passage.phase) - 1
-    return [(first, min(last + 1, final)) for first, last in stretches(passage.phase == phase)]
+    return [(first, min(last + 1, final)) for first, last in true_runs(passage.phase == phase)]
 
 
 def path_colours(passage):
@@ -155,7 +170,7 @@ def draw_history(rows, file, passages, passage, load, first):
 def scale_rows(rows, passages):
     """The same logarithmic ranges in all columns; friction has both signs."""
     speed, normal, friction = rows
-    for axes, name, least in ((speed, "V_R", 1e-4), (normal, "F_n", SMALLEST_FORCE)):
+    for axes, name, least in ((speed, "V_R", LEAST_SPEED), (normal, "F_n", LEAST_FORCE)):
         low, high = extent(passages, [name], 0)
         axes.set_yscale("log")
         axes.set_ylim(max(0.7 * low, least), 2.5 * high)
@@ -183,5 +198,4 @@ def draw_legend(figure, file, bottom):
 
 
 if __name__ == "__main__":
-    columns = [*NUMBERS, "theta_0", "point", "phase"]
-    run("fig2", __doc__, ["z_0", "R_n", *(f"{TABLE}/{name}" for name in columns)], draw)
+    run_figure(__file__, __doc__, draw)

@@ -5,17 +5,17 @@ from collections import namedtuple
 import numpy as np
 from matplotlib.lines import Line2D
 
-from contours import HALO
-from curves import coloured, log_range, number_axis, stretches, with_symbol
-from page import heading, page, place
-from style import BLACK, COLOURS, GREY, MARKERS, dataset, fail, run, values
-from sweep import axis, flags, over, statuses
+from bristle_plots.command_line import run_figure
+from bristle_plots.contour_labels import HALO
+from bristle_plots.curves import coloured, log_range, positive, title_axis, true_runs, with_symbol
+from bristle_plots.layout import heading, place, sheet
+from bristle_plots.results import axis_values, dataset, read, readable, select, select_flags, setting
+from bristle_plots.style import BLACK, COLOURS, GREY, status_marker
 
-PAPER = 1.9  # k_phi of the paper's figure
 SIDE_PANELS = 2
-LOW, HIGH = -0.04, 1.04  # gaps at the frame
+LOW, HIGH = -0.04, 1.04  # range of the gap in the plots
 
-# Nodes from first contact downward; whether the slab passes them when loaded, and when unloaded.
+# Nodes from first contact downward; loading, unloading: whether the node is on that path.
 Trace = namedtuple("Trace", "load gap loading unloading status meanings")
 
 LOADING = dict(linewidth=2.6, solid_capstyle="round")
@@ -26,13 +26,14 @@ JUMPS = {"jump under growing load": "-", "jump under falling load": (0, (2.5, 1.
 
 
 def draw(file):
-    polar, radial = axis(file, "k_phi"), axis(file, "k_r")
-    main = int(np.argmin([abs(value - PAPER) for value in polar])) if PAPER in polar else len(polar) // 2
+    polar, radial = axis_values(file, "k_phi"), axis_values(file, "k_r")
+    paper = setting(file, "model", "k_phi")  # the experiment's value outside its sweep
+    main = int(np.argmin(abs(polar - paper))) if paper in polar else len(polar) // 2
     traces = {i: [read_trace(file, k_phi=value, k_r=stiffness) for stiffness in radial]
               for i, value in enumerate(polar)}
     order = [main] + [i for i in traces if i != main][:SIDE_PANELS]
     width = 11.2 if len(order) > 1 else 7.2
-    figure, bottom = page(file, width, 6.25, note(file))
+    figure, bottom = sheet(file, width, 6.25, note(file))
     side = [(7.65, 1.35, 3.3, 4.6)] if len(order) == 2 else [(7.65, 4.1, 3.3, 1.85), (7.65, 1.35, 3.3, 1.85)]
     boxes = [(0.8, 1.35, 5.9, 4.6), *side]
     for letter, i, (x, y, *size) in zip("abc", order, boxes):
@@ -50,34 +51,30 @@ def note(file):
     string = ("A to D: the loading path of the curve with the largest jump under growing load. An arrow that "
               "ends at the frame: no equilibrium on the traced curve carries the load beyond it.")
     if "R_n_err" in file:
-        error = values(dataset(file, "R_n_err")) / values(dataset(file, "R_n"))
+        error = read(file, "R_n_err") / read(file, "R_n")
         if np.isfinite(error).any():
             string += f" Estimated errors of the loads, not drawn: at most {100 * np.nanmax(error):.2g} %."
     return string
 
 
 def read_trace(file, **chosen):
-    """The curve of one bristle, without the padding."""
-    branch = dataset(file, "branch")
-    words, numbers = flags(branch)
-    on = np.array(words)[over(branch, ["node"], chosen, numbers)]
-    load, gap = (over(dataset(file, name), ["node"], chosen) for name in ("R_n", "z_0"))
-    meanings, status = statuses(file, ["node"], chosen)
+    """The curve at one point of the sweep, without absent nodes."""
+    words, numbers = select_flags(file, "branch", ["node"], **chosen)
+    on = np.array(words)[numbers]
+    load, gap = (select(dataset(file, name), ["node"], **chosen) for name in ("R_n", "z_0"))
+    meanings, status = select_flags(file, "status", ["node"], **chosen)
     there = np.isfinite(load) & np.isfinite(gap) & (on != "absent")
     return Trace(load[there], gap[there], np.isin(on, ["loading", "both"])[there],
                  np.isin(on, ["unloading", "both"])[there], status[there], meanings)
 
 
 def set_range(axes, file):
-    """One range of loads for all panels."""
-    loads = values(dataset(file, "R_n"))
-    loads = loads[np.isfinite(loads) & (loads > 0)]
-    if not loads.size:
-        fail(f"{file.filename}: dataset '/R_n' has no positive values to draw")
+    """The same ranges and titles in all panels."""
+    loads = positive(dataset(file, "R_n"), read(file, "R_n"))
     log_range(axes, "x", np.log10(loads.min()) - 0.08, np.log10(loads.max()) + 0.08)
     axes.set_ylim(LOW, HIGH)
-    number_axis(axes, "x", dataset(file, "R_n"))
-    number_axis(axes, "y", dataset(file, "z_0"))
+    title_axis(axes, "x", dataset(file, "R_n"))
+    title_axis(axes, "y", dataset(file, "z_0"))
 
 
 def draw_panel(axes, file, traces, small):
@@ -87,10 +84,10 @@ def draw_panel(axes, file, traces, small):
         draw_trace(axes, trace, colour, 0.65 if small else 1)
         for status in np.unique(trace.status[trace.status > 0]):
             here = trace.status == status
-            look = dict(linestyle="", marker=MARKERS[status % len(MARKERS)], markersize=7, color=BLACK,
+            look = dict(linestyle="", marker=status_marker(status), markersize=7, color=BLACK,
                         markerfacecolor="none", zorder=5)
             axes.plot(trace.load[here], trace.gap[here], **look)
-            entries[f"status: {trace.meanings[status]}"] = Line2D([], [], **look)
+            entries[f"status: {readable(trace.meanings[status])}"] = Line2D([], [], **look)
     if not small:
         draw_letters(axes, traces)
     return entries
@@ -100,7 +97,7 @@ def draw_trace(axes, trace, colour, scale):
     down, up = (path[1:] & path[:-1] for path in (trace.loading, trace.unloading))
     for style, segments in ((UNSTABLE, ~down & ~up), (UNLOADING, up & ~down), (LOADING, down)):
         look = {**style, "linewidth": scale * style["linewidth"]}
-        for first, last in stretches(segments):
+        for first, last in true_runs(segments):
             nodes = slice(first, last + 2)
             axes.plot(trace.load[nodes], trace.gap[nodes], color=colour, **look)
     for style, found, frame in zip(JUMPS.values(), (jumps(trace), jumps(trace, down=False)), (LOW, HIGH)):
@@ -111,9 +108,9 @@ def draw_trace(axes, trace, colour, scale):
 
 
 def jumps(trace, down=True):
-    """(load, gap before, gap after) of the jumps of the loading path, or upward of the unloading one.
+    """(load, gap before, gap after) of each jump on the loading path, or on the unloading path if not `down`.
 
-    The gap after is not a number where the path leaves the traced curve.
+    The gap after is NaN where the path leaves the traced curve.
     """
     path = np.flatnonzero(trace.loading if down else trace.unloading)[::1 if down else -1]
     found = [(trace.load[here], trace.gap[here], trace.gap[there])
@@ -140,7 +137,7 @@ def draw_letters(axes, traces):
 
 
 def draw_legends(figure, bottom, colours, entries):
-    """Colours in one row, styles of line in another."""
+    """Colours in one row, line styles in another."""
     styles = {text: Line2D([], [], color=GREY, **look) for text, look in STYLES.items()}
     styles |= {text: Line2D([], [], color=GREY, linewidth=1.1, linestyle=style, marker=marker, markevery=[1])
                for (text, style), marker in zip(JUMPS.items(), "v^")}
@@ -150,4 +147,4 @@ def draw_legends(figure, bottom, colours, entries):
 
 
 if __name__ == "__main__":
-    run("fig3", __doc__, ["k_phi", "k_r", "z_0", "R_n", "branch", "status"], draw)
+    run_figure(__file__, __doc__, draw)

@@ -1,14 +1,14 @@
 """Fig. 4: friction and its three causes over the radial and azimuthal stiffness (NSS law)."""
 
-from maps import draw_maps
-from style import run
+from bristle_plots.command_line import run_figure
+from bristle_plots.maps import draw_maps
 
-NAMES = ["R_x_norm", "gamma_1", "gamma_2", "gamma_3"]
+VARIABLES = ["R_x_norm", "gamma_1", "gamma_2", "gamma_3"]
 
 
 def draw(file):
-    return draw_maps(file, NAMES)
+    return draw_maps(file, VARIABLES)
 
 
 if __name__ == "__main__":
-    run("fig4", __doc__, ["k_r", "k_theta", "status", *NAMES], draw)
+    run_figure(__file__, __doc__, draw)

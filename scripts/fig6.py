@@ -1,14 +1,14 @@
 """Fig. 6: friction and its causes over the radial and azimuthal stiffness (Amontons-Coulomb law)."""
 
-from maps import draw_maps
-from style import run
+from bristle_plots.command_line import run_figure
+from bristle_plots.maps import draw_maps
 
-NAMES = ["R_x_norm", "gamma_1", "gamma_2"]
+VARIABLES = ["R_x_norm", "gamma_1", "gamma_2"]
 
 
 def draw(file):
-    return draw_maps(file, NAMES, {"friction": "coulomb"}, "The maps are for Amontons\u2013Coulomb friction.")
+    return draw_maps(file, VARIABLES, {"friction": "coulomb"}, "The maps are for Amontons\u2013Coulomb friction.")
 
 
 if __name__ == "__main__":
-    run("fig6", __doc__, ["friction", "k_r", "k_theta", "status", *NAMES], draw)
+    run_figure(__file__, __doc__, draw)

@@ -1,29 +1,28 @@
-"""Orientation as a lever: magnitude and direction of the friction over the way in which the bristles lean."""
+"""Magnitude and direction of the friction over mean and concentration of the undeformed azimuths."""
 
 import numpy as np
 
-from curves import coloured, draw_curve, number_axis, read_curve, with_symbol
-from panels import panels
-from style import GREY, dataset, run
-from sweep import axis
+from bristle_plots.command_line import run_figure
+from bristle_plots.curves import draw_panels, title_axis, with_symbol
+from bristle_plots.results import axis_values, dataset
+from bristle_plots.style import GREY
 
-NAMES = ["R_norm", "direction"]
+VARIABLES = ["R_norm", "direction"]
 
 
 def draw(file):
-    def draw_panel(axes, name):
-        entries = {}
-        for value, colour in coloured(axis(file, "concentration")):
-            curve = read_curve(file, name, "mean_deg", concentration=value)
-            entries |= draw_curve(axes, curve, colour, with_symbol(dataset(file, "concentration"), value))
-        axes.set_xticks(np.arange(0, 181, 30))
-        axes.set_xlim(-3, 183)
-        number_axis(axes, "x", dataset(file, "mean_deg"))
-        if name == "direction":
-            axes.axhline(0, color=GREY, linewidth=0.8, zorder=0)
-        return entries
-    return panels(file, NAMES, draw_panel)
+    concentrations = dataset(file, "concentration")
+    curves = {with_symbol(concentrations, value): {"concentration": value}
+              for value in axis_values(file, "concentration")}
+    return draw_panels(file, VARIABLES, "mean_deg", curves, x_axis=title_axis, finish=finish)
+
+
+def finish(axes, name):
+    axes.set_xticks(np.arange(0, 181, 30))
+    axes.set_xlim(-3, 183)
+    if name == "direction":
+        axes.axhline(0, color=GREY, linewidth=0.8, zorder=0)
 
 
 if __name__ == "__main__":
-    run("orientation", __doc__, ["concentration", "mean_deg", "status", *NAMES], draw)
+    run_figure(__file__, __doc__, draw)

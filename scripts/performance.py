@@ -1,16 +1,18 @@
-"""docs/performance.md and its figures from what the benchmarks of `make bench` measured."""
+"""docs/performance.md and its figures from the output of the benchmarks of `make bench`."""
 
 import argparse
-import json
 import os
 
 import numpy as np
+from matplotlib.figure import Figure
 
-import style
-from document import table, write
-import matplotlib.pyplot as plt
+from bristle_plots.command_line import run
+from bristle_plots.files import read_json, save_figure, write_text
+from bristle_plots.markdown import filled, table
+from bristle_plots.style import GREEN, apply_look
 
 AT = 1e-4  # error at which solvers are compared
+FAST_ENGINE = ("SIMD", "lanes")  # beginning of its peers' names, and the older one
 
 
 def ms_at_error(curve):
@@ -20,93 +22,99 @@ def ms_at_error(curve):
     return float(np.exp(np.interp(np.log(AT), error, ms)))
 
 
-def work_precision(peers, path):
-    figure, axes = plt.subplots(figsize=(7.2, 4.6), layout="constrained")
+def work_precision(peers):
+    figure = Figure(figsize=(7.2, 4.6), layout="constrained")
+    axes = figure.subplots()
     for i, peer in enumerate(peers):
-        own = peer["name"].startswith("lanes")
+        fast = peer["name"].startswith(FAST_ENGINE)
         axes.loglog([p["error"] for p in peer["curve"]], [p["ms_per_bristle"] for p in peer["curve"]],
-                    "-" if own else "--", marker="osv^Dx+*<>1"[i % 11], markersize=5, label=peer["name"])
-    axes.set_xlabel("relative error of the impulses\nthat 90 in 100 bristles stay below")
+                    "-" if fast else "--", marker="osv^Dx+*<>1"[i % 11], markersize=5, label=peer["name"])
+    axes.set_xlabel("relative error of the impulses\n(90th percentile of the bristles)")
     axes.set_ylabel("CPU time per bristle, ms")
     axes.invert_xaxis()
     axes.grid(alpha=0.3)
     axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
-    save(figure, path)
+    return figure
 
 
-def quadrature(cases, path):
-    figure, all_axes = plt.subplots(1, len(cases), figsize=(10.5, 3.6), sharey=True, layout="constrained")
+def quadrature(cases):
+    figure = Figure(figsize=(10.5, 3.6), layout="constrained")
+    all_axes = figure.subplots(1, len(cases), sharey=True)
     for axes, case in zip(all_axes, cases):
-        for key, label, marker in (("lattice", "random lattice (rms of 8)", "s"), ("grid", "equidistant grid", "^"),
+        for key, label, marker in (("lattice", "random lattice (rms of 8)", "s"),
+                                   ("grid", "equidistant grid", "^"),
                                    ("quadrature", "adaptive quadrature", "o")):
-            axes.loglog([p["passages"] for p in case[key]], [p["error"] for p in case[key]], marker=marker, markersize=5,
-                        label=label)
-        axes.loglog([p["passages"] for p in case["quadrature"]], [p["estimate"] for p in case["quadrature"]], ":o",
-                    color=style.GREEN, markerfacecolor="none", markersize=5, label="its own estimate")
+            axes.loglog([p["passages"] for p in case[key]], [p["error"] for p in case[key]], marker=marker,
+                        markersize=5, label=label)
+        axes.loglog([p["passages"] for p in case["quadrature"]], [p["estimate"] for p in case["quadrature"]],
+                    ":o", color=GREEN, markerfacecolor="none", markersize=5, label="its own estimate")
         axes.set_title(rf"$k_r = {case['k_r']:g}$, $z_0 = {case['z_0']:g}$", fontsize=10)
         axes.set_xlabel("passages")
         axes.grid(alpha=0.3)
     all_axes[0].set_ylabel(r"larger relative error of $R_n$, $R_x$")
     figure.legend(*all_axes[0].get_legend_handles_labels(), loc="upper center", ncol=4, bbox_to_anchor=(0.5, 0))
-    save(figure, path)
+    return figure
 
 
-def save(figure, path):
-    figure.savefig(path, bbox_inches="tight", metadata=style.METADATA["png"])
-    plt.close(figure)
+def solver_table(peers):
+    rows = [[peer["name"], f"{ms_at_error(peer['curve']):.3g}", f"{peer['ratio']:.3g}"] for peer in peers]
+    return table(["solver", f"ms per bristle at {AT:g}", "ratio to the fast engine"], *rows)
+
+
+def passage_table(cases):
+    rows = []
+    for case in cases:
+        # The first quadrature of the default tolerance, 1e-3.
+        adaptive = next(p for p in case["quadrature"] if p["estimate"] <= 1.05e-3)
+        cells = [f"{case['k_r']:g}", f"{case['z_0']:g}"]
+        for p in (adaptive, case["grid"][-1], case["lattice"][-1]):
+            cells += [str(p["passages"]), f"{p['error']:.1e}"]
+        rows.append(cells)
+    return table(["k_r", "z_0", "quadrature", "its error", "grid of", "its error", "lattice of", "its error"], *rows)
 
 
 def document(engine, peers, cases, figures):
     everything = engine["all_kinds"]
-    solvers = [["solver", f"ms per bristle at {AT:g}", "times the fast engine's"]]
-    for peer in peers:
-        solvers.append([peer["name"], f"{ms_at_error(peer['curve']):.3g}", f"{peer['ratio']:.3g}"])
-    passages = [["k_r", "z_0", "quadrature", "its error", "grid of", "its error", "lattice of", "its error"]]
-    for case in cases:
-        own = next(p for p in case["quadrature"] if p["estimate"] <= 1.05e-3)
-        grid, lattice = case["grid"][-1], case["lattice"][-1]
-        passages.append([f"{case['k_r']:g}", f"{case['z_0']:g}", str(own["passages"]), f"{own['error']:.1e}",
-                         str(grid["passages"]), f"{grid['error']:.1e}", str(lattice["passages"]), f"{lattice['error']:.1e}"])
-    scaling = [["bristles", "threads", "ms per bristle"]]
-    scaling += [[str(s["bristles"]), str(s["threads"]), f"{s['ms_per_bristle']:.3f}"] for s in engine["scaling"]]
-    tiers = [["figure", "points", "passages", "wall time, s"]]
-    tiers += [[f["figure"], str(f["points"]), str(f["passages"]), f"{f['seconds']:.1f}"] for f in figures]
+    scaling = [[str(s["bristles"]), str(s["threads"]), f"{s['ms_per_bristle']:.3f}"] for s in engine["scaling"]]
+    tiers = [[f["figure"], str(f["points"]), str(f["passages"]), f"{f['seconds']:.1f}"] for f in figures]
     return f"""# Performance
 
-Written by `make bench` from one run on one machine: {engine['processor']}, {os.cpu_count()} cores, instruction set
-{engine['instruction_set']} (Highway's names: AVX3 is AVX-512, eight numbers in a vector). Ratios are medians of pairs in that run; times are for orientation.
+Written by `make bench` from one run on one machine: {engine['processor']}, {os.cpu_count()} cores,
+instruction set {engine['instruction_set']} (Highway's names: AVX3 is AVX-512, eight numbers in a
+vector). Ratios are medians of pairs in that run; times are for orientation.
 
 ## Solvers at equal error
 
-256 bristles of both friction laws over the paper's ranges, none of them pinned; every solver is given the tolerance at which
-90 in 100 bristles have their impulses of normal force and friction right to {AT:g}. All integrate the same
-compiled equations; a Python solver calls them.
+256 bristles of both friction laws over the paper's ranges, none of them pinned; the tolerance of each
+solver is the one at which the impulses of normal force and friction of 90 in 100 bristles have errors
+below {AT:g}. All solvers integrate the same compiled equations; a Python solver calls them.
 
-{table(*solvers)}
+{solver_table(peers)}
 
 ![Work and precision of the solvers](images/work-precision.png)
 
-With the pinned and the reflected bristles ({everything['bristles']} of all kinds, Odeint with its implicit method for the stiff), at
-errors of {everything['error']:.1e} and {everything['odeint_error']:.1e}: the fast engine takes {everything['ms_per_bristle']:.3f} ms per bristle
-and Odeint {everything['ratio']:.1f} times as long. {everything['lane_utilisation']:.0%} of the steps its lanes made were of a passage.
+With pinned and reflected bristles ({everything['bristles']} of all kinds, Odeint with its implicit
+method for the stiff), at errors of {everything['error']:.1e} and {everything['odeint_error']:.1e}: the
+fast engine takes {everything['ms_per_bristle']:.3f} ms per bristle and Odeint {everything['ratio']:.1f}
+times as long. {everything['lane_utilisation']:.0%} of the steps of its SIMD lanes advanced a passage.
 
-## Passages for a mean
+## Passages for an ensemble mean
 
-Relative error, the larger of R_n and R_x, against a mean to 3e-5.
+Relative error, the larger of R_n and R_x, compared with a mean of tolerance 3e-5.
 
-{table(*passages)}
+{passage_table(cases)}
 
-![Error against number of passages](images/quadrature.png)
+![Error over number of passages](images/quadrature.png)
 
 ## Scaling
 
-{table(*scaling)}
+{table(["bristles", "threads", "ms per bristle"], *scaling)}
 
-Few bristles leave lanes empty; a sweep has several points under way on each thread for that.
+A few bristles do not fill the SIMD lanes; a sweep therefore works on several points per thread.
 
 ## Figures, full tier
 
-{table(*tiers)}
+{table(["figure", "points", "passages", "wall time, s"], *tiers)}
 """
 
 
@@ -115,23 +123,20 @@ def main():
     parser.add_argument("measured", help="directory with engine.json, quadrature.json, scipy.json, figures.json")
     parser.add_argument("-o", "--output", default="docs", help="directory of performance.md and images/")
     arguments = parser.parse_args()
-
-    def measured(name):
-        with open(os.path.join(arguments.measured, name), encoding="utf-8") as file:
-            return json.load(file)
-
-    engine, cases = measured("engine.json"), measured("quadrature.json")
+    engine, cases, scipy, figures = (
+        read_json(os.path.join(arguments.measured, f"{name}.json"), "`make bench` writes it")
+        for name in ("engine", "quadrature", "scipy", "figures"))
     peers = [dict(p, ratio=p["ratio_at_1e-4"]) for p in engine["ordinary"]]
-    own = ms_at_error(peers[0]["curve"])
-    peers += [dict(p, ratio=ms_at_error(p["curve"]) / own) for p in measured("scipy.json")]
-    plt.rcParams.update(style.LOOK)
+    fastest = ms_at_error(peers[0]["curve"])
+    peers += [dict(p, ratio=ms_at_error(p["curve"]) / fastest) for p in scipy]
+    apply_look()
     images = os.path.join(arguments.output, "images")
-    os.makedirs(images, exist_ok=True)
-    work_precision(peers, os.path.join(images, "work-precision.png"))
-    quadrature(cases, os.path.join(images, "quadrature.png"))
+    save_figure(work_precision(peers), images, "work-precision", formats=("png",), bbox_inches="tight")
+    save_figure(quadrature(cases), images, "quadrature", formats=("png",), bbox_inches="tight")
     path = os.path.join(arguments.output, "performance.md")
-    write(path, document(engine, peers, cases, measured("figures.json")))
+    write_text(path, filled(document(engine, peers, cases, figures)))
     print(path)
 
 
-main()
+if __name__ == "__main__":
+    run(main)

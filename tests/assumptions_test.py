@@ -1,4 +1,4 @@
-"""The recorded matrix of assumptions is that of the experiments and of docs/assumptions.md, and a part of it, computed anew, is the same.
+"""The recorded matrix of assumptions agrees with the experiments and docs/assumptions.md, and a part computed again is equal.
 
 assumptions_test.py SOURCE BRISTLE FOLDER
 """
@@ -9,14 +9,17 @@ import subprocess
 import sys
 
 source, program, folder = pathlib.Path(sys.argv[1]), sys.argv[2], pathlib.Path(sys.argv[3])
-recorded = json.loads((source / "reference/assumptions.json").read_text())
+sys.path.append(str(source / "scripts"))
+from bristle_plots.assumptions import OLD_SCHEMA, SCHEMA, read_matrix  # noqa: E402
+
+recorded = read_matrix(source / "reference/assumptions.json")
 declared, pairs = [], []
 for path in sorted((source / "experiments/assumptions").glob("*.json")):
     one = json.loads(path.read_text())
     declared += [a["name"] for a in one.get("alternatives", [])]
     pairs += [" + ".join(pair["members"]) for pair in one.get("pairs", [])]
 names = [a["name"] for a in recorded["alternatives"]]
-assert names == ["settled", *declared, *pairs], "reference/assumptions.json is not of these alternatives: make assumptions"
+assert names == ["baseline", *declared, *pairs], "reference/assumptions.json has other alternatives: make assumptions"
 
 checks = []
 for path in sorted((source / "experiments").glob("*.json")):
@@ -34,10 +37,20 @@ for run in ("first", "second"):
     assert done.returncode == 0, done.stderr
     made.append([(folder / run / f"assumptions.{kind}").read_bytes() for kind in ("pdf", "png")])
 assert made[0] == made[1], "two runs gave different bytes"
-assert (folder / "first.md").read_text() == (source / "docs/assumptions.md").read_text(), "docs/assumptions.md is not of this matrix"
+assert (folder / "first.md").read_text() == (source / "docs/assumptions.md").read_text(), "docs/assumptions.md is not the text of this matrix"
 # Width and height: another version of the fonts gives other bytes.
 size = [png[16:24] for png in (made[0][1], (source / "docs/images/assumptions.png").read_bytes())]
-assert size[0] == size[1], "docs/images/assumptions.png is not as it is drawn now: make assumptions"
+assert size[0] == size[1], "docs/images/assumptions.png differs from the figure drawn now: make assumptions"
+# Names of the older schema are upgraded on reading.
+old = {"schema": OLD_SCHEMA, "checks": [], "cells": [],
+       "alternatives": [{"name": "settled", "choice": "", "description": "", "members": []}],
+       "conclusions": [{"check": 0, "settled": "supported", "conclusion": "hangs", "hangs_on": ["phi_0"]}]}
+(folder / "old.json").write_text(json.dumps(old))
+new = read_matrix(folder / "old.json")
+assert new["schema"] == SCHEMA and new["alternatives"][0]["name"] == "baseline", new
+assert new["conclusions"] == [{"check": 0, "baseline": "supported", "conclusion": "assumption-dependent",
+                               "depends_on": ["phi_0"]}], new
+
 (folder / "wrong.json").write_text("{}")
 for wrong in ("none.json", "wrong.json"):
     done = subprocess.run([sys.executable, source / "scripts/assumptions.py", folder / wrong], capture_output=True, text=True)
@@ -50,7 +63,7 @@ for name in ("paper.json", "fig8.json", "assumptions/axis.json"):
     shutil.copy(source / "experiments" / name, part / name)
 subprocess.run([program, "assumptions", "--experiments", part, "-o", folder / "part.json", "--tier", recorded["tier"], "--quiet"],
                check=True, stdout=subprocess.DEVNULL)
-again = json.loads((folder / "part.json").read_text())
+again = read_matrix(folder / "part.json")
 for cell in again["cells"]:
     check, name = again["checks"][cell["check"]], again["alternatives"][cell["alternative"]]["name"]
     row = checks.index((check["experiment"], check["claim"], check["statement"]))

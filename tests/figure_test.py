@@ -1,8 +1,9 @@
-"""A plotting script makes its PDF and PNG, the same bytes each time, and explains a file it cannot use.
+"""A plotting script writes its PDF and PNG, the same bytes each time, and explains a file it cannot use.
 
-figure_test.py SCRIPT RESULT FOLDER DATASET: the last is one that the script needs, such as trajectories/V_R.
+figure_test.py SCRIPT RESULT FOLDER DATASET: a dataset that the script needs, such as trajectories/V_R.
 """
 import hashlib
+import importlib
 import pathlib
 import shutil
 import subprocess
@@ -42,3 +43,19 @@ with h5py.File(folder / "old.h5", "a") as f:
     f.attrs["schema_version"] = "bristle-result/0"
 old = plot(folder / "old.h5", folder)
 assert old.returncode == 2 and "bristle-result/0" in old.stderr, old.stderr
+
+# As in a notebook: draw() returns a figure, errors are exceptions.
+sys.path.insert(0, str(pathlib.Path(script).parent))
+from bristle_plots import BristleError, apply_look, open_result  # noqa: E402
+
+figure = importlib.import_module(pathlib.Path(script).stem)
+apply_look()
+with open_result(result) as file:
+    assert figure.draw(file).axes
+try:
+    with open_result(folder / "lacking.h5") as file:
+        figure.draw(file)
+except BristleError as error:
+    assert needed in str(error), error
+else:
+    raise AssertionError("a missing dataset is no error")

@@ -239,9 +239,9 @@ def check_replay(command):
 def check_matrix(driver, keys):
     cells = driver.find_elements("css selector", "#matrix td")
     driver.execute_script("arguments[0].click()", cells[0])
-    assert one(driver, "#matrix-says").text.startswith("4a, settled: ✔ supported: measured 0.35")
+    assert one(driver, "#matrix-details").text.startswith("4a, baseline: ✔ supported: measured 0.35")
     press(driver, keys.ARROW_RIGHT)
-    assert one(driver, "#matrix-says").text.startswith("4a, phi_0=70:")
+    assert one(driver, "#matrix-details").text.startswith("4a, phi_0=70:")
     assert {cell.text[0] for cell in cells} >= {"S", "R", "–"}
 
 

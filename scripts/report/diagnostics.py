@@ -1,34 +1,28 @@
-"""How good a result's numbers are: energy residual, error estimates, pinned bristles, points by status."""
+"""The accuracy of a result: energy residual, error estimates, pinned bristles, points by status."""
 
 import numpy as np
 
-from style import dataset, values
-from sweep import flags
+from bristle_plots.results import read as values
+from bristle_plots.results import status_counts
 
 RELATIVE = ["R_n", "R_x", "gamma_1", "gamma_2", "gamma_3"]
-DECADES = range(-10, 1)  # of the histograms; what is beyond counts for the end
+DECADES = range(-10, 1)  # of the histograms; values beyond are counted in the outermost bars
 WIDTH, HEIGHT = 80, 22  # of a histogram
 
 
 def read(file):
     """Points by status, the pinned fraction, and statistics with a histogram for each error."""
-    quantities = [statistics("energy residual", values(dataset(file, "energy_residual")))]
+    quantities = [statistics("energy residual", values(file, "energy_residual"))]
     quantities += [statistics(name, relative(file, name)) for name in RELATIVE if f"{name}_err" in file]
-    pinned = values(dataset(file, "pinned_fraction"))
+    pinned = values(file, "pinned_fraction")
     pinned = pinned[np.isfinite(pinned)]
-    return {"statuses": statuses(file), "quantities": quantities,
+    return {"statuses": status_counts(file), "quantities": quantities,
             "pinned": f"{np.median(pinned):.1%}, at most {pinned.max():.1%}" if pinned.size else "\u2013"}
 
 
-def statuses(file):
-    words, codes = flags(dataset(file, "status"))
-    counts = np.bincount(np.ravel(codes), minlength=len(words))
-    return [(word.replace("_", " "), int(n)) for word, n in zip(words, counts) if n and word != "absent"]
-
-
 def relative(file, name):
-    """Error estimate over value, where both are."""
-    number, error = (values(dataset(file, key)) for key in (name, f"{name}_err"))
+    """Error estimate over value, where both exist."""
+    number, error = (values(file, key) for key in (name, f"{name}_err"))
     with np.errstate(divide="ignore", invalid="ignore"):
         return np.abs(error / number)
 
@@ -37,10 +31,10 @@ def statistics(name, numbers):
     numbers = np.abs(np.ravel(numbers))
     numbers = numbers[np.isfinite(numbers)]
     if not numbers.size:
-        return {"name": name, "median": "\u2013", "worst": "\u2013", "bars": [], "says": "no values"}
+        return {"name": name, "median": "\u2013", "worst": "\u2013", "bars": [], "summary": "no values"}
     median, worst = power(np.median(numbers)), power(numbers.max())
     return {"name": name, "median": median, "worst": worst, "bars": histogram(numbers),
-            "says": f"{numbers.size} values, median {median}, worst {worst}"}
+            "summary": f"{numbers.size} values, median {median}, worst {worst}"}
 
 
 def power(number):

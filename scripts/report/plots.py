@@ -1,4 +1,4 @@
-"""The figures as inline SVG: what scripts/figN.py draw, but for header and verdicts, which are text."""
+"""The figures of scripts/figN.py as inline SVG, without header and verdicts: the page has these as text."""
 
 import importlib
 import io
@@ -8,10 +8,11 @@ import numpy as np
 from markupsafe import Markup, escape
 from matplotlib.transforms import Bbox
 
-from style import METADATA, dataset, header_height, text, values
-from sweep import axis, axis_names
+from bristle_plots.layout import header_height
+from bristle_plots.results import as_text, axis_names, axis_values, dataset, read
+from bristle_plots.style import METADATA
+from bristle_plots.verdicts import read_claims, strip_height
 from symbols import plain
-from verdicts import read_claims, strip_height
 
 
 def draw(name, file, verdicts):
@@ -24,16 +25,16 @@ def draw(name, file, verdicts):
     for artist in figure.texts:
         artist.set_visible(artist.get_position()[1] * height < height - head)
     if claims:
-        figure.axes[0].set_visible(False)  # the strip of verdicts is the first that a page has
+        figure.axes[0].set_visible(False)  # the strip of verdicts is a sheet's first axes
     buffer = io.StringIO()
     figure.savefig(buffer, format="svg", metadata=METADATA["svg"],
                    bbox_inches=Bbox([[0, foot], [width, height - head]]))
-    title = plain(text(file.attrs["title"]))
+    title = plain(as_text(file.attrs["title"]))
     return inline(buffer.getvalue(), name, title, describe(module, file, verdicts)), width
 
 
 def inline(svg, name, title, description):
-    """The SVG as an element of a page that has others: ids of its own, no rules that reach beyond it."""
+    """The SVG as an element of a page with several: unique ids, and no style rules that affect the rest."""
     svg = svg[svg.index("<svg"):]
     svg = re.sub(r"<style.*?</style>", "", svg, flags=re.DOTALL)
     svg = re.sub(r"<metadata>.*?</metadata>", "", svg, flags=re.DOTALL)
@@ -51,10 +52,9 @@ def inline(svg, name, title, description):
 
 
 def describe(module, file, verdicts):
-    """What is plotted, over which ranges, and what came out, in words."""
-    names = getattr(module, "NAMES", None) or [getattr(module, "NAME", "R_n"), "z_0"]
-    shown = [name for name in dict.fromkeys(names) if name in file]
-    sentences = [module.__doc__.splitlines()[0], plain(text(file.attrs.get("caption", ""))) + "."]
+    """The plotted variables with their ranges and the verdicts, in words."""
+    shown = [name for name in getattr(module, "VARIABLES", ["R_n", "z_0"]) if name in file]
+    sentences = [module.__doc__.splitlines()[0], plain(as_text(file.attrs.get("caption", ""))) + "."]
     ranges = [axis_range(file, name) for name in axis_names(dataset(file, "status"))]
     if ranges:
         sentences.append(f"Swept: {'; '.join(ranges)}.")
@@ -65,14 +65,14 @@ def describe(module, file, verdicts):
 
 
 def axis_range(file, name):
-    line = axis(file, name)
+    line = axis_values(file, name)
     if isinstance(line[0], str):
         return f"{name}: {', '.join(line)}"
     return f"{name} from {line[0]:g} to {line[-1]:g}, {len(line)} values"
 
 
 def value_range(file, name):
-    numbers = values(dataset(file, name))
+    numbers = read(file, name)
     numbers = numbers[np.isfinite(numbers)]
-    what = f"{name} ({text(file[name].attrs['long_name'])})"
+    what = f"{name} ({as_text(file[name].attrs['long_name'])})"
     return f"{what} from {numbers.min():.3g} to {numbers.max():.3g}" if numbers.size else f"{what}, no values"

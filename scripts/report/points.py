@@ -1,4 +1,4 @@
-"""Every point of a result for the page's explorer: axes, values with errors, statuses, replay commands."""
+"""The points of a result for the page's explorer: axes, values with errors, statuses, replay commands."""
 
 import json
 
@@ -6,11 +6,11 @@ import numpy as np
 from markupsafe import Markup
 
 import symbols
-from style import attribute, dataset, fail, text, values
-from sweep import NAMES as WORDS
-from sweep import axis, axis_names, flags
+from bristle_plots.errors import BristleError
+from bristle_plots.results import (CHOICE_NAMES, as_text, attribute, axis_names, axis_values, dataset, flags,
+                                   readable, values)
 
-# Beside a variable; not variables themselves.
+# Ending of the datasets with a variable's errors.
 ERROR = "_err"
 
 
@@ -20,10 +20,10 @@ def collect(file, replay):
     shape = np.shape(values(status))
     points = int(np.prod(shape))
     if not replay or points % len(replay):
-        fail(f"{file.filename}: {points} points, but {len(replay)} commands of `bristle check --json`")
+        raise BristleError(f"{file.filename}: {points} points, but `bristle check --json` has {len(replay)} commands")
     axes = [read_axis(file, name) for name in axis_names(status)]
     return {
-        "name": text(file.attrs["name"]),
+        "name": as_text(file.attrs["name"]),
         "axes": axes,
         "map": plane(axes),
         "variables": [read_variable(file, name) for name in shown(file, status.shape)],
@@ -34,26 +34,26 @@ def collect(file, replay):
 
 
 def plane(axes):
-    """Indices of the axes that make the map: across, the longest of numbers; upwards, the next."""
+    """Indices of the map's axes: horizontal, the longest numeric one; vertical, the next."""
     order = sorted(range(len(axes)), key=lambda i: (axes[i]["words"], -len(axes[i]["values"])))
     return order[:2] if len(order) > 1 else None
 
 
 def read_axis(file, name):
     data = dataset(file, name)
-    line = axis(file, name)
+    line = axis_values(file, name)
     words = isinstance(line[0], str)
     return {
         "name": name,
         "symbol": symbol(data, name),
-        "title": text(data.attrs.get("long_name", name)),
+        "title": as_text(data.attrs.get("long_name", name)),
         "words": words,
-        "values": [WORDS.get(word, word) for word in line] if words else line.tolist(),
+        "values": [CHOICE_NAMES.get(word, word) for word in line] if words else line.tolist(),
     }
 
 
 def shown(file, shape):
-    """Names of the variables over the sweep that have values, what figures are about first."""
+    """Names of the variables over the sweep that have values; those of the figures first."""
     first = ["R_x_norm", "gamma_1", "gamma_2", "gamma_3", "z_0", "R_n", "R_x", "N_c_ratio"]
     found = [name for name, data in file.items()
              if hasattr(data, "shape") and data.shape == shape and not name.endswith(ERROR)
@@ -65,7 +65,7 @@ def shown(file, shape):
 def read_variable(file, name):
     data = dataset(file, name)
     out = {"name": name, "symbol": symbol(data, name), "title": attribute(data, "long_name"),
-           "equation": text(data.attrs.get("equation", ""))}
+           "equation": as_text(data.attrs.get("equation", ""))}
     if "flag_meanings" in data.attrs:
         return {**out, **read_flags(data)}
     out["values"] = numbers(values(data))
@@ -76,20 +76,20 @@ def read_variable(file, name):
 
 def read_flags(data):
     words, codes = flags(data)
-    return {"words": [word.replace("_", " ") for word in words], "codes": np.ravel(codes).tolist()}
+    return {"words": [readable(word) for word in words], "codes": np.ravel(codes).tolist()}
 
 
 def numbers(array):
-    """All digits of every number; null where there is none."""
+    """All digits of every number; null where there is no value."""
     return [value if np.isfinite(value) else None for value in np.ravel(array).tolist()]
 
 
 def symbol(data, name):
-    found = text(data.attrs.get("symbol", ""))
-    return str(symbols.html(found)) if found not in ("", name) else name  # a word is no formula
+    found = as_text(data.attrs.get("symbol", ""))
+    return str(symbols.html(found)) if found not in ("", name) else name  # a name is not a formula
 
 
 def embedded(data):
-    """JSON that can stand within a script element."""
+    """JSON for the content of a script element."""
     words = json.dumps(data, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
     return Markup(words.replace("<", "\\u003c"))

@@ -1,43 +1,43 @@
-"""What the program says of a result: drift, replay commands, whether the numbers are intact."""
+"""Calls of the program: deviations from the references, replay commands, integrity of the numbers."""
 
 import json
 import subprocess
 
-from style import fail
+from bristle_plots.errors import BristleError
 
 
 def run(arguments):
+    """The finished process; exit codes 0 and 1 are results."""
     try:
-        return subprocess.run(arguments, capture_output=True, text=True, check=False)
+        done = subprocess.run(arguments, capture_output=True, text=True, check=False)
     except OSError as error:
-        fail(f"{arguments[0]}: cannot be run ({error.strerror}); `make build` makes it")
+        raise BristleError(f"{arguments[0]}: cannot be run ({error.strerror}); `make build` makes it") from error
+    if done.returncode not in (0, 1):
+        command = " ".join(map(str, arguments))
+        raise BristleError(f"`{command}` ended with {done.returncode}: {done.stderr.strip()}")
+    return done
 
 
 def check(program, path, reference):
-    """Drift and replay commands of the result."""
-    done = run([program, "check", path, "--json", "--report-only", "--reference", reference])
-    if done.returncode not in (0, 1):
-        fail(f"{path}: `bristle check --json` ended with {done.returncode}: {done.stderr.strip()}")
-    return json.loads(done.stdout)
+    """Deviation from the reference, None without one, and the replay command of each point."""
+    found = json.loads(run([program, "check", path, "--json", "--report-only", "--reference", reference]).stdout)
+    return found["deviation" if "deviation" in found else "drift"], found["replay"]  # "drift" in older programs
 
 
 def intact(program, path):
-    """Whether the payload has the digest that the file says."""
-    done = run([program, "info", path])
-    if done.returncode not in (0, 1):
-        fail(f"{path}: `bristle info` ended with {done.returncode}: {done.stderr.strip()}")
-    return done.returncode == 0
+    """Whether the payload has the digest that the file states."""
+    return run([program, "info", path]).returncode == 0
 
 
-def outcome(drift):
-    """Sign, kind and words for the comparison with the reference."""
-    if drift is None:
+def outcome(deviation):
+    """Sign, kind and text for the comparison with the reference."""
+    if deviation is None:
         return {"sign": "\u2013", "kind": "missing", "text": "no reference"}
-    if drift["failed"]:
+    if deviation["failed"]:
         return {"sign": "\u2718", "kind": "refuted",
-                "text": f"{drift['above']} beyond tolerance, {len(drift['failures'])} other failures"}
-    if drift["differ"] == 0:
-        return {"sign": "\u2714", "kind": "supported", "text": "the same, bit for bit"}
-    worst = drift["worst"][0]["tolerances"]
+                "text": f"{deviation['above']} beyond tolerance, {len(deviation['failures'])} other failures"}
+    if deviation["differ"] == 0:
+        return {"sign": "\u2714", "kind": "supported", "text": "equal, bit for bit"}
+    worst = deviation["worst"][0]["tolerances"]
     return {"sign": "\u2714", "kind": "supported",
-            "text": f"within tolerance: {drift['differ']} differ, by at most {worst:.2g} of it"}
+            "text": f"within tolerance: {deviation['differ']} differ, by at most {worst:.2g} of it"}

@@ -1,4 +1,4 @@
-"""The report: one page with all figures, claims, points, diagnostics and sources, from result files alone."""
+"""The report: one page with figures, claims, points, diagnostics and provenance, from result files alone."""
 
 import argparse
 import os
@@ -10,7 +10,7 @@ from markupsafe import Markup
 from matplotlib import colormaps, colors
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-sys.path.append(os.path.dirname(HERE))  # what the figures' scripts share
+sys.path.append(os.path.dirname(HERE))  # bristle_plots and the scripts of the figures
 
 import claims  # noqa: E402
 import diagnostics  # noqa: E402
@@ -20,9 +20,11 @@ import points  # noqa: E402
 import program  # noqa: E402
 import sources  # noqa: E402
 import symbols  # noqa: E402
-from findings import experiment  # noqa: E402
-from document import write  # noqa: E402
-from style import COLORMAP, apply_look, fail, open_result, text  # noqa: E402
+from bristle_plots.command_line import run  # noqa: E402
+from bristle_plots.errors import BristleError  # noqa: E402
+from bristle_plots.files import write_text  # noqa: E402
+from bristle_plots.results import as_text, experiment, open_result  # noqa: E402
+from bristle_plots.style import COLORMAP, apply_look  # noqa: E402
 
 ASSETS = {"css": ["base.css", "parts.css", "print.css"],
           "js": ["page.js", "tables.js", "map.js", "explorer.js"]}
@@ -31,60 +33,60 @@ ASSETS = {"css": ["base.css", "parts.css", "print.css"],
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("results", metavar="RESULT.h5", nargs="+",
-                        help="result files in the figures' order; one that is not there is named on the page")
+                        help="result files in the figures' order; a missing file is named on the page")
     parser.add_argument("-o", dest="output", metavar="FILE", default="report/index.html")
     parser.add_argument("--program", default="build/bristle",
-                        help="compares with the references (default: %(default)s)")
+                        help="for the comparison with the references (default: %(default)s)")
     parser.add_argument("--reference", default="reference",
                         help="folder of the references (default: %(default)s)")
-    parser.add_argument("--assumptions", metavar="FILE", nargs="+", help="the first that is there is shown",
+    parser.add_argument("--assumptions", metavar="FILE", nargs="+", help="the first that exists is shown",
                         default=["results/assumptions.json", "reference/assumptions.json"])
     parser.add_argument("--citation", default="CITATION.cff", help="(default: %(default)s)")
     arguments = parser.parse_args()
     apply_look()
     present = [path for path in arguments.results if os.path.exists(path)]
     if not present:
-        fail(f"none of the results is there: {', '.join(arguments.results)}; `make figures` computes them")
+        raise BristleError(f"no such files: {', '.join(arguments.results)}; `make figures` computes them")
     figures = [figure(path, arguments) if path in present else missing(path) for path in arguments.results]
     page = render(figures, arguments)
-    write(arguments.output, page)
+    write_text(arguments.output, page)
     print(f"{arguments.output}: {len(present)} of {len(figures)} figures, {len(page.encode()) / 1e6:.1f} MB")
 
 
 def figure(path, arguments):
-    """Everything that the page says of one result."""
-    with open_result(path, ["status"]) as file:
-        name = text(file.attrs["name"])
+    """All data of one result for the page."""
+    with open_result(path) as file:
+        name = as_text(file.attrs["name"])
         rows = claims.read(name, file)
-        said = program.check(arguments.program, path, arguments.reference)
+        deviation, replay = program.check(arguments.program, path, arguments.reference)
         svg, width = plots.draw(name, file, [(row["claim"], row["verdict"]) for row in rows])
         return {
-            "name": name, "path": path, "present": True, **labels(name, text(file.attrs.get("figure", ""))),
+            "name": name, "path": path, "present": True, **labels(name, as_text(file.attrs.get("figure", ""))),
             "title": symbols.prose(heading(file)),
-            "caption": symbols.prose(text(file.attrs.get("caption", ""))),
-            "tier": text(file.attrs.get("tier", "full")),
+            "caption": symbols.prose(as_text(file.attrs.get("caption", ""))),
+            "tier": as_text(file.attrs.get("tier", "full")),
             "notes": [symbols.prose(note) for note in experiment(file).get("notes", [])],
             "svg": svg, "width": round(width * 100), "claims": rows,
-            "points": points.collect(file, said["replay"]),
-            "drift": said["drift"], "outcome": program.outcome(said["drift"]),
+            "points": points.collect(file, replay),
+            "deviation": deviation, "outcome": program.outcome(deviation),
             "intact": program.intact(arguments.program, path),
             "diagnostics": diagnostics.read(file), "provenance": sources.provenance(file, path),
         }
 
 
 def labels(name, number):
-    """What a figure of the paper is called, and what one of our own is: in full and in short."""
+    """Name and short name of a figure; one that is not of the paper is a study."""
     return {"label": f"Figure {number}" if number else f"Study {name}", "number": number or name}
 
 
 def heading(file):
-    """The title without the figure's number, which stands beside it."""
-    title = text(file.attrs["title"])
+    """The title without the figure's number, which is printed before it."""
+    title = as_text(file.attrs["title"])
     return re.sub(r"^(Figure \w+|Appendix \w+): (.)", lambda found: found.group(2).upper(), title)
 
 
 def missing(path):
-    """A figure without a result, and what computes it."""
+    """A figure without a result, with the command that computes it."""
     stem = os.path.splitext(os.path.basename(path))[0]
     name = re.split("[-_]", stem)[0]
     tier = " TIER=smoke" if stem.endswith("smoke") else ""
@@ -115,4 +117,4 @@ def asset(names):
 
 
 if __name__ == "__main__":
-    main()
+    run(main)

@@ -1,4 +1,4 @@
-"""Where the numbers are from, and how they are cited."""
+"""Provenance of the numbers, and citations."""
 
 import hashlib
 from collections import defaultdict
@@ -6,7 +6,8 @@ from datetime import datetime
 
 import yaml
 
-from style import fail, text
+from bristle_plots.errors import BristleError
+from bristle_plots.results import as_text
 
 FIRST = ["version", "commit", "dirty", "compiler", "flags", "started", "finished", "cpu", "instruction_set",
          "threads", "system", "command_line", "points_computed", "points_commits"]
@@ -14,13 +15,13 @@ DIGESTS = ["payload_sha256", "experiment_sha256", "inputs_sha256", "numerics_ver
 
 
 def provenance(file, path):
-    """Digests of the file, and all of /provenance with what matters most first."""
+    """Digests of the file, and all of /provenance with the entries of FIRST first."""
     stored = file["provenance"].attrs if "provenance" in file else {}
-    found = defaultdict(str, {key: text(value) for key, value in stored.items()})
+    found = defaultdict(str, {key: as_text(value) for key, value in stored.items()})
     names = [name for name in FIRST if name in found] + sorted(set(found) - set(FIRST))
     return {
         "file_sha256": sha256(path),
-        "digests": [(name, text(file.attrs[name])) for name in DIGESTS if name in file.attrs],
+        "digests": [(name, as_text(file.attrs[name])) for name in DIGESTS if name in file.attrs],
         "all": [(name.replace("_", " "), found[name].strip()) for name in names],
         "found": found,
         "duration": duration(found),
@@ -49,9 +50,9 @@ def citation(path):
             cff = yaml.safe_load(file)
         software = {**cff, "year": str(cff["date-released"])[:4], "kind": "software"}
         entries = [software, *({**reference, "kind": "article"} for reference in cff.get("references", []))]
-        return [{"text": as_text(entry), "bibtex": bibtex(entry)} for entry in entries]
+        return [{"text": citation_text(entry), "bibtex": bibtex(entry)} for entry in entries]
     except (OSError, yaml.YAMLError, KeyError, TypeError) as error:
-        fail(f"{path}: not a citation file ({type(error).__name__}: {error})")
+        raise BristleError(f"{path}: not a citation file ({type(error).__name__}: {error})") from error
 
 
 def authors(entry):
@@ -59,7 +60,7 @@ def authors(entry):
             for author in entry["authors"]]
 
 
-def as_text(entry):
+def citation_text(entry):
     where = f"Version {entry['version']}" if entry["kind"] == "software" else entry["journal"]
     who = ", ".join(authors(entry))
     return f"{who[0].upper()}{who[1:]} ({entry['year']}). {entry['title']}. {where}."

@@ -6,12 +6,12 @@ from markupsafe import Markup, escape
 
 GREEK = dict(zip("alpha beta gamma delta epsilon zeta theta lambda mu nu tau varphi phi xi kappa".split(),
                  "αβγδεζθλμντφφξκ"))
-SIGNS = {"propto": "∝", "cdot": "·", "pm": "±", "le": "≤", "ge": "≥", "infty": "∞", ",": " ", "times": "×", "angle": "∠",
-         "langle": "⟨", "rangle": "⟩"}
+SIGNS = {"propto": "∝", "cdot": "·", "pm": "±", "le": "≤", "ge": "≥", "infty": "∞", ",": " ", "times": "×",
+         "angle": "∠", "langle": "⟨", "rangle": "⟩"}
 ACCENTS = {"tilde": "\u0303", "check": "\u030c", "breve": "\u0306", "dot": "\u0307", "bar": "\u0304"}
 TOKEN = re.compile(r"\\[a-zA-Z]+|\\.|.", re.DOTALL)
 
-# What sentences of the experiments call by name.
+# Names of quantities in the sentences of the experiments.
 NAMES = {
     "R_x_norm": r"\check{R}_x", "R_y_norm": r"\check{R}_y", "R_n": "R_n", "R_x": "R_x", "R_y": "R_y",
     "k_r": "k_r", "k_theta": r"k_\theta", "k_phi": r"k_\varphi", "z_0": "z_0", "phi_0": r"\varphi_0",
@@ -39,7 +39,7 @@ def sequence(tokens, closing=None):
 
 
 def item(tokens):
-    """The HTML of what comes next: a group, a command with its argument, or one character."""
+    """The HTML of the next item: a group, a command with its argument, or one character."""
     token = tokens.pop(0)
     if token == "{":
         return sequence(tokens, "}")

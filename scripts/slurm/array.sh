@@ -54,7 +54,7 @@ name=$(basename "$experiment" .json)
 output=${output:-results/$name.h5}
 stem=${output%.h5}
 mkdir -p "$(dirname "$output")"
-# A mistake is found here and now rather than by N tasks.
+# Report a mistake here rather than in N tasks.
 options=()
 for ((i = 0; i < ${#run_options[@]}; ++i)); do
   case ${run_options[i]} in

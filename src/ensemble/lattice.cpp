@@ -184,9 +184,9 @@ double lattice_start(const Setup& setup) {
   return t_1 < 0 ? 2 * setup.parameters.L_x : t_1;
 }
 
-double lattice_end(const Setup& setup) {
-  return double(setup.orientation.rows) * setup.parameters.spacing;
-}
+double lattice_end(const Setup& setup) { return double(setup.orientation.rows) * setup.parameters.spacing; }
+
+double bristles_per_width(const Parameters& p) { return p.L_x / (p.spacing * p.spacing); }
 
 LatticeMean lattice_mean(const Setup& setup, double z_0, const PassageRunner& run) {
   return Lattice(setup, z_0, run).average();

@@ -39,4 +39,7 @@ LatticeMean lattice_mean(const Setup& setup, double z_0, const PassageRunner& ru
 double lattice_start(const Setup& setup);
 double lattice_end(const Setup& setup);
 
+// N_c0/L_y: rigid bristles in contact per unit of the slab's width (dimensionless).
+double bristles_per_width(const Parameters& parameters);
+
 }  // namespace bristle

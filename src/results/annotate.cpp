@@ -1,5 +1,6 @@
 #include "results/annotate.hpp"
 
+#include "ensemble/lattice.hpp"
 #include "experiment/si_units.hpp"
 #include "model/friction/laws.hpp"
 #include "results/digest.hpp"
@@ -65,6 +66,16 @@ std::string caption(const Experiment& e) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
+// Constants for plots of the lattice's forces, written where all points share them: t_1 of Eq. (A4) in r0/V0,
+// and N_c0/L_y.
+void annotate_slab_force(hid_t file, const Experiment& e) {
+  if (!h5::exists(file, "slab_force") || !fixed(e, "L_x") || !fixed(e, "spacing")) return;
+  const Setup& setup = e.base.setup;
+  h5::write_attribute(h5::open_dataset(file, "slab_force/t"), "t_1", lattice_start(setup));
+  h5::write_attribute(h5::open_dataset(file, "slab_force/R_n"), "N_c0_per_L_y",
+                      bristles_per_width(setup.parameters));
+}
+
 }  // namespace
 
 void annotate(const std::string& path, const Experiment& experiment, const std::optional<Shard>& shard) {
@@ -81,6 +92,7 @@ void annotate(const std::string& path, const Experiment& experiment, const std::
   h5::write_attribute(file, "experiment", document);
   h5::write_attribute(file, "experiment_sha256", sha256_of(document));
   h5::write_attribute(file, "inputs_sha256", inputs_sha256(*experiment.document));
+  annotate_slab_force(file, experiment);
   file.close("closing " + path);
 }
 

@@ -207,6 +207,10 @@ void write_attribute(hid_t object, const std::string& name, long value) {
   put_attribute(object, name, H5T_NATIVE_LONG, memory_space({}), &value);
 }
 
+void write_attribute(hid_t object, const std::string& name, double value) {
+  put_attribute(object, name, H5T_NATIVE_DOUBLE, memory_space({}), &value);
+}
+
 void write_attribute(hid_t object, const std::string& name, const std::vector<signed char>& values) {
   put_attribute(object, name, H5T_NATIVE_SCHAR, memory_space({values.size()}), values.data());
 }

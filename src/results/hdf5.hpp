@@ -58,6 +58,7 @@ void read_part(hid_t dataset, hid_t type, const Shape& start, const Shape& count
 void write_attribute(hid_t object, const std::string& name, const std::string& text);
 void write_attribute(hid_t object, const std::string& name, const char* text);
 void write_attribute(hid_t object, const std::string& name, long value);
+void write_attribute(hid_t object, const std::string& name, double value);
 void write_attribute(hid_t object, const std::string& name, const std::vector<signed char>& values);
 // Single values; of a list they throw RunError.
 std::string read_text_attribute(hid_t object, const std::string& name);

@@ -63,6 +63,12 @@ const std::vector<Field<Passage>>& bristle_fields() {
   return fields;
 }
 
+Column phase_column() {
+  Column column = flag("phase", "what the tip does", kPhaseNames);
+  column.constants = {{"off_slab_wall_ranges", kOffSlabRanges}, {"side_slip_rad", kSideSlip}};
+  return column;
+}
+
 using T = const TrajectoryPoint&;
 const std::vector<Field<TrajectoryPoint>>& trajectory_fields() {
   static const std::vector<Field<TrajectoryPoint>> fields = {
@@ -84,7 +90,7 @@ const std::vector<Field<TrajectoryPoint>>& trajectory_fields() {
       {{"F_fy", "friction force across the motion", R"(\tilde{F}_{f,y})", "Eq. (5)"},
        [](T p) { return p.F_fy; }},
       {{"V_R", "speed relative to the slab", R"(V_R/V_0)", "Eq. (6)"}, [](T p) { return p.V_R; }},
-      {flag("phase", "what the tip does", kPhaseNames), [](T p) { return double(p.phase); }},
+      {phase_column(), [](T p) { return double(p.phase); }},
   };
   return fields;
 }

@@ -30,6 +30,7 @@ Table::Table(hid_t file, const std::string& group, const std::string& row, const
     h5::Handle dataset = h5::create_dataset(group_, column.name, column.type, open);
     describe(dataset, column.long_name, column.symbol, column.equation, column.units);
     if (!column.flags.empty()) describe_flags(dataset, column.flags);
+    for (const auto& [name, value] : column.constants) h5::write_attribute(dataset, name, value);
     h5::attach_scale(dataset, rows_, 0);
     columns_.push_back(std::move(dataset));
   }

@@ -3,6 +3,7 @@
 #include "results/hdf5.hpp"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace bristle {
@@ -13,6 +14,7 @@ struct Column {
   hid_t type = H5T_NATIVE_DOUBLE;    // in the file
   std::vector<std::string> flags{};  // meanings of the values 0, 1, ..., if it is a flag
   std::string units = "1";
+  std::vector<std::pair<std::string, double>> constants{};  // of the column's definition: attributes
 };
 
 // A group of columns of one growing length, with a dimension scale that numbers the rows.

@@ -102,7 +102,7 @@ function showSlices() {
   control("slices").replaceChildren(...selections.filter(Boolean));
 }
 
-// The first point of the slice shown that has a value; Coulomb, if that is what the figure is about.
+// The first point with a value in the slice shown; Figure 6 starts with the Coulomb law, which its maps show.
 function start(data) {
   const values = data.variables[0].values;
   const about = data.name === "fig6" ? data.axes.findIndex((axis) => axis.words) : -1;

@@ -34,7 +34,7 @@ function rangeOf(variable) {
   return { low, high, share: (value) => (high > low ? (value - low) / (high - low) : 0.5) };
 }
 
-// Every n-th tick, so that labels of about this many pixels keep apart.
+// Every n-th tick, so that labels of about this many pixels do not overlap.
 function ticks(count, cell, room) {
   const step = Math.max(1, Math.ceil(room / cell));
   return [...Array(count).keys()].filter((i) => i % step === 0);
@@ -71,7 +71,7 @@ function drawTicks(svg, form) {
 }
 
 // Cells by row, the largest y on top, each with its position and point. describe(point): its text for
-// readers of screens.
+// screen readers.
 function drawCells(svg, data, form, variable, at, describe) {
   const range = rangeOf(variable), cells = [];
   for (let j = form.y.values.length - 1; j >= 0; --j) {

@@ -19,7 +19,7 @@ function say(words) {
   document.getElementById("said").textContent = words;
 }
 
-// A file opened from disk may have no clipboard to write to: then what is selected is copied.
+// A page opened from disk may have no access to the clipboard: then the selection is copied.
 async function copy(source, what) {
   try {
     await navigator.clipboard.writeText(source.textContent);
@@ -44,7 +44,7 @@ document.addEventListener("click", async (event) => {
   setTimeout(() => { button.textContent = "Copy"; }, 1500);
 });
 
-// Paper shows everything; afterwards the reader's state is back.
+// Printing opens everything; afterwards the previous state is restored.
 const opened = [];
 addEventListener("beforeprint", () => {
   for (const details of document.querySelectorAll("details:not([open])")) {
@@ -65,7 +65,7 @@ const STEPS = { ArrowUp: [-1, 0], ArrowDown: [1, 0], ArrowLeft: [0, -1], ArrowRi
 // The assumptions matrix: one tab stop, arrow keys within, the chosen cell's numbers below.
 function startMatrix(table) {
   const rows = [...table.querySelectorAll("tbody tr")].map((row) => [...row.querySelectorAll("td")]);
-  const says = document.getElementById("matrix-says");
+  const details = document.getElementById("matrix-details");
   let current = rows[0][0];
   table.setAttribute("role", "grid");
   for (const cell of rows.flat()) {
@@ -77,7 +77,7 @@ function startMatrix(table) {
     current = cell;
     current.tabIndex = 0;
     current.focus({ preventScroll: false });
-    says.textContent = cell.dataset.says;
+    details.textContent = cell.dataset.details;
   }
   table.addEventListener("click", (event) => {
     const cell = event.target.closest("td");

@@ -7,7 +7,7 @@ function sortKey(row, column) {
   return value === undefined ? cell.textContent.trim() : value === "" ? NaN : Number(value);
 }
 
-// Numbers by size and last where there are none; words as people order them.
+// Numbers by value, missing ones last; texts in natural order.
 function compare(a, b) {
   if (typeof a === "number" && typeof b === "number") return isNaN(a) - isNaN(b) || a - b;
   return String(a).localeCompare(String(b), "en", { numeric: true });

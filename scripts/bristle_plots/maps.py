@@ -1,4 +1,6 @@
-"""A quantity over two stiffnesses: a surface, and below it the flat map with contours."""
+"""Quantities over the radial and azimuthal stiffness: a surface, and below it a map with contours."""
+
+from collections import namedtuple
 
 import numpy as np
 from matplotlib import colormaps, colors, patches, ticker
@@ -6,16 +8,37 @@ from matplotlib.collections import PatchCollection
 from matplotlib.lines import Line2D
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
-from contours import label_contours
-from grid import oriented, read_grid
-from page import page, place
-from style import COLORMAP, MARKERS, attribute, dataset, label, log_ticks, prose
+from .contour_labels import label_contours
+from .errors import BristleError
+from .layout import place, sheet
+from .results import attribute, dataset, place_of, readable, select, select_flags, values
+from .style import COLORMAP, label, log_ticks, status_marker, wrapped
 
 COLUMN_INCHES = (3.2, 5.9)
 LEGEND_INCHES = 0.4
 
-# By status; the first is a point without remark.
+# By index of the status; 0 is a point without remark.
 HATCHES = ["....", "----", "////", "xxxx", "\\\\\\\\", "||||", "++++"]
+
+# log10 of the axes x and y by name, and the index of each point's status into `meanings`.
+# chosen: the values of further axes at which the quantities are drawn.
+Grid = namedtuple("Grid", "x y status meanings axes chosen")
+
+
+def read_grid(file, x_name, y_name, chosen):
+    x, y = (log_axis_values(dataset(file, name)) for name in (x_name, y_name))
+    meanings, status = select_flags(file, "status", [y_name, x_name], **chosen)
+    return Grid(x, y, status, meanings, (x_name, y_name), chosen)
+
+
+def log_axis_values(data):
+    numbers = np.atleast_1d(values(data))
+    if numbers.ndim != 1 or numbers.size < 2:
+        raise BristleError(f"{place_of(data)} has {numbers.size} value(s); a surface needs a sweep of at least "
+                           "2 values in each direction")
+    if not (np.isfinite(numbers).all() and numbers[0] > 0 and (np.diff(numbers) > 0).all()):
+        raise BristleError(f"{place_of(data)} must be positive and increasing to be a logarithmic axis")
+    return np.log10(numbers)
 
 
 def value_ticks(bins=5):
@@ -23,14 +46,14 @@ def value_ticks(bins=5):
 
 
 def draw_maps(file, names, chosen=None, note=""):
-    """A figure with one column for each quantity, at the chosen values of further axes."""
-    grid = read_grid(file, "k_r", "k_theta", chosen)
+    """A figure with one column for each quantity; chosen: values of the axes beside the stiffnesses."""
+    grid = read_grid(file, "k_r", "k_theta", chosen or {})
     width, height = COLUMN_INCHES[0] * len(names) + 0.1, LEGEND_INCHES + COLUMN_INCHES[1]
-    figure, bottom = page(file, width, height, note)
+    figure, bottom = sheet(file, width, height, note)
     entries = {}
-    for position, name in enumerate(names):
-        entries.update(column(figure, file, grid, name, "abcdefg"[position], position * COLUMN_INCHES[0],
-                              bottom + LEGEND_INCHES))
+    for i, name in enumerate(names):
+        entries |= draw_column(figure, file, grid, name, "abcdefg"[i],
+                               (i * COLUMN_INCHES[0], bottom + LEGEND_INCHES))
     if entries:
         figure.legend(entries.values(), entries.keys(), loc="lower center", ncol=len(entries),
                       bbox_to_anchor=(0.5, (bottom + 0.2 * LEGEND_INCHES) / figure.get_figheight()),
@@ -38,13 +61,13 @@ def draw_maps(file, names, chosen=None, note=""):
     return figure
 
 
-def column(figure, file, grid, name, letter, left, bottom):
-    """One quantity with its lower left corner there (inches); returns legend entries by text."""
+def draw_column(figure, file, grid, name, letter, corner):
+    """One quantity; corner: the lower left one (inches). Returns legend entries by text."""
     def axes(x, y, width, height, **options):
-        return place(figure, left + x, bottom + y, width, height, **options)
+        return place(figure, corner[0] + x, corner[1] + y, width, height, **options)
 
     data = dataset(file, name)
-    field = np.ma.masked_invalid(oriented(data, grid))
+    field = np.ma.masked_invalid(select(data, grid.axes[::-1], **grid.chosen))
     norm = colour_range(field)
     titles = [label(dataset(file, axis)) for axis in grid.axes]
     width, height = COLUMN_INCHES
@@ -65,7 +88,7 @@ def column(figure, file, grid, name, letter, left, bottom):
     heading = axes(0, height - 0.4, width, 0.4)
     heading.axis("off")
     heading.text(0.03, 1, letter, weight="bold", fontsize=13, va="top")
-    heading.text(0.12, 0.97, prose(attribute(data, "long_name"), 36), va="top")
+    heading.text(0.12, 0.97, wrapped(attribute(data, "long_name"), 36), va="top")
     return draw_status(flat, grid, field)
 
 
@@ -73,7 +96,7 @@ def colour_range(field):
     if field.count() == 0:
         return colors.Normalize(0, 1)
     low, high = field.min(), field.max()
-    # A constant still needs a range, and its last digits are not worth a colour.
+    # A constant needs a range too, and its last digits must not decide the colour.
     missing = max(0, 1e-3 * (max(abs(low), abs(high)) or 1) - (high - low))
     return colors.Normalize(low - missing / 2, high + missing / 2)
 
@@ -109,13 +132,13 @@ def label_surface(space, grid, norm, titles, z_title):
     for axis in (space.xaxis, space.yaxis, space.zaxis):
         axis.set_pane_color((0.97, 0.97, 0.97, 1))
         axis.set_rotate_label(False)
-    # Seen from large k_r and small k_theta, so that a fall with k_r comes towards the reader.
+    # Seen from large k_r and small k_theta: a decrease with k_r faces the reader.
     space.view_init(elev=24, azim=-52)
     space.set_box_aspect((1.15, 1.0, 0.95))
 
 
 def cell_edges(line):
-    """Borders halfway between the points, so that every point owns one cell of the map."""
+    """Edges of the map's cells, halfway between the points."""
     middle = (line[1:] + line[:-1]) / 2
     return np.concatenate([[2 * line[0] - middle[0]], middle, [2 * line[-1] - middle[-1]]])
 
@@ -124,7 +147,7 @@ def draw_map(flat, grid, field, norm):
     flat.set_facecolor("#dddddd")
     image = flat.pcolormesh(cell_edges(grid.x), cell_edges(grid.y), field, norm=norm,
                             rasterized=True)  # vector cells show seams in PDF viewers
-    # The outer cells are cut in half: the map ends where the sweep does.
+    # The outer cells are cut in half: the map has the sweep's range.
     flat.set(xlim=grid.x[[0, -1]], ylim=grid.y[[0, -1]])
     if field.count() and np.ptp(field.compressed()) > 0:
         levels = value_ticks(7).tick_values(norm.vmin, norm.vmax)
@@ -143,18 +166,18 @@ def label_map(flat, grid, titles):
 
 
 def remarked(grid, field):
-    """Points with a value whose status says more than that all went well."""
+    """Points with a value and a status other than ok."""
     return (grid.status > 0) & ~np.ma.getmaskarray(field)
 
 
 def draw_status(flat, grid, field):
-    """Hatch the cells without a value and mark the points with a remark; legend entries by text."""
+    """Hatches cells without a value and marks points with a remark; returns legend entries by text."""
     entries = {}
     empty = np.ma.getmaskarray(field)
     x, y = cell_edges(grid.x), cell_edges(grid.y)
     for status in np.unique(grid.status):
         here = grid.status == status
-        meaning = grid.meanings[status]
+        meaning = readable(grid.meanings[status])
         cells = [patches.Rectangle((x[i], y[j]), x[i + 1] - x[i], y[j + 1] - y[j])
                  for j, i in np.argwhere(here & empty)]
         if cells:
@@ -164,7 +187,7 @@ def draw_status(flat, grid, field):
             entries[f"no value: {meaning}"] = patches.Patch(**look)
         marked = here & remarked(grid, field)
         if marked.any():
-            look = dict(marker=MARKERS[status % len(MARKERS)], markersize=4, linestyle="",
+            look = dict(marker=status_marker(status), markersize=4, linestyle="",
                         markerfacecolor="white", markeredgecolor="black", markeredgewidth=0.7,
                         clip_on=False)
             j, i = np.nonzero(marked)

@@ -4,13 +4,13 @@ import numpy as np
 from matplotlib import ticker
 from mpl_toolkits.mplot3d.art3d import Line3DCollection, Poly3DCollection
 
-from style import BLACK, GREY, SKY
+from .style import BLACK, GREY, SKY
 
-SNAPSHOTS = 9  # of the bristle along its way
+SNAPSHOTS = 9  # of the bristle, at equal intervals of time
 
 
 def draw_space(space, passages, passage, gap, colours, titles):
-    """Axes with equal scales over all passages; colours: of the path's segments."""
+    """Draws one passage; all passages have the same limits. colours: one for each segment of the path."""
     x, y, z = (passage.numbers[name] for name in "xyz")
     tip = undeformed(passage)
     limits = box(passages)

@@ -1,6 +1,6 @@
-"""Upright contour labels that keep clear of each other, of markers and of the frame.
+"""Upright contour labels that overlap neither each other nor markers nor the frame.
 
-matplotlib's own labels sit on the vertices of a line, which on a coarse grid are at the frame.
+matplotlib places its labels on the vertices of a line, which on a coarse grid are at the frame.
 """
 
 import numpy as np
@@ -10,12 +10,12 @@ FONT_SIZE = 8
 MARKER_INCHES = 0.06
 HALO = [patheffects.withStroke(linewidth=2, foreground="white")]
 
-# Where along a line a label may sit, best first.
-PLACES = (0.5, 0.35, 0.65, 0.2, 0.8)
+# Fractions of a line's length at which a label is tried, in this order.
+FRACTIONS = (0.5, 0.35, 0.65, 0.2, 0.8)
 
 
 def label_contours(axes, contours, markers):
-    """Label each line once, where there is room, clear of the markers (x, y in rows)."""
+    """Labels each line once, where there is room, clear of the markers (rows of x, y)."""
     frame = axes.get_window_extent()
     to_inches = 1 / axes.figure.dpi
     size = np.array([frame.width, frame.height]) * to_inches
@@ -38,13 +38,13 @@ def label_size(string):
 
 
 def free_place(path, room, size, taken):
-    """The first place along the path (inches) where a label of this size fits, or None."""
+    """The first place along the path (inches) where a label of size `room` fits, or None."""
     lengths = np.hypot(*np.diff(path, axis=0).T)
     travelled = np.concatenate([[0], np.cumsum(lengths)])
     if travelled[-1] < room[0]:
         return None
-    for share in PLACES:
-        place = np.array([np.interp(share * travelled[-1], travelled, along) for along in path.T])
+    for fraction in FRACTIONS:
+        place = np.array([np.interp(fraction * travelled[-1], travelled, along) for along in path.T])
         inside = (place > room / 2).all() and (place < size - room / 2).all()
         if inside and not any((abs(place - other) < (room + space) / 2).all()
                               for other, space in taken):

@@ -1,0 +1,30 @@
+"""Documents in Markdown."""
+
+import re
+import textwrap
+
+COLUMNS = 100
+
+
+def table(head, *rows):
+    """Lines of a table; cells are text."""
+    lines = ["| " + " | ".join(cells) + " |" for cells in (head, *rows)]
+    lines.insert(1, "|" + "---|" * len(head))
+    return "\n".join(lines)
+
+
+def filled(text):
+    """The text with its paragraphs and list items wrapped; headings, tables and images stay as they are."""
+    return "\n\n".join(fill_block(block) for block in text.rstrip("\n").split("\n\n")) + "\n"
+
+
+def fill_block(block):
+    if re.match(r"[#|!]", block):
+        return block
+    items = re.split(r"\n(?=- )", block)
+    # No break within formulas, code and links, nor before a word that would begin a list or a heading.
+    unbroken = r"\$[^$]+\$|`[^`]+`|\[[^]]+\]\([^)]*\)|\s(?=(?:[-+*#]|\d+[.)])\s)"
+    kept = [re.sub(unbroken, lambda found: re.sub(r"\s", "\0", found.group()), item) for item in items]
+    return "\n".join(textwrap.fill(item, COLUMNS, break_long_words=False, break_on_hyphens=False,
+                                   subsequent_indent="  " if item.startswith("- ") else "")
+                     for item in kept).replace("\0", " ")

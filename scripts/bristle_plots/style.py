@@ -1,0 +1,98 @@
+"""What all figures share: colours, fonts, axis labels, ticks and wrapped text."""
+
+import re
+import textwrap
+
+import matplotlib
+import numpy as np
+from matplotlib import mathtext
+
+from .errors import BristleError
+from .results import attribute, place_of
+
+COLORMAP = "viridis"  # perceptually uniform, readable with any colour vision
+
+# Okabe and Ito's colours: distinguishable with any colour vision.
+GREEN, VERMILION, BLUE, PURPLE, ORANGE, SKY = "#009E73", "#D55E00", "#0072B2", "#CC79A7", "#E69F00", "#56B4E9"
+GREY, BLACK = "#666666", "#000000"
+COLOURS = [BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY, BLACK]
+
+MARKERS = " o^sDvP"  # by index of the status; 0 is a point without remark
+
+DPI = 160
+
+LOOK = {
+    "font.family": "DejaVu Sans",  # comes with matplotlib: the same glyphs on every machine
+    "mathtext.fontset": "dejavusans",
+    "font.size": 10,
+    "axes.labelsize": 11,
+    "axes.linewidth": 0.8,
+    "axes.prop_cycle": matplotlib.cycler(color=COLOURS),
+    "xtick.labelsize": 9,
+    "ytick.labelsize": 9,
+    "legend.fontsize": 9,
+    "legend.frameon": False,
+    "axes.formatter.useoffset": False,
+    "image.cmap": COLORMAP,
+    "hatch.linewidth": 0.6,
+    "figure.dpi": DPI,
+    "savefig.dpi": DPI,
+    "pdf.fonttype": 42,
+    "svg.hashsalt": "bristle",
+}
+
+# No dates and no program versions: equal figures are equal files.
+METADATA = {
+    "pdf": {"CreationDate": None, "Creator": None, "Producer": None},
+    "png": {"Software": None},
+    "svg": {"Date": None, "Creator": None},
+}
+
+
+def apply_look():
+    """Sets matplotlib's parameters; a user's matplotlibrc must not change the figures."""
+    matplotlib.rcdefaults()
+    matplotlib.rcParams.update(LOOK)
+
+
+def status_marker(status):
+    return MARKERS[status % len(MARKERS)]
+
+
+def label(data):
+    """Axis label of a dataset: its symbol, and its unit unless dimensionless."""
+    # mathtext knows the accent \breve but draws \check as a character of its own.
+    symbol = f"${attribute(data, 'symbol')}$".replace(r"\check", r"\breve")
+    if not is_math(symbol):
+        raise BristleError(f"{place_of(data)}: attribute 'symbol' is not mathtext: {symbol.strip('$')}")
+    units = attribute(data, "units")
+    return symbol if units == "1" else f"{symbol} [{units}]"
+
+
+def is_math(string):
+    try:
+        mathtext.MathTextParser("path").parse(string)
+    except ValueError:
+        return False
+    return True
+
+
+def log_ticks(low, high):
+    """Positions (log10) and texts of ticks: 1-2-5, only decades in a long range, 1 to 9 in a short one."""
+    decades = np.arange(np.floor(low), np.ceil(high) + 1)
+    for steps in ([1],) if high - low > 2.5 else ([1, 2, 5], range(1, 10)):
+        places = np.add.outer(decades, np.log10(steps)).ravel()
+        places = places[(places > low - 1e-9) & (places < high + 1e-9)]
+        if places.size >= 2:
+            break
+    else:  # too short for round numbers
+        places = np.array([low, high])
+    return places, [f"{float(f'{10 ** place:.3g}'):g}" for place in places]
+
+
+def wrapped(string, width):
+    """A sentence in lines of at most `width` characters; $...$ is mathtext if it is valid, else plain text."""
+    if string.count("$") % 2 or not is_math(string):
+        string = string.replace("$", r"\$")
+    whole = re.sub(r"\$[^$]+\$", lambda formula: formula.group().replace(" ", "\0"), string)
+    return "\n".join(textwrap.wrap(whole, width)).replace("\0", " ")
