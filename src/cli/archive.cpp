@@ -10,12 +10,12 @@ namespace bristle {
 namespace {
 
 // A damaged manifest makes one problem per file.
-constexpr std::size_t kMostShown = 20;
+constexpr std::size_t kMostProblems = 20;
 
 void print_problems(const std::string& path, const Problems& problems) {
-  for (std::size_t i = 0; i < std::min(kMostShown, problems.size()); ++i)
+  for (std::size_t i = 0; i < std::min(kMostProblems, problems.size()); ++i)
     fmt::print("FAILED: {}\n", problems[i]);
-  if (problems.size() > kMostShown) fmt::print("... and {} more\n", problems.size() - kMostShown);
+  if (problems.size() > kMostProblems) fmt::print("... and {} more\n", problems.size() - kMostProblems);
   fmt::print("{}: NOT as it was archived: {} problem{}\n", path, problems.size(),
              problems.size() == 1 ? "" : "s");
 }

@@ -39,7 +39,7 @@ class AxisReader {
 
  private:
   [[noreturn]] void fail(const JsonPointer& at, const std::string& what) const {
-    throw InputError(fmt::format("{}: {}: {}", document_.origin(at), at.to_string(), what));
+    document_.fail(at.to_string(), what);
   }
 
   std::vector<double> all_values() const {
@@ -132,9 +132,7 @@ std::vector<Axis> read_axes(const Document& document) {
     axes.push_back(AxisReader(document, name).read());
     points *= double(axes.back().values.size());
     if (points > kMostPoints) {
-      const JsonPointer at("/sweep");
-      throw InputError(fmt::format("{}: /sweep: {:.3g} points or more; allowed: at most {:.0e}",
-                                   document.origin(at), points, kMostPoints));
+      document.fail("/sweep", fmt::format("{:.3g} points or more; allowed: at most {:.0e}", points, kMostPoints));
     }
   }
   return axes;

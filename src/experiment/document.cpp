@@ -143,6 +143,10 @@ void Document::merge() {
   merged_ = std::make_shared<const Json>(std::move(merged));
 }
 
+void Document::fail(const std::string& pointer, const std::string& what) const {
+  throw InputError(fmt::format("{}: {}: {}", origin(JsonPointer(pointer)), pointer, what));
+}
+
 std::string Document::origin(const JsonPointer& pointer) const {
   for (auto s = set_.rbegin(); s != set_.rend(); ++s)
     if (s->content->contains(pointer)) return s->name;

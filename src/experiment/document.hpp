@@ -29,6 +29,8 @@ class Document {
   const std::string& path() const { return path_; }
   // The source that set the value at pointer; the experiment's own file for a default.
   std::string origin(const JsonPointer& pointer) const;
+  // Throws InputError: the source of the value at a JSON pointer, the pointer, and what is wrong with the value.
+  [[noreturn]] void fail(const std::string& pointer, const std::string& what) const;
   // The same document with the patch of this tier instead.
   Document with_tier(const std::string& tier) const;
 

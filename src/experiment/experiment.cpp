@@ -21,10 +21,6 @@ namespace {
 
 constexpr double kDegree = M_PI / 180;
 
-[[noreturn]] void fail(const Document& d, const char* at, const std::string& what) {
-  throw InputError(fmt::format("{}: {}: {}", d.origin(JsonPointer(at)), at, what));
-}
-
 int index_of(const std::vector<std::string>& words, const std::string& word) {
   return int(std::find(words.begin(), words.end(), word) - words.begin());
 }
@@ -53,13 +49,13 @@ Orientation read_orientation(const Document& d) {
   o.rows = json.value("rows", o.rows);
   o.t_1 = json.value("t_1", -1.0);
   if (o.distribution == Distribution::von_mises && !json.contains("concentration"))
-    fail(d, "/orientation/concentration", "is missing; a von Mises distribution needs it, and mean_deg");
+    d.fail("/orientation/concentration", "is missing; a von Mises distribution needs it, and mean_deg");
   if (o.sampling == Sampling::list) {
     if (!json.contains("theta_0_deg"))
-      fail(d, "/orientation/theta_0_deg", "is missing; sampling by list needs the azimuths in degrees");
+      d.fail("/orientation/theta_0_deg", "is missing; sampling by list needs the azimuths in degrees");
     for (const double degrees : json["theta_0_deg"]) o.theta_0.push_back(degrees * kDegree);
   } else if (json.contains("theta_0_deg")) {
-    fail(d, "/orientation/theta_0_deg", "is used with \"sampling\": \"list\" only");
+    d.fail("/orientation/theta_0_deg", "is used with \"sampling\": \"list\" only");
   }
   return o;
 }
@@ -93,10 +89,10 @@ Recording read_recording(const Document& d, const Orientation& orientation, cons
         record.trajectories.push_back(degrees * kDegree);
     else record.trajectories = orientation.theta_0;
     if (record.trajectories.empty())
-      fail(d, "/trajectories", "is missing; recording trajectories needs {\"theta_0_deg\": [...]}");
+      d.fail("/trajectories", "is missing; recording trajectories needs {\"theta_0_deg\": [...]}");
   }
   const bool any = record.bristles || record.slab_force || !record.trajectories.empty();
-  if (loading.trace && any) fail(d, "/record", "a trace of R_n(z_0) records observables only");
+  if (loading.trace && any) d.fail("/record", "a trace of R_n(z_0) records observables only");
   return record;
 }
 
@@ -107,7 +103,7 @@ Loading read_loading(const Document& d, const std::vector<Axis>& axes) {
   const bool by_gap = json.contains("z_0") || swept(axes, "z_0");
   const bool by_trace = json.contains("trace");
   if (by_load + by_gap + by_trace != 1)
-    fail(d, "/load",
+    d.fail("/load",
          by_load + by_gap + by_trace > 1
              ? "more than one of R_n, z_0 and trace is given; keep one (null removes what extends brings)"
              : "none of R_n, z_0 and trace is given, here or in the sweep");
@@ -125,7 +121,7 @@ void check_gap(const Document& d, const Experiment& e) {
     const double highest = sin(point.setup.parameters.phi_0);
     if (!point.loading.z_0) return;
     if (*point.loading.z_0 > highest)
-      fail(d, d.json()["load"].contains("z_0") ? "/load/z_0" : "/sweep/z_0",
+      d.fail(d.json()["load"].contains("z_0") ? "/load/z_0" : "/sweep/z_0",
            fmt::format("{} is above first contact; allowed: at most sin(phi_0) = {:.6f}", *point.loading.z_0,
                        highest));
   }
@@ -135,23 +131,23 @@ void check_gap(const Document& d, const Experiment& e) {
 void check_lattice(const Document& d, const Experiment& e) {
   const bool used = e.on_lattice();
   if (used && e.base.loading.trace)
-    fail(d, "/load/trace", "takes the mean over theta_0 by quadrature or over a list, not over a lattice");
-  if (e.record.slab_force && !used) fail(d, "/record", "slab_force needs \"sampling\": \"lattice\"");
+    d.fail("/load/trace", "takes the mean over theta_0 by quadrature or over a list, not over a lattice");
+  if (e.record.slab_force && !used) d.fail("/record", "slab_force needs \"sampling\": \"lattice\"");
   for (const char* key : {"seed", "rows", "t_1"})
     if (!used && (d.json()["orientation"].contains(key) || e.swept(key)))
-      fail(d, (std::string("/orientation/") + key).c_str(), "is used with \"sampling\": \"lattice\" only");
+      d.fail(std::string("/orientation/") + key, "is used with \"sampling\": \"lattice\" only");
   for (std::size_t i = 0; used && i < e.points(); ++i) {
     const Setup point = e.point(i).setup;
     const Parameters& p = point.parameters;
     const double across = p.L_y / p.spacing;
     if (std::abs(across - std::round(across)) > 1e-6 || across < 0.5)
-      fail(d, "/model/L_y",
+      d.fail("/model/L_y",
            fmt::format("{} is {:.6g} spacings of {}; a lattice needs a whole number", p.L_y, across,
                        p.spacing));
     if (point.orientation.rows == 0)
-      fail(d, "/orientation/rows", "is missing; a lattice needs the number of rows that enter");
+      d.fail("/orientation/rows", "is missing; a lattice needs the number of rows that enter");
     if (lattice_end(point) <= lattice_start(point))
-      fail(d, "/orientation/rows",
+      d.fail("/orientation/rows",
            fmt::format("{} rows have entered at t_2 = {}; means begin at t_1 = {} [2 L_x]: give more rows",
                        point.orientation.rows, lattice_end(point), lattice_start(point)));
   }
@@ -172,7 +168,7 @@ Experiment read(const Document& d) {
   const Json& model = json["model"];
   e.C_peaks_at_V_s = !model.contains("C") || model["C"].is_string();
   if (e.swept("C") && model.contains("C") && model["C"].is_string())
-    fail(d, "/model/C", "is swept, so give it a number here");
+    d.fail("/model/C", "is swept, so give it a number here");
   e.engine = from_word<Engine>(json["integrator"].value("engine", "fast"));
   e.base.setup = {read_model(d), read_orientation(d), read_integrator(d)};
   e.base.loading = read_loading(d, e.axes);

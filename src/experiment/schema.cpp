@@ -59,10 +59,6 @@ std::string number_range(const Json& s) {
   return limits.empty() ? text : fmt::format("{} {}", text, fmt::join(limits, " and "));
 }
 
-[[noreturn]] void fail(const Document& d, const JsonPointer& at, const std::string& what) {
-  throw InputError(fmt::format("{}: {}: {}", d.origin(at), at.to_string(), what));
-}
-
 // Explains what is wrong with the value at this place.
 [[noreturn]] void explain(const Document& d, const JsonPointer& at, const Json& schema) {
   const Json& value = d.json().at(at);
@@ -70,18 +66,18 @@ std::string number_range(const Json& s) {
     const auto known = keys_of(schema["properties"]);
     for (const auto& [key, child] : value.items())
       if (!schema["properties"].contains(key) && schema.value("additionalProperties", Json(true)) == false)
-        fail(d, at / key,
+        d.fail((at / key).to_string(),
              fmt::format("unknown key{}; allowed: {}", did_you_mean(key, known), fmt::join(known, ", ")));
     if (schema.contains("required"))
       for (const std::string key : schema["required"])
         if (!value.contains(key))
-          fail(d, at / key,
+          d.fail((at / key).to_string(),
                fmt::format("is missing; allowed: {}", allowed_by_schema(resolve(schema["properties"][key]))));
   }
   std::string hint;
   if (value.is_string() && schema.contains("enum"))
     hint = did_you_mean(value, schema["enum"].get<std::vector<std::string>>());
-  fail(d, at, fmt::format("{} is not allowed{}; allowed: {}", shown(value), hint, allowed_by_schema(schema)));
+  d.fail(at.to_string(), fmt::format("{} is not allowed{}; allowed: {}", shown(value), hint, allowed_by_schema(schema)));
 }
 
 // valijson's context is "<root>", "[model]", "[k_r]".
@@ -162,7 +158,7 @@ void check_parameter(const Document& document, const JsonPointer& at, const std:
   const Json& schema = schema_of(parameter);
   const bool whole = value == std::floor(value) && std::abs(value) < 1e15;
   if (!matches(Plain(schema), whole ? Json(long(value)) : Json(value), nullptr))
-    fail(document, at,
+    document.fail(at.to_string(),
          fmt::format("{} is out of range for {}; allowed: {}", value, parameter, allowed_by_schema(schema)));
 }
 

@@ -11,11 +11,6 @@
 namespace bristle {
 namespace {
 
-[[noreturn]] void fail(const Document& d, const std::string& key, const std::string& what) {
-  const JsonPointer at = JsonPointer("/si") / key;
-  throw InputError(fmt::format("{}: {}: {}", d.origin(at), at.to_string(), what));
-}
-
 double energy_unit(const PointInput& input) {
   const double V0 = input.si.at("V0_m_per_s");
   return input.si.at("m_kg") * V0 * V0;
@@ -56,18 +51,18 @@ void read_si_units(const Document& document, const std::vector<Axis>& axes, Poin
   const auto has = [&](const char* key) { return (given && json["si"].contains(key)) || swept(key); };
   for (const SiQuantity& q : si_quantities()) {
     if (!has(q.name)) continue;
-    if (!given) fail(document, q.name, "is swept, but there is no si block with m_kg, r0_m and V0_m_per_s");
+    if (!given) document.fail("/si/" + std::string(q.name), "is swept, but there is no si block with m_kg, r0_m and V0_m_per_s");
     for (const char* name : q.replaces)
-      if (swept(name)) fail(document, q.name, fmt::format("{} is swept as well; remove one", name));
+      if (swept(name)) document.fail("/si/" + std::string(q.name), fmt::format("{} is swept as well; remove one", name));
     if (json["si"].contains(q.name)) input.si[q.name] = json["si"][q.name];
   }
   if ((has("nu") || has("R_m")) != has("E_Pa"))
-    fail(document, has("E_Pa") ? "nu" : "E_Pa",
+    document.fail(has("E_Pa") ? "/si/nu" : "/si/E_Pa",
          has("E_Pa") ? "is missing, as is R_m: E_Pa alone says nothing" : "is missing; nu and R_m need it");
   if (has("R_m") && has("k_r_over_k_phi") == has("k_r_N_per_m"))
-    fail(document, "k_r_over_k_phi",
+    document.fail("/si/k_r_over_k_phi",
          "R_m needs either k_r_over_k_phi or k_r_N_per_m for the radial stiffness");
-  if (has("k_r_over_k_phi") && !has("R_m")) fail(document, "k_r_over_k_phi", "is used with R_m only");
+  if (has("k_r_over_k_phi") && !has("R_m")) document.fail("/si/k_r_over_k_phi", "is used with R_m only");
 }
 
 void apply_si_units(PointInput& input) {

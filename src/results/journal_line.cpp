@@ -1,5 +1,6 @@
 #include "results/journal_line.hpp"
 
+#include "util/json.hpp"
 #include "util/sha.hpp"
 
 #include <algorithm>
@@ -10,12 +11,10 @@
 namespace bristle {
 namespace {
 
-using Object = nlohmann::ordered_json;
-
 constexpr std::size_t kDigest = 64;
 
-Object encoded(const std::vector<double>& numbers) {
-  Object out = Object::array();
+Json encoded(const std::vector<double>& numbers) {
+  Json out = Json::array();
   for (const double x : numbers) {
     if (std::isfinite(x)) out.push_back(x);
     else out.push_back(std::isnan(x) ? "nan" : x > 0 ? "inf" : "-inf");
@@ -23,10 +22,10 @@ Object encoded(const std::vector<double>& numbers) {
   return out;
 }
 
-std::vector<double> decoded(const Object& json) {
+std::vector<double> decoded(const Json& json) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   std::vector<double> out;
-  for (const Object& x : json) {
+  for (const Json& x : json) {
     if (!x.is_string()) out.push_back(x.get<double>());
     else if (x == "nan") out.push_back(std::numeric_limits<double>::quiet_NaN());
     else out.push_back(x == "inf" ? infinity : -infinity);
@@ -55,12 +54,12 @@ std::optional<std::string> take(std::string_view& text, const std::string& befor
 }  // namespace
 
 std::string encode(const JournalLine& line) {
-  Object json = {{"schema", kJournalSchema}, {"key", line.key}, {"commit", line.commit}};
-  json["values"] = Object::object();
+  Json json = {{"schema", kJournalSchema}, {"key", line.key}, {"commit", line.commit}};
+  json["values"] = Json::object();
   for (const auto& [name, numbers] : line.record.values) json["values"][name] = encoded(numbers);
-  json["tables"] = Object::object();
+  json["tables"] = Json::object();
   for (const auto& [name, rows] : line.record.tables) {
-    Object& columns = json["tables"][name] = Object::array();
+    Json& columns = json["tables"][name] = Json::array();
     for (const auto& column : rows) columns.push_back(encoded(column));
   }
   const std::string text = json.dump();
@@ -71,16 +70,16 @@ std::optional<JournalLine> decode(std::string_view line) {
   const auto text = checked(line);
   if (!text) return {};
   try {
-    const Object json = Object::parse(*text);
+    const Json json = Json::parse(*text);
     if (json.at("schema") != kJournalSchema) return {};
     JournalLine out{json.at("key"), json.at("commit"), {}};
     for (const auto& [name, numbers] : json.at("values").items()) out.record.values[name] = decoded(numbers);
     for (const auto& [name, rows] : json.at("tables").items()) {
       Rows& columns = out.record.tables[name];
-      for (const Object& column : rows) columns.push_back(decoded(column));
+      for (const Json& column : rows) columns.push_back(decoded(column));
     }
     return out;
-  } catch (const Object::exception&) {
+  } catch (const Json::exception&) {
     return {};  // written by a program with other ideas
   }
 }
