@@ -173,7 +173,7 @@ class LaneEngine::Set {
     const bool ends_at_pole = std::abs(in_plane_distance(y_new) / s_min - 1) < kPoleTolerance;
     if (axis && pole > 0.5 && ends_at_pole) pole = 1;
     const auto slip = [&](double u) { return flight.t + u * h - (arc(u)[X] - flight.x_0) - L_x; };
-    if (exit) exit_at = slip(1) <= kSlipTolerance ? 1 : root_in(slip, 0, 1, kFractionTolerance);
+    if (exit) exit_at = slip(1) <= kSlipTolerance ? 1 : first_root(slip, 0, 1, kFractionTolerance);
     const double first = std::min(pole, exit_at);
     if (first < 1) {
       if (first == pole && in_plane_distance(flight.y) <= s_min * (1 + kPoleTolerance)) {
@@ -233,7 +233,7 @@ class LaneEngine::Set {
 
   void reflect_at(int lane) {
     Flight& flight = flights_[lane];
-    if (answer_pole(flight.task.parameters->pole_rule, flight.y)) ++flight.reflections;
+    if (apply_pole_rule(flight.task.parameters->pole_rule, flight.y)) ++flight.reflections;
     flight.h = std::min(block_.h_next.lane[lane], kFirstStep);
     restart(lane);
   }
@@ -267,7 +267,7 @@ class LaneEngine::Set {
     out.reflections = flight.reflections;
     out.implicit = flight.implicit;
     out.samples = std::move(flights_[lane].samples);
-    if (out.complete()) complete(flight.task, out);
+    if (out.complete()) evaluate_exit(flight.task, out);
     ++engine_.ended_;
     engine_.done_(flight.ticket, std::move(out));
   }
