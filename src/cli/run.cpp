@@ -1,6 +1,6 @@
 #include "checks/validate.hpp"
 #include "cli/commands.hpp"
-#include "simd/kernels.hpp"
+#include "simd/dispatch.hpp"
 #include "experiment/experiment.hpp"
 #include "util/error.hpp"
 #include "results/reader.hpp"

@@ -1,6 +1,6 @@
 #include "run/provenance.hpp"
 
-#include "simd/kernels.hpp"
+#include "simd/dispatch.hpp"
 #include "results/journal.hpp"
 
 #include <boost/version.hpp>

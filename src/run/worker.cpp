@@ -1,5 +1,6 @@
 #include "run/worker.hpp"
 
+#include "simd/dispatch.hpp"
 #include "simd/engine.hpp"
 #include "dynamics/jobs.hpp"
 #include "experiment/si_units.hpp"
@@ -124,7 +125,7 @@ class FastWorker {
   const Experiment& experiment_;
   PointQueue& queue_;
   const std::size_t under_way_;
-  LaneEngine engine_;
+  SimdEngine engine_;
   Points points_;
   std::vector<Ticket> tickets_;
   std::vector<std::size_t> free_;
