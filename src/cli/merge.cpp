@@ -7,7 +7,7 @@
 namespace bristle {
 
 int merge_command(const MergeOptions& options) {
-  end_tidily_on_signals();
+  install_signal_handlers();
   PartSet parts(options.parts);
   merge_parts(parts, options.output, options.command_line, interrupted);
   fmt::print("{}: {} points of {} parts, payload sha256 {}\n", options.output, parts.experiment().points(),

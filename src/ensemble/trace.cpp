@@ -179,9 +179,8 @@ class Tracer {
   // Adds nodes near the gap with the load of the fold.
   void refine_landing(const Landing& landing, const PassageRunner& run) {
     const auto computable = [&](double z_0) { return nodes_.contains(z_0) || has_room_for(1); };
-    const auto excess = [&](double z_0) {
-      return computable(z_0) ? load(z_0, run) - landing.load : 0;
-    };  // 0 ends the search
+    // The value 0 ends the search.
+    const auto excess = [&](double z_0) { return computable(z_0) ? load(z_0, run) - landing.load : 0; };
     const auto [low, high] = std::minmax(landing.near, landing.far);
     const auto close = [](double a, double b) { return b - a < kClosest; };
     std::uintmax_t iterations = kSearchSteps;
