@@ -15,12 +15,12 @@ using Problems = std::vector<std::string>;
 // Lines of bag-info.txt.
 using BagInfo = std::vector<std::pair<std::string, std::string>>;
 
-// The payload and its tag files. Names in payload are relative to data/; names in the result start with the
-// folder.
+// The payload and its tag files. Names in payload are relative
+// to data/; names in the result start with the folder.
 Files make_bag(const std::string& folder, const Files& payload, const BagInfo& info);
 
-// Removes the folder with which all names start, and returns it. Throws MalformedError if the names differ in
-// it.
+// Removes the folder with which all names start, and returns
+// it. Throws MalformedError if the names differ in it.
 std::string strip_folder(Files& files);
 
 // Compares the files of a bag (names without the folder) with its manifests: hashes, missing and added files.

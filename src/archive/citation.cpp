@@ -10,8 +10,8 @@
 namespace bristle {
 namespace {
 
-constexpr int kMaxDepth = 16;
-constexpr std::size_t kMaxNodes = 10000, kMaxCitationBytes = 1 << 20;
+constexpr int kMaxYamlDepth = 16;
+constexpr std::size_t kMaxYamlNodes = 10000, kMaxCitationBytes = 1 << 20;
 
 // Unquoted integers, such as years and volumes, are numbers; all else is text.
 Json scalar(const YAML::Node& node) {
@@ -26,7 +26,8 @@ Json scalar(const YAML::Node& node) {
 
 // Counts nodes at every visit, because aliases may refer to the same node many times.
 Json to_json(const YAML::Node& node, int depth, std::size_t& nodes) {
-  if (depth > kMaxDepth || ++nodes > kMaxNodes) throw MalformedError("nested too deeply, or too many nodes");
+  if (depth > kMaxYamlDepth || ++nodes > kMaxYamlNodes)
+    throw MalformedError("nested too deeply, or too many nodes");
   if (node.IsScalar()) return scalar(node);
   Json out;
   if (node.IsSequence()) {

@@ -6,8 +6,8 @@
 
 namespace bristle {
 
-// Converts a CITATION.cff to JSON. Throws MalformedError if it is not a YAML object in UTF-8, or if it is too
-// large.
+// Converts a CITATION.cff to JSON. Throws MalformedError if
+// it is not a YAML object in UTF-8, or if it is too large.
 Json parse_citation(const std::string& text);
 std::string citation_text(const Json& citation);
 

@@ -10,8 +10,8 @@
 
 namespace bristle {
 
-// One result: its file, the experiment files from which it was computed (its own is the last), its figures,
-// and its result_facts().
+// One result: its file, the experiment files from which it was
+// computed (its own is the last), its figures, and its result_facts().
 struct ArchivedResult {
   std::string file;
   std::vector<std::string> experiments, figures;
@@ -27,10 +27,10 @@ struct Contents {
   std::string draft;                    // why the archive must not be cited; empty if it may be cited
 };
 
-// Describes a payload of results (with facts by file), experiments, figures, documents and the source of a
-// commit, and adds the files that are generated from these: CITATION.cff, README.md and the crate.
-// Verification calls it again and compares bytes. Throws MalformedError, naming the file, if a file is
-// missing.
+// Describes a payload of results (with facts by file), experiments, figures,
+// documents and the source of a commit, and adds the files that are generated from
+// these: CITATION.cff, README.md and the crate. Verification calls it again and
+// compares bytes. Throws MalformedError, naming the file, if a file is missing.
 Contents describe(Files payload, const std::map<std::string, Json>& facts, const std::string& commit,
                   const std::string& draft);
 

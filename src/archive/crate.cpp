@@ -72,8 +72,8 @@ std::string provenance(const ArchivedResult& result, const char* key) {
   return result.facts["provenance"].value(key, "unknown");
 }
 
-// The commit of the program that wrote the result, then those of programs that computed some of its points
-// earlier.
+// The commit of the program that wrote the result, then those
+// of programs that computed some of its points earlier.
 std::vector<std::string> commits_of(const ArchivedResult& result) {
   std::vector<std::string> commits{provenance(result, "commit")};
   for (const std::string& commit : split_list(result.facts["provenance"].value("points_commits", "")))

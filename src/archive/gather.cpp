@@ -55,8 +55,8 @@ class Gatherer {
  private:
   std::string in_source(const std::string& name) const { return (fs::path(options_.source) / name).string(); }
 
-  // For contents that cannot be traced to their origin: throws, or with allow_dirty records the reason for
-  // the draft.
+  // For contents that cannot be traced to their origin: throws,
+  // or with allow_dirty records the reason for the draft.
   void refuse_or_record(const std::string& place, const std::string& what, const std::string& remedy) {
     if (!options_.allow_dirty)
       throw InputError(fmt::format("{} {}; {} (--allow-dirty archives it as a draft)", place, what, remedy));

@@ -8,7 +8,7 @@
 namespace bristle {
 namespace {
 
-constexpr int kMaxDepth = 4;
+constexpr int kMaxGroupDepth = 4;
 constexpr std::size_t kMaxObjects = 10000;
 
 class PlainChecker {
@@ -16,7 +16,7 @@ class PlainChecker {
   explicit PlainChecker(std::size_t size) : size_(size) {}
 
   void check_group(hid_t group, const std::string& path, int depth) {
-    if (depth > kMaxDepth) refuse(path, "groups nested too deeply");
+    if (depth > kMaxGroupDepth) refuse(path, "groups nested too deeply");
     check_attributes(group, path);
     for (const std::string& name : h5::children(group)) {
       const std::string at = path + "/" + name;
@@ -37,7 +37,7 @@ class PlainChecker {
     throw MalformedError(fmt::format("{}: {}; a result file has none", at.empty() ? "/" : at, what));
   }
 
-  // Rejects attributes larger than the file. Variable-length values are not followed.
+  // Rejects attributes that declare more data than the size of the file.
   void check_attributes(hid_t object, const std::string& path) {
     for (const std::string& name : h5::attribute_names(object)) {
       const h5::Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose,

@@ -125,11 +125,11 @@ class TarReader {
       throw MalformedError(fmt::format("{}: {}", quoted(found.name), why));
     };
     if (archive_entry_hardlink(found.entry) || archive_entry_filetype(found.entry) == AE_IFLNK)
-      refuse("is a link; an archive holds plain files only");
+      refuse("is a link; an archive contains plain files only");
     if (archive_entry_filetype(found.entry) == AE_IFDIR)
-      refuse("is a folder's own entry; an archive holds plain files only");
+      refuse("is a folder's own entry; an archive contains plain files only");
     if (archive_entry_filetype(found.entry) != AE_IFREG)
-      refuse("is a device or another special file; an archive holds plain files only");
+      refuse("is a device or another special file; an archive contains plain files only");
     // Extended headers precede the header of the file, so header_ would then point to one.
     if (archive_format(in_.get()) != ARCHIVE_FORMAT_TAR_USTAR ||
         bytes_at(path_, header_ + kTypeOffset, 1) != "0")

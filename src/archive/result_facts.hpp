@@ -9,9 +9,9 @@ namespace bristle {
 // "points", "payload_sha256", "provenance": {...}, "checks": [{"claim", "statement", "verdict"}]}.
 Json result_facts(const ResultReader& result);
 
-// The same for an untrusted result file, read in a separate process. Throws MalformedError if the payload or
-// the experiment does not match its digest, or if the file has links, filters, or declared sizes beyond its
-// stored data.
+// The same for an untrusted result file, read in a separate process. Throws
+// MalformedError if the payload or the experiment does not match its digest,
+// or if the file has links, filters, or declared sizes beyond its stored data.
 Json checked_result_facts(const std::string& bytes);
 
 // Parses untrusted JSON. Throws MalformedError, without a file name, where parse_json() throws InputError.

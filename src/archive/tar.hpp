@@ -17,8 +17,8 @@ using Files = std::map<std::string, std::string>;
 void write_tar(const Files& files, std::time_t time,
                const std::function<void(const char*, std::size_t)>& sink);
 
-// Reads one file of a tar archive written by git. Throws MalformedError if it is missing, or if the archive
-// cannot be read.
+// Reads one file of a tar archive written by git. Throws
+// MalformedError if it is missing, or if the archive cannot be read.
 std::string file_in_tar(const std::string& archive, const std::string& name);
 
 // The first part of the archive (a header, a content, padding or the end) with bytes that differ from those

@@ -77,8 +77,8 @@ class AssumptionsRun {
                              fmt::format("{} under {}", e.path, a.name));
   }
 
-  // Adds the cells of the checks of one experiment under one alternative. row is the row of the first check;
-  // it is advanced past the last one.
+  // Adds the cells of the checks of one experiment under one alternative.
+  // row is the row of the first check; it is advanced past the last one.
   void add_cells(const Alternative& a, const Experiment& baseline, std::size_t& row) {
     const Experiment experiment = experiment_under(a, baseline);
     const bool affected = a.declarations.empty() ||

@@ -15,9 +15,9 @@ struct AssumptionsOptions {
   std::string command_line;
 };
 
-// Runs every experiment of the folder that has checks of claims of the paper under every alternative, and
-// evaluates the checks. Reuses results of earlier calls. Throws InputError, or RunError if interrupted; the
-// same call then continues.
+// Runs every experiment of the folder that has checks of claims of the paper under
+// every alternative, and evaluates the checks. Reuses results of earlier calls.
+// Throws InputError, or RunError if interrupted; the same call then continues.
 Matrix run_assumptions(const AssumptionsOptions& options);
 
 }  // namespace bristle

@@ -1,4 +1,6 @@
-#include "cli/commands.hpp"
+#include "cli/merge.hpp"
+
+#include "cli/exit_code.hpp"
 #include "run/merge.hpp"
 #include "run/signals.hpp"
 
@@ -12,7 +14,7 @@ int merge_command(const MergeOptions& options) {
   merge_parts(parts, options.output, options.command_line, interrupted);
   fmt::print("{}: {} points of {} parts, payload sha256 {}\n", options.output, parts.experiment().points(),
              parts.parts().size(), ResultReader(options.output).text("payload_sha256"));
-  return kFine;
+  return kSuccess;
 }
 
 }  // namespace bristle

@@ -36,8 +36,8 @@ struct System {
   }
 };
 
-// Largest ratio of error to tolerance. A non-finite step has a ratio of 1e6: Odeint's own checker accepts
-// NaN.
+// Largest ratio of error to tolerance. A non-finite step
+// has a ratio of 1e6: Odeint's own checker accepts NaN.
 class ErrorChecker {
  public:
   ErrorChecker(double atol, double rtol) : atol_(atol), rtol_(rtol) {}

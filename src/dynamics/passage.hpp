@@ -60,8 +60,8 @@ struct PassageTask {
   double sample_interval = 0;  // of Passage::samples; 0: none. No other value depends on it
 };
 
-// Computes the passages of the tasks, in their order. The result of a task does not depend on the other
-// tasks.
+// Computes the passages of the tasks, in their order. The
+// result of a task does not depend on the other tasks.
 using PassageRunner = std::function<std::vector<Passage>(const std::vector<PassageTask>&)>;
 
 enum class Engine {
@@ -76,8 +76,8 @@ using Observer = std::function<void(double xi, const OdeState&)>;
 // Boost.Odeint: the reference for the SIMD engine. A numerical failure is an Outcome, not an exception.
 Passage run_passage(const PassageTask& task, const Observer& observe = {});
 
-// Computes outcome, gamma_1..3 and energy residual of a passage that reached its exit, from contact_time and
-// end.
+// Computes outcome, gamma_1..3 and energy residual of a
+// passage that reached its exit, from contact_time and end.
 void evaluate_exit(const PassageTask& task, Passage& passage);
 
 }  // namespace bristle

@@ -95,8 +95,8 @@ class Rosenbrock4 {
   Column third_ = g1_, fourth_ = g1_;
 };
 
-// Odeint's controller, including K. Gustafsson's prediction, with square roots instead of the C library's
-// pow.
+// Odeint's controller, including K. Gustafsson's prediction,
+// with square roots instead of the C library's pow.
 class RosenbrockController : public boost::numeric::odeint::rosenbrock4_controller<Rosenbrock4> {
  public:
   using rosenbrock4_controller::rosenbrock4_controller;

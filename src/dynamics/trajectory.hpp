@@ -14,8 +14,8 @@ enum class Phase {
 constexpr double kOffSlabRanges = 10;             // of lambda_z: F_n is then below 0.03
 constexpr double kSideSlip = 0.5235987755982988;  // rad (30 deg)
 
-// State and forces at the start, after each step and at the exit. Dimensionless; forces are those on the
-// slab.
+// State and forces at the start, after each step and at
+// the exit. Dimensionless; forces are those on the slab.
 struct TrajectoryPoint {
   double xi;
   OdeState y;  // state and integrals, see Component

@@ -28,9 +28,9 @@ Impulse operator-(const Impulse& a, const Impulse& b) {
   return {a.R_n - b.R_n, a.R_x - b.R_x, a.R_y - b.R_y, a.time - b.time};
 }
 
-// Sum of independent contributions, and its standard error from the differences of successive contributions.
-// Their expected value may vary slowly along the sequence (von Neumann et al., Ann. Math. Stat. 12 (1941)
-// 153).
+// Sum of independent contributions, and its standard error from the differences
+// of successive contributions. Their expected value may vary slowly along the
+// sequence (von Neumann et al., Ann. Math. Stat. 12 (1941) 153).
 class Contributions {
  public:
   void add(double value) {
@@ -50,8 +50,8 @@ class Contributions {
   long count_ = 0;
 };
 
-// The error follows from the effective number of independent values, given by the autocorrelation up to its
-// first zero.
+// The error follows from the effective number of independent
+// values, given by the autocorrelation up to its first zero.
 Fluctuation fluctuation_of(const std::vector<double>& series) {
   const std::size_t n = series.size();
   const double mean = std::accumulate(series.begin(), series.end(), 0.0) / double(n);

@@ -11,9 +11,9 @@ struct SlabForce {
   std::vector<double> R_n, R_x, R_y, N_c;
 };
 
-// Standard deviation of R_n(t) over its mean, with its standard error. Rows enter at equal time intervals, so
-// R_n(t) has a part with that period for any size of the lattice; means over the time between rows do not
-// have it.
+// Standard deviation of R_n(t) over its mean, with its standard error. Rows
+// enter at equal time intervals, so R_n(t) has a part with that period for
+// any size of the lattice; means over the time between rows do not have it.
 struct Fluctuation {
   double value = 0, error = 0;
 };
@@ -28,11 +28,11 @@ struct LatticeMean {
   SlabForce force;
 };
 
-// Appendix A at the gap z_0: rows of L_y/spacing bristles enter every spacing/V0, with random azimuths keyed
-// by seed and index of the bristle. Forces and N_c are means over the time t_1..t_2; the gammas and the other
-// properties of a passage are means over the bristles. Bristles are independent, so the standard errors
-// follow from the scatter of their contributions. The times at which one bristle acts are not counted as
-// independent.
+// Appendix A at the gap z_0: rows of L_y/spacing bristles enter every spacing/V0, with
+// random azimuths keyed by seed and index of the bristle. Forces and N_c are means over
+// the time t_1..t_2; the gammas and the other properties of a passage are means over the
+// bristles. Bristles are independent, so the standard errors follow from the scatter of
+// their contributions. The times at which one bristle acts are not counted as independent.
 LatticeMean lattice_mean(const Setup& setup, double z_0, const PassageRunner& run);
 
 // t_1 and t_2 of Eq. (A4), in units of r0/V0. t_1 is orientation.t_1 or, if that is negative, 2 L_x. t_2 is

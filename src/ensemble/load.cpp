@@ -12,8 +12,8 @@ namespace {
 
 struct NotComputable {};
 
-// R_n at one gap. excess is R_n minus the target on the loading path, the target minus R_n on the unloading
-// path.
+// R_n at one gap. excess is R_n minus the target on the
+// loading path, the target minus R_n on the unloading path.
 struct GapLoad {
   double z_0;
   Load load;
@@ -74,8 +74,8 @@ class CrossingSearch {
     return false;
   }
 
-  // Brackets the crossing by the last scanned gap with excess < 0, according to precise loads, and the gap
-  // after it.
+  // Brackets the crossing by the last scanned gap with negative excess,
+  // according to precise loads, and the gap after it.
   bool bracket_before(LoadPoint& out, GapLoad far, const std::vector<GapLoad>& scanned) {
     for (auto point = scanned.rbegin(); point != scanned.rend(); ++point) {
       const GapLoad near = load_at(point->z_0, Accuracy::precise);

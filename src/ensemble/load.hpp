@@ -49,10 +49,10 @@ struct LoadPoint {
   double jump_R_n = 0;
 };
 
-// Finds the gap at which R_n(z_0) first reaches the target when the slab is lowered from first contact
-// (loading, path A-B-C-D of Fig. 3) or raised from the ground (unloading). R_n(z_0) may be non-monotonic and
-// discontinuous. A scan brackets the first crossing, including one within a hump between gaps of the scan; a
-// root-finder locates it.
+// Finds the gap at which R_n(z_0) first reaches the target when the slab is lowered from
+// first contact (loading, path A-B-C-D of Fig. 3) or raised from the ground (unloading).
+// R_n(z_0) may be non-monotonic and discontinuous. A scan brackets the first crossing,
+// including one within a hump between gaps of the scan; a root-finder locates it.
 LoadPoint first_crossing(const LoadCurve& curve, const LoadSearch& search);
 
 }  // namespace bristle

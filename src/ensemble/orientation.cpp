@@ -10,9 +10,9 @@ namespace bristle {
 
 namespace {
 
-// exp(-kappa) times the modified Bessel function I_0(kappa), by the trapezoidal rule for its integral. For a
-// periodic integrand the rule converges faster than any power; with this number of nodes its error is below
-// rounding.
+// exp(-kappa) times the modified Bessel function I_0(kappa), by the trapezoidal
+// rule for its integral. For a periodic integrand the rule converges faster
+// than any power; with this number of nodes its error is below rounding.
 double scaled_bessel(double kappa) {
   const int nodes = 32 + int(std::ceil(10 * std::sqrt(kappa)));
   double sum = 0;
@@ -42,8 +42,8 @@ double uniform(std::uint64_t seed, std::uint64_t index, std::uint64_t draw) {
   return double(bits >> 11) * 0x1p-53;
 }
 
-// D. J. Best and N. I. Fisher, Applied Statistics 28 (1979) 152: rejection from a wrapped Cauchy
-// distribution.
+// D. J. Best and N. I. Fisher, Applied Statistics 28 (1979)
+// 152: rejection from a wrapped Cauchy distribution.
 double von_mises(double kappa, std::uint64_t seed, std::uint64_t index) {
   const double tau = 1 + std::sqrt(1 + 4 * kappa * kappa);
   const double rho = (tau - std::sqrt(2 * tau)) / (2 * kappa);
@@ -61,8 +61,8 @@ double von_mises(double kappa, std::uint64_t seed, std::uint64_t index) {
 }  // namespace
 
 double random_azimuth(const Orientation& o, std::uint64_t index) {
-  // Below this concentration the density is uniform to 1e-4, and the constants of the rejection method suffer
-  // from cancellation.
+  // Below this concentration the density is uniform to 1e-4, and
+  // the constants of the rejection method suffer from cancellation.
   constexpr double flat = 1e-4;
   if (o.distribution == Distribution::uniform || o.concentration < flat)
     return M_PI * (2 * uniform(o.seed, index, 0) - 1);

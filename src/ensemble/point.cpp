@@ -98,8 +98,8 @@ class PointSolver {
     return first_crossing([this](double z_0, Accuracy accuracy) { return load_at(z_0, accuracy); }, search);
   }
 
-  // Rough: accurate enough to decide on which side of the target R_n lies. If R_n is at the target, as
-  // accurate as the reported values.
+  // Rough: accurate enough to decide on which side of the target R_n
+  // lies. If R_n is at the target, as accurate as the reported values.
   Load load_at(double z_0, Accuracy accuracy) {
     EnsembleMean& mean = mean_at(z_0);
     const Ensemble* e = &mean.rough_load(loading_.R_n);

@@ -30,8 +30,8 @@ const NestedRule& nested_rule(std::size_t nodes) {
   static const NestedRule two = make_rule({1. / 2, 1. / 2}, nullptr);
   static const NestedRule three = make_rule({1. / 6, 4. / 6, 1. / 6}, &two);
   static const NestedRule five = make_rule({7. / 90, 32. / 90, 12. / 90, 32. / 90, 7. / 90}, &three);
-  // Romberg's rule. The Newton-Cotes rule of 9 nodes has negative weights, which double the noise of a rough
-  // integrand.
+  // Romberg's rule. The Newton-Cotes rule of 9 nodes has negative
+  // weights, which double the noise of a rough integrand.
   constexpr double w = 5670;
   static const NestedRule nine =
       make_rule({217 / w, 1024 / w, 352 / w, 1024 / w, 436 / w, 1024 / w, 352 / w, 1024 / w, 217 / w}, &five);

@@ -38,8 +38,8 @@ class Tracer {
   }
 
  private:
-  // A node at which a path ends, with its neighbours in order of the gaps: descending for sign 1, ascending
-  // for sign -1.
+  // A node at which a path ends, with its neighbours in order
+  // of the gaps: descending for sign 1, ascending for sign -1.
   struct Fold {
     double sign, before, at, after;
   };
@@ -89,9 +89,9 @@ class Tracer {
     return out;
   }
 
-  // Halves the intervals beside nodes whose R_n deviates from the chord of their neighbours. Returns false if
-  // there are none, or if the maximum number of nodes is reached: then these nodes get the status
-  // not_converged.
+  // Halves the intervals beside nodes whose R_n deviates from the chord of
+  // their neighbours. Returns false if there are none, or if the maximum
+  // number of nodes is reached: then these nodes get the status not_converged.
   bool refine() {
     const std::vector<double> z = gaps();
     std::vector<double> between, unresolved;
@@ -125,8 +125,8 @@ class Tracer {
     return z;
   }
 
-  // Whether R_n has turned back from the extreme of the path by no more than the errors or the minimum fold
-  // depth.
+  // Whether R_n has turned back from the extreme of the path
+  // by no more than the errors or the minimum fold depth.
   bool on_path(double z_0, double extreme_at, double sign) const {
     const double allowed = kMinFoldDepth * trace_.resolution * std::max(load(z_0), kSmallLoad);
     return sign * (load(z_0) - load(extreme_at)) >= -std::max(error(z_0) + error(extreme_at), allowed);

@@ -25,8 +25,8 @@ struct Bristle {
   P z_0;
 };
 
-// Pointers to all numbers of a Bristle, in a fixed order. The SIMD engine uses them to copy a bristle into a
-// lane.
+// Pointers to all numbers of a Bristle, in a fixed order.
+// The SIMD engine uses them to copy a bristle into a lane.
 template <class B>
 constexpr auto constants_of(B& b) {
   auto& friction = b.friction_constants;

@@ -12,15 +12,15 @@ T short_range_force(const T& distance, const P& peak, const P& rate) {
   return peak * T(decay(exponent));
 }
 
-// Potential of short_range_force(): its negative derivative by the distance is the force. Dimensionless
-// energy.
+// Potential of short_range_force(): its negative derivative
+// by the distance is the force. Dimensionless energy.
 template <class T, class P>
 T short_range_energy(const T& distance, const P& peak, const P& rate) {
   return short_range_force(distance, peak, rate) / rate;
 }
 
-// Normal force of the slab's wall and its power 2/3 (for the Hertzian contact area). One exponential gives
-// both.
+// Normal force of the slab's wall and its power 2/3 (for
+// the Hertzian contact area). One exponential gives both.
 template <class T>
 struct WallForce {
   T F_n;

@@ -8,8 +8,8 @@ namespace bristle {
 
 inline double inverse_sqrt(double x) { return 1 / std::sqrt(x); }
 
-// Below this exponent a short-range force is less than e^-40 = 4e-18 of its peak: below the rounding error of
-// any other force.
+// Below this exponent a short-range force is less than e^-40 =
+// 4e-18 of its peak: below the rounding error of any other force.
 constexpr double kNegligible = -40;
 
 // exp(x) for x <= 0; exactly 0 below kNegligible.

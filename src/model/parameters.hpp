@@ -20,8 +20,8 @@ enum class InitialState {
   upright
 };
 
-// Rule for a tip that reaches s = s_min: reflect reverses its radial in-plane velocity, cross moves it to the
-// opposite side of the pole.
+// Rule for a tip that reaches s = s_min: reflect reverses its radial
+// in-plane velocity, cross moves it to the opposite side of the pole.
 enum class PoleRule {
   reflect,
   cross

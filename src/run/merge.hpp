@@ -13,8 +13,8 @@ namespace bristle {
 void merge_parts(PartSet& parts, const std::string& output, const std::string& command_line,
                  const std::function<bool()>& stop);
 
-// Provenance of a merged result: for each entry the values of all parts, the earliest start, the latest end,
-// and one line per part.
+// Provenance of a merged result: for each entry the values of all
+// parts, the earliest start, the latest end, and one line per part.
 std::map<std::string, std::string> merged_provenance(const std::vector<Part>& parts);
 
 }  // namespace bristle

@@ -5,8 +5,8 @@
 
 namespace bristle {
 
-// Progress on standard error: on a terminal a bar with rate and time left, otherwise a line every 30 s,
-// nothing if quiet.
+// Progress on standard error: on a terminal a bar with rate and
+// time left, otherwise a line every 30 s, nothing if quiet.
 class Progress {
  public:
   Progress(std::string what, std::size_t total, bool quiet);

@@ -9,8 +9,8 @@ namespace bristle {
 extern const char* const kVersion;
 extern const char* const kCommit;
 
-// Facts that may differ between runs with equal numbers: program, compiler, libraries, host, command line.
-// Name and text.
+// Facts that may differ between runs with equal numbers: program,
+// compiler, libraries, host, command line. Name and text.
 std::map<std::string, std::string> provenance(const std::string& command_line, int threads);
 
 // Current time in UTC, ISO 8601.

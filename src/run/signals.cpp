@@ -6,8 +6,8 @@
 namespace bristle {
 namespace {
 
-// Atomic because the handler runs on one thread and all threads read; sig_atomic_t is safe within one thread
-// only.
+// Atomic because the handler runs on one thread and all
+// threads read; sig_atomic_t is safe within one thread only.
 std::atomic<bool> received = false;
 static_assert(std::atomic<bool>::is_always_lock_free);
 

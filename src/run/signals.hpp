@@ -2,8 +2,8 @@
 
 namespace bristle {
 
-// Installs handlers for SIGINT, SIGTERM and SIGHUP. The first signal makes interrupted() return true, the
-// second terminates the process.
+// Installs handlers for SIGINT, SIGTERM and SIGHUP. The first signal
+// makes interrupted() return true, the second terminates the process.
 void install_signal_handlers();
 bool interrupted();
 

@@ -16,9 +16,9 @@ class PointQueue {
   virtual bool stopped() = 0;
 };
 
-// Solves points on this thread until the queue is empty. With the SIMD engine several points, at most share,
-// are active at a time, each with its own stack: while a point waits for passages, the lanes compute those of
-// other points.
+// Solves points on this thread until the queue is empty. With the SIMD engine
+// several points, at most share, are active at a time, each with its own stack:
+// while a point waits for passages, the lanes compute those of other points.
 void run_worker(const Experiment& experiment, PointQueue& queue, std::size_t share);
 
 }  // namespace bristle

@@ -11,8 +11,8 @@ namespace bristle {
 // multiply-add; a processor without it has none.
 std::vector<const Kernels*> available_kernels();
 
-// The preferred kernels, by default the first of available_kernels(). Throws std::runtime_error, with the
-// remedy, if there are none.
+// The preferred kernels, by default the first of available_kernels().
+// Throws std::runtime_error, with the remedy, if there are none.
 const Kernels& best_kernels();
 
 // Makes best_kernels() return the kernels of this instruction set. Returns false if it is not available.

@@ -4,8 +4,8 @@
 
 namespace bristle::HWY_NAMESPACE {
 
-// Steps by an explicit embedded pair. The stages advance only the state, as no force depends on the
-// integrals.
+// Steps by an explicit embedded pair. The stages advance
+// only the state, as no force depends on the integrals.
 template <class Tableau>
 class ExplicitStep {
  public:

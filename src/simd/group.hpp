@@ -19,8 +19,8 @@ inline Lanes in_plane_distance_squared(const std::array<Lanes, COMPONENTS>& y) {
 }
 inline Lanes radial_product(const std::array<Lanes, COMPONENTS>& y) { return y[X] * y[VX] + y[Y] * y[VY]; }
 
-// Slopes of all components from the state. Not inlined: copies at every stage would not fit the instruction
-// cache.
+// Slopes of all components from the state. Not inlined:
+// copies at every stage would not fit the instruction cache.
 template <class State>
 HWY_NOINLINE HWY_FLATTEN void evaluate(const Bristle<Lanes>& b, const State& y,
                                        std::array<Lanes, COMPONENTS>& slope) {
@@ -65,8 +65,8 @@ class ErrorNorm {
   Lanes largest_ = 0.0, allowed_ = 1.0, sum_ = 0.0;
 };
 
-// The step size that would have met the tolerance, times a safety factor of 0.9, limited to a change by a
-// factor of 5.
+// The step size that would have met the tolerance, times a
+// safety factor of 0.9, limited to a change by a factor of 5.
 inline Lanes next_size(const Lanes& h, const Lanes& error, double exponent) {
   const Lanes factor = Lanes::make([&](int i) {
     const auto e = hn::Max(error.v[i], hn::Set(Lanes::tag, 1e-5));

@@ -4,8 +4,8 @@
 
 namespace bristle {
 
-// Cubic with the values p and q and the slopes v and w at the ends of a step, as a function of the fraction u
-// of the step.
+// Cubic with the values p and q and the slopes v and w at the
+// ends of a step, as a function of the fraction u of the step.
 struct Hermite {
   Hermite(double p, double q, double v, double w)
       : p(p), v(v), b(3 * (q - p) - 2 * v - w), a(2 * (p - q) + v + w) {}

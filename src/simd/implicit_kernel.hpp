@@ -34,9 +34,9 @@ class AdditiveStep {
     return norm.value();
   }
 
-  // The tip may have reached s_min: it is inside at the end of the step and approaches the pole; or it
-  // approached at the start, recedes at the end, and either is near the pole or has a straight path that
-  // comes near it.
+  // The tip may have reached s_min: it is inside at the end of the step and
+  // approaches the pole; or it approached at the start, recedes at the end,
+  // and either is near the pole or has a straight path that comes near it.
   static Lanes::Mask pole_event(const Group& g) {
     const Lanes zero = 0.0, reach = g.s_min * g.s_min;
     const auto aims_at_pole = [&](const auto& y) {

@@ -4,8 +4,8 @@
 
 namespace bristle {
 
-// The two methods, compiled for one instruction set. Each attempts steps of all occupied lanes until a lane
-// has an event.
+// The two methods, compiled for one instruction set. Each
+// attempts steps of all occupied lanes until a lane has an event.
 struct Kernels {
   const char* target;  // name of the instruction set
   int width;           // numbers in one vector

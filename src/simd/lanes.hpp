@@ -1,7 +1,7 @@
 #pragma once
 
-// To be included only by sources that are compiled once per instruction set: the namespace has the name of
-// the instruction set.
+// To be included only by sources that are compiled once per
+// instruction set: the namespace has the name of the instruction set.
 #include "model/number.hpp"
 
 #include <hwy/highway.h>
@@ -161,9 +161,9 @@ inline Lanes decay(const Lanes& x) {
   });
 }
 
-// Newton's iteration from a first guess by the exponent (error 3 %); after 4 iterations only rounding errors
-// remain. Much cheaper than a square root and a division, and, unlike the processors' own estimates, the same
-// on every processor.
+// Newton's iteration from a first guess by the exponent (error 3 %); after 4
+// iterations only rounding errors remain. Much cheaper than a square root and a
+// division, and, unlike the processors' own estimates, the same on every processor.
 inline Lanes inverse_sqrt(const Lanes& x) {
   const hn::RebindToSigned<Lanes::D> integers;
   const auto magic = hn::Set(integers, 0x5FE6EB50C7B537A9);

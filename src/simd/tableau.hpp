@@ -22,9 +22,9 @@ struct CashKarp5 {
       512. / 1771 - 1. / 4,      0};
 };
 
-// ARK4(3)6L[2]SA: C. A. Kennedy, M. H. Carpenter, Appl. Numer. Math. 44 (2003) 139. Additive: slopes are
-// split into an explicit part with the coefficients a and an implicit part with the coefficients a_implicit,
-// and gamma for the stage itself.
+// ARK4(3)6L[2]SA: C. A. Kennedy, M. H. Carpenter, Appl. Numer. Math. 44 (2003) 139.
+// Additive: slopes are split into an explicit part with the coefficients a and an
+// implicit part with the coefficients a_implicit, and gamma for the stage itself.
 struct KennedyCarpenter4 {
   static constexpr int stages = 6;
   static constexpr double exponent = -1.0 / 4;

@@ -6,9 +6,9 @@
 
 namespace bristle {
 
-// Exponential Stribeck law: F_f = mu_c [1 + (A - 1) exp(-(V_R/V_s)^2)] F_n. A is the ratio of static to
-// kinetic friction, V_s the Stribeck speed. Below the creep speed V_s/5 friction is proportional to V_R, so
-// that V_R = 0 is a regular point.
+// Exponential Stribeck law: F_f = mu_c [1 + (A - 1) exp(-(V_R/V_s)^2)] F_n. A is
+// the ratio of static to kinetic friction, V_s the Stribeck speed. Below the creep
+// speed V_s/5 friction is proportional to V_R, so that V_R = 0 is a regular point.
 struct Stribeck {
   static constexpr const char* name = "stribeck";
   static constexpr const char* title = "exponential Stribeck";
