@@ -39,8 +39,7 @@ bool report_deviations(const CheckOptions& options, const ResultReader& result,
   if (!std::filesystem::exists(path)) {
     fmt::print(
         "FAILED: {}: no such reference; `bristle reference update {} --reason \"...\"` creates it from a "
-        "result "
-        "of the smoke tier; --claims-only skips the comparison\n",
+        "result of the smoke tier; --claims-only skips the comparison\n",
         path, options.file);
     return false;
   }
