@@ -136,7 +136,7 @@ Json all_kinds(int count, double rtol, double odeint_rtol) {
   const Bristles bristles(count, M_PI);
   const auto exact = run_lanes(best_kernels(), bristles.at(1e-9));
   std::vector<Passage> ours, odeint;
-  LaneEngine::Usage usage;
+  SimdEngine::Usage usage;
   const double ratio = paired_ratio([&] { odeint = run_odeint(bristles.at(odeint_rtol)); },
                                     [&] { ours = run_lanes(best_kernels(), bristles.at(rtol), &usage); });
   const double own = seconds([&] { run_lanes(best_kernels(), bristles.at(rtol)); });
@@ -145,7 +145,7 @@ Json all_kinds(int count, double rtol, double odeint_rtol) {
           {"error", impulse_error(ours, exact)},
           {"odeint_error", impulse_error(odeint, exact)},
           {"ms_per_bristle", 1e3 * own / count},
-          {"lane_utilisation", usage.useful / usage.made}};
+          {"lane_utilisation", usage.passage_steps / usage.lane_steps}};
 }
 
 Json scaling() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "simd/dispatch.hpp"
 #include "simd/engine.hpp"
 
 #include <algorithm>
@@ -47,9 +48,9 @@ class Bristles {
 };
 
 inline std::vector<Passage> run_lanes(const Kernels& kernels, const std::vector<PassageTask>& tasks,
-                                      LaneEngine::Usage* usage = nullptr) {
+                                      SimdEngine::Usage* usage = nullptr) {
   std::vector<Passage> out(tasks.size());
-  LaneEngine engine(kernels, [&](std::size_t ticket, Passage&& p) { out[ticket] = std::move(p); });
+  SimdEngine engine(kernels, [&](std::size_t ticket, Passage&& p) { out[ticket] = std::move(p); });
   for (std::size_t i = 0; i < tasks.size(); ++i) engine.submit(tasks[i], i);
   while (engine.advance()) {
   }

@@ -151,7 +151,7 @@ TEST_CASE("a result that does not fit its digests is found behind manifests that
   CHECK_THAT(changed([](const std::string& path) {
                h5::write_attribute(h5::open_file(path, true), "experiment", "{}");
              }),
-             Contains("not that of the attribute experiment_sha256"));
+             Contains("does not match the attribute experiment_sha256"));
   CHECK_THAT(changed([](const std::string& path) {
                h5::write_attribute(h5::open_file(path, true), "tier", "smoke");
              }),
@@ -183,7 +183,7 @@ TEST_CASE("points computed again: those that the seed draws, the same bits or no
   Verification other = v;
   other.results.begin()->second.facts["numerics_version"] = kNumericsVersion + 1;
   CHECK_THROWS_WITH(rerun(other, 1, 1, [](const Rerun&) {}),
-                    Contains(fmt::format("numerics_version {}, this program computes {}",
+                    Contains(fmt::format("numerics_version {}, but this program has {}",
                                          kNumericsVersion + 1, kNumericsVersion)));
 }
 
@@ -215,7 +215,7 @@ TEST_CASE("what cannot be cited is not archived: each refusal names the file and
   }
   SECTION("another numerics_version") {
     h5::write_attribute(h5::open_file(r.result(), true), "numerics_version", 1L);
-    CHECK_THAT(refusal(r), Contains("is of numerics_version 1, this program is of"));
+    CHECK_THAT(refusal(r), Contains("has numerics_version 1, but this program has"));
   }
   SECTION("numbers that are not those of the digest") {
     put(r.result(), "R_x", {0, 0}, 1);
@@ -248,7 +248,7 @@ TEST_CASE("what cannot be traced to a commit is refused, or a draft that says so
   }
   SECTION("a program of another commit") {
     r.options.commit = "0123abc";
-    reason = "this program, of commit 0123abc, was not built from the source archived";
+    reason = "this program, of commit 0123abc, was not built from the archived source";
   }
   CHECK_THAT(refusal(r), Contains(reason) && Contains("--allow-dirty"));
   r.options.allow_dirty = true;

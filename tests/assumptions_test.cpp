@@ -126,7 +126,7 @@ TEST_CASE("mistakes in assumptions are named before anything is computed") {
        "a.json under n: /model/phi_0_deg: 100 is not allowed"},
       {head +
            R"("alternatives": [{"name": "n", "description": "d", "experiments": {"a": {"set": {"/checks/7/is": 1}}}}]})",
-       "alternative n: a has nothing at /checks/7/is"},
+       "alternative n: a has no value at /checks/7/is"},
   };
   for (const Row& row : table) {
     SmallStudy small;

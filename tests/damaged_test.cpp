@@ -1,7 +1,7 @@
 #include "archive/citation.hpp"
 #include "archive/tar.hpp"
 #include "checks/reference_file.hpp"
-#include "cli/commands.hpp"
+#include "cli/inspect.hpp"
 #include "util/error.hpp"
 #include "parts.hpp"
 #include "results/journal.hpp"
@@ -88,7 +88,7 @@ TEST_CASE("info of a part whose points are not the sweep's") {
   const Scratch s;
   const std::string path = write_part(s, sharded(s), {1, 2});
   put(path, "part/points", {2}, 1000);
-  CHECK_THROWS_WITH(info_command(path), Contains("do not fit each other"));
+  CHECK_THROWS_WITH(info_command(path), Contains("are inconsistent"));
 }
 
 TEST_CASE("an experiment in a result that is none, and checks that are none") {

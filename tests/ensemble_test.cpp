@@ -100,7 +100,7 @@ TEST_CASE("a list of azimuths is averaged as given") {
 TEST_CASE("a decision against a target takes fewer bristles, and what follows goes on from them") {
   const Setup setup = paper(50);
   EnsembleMean mean(setup, 0.62, make_runner(Engine::fast));
-  const Ensemble decision = mean.against(1.0);
+  const Ensemble decision = mean.rough_load(1.0);
   CHECK(decision.error[R_N] <= std::abs(decision.mean[R_N] - 1.0) / 4);
   const Ensemble all = mean.full();
   CHECK(decision.passages < all.passages / 2);

@@ -54,7 +54,7 @@ TEST_CASE("parts of one experiment with axes in another order are of different e
   const Experiment turned =
       sharded(s, "", R"("k_theta": {"values": [0.3, 1, 3]}, "k_r": {"values": [5, 20]})");
   const std::string two = write_part(s, turned, {2, 2});
-  check_holds(refusal(s, {one, two}), {"different experiments: the keys are in another order"});
+  check_holds(refusal(s, {one, two}), {"different experiments: the keys are in a different order"});
 }
 
 TEST_CASE("parts with different titles: running the shards again mends it") {
@@ -73,7 +73,7 @@ TEST_CASE("parts of different versions of the numerics or the program, or of oth
   const std::string next = "(numerics version " + std::to_string(kNumericsVersion + 1) + ")";
   check_holds(refusal(s, parts), {parts[0] + " was computed by ", parts[1] + " by ", next});
   set_attribute(parts[0], "numerics_version", kNumericsVersion + 1);
-  check_holds(refusal(s, parts), {parts[0] + " was computed by ", next, "this is bristle "});
+  check_holds(refusal(s, parts), {parts[0] + " was computed by ", next, "this program is bristle "});
   auto provenance = provenance_of({2, 2});
   provenance["version"] = "0.0.9";
   const std::string old = write_file(s, "old.h5", e, Shard{2, 2}, provenance);
@@ -86,7 +86,7 @@ TEST_CASE("missing points are named, with the shards that have them and the comm
   check_holds(refusal(s, {parts[2]}),
               {"4 of 6 points are missing: 0 (k_r = 5, k_theta = 0.3), 1 (k_r = 5, k_theta = 1), 3 (k_r = "
                "20, k_theta = 0.3)",
-               "Shards that have them: 1/3, 2/3.", "bristle run small.json --shard 1/3 -o small.1-of-3.h5"});
+               "They belong to the shards 1/3, 2/3.", "bristle run small.json --shard 1/3 -o small.1-of-3.h5"});
   const Experiment many = sharded(s, "", R"("k_r": {"linspace": [2, 50, 60]})");
   check_holds(refusal(s, {write_part(s, many, {2, 4})}),
               {"45 of 60 points", " and 35 more", "1/4, 3/4, 4/4"});

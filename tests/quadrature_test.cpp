@@ -23,7 +23,7 @@ Result integrate(const std::function<double(double)>& f, const std::function<int
                  double rtol) {
   QuadratureGoal<1> goal;
   goal.rtol[0] = rtol;
-  goal.widest = 0.35;
+  goal.max_panel_width = 0.35;
   return Quadrature<1>(batched([&](double x) {
                          return Sample<1>{{f(x)}, label(x), true};
                        }),
@@ -169,7 +169,7 @@ TEST_CASE("a decision needs fewer samples than a value") {
   QuadratureGoal<1> goal;
   goal.rtol[0] = 1e-6;
   const auto value = Quadrature<1>(f, {0, M_PI}).refine(goal);
-  goal.decide_about = 2.0;
+  goal.threshold = 2.0;
   const auto decision = Quadrature<1>(f, {0, M_PI}).refine(goal);
   CHECK(decision.samples < value.samples / 3);
   CHECK(decision.error[0] <= std::abs(decision.integral[0] - 2) / 4);

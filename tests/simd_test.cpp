@@ -1,3 +1,4 @@
+#include "simd/dispatch.hpp"
 #include "simd/engine.hpp"
 #include "simd/tableau.hpp"
 #include "generators.hpp"
@@ -40,7 +41,7 @@ class Sample {
 
 std::vector<Passage> run(const Kernels& kernels, const std::vector<PassageTask>& tasks) {
   std::vector<Passage> out(tasks.size());
-  LaneEngine engine(kernels, [&](std::size_t ticket, Passage&& p) { out[ticket] = std::move(p); });
+  SimdEngine engine(kernels, [&](std::size_t ticket, Passage&& p) { out[ticket] = std::move(p); });
   for (std::size_t i = 0; i < tasks.size(); ++i) engine.submit(tasks[i], i);
   while (engine.advance()) {
   }

@@ -13,7 +13,8 @@ namespace {
 constexpr const char* kDeclaration = "BagIt-Version: 1.0\nTag-File-Character-Encoding: UTF-8\n";
 constexpr const char* kManifest = "manifest-sha512.txt";
 constexpr const char* kTagManifest = "tagmanifest-sha512.txt";
-constexpr std::size_t kHash = 128;  // hexadecimal digits of SHA-512
+constexpr std::size_t kHashDigits = 128;  // of SHA-512, hexadecimal
+constexpr std::size_t kFewDigits = 16;
 
 bool is_payload(const std::string& name) { return name.compare(0, 5, "data/") == 0; }
 
@@ -23,7 +24,7 @@ std::string manifest_of(const Files& files) {
   return text;
 }
 
-std::string oxum(const Files& files) {
+std::string payload_oxum(const Files& files) {
   std::size_t bytes = 0, count = 0;
   for (const auto& [name, content] : files)
     if (is_payload(name)) {
@@ -33,7 +34,7 @@ std::string oxum(const Files& files) {
   return fmt::format("{}.{}", bytes, count);
 }
 
-// A UUID of version 8 that follows from the payload: equal payloads, equal identifiers.
+// A UUID of version 8, derived from the payload: equal payloads have equal identifiers.
 std::string identifier(const std::string& manifest) {
   std::string hex = sha512_of(manifest).substr(0, 32);
   hex[12] = '8';
@@ -42,7 +43,7 @@ std::string identifier(const std::string& manifest) {
                      hex.substr(16, 4), hex.substr(20));
 }
 
-// Manifest lines in the one form that write has: so that every changed byte of a line is noticed.
+// Accepts only the exact form that make_bag() writes, so that every changed byte of a line is detected.
 std::map<std::string, std::string> parse_manifest(const std::string& file, const std::string& text,
                                                   Problems& problems) {
   std::map<std::string, std::string> hashes;
@@ -50,33 +51,33 @@ std::map<std::string, std::string> parse_manifest(const std::string& file, const
   std::size_t number = 0;
   for (std::string line; std::getline(in, line);) {
     ++number;
-    const bool sound = line.size() > kHash + 2 && line.compare(kHash, 2, "  ") == 0 &&
-                       line.find_first_not_of("0123456789abcdef") == kHash;
-    const std::string name = sound ? line.substr(kHash + 2) : "";
-    if (!sound)
+    const bool valid = line.size() > kHashDigits + 2 && line.compare(kHashDigits, 2, "  ") == 0 &&
+                       line.find_first_not_of("0123456789abcdef") == kHashDigits;
+    const std::string name = valid ? line.substr(kHashDigits + 2) : "";
+    if (!valid)
       problems.push_back(fmt::format(
           "{}: line {} is not 128 lower-case hexadecimal digits, two spaces, a name", file, number));
     else if (!hashes.empty() && name <= hashes.rbegin()->first)
       problems.push_back(fmt::format("{}: line {}: names are not in order", file, number));
-    else hashes[name] = line.substr(0, kHash);
+    else hashes[name] = line.substr(0, kHashDigits);
   }
   if (text.empty() || text.back() != '\n') problems.push_back(fmt::format("{}: ends within a line", file));
   return hashes;
 }
 
-// Hashes of different files differ in nearly all digits: in a few, and it is the manifest that was changed.
-std::string mismatch(const std::string& manifest, const std::string& file, const std::string& is,
-                     const std::string& told) {
-  std::size_t off = 0;
-  for (std::size_t i = 0; i < kHash; ++i) off += is[i] != told[i];
-  if (off <= 16)
-    return fmt::format("{}: was changed: its SHA-512 of {} is off in {} of {} digits", manifest, file, off,
-                       kHash);
-  return fmt::format("{}: its SHA-512 is {}..., not the {}... of {}", file, is.substr(0, 16),
-                     told.substr(0, 16), manifest);
+// Hashes of different contents differ in nearly all digits. If only a few differ, the manifest was changed.
+std::string mismatch(const std::string& manifest, const std::string& file, const std::string& actual,
+                     const std::string& listed) {
+  std::size_t differing = 0;
+  for (std::size_t i = 0; i < kHashDigits; ++i) differing += actual[i] != listed[i];
+  if (differing <= kFewDigits)
+    return fmt::format("{}: was changed: its SHA-512 of {} differs in {} of {} digits", manifest, file,
+                       differing, kHashDigits);
+  return fmt::format("{}: its SHA-512 is {}..., not the {}... of {}", file, actual.substr(0, 16),
+                     listed.substr(0, 16), manifest);
 }
 
-// Files of one manifest against its lines.
+// Compares files with the lines of their manifest.
 void check_manifest(const std::string& manifest, const Files& files, Problems& problems) {
   std::map<std::string, const std::string*> listed;
   for (const auto& [name, content] : files)
@@ -85,8 +86,8 @@ void check_manifest(const std::string& manifest, const Files& files, Problems& p
   for (const auto& [name, hash] : hashes) {
     const auto file = listed.find(name);
     if (file == listed.end()) problems.push_back(fmt::format("{}: is missing; {} lists it", name, manifest));
-    else if (const std::string is = sha512_of(*file->second); is != hash)
-      problems.push_back(mismatch(manifest, name, is, hash));
+    else if (const std::string actual = sha512_of(*file->second); actual != hash)
+      problems.push_back(mismatch(manifest, name, actual, hash));
   }
   for (const auto& [name, content] : listed)
     if (!hashes.contains(name))
@@ -101,7 +102,8 @@ Files make_bag(const std::string& folder, const Files& payload, const BagInfo& i
   Files tags{{"bagit.txt", kDeclaration}, {kManifest, manifest_of(data)}};
   std::string& text = tags["bag-info.txt"];
   for (const auto& [label, value] : info) text += fmt::format("{}: {}\n", label, value);
-  text += fmt::format("External-Identifier: {}\nPayload-Oxum: {}\n", identifier(tags[kManifest]), oxum(data));
+  text += fmt::format("External-Identifier: {}\nPayload-Oxum: {}\n", identifier(tags[kManifest]),
+                      payload_oxum(data));
   const std::string tag_manifest = manifest_of(tags);
   tags[kTagManifest] = tag_manifest;
   Files bag;
@@ -116,7 +118,7 @@ std::string strip_folder(Files& files) {
   Files stripped;
   for (auto& [name, content] : files) {
     if (name.compare(0, folder.size() + 1, folder + "/") != 0)
-      throw MalformedError(fmt::format("{}: lies outside of the archive's folder {}/", name, folder));
+      throw MalformedError(fmt::format("{}: lies outside the folder {}/ of the archive", name, folder));
     stripped[name.substr(folder.size() + 1)] = std::move(content);
   }
   files = std::move(stripped);
@@ -136,9 +138,11 @@ Problems check_bag(const Files& files) {
     if (!is_payload(name) && name != "bagit.txt" && name != "bag-info.txt" && name != kManifest &&
         name != kTagManifest)
       problems.push_back(
-          fmt::format("{}: does not belong here; beside data/ there are BagIt's files only", name));
-  if (const std::string told = bag_info(files, "Payload-Oxum"), is = oxum(files); told != is)
-    problems.push_back(fmt::format("bag-info.txt: Payload-Oxum is \"{}\", of the files {}", told, is));
+          fmt::format("{}: does not belong here; outside data/ only BagIt's own files are allowed", name));
+  if (const std::string stored = bag_info(files, "Payload-Oxum"), actual = payload_oxum(files);
+      stored != actual)
+    problems.push_back(
+        fmt::format("bag-info.txt: Payload-Oxum is \"{}\", but the files give \"{}\"", stored, actual));
   return problems;
 }
 

@@ -6,25 +6,27 @@
 #include <utility>
 #include <vector>
 
-// BagIt 1.0 (RFC 8493): the payload under data/, beside it manifests with the SHA-512 of every file.
+// BagIt 1.0 (RFC 8493): the payload in data/, and manifests with the SHA-512 of every file.
 namespace bristle {
 
-// What is wrong, one line each, beginning with the file it is about.
+// Descriptions of problems, one line each, starting with the name of the file.
 using Problems = std::vector<std::string>;
 
 // Lines of bag-info.txt.
 using BagInfo = std::vector<std::pair<std::string, std::string>>;
 
-// The payload (names as under data/) with its tag files; names begin with the folder's.
+// The payload and its tag files. Names in payload are relative
+// to data/; names in the result start with the folder.
 Files make_bag(const std::string& folder, const Files& payload, const BagInfo& info);
 
-// Removes the folder that all names begin with, and returns it. Throws MalformedError if there is no such.
+// Removes the folder with which all names start, and returns
+// it. Throws MalformedError if the names differ in it.
 std::string strip_folder(Files& files);
 
-// Holds a bag's files (without the folder) against its manifests: every hash, nothing missing, nothing added.
+// Compares the files of a bag (names without the folder) with its manifests: hashes, missing and added files.
 Problems check_bag(const Files& files);
 
-// A value of bag-info.txt; empty if there is none.
+// The value of a label in bag-info.txt; empty if it is missing.
 std::string bag_info(const Files& files, const std::string& label);
 
 }  // namespace bristle

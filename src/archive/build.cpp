@@ -14,7 +14,7 @@
 namespace bristle {
 namespace {
 
-BagInfo info_of(const Gathered& gathered) {
+BagInfo bag_info_of(const Gathered& gathered) {
   const Json& citation = gathered.contents.citation;
   const Json& author = citation["authors"][0];
   BagInfo info = {{"Source-Organization", author.value("name", author.value("family-names", ""))},
@@ -36,7 +36,7 @@ BuiltArchive build_archive(const ArchiveOptions& options) {
   built.draft = gathered.contents.draft;
   WholeFile out(built.path);
   Digest digest(Sha::bits_512);
-  write_tar(make_bag(folder, gathered.contents.payload, info_of(gathered)), gathered.time,
+  write_tar(make_bag(folder, gathered.contents.payload, bag_info_of(gathered)), gathered.time,
             [&](const char* bytes, std::size_t size) {
               out.write(bytes, size);
               digest.add(bytes, size);
@@ -45,8 +45,8 @@ BuiltArchive build_archive(const ArchiveOptions& options) {
   out.close();
   const Verification verified = verify_archive(out.partial());
   if (!verified.problems.empty())
-    throw RunError(
-        fmt::format("the archive does not verify, nothing was written: {}", verified.problems.front()));
+    throw RunError(fmt::format("verification of the new archive failed, nothing was written: {}",
+                               verified.problems.front()));
   out.publish();
   built.files = verified.files;
   built.sha512 = digest.hex();

@@ -9,8 +9,8 @@ struct BuiltArchive {
   std::size_t files = 0, bytes = 0;
 };
 
-// Gathers, writes under a temporary name, verifies what was written, and gives it its name. Equal inputs give
-// equal bytes. Throws InputError for what cannot be archived or written there.
+// Gathers the files, writes the archive under a temporary name, verifies it, and renames it. Equal inputs
+// give equal bytes. Throws InputError if an input cannot be archived, or the output cannot be written.
 BuiltArchive build_archive(const ArchiveOptions& options);
 
 }  // namespace bristle

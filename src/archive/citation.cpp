@@ -10,22 +10,24 @@
 namespace bristle {
 namespace {
 
-constexpr int kDeepest = 16;
-constexpr std::size_t kMostNodes = 10000, kMostCitationBytes = 1 << 20;
+constexpr int kMaxYamlDepth = 16;
+constexpr std::size_t kMaxYamlNodes = 10000, kMaxCitationBytes = 1 << 20;
 
-// Years and volumes are numbers; quoted ones are texts.
+// Unquoted integers, such as years and volumes, are numbers; all else is text.
 Json scalar(const YAML::Node& node) {
   const std::string& text = node.Scalar();
   long number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  const bool whole = error == std::errc() && end == text.data() + text.size();
-  if (node.Tag() == "?" && whole && fmt::format("{}", number) == text && text.size() <= 10) return number;
+  const bool is_integer = error == std::errc() && end == text.data() + text.size();
+  if (node.Tag() == "?" && is_integer && fmt::format("{}", number) == text && text.size() <= 10)
+    return number;
   return text;
 }
 
-// An alias may stand for the same node many times: the nodes are counted as they are met.
+// Counts nodes at every visit, because aliases may refer to the same node many times.
 Json to_json(const YAML::Node& node, int depth, std::size_t& nodes) {
-  if (depth > kDeepest || ++nodes > kMostNodes) throw MalformedError("nested too deeply, or too long");
+  if (depth > kMaxYamlDepth || ++nodes > kMaxYamlNodes)
+    throw MalformedError("nested too deeply, or too many nodes");
   if (node.IsScalar()) return scalar(node);
   Json out;
   if (node.IsSequence()) {
@@ -36,7 +38,7 @@ Json to_json(const YAML::Node& node, int depth, std::size_t& nodes) {
     for (const auto& pair : node) {
       const std::string key = pair.first.IsScalar() ? pair.first.Scalar() : "";
       if (key.empty() || out.contains(key))
-        throw MalformedError(fmt::format("the key {} appears twice, or is not a text", key));
+        throw MalformedError(fmt::format("the key {} appears twice, or is not text", key));
       out[key] = to_json(pair.second, depth + 1, nodes);
     }
   }
@@ -62,7 +64,7 @@ void emit(YAML::Emitter& out, const Json& value) {
 }  // namespace
 
 Json parse_citation(const std::string& text) {
-  if (text.size() > kMostCitationBytes) throw MalformedError("too long for a citation");
+  if (text.size() > kMaxCitationBytes) throw MalformedError("too long for a citation");
   try {
     std::size_t nodes = 0;
     Json citation = to_json(YAML::Load(text), 0, nodes);
@@ -86,14 +88,15 @@ std::string citation_text(const Json& citation) try {
 
 Json dataset_citation(const Json& software, const std::string& commit) try {
   for (const char* key : {"title", "version", "date-released", "license", "authors"})
-    if (!software.contains(key)) throw MalformedError(fmt::format("{} is missing; an archive needs it", key));
+    if (!software.contains(key))
+      throw MalformedError(fmt::format("{} is missing; an archive requires it", key));
 
   Json program = {{"type", "software"}, {"commit", commit}};
   for (const char* key : {"title", "version", "authors", "license", "repository-code", "url", "doi"})
     if (software.contains(key)) program[key] = software[key];
   Json out;
   out["cff-version"] = "1.2.0";
-  out["message"] = "If you use these data, please cite them and the paper whose model they are of.";
+  out["message"] = "If you use these data, please cite them and the paper that describes the model.";
   out["type"] = "dataset";
   out["title"] = fmt::format("Data of {}", software.value("title", ""));
   out["abstract"] = "Results, experiments, references and figures, with the program that computed them.";

@@ -6,12 +6,13 @@
 
 namespace bristle {
 
-// A CITATION.cff as JSON. Throws MalformedError if it is not a YAML object in UTF-8, or is nested too deeply.
+// Converts a CITATION.cff to JSON. Throws MalformedError if
+// it is not a YAML object in UTF-8, or if it is too large.
 Json parse_citation(const std::string& text);
 std::string citation_text(const Json& citation);
 
-// The citation of the dataset, from that of the software: the same authors, licence, date and version; the
-// software becomes a reference. Throws MalformedError if the software's citation lacks one of these.
+// Derives the citation of the dataset from that of the software: it has the same authors, licence, date and
+// version, and the software as a reference. Throws MalformedError if one of these is missing.
 Json dataset_citation(const Json& software, const std::string& commit);
 
 }  // namespace bristle

@@ -50,9 +50,11 @@ std::vector<std::string> experiment_chain(const Files& payload, const std::strin
     while (true) {
       const Json json = parse_untrusted(file_of(payload, files.front()));
       if (!json.contains("extends")) return files;
-      const auto parent = std::filesystem::path(files.front()).parent_path() / json["extends"].get<std::string>();
+      const auto parent =
+          std::filesystem::path(files.front()).parent_path() / json["extends"].get<std::string>();
       const std::string name = parent.lexically_normal().string();
-      if (std::count(files.begin(), files.end(), name)) throw MalformedError("extends this file in turn");
+      if (std::count(files.begin(), files.end(), name))
+        throw MalformedError(fmt::format("data/{}: \"extends\" has a cycle", name));
       files.insert(files.begin(), name);
     }
   } catch (const Json::exception& e) {

@@ -10,8 +10,8 @@
 
 namespace bristle {
 
-// One result: its file, the experiment files it was computed from (its own comes last), its figures, and its
-// result_facts().
+// One result: its file, the experiment files from which it was
+// computed (its own is the last), its figures, and its result_facts().
 struct ArchivedResult {
   std::string file;
   std::vector<std::string> experiments, figures;
@@ -20,23 +20,24 @@ struct ArchivedResult {
 
 // The payload of an archive and its description.
 struct Contents {
-  Files payload;                        // names as below data/
+  Files payload;                        // names relative to data/
   std::vector<ArchivedResult> results;  // ascending by file
   Json citation;                        // of the dataset
-  std::string commit, source;           // the source commit and the file that holds it
-  std::string draft;                    // the reason why this must not be cited; empty: it may be
+  std::string commit, source;           // the source commit and the file that contains it
+  std::string draft;                    // why the archive must not be cited; empty if it may be cited
 };
 
-// Describes a payload that holds results (with facts by file), experiments, figures, documents and the source of a
-// commit, and adds the files that follow from the rest: CITATION.cff, README.md and the crate. Verification calls
-// it again and compares bytes. Throws MalformedError, naming the file, if something is missing.
+// Describes a payload of results (with facts by file), experiments, figures,
+// documents and the source of a commit, and adds the files that are generated from
+// these: CITATION.cff, README.md and the crate. Verification calls it again and
+// compares bytes. Throws MalformedError, naming the file, if a file is missing.
 Contents describe(Files payload, const std::map<std::string, Json>& facts, const std::string& commit,
                   const std::string& draft);
 
-// The file that holds the source of a commit.
+// The name in the payload of the source of a commit.
 std::string source_file(const std::string& commit);
 
-// The experiment's file and those that it extends, which come first, by their names in the payload.
+// Names in the payload of an experiment file and of the files that it extends, which come first.
 std::vector<std::string> experiment_chain(const Files& payload, const std::string& file);
 
 }  // namespace bristle

@@ -51,10 +51,10 @@ std::string description_of(const std::string& name, const Contents& contents) {
   if (name == contents.source) return "The program's source at commit " + contents.commit;
   if (name == "CITATION.cff") return "How to cite this archive";
   if (name == "LICENSE") return "The licence";
-  if (name == "README.md") return "What is in this archive, for a reader who has nothing else";
+  if (name == "README.md") return "Contents of this archive and how to use it";
   const std::string folder = name.substr(0, name.find('/'));
   if (folder == "experiments") return "Experiment that others extend";
-  if (folder == "reference") return "Numbers that every commit of the program is held against";
+  if (folder == "reference") return "Numbers with which every commit of the program is compared";
   return "Documentation";
 }
 
@@ -72,7 +72,8 @@ std::string provenance(const ArchivedResult& result, const char* key) {
   return result.facts["provenance"].value(key, "unknown");
 }
 
-// The commit of the program that wrote the result, then others that computed points of it before.
+// The commit of the program that wrote the result, then those
+// of programs that computed some of its points earlier.
 std::vector<std::string> commits_of(const ArchivedResult& result) {
   std::vector<std::string> commits{provenance(result, "commit")};
   for (const std::string& commit : split_list(result.facts["provenance"].value("points_commits", "")))
@@ -82,7 +83,7 @@ std::vector<std::string> commits_of(const ArchivedResult& result) {
 
 std::string program_id(const std::string& commit) { return "#bristle-" + commit; }
 
-// Of a program that computed points only, the commit is all that is known.
+// Of a program that computed only some points, the commit is known but not the version.
 Json program(const std::string& commit, const ArchivedResult& result, const Contents& contents) {
   const bool wrote = commit == provenance(result, "commit");
   return {{"@id", program_id(commit)},
@@ -135,7 +136,7 @@ Json plot_action(const ArchivedResult& result) {
           {"result", ids(result.figures)}};
 }
 
-// The root without its parts.
+// The root data entity, without its parts.
 Json root(const Contents& contents) {
   const Json& citation = contents.citation;
   Json out = {{"@id", "./"},
@@ -155,8 +156,8 @@ Json root(const Contents& contents) {
   return out;
 }
 
-// Entities that are no files: profile, licence, authors, programs, what they did.
-std::vector<Json> context(const Contents& contents) {
+// Contextual entities: profile, licence, authors, programs, and their runs.
+std::vector<Json> contextual_entities(const Contents& contents) {
   const std::string license = contents.citation["license"];
   std::vector<Json> out;
   out.push_back(
@@ -188,7 +189,7 @@ std::vector<Json> context(const Contents& contents) {
 
 std::string crate_text(const Contents& contents) {
   Json dataset = root(contents);
-  std::vector<Json> others = context(contents);
+  std::vector<Json> others = contextual_entities(contents);
   for (const Json& entity : others)
     if (entity["@type"] == "CreateAction") dataset["mentions"].push_back(id(entity["@id"]));
   for (const auto& [name, bytes] : contents.payload) {

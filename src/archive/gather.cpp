@@ -20,12 +20,17 @@ namespace bristle {
 namespace fs = std::filesystem;
 namespace {
 
-// A line of `git status`, "?? name".
-std::string without_blanks(const std::string& line) { return line.substr(line.find_first_not_of(' ')); }
+// Removes leading blanks from a line of `git status`.
+std::string without_leading_blanks(const std::string& line) {
+  return line.substr(line.find_first_not_of(' '));
+}
 
 class Gatherer {
  public:
-  explicit Gatherer(const ArchiveOptions& options) : options_(options), repository_(options.source, "--source " + options.source, "an archive contains the source of its commit") {}
+  explicit Gatherer(const ArchiveOptions& options)
+      : options_(options),
+        repository_(options.source, "--source " + options.source,
+                    "an archive contains the source of its commit") {}
 
   Gathered run() {
     check_program();
@@ -36,11 +41,11 @@ class Gatherer {
     payload[source_file(commit)] = repository_.source(fmt::format("bristle-{}/", commit));
     const auto facts = add_results(payload);
     check_findings(payload, facts);
-    std::vector<std::string> doubts;
-    for (const auto& [what, places] : doubts_)
-      doubts.push_back(fmt::format("{} {}", fmt::join(places, ", "), what));
+    std::vector<std::string> reasons;
+    for (const auto& [what, places] : untraceable_)
+      reasons.push_back(fmt::format("{} {}", fmt::join(places, ", "), what));
     try {
-      return {describe(std::move(payload), facts, commit, fmt::format("{}", fmt::join(doubts, "; "))),
+      return {describe(std::move(payload), facts, commit, fmt::format("{}", fmt::join(reasons, "; "))),
               version_, repository_.time()};
     } catch (const MalformedError& e) {
       throw InputError(e.what());
@@ -50,12 +55,12 @@ class Gatherer {
  private:
   std::string in_source(const std::string& name) const { return (fs::path(options_.source) / name).string(); }
 
-  // What keeps an archive from being traced to its origin: refused, or on record in a draft.
-  void doubt(const std::string& place, const std::string& what, const std::string& remedy) {
+  // For contents that cannot be traced to their origin: throws,
+  // or with allow_dirty records the reason for the draft.
+  void refuse_or_record(const std::string& place, const std::string& what, const std::string& remedy) {
     if (!options_.allow_dirty)
-      throw InputError(
-          fmt::format("{} {}; {} (--allow-dirty archives it all the same, as a draft)", place, what, remedy));
-    doubts_[what].push_back(place);
+      throw InputError(fmt::format("{} {}; {} (--allow-dirty archives it as a draft)", place, what, remedy));
+    untraceable_[what].push_back(place);
   }
 
   void check_program() {
@@ -68,15 +73,15 @@ class Gatherer {
       throw InputError(fmt::format("{}: {}", file, e.what()));
     }
     if (version_ != options_.version)
-      throw InputError(
-          fmt::format("{}: version {}, but this program is {}; `make build` builds the one that is there",
-                      file, version_, options_.version));
+      throw InputError(fmt::format("{}: version {}, but this program is {}; build it again with `make build`",
+                                   file, version_, options_.version));
     if (const std::string changes = repository_.changes(); !changes.empty())
-      doubt(fmt::format("the work tree ({})", without_blanks(changes.substr(0, changes.find('\n')))),
-            "differs from its commit", "commit or stash first, `git status` shows all");
+      refuse_or_record(
+          fmt::format("the work tree ({})", without_leading_blanks(changes.substr(0, changes.find('\n')))),
+          "differs from its commit", "commit or stash first; `git status` lists the changes");
     else if (options_.commit != repository_.commit())
-      doubt(fmt::format("this program, of commit {},", options_.commit),
-            "was not built from the source archived", "`make build` builds that");
+      refuse_or_record(fmt::format("this program, of commit {},", options_.commit),
+                       "was not built from the archived source", "build it again with `make build`");
   }
 
   // Adds results and figures; returns the facts of each result by its file.
@@ -118,34 +123,36 @@ class Gatherer {
   void check_current(const ResultReader& result, const Experiment& experiment) const {
     const auto refuse = [&](const std::string& what) {
       throw InputError(
-          fmt::format("{}: {}; `make {}` computes it anew", result.path(), what, experiment.name));
+          fmt::format("{}: {}; `make {}` computes it again", result.path(), what, experiment.name));
     };
     if (result.text("tier") != "full")
-      refuse(fmt::format("is of the {} tier, not the full one", result.text("tier")));
+      refuse(fmt::format("is of the {} tier, not of the full tier", result.text("tier")));
     if (const double made = h5::read_number_attribute(result.file(), "numerics_version");
         made != kNumericsVersion)
-      refuse(fmt::format("is of numerics_version {}, this program is of {}", made, kNumericsVersion));
+      refuse(fmt::format("has numerics_version {}, but this program has {}", made, kNumericsVersion));
     if (result.text("inputs_sha256") != inputs_sha256(*experiment.document))
       refuse(fmt::format("is out of date: {} has changed since", experiment.path));
     if (result.experiment() != *experiment.document)
       refuse(fmt::format("is out of date: title, notes or checks of {} have changed since", experiment.path));
     if (payload_sha256(result.file()) != result.text("payload_sha256"))
-      refuse("is damaged: its numbers are not those of payload_sha256");
+      refuse("is damaged: its numbers do not match payload_sha256");
   }
 
   void check_origin(const std::string& path, const Json& provenance) {
     for (const char* key : {"version", "commit", "started", "finished", "command_line"})
       if (provenance.value(key, "").empty())
-        throw InputError(
-            fmt::format("{}: /provenance lacks {}; only what `bristle run` wrote is archived", path, key));
+        throw InputError(fmt::format(
+            "{}: /provenance lacks {}; only results of `bristle run` can be archived", path, key));
     std::vector<std::string> commits = split_list(provenance.value("points_commits", ""));
     commits.insert(commits.begin(), provenance["commit"].get<std::string>());
     for (const std::string& commit : commits) {
       const std::string place = fmt::format("{} (commit {})", path, commit);
-      const std::string remedy = "commit, then compute it anew by `bristle run --force`";
-      if (is_dirty(commit)) return doubt(place, "was computed by a program with uncommitted changes", remedy);
+      const std::string remedy = "commit, then compute it again with `bristle run --force`";
+      if (is_dirty(commit))
+        return refuse_or_record(place, "was computed by a program with uncommitted changes", remedy);
       if (!repository_.follows(commit))
-        return doubt(place, "was computed by a program that is not in this commit's history", remedy);
+        return refuse_or_record(place, "was computed by a program that is not in this commit's history",
+                                remedy);
     }
   }
 
@@ -153,24 +160,25 @@ class Gatherer {
     const std::string path = (fs::path(options_.figures) / name).string();
     if (!fs::exists(path)) throw InputError(fmt::format("{}: no such file; `make figures` draws it", path));
     if (fs::last_write_time(path) < fs::last_write_time(result))
-      throw InputError(fmt::format("{}: is older than {}; `make figures` draws it anew", path, result));
+      throw InputError(fmt::format("{}: is older than {}; `make figures` draws it again", path, result));
     payload["figures/" + name] = read_file(path);
   }
 
-  // docs/findings.md names the payload digest of the result that each of its sections describes.
+  // Each section of docs/findings.md states the payload digest of the result that it describes.
   void check_findings(const Files& payload, const std::map<std::string, Json>& facts) {
     const auto page = payload.find("docs/findings.md");
     if (page == payload.end()) return;
     for (const auto& [file, of_result] : facts)
-      if (page->second.find(of_result["payload_sha256"].get<std::string>().substr(0, 16)) == std::string::npos)
-        return doubt("docs/findings.md", fmt::format("describes another result than {}", file),
-                     "run `make findings` and commit the page");
+      if (page->second.find(of_result["payload_sha256"].get<std::string>().substr(0, 16)) ==
+          std::string::npos)
+        return refuse_or_record("docs/findings.md", fmt::format("describes a different result than {}", file),
+                                "run `make findings` and commit the page");
   }
 
   const ArchiveOptions& options_;
   Repository repository_;
   std::string version_;
-  std::map<std::string, std::vector<std::string>> doubts_;  // places by what is in doubt
+  std::map<std::string, std::vector<std::string>> untraceable_;  // places by reason
 };
 
 }  // namespace

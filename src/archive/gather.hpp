@@ -13,8 +13,8 @@ struct Gathered {
   std::time_t time = 0;  // of the source commit
 };
 
-// Collects what is to be archived. Throws InputError that names what is missing, out of date, damaged or
-// cannot be traced to a commit, and the remedy.
+// Collects and describes the contents of the archive. Throws InputError if a file is missing, out of date,
+// damaged or cannot be traced to a commit.
 Gathered gather(const ArchiveOptions& options);
 
 }  // namespace bristle

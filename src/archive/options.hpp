@@ -5,10 +5,10 @@
 namespace bristle {
 
 struct ArchiveOptions {
-  std::string source = ".";  // the repository
+  std::string source = ".";  // source repository
   std::string results = "results", figures = "figures";
   std::string output;           // empty: dist/bristle-<version>.tar
-  bool allow_dirty = false;     // archive as a draft what cannot be traced to a commit
+  bool allow_dirty = false;     // archive, as a draft, results that cannot be traced to a commit
   std::string version, commit;  // of this program
 };
 

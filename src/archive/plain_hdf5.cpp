@@ -8,26 +8,26 @@
 namespace bristle {
 namespace {
 
-constexpr int kDeepestGroup = 4;
-constexpr std::size_t kMostObjects = 10000;
+constexpr int kMaxGroupDepth = 4;
+constexpr std::size_t kMaxObjects = 10000;
 
-class Walk {
+class PlainChecker {
  public:
-  explicit Walk(std::size_t size) : size_(size) {}
+  explicit PlainChecker(std::size_t size) : size_(size) {}
 
-  void group(hid_t group, const std::string& path, int depth) {
-    if (depth > kDeepestGroup) refuse(path, "groups nested too deeply");
-    attributes(group, path);
+  void check_group(hid_t group, const std::string& path, int depth) {
+    if (depth > kMaxGroupDepth) refuse(path, "groups nested too deeply");
+    check_attributes(group, path);
     for (const std::string& name : h5::children(group)) {
       const std::string at = path + "/" + name;
-      if (++objects_ > kMostObjects) refuse(at, "too many groups and datasets");
+      if (++objects_ > kMaxObjects) refuse(at, "too many groups and datasets");
       H5L_info_t link;
       h5::check(H5Lget_info(group, name.c_str(), &link, H5P_DEFAULT), "reading the link " + at);
-      if (link.type != H5L_TYPE_HARD) refuse(at, "a link that leads elsewhere");
+      if (link.type != H5L_TYPE_HARD) refuse(at, "a soft or external link");
       const h5::Handle object(H5Oopen(group, name.c_str(), H5P_DEFAULT), H5Oclose, "opening " + at);
       const H5I_type_t kind = H5Iget_type(object);
-      if (kind == H5I_GROUP) this->group(object, at, depth + 1);
-      else if (kind == H5I_DATASET) dataset(object, at);
+      if (kind == H5I_GROUP) check_group(object, at, depth + 1);
+      else if (kind == H5I_DATASET) check_dataset(object, at);
       else refuse(at, "neither a group nor a dataset");
     }
   }
@@ -37,8 +37,8 @@ class Walk {
     throw MalformedError(fmt::format("{}: {}; a result file has none", at.empty() ? "/" : at, what));
   }
 
-  // Types without pointers: numbers, texts of fixed length, and HDF5's own references of dimension scales.
-  void attributes(hid_t object, const std::string& path) {
+  // Rejects attributes that declare more data than the size of the file.
+  void check_attributes(hid_t object, const std::string& path) {
     for (const std::string& name : h5::attribute_names(object)) {
       const h5::Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose,
                                  "opening an attribute");
@@ -50,23 +50,23 @@ class Walk {
     }
   }
 
-  void dataset(hid_t dataset, const std::string& path) {
-    attributes(dataset, path);
+  void check_dataset(hid_t dataset, const std::string& path) {
+    check_attributes(dataset, path);
     const h5::Handle properties(H5Dget_create_plist(dataset), H5Pclose, "reading how a dataset is stored");
     const H5D_layout_t layout = H5Pget_layout(properties);
     if (layout != H5D_CONTIGUOUS && layout != H5D_CHUNKED && layout != H5D_COMPACT)
-      refuse(path, "a dataset made of others");
+      refuse(path, "a virtual dataset");
     if (H5Pget_nfilters(properties) != 0) refuse(path, "a compressed or filtered dataset");
     if (H5Pget_external_count(properties) != 0) refuse(path, "a dataset stored in another file");
     const h5::Handle type(H5Dget_type(dataset), H5Tclose, "reading a dataset's type");
     const H5T_class_t kind = H5Tget_class(type);
     if (kind != H5T_INTEGER && kind != H5T_FLOAT && (kind != H5T_STRING || H5Tis_variable_str(type) > 0))
-      refuse(path, "a dataset of neither numbers nor texts of fixed length");
+      refuse(path, "a dataset of neither numbers nor fixed-length text");
     std::size_t left = H5Dget_storage_size(dataset);
     if (left > size_) refuse(path, "a dataset larger than the file");
     left /= H5Tget_size(type);
     for (const hsize_t n : h5::shape_of(dataset)) {
-      if (n > left) refuse(path, "a dataset that declares more than is stored");
+      if (n > left) refuse(path, "a dataset whose declared size exceeds its stored data");
       if (n > 0) left /= n;
     }
   }
@@ -80,7 +80,7 @@ void require_plain_hdf5(const std::string& path, std::size_t size) {
   if (H5Fis_hdf5(path.c_str()) <= 0) throw MalformedError("not an HDF5 file");
   const h5::Handle file = h5::open_file(path, false);
   const h5::Handle root(H5Gopen2(file, "/", H5P_DEFAULT), H5Gclose, "opening the root");
-  Walk(size).group(root, "", 0);
+  PlainChecker(size).check_group(root, "", 0);
 }
 
 }  // namespace bristle

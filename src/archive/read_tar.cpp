@@ -16,9 +16,9 @@ namespace bristle {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::size_t kType = 156;  // of the header: the byte that says what the entry is
-constexpr std::uintmax_t kMostArchiveBytes = std::uintmax_t(4) << 30;
-constexpr std::size_t kMostFiles = 10000;
+constexpr std::size_t kTypeOffset = 156;  // of the entry's type in its header
+constexpr std::uintmax_t kMaxArchiveBytes = std::uintmax_t(4) << 30;
+constexpr std::size_t kMaxFiles = 10000;
 
 std::string bytes_at(const std::string& path, std::size_t offset, std::size_t count) {
   std::ifstream in(path, std::ios::binary);
@@ -31,7 +31,7 @@ std::string bytes_at(const std::string& path, std::size_t offset, std::size_t co
 
 bool portable(char c) { return std::isalnum(static_cast<unsigned char>(c)) || std::strchr("._-/", c); }
 
-// Names come from the archive: no control characters reach the terminal.
+// Escapes control characters, as names come from an untrusted archive and are printed on the terminal.
 std::string quoted(const std::string& name) {
   std::string out;
   for (const char c : name.substr(0, 100))
@@ -40,7 +40,7 @@ std::string quoted(const std::string& name) {
   return '"' + out + '"';
 }
 
-// A file's name as the raw header gives it, whatever else is wrong with that.
+// The name of a file in its raw header, which may be damaged.
 std::string raw_name(const std::string& path, std::size_t header) {
   const std::string block = bytes_at(path, header, kTarBlock);
   if (block.size() < 345 + 155) return "";
@@ -72,12 +72,12 @@ class TarReader {
     size_ = fs::file_size(path, error);
     if (error || !std::ifstream(path)) throw InputError(fmt::format("{}: cannot be read", path));
     if (size_ == 0) throw MalformedError("the file is empty");
-    if (size_ > kMostArchiveBytes)
+    if (size_ > kMaxArchiveBytes)
       throw MalformedError(
-          fmt::format("{} bytes are more than the {} that an archive may have", size_, kMostArchiveBytes));
+          fmt::format("{} bytes exceed the maximum of {} for an archive", size_, kMaxArchiveBytes));
     if (const std::string how = compression(bytes_at(path, 0, 8)); !how.empty())
-      throw MalformedError(
-          fmt::format("the file is compressed ({}); archives are plain tar: unpack it first", how));
+      throw MalformedError(fmt::format(
+          "the file is compressed ({}); archives are uncompressed tar files: unpack it first", how));
     archive_read_support_format_tar(in_.get());
     archive_read_support_filter_none(in_.get());
     if (archive_read_open_filename(in_.get(), path.c_str(), 1 << 16) != ARCHIVE_OK) broken_header();
@@ -87,12 +87,12 @@ class TarReader {
     Files files;
     while (const auto entry = next()) {
       const std::string name = checked_name(*entry, files);
-      if (files.size() == kMostFiles) throw MalformedError(fmt::format("more than {} files", kMostFiles));
+      if (files.size() == kMaxFiles) throw MalformedError(fmt::format("more than {} files", kMaxFiles));
       last_ = name;
       const std::string& content = files[name] = read_content(*entry, name);
       header_ += kTarBlock + (content.size() + kTarBlock - 1) / kTarBlock * kTarBlock;
     }
-    if (files.empty()) throw MalformedError("there are no files in it");
+    if (files.empty()) throw MalformedError("the archive contains no files");
     return files;
   }
 
@@ -104,10 +104,10 @@ class TarReader {
 
   [[noreturn]] void broken_header() {
     const char* reason = archive_error_string(in_.get());
-    throw MalformedError(fmt::format("{}: its tar header (byte {}{}) is damaged, or this is no tar archive: {}",
-                                 quoted(raw_name(path_, header_)), header_,
-                                 last_.empty() ? "" : fmt::format(", after {}", last_),
-                                 reason ? reason : "unknown reason"));
+    throw MalformedError(fmt::format(
+        "{}: its tar header (byte {}{}) is damaged, or this is no tar archive: {}",
+        quoted(raw_name(path_, header_)), header_, last_.empty() ? "" : fmt::format(", after {}", last_),
+        reason ? reason : "unknown reason"));
   }
 
   std::unique_ptr<Found> next() {
@@ -119,27 +119,28 @@ class TarReader {
     return std::make_unique<Found>(Found{entry, name ? name : ""});
   }
 
-  // The entry is a plain file of ustar, under a name that can do no harm, after those before it.
+  // Checks that the entry is a plain ustar file, with a harmless name that follows those before it in order.
   std::string checked_name(const Found& found, const Files& files) const {
     const auto refuse = [&](const std::string& why) {
       throw MalformedError(fmt::format("{}: {}", quoted(found.name), why));
     };
     if (archive_entry_hardlink(found.entry) || archive_entry_filetype(found.entry) == AE_IFLNK)
-      refuse("is a link; an archive holds plain files only");
+      refuse("is a link; an archive contains plain files only");
     if (archive_entry_filetype(found.entry) == AE_IFDIR)
-      refuse("is a folder's own entry; an archive holds plain files only");
+      refuse("is a folder's own entry; an archive contains plain files only");
     if (archive_entry_filetype(found.entry) != AE_IFREG)
-      refuse("is a device or another special file; an archive holds plain files only");
-    // Extended headers come before the file's own.
-    if (archive_format(in_.get()) != ARCHIVE_FORMAT_TAR_USTAR || bytes_at(path_, header_ + kType, 1) != "0")
-      refuse("is stored in another kind of tar than ustar; the archive was packed by another program");
+      refuse("is a device or another special file; an archive contains plain files only");
+    // Extended headers precede the header of the file, so header_ would then point to one.
+    if (archive_format(in_.get()) != ARCHIVE_FORMAT_TAR_USTAR ||
+        bytes_at(path_, header_ + kTypeOffset, 1) != "0")
+      refuse("is not in the ustar format; the archive was packed by another program");
     if (found.name.empty() || !std::all_of(found.name.begin(), found.name.end(), portable))
-      refuse("names may have letters, digits and . _ - / only");
+      refuse("names may contain only letters, digits and . _ - /");
     if (found.name.front() == '/') refuse("is an absolute path");
     for (const fs::path& part : fs::path(found.name))
       if (part == ".." || part == ".") refuse("leads out of the archive");
     if (found.name.back() == '/' || found.name.find("//") != std::string::npos) refuse("has empty parts");
-    if (files.contains(found.name)) refuse("is there twice");
+    if (files.contains(found.name)) refuse("occurs twice");
     if (!files.empty() && found.name < files.rbegin()->first)
       refuse(fmt::format("is out of order: it comes after {}", files.rbegin()->first));
     return found.name;
@@ -150,7 +151,8 @@ class TarReader {
     const std::uintmax_t from = header_ + kTarBlock;
     if (size < 0 || from > size_ || std::uintmax_t(size) > size_ - from)
       throw MalformedError(fmt::format(
-          "{}: its header declares {} bytes, more than the archive has left: cut short?", name, size));
+          "{}: its header declares {} bytes, more than remain in the archive; it may be truncated", name,
+          size));
     std::string content;
     content.reserve(std::size_t(size));
     const void* block = nullptr;
@@ -162,12 +164,12 @@ class TarReader {
       if (code != ARCHIVE_OK || offset != la_int64_t(content.size()))
         throw MalformedError(
             fmt::format("{}: its content cannot be read: {}", name,
-                        code == ARCHIVE_OK ? "there are holes" : archive_error_string(in_.get())));
+                        code == ARCHIVE_OK ? "it is sparse" : archive_error_string(in_.get())));
       content.append(static_cast<const char*>(block), count);
     }
     if (content.size() != std::size_t(size))
       throw MalformedError(
-          fmt::format("{}: {} bytes of the {} that its header declares", name, content.size(), size));
+          fmt::format("{}: has {} bytes, but its header declares {}", name, content.size(), size));
     return content;
   }
 

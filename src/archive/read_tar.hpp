@@ -4,9 +4,9 @@
 
 namespace bristle {
 
-// Reads what write_tar wrote. The file is not trusted: nothing but plain files under relative names of the
-// portable characters, in order and once each, no larger than the archive itself; nothing is unpacked to
-// disk. Throws MalformedError for all else, InputError if there is no such file.
+// Reads an archive of write_tar() into memory. The file is not trusted: it may contain only plain files, in
+// order and once each, with relative names of portable characters, and no larger than the archive. Throws
+// MalformedError for anything else, InputError if the file does not exist.
 Files read_tar(const std::string& path);
 
 }  // namespace bristle

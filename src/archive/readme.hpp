@@ -4,8 +4,7 @@
 
 namespace bristle {
 
-// README.md of the archive, for a reader who has nothing else: src/archive/README.md.in with the results'
-// table and the claims' verdicts.
+// README.md of the archive: src/archive/README.md.in with the tables of results and of claims.
 std::string archive_readme(const Contents& contents);
 
 }  // namespace bristle

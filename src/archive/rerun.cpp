@@ -17,19 +17,20 @@
 namespace bristle {
 namespace {
 
-struct Draw {
+struct DrawnPoint {
   std::string file;
   std::size_t index;
 };
 
-// The first count of all points in an order that the seed decides.
-std::vector<Draw> draw(const Verification& archive, std::size_t count, std::uint64_t seed) {
-  std::vector<Draw> all;
+// Draws count points by a partial Fisher-Yates shuffle of all points with this seed.
+std::vector<DrawnPoint> draw_points(const Verification& archive, std::size_t count, std::uint64_t seed) {
+  std::vector<DrawnPoint> all;
   for (const auto& [name, result] : archive.results)
     for (std::size_t i = 0; i < result.facts["sweep_points"].get<std::size_t>(); ++i)
       all.push_back({name, i});
   count = std::min(count, all.size());
-  for (std::size_t i = 0; i < count; ++i) std::swap(all[i], all[i + split_mix(seed + i * kSplitMixStep) % (all.size() - i)]);
+  for (std::size_t i = 0; i < count; ++i)
+    std::swap(all[i], all[i + split_mix(seed + i * kSplitMixStep) % (all.size() - i)]);
   all.resize(count);
   return all;
 }
@@ -38,8 +39,8 @@ Json compare_point(const std::string& path, const std::string& name, std::size_t
   const ResultReader result(path);
   const Experiment experiment = stored_experiment(result.experiment(), result.text("tier"), name);
   if (index >= experiment.points())
-    throw MalformedError(fmt::format("its experiment has {} points, not the {} or more of its datasets",
-                                 experiment.points(), index + 1));
+    throw MalformedError(fmt::format("its experiment has {} points, but its datasets have at least {}",
+                                     experiment.points(), index + 1));
   PointRecord computed;
   run_sweep(
       experiment, {index}, 1, [&](PointReport&& report) { computed = std::move(report.record); },
@@ -53,16 +54,16 @@ Json compare_point(const std::string& path, const std::string& name, std::size_t
 void rerun(const Verification& archive, std::size_t count, std::uint64_t seed,
            const std::function<void(const Rerun&)>& report) {
   for (const auto& [name, result] : archive.results)
-    if (const double made = result.facts["numerics_version"]; made != kNumericsVersion)
+    if (const double version = result.facts["numerics_version"]; version != kNumericsVersion)
       throw InputError(fmt::format(
-          "--rerun: {} is of numerics_version {}, this program computes {}, whose numbers may differ; "
-          "build the program in the archive's data/source",
-          name, made, kNumericsVersion));
-  for (const Draw& drawn : draw(archive, count, seed)) {
+          "--rerun: {} has numerics_version {}, but this program has {}, so its numbers may differ; "
+          "build and use the program in the archive's data/source",
+          name, version, kNumericsVersion));
+  for (const DrawnPoint& drawn : draw_points(archive, count, seed)) {
     const TemporaryFile file(archive.results.at(drawn.file).bytes);
     try {
-      const Json found =
-          parse_untrusted(run_isolated([&] { return compare_point(file.path(), drawn.file, drawn.index).dump(); }));
+      const Json found = parse_untrusted(
+          run_isolated([&] { return compare_point(file.path(), drawn.file, drawn.index).dump(); }));
       report({drawn.file, found["place"], found["different"]});
     } catch (const MalformedError& e) {
       throw MalformedError(fmt::format("{}: {}", drawn.file, replace_all(e.what(), file.path(), "the file")));

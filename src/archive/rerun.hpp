@@ -7,14 +7,15 @@
 
 namespace bristle {
 
+// Comparison of one point.
 struct Rerun {
-  std::string file, place;             // "k_r = 2, k_theta = 0.3"
-  std::vector<std::string> different;  // datasets and tables with other bits; empty: all are the same
+  std::string file, place;             // place: "k_r = 2, k_theta = 0.3"
+  std::vector<std::string> different;  // datasets and tables that differ in any bit
 };
 
-// Computes points of a sound archive's results again, drawn by the seed from all points, and compares every
-// number bit for bit. Points are reported as they are done. Throws InputError for results of another
-// numerics_version, MalformedError for a result that does not hold its experiment's points.
+// Computes count randomly drawn points of the results of a verified archive again and compares every number
+// bit for bit. Calls report after each point. Throws InputError for results of another numerics_version,
+// MalformedError for a result without the points of its experiment.
 void rerun(const Verification& archive, std::size_t count, std::uint64_t seed,
            const std::function<void(const Rerun&)>& report);
 

@@ -16,20 +16,20 @@
 namespace bristle {
 namespace {
 
-void require(bool sound, const std::string& what) {
-  if (!sound) throw MalformedError(what);
+void require(bool condition, const std::string& what) {
+  if (!condition) throw MalformedError(what);
 }
 
 void check_digests(const ResultReader& result) {
   const std::string document = result.text("experiment");
   const Json experiment = parse_untrusted(document);
   require(sha256_of(document) == result.text("experiment_sha256"),
-          "its experiment is not that of the attribute experiment_sha256");
+          "its experiment does not match the attribute experiment_sha256");
   require(experiment.is_object() && inputs_sha256(experiment) == result.text("inputs_sha256"),
-          "its experiment is not that of the attribute inputs_sha256");
-  const std::string is = payload_sha256(result.file()), told = result.text("payload_sha256");
-  require(is == told, fmt::format("its numbers have the digest {}..., not the {}... of payload_sha256",
-                                  is.substr(0, 16), told.substr(0, 16)));
+          "its experiment does not match the attribute inputs_sha256");
+  const std::string actual = payload_sha256(result.file()), stored = result.text("payload_sha256");
+  require(actual == stored, fmt::format("its numbers have the digest {}..., not the {}... of payload_sha256",
+                                        actual.substr(0, 16), stored.substr(0, 16)));
 }
 
 }  // namespace
@@ -54,8 +54,9 @@ Json result_facts(const ResultReader& result) {
   facts["provenance"] = Json(result.provenance());
   facts["checks"] = Json::array();
   for (const CheckResult& check : evaluate_checks(result))
-    facts["checks"].push_back(
-        {{"claim", check.check.claim}, {"statement", check.check.statement}, {"verdict", to_string(check.verdict)}});
+    facts["checks"].push_back({{"claim", check.check.claim},
+                               {"statement", check.check.statement},
+                               {"verdict", to_string(check.verdict)}});
   return facts;
 }
 

@@ -20,7 +20,7 @@ using Writer = std::unique_ptr<archive, int (*)(archive*)>;
 using Entry = std::unique_ptr<archive_entry, void (*)(archive_entry*)>;
 using Sink = std::function<void(const char*, std::size_t)>;
 
-la_ssize_t give(archive*, void* sink, const void* bytes, std::size_t size) {
+la_ssize_t write_to_sink(archive*, void* sink, const void* bytes, std::size_t size) {
   (*static_cast<const Sink*>(sink))(static_cast<const char*>(bytes), size);
   return la_ssize_t(size);
 }
@@ -38,8 +38,8 @@ void write_file(archive* out, const std::string& name, const std::string& conten
     throw RunError(fmt::format("{}: cannot be archived: {}", name, archive_error_string(out)));
 }
 
-// Where in the archive of these files a byte lies.
-std::string place_of(const Files& files, std::size_t offset) {
+// Name of the part of the archive that contains the byte at this offset.
+std::string part_at(const Files& files, std::size_t offset) {
   std::size_t at = 0;
   for (const auto& [name, content] : files) {
     if (offset < at + kTarBlock) return fmt::format("{}: its tar header", name);
@@ -59,7 +59,7 @@ void write_tar(const Files& files, std::time_t time, const Sink& sink) {
   archive_write_set_bytes_per_block(out.get(), kRecord);
   archive_write_set_bytes_in_last_block(out.get(), kRecord);
   void* const context = const_cast<Sink*>(&sink);
-  if (archive_write_open(out.get(), context, nullptr, give, nullptr) != ARCHIVE_OK)
+  if (archive_write_open(out.get(), context, nullptr, write_to_sink, nullptr) != ARCHIVE_OK)
     throw RunError(fmt::format("libarchive: {}", archive_error_string(out.get())));
   for (const auto& [name, content] : files) write_file(out.get(), name, content, time);
   if (archive_write_close(out.get()) != ARCHIVE_OK)
@@ -88,16 +88,17 @@ std::string file_in_tar(const std::string& bytes, const std::string& name) {
 std::string tar_difference(const std::string& path, const Files& files, std::time_t time) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
   if (!file) throw InputError(fmt::format("{}: cannot be read", path));
-  std::vector<char> there;
+  std::vector<char> existing;
   std::size_t at = 0;
   std::string found;
   write_tar(files, time, [&](const char* bytes, std::size_t size) {
-    there.resize(size);
-    const std::size_t got = found.empty() ? std::fread(there.data(), 1, size, file.get()) : 0;
-    const auto same = std::mismatch(there.begin(), there.begin() + long(got), bytes).first - there.begin();
+    existing.resize(size);
+    const std::size_t got = found.empty() ? std::fread(existing.data(), 1, size, file.get()) : 0;
+    const auto same =
+        std::mismatch(existing.begin(), existing.begin() + long(got), bytes).first - existing.begin();
     if (found.empty() && std::size_t(same) < size)
-      found = fmt::format("{} (byte {}) is not as the program writes it",
-                          place_of(files, at + std::size_t(same)), at + std::size_t(same));
+      found = fmt::format("{} (byte {}) differs from what the program writes",
+                          part_at(files, at + std::size_t(same)), at + std::size_t(same));
     at += size;
   });
   if (found.empty() && std::fgetc(file.get()) != EOF)

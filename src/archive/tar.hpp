@@ -9,19 +9,20 @@ namespace bristle {
 
 constexpr std::size_t kTarBlock = 512;  // bytes
 
-// Files of an archive by name; the map's order, bytewise, is their order in the archive.
+// Contents of the files of an archive by name. The bytewise order of the names is the order in the archive.
 using Files = std::map<std::string, std::string>;
 
-// An uncompressed ustar archive: regular files only, owner 0, mode 0644, all of this time. Equal files give
-// equal bytes. Throws RunError for a name or a size that ustar has no room for.
+// Writes an uncompressed ustar archive: regular files only, owner 0, mode 0644, all with this time. Equal
+// files give equal bytes. Throws RunError for a name or a size that ustar cannot represent.
 void write_tar(const Files& files, std::time_t time,
                const std::function<void(const char*, std::size_t)>& sink);
 
-// A file in a tar archive as git writes it. Throws MalformedError if it is not there or the archive cannot be read.
+// Reads one file of a tar archive written by git. Throws
+// MalformedError if it is missing, or if the archive cannot be read.
 std::string file_in_tar(const std::string& archive, const std::string& name);
 
-// The place at which the archive's bytes are not those that write_tar gives for these files: headers,
-// padding, what follows the end. Empty if there is none.
+// The first part of the archive (a header, a content, padding or the end) with bytes that differ from those
+// of write_tar() for these files. Empty if there is no difference.
 std::string tar_difference(const std::string& path, const Files& files, std::time_t time);
 
 }  // namespace bristle

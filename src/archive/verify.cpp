@@ -17,16 +17,17 @@
 namespace bristle {
 namespace {
 
-// Files that follow from the rest of the payload.
+// Files that are generated from the rest of the payload.
 constexpr std::array kGenerated = {"CITATION.cff", "README.md", kCrateFile};
 
 bool is_generated(const std::string& name) {
   return std::find(kGenerated.begin(), kGenerated.end(), name) != kGenerated.end();
 }
 
-// Where a text departs from what follows from the other files.
-std::string first_difference(const std::string& text, const std::string& wanted) {
-  const auto at = std::mismatch(text.begin(), text.end(), wanted.begin(), wanted.end()).first - text.begin();
+// The first line of a text that differs from the expected text, with both versions.
+std::string first_difference(const std::string& text, const std::string& expected) {
+  const auto at =
+      std::mismatch(text.begin(), text.end(), expected.begin(), expected.end()).first - text.begin();
   const auto line = std::count(text.begin(), text.begin() + at, '\n');
   const auto line_of = [line](const std::string& whole) {
     std::istringstream in(whole);
@@ -35,8 +36,8 @@ std::string first_difference(const std::string& text, const std::string& wanted)
       if (!std::getline(in, found)) return std::string("the end of the file");
     return fmt::format("\"{}\"", found.substr(0, 80));
   };
-  return fmt::format("line {} is {}, but from the archive's other files follows {}", line + 1, line_of(text),
-                     line_of(wanted));
+  return fmt::format("line {} is {}, but according to the other files of the archive it should be {}",
+                     line + 1, line_of(text), line_of(expected));
 }
 
 bool is_result(const std::string& name) {
@@ -58,7 +59,7 @@ class Verifier {
     }
     out_.files = files_.size();
     add(check_bag(files_));
-    // What the hashes find needs no second complaint by those who read it.
+    // A file with a wrong hash is reported once; its content is then not checked.
     if (out_.problems.empty()) check_content();
     check_bytes();
     return out_;
@@ -83,24 +84,24 @@ class Verifier {
     }
   }
 
-  // The name of the only file in data/source/.
+  // Finds the commit in the name of the only file in data/source/.
   void find_commit() {
     const std::string before = "data/source/bristle-", after = ".tar";
     for (const auto& [name, bytes] : files_) {
       if (!name.starts_with("data/source/")) continue;
       const bool named = name.starts_with(before) && name.ends_with(after) && out_.commit.empty();
       if (!named) {
-        out_.problems.push_back(fmt::format("{}: is not the source of the archive's commit", name));
+        out_.problems.push_back(fmt::format("{}: is not the source of the commit of the archive", name));
         continue;
       }
       out_.commit = name.substr(before.size(), name.size() - before.size() - after.size());
       if (bytes.substr(0, 1024).find("comment=" + out_.commit + "\n") == std::string::npos)
-        out_.problems.push_back(fmt::format("{}: is not git's archive of that commit", name));
+        out_.problems.push_back(fmt::format("{}: was not created by `git archive` from this commit", name));
     }
     if (out_.commit.empty()) out_.problems.push_back("data/source: the source of the commit is missing");
   }
 
-  // README, citation and crate follow from the other files: generates them again and compares.
+  // Generates README, citation and crate again and compares bytes.
   void check_description(const std::map<std::string, Json>& facts) {
     out_.identifier = bag_info(files_, "External-Identifier");
     out_.draft = bag_info(files_, "Draft");
@@ -110,19 +111,20 @@ class Verifier {
     const Contents contents = describe(std::move(payload), facts, out_.commit, out_.draft);
     out_.version = contents.citation["version"];
     if (out_.folder != "bristle-" + out_.version)
-      out_.problems.push_back(
-          fmt::format("{}: is the folder of another version than that of the source, {}", out_.folder,
-                      out_.version));
+      out_.problems.push_back(fmt::format("{}: is the folder of another version; the source has version {}",
+                                          out_.folder, out_.version));
     const std::string agent = bag_info(files_, "Bag-Software-Agent");
     const std::string other = agent.empty() || agent == fmt::format("bristle {}", kVersion)
                                   ? ""
-                                  : fmt::format(" (archived by {}, this is {}: verify with the program in data/source)",
+                                  : fmt::format(" (archived by {}, this is {}: verify with the program in "
+                                                "data/source)",
                                                 agent, kVersion);
     for (const char* name : kGenerated) {
       const auto file = files_.find(std::string("data/") + name);
-      if (file == files_.end()) out_.problems.push_back(fmt::format("data/{}: is missing; every archive has it", name));
-      else if (const std::string& wanted = contents.payload.at(name); file->second != wanted)
-        out_.problems.push_back(fmt::format("data/{}: {}{}", name, first_difference(file->second, wanted), other));
+      if (file == files_.end())
+        out_.problems.push_back(fmt::format("data/{}: is missing; every archive contains it", name));
+      else if (const std::string& expected = contents.payload.at(name); file->second != expected)
+        out_.problems.push_back(fmt::format("data/{}: {}{}", name, first_difference(file->second, expected), other));
     }
   }
 
@@ -130,10 +132,9 @@ class Verifier {
     try {
       const Json found = checked_result_facts(bytes);
       if ("data/results/" + found["name"].get<std::string>() + ".h5" != name)
-        out_.problems.push_back(fmt::format("{}: holds the result of {}", name, shown(found["name"])));
+        out_.problems.push_back(fmt::format("{}: contains the result of {}", name, shown(found["name"])));
       if (found["tier"] != "full")
-        out_.problems.push_back(
-            fmt::format("{}: is of the tier {}, not the full one", name, shown(found["tier"])));
+        out_.problems.push_back(fmt::format("{}: has the tier {}, not \"full\"", name, shown(found["tier"])));
       facts[name.substr(5)] = found;
       out_.results[name] = {bytes, found};
     } catch (const MalformedError& e) {
@@ -141,7 +142,7 @@ class Verifier {
     }
   }
 
-  // Headers, padding, order: all that is not content.
+  // Compares headers, padding and order, the bytes that no hash covers.
   void check_bytes() {
     if (!files_.contains("bag-info.txt")) return;
     const std::string time = bag_info(files_, "Source-Date-Epoch");
@@ -149,8 +150,8 @@ class Verifier {
       return out_.problems.push_back("bag-info.txt: Source-Date-Epoch is not a number of seconds");
     Files named;
     for (auto& [name, bytes] : files_) named[out_.folder + "/" + name] = std::move(bytes);
-    if (const std::string place = tar_difference(path_, named, std::stol(time)); !place.empty())
-      out_.problems.push_back(place);
+    if (const std::string difference = tar_difference(path_, named, std::stol(time)); !difference.empty())
+      out_.problems.push_back(difference);
   }
 
   std::string path_;

@@ -7,23 +7,23 @@
 
 namespace bristle {
 
-// A result file of a sound archive and what result_facts says of it.
+// A result file of a verified archive and its result_facts().
 struct VerifiedResult {
   std::string bytes;
   Json facts;
 };
 
-// What verification found. The archive is not trusted; nothing of it is unpacked to disk.
+// Outcome of a verification.
 struct Verification {
-  Problems problems;  // empty: the archive is sound
+  Problems problems;  // empty: the archive is valid
   std::string folder, version, commit, identifier, draft;
   std::size_t files = 0;
   std::map<std::string, VerifiedResult> results;  // by name
 };
 
-// Checks every hash and payload digest; that nothing is missing, added or changed; that README, citation and crate
-// are those that follow from the other files; and that the bytes are those that the program writes for these
-// files. Throws InputError if the archive does not exist.
+// Checks all hashes and payload digests; that no file is missing, added or changed; that README, citation and
+// crate equal those generated from the other files; and that the program would write the same bytes for these
+// files. The archive is not trusted and is not unpacked to disk. Throws InputError if it does not exist.
 Verification verify_archive(const std::string& path);
 
 }  // namespace bristle

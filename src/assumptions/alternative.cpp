@@ -32,15 +32,14 @@ const Alternative& find(const std::vector<Alternative>& alternatives, const std:
   return *found;
 }
 
-Alternative combination(const std::vector<Alternative>& all, const std::string& file, const Json& pair) {
+Alternative combine(const std::vector<Alternative>& all, const std::string& file, const Json& pair) {
   Alternative out;
   out.choice = "together";
   out.description = pair["description"];
   for (const std::string name : pair["members"]) {
     const Alternative& member = find(all, name, file);
     out.members.push_back(name);
-    out.declarations.insert(out.declarations.end(), member.declarations.begin(),
-                            member.declarations.end());
+    out.declarations.insert(out.declarations.end(), member.declarations.begin(), member.declarations.end());
   }
   out.name = fmt::format("{}", fmt::join(out.members, " + "));
   return out;
@@ -49,8 +48,8 @@ Alternative combination(const std::vector<Alternative>& all, const std::string& 
 void check_unique(const std::vector<Alternative>& alternatives) {
   std::vector<std::string> names = names_of(alternatives);
   std::sort(names.begin(), names.end());
-  if (const auto twice = std::adjacent_find(names.begin(), names.end()); twice != names.end())
-    throw InputError(fmt::format("two alternatives have the name {}; give each its own", *twice));
+  if (const auto duplicate = std::adjacent_find(names.begin(), names.end()); duplicate != names.end())
+    throw InputError(fmt::format("two alternatives have the name {}; give each a unique name", *duplicate));
 }
 
 }  // namespace
@@ -66,7 +65,9 @@ Json Alternative::apply(const std::string& experiment, Json document) const {
       try {
         document.at(JsonPointer(pointer)) = value;
       } catch (const Json::exception&) {
-        throw InputError(fmt::format("alternative {}: {} has nothing at {}", name, experiment, pointer));
+        throw InputError(
+            fmt::format("alternative {}: {} has no value at {}; \"set\" replaces existing values only", name,
+                        experiment, pointer));
       }
     }
   }
@@ -81,11 +82,12 @@ std::vector<Alternative> read_alternatives(const std::vector<std::string>& files
     check_schema(document, assumption_schema());
     const Json& json = document.json();
     for (const Json& one : json.value("alternatives", Json::array()))
-      out.push_back({one["name"], json["choice"], one["description"], {}, {std::make_shared<const Json>(one)}});
+      out.push_back(
+          {one["name"], json["choice"], one["description"], {}, {std::make_shared<const Json>(one)}});
     for (const Json& pair : json.value("pairs", Json::array())) pairs.emplace_back(file, pair);
   }
   const std::vector<Alternative> single = out;
-  for (const auto& [file, pair] : pairs) out.push_back(combination(single, file, pair));
+  for (const auto& [file, pair] : pairs) out.push_back(combine(single, file, pair));
   check_unique(out);
   return out;
 }

@@ -19,8 +19,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The experiments that check claims of the paper, in the order of their names.
-std::vector<Experiment> with_claims(const AssumptionsOptions& options) {
+// The experiments with checks of claims of the paper, in the order of their file names.
+std::vector<Experiment> experiments_with_claims(const AssumptionsOptions& options) {
   if (!fs::is_directory(options.experiments))
     throw InputError(fmt::format("--experiments {}: not a folder", options.experiments));
   std::vector<std::string> files;
@@ -33,12 +33,12 @@ std::vector<Experiment> with_claims(const AssumptionsOptions& options) {
     if (!e.figure.empty() && !e.checks.empty()) out.push_back(std::move(e));
   }
   if (out.empty())
-    throw InputError(
-        fmt::format("--experiments {}: no experiment has checks of a figure's claims", options.experiments));
+    throw InputError(fmt::format("--experiments {}: no experiment in this folder has a figure with checks",
+                                 options.experiments));
   return out;
 }
 
-// A name that is valid as a folder's name.
+// Replaces characters that should not be in the name of a folder.
 std::string folder_name(std::string name) {
   for (char& c : name)
     if (!std::isalnum(static_cast<unsigned char>(c)) && std::string("_.-+").find(c) == std::string::npos)
@@ -46,23 +46,24 @@ std::string folder_name(std::string name) {
   return name;
 }
 
-class Runner {
+class AssumptionsRun {
  public:
-  explicit Runner(const AssumptionsOptions& options) : options_(options), baseline_(with_claims(options)) {
+  explicit AssumptionsRun(const AssumptionsOptions& options)
+      : options_(options), baseline_(experiments_with_claims(options)) {
     matrix_.tier = options.tier;
     matrix_.alternatives = {{"baseline", "", "every open choice as in docs/model.md", {}, {}}};
     std::ranges::copy(read_alternatives(options.files), std::back_inserter(matrix_.alternatives));
   }
 
   Matrix run() {
-    // A mistake in an alternative is reported before anything is computed.
+    // Reports a mistake in an alternative before computing anything.
     for (const Alternative& a : matrix_.alternatives)
-      for (const Experiment& e : baseline_) validate_checks(under(a, e));
+      for (const Experiment& e : baseline_) validate_checks(experiment_under(a, e));
     Progress progress("assumptions", matrix_.alternatives.size() * baseline_.size(), options_.quiet);
     for (const Alternative& a : matrix_.alternatives) {
       std::size_t row = 0;
       for (const Experiment& e : baseline_) {
-        add(a, e, row);
+        add_cells(a, e, row);
         progress.step();
       }
     }
@@ -71,14 +72,15 @@ class Runner {
   }
 
  private:
-  Experiment under(const Alternative& a, const Experiment& e) const {
+  Experiment experiment_under(const Alternative& a, const Experiment& e) const {
     return stored_experiment(a.apply(e.name, *e.document), options_.tier,
                              fmt::format("{} under {}", e.path, a.name));
   }
 
-  // The cells of one experiment's checks under one alternative; row is that of its first check.
-  void add(const Alternative& a, const Experiment& baseline, std::size_t& row) {
-    const Experiment experiment = under(a, baseline);
+  // Adds the cells of the checks of one experiment under one alternative.
+  // row is the row of the first check; it is advanced past the last one.
+  void add_cells(const Alternative& a, const Experiment& baseline, std::size_t& row) {
+    const Experiment experiment = experiment_under(a, baseline);
     const bool affected = a.declarations.empty() ||
                           inputs_sha256(*experiment.document) != inputs_sha256(*baseline.document) ||
                           experiment.checks != baseline.checks;
@@ -100,6 +102,6 @@ class Runner {
 
 }  // namespace
 
-Matrix run_assumptions(const AssumptionsOptions& options) { return Runner(options).run(); }
+Matrix run_assumptions(const AssumptionsOptions& options) { return AssumptionsRun(options).run(); }
 
 }  // namespace bristle

@@ -11,6 +11,7 @@ namespace {
 
 Json number(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
 
+// Supported against refuted.
 bool reversed(Verdict a, Verdict b) { return a != b && a != Verdict::undecided && b != Verdict::undecided; }
 
 Json check_json(const Matrix::Row& row) {
@@ -31,16 +32,16 @@ Json cell_json(std::size_t check, std::size_t alternative, const Cell& cell) {
           {"affected", cell.affected}};
 }
 
-// The alternatives under which the verdict is another, by name.
+// The conclusion about one check, with the names of the alternatives that change its verdict.
 Json conclusion_json(const Matrix& matrix, std::size_t index) {
   const Matrix::Row& row = matrix.rows[index];
   const Verdict baseline = row.cells.front().result.verdict;
-  Json decided = Json::array(), undecided = Json::array(), choices = Json::array();
+  Json reversing = Json::array(), undecided = Json::array(), choices = Json::array();
   for (std::size_t a = 1; a < row.cells.size(); ++a) {
     const Verdict verdict = row.cells[a].result.verdict;
     if (verdict == baseline) continue;
     const Alternative& alternative = matrix.alternatives[a];
-    (verdict == Verdict::undecided ? undecided : decided).push_back(alternative.name);
+    (verdict == Verdict::undecided ? undecided : reversing).push_back(alternative.name);
     if (std::find(choices.begin(), choices.end(), alternative.choice) == choices.end())
       choices.push_back(alternative.choice);
   }
@@ -48,7 +49,7 @@ Json conclusion_json(const Matrix& matrix, std::size_t index) {
           {"baseline", to_string(baseline)},
           {"conclusion", conclusion(row)},
           {"depends_on", choices},
-          {"other", decided},
+          {"other", reversing},
           {"undecided", undecided}};
 }
 

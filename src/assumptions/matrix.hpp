@@ -10,10 +10,11 @@ namespace bristle {
 
 constexpr const char* kMatrixSchema = "bristle-assumptions/2";
 
-// One check of a claim under one alternative.
+// Result of one check under one alternative.
 struct Cell {
   CheckResult result;
-  bool affected = true;  // false: the alternative does not change this experiment; the numbers are the baseline's
+  // False if the alternative does not change this experiment: then the result is that of the baseline.
+  bool affected = true;
 };
 
 // Every check of every experiment under every alternative; the first alternative is the baseline.

@@ -1,5 +1,8 @@
+#include "cli/archive.hpp"
+
+#include "archive/build.hpp"
 #include "archive/rerun.hpp"
-#include "cli/commands.hpp"
+#include "cli/exit_code.hpp"
 #include "run/provenance.hpp"
 #include "util/error.hpp"
 
@@ -9,13 +12,13 @@
 namespace bristle {
 namespace {
 
-// A damaged manifest makes one problem per file.
-constexpr std::size_t kMostProblems = 20;
+// A damaged manifest causes one problem per file.
+constexpr std::size_t kMaxShown = 20;
 
 void print_problems(const std::string& path, const Problems& problems) {
-  for (std::size_t i = 0; i < std::min(kMostProblems, problems.size()); ++i)
+  for (std::size_t i = 0; i < std::min(kMaxShown, problems.size()); ++i)
     fmt::print("FAILED: {}\n", problems[i]);
-  if (problems.size() > kMostProblems) fmt::print("... and {} more\n", problems.size() - kMostProblems);
+  if (problems.size() > kMaxShown) fmt::print("... and {} more\n", problems.size() - kMaxShown);
   fmt::print("{}: NOT as it was archived: {} problem{}\n", path, problems.size(),
              problems.size() == 1 ? "" : "s");
 }
@@ -24,7 +27,7 @@ void print_draft(const std::string& draft) {
   if (!draft.empty()) fmt::print("a draft, not to be cited: {}\n", draft);
 }
 
-// Whether all have the bits that the archive has.
+// Computes points again; returns whether all equal those of the archive.
 bool rerun_points(const VerifyOptions& options, const Verification& archive) {
   std::size_t done = 0, same = 0;
   try {
@@ -55,7 +58,7 @@ int archive_command(ArchiveOptions options) {
   fmt::print("{}: {} files, {} bytes, verified\nsha512 {}\n", built.path, built.files, built.bytes,
              built.sha512);
   print_draft(built.draft);
-  return kFine;
+  return kSuccess;
 }
 
 int verify_command(const VerifyOptions& options) {
@@ -67,7 +70,7 @@ int verify_command(const VerifyOptions& options) {
   fmt::print("{}: version {} of commit {}\n{} files and {} results are as they were archived ({})\n",
              options.file, found.version, found.commit, found.files, found.results.size(), found.identifier);
   print_draft(found.draft);
-  return options.rerun == 0 || rerun_points(options, found) ? kFine : kCheckFailed;
+  return options.rerun == 0 || rerun_points(options, found) ? kSuccess : kCheckFailed;
 }
 
 }  // namespace bristle

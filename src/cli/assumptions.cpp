@@ -1,4 +1,6 @@
-#include "cli/commands.hpp"
+#include "cli/assumptions.hpp"
+
+#include "cli/exit_code.hpp"
 #include "util/error.hpp"
 #include "util/file.hpp"
 
@@ -13,12 +15,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<std::string> declared_in(const std::string& folder) {
+std::vector<std::string> assumption_files(const std::string& folder) {
   std::vector<std::string> files;
   if (fs::is_directory(folder))
     for (const auto& entry : fs::directory_iterator(folder))
       if (entry.path().extension() == ".json") files.push_back(entry.path().string());
-  if (files.empty()) throw InputError(fmt::format("{}: no assumptions are declared there (*.json)", folder));
+  if (files.empty())
+    throw InputError(fmt::format("{}: no files of assumptions (*.json) in this folder", folder));
   std::sort(files.begin(), files.end());
   return files;
 }
@@ -28,8 +31,8 @@ void print_conclusions(const Matrix& matrix) {
   for (const Matrix::Row& row : matrix.rows) {
     ++counts[conclusion(row)];
     fmt::print("{:<5} {:<10} {:<20} {}\n", row.cells.front().result.check.claim,
-               to_string(row.cells.front().result.verdict),
-               conclusion(row), row.cells.front().result.check.statement);
+               to_string(row.cells.front().result.verdict), conclusion(row),
+               row.cells.front().result.check.statement);
   }
   fmt::print("{} checks under {} alternatives: {} robust, {} weakened, {} assumption-dependent, {} open\n",
              matrix.rows.size(), matrix.alternatives.size() - 1, counts["robust"], counts["weakened"],
@@ -40,11 +43,11 @@ void print_conclusions(const Matrix& matrix) {
 
 int assumptions_command(AssumptionsOptions options) {
   if (options.files.empty())
-    options.files = declared_in((fs::path(options.experiments) / "assumptions").string());
+    options.files = assumption_files((fs::path(options.experiments) / "assumptions").string());
   const Matrix matrix = run_assumptions(options);
   write_whole(options.output, matrix_json(matrix).dump(1) + "\n");
   print_conclusions(matrix);
-  return kFine;
+  return kSuccess;
 }
 
 }  // namespace bristle

@@ -1,11 +1,11 @@
-#include "checks/diff.hpp"
+#include "cli/compare.hpp"
+
 #include "checks/checks.hpp"
 #include "checks/deviation_json.hpp"
 #include "checks/deviation_text.hpp"
 #include "checks/reference_file.hpp"
 #include "checks/replay.hpp"
-#include "checks/reference_update.hpp"
-#include "cli/commands.hpp"
+#include "cli/exit_code.hpp"
 #include "run/provenance.hpp"
 
 #include <fmt/format.h>
@@ -16,7 +16,7 @@
 namespace bristle {
 namespace {
 
-// Prints the claims' verdicts; whether all are supported.
+// Prints the verdicts of the claims; returns whether all are supported.
 bool report_claims(const CheckOptions& options, const std::vector<CheckResult>& checks) {
   if (checks.empty()) {
     fmt::print("{}: the experiment has no checks\n", options.file);
@@ -32,14 +32,14 @@ bool report_claims(const CheckOptions& options, const std::vector<CheckResult>& 
   return count(Verdict::supported) == long(checks.size());
 }
 
-// Prints what differs from the stored reference; whether that is within the tolerances.
+// Prints deviations from the stored reference; returns whether all are within the tolerances.
 bool report_deviations(const CheckOptions& options, const ResultReader& result,
-                  const std::vector<CheckResult>& checks) {
+                       const std::vector<CheckResult>& checks) {
   const std::string path = reference_path(options.reference, result.text("name"));
   if (!std::filesystem::exists(path)) {
     fmt::print(
-        "FAILED: {}: no such reference; `bristle reference update {} --reason \"...\"` makes one of a smoke "
-        "tier's result, --claims-only does without\n",
+        "FAILED: {}: no such reference; `bristle reference update {} --reason \"...\"` creates it from a "
+        "result of the smoke tier; --claims-only skips the comparison\n",
         path, options.file);
     return false;
   }
@@ -48,18 +48,20 @@ bool report_deviations(const CheckOptions& options, const ResultReader& result,
   return !report.failed();
 }
 
-// Both for programs, a missing reference is null; whether nothing failed.
+// Prints deviations and replay commands as JSON; "deviation" is
+// null if there is no reference. Returns whether no check failed.
 bool print_json(const CheckOptions& options, const ResultReader& result,
                 const std::vector<CheckResult>& checks) {
   const std::string path = reference_path(options.reference, result.text("name"));
   Json out = {{"file", options.file}, {"deviation", nullptr}, {"replay", replay_json(result)}};
   if (std::filesystem::exists(path))
-    out["deviation"] = deviation_json(compare_with_reference(read_reference(path), make_reference(result, checks)), result, path);
+    out["deviation"] = deviation_json(
+        compare_with_reference(read_reference(path), make_reference(result, checks)), result, path);
   fmt::print("{}\n", out.dump(1));
-  const bool claims = std::all_of(checks.begin(), checks.end(),
-                                  [](const CheckResult& c) { return c.verdict == Verdict::supported; });
-  const bool deviates = out["deviation"].is_null() || out["deviation"]["failed"].get<bool>();
-  return (claims || options.report_only) && (!deviates || options.claims_only);
+  const bool claims_supported = std::all_of(
+      checks.begin(), checks.end(), [](const CheckResult& c) { return c.verdict == Verdict::supported; });
+  const bool reference_failed = out["deviation"].is_null() || out["deviation"]["failed"].get<bool>();
+  return (claims_supported || options.report_only) && (!reference_failed || options.claims_only);
 }
 
 }  // namespace
@@ -68,26 +70,26 @@ int diff_command(const DiffOptions& options) {
   const ResultReader a(options.a), b(options.b);
   const Diff diff = diff_results(a, b, options.tolerances);
   fmt::print("{}", diff_text(diff));
-  return diff.agree() ? kFine : kCheckFailed;
+  return diff.agree() ? kSuccess : kCheckFailed;
 }
 
 int check_command(const CheckOptions& options) {
   const ResultReader result(options.file);
   const auto checks = evaluate_checks(result);
-  if (options.json) return print_json(options, result, checks) ? kFine : kCheckFailed;
+  if (options.json) return print_json(options, result, checks) ? kSuccess : kCheckFailed;
   const bool claims = report_claims(options, checks) || options.report_only;
   const bool reference = options.claims_only || report_deviations(options, result, checks);
-  return claims && reference ? kFine : kCheckFailed;
+  return claims && reference ? kSuccess : kCheckFailed;
 }
 
 int reference_update_command(ReferenceUpdate update) {
   update.day = utc_now().substr(0, 10);
   const std::string entry = update_reference(update);
-  if (entry.empty()) fmt::print("unchanged: the reference says the same already, nothing was written\n");
+  if (entry.empty()) fmt::print("unchanged: the reference already has these values; nothing was written\n");
   else
     fmt::print("recorded in {}:\n{}", (std::filesystem::path(update.folder) / "CHANGELOG.md").string(),
                entry);
-  return kFine;
+  return kSuccess;
 }
 
 }  // namespace bristle

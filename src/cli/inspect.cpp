@@ -1,8 +1,10 @@
-#include "cli/commands.hpp"
-#include "util/error.hpp"
+#include "cli/inspect.hpp"
+
+#include "cli/exit_code.hpp"
+#include "results/digest.hpp"
 #include "results/reader.hpp"
 #include "results/variables.hpp"
-#include "results/digest.hpp"
+#include "util/error.hpp"
 #include "util/grid.hpp"
 
 #include <fmt/format.h>
@@ -32,14 +34,14 @@ void print_variable(const ResultReader& result, const std::string& name) {
              values < v.values.size() ? fmt::format(" {} without a value", v.values.size() - values) : "");
 }
 
-// Keeps the statuses of the points that the part holds.
-void keep_part(const ResultReader& result, Variable& status) {
+// Prints which part of the sweep the file contains, and reduces status to its points.
+void restrict_to_part(const ResultReader& result, Variable& status) {
   const std::size_t points = grid_size(result.sweep_shape());
   const auto own = result.part_points();
   if (points == 0 || status.values.size() % points != 0 || (!own.empty() && own.back() >= points))
     throw InputError(
-        fmt::format("{}: damaged: status, part/points and the sweep do not fit each other", result.path()));
-  const std::size_t nodes = status.values.size() / points;  // of a traced curve, else 1
+        fmt::format("{}: damaged: status, part/points and the sweep are inconsistent", result.path()));
+  const std::size_t nodes = status.values.size() / points;  // of a traced curve; otherwise 1
   fmt::print("part {}: {} of {} points; {}\n", shard_text(*result.shard()), own.size(), points,
              how_to_merge(result.path(), *result.shard()));
   std::vector<double> kept;
@@ -51,7 +53,7 @@ void keep_part(const ResultReader& result, Variable& status) {
 
 void print_statuses(const ResultReader& result) {
   Variable status = result.variable("status");
-  if (result.shard()) keep_part(result, status);
+  if (result.shard()) restrict_to_part(result, status);
   fmt::print("points:{}", status.values.empty() ? " none" : "");
   for (std::size_t s = 0; s < kPointStatusNames.size(); ++s)
     if (const auto n = std::count(status.values.begin(), status.values.end(), double(s)))
@@ -62,7 +64,7 @@ void print_statuses(const ResultReader& result) {
 void print_provenance(const ResultReader& result) {
   const auto provenance = result.provenance();
   if (provenance.empty()) return;
-  // The command, when and where it ran, and the program; then the libraries and the rest.
+  // Order of the entries; all others follow.
   std::vector<std::string> names = {"command_line",    "started",        "finished", "host",
                                     "system",          "threads",        "cpu",      "cpu_features",
                                     "instruction_set", "version",        "commit",   "dirty",
@@ -88,7 +90,7 @@ int info_command(const std::string& file) {
   fmt::print("variables (smallest .. largest):\n");
   for (const std::string& name : result.variables()) print_variable(result, name);
   print_provenance(result);
-  return intact ? kFine : kCheckFailed;
+  return intact ? kSuccess : kCheckFailed;
 }
 
 }  // namespace bristle

@@ -1,10 +1,12 @@
+#include "cli/run.hpp"
+
 #include "checks/validate.hpp"
-#include "cli/commands.hpp"
-#include "simd/kernels.hpp"
+#include "cli/exit_code.hpp"
 #include "experiment/experiment.hpp"
-#include "util/error.hpp"
 #include "results/reader.hpp"
 #include "run/task.hpp"
+#include "simd/dispatch.hpp"
+#include "util/error.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -12,18 +14,19 @@
 namespace bristle {
 namespace {
 
-// A part in place of a whole result would be a loss.
-void keep_whole(const std::string& path) {
+// Prevents a part from replacing a whole result.
+void require_no_whole_result(const std::string& path) {
   if (holds_whole_result(path))
     throw InputError(fmt::format(
-        "-o {}: holds a whole result, which a part would replace; give the part another name", path));
+        "-o {}: contains a whole result, which the part would replace; choose another name for the part",
+        path));
 }
 
 void choose_instruction_set(const std::string& name) {
   if (name.empty() || prefer_kernels(name)) return;
   std::vector<std::string> names;
   for (const Kernels* kernels : available_kernels()) names.emplace_back(kernels->target);
-  throw InputError(fmt::format("--instruction-set {}: not of this processor; allowed: {}", name,
+  throw InputError(fmt::format("--instruction-set {}: not supported by this processor; allowed: {}", name,
                                names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
 }
 
@@ -40,12 +43,12 @@ int run_command(const RunOptions& options) {
   std::optional<Shard> shard;
   if (options.shard) shard = parse_shard(*options.shard);
   const Experiment experiment = load_checked(options);
-  const std::string whole = fmt::format("results/{}.h5", experiment.name);
-  const std::string usual = shard ? part_path(whole, *shard) : whole;
-  const Task task{experiment, shard, options.output.empty() ? usual : options.output};
-  if (shard) keep_whole(task.path);
+  const std::string whole_path = fmt::format("results/{}.h5", experiment.name);
+  const std::string default_path = shard ? part_path(whole_path, *shard) : whole_path;
+  const Task task{experiment, shard, options.output.empty() ? default_path : options.output};
+  if (shard) require_no_whole_result(task.path);
   run_task(task, {options.threads, options.force, options.quiet, options.command_line});
-  return kFine;
+  return kSuccess;
 }
 
 int validate_command(const RunOptions& options) {
@@ -54,10 +57,10 @@ int validate_command(const RunOptions& options) {
   for (const Axis& axis : e.axes)
     sweep += fmt::format("{}{} ({} from {:.6g} to {:.6g})", sweep.empty() ? "" : " x ", axis.name,
                          axis.values.size(), axis.values.front(), axis.values.back());
-  fmt::print("{}: fine. {}: {} point{}{}{}, {} check{}\n", options.experiment, e.name, e.points(),
+  fmt::print("{}: valid. {}: {} point{}{}{}, {} check{}\n", options.experiment, e.name, e.points(),
              e.points() == 1 ? "" : "s", sweep.empty() ? "" : ", ", sweep, e.checks.size(),
              e.checks.size() == 1 ? "" : "s");
-  return kFine;
+  return kSuccess;
 }
 
 }  // namespace bristle

@@ -4,8 +4,8 @@
 
 namespace bristle {
 
-// One passage as an initial value problem: the tip's state, then integrals along the way that no
-// force depends on. Each integral is over local time xi from 0; dimensionless.
+// Components of the initial value problem of one passage: the tip's state, then integrals over the local time
+// xi from 0, on which no force depends. Dimensionless.
 enum Component {
   X,
   Y,
@@ -16,15 +16,15 @@ enum Component {
   THETA,
   PHI,
   NORMAL,      // F_n
-  FRICTION_X,  // F_fx as the slab feels it: the component that opposes its motion
+  FRICTION_X,  // F_fx on the slab: the component that opposes its motion
   FRICTION_Y,
   MODULATION,  // F_n modulation, numerator of Eq. (24)
   ALIGNMENT,   // -F_n e_f.i, numerator of Eq. (25)
   AREA,        // F_n^(2/3), numerator of Eq. (26)
-  WORK,        // power(): the energy budget's right-hand side
+  WORK,        // power(), the right-hand side of the energy balance
   COMPONENTS
 };
-constexpr int kState = NORMAL;  // components that forces depend on
+constexpr int kState = NORMAL;  // number of components on which forces depend
 constexpr int kIntegrals = COMPONENTS - NORMAL;
 
 using OdeState = std::array<double, COMPONENTS>;

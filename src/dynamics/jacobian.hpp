@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <unsupported/Eigen/AutoDiff>
 
-// What Eigen's AutoDiffScalar lacks; T is a scalar or a vector of lanes.
+// Functions that Eigen's AutoDiffScalar lacks. Its value type is double or the SIMD type Lanes.
 namespace Eigen {
 template <class D>
 AutoDiffScalar<typename internal::remove_all<D>::type::PlainObject> atan(const AutoDiffScalar<D>& u) {
@@ -13,7 +13,7 @@ AutoDiffScalar<typename internal::remove_all<D>::type::PlainObject> atan(const A
   const auto x = u.value();
   return {atan(x), u.derivatives() * decltype(x)(1.0 / (1.0 + x * x))};
 }
-// In place of Eigen's own, which is std::sin.
+// Overrides Eigen's own, which calls std::sin.
 template <int N>
 AutoDiffScalar<Matrix<double, N, 1>> sin(const AutoDiffScalar<Matrix<double, N, 1>>& u) {
   return {bristle::sin(u.value()), u.derivatives() * bristle::cos(u.value())};
@@ -37,7 +37,7 @@ namespace bristle {
 using StateJacobian = Eigen::Matrix<double, kState, kState>;
 using IntegralJacobian = Eigen::Matrix<double, kIntegrals, kState>;
 
-// Derivatives of derivative() with respect to the state, by automatic differentiation of the same code.
+// Jacobian of derivative() with respect to the state, by automatic differentiation.
 inline void jacobian(const Bristle<double>& b, const OdeState& y, StateJacobian& of_state,
                      IntegralJacobian& of_integrals) {
   using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<double, kState, 1>>;
@@ -49,8 +49,8 @@ inline void jacobian(const Bristle<double>& b, const OdeState& y, StateJacobian&
   for (int i = 0; i < kIntegrals; ++i) of_integrals.row(i) = out[NORMAL + i].derivatives();
 }
 
-// Derivatives of the acceleration with respect to the velocity, and derivative(): friction and the dampers of
-// azimuth and elevation, which make the equations stiff, are in this block.
+// Jacobian of the acceleration with respect to the velocity; also evaluates derivative() into dydt. The stiff
+// terms, friction and the dampers of azimuth and polar angle, are in this block.
 template <class T, class In, class Out>
 Eigen::Matrix<T, 3, 3> damping_matrix(const Bristle<T>& b, const In& y, Out& dydt) {
   using Column = Eigen::Matrix<T, 3, 1>;

@@ -9,7 +9,7 @@
 namespace bristle {
 namespace {
 
-// Room for the equilibrium, the quadrature and a passage of the reference engine, several times over.
+// Several times what the equilibrium, the quadrature and a passage of the reference engine need.
 constexpr std::size_t kStackBytes = 256 << 10;
 
 }  // namespace
@@ -17,8 +17,8 @@ constexpr std::size_t kStackBytes = 256 << 10;
 struct SuspendedJob::Routine {
   using Coroutine = boost::coroutines2::coroutine<const std::vector<PassageTask>*>;
 
-  explicit Routine(Job to_run)
-      : job(std::move(to_run)),
+  explicit Routine(Job job_to_run)
+      : job(std::move(job_to_run)),
         coroutine(boost::coroutines2::protected_fixedsize_stack(kStackBytes),
                   [this](Coroutine::push_type& suspend) {
                     job([this, &suspend](const std::vector<PassageTask>& tasks) {

@@ -7,20 +7,20 @@
 
 namespace bristle {
 
-// A computation that needs passages now and then and asks run for them.
+// A computation that calls run whenever it needs passages.
 using Job = std::function<void(const PassageRunner& run)>;
 
-// A job on a stack of its own, suspended wherever it asks for passages. The sanitizers of addresses and threads
-// do not support such stacks: see util/sanitizer.hpp.
+// A job with its own stack, suspended at each call of run. AddressSanitizer and ThreadSanitizer do not
+// support such stacks: see util/sanitizer.hpp.
 class SuspendedJob {
  public:
-  // Starts the job and returns when it first asks for passages, or when it has ended.
+  // Starts the job; returns at its first request for passages, or at its end.
   explicit SuspendedJob(Job job);
   ~SuspendedJob();
 
-  // The passages that the job is waiting for; null once it has ended.
+  // The requested passages; null once the job has ended.
   const std::vector<PassageTask>* waiting_for() const;
-  // Continues the job with these passages until it asks for more or ends.
+  // Resumes the job with the requested passages; returns at its next request or at its end.
   void resume(std::vector<Passage> passages);
 
  private:
@@ -28,8 +28,8 @@ class SuspendedJob {
   std::unique_ptr<Routine> routine_;
 };
 
-// Runs the jobs concurrently on this thread: passages that they wait for at the same time go to run in one
-// batch, which keeps the SIMD lanes full. The results equal those of running one job after the other.
+// Runs the jobs interleaved on this thread: passages that several jobs wait for go to run in one batch, which
+// keeps the SIMD lanes full. The results equal those of running one job after the other.
 void run_together(const std::vector<Job>& jobs, const PassageRunner& run);
 
 }  // namespace bristle

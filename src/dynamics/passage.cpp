@@ -12,15 +12,15 @@ namespace bristle {
 namespace odeint = boost::numeric::odeint;
 namespace {
 
-// A pinned bristle oscillates undamped about its place; its means do not depend on the phase, so its
-// tolerance may be looser (docs/numerics.md has the measurement).
-constexpr double kImplicitFactor = 10;
+// A pinned bristle oscillates undamped about its equilibrium. Its means do not depend on the phase, so a
+// looser tolerance suffices (measured in docs/numerics.md).
+constexpr double kImplicitToleranceFactor = 10;
 
 constexpr double kTimeTolerance = 1e-13;
 
 struct EvaluationLimit {};
 
-// The right-hand side as Odeint calls it, with the cap on its evaluations.
+// The right-hand side in the form that Odeint calls. Limits the number of evaluations.
 struct System {
   const Bristle<double>& bristle;
   long evaluations;
@@ -36,8 +36,8 @@ struct System {
   }
 };
 
-// Largest error over tolerance. A step that is not finite is an infinite error: Odeint's own
-// checker takes NaN for a success.
+// Largest ratio of error to tolerance. A non-finite step
+// has a ratio of 1e6: Odeint's own checker accepts NaN.
 class ErrorChecker {
  public:
   ErrorChecker(double atol, double rtol) : atol_(atol), rtol_(rtol) {}
@@ -56,7 +56,7 @@ class ErrorChecker {
   double atol_, rtol_;
 };
 
-// Odeint's rule for the next step, without its call of the C library's pow.
+// Odeint's rule for the step size, with pow() of model/elementary.hpp instead of the C library's.
 class StepAdjuster {
  public:
   double decrease_step(double dt, double error, int error_order) const {
@@ -76,9 +76,9 @@ using ExplicitStepper = odeint::dense_output_runge_kutta<ControlledDopri5>;
 using ImplicitController = RosenbrockController;
 using ImplicitStepper = odeint::rosenbrock4_dense_output<ImplicitController>;
 
-class Run {
+class PassageIntegrator {
  public:
-  Run(const PassageTask& task, const Observer& observe)
+  PassageIntegrator(const PassageTask& task, const Observer& observe)
       : p_(*task.parameters),
         options_(task.integrator),
         observe_(observe),
@@ -90,21 +90,21 @@ class Run {
   Outcome integrate() {
     if (observe_) observe_(t_, y_);
     try {
-      End end = End::hand_over;
-      if (options_.method != Method::implicit_only) end = advance_explicit();
-      if (end == End::hand_over) {
+      StopReason reason = StopReason::hand_over;
+      if (options_.method != Method::implicit_only) reason = advance_explicit();
+      if (reason == StopReason::hand_over) {
         implicit_ = true;
-        end = advance_implicit();
+        advance_implicit();
       }
       return outcome_at_exit(p_, y_);
     } catch (const EvaluationLimit&) {
       return Outcome::step_limit;
-    } catch (const odeint::odeint_error&) {  // no step size was small enough
+    } catch (const odeint::odeint_error&) {  // Odeint found no acceptable step size
       return Outcome::not_finite;
     }
   }
 
-  void report(Passage& out) {
+  void store_in(Passage& out) {
     out.contact_time = t_;
     out.end = y_;
     out.steps = steps_;
@@ -115,12 +115,12 @@ class Run {
   }
 
  private:
-  enum class End {
+  enum class StopReason {
     exit,
     hand_over
   };
 
-  End advance_explicit() {
+  StopReason advance_explicit() {
     ExplicitStepper stepper(ControlledDopri5(ErrorChecker(options_.atol, options_.rtol)));
     return advance(stepper, [this] {
       return options_.method == Method::automatic &&
@@ -128,48 +128,49 @@ class Run {
     });
   }
 
-  End advance_implicit() {
-    ImplicitStepper stepper(
-        ImplicitController(kImplicitFactor * options_.atol, kImplicitFactor * options_.rtol));
+  StopReason advance_implicit() {
+    ImplicitStepper stepper(ImplicitController(kImplicitToleranceFactor * options_.atol,
+                                               kImplicitToleranceFactor * options_.rtol));
     return advance(stepper, [] { return false; });
   }
 
-  // Steps until the exit or until hand_over(); leaves time and state there.
+  // Steps until the exit or until hand_over() is true. Updates time and state.
   template <class Stepper, class HandOver>
-  End advance(Stepper& stepper, HandOver hand_over) {
+  StopReason advance(Stepper& stepper, HandOver hand_over) {
     stepper.initialize(y_, t_, dt_);
     while (!hand_over()) {
       const auto [from, to] = stepper.do_step(std::ref(system_));
       ++steps_;
-      const auto along = [&stepper](double t) { return state_at(stepper, t); };
-      const double pole = pole_contact(along, p_.s_min, from, to, kTimeTolerance);
-      const double end = std::min(pole, to);
+      const auto dense_output = [&stepper](double t) { return state_at(stepper, t); };
+      const double pole_time = pole_contact(dense_output, p_.s_min, from, to, kTimeTolerance);
+      const double end = std::min(pole_time, to);
       const OdeState at_end = end < to ? state_at(stepper, end) : stepper.current_state();
       const bool exits = slip(end, at_end) >= p_.L_x;
       if (exits) {
-        t_ = root_in([&](double t) { return slip(t, along(t)) - p_.L_x; }, from, end, kTimeTolerance);
+        t_ = first_root([&](double t) { return slip(t, dense_output(t)) - p_.L_x; }, from, end,
+                        kTimeTolerance);
         y_ = state_at(stepper, t_);
       } else {
         t_ = end;
         y_ = at_end;
         dt_ = stepper.current_time_step();
       }
-      sample(along);
-      if (!exits && pole <= to) {
-        if (answer_pole(p_.pole_rule, y_)) ++reflections_;
+      sample(dense_output);
+      if (!exits && pole_time <= to) {
+        if (apply_pole_rule(p_.pole_rule, y_)) ++reflections_;
         stepper.initialize(y_, t_, std::min(dt_, kFirstStep));
       }
       if (observe_) observe_(t_, y_);
-      if (exits) return End::exit;
+      if (exits) return StopReason::exit;
     }
-    return End::hand_over;
+    return StopReason::hand_over;
   }
 
-  // Up to the present time, by the dense output of the step that led there.
-  template <class Along>
-  void sample(Along along) {
-    for (double at; interval_ > 0 && (at = double(samples_.size() + 1) * interval_) < t_;) {
-      const OdeState y = along(at);
+  // Appends the samples of the last step, up to the time t_.
+  template <class DenseOutput>
+  void sample(DenseOutput dense_output) {
+    for (double t; interval_ > 0 && (t = double(samples_.size() + 1) * interval_) < t_;) {
+      const OdeState y = dense_output(t);
       samples_.push_back({y[NORMAL], y[FRICTION_X], y[FRICTION_Y]});
     }
   }
@@ -198,7 +199,7 @@ class Run {
 
 }  // namespace
 
-void complete(const PassageTask& task, Passage& out) {
+void evaluate_exit(const PassageTask& task, Passage& out) {
   out.outcome = outcome_at_exit(*task.parameters, out.end);
   const double T = out.contact_time, I_n = out.end[NORMAL];
   out.gamma_1 = out.end[MODULATION] / I_n;
@@ -214,10 +215,10 @@ void complete(const PassageTask& task, Passage& out) {
 Passage run_passage(const PassageTask& task, const Observer& observe) {
   Passage out;
   out.theta_0 = task.bristle.theta_0;
-  Run run(task, observe);
-  out.outcome = run.integrate();
-  run.report(out);
-  if (out.complete()) complete(task, out);
+  PassageIntegrator integrator(task, observe);
+  out.outcome = integrator.integrate();
+  integrator.store_in(out);
+  if (out.complete()) evaluate_exit(task, out);
   return out;
 }
 

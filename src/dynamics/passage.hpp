@@ -9,12 +9,12 @@
 
 namespace bristle {
 
-// How a passage ended. Data, not an error.
+// How a passage ended.
 enum class Outcome {
-  left,        // over the vertical, or never there, and out at the trailing edge
-  pinned,      // out at the trailing edge, but held upright at the axis by the repulsion
+  left,        // reached the trailing edge, not pinned
+  pinned,      // reached the trailing edge, held upright at the pole by the pole repulsion
   step_limit,  // the cap on derivative evaluations was reached
-  not_finite   // no finite step could be made
+  not_finite   // no step size gave a finite state
 };
 
 enum class Method {
@@ -26,42 +26,42 @@ enum class Method {
 struct IntegratorOptions {
   double rtol = 1e-6;
   double atol = 1e-8;
-  Method method = Method::automatic;  // automatic: explicit, then implicit once the bristle is stiff
-  long max_evaluations = 2'000'000;   // of derivative(), rejected steps included
+  Method method = Method::automatic;  // automatic: explicit until the bristle is stiff, then implicit
+  long max_evaluations = 2'000'000;   // of derivative(), including rejected steps
 };
 
-// Integrals along a passage up to an instant.
+// Integrals of F_n, F_fx and F_fy from the start of a passage to one instant, see Component.
 struct PathSample {
-  double normal, friction_x, friction_y;  // of F_n, F_fx, F_fy, as Component has them
+  double normal, friction_x, friction_y;
 };
 
-// One bristle from leading to trailing edge. Times and integrals dimensionless, see Component.
+// Result of the passage of one bristle from leading to trailing edge. Dimensionless, see Component.
 struct Passage {
   Outcome outcome = Outcome::not_finite;
   double theta_0 = 0;                            // rad
   double contact_time = 0;                       // T = Delta xi
   OdeState end{};                                // state and integrals at the exit
-  double gamma_1 = 0, gamma_2 = 0, gamma_3 = 0;  // this bristle's ratios in Eqs. (24-26)
-  double energy_residual = 0;                    // |E(T) - E(0) - work| over the energy dissipated
+  double gamma_1 = 0, gamma_2 = 0, gamma_3 = 0;  // ratios of Eqs. (24-26) for this bristle
+  double energy_residual = 0;                    // |E(T) - E(0) - work| over the dissipated energy
   long steps = 0, evaluations = 0;
-  int reflections = 0;    // at the pole, s = s_min
-  bool implicit = false;  // the implicit method finished it
-  std::vector<PathSample>
-      samples;  // at the multiples of the task's interval before the exit, from the first on
+  int reflections = 0;              // number of applications of the pole rule, at s = s_min
+  bool implicit = false;            // the implicit method was used
+  std::vector<PathSample> samples;  // at k sample_interval, k = 1, 2, .., before the exit
 
   bool complete() const { return outcome == Outcome::left || outcome == Outcome::pinned; }
 };
 
-// A passage to be computed. The parameters must outlive it.
+// Input of a passage. The parameters must outlive it.
 struct PassageTask {
   const Parameters* parameters;
   Bristle<double> bristle;
-  Equilibrium start;  // at rest in it, at the bristle's theta_0
+  Equilibrium start;  // initial position at rest, at the azimuth theta_0 of the bristle
   IntegratorOptions integrator;
-  double sample_interval = 0;  // of Passage::samples; 0: none. Nothing else depends on it
+  double sample_interval = 0;  // of Passage::samples; 0: none. No other value depends on it
 };
 
-// Computes passages, in the order of the tasks. The result of a task does not depend on the others.
+// Computes the passages of the tasks, in their order. The
+// result of a task does not depend on the other tasks.
 using PassageRunner = std::function<std::vector<Passage>(const std::vector<PassageTask>&)>;
 
 enum class Engine {
@@ -73,7 +73,11 @@ enum class Engine {
 using Observer = std::function<void(double xi, const OdeState&)>;
 
 // Integrates Eqs. (13, 17, 18) from rest until the slip xi - (x - x(0)) reaches L_x (Eq. A2), by
-// Boost.Odeint: the reference that the lanes are held against. Never throws for a numerical outcome.
+// Boost.Odeint: the reference for the SIMD engine. A numerical failure is an Outcome, not an exception.
 Passage run_passage(const PassageTask& task, const Observer& observe = {});
+
+// Computes outcome, gamma_1..3 and energy residual of a
+// passage that reached its exit, from contact_time and end.
+void evaluate_exit(const PassageTask& task, Passage& passage);
 
 }  // namespace bristle

@@ -11,9 +11,9 @@
 
 namespace bristle {
 
-// Rosenbrock method of order 4(3), the coefficients and interface of Odeint's rosenbrock4, for fixed-size
-// states: Eigen factorises the 8 x 8 block that couples; the integrals follow by substitution.
-// Odeint's rosenbrock4_controller and rosenbrock4_dense_output drive it.
+// Rosenbrock method of order 4(3) with the coefficients and the interface of Odeint's rosenbrock4, for
+// fixed-size states. Eigen factorises the 8 x 8 block of the state; the integrals follow by substitution. To
+// be used with Odeint's rosenbrock4_controller and rosenbrock4_dense_output.
 class Rosenbrock4 {
  public:
   using value_type = double;
@@ -26,7 +26,7 @@ class Rosenbrock4 {
   using stepper_category = boost::numeric::odeint::stepper_tag;
 
   // One step of an autonomous system with members derivative(y, dydt) and jacobian(y, J, J_integrals).
-  // System is a std::reference_wrapper, as Odeint's drivers copy what they are given.
+  // System is a std::reference_wrapper because Odeint's drivers copy it.
   template <class System>
   void do_step(System reference, const OdeState& y, double /*t*/, OdeState& y_out, double dt,
                OdeState& y_err) {
@@ -79,7 +79,7 @@ class Rosenbrock4 {
     return Eigen::Map<Column>(dydt.data());
   }
 
-  // Solves (1/(gamma dt) - J) g = rhs, the state's block first.
+  // Solves (1/(gamma dt) - J) g = rhs: first for the state, then for the integrals.
   Column solve(const Column& rhs) const {
     Column g;
     g.head<kState>() = factorisation_.solve(rhs.head<kState>());
@@ -95,8 +95,8 @@ class Rosenbrock4 {
   Column third_ = g1_, fourth_ = g1_;
 };
 
-// Odeint's controller, K. Gustafsson's prediction included, with square roots in place of the C library's
-// pow.
+// Odeint's controller, including K. Gustafsson's prediction,
+// with square roots instead of the C library's pow.
 class RosenbrockController : public boost::numeric::odeint::rosenbrock4_controller<Rosenbrock4> {
  public:
   using rosenbrock4_controller::rosenbrock4_controller;
@@ -106,13 +106,14 @@ class RosenbrockController : public boost::numeric::odeint::rosenbrock4_controll
                                                           OdeState& y_out, double& dt) {
     m_stepper.do_step(system, y, t, y_out, dt, m_xerr.m_v);
     const double err = error(y_out, y, m_xerr.m_v);
-    double factor = limited(fourth_root(err));
+    double factor = step_divisor(fourth_root(err));
     if (!(err <= 1)) {
       dt /= factor;
       m_last_rejected = true;
       return boost::numeric::odeint::fail;
     }
-    if (!m_first_step) factor = std::max(factor, limited(m_dt_old / dt * fourth_root(err * err / m_err_old)));
+    if (!m_first_step)
+      factor = std::max(factor, step_divisor(m_dt_old / dt * fourth_root(err * err / m_err_old)));
     m_first_step = false;
     m_dt_old = dt;
     m_err_old = std::max(0.01, err);
@@ -124,8 +125,8 @@ class RosenbrockController : public boost::numeric::odeint::rosenbrock4_controll
 
  private:
   static double fourth_root(double x) { return std::sqrt(std::sqrt(x)); }
-  // What the step is divided by, with some to spare; a step that is not finite by 5.
-  static double limited(double root) { return std::max(1.0 / 6, std::min(5.0, root / 0.9)); }
+  // Divisor of the step size, with a safety factor of 0.9. 5 for a step that is not finite.
+  static double step_divisor(double root) { return std::max(1.0 / 6, std::min(5.0, root / 0.9)); }
 };
 
 }  // namespace bristle

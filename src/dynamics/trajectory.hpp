@@ -4,17 +4,18 @@
 
 namespace bristle {
 
-// What a tip does at an instant, as Fig. 2 marks it. The first that applies.
+// Phase of the tip's motion, as marked in Fig. 2. The first whose condition holds.
 enum class Phase {
-  off_slab,   // rebound: more than kOffSlabRanges ranges of the wall below the slab
+  off_slab,   // rebound: more than kOffSlabRanges lambda_z below the slab
   stick,      // V_R below V_s, the static branch of chi
-  side_slip,  // V_R turned away from the slab's motion by more than kSideSlip
+  side_slip,  // angle between V_R and the slab's motion above kSideSlip
   slip
 };
 constexpr double kOffSlabRanges = 10;             // of lambda_z: F_n is then below 0.03
 constexpr double kSideSlip = 0.5235987755982988;  // rad (30 deg)
 
-// A passage after each step. Dimensionless; forces as the slab feels them.
+// State and forces at the start, after each step and at
+// the exit. Dimensionless; forces are those on the slab.
 struct TrajectoryPoint {
   double xi;
   OdeState y;  // state and integrals, see Component

@@ -9,15 +9,15 @@
 namespace bristle {
 namespace {
 
-// A decision against a target stops at this many times the tolerance: nearer, the full mean has to say.
-constexpr double kDecisionFactor = 4;
+// rough_load() refines to at most this multiple of the tolerance.
+constexpr double kRoughFactor = 4;
 
-// Widest panel (rad) of a mean to tolerance: its nodes, 2.5 degrees apart, see the stretches where the number
-// of bounces changes (docs/numerics.md has the measurement).
-constexpr double kWidest = 0.35;
+// Maximum panel width (rad) of precise_load() and full(). Nodes are then at most 2.5 degrees apart, which
+// resolves the intervals in which the number of bounces changes (measured in docs/numerics.md).
+constexpr double kMaxPanelWidth = 0.35;
 
-std::vector<double> first_edges(bool half_circle) {
-  // Bristles that point against the motion decide most: a panel of their own.
+std::vector<double> initial_edges(bool half_circle) {
+  // Bristles that point against the motion contribute most: they get their own panel.
   const double head_on = M_PI / 6;
   if (half_circle) return {0, M_PI - head_on, M_PI};
   return {-M_PI, -M_PI + head_on, 0, M_PI - head_on, M_PI};
@@ -51,14 +51,14 @@ EnsembleMean::EnsembleMean(const Setup& setup, double z_0, PassageRunner run)
   out_.z_0 = z_0;
   if (setup.orientation.sampling != Sampling::list)
     quadrature_.emplace([this](const std::vector<double>& at) { return samples(at); },
-                        first_edges(half_circle_));
+                        initial_edges(half_circle_));
 }
 
 std::vector<Passage> EnsembleMean::run(const std::vector<double>& theta_0) {
   std::vector<PassageTask> tasks;
   for (double angle : theta_0)
-    tasks.push_back({&setup_.parameters, make_bristle(setup_.parameters, out_.z_0, angle), start_,
-                     setup_.integrator});
+    tasks.push_back(
+        {&setup_.parameters, make_bristle(setup_.parameters, out_.z_0, angle), start_, setup_.integrator});
   std::vector<Passage> results = run_(tasks);
   for (const Passage& one : results)
     if (!one.complete() && out_.incomplete++ == 0) out_.incomplete_theta_0 = one.theta_0;
@@ -85,29 +85,28 @@ std::vector<Sample<OBSERVABLES>> EnsembleMean::samples(const std::vector<double>
 EnsembleMean::Goal EnsembleMean::goal() const {
   Goal goal;
   for (std::size_t k = 0; k < OBSERVABLES; ++k) goal.scale[k] = int(k);
-  goal.scale[R_Y] = R_X;  // R_y is near zero: measured against R_x
+  goal.scale[R_Y] = R_X;  // R_y is near zero, so its tolerance is relative to R_x
   return goal;
 }
 
-const Ensemble& EnsembleMean::against(double R_n_target) {
+const Ensemble& EnsembleMean::rough_load(double R_n_target) {
   Goal rough = goal();
-  rough.rtol[R_N] = kDecisionFactor * setup_.orientation.rtol;
-  rough.decide_about = R_n_target;
+  rough.rtol[R_N] = kRoughFactor * setup_.orientation.rtol;
+  rough.threshold = R_n_target;
   return refine(rough);
 }
 
-const Ensemble& EnsembleMean::near_target() {
-  Goal close = goal();
-  close.widest = kWidest;
-  close.rtol[R_N] = setup_.orientation.rtol / 2;
-  return refine(close);
+const Ensemble& EnsembleMean::precise_load() {
+  Goal precise = goal();
+  precise.max_panel_width = kMaxPanelWidth;
+  precise.rtol[R_N] = setup_.orientation.rtol / 2;
+  return refine(precise);
 }
 
 const Ensemble& EnsembleMean::full() {
   Goal all = goal();
-  all.widest = kWidest;
-  for (Observable k : {N_C_RATIO, R_N, R_X, GAMMA_1, GAMMA_2, GAMMA_3})
-    all.rtol[k] = setup_.orientation.rtol;
+  all.max_panel_width = kMaxPanelWidth;
+  for (Observable k : {N_C_RATIO, R_N, R_X, GAMMA_1, GAMMA_2, GAMMA_3}) all.rtol[k] = setup_.orientation.rtol;
   if (!half_circle_) all.rtol[R_Y] = setup_.orientation.rtol;
   return refine(all);
 }

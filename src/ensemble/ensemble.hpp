@@ -10,7 +10,7 @@
 
 namespace bristle {
 
-// What is averaged over theta_0. Dimensionless; forces per N_c0.
+// Quantities averaged over theta_0. Dimensionless; forces per N_c0.
 enum Observable {
   N_C_RATIO,  // <T>/L_x
   R_N,        // <int F_n dxi>/L_x
@@ -20,14 +20,14 @@ enum Observable {
   GAMMA_2,
   GAMMA_3,
   PINNED_FRACTION,
-  PINNED_R_N,  // the pinned bristles' part of R_n and R_x
+  PINNED_R_N,  // contribution of the pinned bristles to R_n and R_x
   PINNED_R_X,
   ENERGY_RESIDUAL,
   OBSERVABLES
 };
 using ObservableArray = std::array<double, OBSERVABLES>;
 
-// Bristles, slab and how to compute them: everything a mean over theta_0 depends on but the gap.
+// All inputs of an ensemble mean except the gap.
 struct Setup {
   Parameters parameters;
   Orientation orientation;
@@ -36,32 +36,32 @@ struct Setup {
 
 struct Ensemble {
   double z_0 = 0;
-  ObservableArray mean{}, error{};  // error: the quadrature's estimate
+  ObservableArray mean{}, error{};  // error: estimate of the quadrature; 0 for a list
   bool converged = true;            // error within rtol
   long passages = 0;
-  long incomplete = 0;            // passages that reached no exit; > 0: mean and error mean nothing
-  double incomplete_theta_0 = 0;  // the first of them, rad
+  long incomplete = 0;            // passages that reached no exit; if > 0, mean and error are invalid
+  double incomplete_theta_0 = 0;  // azimuth of the first of them, rad
   std::vector<double> jumps;      // theta_0 at which the outcome changes, rad
 };
 
-// The mean over theta_0, by quadrature or over a list, of single passages at the gap z_0 (model:
-// docs/model.md, section "The slab"). Every passage counts for all that is asked of it later. A numerical
-// failure is reported in the result. The setup must outlive it.
+// Ensemble mean, by quadrature or over a list, of single passages at the gap z_0 (docs/model.md, section "The
+// slab"). Each call refines the result of the calls before it and reuses all passages. A numerical failure is
+// reported in the result. The setup must outlive the object.
 class EnsembleMean {
  public:
   EnsembleMean(const Setup& setup, double z_0, PassageRunner run);
   EnsembleMean(const EnsembleMean&) = delete;
   EnsembleMean& operator=(const EnsembleMean&) = delete;
 
-  // R_n only, as accurate as it takes to tell it from R_n_target: a quarter of their distance, and at most
-  // 4 orientation.rtol. Far from the target this is a rough mean of few bristles.
-  const Ensemble& against(double R_n_target);
-  // R_n to half of orientation.rtol: what a root-finder needs near the target.
-  const Ensemble& near_target();
+  // R_n with an error of at most a quarter of its distance from R_n_target, or 4 orientation.rtol if that is
+  // larger. Far from the target this takes few bristles.
+  const Ensemble& rough_load(double R_n_target);
+  // R_n to half of orientation.rtol, for a root-finder near the target.
+  const Ensemble& precise_load();
   // R_n, R_x, N_c and gamma_1..3 to orientation.rtol.
   const Ensemble& full();
 
-  // All passages computed, in the order asked.
+  // All computed passages, in the order of computation.
   const std::vector<Passage>& passages() const { return passages_; }
 
  private:
@@ -82,10 +82,10 @@ class EnsembleMean {
   std::optional<Quadrature<OBSERVABLES>> quadrature_;  // none for a list
 };
 
-// What one passage contributes to the means of a slab of this length.
+// Contribution of one passage to the means, for a slab of length L_x.
 ObservableArray observables(const Passage& passage, double L_x);
 
-// R_rigid of Eqs. (22, 23) per N_c0, at the normal load R_n/N_c0. Dimensionless.
+// R_rigid of Eqs. (22, 23) per N_c0, for the normal load R_n per N_c0. Dimensionless.
 double rigid_friction(const Parameters& p, double R_n);
 
 }  // namespace bristle

@@ -8,9 +8,10 @@ namespace bristle {
 namespace {
 
 constexpr long kIntervalsPerRow = 4;
-constexpr long kBatch = 4096;  // passages under way with their samples
+constexpr long kBatch = 4096;  // passages whose samples are held at the same time
 
-// What bristles do to the slab in an interval, before division by its length and N_c0.
+// Integrals over an interval of the forces on the slab and of the number of bristles in contact, before
+// division by the length of the interval and by N_c0.
 struct Impulse {
   double R_n = 0, R_x = 0, R_y = 0, time = 0;
 };
@@ -27,8 +28,9 @@ Impulse operator-(const Impulse& a, const Impulse& b) {
   return {a.R_n - b.R_n, a.R_x - b.R_x, a.R_y - b.R_y, a.time - b.time};
 }
 
-// Sum of independent contributions in order, and its standard error from the differences of successive ones:
-// the mean may drift slowly along the order (von Neumann et al., Ann. Math. Stat. 12 (1941) 153).
+// Sum of independent contributions, and its standard error from the differences
+// of successive contributions. Their expected value may vary slowly along the
+// sequence (von Neumann et al., Ann. Math. Stat. 12 (1941) 153).
 class Contributions {
  public:
   void add(double value) {
@@ -48,7 +50,8 @@ class Contributions {
   long count_ = 0;
 };
 
-// The error is from the number of independent values, by the autocorrelation up to its first zero.
+// The error follows from the effective number of independent
+// values, given by the autocorrelation up to its first zero.
 Fluctuation fluctuation_of(const std::vector<double>& series) {
   const std::size_t n = series.size();
   const double mean = std::accumulate(series.begin(), series.end(), 0.0) / double(n);
@@ -76,37 +79,37 @@ class Lattice {
         p_(setup.parameters),
         z_0_(z_0),
         start_(initial_state(p_, z_0)),
-        across_(std::lround(p_.L_y / p_.spacing)),
+        row_size_(std::lround(p_.L_y / p_.spacing)),
         interval_(p_.spacing / kIntervalsPerRow),
-        first_(std::lround(std::ceil(lattice_start(setup) / interval_ - 1e-9))),
+        window_start_(std::lround(std::ceil(lattice_start(setup) / interval_ - 1e-9))),
         series_(std::size_t(setup.orientation.rows * kIntervalsPerRow)) {}
 
   LatticeMean average() {
-    const long rows = setup_.orientation.rows, step = std::max(1L, kBatch / across_);
+    const long rows = setup_.orientation.rows, step = std::max(1L, kBatch / row_size_);
     for (long row = 0; row < rows; row += step) {
-      const long first = row * across_, last = std::min(row + step, rows) * across_;
+      const long first = row * row_size_, last = std::min(row + step, rows) * row_size_;
       std::vector<PassageTask> tasks;
       for (long i = first; i < last; ++i) {
         const double theta_0 = random_azimuth(setup_.orientation, std::uint64_t(i));
         tasks.push_back({&p_, make_bristle(p_, z_0_, theta_0), start_, setup_.integrator, interval_});
       }
       std::vector<Passage> passages = run_(tasks);
-      for (long i = first; i < last; ++i) pass(i / across_, passages[std::size_t(i - first)]);
+      for (long i = first; i < last; ++i) add_passage(i / row_size_, passages[std::size_t(i - first)]);
     }
     finish();
     return std::move(out_);
   }
 
  private:
-  double in_lattice() const { return double(across_) * p_.L_x / p_.spacing; }  // N_c0
+  double N_c0() const { return double(row_size_) * p_.L_x / p_.spacing; }
 
-  void pass(long row, Passage& passage) {
-    Impulse until, in_window;
+  void add_passage(long row, Passage& passage) {
+    Impulse previous, in_window;
     std::size_t at = std::size_t(row * kIntervalsPerRow);
     const auto add_until = [&](const Impulse& now) {
-      if (at < series_.size()) series_[at] += now - until;
-      if (at < series_.size() && at >= first_) in_window += now - until;
-      until = now;
+      if (at < series_.size()) series_[at] += now - previous;
+      if (at < series_.size() && at >= window_start_) in_window += now - previous;
+      previous = now;
       ++at;
     };
     double time = 0;
@@ -116,10 +119,10 @@ class Lattice {
     add_until({end[NORMAL], end[FRICTION_X], end[FRICTION_Y], passage.contact_time});
     passage.samples.clear();
     passage.samples.shrink_to_fit();
-    add(passage, in_window);
+    add_contribution(passage, in_window);
   }
 
-  void add(const Passage& passage, const Impulse& in_window) {
+  void add_contribution(const Passage& passage, const Impulse& in_window) {
     if (!passage.complete() && out_.incomplete++ == 0) out_.incomplete_theta_0 = passage.theta_0;
     ObservableArray value = observables(passage, p_.L_x);
     const bool pinned = passage.outcome == Outcome::pinned;
@@ -134,31 +137,31 @@ class Lattice {
   }
 
   void finish() {
-    const double window = double(series_.size() - first_) * interval_;
+    const double window = double(series_.size() - window_start_) * interval_;
     for (std::size_t k = 0; k < OBSERVABLES; ++k) {
       const bool of_passages =
           k == GAMMA_1 || k == GAMMA_2 || k == GAMMA_3 || k == PINNED_FRACTION || k == ENERGY_RESIDUAL;
-      const double whole = !of_passages ? window * in_lattice() : double(contributions_[k].count());
-      out_.mean[k] = contributions_[k].sum() / whole;
-      out_.error[k] = contributions_[k].error() / whole;
+      const double divisor = !of_passages ? window * N_c0() : double(contributions_[k].count());
+      out_.mean[k] = contributions_[k].sum() / divisor;
+      out_.error[k] = contributions_[k].error() / divisor;
     }
     out_.force.interval = interval_;
-    const double whole = interval_ * in_lattice();
+    const double divisor = interval_ * N_c0();
     for (const Impulse& i : series_) {
-      out_.force.R_n.push_back(i.R_n / whole);
-      out_.force.R_x.push_back(i.R_x / whole);
-      out_.force.R_y.push_back(i.R_y / whole);
-      out_.force.N_c.push_back(i.time / whole);
+      out_.force.R_n.push_back(i.R_n / divisor);
+      out_.force.R_x.push_back(i.R_x / divisor);
+      out_.force.R_y.push_back(i.R_y / divisor);
+      out_.force.N_c.push_back(i.time / divisor);
     }
     out_.fluctuation = fluctuation_of(window_means(1));
     out_.fluctuation_of_rows = fluctuation_of(window_means(kIntervalsPerRow));
   }
 
-  // R_n(t) in the window t_1..t_2, in means over so many intervals.
+  // R_n(t) within t_1..t_2, averaged over this many intervals each.
   std::vector<double> window_means(std::size_t intervals) const {
     std::vector<double> out;
     const std::vector<double>& R_n = out_.force.R_n;
-    for (std::size_t i = first_; i + intervals <= R_n.size(); i += intervals)
+    for (std::size_t i = window_start_; i + intervals <= R_n.size(); i += intervals)
       out.push_back(std::accumulate(R_n.begin() + long(i), R_n.begin() + long(i + intervals), 0.0) /
                     double(intervals));
     return out;
@@ -169,9 +172,9 @@ class Lattice {
   const Parameters& p_;
   double z_0_;
   Equilibrium start_;
-  long across_;        // bristles of a row
-  double interval_;    // of the series, in units of r0/V0
-  std::size_t first_;  // interval of the window
+  long row_size_;             // bristles in a row
+  double interval_;           // of the series, in units of r0/V0
+  std::size_t window_start_;  // index of the first interval of t_1..t_2
   std::vector<Impulse> series_;
   std::array<Contributions, OBSERVABLES> contributions_;
   LatticeMean out_;

@@ -10,39 +10,40 @@
 namespace bristle {
 namespace {
 
-struct CannotCompute {};
+struct NotComputable {};
 
-// A gap on the path: excess < 0 before the target is met.
-struct Stop {
+// R_n at one gap. excess is R_n minus the target on the
+// loading path, the target minus R_n on the unloading path.
+struct GapLoad {
   double z_0;
   Load load;
   double excess;
 };
 
-class Path {
+class CrossingSearch {
  public:
-  Path(const LoadCurve& curve, const LoadSearch& search) : curve_(curve), search_(search) {}
+  CrossingSearch(const LoadCurve& curve, const LoadSearch& search) : curve_(curve), search_(search) {}
 
-  LoadPoint walk() {
+  LoadPoint run() {
     LoadPoint out;
     try {
       if (!find_bracket(out)) return out;
-      locate(out);
-    } catch (const CannotCompute&) {
+      locate_crossing(out);
+    } catch (const NotComputable&) {
       out.status = LoadStatus::failed;
     }
     return out;
   }
 
  private:
-  Stop at(double z_0, Accuracy accuracy) {
+  GapLoad load_at(double z_0, Accuracy accuracy) {
     const Load load = curve_(z_0, accuracy);
-    if (!std::isfinite(load.R_n)) throw CannotCompute{};
+    if (!std::isfinite(load.R_n)) throw NotComputable{};
     const double sign = search_.path == LoadPath::loading ? 1 : -1;
     return {z_0, load, sign * (load.R_n - search_.target)};
   }
 
-  std::vector<double> scan() const {
+  std::vector<double> scan_gaps() const {
     const double length = search_.first_contact - search_.ground;
     const int count = std::max(2, int(std::ceil(length / search_.step)));
     std::vector<double> gaps;
@@ -51,106 +52,110 @@ class Path {
     return gaps;
   }
 
-  // The first neighbouring stops with excess < 0 before and >= 0 behind. What rough means find is confirmed.
+  // Finds the first neighbouring gaps of the scan with excess < 0 before and >= 0 after the crossing. A
+  // crossing found with rough loads is confirmed with precise loads.
   bool find_bracket(LoadPoint& out) {
-    std::vector<Stop> stops;
-    for (double z_0 : scan()) {
-      stops.push_back(at(z_0, Accuracy::rough));
-      const std::size_t n = stops.size();
+    std::vector<GapLoad> scanned;
+    for (double z_0 : scan_gaps()) {
+      scanned.push_back(load_at(z_0, Accuracy::rough));
+      const std::size_t n = scanned.size();
       if (n >= 3)
-        if (const auto peak = hump(stops[n - 3], stops[n - 2], stops[n - 1])) {
-          stops.resize(n - 2);
-          return bracket_before(out, *peak, stops);
+        if (const auto far = find_in_hump(scanned[n - 3], scanned[n - 2], scanned[n - 1])) {
+          scanned.resize(n - 2);
+          return bracket_before(out, *far, scanned);
         }
-      if (stops.back().excess < 0) continue;
-      stops.back() = at(z_0, Accuracy::precise);
-      if (stops.back().excess < 0) continue;
-      const Stop far = stops.back();
-      stops.pop_back();
-      return bracket_before(out, far, stops);
+      if (scanned.back().excess < 0) continue;
+      scanned.back() = load_at(z_0, Accuracy::precise);
+      if (scanned.back().excess < 0) continue;
+      const GapLoad far = scanned.back();
+      scanned.pop_back();
+      return bracket_before(out, far, scanned);
     }
     return false;
   }
 
-  // The last of the stops that does not meet the target, by precise means, and the one behind it.
-  bool bracket_before(LoadPoint& out, Stop far, const std::vector<Stop>& stops) {
-    for (auto stop = stops.rbegin(); stop != stops.rend(); ++stop) {
-      const Stop near = at(stop->z_0, Accuracy::precise);
+  // Brackets the crossing by the last scanned gap with negative excess,
+  // according to precise loads, and the gap after it.
+  bool bracket_before(LoadPoint& out, GapLoad far, const std::vector<GapLoad>& scanned) {
+    for (auto point = scanned.rbegin(); point != scanned.rend(); ++point) {
+      const GapLoad near = load_at(point->z_0, Accuracy::precise);
       if (near.excess < 0) return set_bracket(out, near, far);
       far = near;
     }
-    if (search_.path == LoadPath::unloading) return false;  // carries less than the target already
+    if (search_.path == LoadPath::unloading)
+      return false;  // the load is below the target at the ground already
     return set_bracket(out, above_contact(), far);
   }
 
-  // The wall is soft: a load below R_n(sin(phi_0)) is met a few of its ranges above.
-  Stop above_contact() {
-    Stop stop = at(search_.first_contact, Accuracy::precise);
-    double lift = 1e-3;
-    while (stop.excess >= 0 && lift < 0.1) {
-      stop = at(search_.first_contact + lift, Accuracy::precise);
-      lift *= 2;
+  // The wall is soft: a load below R_n at first contact occurs a few wall ranges lambda_z above it.
+  GapLoad above_contact() {
+    GapLoad probe = load_at(search_.first_contact, Accuracy::precise);
+    double height = 1e-3;  // above first contact
+    while (probe.excess >= 0 && height < 0.1) {
+      probe = load_at(search_.first_contact + height, Accuracy::precise);
+      height *= 2;
     }
-    return stop;
+    return probe;
   }
 
-  // A stop between a and c that meets the target, if b is the top of a hump that comes near it: one
-  // whose parabola reaches to within 5 % of the target is searched.
-  std::optional<Stop> hump(const Stop& a, const Stop& b, const Stop& c) {
+  // If b is the top of a hump, searches between a and c for a gap with excess >= 0. Only humps whose parabola
+  // reaches to within 5 % of the target are searched.
+  std::optional<GapLoad> find_in_hump(const GapLoad& a, const GapLoad& b, const GapLoad& c) {
     if (!(b.excess < 0 && c.excess < 0 && b.excess >= a.excess && b.excess >= c.excess)) return {};
     const double rise = b.excess - a.excess, fall = b.excess - c.excess;
     const double peak = b.excess + (rise - fall) * (rise - fall) / (8 * (rise + fall) + 1e-300);
     if (peak + b.load.error < -0.05 * search_.target) return {};
-    std::optional<Stop> found;
-    const auto below = [&](double z_0) {
-      if (found) return -found->excess;  // enough: ends the search quickly
-      Stop stop = at(z_0, Accuracy::rough);
-      if (stop.excess >= 0) stop = at(z_0, Accuracy::precise);
-      if (stop.excess >= 0) found = stop;
-      return -stop.excess;
+    std::optional<GapLoad> found;
+    const auto negative_excess = [&](double z_0) {
+      if (found) return -found->excess;  // ends the search quickly
+      GapLoad probe = load_at(z_0, Accuracy::rough);
+      if (probe.excess >= 0) probe = load_at(z_0, Accuracy::precise);
+      if (probe.excess >= 0) found = probe;
+      return -probe.excess;
     };
     std::uintmax_t iterations = 12;
     const auto [low, high] = std::minmax(a.z_0, c.z_0);
-    boost::math::tools::brent_find_minima(below, low, high, 12, iterations);
+    boost::math::tools::brent_find_minima(negative_excess, low, high, 12, iterations);
     return found;
   }
 
-  static bool set_bracket(LoadPoint& out, const Stop& near, const Stop& far) {
+  static bool set_bracket(LoadPoint& out, const GapLoad& near, const GapLoad& far) {
     out.z_0_near = near.z_0;
     out.z_0_far = far.z_0;
     return near.excess < 0;
   }
 
-  void locate(LoadPoint& out) {
-    Stop near = at(out.z_0_near, Accuracy::precise), far = at(out.z_0_far, Accuracy::precise);
-    const double enough = search_.rtol * search_.target;
-    std::optional<Stop> met;
+  void locate_crossing(LoadPoint& out) {
+    GapLoad near = load_at(out.z_0_near, Accuracy::precise), far = load_at(out.z_0_far, Accuracy::precise);
+    const double allowed = search_.rtol * search_.target;
+    std::optional<GapLoad> solution;
     const auto excess = [&](double z_0) {
-      const Stop stop = at(z_0, Accuracy::precise);
-      (stop.excess < 0 ? near : far) = stop;
-      if (std::abs(stop.excess) > enough) return stop.excess;
-      met = stop;
+      const GapLoad probe = load_at(z_0, Accuracy::precise);
+      (probe.excess < 0 ? near : far) = probe;
+      if (std::abs(probe.excess) > allowed) return probe.excess;
+      solution = probe;
       return 0.0;
     };
-    if (std::abs(far.excess) <= enough) {
-      met = far;
+    if (std::abs(far.excess) <= allowed) {
+      solution = far;
     } else {
       const bool descending = near.z_0 > far.z_0;
-      const Stop &low = descending ? far : near, &high = descending ? near : far;
+      const GapLoad &low = descending ? far : near, &high = descending ? near : far;
       const double a = low.z_0, b = high.z_0, f_a = low.excess, f_b = high.excess;
       const auto close = [&](double l, double r) { return r - l <= search_.z_0_resolution; };
       std::uintmax_t iterations = 60;
       boost::math::tools::toms748_solve(excess, a, b, f_a, f_b, close, iterations);
     }
-    settle(out, near, far, met);
+    set_result(out, near, far, solution);
   }
 
-  void settle(LoadPoint& out, const Stop& near, const Stop& far, const std::optional<Stop>& met) {
-    const Stop& final = met ? *met : far;
+  void set_result(LoadPoint& out, const GapLoad& near, const GapLoad& far,
+                  const std::optional<GapLoad>& solution) {
+    const GapLoad& final = solution ? *solution : far;
     out.z_0 = final.z_0;
     out.load = final.load;
     const double noise = near.load.error + far.load.error;
-    const bool at_target = met || far.excess <= 2 * far.load.error;
+    const bool at_target = solution || far.excess <= 2 * far.load.error;
     const bool jumps = !at_target && far.excess - near.excess > 2 * noise;
     out.status = jumps ? LoadStatus::load_jump : LoadStatus::reached;
     if (jumps) {
@@ -166,7 +171,7 @@ class Path {
 }  // namespace
 
 LoadPoint first_crossing(const LoadCurve& curve, const LoadSearch& search) {
-  return Path(curve, search).walk();
+  return CrossingSearch(curve, search).run();
 }
 
 }  // namespace bristle

@@ -4,12 +4,12 @@
 
 namespace bristle {
 
-// R_n at a gap with its error estimate, both per N_c0, dimensionless. Not finite: could not be computed.
+// R_n at a gap and its error estimate, per N_c0, dimensionless. Not finite if it could not be computed.
 struct Load {
   double R_n, error;
 };
-// How R_n(z_0) is asked for: well enough to place it above or below a target that is far, or as well as can
-// be.
+// Requested accuracy of R_n(z_0): rough suffices to decide on which side of a distant target it lies, precise
+// is the accuracy of the reported values.
 enum class Accuracy {
   rough,
   precise
@@ -23,8 +23,9 @@ enum class LoadPath {
 
 enum class LoadStatus {
   reached,      // R_n(z_0) = target within rtol
-  load_jump,    // R_n(z_0) jumps across the target; z_0 and R_n are those of the far side
-  unreachable,  // no gap down to the ground carries (loading) or sheds down to (unloading) the target
+  load_jump,    // R_n(z_0) jumps across the target; z_0 and R_n are those after the jump
+  unreachable,  // R_n stays below the target down to the ground (loading) or above it up to contact
+                // (unloading)
   failed        // the curve could not be computed
 };
 
@@ -33,24 +34,25 @@ struct LoadSearch {
   LoadPath path = LoadPath::loading;
   double rtol = 1e-3;            // of R_n
   double first_contact = 0.985;  // sin(phi_0)
-  double ground = 0.01;          // lowest z_0 looked at
-  double step = 0.05;            // of the scan: narrower humps of R_n(z_0) may be missed
-  double z_0_resolution = 1e-6;  // a change across the target within this is a jump
+  double ground = 0.01;          // lowest z_0 of the search
+  double step = 0.05;            // of the scan; narrower humps of R_n(z_0) may be missed
+  double z_0_resolution = 1e-6;  // a crossing of the target within this is a jump
 };
 
 struct LoadPoint {
   LoadStatus status = LoadStatus::unreachable;
   double z_0 = 0;
   Load load{};          // at z_0
-  double z_0_near = 0;  // the scan's gaps before and behind the crossing
+  double z_0_near = 0;  // gaps of the scan before and after the crossing
   double z_0_far = 0;
-  double jump_z_0 = 0;  // last gap before a jump, and R_n there
+  double jump_z_0 = 0;  // last gap before a jump, and its R_n
   double jump_R_n = 0;
 };
 
-// The gap at which the target load is first met when the slab is lowered from first contact (loading, path
-// A-B-C-D of Fig. 3) or raised from the ground (unloading). R_n(z_0) need not be monotonic nor continuous:
-// a scan brackets the first crossing, humps that may hold one are searched, a root-finder locates it.
+// Finds the gap at which R_n(z_0) first reaches the target when the slab is lowered from
+// first contact (loading, path A-B-C-D of Fig. 3) or raised from the ground (unloading).
+// R_n(z_0) may be non-monotonic and discontinuous. A scan brackets the first crossing,
+// including one within a hump between gaps of the scan; a root-finder locates it.
 LoadPoint first_crossing(const LoadCurve& curve, const LoadSearch& search);
 
 }  // namespace bristle

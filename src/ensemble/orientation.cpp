@@ -10,8 +10,9 @@ namespace bristle {
 
 namespace {
 
-// exp(-kappa) times the modified Bessel function I_0(kappa), by the trapezoidal rule over its integral, which
-// for a periodic integrand converges faster than any power: below rounding with these nodes.
+// exp(-kappa) times the modified Bessel function I_0(kappa), by the trapezoidal
+// rule for its integral. For a periodic integrand the rule converges faster
+// than any power; with this number of nodes its error is below rounding.
 double scaled_bessel(double kappa) {
   const int nodes = 32 + int(std::ceil(10 * std::sqrt(kappa)));
   double sum = 0;
@@ -23,7 +24,7 @@ double scaled_bessel(double kappa) {
 
 double density(const Orientation& o, double theta_0) {
   if (o.distribution == Distribution::uniform) return 1 / (2 * M_PI);
-  // exp(-kappa) on both sides keeps large concentrations finite.
+  // Numerator and denominator are scaled by exp(-kappa), so that large concentrations do not overflow.
   const double kappa = o.concentration;
   return exp(kappa * (cos(theta_0 - o.mean) - 1)) / (2 * M_PI * scaled_bessel(kappa));
 }
@@ -35,14 +36,14 @@ bool mirror_symmetric(const Orientation& o) {
 
 namespace {
 
-// Uniform in [0, 1), keyed by seed, bristle and number of the draw.
+// Uniform in [0, 1), keyed by seed, index of the bristle and number of the draw.
 double uniform(std::uint64_t seed, std::uint64_t index, std::uint64_t draw) {
   const std::uint64_t bits = split_mix(split_mix(split_mix(seed) + index) + draw);
   return double(bits >> 11) * 0x1p-53;
 }
 
-// D. J. Best and N. I. Fisher, Applied Statistics 28 (1979) 152: rejection from a wrapped Cauchy
-// distribution.
+// D. J. Best and N. I. Fisher, Applied Statistics 28 (1979)
+// 152: rejection from a wrapped Cauchy distribution.
 double von_mises(double kappa, std::uint64_t seed, std::uint64_t index) {
   const double tau = 1 + std::sqrt(1 + 4 * kappa * kappa);
   const double rho = (tau - std::sqrt(2 * tau)) / (2 * kappa);
@@ -60,7 +61,8 @@ double von_mises(double kappa, std::uint64_t seed, std::uint64_t index) {
 }  // namespace
 
 double random_azimuth(const Orientation& o, std::uint64_t index) {
-  // Below this the density is flat to 1e-4 and the rejection's constants cancel.
+  // Below this concentration the density is uniform to 1e-4, and
+  // the constants of the rejection method suffer from cancellation.
   constexpr double flat = 1e-4;
   if (o.distribution == Distribution::uniform || o.concentration < flat)
     return M_PI * (2 * uniform(o.seed, index, 0) - 1);

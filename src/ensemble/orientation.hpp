@@ -18,23 +18,24 @@ enum class Sampling {
 // The distribution of the undeformed azimuths theta_0 over the lattice. Angles in rad.
 struct Orientation {
   Distribution distribution = Distribution::uniform;
-  double mean = 0, concentration = 0;  // von Mises
+  double mean = 0, concentration = 0;  // Distribution::von_mises
   Sampling sampling = Sampling::quadrature;
-  bool full_circle = false;     // do not use the mirror symmetry even where it holds
+  bool full_circle = false;     // do not use the mirror symmetry even if it holds
   double rtol = 1e-3;           // of the ensemble means
   std::vector<double> theta_0;  // Sampling::list, equally weighted
-  std::uint64_t seed = 0;       // Sampling::lattice: of the random azimuths
-  long rows = 0;                // that enter, one every spacing/V0
-  double t_1 = 0;  // time from which means are taken, in units of r0/V0; the end is that of the rows
+  std::uint64_t seed = 0;       // Sampling::lattice: seed of the random azimuths
+  long rows = 0;                // Sampling::lattice: number of rows; one enters every spacing/V0
+  double t_1 =
+      0;  // Sampling::lattice: start of the time means, r0/V0 (negative: 2 L_x); they end with the last row
 };
 
 // Probability density of theta_0, per rad.
 double density(const Orientation& orientation, double theta_0);
 
-// The azimuth (rad) of the bristle of this index in a lattice of this seed: the same whatever else is drawn.
+// The azimuth (rad) of the bristle with this index. Depends on the seed and the index only.
 double random_azimuth(const Orientation& orientation, std::uint64_t index);
 
-// theta_0 -> -theta_0 leaves the distribution unchanged, so that [0, pi] suffices and R_y = 0.
+// Whether theta_0 -> -theta_0 leaves the distribution unchanged: then [0, pi] suffices and R_y = 0.
 bool mirror_symmetric(const Orientation& orientation);
 
 }  // namespace bristle

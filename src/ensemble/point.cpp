@@ -12,7 +12,8 @@ namespace bristle {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-// R_n is told from the target when this many of its errors lie between: less than a decision asks for.
+// R_n counts as different from the target if their distance exceeds this multiple of the error. rough_load()
+// achieves a multiple of 4 unless it stops at its limit.
 constexpr double kDecided = 3;
 
 PointResult without_values(PointStatus status) {
@@ -29,12 +30,12 @@ PointResult without_values(PointStatus status) {
   return out;
 }
 
-// Adds to the errors what a load off its target by off (R_n units) changes, from the secant through
-// the scan's gaps on both sides of the crossing.
-void add_load_error(PointResult& out, const Ensemble& near, const Ensemble& far, double off) {
+// Adds the effect of a deviation of the load from its target (in units of R_n) to the errors, by the secant
+// through the gaps of the scan on both sides of the crossing.
+void add_load_error(PointResult& out, const Ensemble& near, const Ensemble& far, double deviation) {
   const double span = std::abs(far.mean[R_N] - near.mean[R_N]);
   if (span == 0) return;
-  const double share = off / span;
+  const double share = deviation / span;
   for (std::size_t k = 0; k < OBSERVABLES; ++k)
     if (k != R_N) out.load_error[k] = std::abs(far.mean[k] - near.mean[k]) * share;
   for (std::size_t k = 0; k < OBSERVABLES; ++k) out.error[k] += out.load_error[k];
@@ -55,13 +56,13 @@ void normalise(PointResult& out, const Parameters& p) {
 
 class PointSolver {
  public:
-  PointSolver(const Setup& setup, const Loading& loading, const PassageRunner& run,
-              const Recording& record, Recorded& recorded)
+  PointSolver(const Setup& setup, const Loading& loading, const PassageRunner& run, const Recording& record,
+              Recorded& recorded)
       : setup_(setup), loading_(loading), run_(run), record_(record), recorded_(recorded) {}
 
   PointResult solve() {
-    PointResult out = values();
-    if (setup_.orientation.sampling == Sampling::lattice && std::isfinite(out.z_0)) out = on_lattice(out);
+    PointResult out = ensemble_values();
+    if (setup_.orientation.sampling == Sampling::lattice && std::isfinite(out.z_0)) out = lattice_values(out);
     if (std::isfinite(out.z_0)) record_trajectories(out.z_0);
     out.passages = lattice_passages_;
     for (const auto& [z_0, mean] : means_) out.passages += long(mean.passages().size());
@@ -69,7 +70,7 @@ class PointSolver {
   }
 
  private:
-  PointResult values() {
+  PointResult ensemble_values() {
     if (loading_.z_0) return at_gap(*loading_.z_0, LoadStatus::reached);
     const LoadPoint found = search();
     if (found.status == LoadStatus::unreachable) return without_values(PointStatus::unreachable);
@@ -80,8 +81,9 @@ class PointSolver {
       out.jump_z_0 = found.jump_z_0;
       out.jump_R_n = found.jump_R_n;
     } else {
-      const double off = std::abs(out.value[R_N] - loading_.R_n) + out.error[R_N];
-      add_load_error(out, mean_at(found.z_0_near).near_target(), mean_at(found.z_0_far).near_target(), off);
+      const double deviation = std::abs(out.value[R_N] - loading_.R_n) + out.error[R_N];
+      add_load_error(out, mean_at(found.z_0_near).precise_load(), mean_at(found.z_0_far).precise_load(),
+                     deviation);
       normalise(out, setup_.parameters);
     }
     return out;
@@ -96,17 +98,17 @@ class PointSolver {
     return first_crossing([this](double z_0, Accuracy accuracy) { return load_at(z_0, accuracy); }, search);
   }
 
-  // Rough: only so well that R_n is told from the target. Precise: and where it is the target, as well as the
-  // values that will be reported.
+  // Rough: accurate enough to decide on which side of the target R_n
+  // lies. If R_n is at the target, as accurate as the reported values.
   Load load_at(double z_0, Accuracy accuracy) {
     EnsembleMean& mean = mean_at(z_0);
-    const Ensemble* e = &mean.against(loading_.R_n);
+    const Ensemble* e = &mean.rough_load(loading_.R_n);
     const auto distance = [&] { return std::abs(e->mean[R_N] - loading_.R_n); };
     const bool decided = distance() > kDecided * e->error[R_N];
-    if (e->incomplete == 0 && (accuracy == Accuracy::precise || !decided)) e = &mean.near_target();
+    if (e->incomplete == 0 && (accuracy == Accuracy::precise || !decided)) e = &mean.precise_load();
     if (e->incomplete == 0 && distance() <= 2 * setup_.orientation.rtol * loading_.R_n) e = &mean.full();
     if (e->incomplete == 0) return {e->mean[R_N], e->error[R_N]};
-    lost_ = e->incomplete_theta_0;
+    incomplete_theta_0_ = e->incomplete_theta_0;
     return {kNone, kNone};
   }
 
@@ -114,7 +116,7 @@ class PointSolver {
 
   PointResult incomplete() const {
     PointResult out = without_values(PointStatus::incomplete);
-    out.incomplete_theta_0 = lost_;
+    out.incomplete_theta_0 = incomplete_theta_0_;
     return out;
   }
 
@@ -123,17 +125,18 @@ class PointSolver {
     const Ensemble& ensemble = mean.full();
     if (record_.bristles) recorded_.bristles = mean.passages();
     PointResult out = values_of(setup_.parameters, ensemble);
-    if (status == LoadStatus::load_jump && out.status != PointStatus::incomplete) out.status = PointStatus::load_jump;
+    if (status == LoadStatus::load_jump && out.status != PointStatus::incomplete)
+      out.status = PointStatus::load_jump;
     return out;
   }
 
-  // The lattice's values in place of the mean's at the same gap.
-  PointResult on_lattice(const PointResult& mean) {
+  // Replaces the values of the ensemble mean by those of the lattice at the same gap.
+  PointResult lattice_values(const PointResult& mean) {
     LatticeMean lattice = lattice_mean(setup_, mean.z_0, run_);
     lattice_passages_ = long(lattice.passages.size());
     PointResult out = mean;
     if (lattice.incomplete > 0) {
-      lost_ = lattice.incomplete_theta_0;
+      incomplete_theta_0_ = lattice.incomplete_theta_0;
       return incomplete();
     }
     out.value = lattice.mean;
@@ -162,7 +165,7 @@ class PointSolver {
   Recorded& recorded_;
   std::map<double, EnsembleMean> means_;  // by gap
   long lattice_passages_ = 0;
-  double lost_ = kNone;  // theta_0 of a passage without an exit
+  double incomplete_theta_0_ = kNone;  // of a passage without an exit, rad
 };
 
 }  // namespace

@@ -9,15 +9,14 @@
 
 namespace bristle {
 
-// The whole curve R_n(z_0) instead of a point of it: see trace.hpp.
+// Parameters of a traced curve R_n(z_0), see trace.hpp.
 struct Trace {
-  double to = 0.01;          // lowest gap; the highest is first contact
-  double resolution = 0.02;  // relative, of R_n between neighbouring nodes
-  long nodes = 256;          // at most
+  double to = 0.01;          // lowest gap; the highest is that of first contact
+  double resolution = 0.02;  // maximum relative deviation of R_n from the line between neighbouring nodes
+  long nodes = 256;          // maximum number
 };
 
-// What is asked of one point of a sweep: a gap, a load to find the gap for, or a curve. Dimensionless, per
-// N_c0.
+// Loading of a sweep point: a gap, a target load, or a traced curve. Dimensionless, per N_c0.
 struct Loading {
   std::optional<double> z_0;
   double R_n = 2;
@@ -27,49 +26,49 @@ struct Loading {
 
 enum class PointStatus {
   ok,
-  load_jump,      // R_n(z_0) jumps across the target: the values are those of the far side
+  load_jump,      // R_n(z_0) jumps across the target: the values are those after the jump
   unreachable,    // no gap carries the target: no values
   incomplete,     // a passage ended without an exit: no values
-  not_converged,  // values, but an error above rtol
-  absent          // a curve has fewer nodes than this
+  not_converged,  // there are values, but with an error above rtol
+  absent          // the traced curve has fewer nodes
 };
 
-// Everything known of one point. Values are NaN where the status says that there are none.
-// Errors: quadrature over theta_0, and, where z_0 was searched for, the load's distance from its target.
+// Result of one sweep point. Values that the status excludes are NaN. Errors include the quadrature over
+// theta_0 and, after a load search, the deviation of the load from its target.
 struct PointResult {
   PointStatus status = PointStatus::ok;
   double z_0 = 0, z_0_error = 0;
   ObservableArray value{}, error{};
-  ObservableArray load_error{};  // the part of error that the load's distance from its target makes
-  Fluctuation fluctuation, fluctuation_of_rows;  // on a lattice; NaN otherwise
-  double R_x_norm = 0, R_x_norm_error = 0;       // Eqs. (20, 21), at the R_n actually carried
+  ObservableArray load_error{};  // the part of error due to the deviation of the load from its target
+  Fluctuation fluctuation, fluctuation_of_rows;  // for lattice sampling; NaN otherwise
+  double R_x_norm = 0, R_x_norm_error = 0;       // Eqs. (20, 21), for the computed R_n
   double R_y_norm = 0, R_y_norm_error = 0;
   double R_x_norm_load_error = 0, R_y_norm_load_error = 0;
-  double jump_z_0 = 0, jump_R_n = 0;  // last gap before the jump and its R_n; NaN without
+  double jump_z_0 = 0, jump_R_n = 0;  // last gap before a jump, and its R_n; NaN without a jump
   double incomplete_theta_0 = 0;      // rad; NaN if complete
-  long passages = 0;                  // bristles integrated for this point
-  double force_unit = 0;              // newtons per dimensionless force, where there are SI units
+  long passages = 0;                  // number of passages computed for this point
+  double force_unit = 0;              // newtons per unit of dimensionless force; NaN without SI units
 };
 
-// What is kept of a point beside its values.
+// Data to record in addition to the values of a point.
 struct Recording {
   bool bristles = false, slab_force = false;
   std::vector<double> trajectories;  // theta_0, rad
 };
-// It, at the gap that the values are of.
+// Recorded data, at the gap of the values.
 struct Recorded {
   std::vector<Passage> bristles;
   SlabForce slab_force;
   std::vector<Trajectory> trajectories;
 };
 
-// Where the status is ok and a load was asked for, R_n is within orientation.rtol of it; on a lattice the gap
-// is the one at which the mean over theta_0 carries the load. run computes the passages; the result does not
-// depend on how. recorded must be given where something is to be kept.
+// Solves one sweep point. If the status is ok and a target load is given, R_n is within orientation.rtol of
+// it. For lattice sampling the gap is the one at which the ensemble mean carries the target load. run
+// computes the passages. recorded is required if record requests data.
 PointResult solve_point(const Setup& setup, const Loading& loading, const PassageRunner& run,
                         const Recording& record = {}, Recorded* recorded = nullptr);
 
-// The values of a mean at its gap, with the status that follows from it.
+// Converts an ensemble mean to the result of a point with a given gap.
 PointResult values_of(const Parameters& parameters, const Ensemble& ensemble);
 
 }  // namespace bristle

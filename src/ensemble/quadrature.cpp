@@ -5,7 +5,7 @@
 namespace bristle {
 namespace {
 
-// Value at x of the i-th Lagrange polynomial over nodes 0, 1, .. count - 1.
+// The i-th Lagrange polynomial of the nodes 0, 1, .. count - 1 at x.
 double lagrange(std::size_t i, std::size_t count, double x) {
   double value = 1;
   for (std::size_t j = 0; j < count; ++j)
@@ -30,7 +30,8 @@ const NestedRule& nested_rule(std::size_t nodes) {
   static const NestedRule two = make_rule({1. / 2, 1. / 2}, nullptr);
   static const NestedRule three = make_rule({1. / 6, 4. / 6, 1. / 6}, &two);
   static const NestedRule five = make_rule({7. / 90, 32. / 90, 12. / 90, 32. / 90, 7. / 90}, &three);
-  // Romberg's: Newton and Cotes' own has weights of both signs, which doubles the noise of a rough integrand.
+  // Romberg's rule. The Newton-Cotes rule of 9 nodes has negative
+  // weights, which double the noise of a rough integrand.
   constexpr double w = 5670;
   static const NestedRule nine =
       make_rule({217 / w, 1024 / w, 352 / w, 1024 / w, 436 / w, 1024 / w, 352 / w, 1024 / w, 217 / w}, &five);
@@ -40,7 +41,7 @@ const NestedRule& nested_rule(std::size_t nodes) {
     case 5: return five;
     case 9: return nine;
   }
-  throw std::logic_error("no rule of this many nodes");
+  throw std::logic_error("quadrature rules have 2, 3, 5 or 9 nodes");
 }
 
 }  // namespace bristle

@@ -7,14 +7,14 @@
 
 namespace bristle {
 
-// Jumps closer than this are not told apart.
+// Jumps closer than this are not resolved.
 constexpr double kSmallestPanel = 1e-7;
-// Part of the tolerance that the unknown place of one jump may use up.
+// Share of the tolerance that the uncertain position of one jump may use.
 constexpr double kJumpShare = 0.2;
-constexpr std::size_t kMostNodes = 9;
-// What is left alone is what happened to look smooth: the estimates of rough panels are raised by this
-// factor, which makes them honest on integrands that are rough throughout (docs/numerics.md).
-constexpr double kSelection = 2;
+constexpr std::size_t kMaxNodes = 9;
+// Panels whose estimate is small by accident are not refined further, which biases the total error. The
+// estimates of rough panels are therefore multiplied by this factor (calibrated in docs/numerics.md).
+constexpr double kRoughnessFactor = 2;
 
 template <std::size_t N>
 std::vector<typename Quadrature<N>::Node> Quadrature<N>::evaluate(const std::vector<double>& at) {
@@ -28,10 +28,10 @@ std::vector<typename Quadrature<N>::Node> Quadrature<N>::evaluate(const std::vec
   return nodes;
 }
 
-// All first panels in one batch.
+// Samples all initial panels in one batch.
 template <std::size_t N>
-void Quadrature<N>::start() {
-  constexpr std::size_t steps = kMostNodes - 1;
+void Quadrature<N>::sample_initial_panels() {
+  constexpr std::size_t steps = kMaxNodes - 1;
   std::vector<double> at;
   for (std::size_t e = 1; e < edges_.size(); ++e)
     for (std::size_t i = 0; i < steps; ++i)
@@ -39,10 +39,10 @@ void Quadrature<N>::start() {
   at.push_back(edges_.back());
   const std::vector<Node> nodes = evaluate(at);
   for (std::size_t first = 0; first + steps < nodes.size(); first += steps)
-    panels_.push_back(make_panel({nodes.begin() + first, nodes.begin() + first + kMostNodes}));
+    panels_.push_back(make_panel({nodes.begin() + first, nodes.begin() + first + kMaxNodes}));
 }
 
-// The rule over every stride-th node.
+// The rule of every stride-th node of the panel.
 template <std::size_t N>
 typename Quadrature<N>::Values Quadrature<N>::rule(const Panel& panel, std::size_t stride) const {
   const NestedRule& r = nested_rule((panel.nodes.size() - 1) / stride + 1);
@@ -54,7 +54,7 @@ typename Quadrature<N>::Values Quadrature<N>::rule(const Panel& panel, std::size
 }
 
 template <std::size_t N>
-void Quadrature<N>::measure(Panel& panel) const {
+void Quadrature<N>::evaluate_panel(Panel& panel) const {
   const std::size_t n = panel.nodes.size();
   const auto value = [&](std::size_t i, std::size_t k) { return panel.nodes[i].sample.value[k]; };
   panel.integral = rule(panel, 1);
@@ -72,25 +72,25 @@ void Quadrature<N>::measure(Panel& panel) const {
     for (std::size_t i = 0; i < r.between.size(); ++i) {
       double between = 0;
       for (std::size_t j = 0; j < r.between[i].size(); ++j) between += r.between[i][j] * value(2 * j, k);
-      const double off = value(2 * i + 1, k) - between;
-      misfit += off * off / double(n);
+      const double deviation = value(2 * i + 1, k) - between;
+      misfit += deviation * deviation / double(n);
     }
     const double roughness = spread > 0 ? std::min(1.0, std::sqrt(misfit / spread)) : 0;
     const double difference = std::abs(panel.integral[k] - coarse[k]);
-    panel.error[k] = std::max(difference, kSelection * roughness * std::sqrt(misfit) * panel.width());
+    panel.error[k] = std::max(difference, kRoughnessFactor * roughness * std::sqrt(misfit) * panel.width());
   }
 }
 
 template <std::size_t N>
 typename Quadrature<N>::Panel Quadrature<N>::make_panel(std::vector<Node> nodes) const {
   Panel panel{std::move(nodes), {}, {}};
-  measure(panel);
+  evaluate_panel(panel);
   return panel;
 }
 
-// A node between any two; a panel that gets too many becomes two.
+// Adds a node in the middle between any two nodes; splits the panel if it then has too many.
 template <std::size_t N>
-void Quadrature<N>::densify(std::size_t index) {
+void Quadrature<N>::halve_spacing(std::size_t index) {
   const std::vector<Node> old = panels_[index].nodes;
   std::vector<double> at;
   for (std::size_t i = 1; i < old.size(); ++i) at.push_back(old[i - 1].at + (old[i].at - old[i - 1].at) / 2);
@@ -101,7 +101,7 @@ void Quadrature<N>::densify(std::size_t index) {
     nodes.push_back(old[i + 1]);
   }
   std::vector<Panel> panels;
-  cut(panels, nodes, false);
+  append_panels(panels, nodes, false);
   replace(index, panels);
 }
 
@@ -112,14 +112,14 @@ void Quadrature<N>::replace(std::size_t index, const std::vector<Panel>& panels)
 }
 
 template <std::size_t N>
-std::optional<typename Quadrature<N>::Change> Quadrature<N>::change_in(const Panel& panel) const {
-  std::optional<Change> worst;
-  double most = -1;
+std::optional<typename Quadrature<N>::LabelChange> Quadrature<N>::change_in(const Panel& panel) const {
+  std::optional<LabelChange> worst;
+  double largest = -1;
   for (std::size_t i = 1; i < panel.nodes.size(); ++i) {
-    const Change change{panel.nodes[i - 1], panel.nodes[i]};
+    const LabelChange change{panel.nodes[i - 1], panel.nodes[i]};
     if (change.left.sample.label == change.right.sample.label) continue;
-    if (const double s = severity(uncertainty(change)); s > most) {
-      most = s;
+    if (const double s = severity(uncertainty(change)); s > largest) {
+      largest = s;
       worst = change;
     }
   }
@@ -127,7 +127,7 @@ std::optional<typename Quadrature<N>::Change> Quadrature<N>::change_in(const Pan
 }
 
 template <std::size_t N>
-typename Quadrature<N>::Values Quadrature<N>::uncertainty(const Change& change) {
+typename Quadrature<N>::Values Quadrature<N>::uncertainty(const LabelChange& change) {
   Values error;
   for (std::size_t k = 0; k < N; ++k)
     error[k] = std::abs(change.left.sample.value[k] - change.right.sample.value[k]) *
@@ -135,13 +135,14 @@ typename Quadrature<N>::Values Quadrature<N>::uncertainty(const Change& change) 
   return error;
 }
 
-// Narrows the change down until what its unknown place can alter is small against the tolerance. The trails
-// are the nodes passed on either side, ascending, the change's own included.
+// Bisects the change until the error due to its uncertain position is small compared with the tolerance. The
+// trails are the nodes to the left and right of the jump, ascending, including those of the change.
 template <std::size_t N>
-void Quadrature<N>::bisect(Change& change, std::vector<Node>& left_trail, std::vector<Node>& right_trail) {
+void Quadrature<N>::bisect(LabelChange& change, std::vector<Node>& left_trail,
+                           std::vector<Node>& right_trail) {
   left_trail = {change.left};
   right_trail = {change.right};
-  // At least one step: a jump narrowed before is passed again when it has become the worst.
+  // At least one step: a jump is narrowed again if it has the largest error.
   do {
     if (change.right.at - change.left.at <= kSmallestPanel) break;
     const Node middle = evaluate({change.left.at + (change.right.at - change.left.at) / 2}).front();
@@ -150,14 +151,15 @@ void Quadrature<N>::bisect(Change& change, std::vector<Node>& left_trail, std::v
   } while (result_.status != QuadratureStatus::invalid && severity(uncertainty(change)) > kJumpShare);
 }
 
-// Panels from runs of equidistant nodes, the largest first.
+// Appends panels for equidistant nodes, each as large as possible, starting from the left or from the right.
 template <std::size_t N>
-void Quadrature<N>::cut(std::vector<Panel>& out, const std::vector<Node>& nodes, bool from_right) const {
+void Quadrature<N>::append_panels(std::vector<Panel>& out, const std::vector<Node>& nodes,
+                                  bool from_right) const {
   std::size_t from = 0, to = nodes.size() - 1;
   std::vector<Panel> panels;
   while (from < to) {
     std::size_t steps = 1;
-    while (steps < kMostNodes - 1 && 2 * steps <= to - from) steps *= 2;
+    while (steps < kMaxNodes - 1 && 2 * steps <= to - from) steps *= 2;
     const std::size_t first = from_right ? to - steps : from;
     panels.push_back(make_panel(
         {nodes.begin() + std::ptrdiff_t(first), nodes.begin() + std::ptrdiff_t(first + steps) + 1}));
@@ -169,36 +171,36 @@ void Quadrature<N>::cut(std::vector<Panel>& out, const std::vector<Node>& nodes,
 
 // Replaces the panel by panels on both sides of the jump in it.
 template <std::size_t N>
-void Quadrature<N>::locate(std::size_t index) {
+void Quadrature<N>::locate_jump(std::size_t index) {
   const std::vector<Node> nodes = panels_[index].nodes;
-  Change jump = *change_in(panels_[index]);
+  LabelChange jump = *change_in(panels_[index]);
   const auto right =
       std::find_if(nodes.begin(), nodes.end(), [&](const Node& n) { return n.at == jump.right.at; });
   std::vector<Node> left_trail, right_trail;
   bisect(jump, left_trail, right_trail);
   std::vector<Panel> panels;
-  cut(panels, {nodes.begin(), right}, false);
+  append_panels(panels, {nodes.begin(), right}, false);
   for (std::size_t i = 1; i < left_trail.size(); ++i)
     panels.push_back(make_panel({left_trail[i - 1], left_trail[i]}));
   for (std::size_t i = 1; i < right_trail.size(); ++i)
     panels.push_back(make_panel({right_trail[i - 1], right_trail[i]}));
-  cut(panels, {right, nodes.end()}, true);
+  append_panels(panels, {right, nodes.end()}, true);
   jumps_.push_back(jump);
   replace(index, panels);
 }
 
-// Goes on narrowing a located jump.
+// Narrows a located jump further.
 template <std::size_t N>
-void Quadrature<N>::narrow(Change& jump) {
+void Quadrature<N>::narrow_jump(LabelChange& jump) {
   std::vector<Node> left_trail, right_trail;
   bisect(jump, left_trail, right_trail);
   std::vector<Panel> panels;
   for (const auto* trail : {&left_trail, &right_trail})
     for (std::size_t i = 1; i < trail->size(); ++i)
       panels.push_back(make_panel({(*trail)[i - 1], (*trail)[i]}));
-  const auto behind = std::find_if(panels_.begin(), panels_.end(),
-                                   [&](const Panel& p) { return p.nodes.front().at >= jump.right.at; });
-  panels_.insert(behind, panels.begin(), panels.end());
+  const auto next = std::find_if(panels_.begin(), panels_.end(),
+                                 [&](const Panel& p) { return p.nodes.front().at >= jump.right.at; });
+  panels_.insert(next, panels.begin(), panels.end());
   std::sort(panels_.begin(), panels_.end(),
             [](const Panel& a, const Panel& b) { return a.nodes.front().at < b.nodes.front().at; });
 }
@@ -217,7 +219,7 @@ void Quadrature<N>::sum() {
       if (panel.nodes[i - 1].sample.label != panel.nodes[i].sample.label)
         add_error(uncertainty({panel.nodes[i - 1], panel.nodes[i]}));
   }
-  for (const Change& jump : jumps_) {
+  for (const LabelChange& jump : jumps_) {
     const double width = jump.right.at - jump.left.at;
     for (std::size_t k = 0; k < N; ++k)
       result_.integral[k] += width * (jump.left.sample.value[k] + jump.right.sample.value[k]) / 2;
@@ -227,53 +229,54 @@ void Quadrature<N>::sum() {
 }
 
 template <std::size_t N>
-double Quadrature<N>::allowed(std::size_t k) const {
-  const double of_value = goal_.rtol[k] * std::abs(result_.integral[goal_.scale[k]]);
-  if (!goal_.decide_about) return of_value;
-  return std::max(of_value, std::abs(result_.integral[k] - *goal_.decide_about) / 4);
+double Quadrature<N>::tolerance(std::size_t k) const {
+  const double relative = goal_.rtol[k] * std::abs(result_.integral[goal_.scale[k]]);
+  if (!goal_.threshold) return relative;
+  return std::max(relative, std::abs(result_.integral[k] - *goal_.threshold) / 4);
 }
 
-// The largest ratio of an error to what is allowed in all.
+// The largest ratio of an error to the tolerance of its component.
 template <std::size_t N>
 double Quadrature<N>::severity(const Values& error) const {
   double worst = 0;
   for (std::size_t k = 0; k < N; ++k) {
     if (goal_.rtol[k] == 0 || error[k] == 0) continue;
-    worst = std::max(worst, error[k] / allowed(k));
+    worst = std::max(worst, error[k] / tolerance(k));
   }
   return worst;
 }
 
-// Severity in the components whose error is still too large.
+// Severity in the components whose total error exceeds the tolerance.
 template <std::size_t N>
-double Quadrature<N>::lacking(Values error) const {
+double Quadrature<N>::unmet_severity(Values error) const {
   for (std::size_t k = 0; k < N; ++k)
-    if (result_.error[k] <= allowed(k)) error[k] = 0;
+    if (result_.error[k] <= tolerance(k)) error[k] = 0;
   return severity(error);
 }
 
-// Refines the panel or narrows the jump that lacks most.
+// Refines the panel, or narrows the jump, with the largest unmet severity.
 template <std::size_t N>
 void Quadrature<N>::refine_worst() {
-  double most = -1;
+  double largest = -1;
   std::size_t worst = 0;
   for (std::size_t i = 0; i < panels_.size(); ++i) {
-    double s = lacking(panels_[i].error);
-    if (const auto change = change_in(panels_[i])) s = std::max(s, lacking(uncertainty(*change)));
-    if (s > most) {
-      most = s;
+    double s = unmet_severity(panels_[i].error);
+    if (const auto change = change_in(panels_[i])) s = std::max(s, unmet_severity(uncertainty(*change)));
+    if (s > largest) {
+      largest = s;
       worst = i;
     }
   }
-  Change* jump = nullptr;
-  for (Change& j : jumps_)
-    if (const double s = lacking(uncertainty(j)); s > most && j.right.at - j.left.at > kSmallestPanel) {
-      most = s;
+  LabelChange* jump = nullptr;
+  for (LabelChange& j : jumps_)
+    if (const double s = unmet_severity(uncertainty(j));
+        s > largest && j.right.at - j.left.at > kSmallestPanel) {
+      largest = s;
       jump = &j;
     }
-  if (jump) return narrow(*jump);
-  if (change_in(panels_[worst])) return locate(worst);
-  densify(worst);
+  if (jump) return narrow_jump(*jump);
+  if (change_in(panels_[worst])) return locate_jump(worst);
+  halve_spacing(worst);
 }
 
 template <std::size_t N>
@@ -281,9 +284,9 @@ const QuadratureResult<N>& Quadrature<N>::refine(const QuadratureGoal<N>& goal) 
   goal_ = goal;
   if (result_.status == QuadratureStatus::invalid) return result_;
   result_.status = QuadratureStatus::converged;
-  if (panels_.empty()) start();
+  if (panels_.empty()) sample_initial_panels();
   for (std::size_t i = 0; i < panels_.size();)
-    if (panels_[i].width() > goal.widest) densify(i);
+    if (panels_[i].width() > goal.max_panel_width) halve_spacing(i);
     else ++i;
   sum();
   while (result_.status == QuadratureStatus::converged && severity(result_.error) > 1) {
@@ -295,7 +298,7 @@ const QuadratureResult<N>& Quadrature<N>::refine(const QuadratureGoal<N>& goal) 
     sum();
   }
   result_.jumps.clear();
-  for (const Change& jump : jumps_)
+  for (const LabelChange& jump : jumps_)
     result_.jumps.push_back(jump.left.at + (jump.right.at - jump.left.at) / 2);
   std::sort(result_.jumps.begin(), result_.jumps.end());
   return result_;

@@ -13,10 +13,10 @@ namespace bristle {
 namespace {
 
 constexpr int kFirstIntervals = 24;
-constexpr double kSmallLoad = 0.1;  // R_n below which the resolution is absolute
-constexpr int kSearchSteps = 10;    // of a fold or a landing
-constexpr long kReserved = 48;      // nodes kept for them
-constexpr double kShallow = 0.25;   // of the resolution: folds less deep than this are not told from none
+constexpr double kSmallLoad = 0.1;      // R_n below which the resolution is absolute
+constexpr int kSearchSteps = 10;        // of the search for a fold or a landing
+constexpr long kReservedNodes = 48;     // for these searches
+constexpr double kMinFoldDepth = 0.25;  // in units of the resolution; shallower folds are ignored
 
 class Tracer {
  public:
@@ -31,24 +31,25 @@ class Tracer {
     while (refine()) {
     }
     const auto found = folds();
-    side_by_side(found, [this](const Fold& fold, const PassageRunner& run) { sharpen(fold, run); });
-    side_by_side(landings(found),
-                 [this](const Landing& landing, const PassageRunner& run) { land(landing, run); });
-    return marked();
+    run_all(found, [this](const Fold& fold, const PassageRunner& run) { refine_fold(fold, run); });
+    run_all(landings(found),
+            [this](const Landing& landing, const PassageRunner& run) { refine_landing(landing, run); });
+    return nodes_with_branches();
   }
 
  private:
-  // A node at which the path ends, with its neighbours on the route: down for sign 1, up for sign -1.
+  // A node at which a path ends, with its neighbours in order
+  // of the gaps: descending for sign 1, ascending for sign -1.
   struct Fold {
     double sign, before, at, after;
   };
-  // Neighbouring nodes behind a fold, the first that carries less than the fold and the other more.
+  // Neighbouring nodes after a fold between which R_n passes the load at the fold.
   struct Landing {
     double near, far, load;
   };
 
   template <class Task, class Do>
-  void side_by_side(const std::vector<Task>& tasks, Do what) {
+  void run_all(const std::vector<Task>& tasks, Do what) {
     std::vector<Job> jobs;
     for (const Task& task : tasks)
       jobs.push_back([&task, what](const PassageRunner& run) { what(task, run); });
@@ -64,22 +65,22 @@ class Tracer {
   }
 
   void compute(const std::vector<double>& gaps) {
-    side_by_side(gaps, [this](double z_0, const PassageRunner& run) { nodes_[z_0] = solve(z_0, run); });
+    run_all(gaps, [this](double z_0, const PassageRunner& run) { nodes_[z_0] = solve(z_0, run); });
   }
 
-  // R_n at a gap that may not be a node yet.
+  // R_n at a gap; computes the node if it does not exist.
   double load(double z_0, const PassageRunner& run) {
     if (nodes_.find(z_0) == nodes_.end()) {
-      ++under_way_;
+      ++pending_;
       const PointResult node = solve(z_0, run);
-      --under_way_;
+      --pending_;
       nodes_[z_0] = node;
     }
     return load(z_0);
   }
   double load(double z_0) const { return nodes_.at(z_0).value[R_N]; }
   double error(double z_0) const { return nodes_.at(z_0).error[R_N]; }
-  bool room(long nodes) const { return long(nodes_.size()) + under_way_ + nodes <= trace_.nodes; }
+  bool has_room_for(long nodes) const { return long(nodes_.size()) + pending_ + nodes <= trace_.nodes; }
 
   std::vector<double> gaps() const {
     std::vector<double> out;
@@ -88,11 +89,12 @@ class Tracer {
     return out;
   }
 
-  // Halves the intervals beside the nodes that lie off their neighbours' chord; false if there is none, or no
-  // room: then these nodes say so.
+  // Halves the intervals beside nodes whose R_n deviates from the chord of
+  // their neighbours. Returns false if there are none, or if the maximum
+  // number of nodes is reached: then these nodes get the status not_converged.
   bool refine() {
     const std::vector<double> z = gaps();
-    std::vector<double> between, off;
+    std::vector<double> between, unresolved;
     const auto halve = [&](std::size_t i) {
       const double middle = (z[i] + z[i + 1]) / 2;
       if (z[i + 1] - z[i] > kClosest && (between.empty() || between.back() != middle))
@@ -104,35 +106,36 @@ class Tracer {
       const double noise = error(z[i - 1]) + error(z[i]) + error(z[i + 1]);
       const double allowed = trace_.resolution * std::max(std::abs(load(z[i])), kSmallLoad);
       if (std::abs(load(z[i]) - chord) <= allowed + noise) continue;
-      off.push_back(z[i]);
+      unresolved.push_back(z[i]);
       halve(i - 1);
       halve(i);
     }
     if (between.empty()) return false;
-    if (!room(long(between.size()) + kReserved)) {
-      for (const double z_0 : off) nodes_[z_0].status = PointStatus::not_converged;
+    if (!has_room_for(long(between.size()) + kReservedNodes)) {
+      for (const double z_0 : unresolved) nodes_[z_0].status = PointStatus::not_converged;
       return false;
     }
     compute(between);
     return true;
   }
 
-  std::vector<double> route(double sign) const {
+  std::vector<double> gaps_in_order(double sign) const {
     std::vector<double> z = gaps();
     if (sign > 0) std::reverse(z.begin(), z.end());
     return z;
   }
 
-  // R_n has not passed the extreme of the path by more than the errors, or what the resolution cannot tell.
+  // Whether R_n has turned back from the extreme of the path
+  // by no more than the errors or the minimum fold depth.
   bool on_path(double z_0, double extreme_at, double sign) const {
-    const double allowed = kShallow * trace_.resolution * std::max(load(z_0), kSmallLoad);
+    const double allowed = kMinFoldDepth * trace_.resolution * std::max(load(z_0), kSmallLoad);
     return sign * (load(z_0) - load(extreme_at)) >= -std::max(error(z_0) + error(extreme_at), allowed);
   }
 
   std::vector<Fold> folds() const {
     std::vector<Fold> out;
     for (const double sign : {1.0, -1.0}) {
-      const std::vector<double> z = route(sign);
+      const std::vector<double> z = gaps_in_order(sign);
       std::size_t extreme = 0;
       for (std::size_t i = 1; i < z.size(); ++i) {
         const bool leaves = on_path(z[i - 1], z[extreme], sign) && !on_path(z[i], z[extreme], sign);
@@ -143,19 +146,21 @@ class Tracer {
     return out;
   }
 
-  // Adds nodes towards the extreme of R_n between the fold's neighbours.
-  void sharpen(const Fold& fold, const PassageRunner& run) {
+  // Adds nodes near the extreme of R_n between the neighbours of the fold.
+  void refine_fold(const Fold& fold, const PassageRunner& run) {
     const auto [low, high] = std::minmax(fold.before, fold.after);
-    const auto falling = [&](double z_0) { return room(1) ? -fold.sign * load(z_0, run) : INFINITY; };
+    const auto negated_load = [&](double z_0) {
+      return has_room_for(1) ? -fold.sign * load(z_0, run) : INFINITY;
+    };
     std::uintmax_t iterations = kSearchSteps;
-    boost::math::tools::brent_find_minima(falling, low, high, 12, iterations);
+    boost::math::tools::brent_find_minima(negated_load, low, high, 12, iterations);
   }
 
-  // Where the slab lands that jumps from the folds.
+  // Intervals in which the slab lands after a jump from one of the folds.
   std::vector<Landing> landings(const std::vector<Fold>& folds) const {
     std::vector<Landing> out;
     for (const Fold& fold : folds) {
-      const std::vector<double> z = route(fold.sign);
+      const std::vector<double> z = gaps_in_order(fold.sign);
       const auto before = std::find(z.begin(), z.end(), fold.before);
       const auto after = std::find(before, z.end(), fold.after);
       double extreme = load(fold.at);
@@ -171,23 +176,22 @@ class Tracer {
     return out;
   }
 
-  // Adds nodes towards the gap that carries the fold's load again.
-  void land(const Landing& landing, const PassageRunner& run) {
-    const auto known = [&](double z_0) { return nodes_.contains(z_0) || room(1); };
-    const auto beyond = [&](double z_0) {
-      return known(z_0) ? load(z_0, run) - landing.load : 0;
-    };  // 0 ends it
+  // Adds nodes near the gap with the load of the fold.
+  void refine_landing(const Landing& landing, const PassageRunner& run) {
+    const auto computable = [&](double z_0) { return nodes_.contains(z_0) || has_room_for(1); };
+    // The value 0 ends the search.
+    const auto excess = [&](double z_0) { return computable(z_0) ? load(z_0, run) - landing.load : 0; };
     const auto [low, high] = std::minmax(landing.near, landing.far);
     const auto close = [](double a, double b) { return b - a < kClosest; };
     std::uintmax_t iterations = kSearchSteps;
-    boost::math::tools::toms748_solve(beyond, low, high, beyond(low), beyond(high), close, iterations);
+    boost::math::tools::toms748_solve(excess, low, high, excess(low), excess(high), close, iterations);
   }
 
-  std::vector<CurveNode> marked() {
+  std::vector<CurveNode> nodes_with_branches() {
     std::map<double, int> branches;
     for (const int path : {1, 2}) {
       const double sign = path == 1 ? 1 : -1;
-      const std::vector<double> z = route(sign);
+      const std::vector<double> z = gaps_in_order(sign);
       double extreme = z.empty() ? 0 : z.front();
       for (const double z_0 : z) {
         if (!on_path(z_0, extreme, sign)) continue;
@@ -205,7 +209,7 @@ class Tracer {
   const Trace& trace_;
   const PassageRunner& run_;
   std::map<double, PointResult> nodes_;  // by gap
-  long under_way_ = 0;                   // nodes of searches, not yet there
+  long pending_ = 0;                     // nodes being computed by searches
 };
 
 }  // namespace

@@ -4,14 +4,15 @@
 
 namespace bristle {
 
-// Where a node of R_n(z_0) lies on the slab's paths (Fig. 3): lowered under a growing load it takes the
-// highest gap that carries it (A-B-C-D), raised under a falling load the lowest.
+// Path of the slab (Fig. 3) to which a node of R_n(z_0) belongs. Under an
+// increasing load (loading path, A-B-C-D) the slab takes the highest gap that
+// carries the load, under a decreasing load (unloading path) the lowest.
 enum class Branch {
   unstable,
   loading,
   unloading,
   both,
-  absent  // there is no such node
+  absent  // the curve has fewer nodes
 };
 
 struct CurveNode {
@@ -19,11 +20,12 @@ struct CurveNode {
   Branch branch = Branch::unstable;
 };
 
-// R_n(z_0) and all other values from first contact down to trace.to, in that order. Nodes are added until R_n
-// departs from the straight line between neighbours by trace.resolution at most, or they are kClosest apart:
-// a jump. Folds are located, and so are the gaps at which the slab lands when it jumps from one.
+// Computes the curve R_n(z_0), with all other values, from first contact down to
+// trace.to. Nodes are added until R_n deviates from the straight line between
+// neighbours by at most trace.resolution, or until nodes at a jump are kClosest apart.
+// Folds, and the gaps at which the slab lands after a jump from a fold, are located.
 std::vector<CurveNode> trace_curve(const Setup& setup, const Trace& trace, const PassageRunner& run);
 
-constexpr double kClosest = 1e-4;  // in units of r0
+constexpr double kClosest = 1e-4;  // minimum distance of nodes in z_0, units of r0
 
 }  // namespace bristle

@@ -4,7 +4,7 @@
 
 namespace bristle {
 
-// A short-range exponential repulsion, Eqs. (3, 4): strength/(2 range) exp(-distance/range). Dimensionless
+// Short-range exponential repulsion, Eqs. (3, 4): strength/(2 range) exp(-distance/range). Dimensionless
 // force. peak is strength/(2 range), rate is 1/range.
 template <class T, class P>
 T short_range_force(const T& distance, const P& peak, const P& rate) {
@@ -12,23 +12,25 @@ T short_range_force(const T& distance, const P& peak, const P& rate) {
   return peak * T(decay(exponent));
 }
 
-// The potential of short_range_force: -d/d(distance) of it is the force. Dimensionless energy.
+// Potential of short_range_force(): its negative derivative
+// by the distance is the force. Dimensionless energy.
 template <class T, class P>
 T short_range_energy(const T& distance, const P& peak, const P& rate) {
   return short_range_force(distance, peak, rate) / rate;
 }
 
-// The wall's force and its power 2/3, which Hertz needs, from one exponential.
+// Normal force of the slab's wall and its power 2/3 (for
+// the Hertzian contact area). One exponential gives both.
 template <class T>
 struct WallForce {
   T F_n;
   T F_n_23;  // F_n^(2/3)
 };
 
-// Eq. (3) at the gap z_0 - z. root_peak is the peak's cube root, root_rate a third of the rate.
+// Eq. (3) at the distance z_0 - z. root_peak is the cube root of the peak, root_rate a third of the rate.
 template <class T, class P>
-WallForce<T> wall_force(const T& gap, const P& root_peak, const P& root_rate) {
-  const T exponent = -gap * root_rate;
+WallForce<T> wall_force(const T& distance, const P& root_peak, const P& root_rate) {
+  const T exponent = -distance * root_rate;
   const T root = root_peak * T(decay(exponent));
   const T square = root * root;
   return {T(square * root), square};

@@ -6,12 +6,12 @@
 
 namespace bristle {
 
-// Elementary functions of which every bit is the same on every processor and from every compiler. The C
-// library promises nothing of the kind (glibc takes other code where there is fused multiply-add), so none of
-// its inexact functions may reach a number; a test looks at the program's symbols. These are SLEEF's
-// deterministic scalar functions, with errors below 1 unit in the last place; below 3.5 for sin, cos and
-// atan, which the equations evaluate at every step. What IEEE 754 defines exactly, as sqrt, stays with
-// <cmath>.
+// Elementary functions with bit-identical results on every processor and from every compiler: SLEEF's
+// deterministic scalar functions. Their errors are below 3.5 units in the last place for sin, cos and atan,
+// which the equations evaluate at every step, and below 1 unit for the others (1.5 for erfc).
+// The C library does not guarantee identical bits (glibc selects other code where fused multiply-add is
+// available), so no number may depend on its inexact functions; a test checks the program's symbols.
+// Functions that IEEE 754 defines exactly, such as sqrt, come from <cmath>.
 inline double sin(double x) { return Sleef_cinz_sind1_u35purec(x); }
 inline double cos(double x) { return Sleef_cinz_cosd1_u35purec(x); }
 inline double atan(double x) { return Sleef_cinz_atand1_u35purec(x); }

@@ -4,7 +4,7 @@
 
 namespace bristle {
 
-// Potential energy: springs, slab wall and axis repulsion. Dimensionless (m V0^2).
+// Potential energy: springs, slab wall and pole repulsion. Dimensionless (m V0^2).
 template <class T, class P>
 T potential_energy(const Bristle<P>& b, const Vector3<T>& position, const T& theta, const T& phi) {
   const Frame<T> f = frame_at(position);
@@ -17,11 +17,12 @@ T potential_energy(const Bristle<P>& b, const Vector3<T>& position, const T& the
 // Total energy E of the tip in contact. Dimensionless (m V0^2).
 template <class T, class P>
 T energy(const Bristle<P>& b, const State<T>& state) {
-  return T((state.v[0] * state.v[0] + state.v[1] * state.v[1] + state.v[2] * state.v[2]) / 2) + potential_energy(b, state.r, state.theta, state.phi);
+  return T((state.v[0] * state.v[0] + state.v[1] * state.v[1] + state.v[2] * state.v[2]) / 2) +
+         potential_energy(b, state.r, state.theta, state.phi);
 }
 
-// dE/dt as the forces give it: the slab's work on the tip (F_fx V0) less friction and damping losses.
-// Equals the rate of energy() when theta' is kinematic.
+// dE/dt from the forces: power of the slab on the tip (F_fx V0) minus friction and damping losses. Equals the
+// time derivative of energy() if theta' is kinematic. Dimensionless.
 template <class T, class P>
 T power(const Bristle<P>& b, const Motion<T>& m) {
   return -m.slab.F_f * m.slab.e_x - m.slab.F_f * m.slab.V_R - b.c_theta * m.rates.theta * m.rates.theta -

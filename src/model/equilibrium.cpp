@@ -14,34 +14,34 @@ namespace {
 using boost::math::tools::bisect;
 using boost::math::tools::eps_tolerance;
 
-double middle(const std::pair<double, double>& bracket) {
+double midpoint(const std::pair<double, double>& bracket) {
   return bracket.first + (bracket.second - bracket.first) / 2;
 }
 
-// r at which the radial forces balance at the elevation phi. The residual rises strictly with r.
-double radial_balance(const Bristle<double>& b, double phi) {
+// r at which the radial forces balance for the polar angle phi. The residual increases strictly with r.
+double balanced_radius(const Bristle<double>& b, double phi) {
   const double sin_phi = sin(phi), cos_phi = cos(phi);
   const auto residual = [&](double r) {
     return b.k_r * (r - 1) + sin_phi * short_range_force(b.z_0 - r * sin_phi, b.wall_peak, b.wall_rate) -
            cos_phi * short_range_force(r * cos_phi, b.pole_peak, b.pole_rate);
   };
-  const double longest = 1 + b.pole_peak / b.k_r;
-  return middle(bisect(residual, 0.0, longest, eps_tolerance<double>(52)));
+  const double r_max = 1 + b.pole_peak / b.k_r;
+  return midpoint(bisect(residual, 0.0, r_max, eps_tolerance<double>(52)));
 }
 
-// dU/dphi along r = radial_balance(phi); zero at an equilibrium.
+// dU/dphi along r = balanced_radius(phi); zero at an equilibrium.
 double polar_residual(const Bristle<double>& b, double phi) {
-  const double r = radial_balance(b, phi);
+  const double r = balanced_radius(b, phi);
   const double z = r * sin(phi), s = r * cos(phi);
   return b.k_phi * (phi - b.phi_0) + s * short_range_force(b.z_0 - z, b.wall_peak, b.wall_rate) +
          z * short_range_force(s, b.pole_peak, b.pole_rate);
 }
 
-// Least energy of springs and axis repulsion with the tip at z = z_0, over 0 < phi <= phi_0.
-Equilibrium bent_at(const Bristle<double>& b) {
-  const auto at = [&](double phi) { return Equilibrium{b.z_0 / sin(phi), phi}; };
+// Minimum of the energy of springs and pole repulsion over 0 < phi <= phi_0, with the tip held at z = z_0.
+Equilibrium equilibrium_at_slab(const Bristle<double>& b) {
+  const auto tip_at = [&](double phi) { return Equilibrium{b.z_0 / sin(phi), phi}; };
   const auto U = [&](double phi) {
-    const Equilibrium e = at(phi);
+    const Equilibrium e = tip_at(phi);
     return potential_energy(b, {e.r * cos(phi), 0, b.z_0}, b.theta_0, phi);
   };
   constexpr int scan = 64;
@@ -49,7 +49,7 @@ Equilibrium bent_at(const Bristle<double>& b) {
   for (int i = 2; i <= scan; ++i)
     if (U(b.phi_0 * i / scan) < U(b.phi_0 * least / scan)) least = i;
   const double from = b.phi_0 * (least - 1) / scan, to = b.phi_0 * std::min(least + 1, scan) / scan;
-  return at(boost::math::tools::brent_find_minima(U, std::max(from, 1e-6), to, 40).first);
+  return tip_at(boost::math::tools::brent_find_minima(U, std::max(from, 1e-6), to, 40).first);
 }
 
 }  // namespace
@@ -63,8 +63,8 @@ Equilibrium static_equilibrium(const Bristle<double>& b) {
   for (int i = 1; i <= scan; ++i) {
     const double lower = b.phi_0 * (scan - i) / scan, at_lower = residual(lower);
     if (at_upper >= 0 && at_lower < 0) {  // a minimum of the energy, not a maximum
-      const double phi = middle(bisect(residual, lower, upper, eps_tolerance<double>(50)));
-      const double r = radial_balance(b, phi);
+      const double phi = midpoint(bisect(residual, lower, upper, eps_tolerance<double>(50)));
+      const double r = balanced_radius(b, phi);
       const Vector3<double> position{r * cos(phi), 0, r * sin(phi)};
       const double U = potential_energy(b, position, b.theta_0, phi);
       if (U < least) {
@@ -75,14 +75,15 @@ Equilibrium static_equilibrium(const Bristle<double>& b) {
     upper = lower;
     at_upper = at_lower;
   }
-  if (!std::isfinite(least)) throw std::runtime_error("no static equilibrium under the slab");
+  if (!std::isfinite(least))
+    throw std::runtime_error("no static equilibrium under the slab; check stiffnesses and gap");
   return best;
 }
 
 Equilibrium initial_state(const Parameters& p, double z_0) {
   const Bristle<double> b = make_bristle(p, z_0, 0);
   switch (p.initial_state) {
-    case InitialState::at_slab: return bent_at(b);
+    case InitialState::at_slab: return equilibrium_at_slab(b);
     case InitialState::upright: return {z_0 / sin(p.phi_0), p.phi_0};
     case InitialState::static_equilibrium: break;
   }

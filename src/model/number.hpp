@@ -4,14 +4,15 @@
 
 namespace bristle {
 
-// What the equations need of a number type beyond its operators. A vector type brings its own.
+// Functions that the equations require of a number type beyond its operators. A SIMD type overloads them.
 
 inline double inverse_sqrt(double x) { return 1 / std::sqrt(x); }
 
-// Below this exponent a short-range force is e^-40 = 4e-18 of its peak: less than any other force's rounding.
+// Below this exponent a short-range force is less than e^-40 =
+// 4e-18 of its peak: below the rounding error of any other force.
 constexpr double kNegligible = -40;
 
-// exp(x) for x <= 0, and exactly 0 where that is negligible.
+// exp(x) for x <= 0; exactly 0 below kNegligible.
 inline double decay(double x) { return x < kNegligible ? 0 : exp(x); }
 
 }  // namespace bristle

@@ -4,22 +4,24 @@ namespace bristle {
 
 enum class FrictionLaw : int;  // model/friction/laws.hpp
 
-// How theta' follows from the tip's velocity: kinematically exact, or Eq. (17) as printed.
+// theta' from the tip's velocity: kinematically exact, or by Eq. (17) as printed.
 enum class AzimuthRate {
   kinematic,
   as_printed
 };
 
-// The bristle at the slab's leading edge, at rest in the vertical plane theta = theta_0: in frictionless
-// equilibrium with the wall's force; or with its tip at z = z_0, bent as far as its springs like, or upright
-// at the elevation phi_0.
+// State of the bristle at the slab's leading edge, at rest in the vertical plane theta = theta_0:
+// static_equilibrium: frictionless equilibrium of springs, pole repulsion and wall force;
+// at_slab: tip at z = z_0, at the polar angle of least energy of springs and pole repulsion;
+// upright: tip at z = z_0, at the undeformed polar angle phi_0.
 enum class InitialState {
   static_equilibrium,
   at_slab,
   upright
 };
 
-// A tip that comes to s = s_min: its radial in-plane velocity is reversed, or it is put across the axis.
+// Rule for a tip that reaches s = s_min: reflect reverses its radial
+// in-plane velocity, cross moves it to the opposite side of the pole.
 enum class PoleRule {
   reflect,
   cross
@@ -32,7 +34,7 @@ struct Parameters {
   double k_r = 10;                    // radial stiffness
   double k_theta = 1;                 // azimuthal (torsional) stiffness
   double k_phi = 1.9;                 // polar (bending) stiffness
-  double phi_0 = 1.3962634015954636;  // undeformed elevation from the x-y plane, rad (80 deg)
+  double phi_0 = 1.3962634015954636;  // undeformed polar angle from the x-y plane, rad (80 deg)
   double zeta_theta = 0.1;            // damping ratios, Eq. (11)
   double zeta_phi = 0.1;
   double mu_c = 1;          // Coulomb: kinetic friction coefficient, Eq. (14)
@@ -42,17 +44,17 @@ struct Parameters {
   double A = 1.2;           // chi's maximum, Eq. (7)
   double C = -5.592;        // chi's shape, Eq. (7)
   double V_s = 0.01;        // threshold speed between static and kinetic friction, Eq. (7)
-  double lambda = 1e-3;     // range and strength of the repulsion from the axis, Eq. (4)
+  double lambda = 1e-3;     // range and strength of the pole repulsion, Eq. (4)
   double alpha = 1;
   double lambda_z = 1e-3;  // range and strength of the slab's wall, Eq. (3)
   double beta = 1;
   AzimuthRate azimuth_rate = AzimuthRate::kinematic;
   InitialState initial_state = InitialState::static_equilibrium;
   PoleRule pole_rule = PoleRule::reflect;
-  double s_min = 1e-4;   // where the pole rule acts
+  double s_min = 1e-4;   // distance from the pole at which the pole rule acts
   double L_x = 5;        // slab length
-  double L_y = 5;        // slab width (the lattice only)
-  double spacing = 0.2;  // lattice spacing Delta (the lattice only)
+  double L_y = 5;        // slab width (lattice sampling only)
+  double spacing = 0.2;  // lattice spacing Delta (lattice sampling only)
 };
 
 }  // namespace bristle

@@ -15,23 +15,25 @@
 namespace bristle {
 namespace {
 
-std::string entry(const Part& part, const std::string& name) {
+std::string provenance_entry(const Part& part, const std::string& name) {
   const auto found = part.provenance.find(name);
   return found == part.provenance.end() ? "unknown" : found->second;
 }
 
-void require_other_file(const std::vector<Part>& parts, const std::string& output) {
-  std::error_code none;
+void require_distinct_output(const std::vector<Part>& parts, const std::string& output) {
+  std::error_code ignored;
   for (const Part& part : parts)
-    if (std::filesystem::equivalent(part.path, output, none))
-      throw InputError(fmt::format("-o {}: is one of the parts ({}); give another file", output, part.path));
+    if (std::filesystem::equivalent(part.path, output, ignored))
+      throw InputError(
+          fmt::format("-o {}: is one of the parts ({}); choose another output file", output, part.path));
 }
 
 std::string part_line(const Part& part) {
   return fmt::format("{} {}: {} points, payload sha256 {}; {} to {} on {} by {}: {}", shard_text(part.shard),
                      std::filesystem::path(part.path).filename().string(), part.points.size(),
-                     part.payload_sha256, entry(part, "started"), entry(part, "finished"),
-                     entry(part, "host"), entry(part, "commit"), entry(part, "command_line"));
+                     part.payload_sha256, provenance_entry(part, "started"),
+                     provenance_entry(part, "finished"), provenance_entry(part, "host"),
+                     provenance_entry(part, "commit"), provenance_entry(part, "command_line"));
 }
 
 }  // namespace
@@ -40,12 +42,13 @@ std::map<std::string, std::string> merged_provenance(const std::vector<Part>& pa
   std::map<std::string, std::set<std::string>> values;
   for (const Part& part : parts)
     for (const auto& [name, text] : part.provenance)
-      if (name == "points_commits") for (const std::string& commit : split_list(text)) values[name].insert(commit);
+      if (name == "points_commits")
+        for (const std::string& commit : split_list(text)) values[name].insert(commit);
       else values[name].insert(text);
   std::map<std::string, std::string> out;
   values.erase("points_computed");
   for (const auto& [name, texts] : values) out[name] = fmt::format("{}", fmt::join(texts, ", "));
-  // Times as ISO 8601 sort as texts do.
+  // ISO 8601 times sort like text.
   if (const auto& started = values["started"]; !started.empty()) out["started"] = *started.begin();
   if (const auto& finished = values["finished"]; !finished.empty()) out["finished"] = *finished.rbegin();
   const std::size_t digits = fmt::format("{}", parts.size()).size();
@@ -56,18 +59,18 @@ std::map<std::string, std::string> merged_provenance(const std::vector<Part>& pa
 
 void merge_parts(PartSet& parts, const std::string& output, const std::string& command_line,
                  const std::function<bool()>& stop) {
-  require_other_file(parts.parts(), output);
+  require_distinct_output(parts.parts(), output);
   parts.require_complete();
   const Experiment& experiment = parts.experiment();
   ResultWriter writer(experiment, output);
   for (std::size_t i = 0; i < experiment.points(); ++i) {
-    if (stop()) throw RunError(fmt::format("interrupted; {} is as it was", output));
+    if (stop()) throw RunError(fmt::format("interrupted; {} was not changed", output));
     writer.write(i, parts.record(i));
   }
-  auto record = merged_provenance(parts.parts());
-  record["command_line"] = command_line;
-  record["merged"] = fmt::format("{} by bristle {} ({})", utc_now(), kVersion, kCommit);
-  writer.close(record);
+  auto entries = merged_provenance(parts.parts());
+  entries["command_line"] = command_line;
+  entries["merged"] = fmt::format("{} by bristle {} ({})", utc_now(), kVersion, kCommit);
+  writer.close(entries);
   const auto checks = evaluate_checks(ResultReader(writer.partial()));
   write_checks(writer.partial(), checks);
   writer.publish();

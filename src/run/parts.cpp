@@ -16,16 +16,18 @@
 namespace bristle {
 namespace {
 
-constexpr std::size_t kOpened = 200;  // of the 1024 descriptors that a process usually may have
-constexpr std::size_t kNamed = 10;
+constexpr std::size_t kMaxOpenParts = 200;  // the usual limit is 1024 file descriptors per process
+constexpr std::size_t kMaxNamed = 10;       // points and shards named in a message
 
-// The command that computes this shard, after the one that computed the part.
+// The command that computes this shard, derived from the command that computed the part.
 std::string shard_command(const Part& part, const Shard& shard) {
   const auto line = part.provenance.find("command_line");
-  const std::string was = "--shard " + shard_text(part.shard), is = "--shard " + shard_text(shard);
-  if (line == part.provenance.end() || line->second.find(was) == std::string::npos)
-    return "bristle run EXPERIMENT.json " + is;
-  return replace_all(replace_all(line->second, was, is), part_path("", part.shard), part_path("", shard));
+  const std::string old_option = "--shard " + shard_text(part.shard),
+                    new_option = "--shard " + shard_text(shard);
+  if (line == part.provenance.end() || line->second.find(old_option) == std::string::npos)
+    return "bristle run EXPERIMENT.json " + new_option;
+  return replace_all(replace_all(line->second, old_option, new_option), part_path("", part.shard),
+                     part_path("", shard));
 }
 
 void require_intact(const ResultReader& file, const Part& part, std::size_t points) {
@@ -33,16 +35,17 @@ void require_intact(const ResultReader& file, const Part& part, std::size_t poin
                       sha256_of(file.text("experiment")) == file.text("experiment_sha256");
   const bool fits = part.points.empty() || part.points.back() < points;
   if (!intact || !fits)
-    throw InputError(fmt::format("{}: damaged: its contents do not match their digest; compute it again: {}",
-                                 part.path, shard_command(part, part.shard)));
+    throw InputError(
+        fmt::format("{}: damaged: its contents do not match their digest; to compute it again: {}", part.path,
+                    shard_command(part, part.shard)));
 }
 
-// The places where two documents differ, with both values.
+// JSON pointers at which two documents differ, with both values.
 std::vector<std::string> differences_of(const Json& a, const Json& b) {
   const Json flat_a = a.flatten(), flat_b = b.flatten();
   std::vector<std::string> out;
   const auto value = [](const Json& flat, const std::string& at) {
-    return flat.contains(at) ? shown(flat[at]) : "not there";
+    return flat.contains(at) ? shown(flat[at]) : "missing";
   };
   const auto add = [&](const Json& from, bool only_new) {
     for (const auto& [at, unused] : from.items())
@@ -51,7 +54,7 @@ std::vector<std::string> differences_of(const Json& a, const Json& b) {
   };
   add(flat_a, false);
   add(flat_b, true);
-  if (out.empty()) out.emplace_back("the keys are in another order");
+  if (out.empty()) out.emplace_back("the keys are in a different order");
   return out;
 }
 
@@ -65,8 +68,8 @@ void require_same_experiment(const ResultReader& first, const ResultReader& othe
     throw InputError(fmt::format("{} and {} are parts of different experiments: {}{}", first.path(),
                                  other.path(), differences.front(), more));
   throw InputError(fmt::format(
-      "{} and {} hold the same experiment with different descriptions: {}{}; run the shards again: that "
-      "computes nothing anew and brings the descriptions up to date",
+      "{} and {} contain the same experiment with different descriptions: {}{}; run the shards again: this "
+      "updates the descriptions without computing points again",
       first.path(), other.path(), differences.front(), more));
 }
 
@@ -90,7 +93,7 @@ bool same(const Version& a, const Version& b) { return a.program == b.program &&
 void require_same_version(const Part& first, const Version& of_first, const Part& other,
                           const Version& of_other) {
   if (!same(of_first, of_other))
-    throw InputError(fmt::format("{} was computed by {}, {} by {}: compute one of them again", first.path,
+    throw InputError(fmt::format("{} was computed by {}, but {} by {}; compute one of them again", first.path,
                                  version_text(of_first), other.path, version_text(of_other)));
 }
 
@@ -109,8 +112,8 @@ PartSet::PartSet(const std::vector<std::string>& paths) : parts_(read(paths)) {
     return std::pair(a.shard.count, a.shard.number) < std::pair(b.shard.count, b.shard.number);
   });
   for (std::size_t i = 0; i < parts_.size(); ++i)
-    for (const std::size_t point : parts_[i].points) places_.push_back({point, i});
-  std::sort(places_.begin(), places_.end());
+    for (const std::size_t point : parts_[i].points) locations_.push_back({point, i});
+  std::sort(locations_.begin(), locations_.end());
 }
 
 std::vector<Part> PartSet::read(const std::vector<std::string>& paths) {
@@ -134,61 +137,62 @@ std::vector<Part> PartSet::read(const std::vector<std::string>& paths) {
   }
   const Version own{kVersion, kNumericsVersion};
   if (!same(of_first, own))
-    throw InputError(
-        fmt::format("{} was computed by {}, this is {}: merge with the program that computed the parts, or "
-                    "compute them again",
-                    paths[0], version_text(of_first), version_text(own)));
+    throw InputError(fmt::format(
+        "{} was computed by {}, but this program is {}; merge with the program that computed the parts, or "
+        "compute them again",
+        paths[0], version_text(of_first), version_text(own)));
   return parts;
 }
 
-std::string PartSet::numbered_place(std::size_t index) const {
+std::string PartSet::point_label(std::size_t index) const {
   return fmt::format("{} ({})", index, experiment_.place(index));
 }
 
 void PartSet::require_complete() const {
   std::vector<std::size_t> missing;
-  auto place = places_.begin();
+  auto location = locations_.begin();
   for (std::size_t i = 0; i < experiment_.points(); ++i) {
-    if (place == places_.end() || place->point != i) missing.push_back(i);
-    while (place != places_.end() && place->point == i) ++place;
+    if (location == locations_.end() || location->point != i) missing.push_back(i);
+    while (location != locations_.end() && location->point == i) ++location;
   }
   if (missing.empty()) return;
-  const Part& model = parts_.front();
+  const Part& example = parts_.front();
   std::set<std::size_t> numbers;
   std::vector<std::string> points, shards;
   for (const std::size_t i : missing) {
-    numbers.insert(i % model.shard.count + 1);
-    if (points.size() < kNamed) points.push_back(numbered_place(i));
+    numbers.insert(i % example.shard.count + 1);
+    if (points.size() < kMaxNamed) points.push_back(point_label(i));
   }
   for (const std::size_t n : numbers)
-    if (shards.size() < kNamed) shards.push_back(shard_text({n, model.shard.count}));
+    if (shards.size() < kMaxNamed) shards.push_back(shard_text({n, example.shard.count}));
   const auto more = [](std::size_t all) {
-    return all > kNamed ? fmt::format(" and {} more", all - kNamed) : "";
+    return all > kMaxNamed ? fmt::format(" and {} more", all - kMaxNamed) : "";
   };
-  throw InputError(fmt::format(
-      "{} of {} points are missing: {}{}.\nShards that have them: {}{}. To compute {}:\n  {}", missing.size(),
-      experiment_.points(), fmt::join(points, ", "), more(missing.size()), fmt::join(shards, ", "),
-      more(numbers.size()), shards.size() > 1 ? "the first, the others likewise" : "it",
-      shard_command(model, {*numbers.begin(), model.shard.count})));
+  throw InputError(
+      fmt::format("{} of {} points are missing: {}{}.\nThey belong to the shards {}{}. To compute {}:\n  {}",
+                  missing.size(), experiment_.points(), fmt::join(points, ", "), more(missing.size()),
+                  fmt::join(shards, ", "), more(numbers.size()),
+                  shards.size() > 1 ? "the first shard (the others likewise)" : "it",
+                  shard_command(example, {*numbers.begin(), example.shard.count})));
 }
 
 const ResultReader& PartSet::open(std::size_t part) {
   const auto found = opened_.find(part);
   if (found != opened_.end()) return found->second;
-  if (opened_.size() == kOpened) opened_.clear();
+  if (opened_.size() == kMaxOpenParts) opened_.clear();
   return opened_.try_emplace(part, parts_[part].path, Expected::part).first->second;
 }
 
 PointRecord PartSet::record(std::size_t index) {
-  auto place = std::lower_bound(places_.begin(), places_.end(), Place{index, 0});
-  const std::size_t from = place->part;
+  auto location = std::lower_bound(locations_.begin(), locations_.end(), Location{index, 0});
+  const std::size_t from = location->part;
   PointRecord out = read_record(open(from).file(), experiment_, index);
-  for (++place; place != places_.end() && place->point == index; ++place) {
-    const auto other = differences(out, read_record(open(place->part).file(), experiment_, index));
+  for (++location; location != locations_.end() && location->point == index; ++location) {
+    const auto other = differences(out, read_record(open(location->part).file(), experiment_, index));
     if (!other.empty())
       throw InputError(fmt::format("{} and {} differ at point {}: {}; compute one of them again",
-                                   parts_[from].path, parts_[place->part].path,
-                                   numbered_place(index), other.front()));
+                                   parts_[from].path, parts_[location->part].path, point_label(index),
+                                   other.front()));
   }
   return out;
 }

@@ -9,7 +9,7 @@
 
 namespace bristle {
 
-// A part as its file says.
+// Contents of the file of one shard, except the numbers.
 struct Part {
   std::string path;
   Shard shard;
@@ -18,33 +18,33 @@ struct Part {
   std::map<std::string, std::string> provenance;
 };
 
-// Parts of one experiment, verified to belong together and to be intact.
+// The parts of one experiment. They have been verified to be intact and to belong together.
 class PartSet {
  public:
-  // Throws InputError that names the files and what is wrong: not a part, damaged, of another experiment or
-  // version than the first or than this program.
+  // Throws InputError, naming the files, if a file is not a part or is damaged, if its experiment or version
+  // differs from that of the first file, or if its version differs from that of this program.
   explicit PartSet(const std::vector<std::string>& paths);
 
   const Experiment& experiment() const { return experiment_; }
   const std::vector<Part>& parts() const { return parts_; }  // ascending by shard
-  // Throws InputError with the points that no part has and what computes them.
+  // Throws InputError, naming the missing points and the command that computes them.
   void require_complete() const;
-  // Throws InputError if two parts have other numbers for it.
+  // The record of a point. Throws InputError if two parts contain different numbers for it.
   PointRecord record(std::size_t index);
 
  private:
-  struct Place {
+  struct Location {
     std::size_t point, part;
-    auto operator<=>(const Place&) const = default;
+    auto operator<=>(const Location&) const = default;
   };
   std::vector<Part> read(const std::vector<std::string>& paths);
   const ResultReader& open(std::size_t part);
-  std::string numbered_place(std::size_t index) const;  // for messages: "3 (k_r = 2, k_theta = 0.5)"
+  std::string point_label(std::size_t index) const;  // for messages: "3 (k_r = 2, k_theta = 0.5)"
 
   Experiment experiment_;
   std::vector<Part> parts_;
-  std::vector<Place> places_;                   // of every point in every part, ascending
-  std::map<std::size_t, ResultReader> opened_;  // a few of them: descriptors are limited
+  std::vector<Location> locations_;             // of every point in every part, ascending by point
+  std::map<std::size_t, ResultReader> opened_;  // at most kMaxOpenParts
 };
 
 }  // namespace bristle

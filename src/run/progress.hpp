@@ -5,13 +5,13 @@
 
 namespace bristle {
 
-// Progress on standard error: a bar with rate and time left on a terminal, a plain line now and then
-// elsewhere, nothing if quiet.
+// Progress on standard error: on a terminal a bar with rate and
+// time left, otherwise a line every 30 s, nothing if quiet.
 class Progress {
  public:
   Progress(std::string what, std::size_t total, bool quiet);
-  void step();    // one more is done
-  void finish();  // ends the bar's line
+  void step();    // counts one completed item
+  void finish();  // ends the line of the bar
 
  private:
   using Clock = std::chrono::steady_clock;

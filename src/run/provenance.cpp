@@ -1,6 +1,6 @@
 #include "run/provenance.hpp"
 
-#include "simd/kernels.hpp"
+#include "simd/dispatch.hpp"
 #include "results/journal.hpp"
 
 #include <boost/version.hpp>
@@ -19,11 +19,12 @@ namespace bristle {
 
 namespace {
 
-// Of the fast engine's kernels, and what the processor has.
+// Instruction set of the kernels in use.
 std::string instruction_set() {
   return available_kernels().empty() ? "none with fused multiply-add" : best_kernels().target;
 }
 
+// Instruction sets that the processor supports.
 std::string cpu_features() {
   std::string out;
   for (const Kernels* kernels : available_kernels())

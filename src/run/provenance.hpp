@@ -5,14 +5,15 @@
 
 namespace bristle {
 
-// Program version and where it was built from.
+// Version and source commit of the program.
 extern const char* const kVersion;
 extern const char* const kCommit;
 
-// What may differ between equal runs: program, compiler, libraries, host, command line. name -> text.
+// Facts that may differ between runs with equal numbers: program,
+// compiler, libraries, host, command line. Name and text.
 std::map<std::string, std::string> provenance(const std::string& command_line, int threads);
 
-// Now in UTC, ISO 8601.
+// Current time in UTC, ISO 8601.
 std::string utc_now();
 
 }  // namespace bristle

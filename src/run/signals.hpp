@@ -2,9 +2,9 @@
 
 namespace bristle {
 
-// From now on SIGINT, SIGTERM and SIGHUP only ask for an end, of which interrupted() tells; a second one
-// ends.
-void end_tidily_on_signals();
+// Installs handlers for SIGINT, SIGTERM and SIGHUP. The first signal
+// makes interrupted() return true, the second terminates the process.
+void install_signal_handlers();
 bool interrupted();
 
 }  // namespace bristle

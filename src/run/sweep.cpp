@@ -10,16 +10,16 @@
 namespace bristle {
 namespace {
 
-// Hands out the points in their order and gives the reports on, one at a time.
-class Points : public PointQueue {
+// Distributes the points in their order and passes the reports to the sink, one at a time.
+class SweepQueue : public PointQueue {
  public:
   using Sink = std::function<void(PointReport&&)>;
-  Points(const std::vector<std::size_t>& points, const Sink& sink, const std::function<bool()>& stop)
+  SweepQueue(const std::vector<std::size_t>& points, const Sink& sink, const std::function<bool()>& stop)
       : points_(points), sink_(sink), stop_(stop) {}
 
   std::optional<std::size_t> next() override {
     const std::lock_guard lock(mutex_);
-    if (halted() || started_ == points_.size()) return {};
+    if (update_stopped() || started_ == points_.size()) return {};
     return points_[started_++];
   }
 
@@ -32,10 +32,10 @@ class Points : public PointQueue {
 
   bool stopped() override {
     const std::lock_guard lock(mutex_);
-    return halted();
+    return update_stopped();
   }
 
-  // Ends the sweep for all threads.
+  // Ends the sweep on all threads; complete() then throws the error.
   void fail(std::exception_ptr error) {
     const std::lock_guard lock(mutex_);
     if (!error_) error_ = std::move(error);
@@ -47,7 +47,7 @@ class Points : public PointQueue {
   }
 
  private:
-  bool halted() { return stopped_ = stopped_ || error_ || stop_(); }
+  bool update_stopped() { return stopped_ = stopped_ || error_ || stop_(); }
 
   const std::vector<std::size_t>& points_;
   const Sink& sink_;
@@ -62,18 +62,18 @@ class Points : public PointQueue {
 
 bool run_sweep(const Experiment& experiment, const std::vector<std::size_t>& points, int threads,
                const std::function<void(PointReport&&)>& sink, const std::function<bool()>& stop) {
-  Points queue(points, sink, stop);
+  SweepQueue queue(points, sink, stop);
   const std::size_t share = (points.size() + std::size_t(threads) - 1) / std::size_t(threads);
-  const auto work = [&] {
+  const auto run_thread = [&] {
     try {
-      bristle::work(experiment, queue, share);
+      run_worker(experiment, queue, share);
     } catch (...) {
       queue.fail(std::current_exception());
     }
   };
   std::vector<std::thread> workers;
-  for (int i = 1; i < threads; ++i) workers.emplace_back(work);
-  work();
+  for (int i = 1; i < threads; ++i) workers.emplace_back(run_thread);
+  run_thread();
   for (std::thread& worker : workers) worker.join();
   return queue.complete();
 }

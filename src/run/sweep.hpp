@@ -12,9 +12,9 @@ struct PointReport {
   PointRecord record;
 };
 
-// Solves these points of the sweep on this many threads and hands each report to sink as it is done, one at a
-// time and in any order; the numbers do not depend on the threads nor on what else is computed. Ends early,
-// returning false, once stop() is true. Throws what sink throws.
+// Solves these points of the sweep on this many threads. Passes each report to sink when its point is solved,
+// one at a time, in any order. The numbers depend neither on the threads nor on the other points. Returns
+// false early when stop() becomes true. Throws the exceptions of sink.
 bool run_sweep(const Experiment& experiment, const std::vector<std::size_t>& points, int threads,
                const std::function<void(PointReport&&)>& sink, const std::function<bool()>& stop);
 

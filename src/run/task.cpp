@@ -23,14 +23,14 @@
 namespace bristle {
 namespace {
 
-// Stores the verdicts beside the numbers that they follow from.
+// Evaluates the checks of the result file and stores their verdicts in it.
 void add_checks(const std::string& path) {
   const auto checks = evaluate_checks(ResultReader(path));
   write_checks(path, checks);
 }
 
-// Rewrites title, notes and checks of a result whose numbers are up to date.
-void refresh(const Task& task) {
+// Updates title, notes and checks of a result whose numbers are up to date.
+void refresh_description(const Task& task) {
   if (ResultReader(task.path, Expected::either).experiment() == *task.experiment.document) return;
   const Journal lock(task.path, kCommit, false);
   const std::string copy = task.path + ".partial";
@@ -40,8 +40,8 @@ void refresh(const Task& task) {
   replace_file(copy, task.path);
 }
 
-// Counts of the points' statuses, for the closing line.
-class Tally {
+// Number of points with each status, for the closing message.
+class StatusCounts {
  public:
   void add(const PointRecord& record) {
     for (const double status : record.values.at("status")) ++counts_[std::size_t(status)];
@@ -65,7 +65,7 @@ std::vector<std::size_t> missing_points(const Task& task, const Journal& journal
   return missing;
 }
 
-// Computes what the journal lacks, each point into it as it is done.
+// Computes the missing points and appends each to the journal when it is solved.
 void fill_journal(const Task& task, const std::vector<std::size_t>& missing, int threads, Journal& journal,
                   bool quiet) {
   const Experiment& experiment = task.experiment;
@@ -77,45 +77,47 @@ void fill_journal(const Task& task, const std::vector<std::size_t>& missing, int
     ++saved;
     progress.step();
   };
-  std::string trouble;
+  std::string failure;
   try {
-    if (!run_sweep(experiment, missing, threads, sink, interrupted)) trouble = "interrupted";
+    if (!run_sweep(experiment, missing, threads, sink, interrupted)) failure = "interrupted";
     journal.sync();
   } catch (const RunError& e) {
-    trouble = e.what();
+    failure = e.what();
   }
   progress.finish();
-  if (!trouble.empty())
+  if (!failure.empty())
     throw RunError(fmt::format("{}; {} of {} points are saved in {}: the same command computes the rest",
-                               trouble, saved, all, journal.path()));
+                               failure, saved, all, journal.path()));
 }
 
-// From the journal to the result, in the order of the points.
-Tally write_result(const Task& task, const Journal& journal, std::map<std::string, std::string> record) {
-  Tally tally;
+// Writes the result file from the journal, in the order of the points.
+StatusCounts write_result(const Task& task, const Journal& journal,
+                          std::map<std::string, std::string> entries) {
+  StatusCounts counts;
   std::set<std::string> commits;
   ResultWriter writer(task.experiment, task.path, task.shard);
   for (const std::size_t i : task.points()) {
     const JournalLine line = journal.read(point_key(task.experiment, i));
     if (!fits(line.record, task.experiment))
-      throw RunError(fmt::format("{}: has other variables than this program's results; --force computes anew",
-                                 journal.path()));
+      throw RunError(fmt::format(
+          "{}: its variables differ from those of this program; --force computes all points again",
+          journal.path()));
     writer.write(i, line.record);
-    tally.add(line.record);
+    counts.add(line.record);
     commits.insert(line.commit);
   }
-  record["points_commits"] = fmt::format("{}", fmt::join(commits, ", "));
-  record["finished"] = utc_now();
-  writer.close(record);
+  entries["points_commits"] = fmt::format("{}", fmt::join(commits, ", "));
+  entries["finished"] = utc_now();
+  writer.close(entries);
   if (!task.shard) add_checks(writer.partial());
   writer.publish();
-  return tally;
+  return counts;
 }
 
 void compute(const Task& task, int threads, const TaskOptions& options) {
-  end_tidily_on_signals();
-  auto record = provenance(options.command_line, threads);
-  record["started"] = utc_now();
+  install_signal_handlers();
+  auto entries = provenance(options.command_line, threads);
+  entries["started"] = utc_now();
   Journal journal(task.path, kCommit, options.force);
   std::vector<std::size_t> missing = missing_points(task, journal);
   if (!options.force && !missing.empty()) {
@@ -123,18 +125,18 @@ void compute(const Task& task, int threads, const TaskOptions& options) {
     missing = missing_points(task, journal);
   }
   const std::size_t all = task.points().size(), found = all - missing.size();
-  record["points_computed"] = fmt::format("{} of {}", missing.size(), all);
+  entries["points_computed"] = fmt::format("{} of {}", missing.size(), all);
   fill_journal(task, missing, threads, journal, options.quiet);
-  const Tally tally = [&] {
+  const StatusCounts counts = [&] {
     try {
-      return write_result(task, journal, record);
+      return write_result(task, journal, entries);
     } catch (const RunError& e) {
       throw RunError(fmt::format("{}; all points are saved in {}: the same command writes the result",
                                  e.what(), journal.path()));
     }
   }();
   if (options.quiet) return;
-  fmt::print("{}: points: {}{}\n", task.path, all > 0 ? tally.text() : "none in this shard",
+  fmt::print("{}: points: {}{}\n", task.path, all > 0 ? counts.text() : "none in this shard",
              found > 0 ? fmt::format("; {} computed before", found) : std::string());
 }
 
@@ -146,9 +148,9 @@ std::vector<std::size_t> Task::points() const {
 
 void run_task(const Task& task, const TaskOptions& options) {
   if (!options.force && up_to_date(task.path, task.experiment, task.shard)) {
-    refresh(task);
+    refresh_description(task);
     if (!options.quiet)
-      fmt::print("{} is up to date: nothing to compute (--force computes it anew)\n", task.path);
+      fmt::print("{} is up to date: nothing to compute (--force computes it again)\n", task.path);
     return;
   }
   const int cores = int(std::max(1u, std::thread::hardware_concurrency()));

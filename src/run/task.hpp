@@ -9,24 +9,24 @@
 
 namespace bristle {
 
-// What a run is to compute, and where to.
+// Input and output of a run.
 struct Task {
   const Experiment& experiment;
-  std::optional<Shard> shard;  // none: the whole
-  std::string path;            // of the result file; its journal lies beside it
+  std::optional<Shard> shard;  // none: all points
+  std::string path;            // of the result file; the journal is in the same folder
 
-  std::vector<std::size_t> points() const;
+  std::vector<std::size_t> points() const;  // of the shard
 };
 
 struct TaskOptions {
   int threads = 0;  // 0: all cores
   bool force = false, quiet = false;
-  std::string command_line;  // for the record
+  std::string command_line;  // stored in the provenance
 };
 
-// Makes the result file be that of the experiment: what the journal or another in its folder has is not
-// computed again. Prints what became of the points unless quiet. Throws RunError if interrupted or if there
-// is no room; what was computed is in the journal then.
+// Brings the result file up to date with the experiment. Points that are in its journal, or in another
+// journal in its folder, are not computed again. Prints the number of points with each status unless quiet.
+// Throws RunError if interrupted or if the disk is full; the computed points are then in the journal.
 void run_task(const Task& task, const TaskOptions& options);
 
 }  // namespace bristle

@@ -1,5 +1,6 @@
 #include "run/worker.hpp"
 
+#include "simd/dispatch.hpp"
 #include "simd/engine.hpp"
 #include "dynamics/jobs.hpp"
 #include "experiment/si_units.hpp"
@@ -10,8 +11,8 @@
 namespace bristle {
 namespace {
 
-// Enough points that the lanes are full while most of them wait for the last passages of a batch.
-constexpr std::size_t kPointsUnderWay = 24;
+// Enough points to keep the lanes full while most of the points wait for the last passages of a batch.
+constexpr std::size_t kMaxActivePoints = 24;
 
 PointReport solve(const Experiment& experiment, std::size_t index, const PassageRunner& run) {
   const PointInput input = experiment.point(index);
@@ -23,20 +24,22 @@ PointReport solve(const Experiment& experiment, std::size_t index, const Passage
   return {index, record_of(experiment, result, recorded)};
 }
 
-// A point under way, suspended until the passages that it asked for are there.
+// A point that is being solved, suspended until the requested passages have been computed.
 class SuspendedPoint {
  public:
   SuspendedPoint(const Experiment& experiment, std::size_t index)
-      : job_([this, &experiment, index](const PassageRunner& run) { report_ = solve(experiment, index, run); }) {
+      : job_([this, &experiment, index](const PassageRunner& run) {
+          report_ = solve(experiment, index, run);
+        }) {
     prepare();
   }
 
-  // The passages that it is waiting for; null once the point is solved.
+  // The requested passages; null once the point is solved.
   const std::vector<PassageTask>* waiting_for() const { return job_.waiting_for(); }
-  bool ready() const { return missing_ == 0; }
-  void receive(std::size_t place, Passage&& passage) {
-    passages_[place] = std::move(passage);
-    --missing_;
+  bool ready() const { return outstanding_ == 0; }
+  void receive(std::size_t index, Passage&& passage) {
+    passages_[index] = std::move(passage);
+    --outstanding_;
   }
   void resume() {
     job_.resume(std::move(passages_));
@@ -46,26 +49,27 @@ class SuspendedPoint {
 
  private:
   void prepare() {
-    missing_ = waiting_for() ? waiting_for()->size() : 0;
-    passages_.assign(missing_, {});
+    outstanding_ = waiting_for() ? waiting_for()->size() : 0;
+    passages_.assign(outstanding_, {});
   }
 
   PointReport report_{};
   SuspendedJob job_;
   std::vector<Passage> passages_;
-  std::size_t missing_ = 0;
+  std::size_t outstanding_ = 0;
 };
 
+// Solves several points at a time with one SIMD engine.
 class FastWorker {
  public:
   FastWorker(const Experiment& experiment, PointQueue& queue, std::size_t share)
       : experiment_(experiment),
         queue_(queue),
-        under_way_(std::min(kPointsUnderWay, share)),
+        max_active_(std::min(kMaxActivePoints, share)),
         engine_(best_kernels(),
                 [this](std::size_t ticket, Passage&& passage) { receive(ticket, std::move(passage)); }) {}
 
-  void work() {
+  void run() {
     while (start_points() && !queue_.stopped()) {
       engine_.advance();
       for (auto it = points_.begin(); it != points_.end();) {
@@ -81,12 +85,12 @@ class FastWorker {
   using Points = std::list<SuspendedPoint>;
   struct Ticket {
     SuspendedPoint* point;
-    std::size_t place;
+    std::size_t index;  // of the passage within the request
   };
 
-  // False if none is left.
+  // Starts points up to the limit. Returns false if no point is active.
   bool start_points() {
-    while (points_.size() < under_way_) {
+    while (points_.size() < max_active_) {
       const auto index = queue_.next();
       if (!index) break;
       points_.emplace_back(experiment_, *index);
@@ -116,23 +120,23 @@ class FastWorker {
   }
 
   void receive(std::size_t ticket, Passage&& passage) {
-    const auto [point, place] = tickets_[ticket];
+    const auto [point, index] = tickets_[ticket];
     free_.push_back(ticket);
-    point->receive(place, std::move(passage));
+    point->receive(index, std::move(passage));
   }
 
   const Experiment& experiment_;
   PointQueue& queue_;
-  const std::size_t under_way_;
-  LaneEngine engine_;
+  const std::size_t max_active_;
+  SimdEngine engine_;
   Points points_;
   std::vector<Ticket> tickets_;
-  std::vector<std::size_t> free_;
+  std::vector<std::size_t> free_;  // tickets to reuse
 };
 
 struct Stopped {};
 
-void work_one_by_one(const Experiment& experiment, PointQueue& queue, Engine engine) {
+void solve_sequentially(const Experiment& experiment, PointQueue& queue, Engine engine) {
   const PassageRunner run = [&queue, runner = make_runner(engine)](const std::vector<PassageTask>& tasks) {
     if (queue.stopped()) throw Stopped{};
     return runner(tasks);
@@ -145,9 +149,9 @@ void work_one_by_one(const Experiment& experiment, PointQueue& queue, Engine eng
 
 }  // namespace
 
-void work(const Experiment& experiment, PointQueue& queue, std::size_t share) {
-  if (!kSanitized && experiment.engine == Engine::fast) FastWorker(experiment, queue, share).work();
-  else work_one_by_one(experiment, queue, experiment.engine);
+void run_worker(const Experiment& experiment, PointQueue& queue, std::size_t share) {
+  if (!kSanitized && experiment.engine == Engine::fast) FastWorker(experiment, queue, share).run();
+  else solve_sequentially(experiment, queue, experiment.engine);
 }
 
 }  // namespace bristle

@@ -6,19 +6,19 @@
 
 namespace bristle {
 
-// Where a worker's points come from and go to; called from several threads.
+// Source of the points and destination of the reports of the workers. Called from several threads.
 class PointQueue {
  public:
   virtual ~PointQueue() = default;
-  // The next point's index; none once there is no more to do.
+  // Index of the next point; none if there are no more.
   virtual std::optional<std::size_t> next() = 0;
   virtual void deliver(PointReport&& report) = 0;
   virtual bool stopped() = 0;
 };
 
-// Solves points on this thread until the queue has none. With the fast engine several are under way at a
-// time, at most the thread's share of all, each on a stack of its own: a point that waits for passages leaves
-// the lanes to the others'.
-void work(const Experiment& experiment, PointQueue& queue, std::size_t share);
+// Solves points on this thread until the queue is empty. With the SIMD engine
+// several points, at most share, are active at a time, each with its own stack:
+// while a point waits for passages, the lanes compute those of other points.
+void run_worker(const Experiment& experiment, PointQueue& queue, std::size_t share);
 
 }  // namespace bristle

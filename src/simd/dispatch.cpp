@@ -1,4 +1,4 @@
-#include "simd/kernels.hpp"
+#include "simd/dispatch.hpp"
 
 #include <hwy/targets.h>
 
@@ -32,8 +32,10 @@ std::vector<const Kernels*> available_kernels() {
 }
 
 namespace {
+
 const Kernels* preferred = nullptr;
-}
+
+}  // namespace
 
 bool prefer_kernels(const std::string& target) {
   for (const Kernels* kernels : available_kernels())
@@ -46,8 +48,8 @@ const Kernels& best_kernels() {
   const auto available = available_kernels();
   if (available.empty())
     throw std::runtime_error(
-        "this processor has no fused multiply-add on vectors (AVX2 or better), without which the fast "
-        "engine's numbers would be others; choose \"integrator\": { \"engine\": \"reference\" }");
+        "this processor has no fused multiply-add on vectors (AVX2 or better), which the fast engine needs "
+        "for reproducible numbers; set \"integrator\": { \"engine\": \"reference\" }");
   return *available.front();
 }
 

@@ -10,38 +10,38 @@
 
 namespace bristle {
 
-// Integrates passages one per lane, as the queue gives them: a lane that is done takes the next at once.
-// Stiff bristles go on to a second set of lanes and an implicit method. A passage's numbers do not depend on
-// what else is under way, on the lane or on the instruction set. One engine per thread.
-class LaneEngine {
+// Integrates passages, one per SIMD lane. A lane whose passage has ended takes the next one from the queue.
+// Stiff bristles move to a second set of lanes with an implicit method. The numbers of a passage do not
+// depend on other passages, on the lane or on the instruction set. One engine per thread.
+class SimdEngine {
  public:
   using Done = std::function<void(std::size_t ticket, Passage&&)>;
 
-  // kernels: see select_kernels(). done is called from advance() for each passage that ended.
-  LaneEngine(const Kernels& kernels, Done done);
-  ~LaneEngine();
+  // kernels: see simd/dispatch.hpp. advance() calls done for each passage that ended.
+  SimdEngine(const Kernels& kernels, Done done);
+  ~SimdEngine();
 
   void submit(const PassageTask& task, std::size_t ticket);
-  // Steps until at least one passage has ended; false if there is none.
+  // Steps until at least one passage has ended. Returns false if there is no passage.
   bool advance();
 
-  // Steps that the lanes tried, and those of passages that have ended or changed their method: the rest had
-  // none.
+  // Utilisation of the lanes: steps attempted in all lanes, including empty ones, and those of them that
+  // belong to passages that have ended or changed their method.
   struct Usage {
-    double made = 0, useful = 0;
+    double lane_steps = 0, passage_steps = 0;
   };
   Usage usage() const;
 
  private:
-  class Set;
+  class LaneSet;
 
-  Set& set_for(const PassageTask& task, bool implicit);
+  LaneSet& lane_set_for(const PassageTask& task, bool implicit);
 
   const Kernels& kernels_;
   Done done_;
-  std::vector<std::unique_ptr<Set>> sets_;
-  double useful_ = 0;
-  std::size_t ended_ = 0;  // in this advance()
+  std::vector<std::unique_ptr<LaneSet>> sets_;
+  double passage_steps_ = 0;
+  std::size_t ended_ = 0;  // passages that ended during this advance()
 };
 
 }  // namespace bristle

@@ -5,10 +5,10 @@
 
 namespace bristle::HWY_NAMESPACE {
 
-// Steps by an additive Runge-Kutta pair. What makes the equations stiff is the damping of the velocity v by
-// friction and by the dampers of azimuth and elevation: J (v - v_n), with J its derivative at the step's
-// start, is the implicit part, the rest the explicit one. J is 3 x 3, so that a stage costs hardly more than
-// an explicit method's, and the order does not depend on how good J is.
+// Steps by an additive Runge-Kutta pair. The stiff terms damp the velocity v: friction and the dampers of
+// azimuth and polar angle. The implicit part is J (v - v_n), where J is the Jacobian of the acceleration by
+// the velocity at the start of the step; all other terms are explicit. J is 3 x 3, so a stage costs hardly
+// more than that of an explicit method. The order does not depend on the accuracy of J.
 template <class Tableau>
 class AdditiveStep {
  public:
@@ -16,7 +16,7 @@ class AdditiveStep {
 
   static void refresh(Group&) {}
 
-  // Fills y_new; returns the largest error over tolerance.
+  // Computes y_new; returns the largest ratio of error to tolerance.
   static Lanes attempt(Group& g) {
     Slopes<S> k;
     Slopes<S, 3> implicit;  // J (v - v_n) at the stages
@@ -25,8 +25,8 @@ class AdditiveStep {
     stages(g, damping, k, implicit, std::make_index_sequence<S>());
     std::array<Lanes, COMPONENTS> error;
     for (int c = 0; c < COMPONENTS; ++c) {
-      g.y_new[c] = g.y[c] + g.h * combine<S>(k, c, [](int j) { return Tableau::b[j]; });
-      error[c] = g.h * combine<S>(k, c, [](int j) { return Tableau::error[j]; });
+      g.y_new[c] = g.y[c] + g.h * weighted_sum<S>(k, c, [](int j) { return Tableau::b[j]; });
+      error[c] = g.h * weighted_sum<S>(k, c, [](int j) { return Tableau::error[j]; });
     }
     ErrorNorm norm(g);
     for (int c = 0; c < COMPONENTS; ++c) norm.add(c, error[c]);
@@ -34,23 +34,26 @@ class AdditiveStep {
     return norm.value();
   }
 
-  // It may have come down to the pole: it is within at the end, or it was approaching, recedes, and was
-  // or may have been near.
+  // The tip may have reached s_min: it is inside at the end of the step and
+  // approaches the pole; or it approached at the start, recedes at the end,
+  // and either is near the pole or has a straight path that comes near it.
   static Lanes::Mask pole_event(const Group& g) {
-    const Lanes zero = 0.0, reach = g.pole * g.pole;
-    const auto aims_at_it = [&](const auto& y) {
-      const Lanes moment = y[X] * y[VY] - y[Y] * y[VX];
-      return Lanes(moment * moment) < Lanes(Lanes(4.0 * reach) * Lanes(y[VX] * y[VX] + y[VY] * y[VY]));
+    const Lanes zero = 0.0, reach = g.s_min * g.s_min;
+    const auto aims_at_pole = [&](const auto& y) {
+      const Lanes angular_momentum = y[X] * y[VY] - y[Y] * y[VX];
+      return Lanes(angular_momentum * angular_momentum) <
+             Lanes(Lanes(4.0 * reach) * Lanes(y[VX] * y[VX] + y[VY] * y[VY]));
     };
-    const Lanes::Mask within = (in_plane_square(g.y_new) < 1.01 * reach) & (radial_product(g.y_new) < zero);
+    const Lanes::Mask within =
+        (in_plane_distance_squared(g.y_new) < 1.01 * reach) & (radial_product(g.y_new) < zero);
     const Lanes::Mask turned = (radial_product(g.y) < zero) & (radial_product(g.y_new) >= zero);
-    const Lanes::Mask near =
-        (in_plane_square(g.y) < 100.0 * reach) | (in_plane_square(g.y_new) < 100.0 * reach);
-    return within | (turned & (near | aims_at_it(g.y) | aims_at_it(g.y_new)));
+    const Lanes::Mask near = (in_plane_distance_squared(g.y) < 100.0 * reach) |
+                             (in_plane_distance_squared(g.y_new) < 100.0 * reach);
+    return within | (turned & (near | aims_at_pole(g.y) | aims_at_pole(g.y_new)));
   }
 
   static Lanes::Mask leaves_pole(const Group& g) {
-    return Lanes(g.near_pole * g.near_pole) < in_plane_square(g.y_new);
+    return Lanes(g.s_handover * g.s_handover) < in_plane_distance_squared(g.y_new);
   }
 
  private:
@@ -91,18 +94,19 @@ class AdditiveStep {
     if constexpr (I > 0) {
       std::array<Lanes, kState> at;
       for (int c = 0; c < kState; ++c)
-        at[c] = g.y[c] + g.h * combine<I>(k, c, [](int j) { return Tableau::a[I][j]; });
-      // Of the slopes' sum the implicit part is to be weighted otherwise, and this stage's is yet to be
-      // found.
-      const auto missing = [&](int c) {
-        return combine<I>(implicit, c, [](int j) { return Tableau::a_implicit[I][j] - Tableau::a[I][j]; });
+        at[c] = g.y[c] + g.h * weighted_sum<I>(k, c, [](int j) { return Tableau::a[I][j]; });
+      // The sum above weights the implicit parts of the slopes by a; they need the weights a_implicit. The
+      // implicit part of this stage is still unknown.
+      const auto correction = [&](int c) {
+        return weighted_sum<I>(implicit, c,
+                               [](int j) { return Tableau::a_implicit[I][j] - Tableau::a[I][j]; });
       };
-      Lanes without[3];
-      for (int i = 0; i < 3; ++i) without[i] = (at[VX + i] - g.y[VX + i]) + g.h * missing(i);
+      Lanes explicit_v[3];  // v - v_n without the implicit part of this stage
+      for (int i = 0; i < 3; ++i) explicit_v[i] = (at[VX + i] - g.y[VX + i]) + g.h * correction(i);
       for (int i = 0; i < 3; ++i) {
         const auto& row = damping.inverse[i];
-        const Lanes v = row[0] * without[0] + (row[1] * without[1] + row[2] * without[2]);
-        implicit[I][i] = Lanes(v - without[i]) * damping.one_h_gamma;
+        const Lanes v = row[0] * explicit_v[0] + (row[1] * explicit_v[1] + row[2] * explicit_v[2]);
+        implicit[I][i] = Lanes(v - explicit_v[i]) * damping.one_h_gamma;
         at[VX + i] = g.y[VX + i] + v;
       }
       evaluate(g.bristle, at, k[I]);

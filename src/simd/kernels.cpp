@@ -1,4 +1,4 @@
-// Compiled once per instruction set (CMakeLists.txt).
+// Compiled once per instruction set (cmake/kernels.cmake).
 #define HWY_COMPILE_ONLY_STATIC
 #include "simd/kernels.hpp"
 
@@ -6,8 +6,9 @@
 #include "simd/implicit_kernel.hpp"
 #include "simd/tableau.hpp"
 
-// A missing compiler option would silently choose a lesser set.
-static_assert(HWY_TARGET == BRISTLE_TARGET, "not the instruction set that this file is compiled for");
+// Without the compiler options of the instruction set, Highway would silently select a lower one.
+static_assert(HWY_TARGET == BRISTLE_TARGET,
+              "the compiler options do not enable the instruction set BRISTLE_TARGET");
 
 namespace bristle::HWY_NAMESPACE {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// Included only by the sources that are compiled once per instruction set: everything here lives in a
-// namespace named after the set.
+// To be included only by sources that are compiled once per
+// instruction set: the namespace has the name of the instruction set.
 #include "model/number.hpp"
 
 #include <hwy/highway.h>
@@ -14,9 +14,9 @@ namespace bristle::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// A number type for the equations: one bristle per lane, in two vectors, so that the latency of one hides
-// behind the other. A product is a type of its own: adding to it is one fused multiply-add, whatever the
-// compiler does. Every operation gives equal bits on every instruction set.
+// A number type for the equations with one bristle per lane. It consists of two vectors, so that the latency
+// of one overlaps with operations on the other. A product has its own type, so that adding to it is one fused
+// multiply-add, whatever the compiler does. Every operation gives the same bits on every instruction set.
 class Lanes {
  public:
   using D = hn::CappedTag<double, 8>;
@@ -31,7 +31,8 @@ class Lanes {
   struct Mask;
 
   Lanes() = default;
-  Lanes(double value) : Lanes(make([&](int) { return hn::Set(tag, value); })) {}  // implicit, as for numbers
+  // Converts implicitly, like built-in numbers.
+  Lanes(double value) : Lanes(make([&](int) { return hn::Set(tag, value); })) {}
   Lanes(const Product& p);
 
   static Lanes load(const double* from) {
@@ -151,17 +152,18 @@ inline Lanes atan(const Lanes& x) {
   return Lanes::make([&](int i) { return hn::Atan(Lanes::tag, x.v[i]); });
 }
 
-// exp(x) for x <= 0 and 0 where negligible; lanes that all are cost nothing.
+// exp(x) for x <= 0; 0 below kNegligible. A vector with only such lanes skips the exponential.
 inline Lanes decay(const Lanes& x) {
   return Lanes::make([&](int i) {
-    const auto matters = hn::Ge(x.v[i], hn::Set(Lanes::tag, kNegligible));
-    if (hn::AllFalse(Lanes::tag, matters)) return hn::Zero(Lanes::tag);
-    return hn::IfThenElseZero(matters, hn::Exp(Lanes::tag, x.v[i]));
+    const auto not_negligible = hn::Ge(x.v[i], hn::Set(Lanes::tag, kNegligible));
+    if (hn::AllFalse(Lanes::tag, not_negligible)) return hn::Zero(Lanes::tag);
+    return hn::IfThenElseZero(not_negligible, hn::Exp(Lanes::tag, x.v[i]));
   });
 }
 
-// From a guess by the exponent (3 % off), Newton's iteration: 4 of them leave rounding only. Far cheaper than
-// a square root and a division, and the same on every processor, which their own estimates are not.
+// Newton's iteration from a first guess by the exponent (error 3 %); after 4
+// iterations only rounding errors remain. Much cheaper than a square root and a
+// division, and, unlike the processors' own estimates, the same on every processor.
 inline Lanes inverse_sqrt(const Lanes& x) {
   const hn::RebindToSigned<Lanes::D> integers;
   const auto magic = hn::Set(integers, 0x5FE6EB50C7B537A9);

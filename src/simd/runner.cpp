@@ -1,5 +1,6 @@
 #include "simd/runner.hpp"
 
+#include "simd/dispatch.hpp"
 #include "simd/engine.hpp"
 
 namespace bristle {
@@ -17,10 +18,10 @@ PassageRunner make_runner(Engine engine) {
   if (engine == Engine::reference) return run_reference;
   return [&kernels = best_kernels()](const std::vector<PassageTask>& tasks) {
     std::vector<Passage> out(tasks.size());
-    LaneEngine lanes(kernels,
-                     [&out](std::size_t ticket, Passage&& passage) { out[ticket] = std::move(passage); });
-    for (std::size_t i = 0; i < tasks.size(); ++i) lanes.submit(tasks[i], i);
-    while (lanes.advance()) {
+    SimdEngine simd(kernels,
+                    [&out](std::size_t ticket, Passage&& passage) { out[ticket] = std::move(passage); });
+    for (std::size_t i = 0; i < tasks.size(); ++i) simd.submit(tasks[i], i);
+    while (simd.advance()) {
     }
     return out;
   };

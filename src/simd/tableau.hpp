@@ -2,9 +2,9 @@
 
 namespace bristle {
 
-// Embedded explicit Runge-Kutta pairs. k_i, the slope at stage i, is taken at y + h sum_j a[i][j] k_j; the
-// step is y + h sum b_i k_i; its error h sum error_i k_i, where the last entry goes with the slope after the
-// step, which is the next step's first. exponent is -1/(order of the error).
+// Embedded explicit Runge-Kutta pairs. k_i, the slope of stage i, is evaluated at y + h sum_j a[i][j] k_j.
+// The step is y + h sum b_i k_i and its error h sum error_i k_i. The last entry of error belongs to the slope
+// after the step, which is also the first slope of the next step. exponent is -1/(order of the error).
 
 // J. R. Cash, A. H. Karp, ACM Trans. Math. Softw. 16 (1990) 201, 5(4).
 struct CashKarp5 {
@@ -22,9 +22,9 @@ struct CashKarp5 {
       512. / 1771 - 1. / 4,      0};
 };
 
-// ARK4(3)6L[2]SA: C. A. Kennedy, M. H. Carpenter, Appl. Numer. Math. 44 (2003) 139. Additive: slopes are
-// split into an explicit part, summed with a, and an implicit one, summed with a_implicit and gamma at the
-// stage itself.
+// ARK4(3)6L[2]SA: C. A. Kennedy, M. H. Carpenter, Appl. Numer. Math. 44 (2003) 139.
+// Additive: slopes are split into an explicit part with the coefficients a and an
+// implicit part with the coefficients a_implicit, and gamma for the stage itself.
 struct KennedyCarpenter4 {
   static constexpr int stages = 6;
   static constexpr double exponent = -1.0 / 4;

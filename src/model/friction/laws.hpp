@@ -12,10 +12,10 @@
 
 namespace bristle {
 
-// The registered friction laws; experiments name them by Law::name, in the order of the list. A law says
+// The registered friction laws, in the order of FrictionLaw. Experiments select a law by Law::name. A law is
 //   F_f = factor modulation(V_R) load(F_n)
-// with modulation 1 at speeds far above V_s, and the force rigid() on bristles that do not move
-// (docs/extending.md).
+// where modulation tends to 1 at speeds far above V_s. rigid()
+// is the friction force of rigid bristles (docs/extending.md).
 using FrictionLaws = std::tuple<Nss, Coulomb, Stribeck>;
 enum class FrictionLaw : int {
   nss,
@@ -25,7 +25,7 @@ enum class FrictionLaw : int {
 };
 static_assert(std::tuple_size_v<FrictionLaws> == std::size_t(FrictionLaw::count));
 
-// visit(Law()) of the law.
+// Calls visit(Law()) with the type of this law.
 template <std::size_t I = 0, class Visit>
 decltype(auto) with_law(FrictionLaw law, const Visit& visit) {
   if constexpr (I + 1 < std::tuple_size_v<FrictionLaws>)

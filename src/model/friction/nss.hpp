@@ -5,7 +5,7 @@
 
 namespace bristle {
 
-// Contact area over F_n^(2/3), Eq. (16): A_c = area_factor F_n^(2/3). Dimensionless.
+// Factor of the contact area A_c = hertz_area_factor F_n^(2/3), Eq. (16). Dimensionless.
 inline double hertz_area_factor(double R_c, double E_star) {
   const double c = cbrt(3 * R_c / (4 * E_star));
   return M_PI * c * c;

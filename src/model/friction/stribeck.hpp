@@ -6,29 +6,29 @@
 
 namespace bristle {
 
-// Exponential Stribeck law: F_f = mu_c [1 + (A - 1) exp(-(V_R/V_s)^2)] F_n. A is the static friction over the
-// kinetic one, V_s the Stribeck speed. Below the creep speed V_s/5 friction is proportional to V_R, so that
-// V_R = 0 is an ordinary point.
+// Exponential Stribeck law: F_f = mu_c [1 + (A - 1) exp(-(V_R/V_s)^2)] F_n. A is
+// the ratio of static to kinetic friction, V_s the Stribeck speed. Below the creep
+// speed V_s/5 friction is proportional to V_R, so that V_R = 0 is a regular point.
 struct Stribeck {
   static constexpr const char* name = "stribeck";
   static constexpr const char* title = "exponential Stribeck";
   static constexpr double load_exponent = 1;
-  // Constants: A - 1, 1/V_s, one over the creep speed.
+  // Constants: A - 1, 1/V_s, 1/(creep speed).
   static FrictionConstants<double> constants(const Parameters& p) {
     return {p.A - 1, 1 / p.V_s, 5 / p.V_s, 0};
   }
   template <class T, class P>
   static T modulation(const T& V_R, const FrictionConstants<P>& c) {
     const T u = V_R * c[1], creep = V_R * c[2];
-    const T bump = c[0] * T(decay(T(-u * u)));
-    return T(1.0 + bump) * T(creep * T(inverse_sqrt(T(1.0 + creep * creep))));
+    const T static_part = c[0] * T(decay(T(-u * u)));
+    return T(1.0 + static_part) * T(creep * T(inverse_sqrt(T(1.0 + creep * creep))));
   }
   static double factor(const Parameters& p) { return p.mu_c; }
   template <class T>
   static T load(const WallForce<T>& wall) {
     return wall.F_n;
   }
-  // Sliding at V_0, far above V_s.
+  // At the sliding speed V_0, far above V_s.
   static double rigid(const Parameters& p, double R_n) { return factor(p) * R_n; }
 };
 

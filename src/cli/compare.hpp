@@ -1,0 +1,28 @@
+#pragma once
+
+#include "checks/diff.hpp"
+#include "checks/reference_update.hpp"
+
+#include <string>
+
+namespace bristle {
+
+struct CheckOptions {
+  std::string file, reference = "reference";
+  bool report_only = false;  // claims that are not supported are no failure
+  bool claims_only = false;  // no comparison with the reference
+  bool json = false;         // print JSON: deviations, and the command that computes each point again
+};
+
+struct DiffOptions {
+  std::string a, b;
+  Tolerances tolerances;
+};
+
+// The commands `check`, `diff` and `reference update`. They
+// return the exit code and throw InputError or RunError.
+int check_command(const CheckOptions& options);
+int diff_command(const DiffOptions& options);
+int reference_update_command(ReferenceUpdate update);
+
+}  // namespace bristle

@@ -1,0 +1,10 @@
+#pragma once
+
+#include <string>
+
+namespace bristle {
+
+// The command `info`. Returns the exit code; throws InputError or RunError.
+int info_command(const std::string& file);
+
+}  // namespace bristle
