@@ -13,7 +13,7 @@ class Repository {
   // why it must be in a repository; both for messages.
   Repository(const std::string& folder, const std::string& option, const std::string& purpose);
 
-  const std::string& commit() const { return commit_; }  // the commit checked out
+  std::string commit() const;                             // the commit checked out
   bool is_top() const { return prefix_.empty(); }         // folder is the top folder of the work tree
   std::time_t time() const;                               // of that commit
   // Output of `git status --porcelain`, leaving out one path relative to folder; empty if nothing differs.
@@ -28,7 +28,7 @@ class Repository {
  private:
   std::string git(const std::string& arguments) const;
 
-  std::string folder_, option_, commit_, prefix_;
+  std::string folder_, option_, prefix_;
 };
 
 }  // namespace bristle
