@@ -1,7 +1,8 @@
 #!/bin/bash
-# Whatever ends a run, nothing computed is lost and no file is half written. usage: survive_test.sh BRISTLE
+# Whatever ends a run, nothing computed is lost and no file is half written. usage:
+# survive_test.sh BRISTLE KILLS
 set -u
-bristle=$1
+bristle=$1 wanted=$2
 . "$(dirname "$0")/shell.sh"
 mounted=
 cleanup() {
@@ -45,7 +46,7 @@ finish() {
 
 # Killed at random moments, again and again, until one run gets through.
 kills=0 kept=0
-while [ $kills -lt 40 ]; do
+while [ $kills -lt "$wanted" ]; do
   begin
   for ((i = 0; i < 60; ++i)); do
     before=$(points)
@@ -61,11 +62,11 @@ while [ $kills -lt 40 ]; do
   done
   finish "kill -9"
 done
-[ $kept -gt 5 ] || failed "only $kept of $kills kills came between the first point and the last"
+[ $((8 * kept)) -gt $kills ] || failed "only $kept of $kills kills came between the first point and the last"
 echo "$kills kills, $kept of them between the first point and the last"
 
 # Killed while the result is written: all points are there.
-for ((i = 0; i < 20; ++i)); do
+for ((i = 0; 2 * i < wanted; ++i)); do
   cp "$folder/old.h5" "$r"
   "${again[@]}" &
   pid=$!
