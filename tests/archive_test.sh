@@ -36,7 +36,7 @@ cmp unpacked/*/data/results/quick.h5 results/quick.h5 || failed "line $LINENO"
 
 # No room left: a reason, an exit code, nothing left behind.
 limited() { (ulimit -f 16; "$@"); }
-expect 3 "is there room?" limited "$bristle" archive --allow-dirty -o big.tar
+expect 3 "is the disk full?" limited "$bristle" archive --allow-dirty -o big.tar
 [ -z "$(ls big.tar* 2>/dev/null)" ] || failed "a part of an archive was left"
 
 # Points computed again.
