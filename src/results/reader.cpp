@@ -51,7 +51,7 @@ std::vector<std::size_t> ResultReader::part_points() const {
   std::vector<double> numbers(h5::length_of(dataset));
   if (!numbers.empty()) h5::read_part(dataset, H5T_NATIVE_DOUBLE, {0}, {numbers.size()}, numbers.data());
   for (std::size_t i = 0; i < numbers.size(); ++i)
-    if (!(numbers[i] >= 0 && numbers[i] < kMostPoints) || numbers[i] != std::floor(numbers[i]) ||
+    if (!(numbers[i] >= 0 && numbers[i] < kMaxPoints) || numbers[i] != std::floor(numbers[i]) ||
         (i > 0 && numbers[i] <= numbers[i - 1]))
       throw RunError(fmt::format("part/points: {} is no point's number, or out of order", numbers[i]));
   return {numbers.begin(), numbers.end()};
