@@ -82,7 +82,7 @@ TEST_CASE("README, citation and crate are those that follow from the other files
     CAPTURE(name);
     CHECK_THAT(first_problem_after([&](Files& payload) { payload[name] += "x"; }),
                Contains(std::string("data/") + name + ": line ") &&
-                   Contains("is \"x\", but from the archive's other files follows the end of the file"));
+                   Contains("is \"x\", but according to the other files of the archive it should be the end of the file"));
     CHECK_THAT(first_problem_after([&](Files& payload) { payload.erase(name); }),
                Contains(std::string("data/") + name + ": is missing"));
     CHECK_FALSE(first_problem_after([&](Files& payload) { payload[name] = "[[[["; }).empty());
@@ -110,16 +110,16 @@ TEST_CASE("a payload from which the metadata cannot follow is refused") {
   CHECK_THAT(with_experiment("{"), Contains("not JSON"));
   CHECK_THAT(with_experiment(std::string(100000, '[')), Contains("nested"));
   CHECK_THAT(with_experiment(R"({"extends": 7})"), Contains("data/experiments/small.json: "));
-  CHECK_THAT(with_experiment(R"({"extends": "small.json"})"), Contains("extends this file in turn"));
+  CHECK_THAT(with_experiment(R"({"extends": "small.json"})"), Contains("has a cycle"));
   const auto with_source = [](const std::function<void(Files&, const std::string& name)>& change) {
     return first_problem_after([&](Files& payload) { change(payload, payload.lower_bound("source/")->first); });
   };
   CHECK_THAT(with_source([](Files& payload, const std::string& name) { payload.erase(name); }),
              Contains("data/source: the source of the commit is missing"));
   CHECK_THAT(with_source([](Files& payload, const std::string& name) { payload[name] = "x"; }),
-             Contains("is not git's archive of that commit"));
+             Contains("was not created by `git archive` from this commit"));
   CHECK_THAT(with_source([](Files& payload, const std::string&) { payload["source/other"] = "x"; }),
-             Contains("data/source/other: is not the source of the archive's commit"));
+             Contains("data/source/other: is not the source of the commit of the archive"));
   CHECK_THAT(with_source([](Files& payload, const std::string& name) {
                std::string& bytes = payload[name];
                bytes.replace(bytes.find("cff-version:"), 4, "[[[[");

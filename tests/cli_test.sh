@@ -77,7 +77,7 @@ expect 0 "unchanged" "$bristle" reference update "$folder/clean.h5" --reference 
 expect 0 "15 points: the same, bit for bit" "$bristle" check --report-only "$result" --reference "$reference"
 expect 1 "15 points: the same, bit for bit" "$bristle" check "$result" --reference "$reference"
 expect 0 '"failed": false' "$bristle" check --json --report-only "$result" --reference "$reference"
-expect 1 '"drift": null' "$bristle" check --json --report-only "$result" --reference "$folder/none"
+expect 1 '"deviation": null' "$bristle" check --json --report-only "$result" --reference "$folder/none"
 sed -i 's/"verdict":"refuted"/"verdict":"supported"/' "$reference/fig4.json"
 expect 1 "refuted, was supported" "$bristle" check --report-only "$result" --reference "$reference"
 git -C "$folder/repository" add . && touch "$folder/repository/work"
@@ -87,7 +87,7 @@ rm "$folder/repository/work"
 expect 0 "refuted, was supported" \
   "$bristle" reference update "$folder/clean.h5" --reference "$reference" --reason "the verdict was edited"
 
-# A drift comes with the command that computes its point alone, to the same bits.
+# A deviation comes with the command that computes its point alone, to the same bits.
 sed -i '/"R_x_norm"/,/"quadrature"/ s/"values": \[[0-9.]*,/"values": [0.1,/' "$reference/fig4.json"
 expect 1 "k_r = 2, k_theta = 0.3  FAILED" "$bristle" check --report-only "$result" --reference "$reference"
 expect 1 '"place": "k_r = 2, k_theta = 0.3"' "$bristle" check --json --report-only "$result" --reference "$reference"

@@ -129,7 +129,7 @@ TEST_CASE("diff: flags differ or do not, their meanings are shown") {
   put(two.b, "status", {1, 0}, 1);
   const Diff d = two.compare(kGenerous);
   CHECK_FALSE(d.agree());
-  CHECK_THAT(d.plain.at(0), Contains("status: ok against jump at k_r = 20, k_theta = 0.3"));
+  CHECK_THAT(d.plain.at(0), Contains("status: ok against load_jump at k_r = 20, k_theta = 0.3"));
 }
 
 TEST_CASE("diff: where an axis differs, nothing over it is compared") {

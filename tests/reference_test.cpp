@@ -174,7 +174,7 @@ TEST_CASE("deviations: missing and extra variables, another shape, another statu
   }
   SECTION("status") {
     put(p.b, "status", {0, 1}, 1);
-    expected = "ok                     jump  k_r = 5, k_theta = 1  FAILED";
+    expected = "ok                load_jump  k_r = 5, k_theta = 1  FAILED";
   }
   SECTION("no status") {
     remove_dataset(p.b, "status");
@@ -186,7 +186,7 @@ TEST_CASE("deviations: missing and extra variables, another shape, another statu
   }
   SECTION("a claim less") {
     p.reference.claims.push_back({"y", "rises", "supported"});
-    expected = "other checks";
+    expected = "different checks";
   }
   CHECK(p.report().failed());
   CHECK_THAT(p.text(), Contains(expected));

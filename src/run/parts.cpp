@@ -122,6 +122,7 @@ std::vector<Part> PartSet::read(const std::vector<std::string>& paths) {
   for (const std::string& path : paths) {
     const ResultReader file = open_part(path);
     try {
+      if (!file.has("provenance")) throw RunError("there is no group /provenance");
       parts.push_back(
           {path, *file.shard(), file.part_points(), file.text("payload_sha256"), file.provenance()});
       if (parts.size() == 1) {

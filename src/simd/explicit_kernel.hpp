@@ -11,7 +11,7 @@ class ExplicitStep {
  public:
   static constexpr double kExponent = Tableau::exponent;
 
-  static void refresh(Group& g) { evaluate(g.bristle, g.y, g.slope); }
+  static void refresh(Group& g) { evaluate(g.bristle, g.y.data(), g.slope); }
 
   // Computes y_new and slope_new; returns the largest ratio of error to tolerance.
   static Lanes attempt(Group& g) {
@@ -20,7 +20,7 @@ class ExplicitStep {
     stages(g, k, std::make_index_sequence<S>());
     for (int c = 0; c < COMPONENTS; ++c)
       g.y_new[c] = g.y[c] + g.h * weighted_sum<S>(k, c, [](int j) { return Tableau::b[j]; });
-    evaluate(g.bristle, g.y_new, g.slope_new);
+    evaluate(g.bristle, g.y_new.data(), g.slope_new);
     ErrorNorm norm(g);
     for (int c = 0; c < COMPONENTS; ++c) {
       const Lanes stages_error = weighted_sum<S>(k, c, [](int j) { return Tableau::error[j]; });
@@ -48,7 +48,7 @@ class ExplicitStep {
       std::array<Lanes, kState> at;
       for (int c = 0; c < kState; ++c)
         at[c] = g.y[c] + g.h * weighted_sum<I>(k, c, [](int j) { return Tableau::a[I][j]; });
-      evaluate(g.bristle, at, k[I]);
+      evaluate(g.bristle, at.data(), k[I]);
     }
   }
 

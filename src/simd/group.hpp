@@ -19,11 +19,10 @@ inline Lanes in_plane_distance_squared(const std::array<Lanes, COMPONENTS>& y) {
 }
 inline Lanes radial_product(const std::array<Lanes, COMPONENTS>& y) { return y[X] * y[VX] + y[Y] * y[VY]; }
 
-// Slopes of all components from the state. Not inlined:
-// copies at every stage would not fit the instruction cache.
-template <class State>
-HWY_NOINLINE HWY_FLATTEN void evaluate(const Bristle<Lanes>& b, const State& y,
-                                       std::array<Lanes, COMPONENTS>& slope) {
+// Slopes of all components from the first kState components. One copy for all stages of both methods: inlined
+// copies would not fit the instruction cache.
+HWY_NOINLINE HWY_FLATTEN inline void evaluate(const Bristle<Lanes>& b, const Lanes* y,
+                                              std::array<Lanes, COMPONENTS>& slope) {
   derivative<Lanes>(b, y, slope);
 }
 

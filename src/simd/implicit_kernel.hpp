@@ -109,7 +109,7 @@ class AdditiveStep {
         implicit[I][i] = Lanes(v - explicit_v[i]) * damping.one_h_gamma;
         at[VX + i] = g.y[VX + i] + v;
       }
-      evaluate(g.bristle, at, k[I]);
+      evaluate(g.bristle, at.data(), k[I]);
     }
   }
 };

@@ -28,7 +28,6 @@ Repository::Repository(const std::string& folder, const std::string& option, con
     throw InputError(
         fmt::format("{}: not in a git work tree: {}; {}", option_, without_newline(prefix.output), purpose));
   prefix_ = without_newline(prefix.output);
-  commit_ = without_newline(git("rev-parse --verify HEAD"));
 }
 
 std::string Repository::git(const std::string& arguments) const {
@@ -37,6 +36,8 @@ std::string Repository::git(const std::string& arguments) const {
   if (out.code != 0) throw InputError(fmt::format("{}: failed: {}", option_, command));
   return out.output;
 }
+
+std::string Repository::commit() const { return without_newline(git("rev-parse --verify HEAD")); }
 
 std::time_t Repository::commit_time() const { return std::stol(git("show -s --format=%ct HEAD")); }
 

@@ -13,8 +13,8 @@ class Repository {
   // and purpose, the reason why the folder must be in a repository.
   Repository(const std::string& folder, const std::string& option, const std::string& purpose);
 
-  const std::string& commit() const { return commit_; }  // the commit that is checked out
-  bool is_top() const { return prefix_.empty(); }        // folder is the top folder of the work tree
+  std::string commit() const;                      // the commit that is checked out
+  bool is_top() const { return prefix_.empty(); }  // folder is the top folder of the work tree
   std::time_t commit_time() const;
   // Output of `git status --porcelain` without the path except, which is relative to folder. Empty if the
   // work tree equals the commit.
@@ -29,7 +29,7 @@ class Repository {
  private:
   std::string git(const std::string& arguments) const;
 
-  std::string folder_, option_, commit_, prefix_;
+  std::string folder_, option_, prefix_;
 };
 
 }  // namespace bristle
