@@ -83,10 +83,11 @@ TEST_CASE("parts of different versions of the numerics or the program, or of oth
 TEST_CASE("missing points are named, with the shards that have them and the command") {
   const Scratch s;
   const auto parts = write_parts(s, sharded(s), 3);
-  check_holds(refusal(s, {parts[2]}),
-              {"4 of 6 points are missing: 0 (k_r = 5, k_theta = 0.3), 1 (k_r = 5, k_theta = 1), 3 (k_r = "
-               "20, k_theta = 0.3)",
-               "They belong to the shards 1/3, 2/3.", "bristle run small.json --shard 1/3 -o small.1-of-3.h5"});
+  check_holds(
+      refusal(s, {parts[2]}),
+      {"4 of 6 points are missing: 0 (k_r = 5, k_theta = 0.3), 1 (k_r = 5, k_theta = 1), 3 (k_r = "
+       "20, k_theta = 0.3)",
+       "They belong to the shards 1/3, 2/3.", "bristle run small.json --shard 1/3 -o small.1-of-3.h5"});
   const Experiment many = sharded(s, "", R"("k_r": {"linspace": [2, 50, 60]})");
   check_holds(refusal(s, {write_part(s, many, {2, 4})}),
               {"45 of 60 points", " and 35 more", "1/4, 3/4, 4/4"});
@@ -98,7 +99,7 @@ TEST_CASE("two parts that contradict each other: files, point and dataset") {
   auto parts = write_parts(s, e, 2);
   ResultWriter writer(e, s.path("other.h5"), Shard{2, 2});
   for (const std::size_t i : {1, 3, 5}) {
-    PointRecord record = made_up(e, i);
+    PointRecord record = invented_record(e, i);
     if (i == 3) record.values["R_x"][0] = 7;
     writer.write(i, record);
   }
