@@ -1,6 +1,6 @@
-// The fast engine against its peers, at equal measured error. Writes JSON to standard output
-// (scripts/performance.py makes the document of it). --quick: only the ratio to Boost.Odeint, as a test:
-// fails if it is below --per-lane times the numbers in a vector.
+// Compares the speed of the SIMD engine with other solvers at equal measured error. Writes JSON to standard
+// output, from which scripts/performance.py generates the document. --quick is a test: it measures only the
+// ratio to Boost.Odeint and fails if the ratio is below --per-lane times the number of SIMD lanes.
 #include "sample.hpp"
 #ifdef BRISTLE_SUNDIALS
 #include "sundials_peers.hpp"
@@ -32,8 +32,8 @@ extern const Steps kOtherPairs[3];
 
 namespace {
 
-constexpr double kError = 1e-4;  // of the impulses: where solvers are compared
-constexpr int kPairs = 7;
+constexpr double kError = 1e-4;  // relative error of the impulses at which solvers are compared
+constexpr int kPairs = 7;        // of measured times
 
 using Solver = std::function<std::vector<Passage>(double rtol)>;
 
@@ -53,7 +53,7 @@ std::vector<WorkPoint> work_precision(const Solver& solve, const std::vector<Pas
   return curve;
 }
 
-// The tolerance at which the curve passes kError, between its points on log axes.
+// The tolerance at which the error of the curve is kError, by logarithmic interpolation.
 double tolerance_at_error(const std::vector<WorkPoint>& curve) {
   for (std::size_t i = 1; i < curve.size(); ++i) {
     if (curve[i].error > kError) continue;
@@ -79,7 +79,7 @@ Json as_json(const std::vector<WorkPoint>& curve) {
   return out;
 }
 
-// Peers on bristles that none of them needs a special rule for.
+// Other solvers on bristles that do not reach the pole, which only the engines of this project handle.
 Json ordinary() {
   const Bristles bristles(256, 1.8);
   const auto exact = run_lanes(best_kernels(), bristles.at(1e-11));
@@ -131,7 +131,8 @@ Json ordinary() {
   return out;
 }
 
-// All bristles, the pinned and the reflected with them: Odeint with its own implicit method for the stiff.
+// All bristles, including pinned and reflected ones. The reference engine uses its implicit method for stiff
+// bristles.
 Json all_kinds(int count, double rtol, double odeint_rtol) {
   const Bristles bristles(count, M_PI);
   const auto exact = run_lanes(best_kernels(), bristles.at(1e-9));
@@ -179,20 +180,20 @@ std::string processor() {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("The fast engine against its peers");
+  CLI::App app("Speed of the SIMD engine compared with other solvers");
   bool quick = false;
   double per_lane = 0;
-  app.add_flag("--quick", quick, "the ratio to Boost.Odeint only");
+  app.add_flag("--quick", quick, "measure only the ratio to Boost.Odeint");
   app.add_option("--per-lane", per_lane,
-                 "with --quick: fail if the ratio is below this times the numbers in a vector");
+                 "with --quick: fail if the ratio is below this times the number of SIMD lanes");
   CLI11_PARSE(app, argc, argv);
-  // Tolerances of about equal error on this sample.
+  // On this sample both engines have about equal errors at this tolerance.
   constexpr double rtol = 1e-5;
   if (quick) {
     const Json result = all_kinds(1024, rtol, rtol);
     const double ratio = result["ratio"], least = per_lane * best_kernels().width;
     fmt::print(
-        "{}, {}: the fast engine is {:.1f} times as fast as Boost.Odeint (asked: {:.1f}), at errors of "
+        "{}, {}: the fast engine is {:.1f} times as fast as Boost.Odeint (required: {:.1f}), at errors of "
         "{:.1e} and {:.1e}\n",
         processor(), best_kernels().target, ratio, least, result["error"].get<double>(),
         result["odeint_error"].get<double>());
