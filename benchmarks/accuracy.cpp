@@ -1,6 +1,7 @@
 // Measures the errors of the integration, the error estimates of the quadrature, the standard errors of the
 // lattice, and the stiffness of the equations. The numbers do not depend on the processor or on time. Writes
 // JSON to standard output, from which scripts/accuracy.py generates docs/accuracy.md.
+#include "dynamics/jacobian.hpp"
 #include "ensemble/lattice.hpp"
 #include "sample.hpp"
 

@@ -79,15 +79,14 @@ Json as_json(const std::vector<WorkPoint>& curve) {
   return out;
 }
 
-// Other solvers on bristles that do not reach the pole, which only the engines of this project handle.
-Json ordinary() {
-  const Bristles bristles(256, 1.8);
-  const auto exact = run_lanes(best_kernels(), bristles.at(1e-11));
-  struct Peer {
-    std::string name;
-    Solver solve;
-    std::vector<double> tolerances;
-  };
+struct Peer {
+  std::string name;
+  Solver solve;
+  std::vector<double> tolerances;
+};
+
+// The solvers to compare, on these bristles, which must outlive them.
+std::vector<Peer> make_peers(const Bristles& bristles) {
   const std::vector<double> usual = {1e-3, 1e-4, 1e-5, 1e-6, 1e-7}, tight = {1e-4, 1e-5, 1e-6, 1e-7, 1e-8};
   std::vector<Peer> peers;
   for (const Kernels* kernels : available_kernels())
@@ -112,16 +111,26 @@ Json ordinary() {
                    },
                    {1e-5, 1e-6, 1e-7, 1e-8}});
   peers.push_back({"Boost.Odeint dopri5",
-                   [&](double rtol) { return run_odeint(bristles.at(rtol, Method::explicit_only)); }, usual});
+                   [&bristles](double rtol) { return run_odeint(bristles.at(rtol, Method::explicit_only)); },
+                   usual});
 #ifdef BRISTLE_SUNDIALS
   peers.push_back({"SUNDIALS ARKODE, Dormand-Prince 5",
-                   [&](double rtol) { return run_arkode(bristles.at(rtol)); }, usual});
-  peers.push_back({"SUNDIALS CVODE, BDF", [&](double rtol) { return run_cvode(bristles.at(rtol)); }, tight});
+                   [&bristles](double rtol) { return run_arkode(bristles.at(rtol)); }, usual});
+  peers.push_back(
+      {"SUNDIALS CVODE, BDF", [&bristles](double rtol) { return run_cvode(bristles.at(rtol)); }, tight});
 #endif
+  return peers;
+}
+
+// Compares the solvers on bristles that do not reach the pole, as only the engines of this project have a
+// pole rule.
+Json ordinary() {
+  const Bristles bristles(256, 1.8);
+  const auto exact = run_lanes(best_kernels(), bristles.at(1e-11));
   const auto fast = [&](double rtol) { return run_lanes(best_kernels(), bristles.at(rtol)); };
-  const double own_rtol = tolerance_at_error(work_precision(fast, exact, usual));
+  const double own_rtol = tolerance_at_error(work_precision(fast, exact, {1e-3, 1e-4, 1e-5, 1e-6, 1e-7}));
   Json out = Json::array();
-  for (const Peer& peer : peers) {
+  for (const Peer& peer : make_peers(bristles)) {
     fmt::print(stderr, "{} ...\n", peer.name);
     const auto curve = work_precision(peer.solve, exact, peer.tolerances);
     const double rtol = tolerance_at_error(curve);

@@ -2,6 +2,7 @@
 // equidistant grid and random azimuths as in the paper's lattice. Writes JSON to standard output, from which
 // scripts/performance.py draws the figure.
 #include "ensemble/ensemble.hpp"
+#include "model/friction/chi.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

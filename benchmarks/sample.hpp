@@ -1,5 +1,7 @@
 #pragma once
 
+#include "model/equilibrium.hpp"
+#include "model/friction/laws.hpp"
 #include "simd/dispatch.hpp"
 #include "simd/engine.hpp"
 

@@ -114,7 +114,7 @@ TEST_CASE("mistakes in assumptions are reported before anything is computed") {
   };
   const std::string head = R"({"schema": "bristle-assumption/1", "choice": "x", "question": "q", )";
   const std::vector<Row> table = {
-      {"[]", "a JSON object {...} is expected"},
+      {"[]", "expected a JSON object"},
       {head + R"("alternative": []})", "/alternative: unknown key (did you mean alternatives?)"},
       {head + R"("alternatives": [{"name": "n"}]})", "/alternatives/0/description: is missing"},
       {head + R"("alternatives": [{"name": "slow", "description": "d"}]})",

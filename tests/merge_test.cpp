@@ -24,7 +24,7 @@ TEST_CASE("an invalid shard is refused with what is allowed") {
   for (const char* text : {"", "/", "3", "a/b", "1/", "/2", "1/0", "-1/2", "1.0/2", " 1/2", "1/2/3", "1/2 "})
     CHECK_THROWS_WITH(parse_shard(text), Catch::Contains("such as 2/8"));
   for (const char* text : {"0/3", "4/3"})
-    CHECK_THROWS_WITH(parse_shard(text), Catch::Contains("they are numbered 1/3 to 3/3"));
+    CHECK_THROWS_WITH(parse_shard(text), Catch::Contains("shards are numbered 1/3 to 3/3"));
 }
 
 TEST_CASE("merging any number of parts gives the digest of the whole result") {

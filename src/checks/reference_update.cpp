@@ -157,8 +157,8 @@ std::string update_reference(const ReferenceUpdate& update) {
   std::string added = entry(update, result, old ? &*old : nullptr, made);
   const std::string before = fs::exists(log)
                                  ? read_file(log)
-                                 : "# Changes of the references\n\nWritten by `bristle reference update`; "
-                                   "oldest first. docs/reference.md says what is in a reference.\n";
+                                 : "# Changes of the references\n\nWritten by `bristle reference update`, "
+                                   "oldest first. docs/reference.md describes the references.\n";
   write_files(path, reference_text(made), log, before + added);
   return added;
 }

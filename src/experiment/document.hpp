@@ -25,7 +25,6 @@ class Document {
   static Document stored(const Json& content, const std::string& source);
 
   const Json& json() const { return *merged_; }
-  const std::shared_ptr<const Json>& shared_json() const { return merged_; }
   const std::string& path() const { return path_; }
   // The file or option that sets the value at pointer; the experiment's own file for a default.
   std::string origin(const JsonPointer& pointer) const;

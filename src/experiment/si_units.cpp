@@ -76,7 +76,7 @@ void read_si_units(const Document& document, const std::vector<Axis>& axes, Poin
   }
   if ((has("nu") || has("R_m")) != has("E_Pa"))
     document.fail(has("E_Pa") ? "/si/nu" : "/si/E_Pa",
-                  has("E_Pa") ? "is missing, and so is R_m; E_Pa is used with one of them only"
+                  has("E_Pa") ? "is missing, and so is R_m; E_Pa needs at least one of them"
                               : "is missing; nu and R_m need it");
   if (has("R_m") && has("k_r_over_k_phi") == has("k_r_N_per_m"))
     document.fail("/si/k_r_over_k_phi",

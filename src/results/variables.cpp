@@ -73,6 +73,22 @@ ResultVariable force(const char* name, const char* long_name, const char* symbol
           "N"};
 }
 
+void add_load_jump(std::vector<ResultVariable>& variables) {
+  variables.push_back(field("jump_z_0", "last gap before R_n(z_0) jumps across the target",
+                            R"(\tilde{z}_{0,\mathrm{jump}})", "Fig. 3", &PointResult::jump_z_0));
+  variables.push_back(field("jump_R_n", "normal load at jump_z_0", R"(\tilde{R}_{n,\mathrm{jump}}/N_{c,0})",
+                            "Fig. 3", &PointResult::jump_R_n));
+}
+
+void add_fluctuations(std::vector<ResultVariable>& variables) {
+  variables.push_back(fluctuation("R_n_fluctuation", "standard deviation of R_n(t) over its mean",
+                                  R"(\sigma(R_n)/R_n)", &PointResult::fluctuation));
+  variables.push_back(
+      fluctuation("R_n_fluctuation_of_rows",
+                  "standard deviation of R_n(t), averaged over the passing time of a row, over its mean",
+                  R"(\sigma(\langle R_n\rangle_{\mathrm{row}})/R_n)", &PointResult::fluctuation_of_rows));
+}
+
 void add_si(std::vector<ResultVariable>& variables) {
   variables.push_back(force("R_n_in_N", "normal load per bristle", R"(R_n/N_{c,0})", R_N));
   variables.push_back(
@@ -124,19 +140,8 @@ std::vector<ResultVariable> result_variables(const Experiment& experiment) {
             "", &P::incomplete_theta_0),
   };
   variables.back().units = "rad";
-  if (!experiment.base.loading.z_0 && !experiment.base.loading.trace) {
-    variables.push_back(field("jump_z_0", "last gap before R_n(z_0) jumps across the target",
-                              R"(\tilde{z}_{0,\mathrm{jump}})", "Fig. 3", &P::jump_z_0));
-    variables.push_back(field("jump_R_n", "normal load at jump_z_0", R"(\tilde{R}_{n,\mathrm{jump}}/N_{c,0})",
-                              "Fig. 3", &P::jump_R_n));
-  }
-  if (experiment.on_lattice()) {
-    variables.push_back(fluctuation("R_n_fluctuation", "standard deviation of R_n(t) over its mean",
-                                    R"(\sigma(R_n)/R_n)", &P::fluctuation));
-    variables.push_back(fluctuation(
-        "R_n_fluctuation_of_rows", "standard deviation of R_n(t), averaged over a row's time, over its mean",
-        R"(\sigma(\langle R_n\rangle_{\mathrm{row}})/R_n)", &P::fluctuation_of_rows));
-  }
+  if (!experiment.base.loading.z_0 && !experiment.base.loading.trace) add_load_jump(variables);
+  if (experiment.on_lattice()) add_fluctuations(variables);
   if (!experiment.base.si.empty()) add_si(variables);
   if (experiment.base.setup.orientation.distribution == Distribution::von_mises) add_direction(variables);
   return variables;
