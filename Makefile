@@ -11,6 +11,7 @@ BUILD := build
 # TIER=smoke computes a small subset of the points, in seconds.
 TIER ?= full
 SUFFIX := $(if $(filter full,$(TIER)),,-$(TIER))
+PLOT_PYTHON := scripts/find-python numpy h5py matplotlib
 
 help: ## list the targets
 	@echo "bristle: friction of a bristle lattice under a sliding slab"
@@ -22,17 +23,18 @@ help: ## list the targets
 packages: ## install the missing Debian packages (root or sudo)
 	@scripts/install-packages
 
-$(BUILD)/build.ninja: CMakeLists.txt tests/CMakeLists.txt benchmarks/CMakeLists.txt CMakePresets.json | packages
-	@log=$$(mktemp); cmake --preset release -G Ninja >$$log 2>&1 || { cat $$log; rm -f $$log; exit 1; }; rm -f $$log
+$(BUILD)/build.ninja: CMakeLists.txt CMakePresets.json | packages
+	@scripts/quietly cmake --preset release -G Ninja
 
 build: packages $(BUILD)/build.ninja ## build the program: build/bristle
-	@test -x $(BUILD)/bristle || echo "Building, a few minutes ..."
+	@test -x $(BUILD)/bristle || echo "Building the program, about a minute on two cores ..."
 	@ninja -C $(BUILD) --quiet -j $(JOBS) bristle
 
 $(FIGURES) $(STUDIES): %: build
+	@test -e results/$*$(SUFFIX).h5 || echo "Computing $* ($(TIER) tier): $(or $(TIME_$*_$(TIER)),about a minute on two cores) ..."
 	$(BUILD)/bristle run experiments/$*.json --tier $(TIER) -o results/$*$(SUFFIX).h5
-	@$$(scripts/find-python) scripts/$*.py results/$*$(SUFFIX).h5 -o figures$(SUFFIX)
-	@echo "The paper's claims (docs/claims.md), and drift against the reference (docs/reference.md):"
+	@$$($(PLOT_PYTHON)) scripts/$*.py results/$*$(SUFFIX).h5 -o figures$(SUFFIX)
+	@echo "The paper's claims (docs/claims.md), and deviations from the reference (docs/reference.md):"
 	@$(BUILD)/bristle check --report-only results/$*$(SUFFIX).h5
 
 figures: $(FIGURES) ## make all figures
@@ -45,13 +47,33 @@ assumptions: build ## every claim under every alternative to what the paper leav
 	@$$(scripts/find-python) scripts/assumptions.py results/assumptions.json -o figures --text docs/assumptions.md
 	@cp figures/assumptions.png docs/images/
 
-report: figures $(STUDIES) ## one page of all figures, claims, points and sources: report/index.html
+report: figures $(STUDIES) report-packages ## one page of all figures, claims, points and sources: report/index.html
 	@$$(scripts/find-python) scripts/report/report.py $(patsubst %,results/%$(SUFFIX).h5,$(FIGURES) $(STUDIES)) -o report$(SUFFIX)/index.html
 
-test: packages $(BUILD)/build.ninja ## build everything and run the tests
-	@echo "Building program and tests ..."
-	@ninja -C $(BUILD) --quiet -j $(JOBS)
-	cd $(BUILD) && ctest --output-on-failure --parallel $(JOBS)
+# The tests are configured into the same build folder; the program is not compiled again.
+$(BUILD)/tests/CTestTestfile.cmake: tests/CMakeLists.txt benchmarks/CMakeLists.txt | test-packages
+	@scripts/quietly cmake --preset release -G Ninja -DBRISTLE_TESTS=ON
+
+.PHONY: test-packages build-tests test test-all
+test-packages:
+	@scripts/install-packages test
+
+build-tests: test-packages $(BUILD)/tests/CTestTestfile.cmake
+	@test -x $(BUILD)/tests/unit_tests || echo "Building program and tests, about two minutes on two cores ..."
+	@ninja -C $(BUILD) --quiet -j $(JOBS) bristle unit_tests
+
+.PHONY: report-packages
+report-packages:
+	@scripts/install-packages report
+
+test: build-tests ## what every commit needs: about three minutes
+	@scripts/run-ctest $(BUILD) -L '^(unit|commit)$$'
+
+test-all: ## everything, nightly and before a release: sanitizers, fuzzers, other compiler, all figures, documents
+	@scripts/install-packages test test-all
+	@$(MAKE) --no-print-directory build-tests
+	@ninja -C $(BUILD) --quiet -j $(JOBS) bench_engine accuracy
+	@scripts/run-ctest $(BUILD)
 
 bench: build ## benchmarks: ratios against peers in the same run, into docs/performance.md
 	@ninja -C $(BUILD) --quiet -j $(JOBS) bench_engine bench_quadrature scipy_slopes
@@ -79,30 +101,35 @@ verify: build ## check the archive; RERUN=N also computes N points again and com
 release: ## VERSION=x.y.z: write the new version everywhere, commit nothing
 	@scripts/release '$(VERSION)'
 
-# What follows has build folders of its own; docs/hardening.md tells what it looks for.
+# These have build folders of their own; docs/hardening.md describes what they look for.
 SANITIZER ?= address
 CHECKED := $(if $(filter thread,$(SANITIZER)),thread,sanitize)
-sanitize: packages ## unit tests, shell tests and smoke runs under the sanitizers of SANITIZER=address (and undefined), or thread
+sanitize: test-packages ## unit tests, shell tests and smoke runs under the sanitizers of SANITIZER=address (and undefined), or thread
 	cmake --preset $(CHECKED) -G Ninja
 	ninja -C build-$(CHECKED) --quiet -j $(JOBS) bristle unit_tests
-	cd build-$(CHECKED) && ctest -L '^(unit|shell|smoke)$$' --output-on-failure --parallel $(JOBS)
+	scripts/run-ctest build-$(CHECKED) -L '^(unit|shell|smoke)$$'
 
 SECONDS ?= 60
-fuzz: packages ## what reads files on random changes of tests/fuzz/corpus, SECONDS=60 for each kind
-	@scripts/install-packages hardening
+fuzz: packages ## the readers of files on random changes of tests/fuzz/corpus, SECONDS=60 for each kind
+	@scripts/install-packages test-all
 	tests/fuzz/run.sh . build-fuzz $(SECONDS)
 
-tidy: packages ## clang-tidy over src/, as .clang-tidy says
-	@scripts/install-packages hardening
-	cmake --preset clang -B build-tidy -G Ninja -DBRISTLE_TESTS=OFF -DCMAKE_EXPORT_COMPILE_COMMANDS=ON
-	scripts/tidy build-tidy $(JOBS)
+# SINCE=REVISION limits it to the source files that changed since then.
+tidy: packages ## clang-tidy over src/ with the checks of .clang-tidy; SINCE=REV: over what changed since REV
+	@scripts/install-packages test-all
+	scripts/tidy build-tidy $(JOBS) $(SINCE)
 
-coverage: packages ## the lines of src/ that unit tests and shell tests execute: at least 90 %
-	@scripts/install-packages hardening
+# The files that differ from the upstream branch; without one, or on it, those of the last commit.
+.PHONY: tidy-changed
+tidy-changed:
+	@$(MAKE) --no-print-directory tidy SINCE=$$(scripts/changed-since)
+
+coverage: test-packages ## the lines of src/ that unit tests and shell tests execute: at least 90 %
+	@scripts/install-packages test-all
 	cmake --preset coverage -G Ninja
 	ninja -C build-coverage --quiet -j $(JOBS) bristle unit_tests
 	find build-coverage -name '*.gcda' -delete
-	cd build-coverage && ctest -L '^(unit|shell)$$' --output-on-failure --parallel $(JOBS)
+	scripts/run-ctest build-coverage -L '^(unit|shell)$$'
 	gcovr --root . --filter src/ --object-directory build-coverage --print-summary --fail-under-line 90
 
 clean: ## remove what was built; results and figures stay

@@ -1,7 +1,7 @@
 #!/bin/bash
-# However a run ends, no computed point is lost and no file is left incomplete. usage: survive_test.sh BRISTLE
+# However a run ends, no computed point is lost and no file is left incomplete. usage: survive_test.sh BRISTLE KILLS
 set -u
-bristle=$1
+bristle=$1 wanted=$2
 . "$(dirname "$0")/shell.sh"
 mounted=
 cleanup() {
@@ -45,7 +45,7 @@ finish() {
 
 # Killed at random times repeatedly, until one run finishes.
 kills=0 kept=0
-while [ $kills -lt 40 ]; do
+while [ $kills -lt "$wanted" ]; do
   begin
   for ((i = 0; i < 60; ++i)); do
     before=$(points)
@@ -61,11 +61,11 @@ while [ $kills -lt 40 ]; do
   done
   finish "kill -9"
 done
-[ $kept -gt 5 ] || failed "only $kept of $kills kills came between the first point and the last"
+[ $((8 * kept)) -gt $kills ] || failed "only $kept of $kills kills came between the first point and the last"
 echo "$kills kills, $kept of them between the first point and the last"
 
 # Killed while the result is written, when all points are in the journal.
-for ((i = 0; i < 20; ++i)); do
+for ((i = 0; 2 * i < wanted; ++i)); do
   cp "$folder/old.h5" "$r"
   "${again[@]}" &
   pid=$!

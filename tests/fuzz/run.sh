@@ -9,7 +9,7 @@ cd "$folder"
 
 empty='extern "C" int LLVMFuzzerTestOneInput(const unsigned char*, unsigned long) { return 0; }'
 if ! echo "$empty" | clang++ -fsanitize=fuzzer,address -x c++ - -o probe >probe.log 2>&1; then
-  echo "skipped: there is no clang++ with libFuzzer; install it with scripts/install-packages hardening"
+  echo "skipped: there is no clang++ with libFuzzer; install it with scripts/install-packages test-all"
   exit 77
 fi
 (cd "$source" && cmake --preset fuzz -B "$folder" -G Ninja) >configure.log 2>&1 || { cat configure.log; exit 1; }
