@@ -1,6 +1,7 @@
-// What the errors of the method are, measured: of the integration, of the quadrature's estimates, of the
-// lattice's standard errors; and how stiff the equations are. Numbers of no processor and no clock: the same
-// everywhere. Writes JSON to standard output (scripts/accuracy.py makes docs/accuracy.md of it).
+// Measures the errors of the integration, the error estimates of the quadrature, the standard errors of the
+// lattice, and the stiffness of the equations. The numbers do not depend on the processor or on time. Writes
+// JSON to standard output, from which scripts/accuracy.py generates docs/accuracy.md.
+#include "dynamics/jacobian.hpp"
 #include "ensemble/lattice.hpp"
 #include "sample.hpp"
 
@@ -28,7 +29,7 @@ const PassageRunner& runner(Engine engine) {
 
 const char* engine_name(Engine engine) { return engine == Engine::fast ? "fast" : "reference"; }
 
-Setup interface_of(const Case& c, double rtol = 1e-5) {
+Setup setup_of(const Case& c, double rtol = 1e-5) {
   Setup setup;
   setup.parameters.k_r = c.k_r;
   setup.parameters.k_theta = c.k_theta;
@@ -37,17 +38,17 @@ Setup interface_of(const Case& c, double rtol = 1e-5) {
   return setup;
 }
 
-// The mean over equidistant azimuths: the same bristles whatever the tolerance, so that integration alone
-// errs.
+// The mean over equidistant azimuths, which are the same at every tolerance, so that only integration causes
+// errors.
 ObservableArray mean_over_grid(const Case& c, double rtol, Engine engine) {
   constexpr int kAzimuths = 200;
-  Setup setup = interface_of(c, rtol);
+  Setup setup = setup_of(c, rtol);
   setup.orientation.sampling = Sampling::list;
   for (int i = 0; i < kAzimuths; ++i) setup.orientation.theta_0.push_back(M_PI * (i + 0.5) / kAzimuths);
   return EnsembleMean(setup, c.z_0, runner(engine)).full().mean;
 }
 
-// Relative errors of the means, the largest of the cases, against Odeint at 1e-9.
+// Relative errors of the means with respect to Odeint at 1e-9; the largest of all cases.
 Json integration() {
   Json rows = Json::array();
   std::vector<ObservableArray> exact;
@@ -67,24 +68,25 @@ Json integration() {
   return rows;
 }
 
-// Single bristles of all kinds at the default tolerance: those the implicit lanes finished, and the others.
+// Errors of single bristles of all kinds at the default tolerance, separately for the explicit and the
+// implicit method.
 Json bristles() {
   const bench::Bristles sample(496, M_PI);
   const auto exact = bench::run_odeint(sample.at(1e-9));
   const auto fast = runner(Engine::fast)(sample.at(1e-5));
-  std::vector<Passage> of[2], exact_of[2];
+  std::vector<Passage> fast_by_method[2], exact_by_method[2];  // explicit, implicit
   for (std::size_t i = 0; i < fast.size(); ++i) {
-    of[fast[i].implicit].push_back(fast[i]);
-    exact_of[fast[i].implicit].push_back(exact[i]);
+    fast_by_method[fast[i].implicit].push_back(fast[i]);
+    exact_by_method[fast[i].implicit].push_back(exact[i]);
   }
-  return {{"explicit", of[0].size()},
-          {"explicit_error", bench::impulse_error(of[0], exact_of[0])},
-          {"implicit", of[1].size()},
-          {"implicit_error", bench::impulse_error(of[1], exact_of[1])}};
+  return {{"explicit", fast_by_method[0].size()},
+          {"explicit_error", bench::impulse_error(fast_by_method[0], exact_by_method[0])},
+          {"implicit", fast_by_method[1].size()},
+          {"implicit_error", bench::impulse_error(fast_by_method[1], exact_by_method[1])}};
 }
 
-// The contact time of the bristle that points exactly against the motion, at tolerances a factor of ten
-// apart: the largest scatter of the cases, and the most reflections.
+// Contact time of the bristle with theta_0 = pi at tolerances from 1e-5 to 1e-8: the largest relative scatter
+// of all cases, and the largest number of reflections.
 Json head_on() {
   Json out;
   for (const Engine engine : {Engine::fast, Engine::reference}) {
@@ -93,7 +95,7 @@ Json head_on() {
     for (const Case& c : kCases) {
       double least = INFINITY, most = 0;
       for (const double rtol : {1e-5, 1e-6, 1e-7, 1e-8}) {
-        const Setup setup = interface_of(c, rtol);
+        const Setup setup = setup_of(c, rtol);
         const auto b = make_bristle(setup.parameters, c.z_0, M_PI);
         const PassageTask task{&setup.parameters, b, static_equilibrium(b), setup.integrator};
         const Passage p = runner(engine)({task}).front();
@@ -110,7 +112,7 @@ Json head_on() {
   return out;
 }
 
-// Below which half of the weights lie.
+// The value below which half of the weight lies.
 double weighted_median(std::vector<std::pair<double, double>> values_and_weights) {
   std::sort(values_and_weights.begin(), values_and_weights.end());
   double all = 0, below = 0;
@@ -120,14 +122,14 @@ double weighted_median(std::vector<std::pair<double, double>> values_and_weights
   return NAN;
 }
 
-// The fastest decay (of the most negative eigenvalue) along the passage of a bristle: its median over the
-// time in contact, and its peak. Per case, their ranges over bristles.
+// The fastest decay rate (minus the most negative eigenvalue) along passages: for each case, the ranges over
+// bristles of its median over the time in contact and of its maximum.
 Json stiffness() {
   Json rows = Json::array();
   for (const Case& c : kCases) {
     std::vector<double> medians, peaks;
     for (int degrees = 5; degrees < 180; degrees += 10) {
-      const Setup setup = interface_of(c);
+      const Setup setup = setup_of(c);
       const auto b = make_bristle(setup.parameters, c.z_0, degrees * M_PI / 180);
       std::vector<std::pair<double, double>> decays;
       double last = 0;
@@ -151,7 +153,7 @@ Json stiffness() {
   return rows;
 }
 
-// How often the quadrature's mean lies within the estimates, its own and that of a finer one.
+// How often the difference between a mean and a finer one is within the sum of their error estimates.
 Json quadrature() {
   struct Row {
     double rtol;
@@ -164,7 +166,7 @@ Json quadrature() {
     for (const double k_theta : {1., 5.})
       for (const double z_0 : {0.1, 0.3, 0.5, 0.7, 0.9}) {
         const Case c{k_r, k_theta, z_0};
-        Setup setup = interface_of(c), fine = setup;
+        Setup setup = setup_of(c), fine = setup;
         fine.orientation.rtol = 2e-4;
         EnsembleMean exact_mean(fine, z_0, runner(Engine::fast));
         const Ensemble& exact = exact_mean.full();
@@ -188,26 +190,27 @@ Json quadrature() {
   return out;
 }
 
-// Root mean square over seeds of the lattice's deviation from the mean over theta_0, in standard errors.
+// Root mean square over seeds of the deviation of the lattice mean from the mean over theta_0, in standard
+// errors.
 Json lattice() {
   constexpr int kSeeds = 40, kDraws = 3000;
   constexpr Observable kShown[] = {R_N, R_X, R_Y, N_C_RATIO, GAMMA_1};
   constexpr const char* kShownNames[] = {"R_n", "R_x", "R_y", "N_c_ratio", "gamma_1"};
-  Setup setup = interface_of({10, 1, 0.115});
+  Setup setup = setup_of({10, 1, 0.115});
   const Ensemble mean = EnsembleMean(setup, 0.115, runner(Engine::fast)).full();
   setup.parameters.L_y = 5;
   setup.orientation.sampling = Sampling::lattice;
   setup.orientation.rows = 120;
   setup.orientation.t_1 = -1;
   ObservableArray squares{};
-  // Of the sum of sin(theta_0), as R_y is odd in it: what these azimuths alone deviate by.
+  // Squares of the standardised sum of sin(theta_0), in which R_y is odd: the deviation due to the azimuths
+  // alone.
   double sine_squares = 0, of_seeds = 0;
   const long bristles = 120 * 25;
   for (int seed = 1; seed <= kDraws; ++seed) {
     setup.orientation.seed = std::uint64_t(seed);
     double sum = 0;
-    for (long i = 0; i < bristles; ++i)
-      sum += std::sin(random_azimuth(setup.orientation, std::uint64_t(i)));
+    for (long i = 0; i < bristles; ++i) sum += std::sin(random_azimuth(setup.orientation, std::uint64_t(i)));
     sine_squares += sum * sum / (0.5 * double(bristles));
     if (seed == kSeeds) of_seeds = sine_squares;
     if (seed > kSeeds) continue;

@@ -2,8 +2,8 @@
 
 namespace bristle {
 
-// Embedded pairs that the engine does not use, in the form of simd/tableau.hpp, to be compared with
-// the one it does.
+// Embedded Runge-Kutta pairs, in the form of simd/tableau.hpp, for comparison with the pair that the engine
+// uses.
 
 // J. R. Dormand, P. J. Prince, J. Comput. Appl. Math. 6 (1980), 5(4).
 struct DormandPrince5 {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "model/equilibrium.hpp"
+#include "model/friction/laws.hpp"
 #include "simd/dispatch.hpp"
 #include "simd/engine.hpp"
 
@@ -12,11 +14,12 @@
 
 namespace bristle::bench {
 
-// Bristles of the paper's ranges, both friction laws, the same on every machine and in every run.
+// Random bristles within the ranges of the paper, with both friction laws; the same on every machine and in
+// every run.
 class Bristles {
  public:
-  // head_on: up to which azimuth, pi for all; below about 1.8 rad none is pinned.
-  Bristles(int count, double head_on) {
+  // largest_theta_0: rad, pi for all bristles; below about 1.8 none is pinned.
+  Bristles(int count, double largest_theta_0) {
     std::mt19937_64 random(1);
     const auto uniform = [&](double from, double to) {
       return from + (to - from) * double(random() >> 11) * 0x1p-53;
@@ -31,7 +34,7 @@ class Bristles {
       p.k_theta = log_uniform(0.3, 10);
       p.k_phi = uniform(1.5, 3.5);
       p.C = chi_C_peak_at_V_s(p.A);
-      const auto b = make_bristle(p, uniform(0.1, 0.95), uniform(0, head_on));
+      const auto b = make_bristle(p, uniform(0.1, 0.95), uniform(0, largest_theta_0));
       tasks_.push_back({&p, b, static_equilibrium(b), {}});
     }
   }
@@ -64,7 +67,7 @@ inline std::vector<Passage> run_odeint(const std::vector<PassageTask>& tasks) {
   return out;
 }
 
-// The error of the impulses of normal force and friction, relative, that 90 in 100 bristles stay below.
+// The 90th percentile over bristles of the relative error of the impulses of normal force and friction.
 inline double impulse_error(const std::vector<Passage>& passages, const std::vector<Passage>& exact) {
   std::vector<double> errors;
   for (std::size_t i = 0; i < passages.size(); ++i) {

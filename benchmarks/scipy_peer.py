@@ -1,6 +1,6 @@
 """SciPy's solve_ivp on the first bristles of the benchmark's sample; JSON on standard output.
 
-The equations are the project's own, compiled (scipy_slopes.cpp): what is timed is SciPy's stepping.
+The equations are the compiled ones of the project (scipy_slopes.cpp), so that the times are those of SciPy's stepping.
 """
 
 import ctypes
@@ -13,7 +13,7 @@ import numpy as np
 try:
     from scipy.integrate import solve_ivp
 except ImportError:
-    print("SciPy is not installed: left out (package python3-scipy)", file=sys.stderr)
+    print("SciPy is not installed (package python3-scipy) and is omitted", file=sys.stderr)
     print("[]")
     raise SystemExit(0)
 

@@ -1,4 +1,5 @@
-// The equations for SciPy, through ctypes: it integrates the same compiled code as everyone else.
+// The equations for SciPy through ctypes, so that it integrates the same compiled code as the other solvers.
+#include "dynamics/ode.hpp"
 #include "sample.hpp"
 
 namespace {
@@ -13,7 +14,7 @@ const std::vector<bristle::PassageTask>& tasks() {
 
 extern "C" {
 
-// State and integrals, COMPONENTS numbers, of bristle i at the leading edge.
+// Writes state and integrals (COMPONENTS numbers) of bristle i at the leading edge to y.
 void bristle_start(int i, double* y) {
   const auto& task = tasks()[std::size_t(i)];
   const bristle::OdeState start = bristle::pack(bristle::state_at_rest(task.bristle, task.start));

@@ -12,7 +12,7 @@
 namespace bristle::bench {
 namespace {
 
-constexpr double kLatest = 1000;  // no passage lasts as long
+constexpr double kMaxTime = 1000;  // in r0/V0; longer than any passage
 
 struct Problem {
   const PassageTask* task;
@@ -26,13 +26,13 @@ int slope(realtype, N_Vector y, N_Vector dydt, void* data) {
   return 0;
 }
 
-int slip_left(realtype t, N_Vector y, realtype* g, void* data) {
+int remaining_slip(realtype t, N_Vector y, realtype* g, void* data) {
   const auto* problem = static_cast<Problem*>(data);
   *g = problem->task->parameters->L_x - (t - (N_VGetArrayPointer(y)[X] - problem->x_0));
   return 0;
 }
 
-// Solver: (context, vector, problem) -> time of the exit.
+// solve(context, y, problem) integrates y and returns the time of the exit.
 template <class Solver>
 std::vector<Passage> run(const std::vector<PassageTask>& tasks, Solver solve) {
   SUNContext context;
@@ -65,9 +65,9 @@ std::vector<Passage> run_cvode(const std::vector<PassageTask>& tasks) {
     SUNMatrix matrix = SUNDenseMatrix(COMPONENTS, COMPONENTS, context);
     SUNLinearSolver solver = SUNLinSol_Dense(y, matrix, context);
     CVodeSetLinearSolver(memory, solver, matrix);
-    CVodeRootInit(memory, 1, slip_left);
+    CVodeRootInit(memory, 1, remaining_slip);
     double t = 0;
-    if (CVode(memory, kLatest, y, &t, CV_NORMAL) != CV_ROOT_RETURN)
+    if (CVode(memory, kMaxTime, y, &t, CV_NORMAL) != CV_ROOT_RETURN)
       throw std::runtime_error("CVODE found no exit");
     SUNLinSolFree(solver);
     SUNMatDestroy(matrix);
@@ -83,9 +83,9 @@ std::vector<Passage> run_arkode(const std::vector<PassageTask>& tasks) {
     ARKStepSetUserData(memory, &problem);
     ARKStepSetTableNum(memory, ARKODE_DIRK_NONE, ARKODE_DORMAND_PRINCE_7_4_5);
     ARKStepSetMaxNumSteps(memory, -1);
-    ARKStepRootInit(memory, 1, slip_left);
+    ARKStepRootInit(memory, 1, remaining_slip);
     double t = 0;
-    if (ARKStepEvolve(memory, kLatest, y, &t, ARK_NORMAL) != ARK_ROOT_RETURN)
+    if (ARKStepEvolve(memory, kMaxTime, y, &t, ARK_NORMAL) != ARK_ROOT_RETURN)
       throw std::runtime_error("ARKODE found no exit");
     ARKStepFree(&memory);
     return t;

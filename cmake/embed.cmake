@@ -1,4 +1,4 @@
-# Writes OUTPUT: a C++ file with function NAME returning the text of INPUT.
+# Writes OUTPUT: a C++ file with a function NAME that returns the text of INPUT.
 file(READ ${INPUT} text)
 file(CONFIGURE OUTPUT ${OUTPUT} @ONLY CONTENT [[
 namespace bristle {

@@ -1,13 +1,13 @@
-# add_kernels(NAME SOURCE): NAME becomes the list of object files of SOURCE, one per instruction set with fused
-# multiply-add. Optimised in every build type: what they are made of is worth nothing if it is not inlined.
-set(BRISTLE_KERNEL_OPTIMISATION -O3 CACHE STRING "of the vector kernels, in every build type")
+# add_kernels(NAME SOURCE): sets NAME to the list of object files of SOURCE, one per instruction set with fused
+# multiply-add. The kernels are optimised in every build type, because without inlining they are too slow to use.
+set(BRISTLE_KERNEL_OPTIMISATION -O3 CACHE STRING "optimisation of the SIMD kernels in every build type")
 
 function(add_kernels_for target prefix source)
   set(name ${prefix}_${target})
   add_library(${name} OBJECT ${source})
   target_link_libraries(${name} PRIVATE options Eigen3::Eigen PkgConfig::SLEEF)
-  # Without debugging information, sanitizers and coverage: on code inlined this far they take the compiler ten minutes,
-  # and it has no memory of its own.
+  # Without debugging information, sanitizers and coverage, with which compiling this heavily inlined code takes ten
+  # minutes. The kernels allocate no memory.
   target_compile_options(${name} PRIVATE ${BRISTLE_KERNEL_OPTIMISATION} -g0 -fno-sanitize=all
     -fno-profile-arcs -fno-test-coverage ${ARGN})
   target_compile_definitions(${name} PRIVATE BRISTLE_TARGET=HWY_${target} NDEBUG)

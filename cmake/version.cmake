@@ -1,10 +1,10 @@
-# Writes OUTPUT from INPUT with the version and the commit that is being built; touches it only on change.
+# Writes OUTPUT from INPUT with the version and the commit, and only if the content changes.
 execute_process(COMMAND git -C ${SOURCE_DIR} rev-parse HEAD
   OUTPUT_VARIABLE BRISTLE_COMMIT OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE failed)
 if(failed)
   set(BRISTLE_COMMIT "unknown")
 else()
-  # Of what the program is built from: its experiments are stored in every result anyway.
+  # Considers the files from which the program is built. Experiments are stored in every result.
   execute_process(COMMAND git -C ${SOURCE_DIR} status --porcelain -- src cmake CMakeLists.txt
     OUTPUT_VARIABLE changes OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
   if(changes)

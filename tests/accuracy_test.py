@@ -1,4 +1,4 @@
-"""docs/accuracy.md is what is measured: computed again, and compared.
+"""Computes docs/accuracy.md again and compares it.
 
 accuracy_test.py SOURCE PROGRAM DIRECTORY
 """
@@ -13,6 +13,6 @@ measured, page = directory / "accuracy.json", directory / "accuracy.md"
 with open(measured, "wb") as file:
     subprocess.run([program], stdout=file, check=True)
 subprocess.run([sys.executable, source / "scripts" / "accuracy.py", measured, "-o", page], check=True)
-said, found = ((path.read_text(encoding="utf-8").splitlines()) for path in (source / "docs" / "accuracy.md", page))
-difference = "\n".join(difflib.unified_diff(said, found, "docs/accuracy.md", "measured", lineterm=""))
-assert not difference, f"{difference}\n`make accuracy` writes the page anew"
+documented, measured_now = ((path.read_text(encoding="utf-8").splitlines()) for path in (source / "docs" / "accuracy.md", page))
+difference = "\n".join(difflib.unified_diff(documented, measured_now, "docs/accuracy.md", "measured", lineterm=""))
+assert not difference, f"{difference}\n`make accuracy` updates the page"

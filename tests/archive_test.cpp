@@ -52,7 +52,7 @@ TEST_CASE("an archive verifies, and equal inputs give equal bytes") {
   CHECK(v.draft == "");
 }
 
-TEST_CASE("what is archived: results, experiments, references, figures, source, documents, metadata") {
+TEST_CASE("an archive contains results, experiments, references, figures, source, documents and metadata") {
   const Scratch s;
   Files files = read_tar(s.write("a.tar", sound()));
   CHECK_THAT(strip_folder(files), Catch::StartsWith("bristle-"));
@@ -64,7 +64,7 @@ TEST_CASE("what is archived: results, experiments, references, figures, source, 
     CAPTURE(name);
     CHECK(files.count(name) == 1);
   }
-  CHECK(files.size() == 16);  // and the source
+  CHECK(files.size() == 16);  // including the source
   CHECK(files["data/README.md"].find("{{") == std::string::npos);
   CHECK_THAT(files["data/README.md"],
              Contains("| x | falls | **refuted** |") || Contains("| x | falls | supported |"));
@@ -72,17 +72,18 @@ TEST_CASE("what is archived: results, experiments, references, figures, source, 
   CHECK(crate["@graph"][0]["about"]["@id"] == "./");
 }
 
-TEST_CASE("a repacked archive is the same to the byte") {
+TEST_CASE("a repacked archive is the same byte for byte") {
   CHECK(repacked(sound(), [](Files&) {}).size() == sound().size());
   CHECK(problems_after([](Files&) {}) == Problems{});
 }
 
-TEST_CASE("README, citation and crate are those that follow from the other files") {
+TEST_CASE("README, citation and crate must equal those generated from the other files") {
   for (const char* name : {"README.md", "CITATION.cff", kCrateFile}) {
     CAPTURE(name);
     CHECK_THAT(first_problem_after([&](Files& payload) { payload[name] += "x"; }),
                Contains(std::string("data/") + name + ": line ") &&
-                   Contains("is \"x\", but according to the other files of the archive it should be the end of the file"));
+                   Contains("is \"x\", but according to the other files of the archive it should be the end "
+                            "of the file"));
     CHECK_THAT(first_problem_after([&](Files& payload) { payload.erase(name); }),
                Contains(std::string("data/") + name + ": is missing"));
     CHECK_FALSE(first_problem_after([&](Files& payload) { payload[name] = "[[[["; }).empty());
@@ -96,7 +97,7 @@ TEST_CASE("README, citation and crate are those that follow from the other files
              Contains("ro-crate-metadata.json: line"));
 }
 
-TEST_CASE("a payload from which the metadata cannot follow is refused") {
+TEST_CASE("a payload from which the metadata cannot be generated is refused") {
   const auto without = [](const std::string& name) {
     return first_problem_after([&](Files& payload) { payload.erase(name); });
   };
@@ -112,7 +113,8 @@ TEST_CASE("a payload from which the metadata cannot follow is refused") {
   CHECK_THAT(with_experiment(R"({"extends": 7})"), Contains("data/experiments/small.json: "));
   CHECK_THAT(with_experiment(R"({"extends": "small.json"})"), Contains("has a cycle"));
   const auto with_source = [](const std::function<void(Files&, const std::string& name)>& change) {
-    return first_problem_after([&](Files& payload) { change(payload, payload.lower_bound("source/")->first); });
+    return first_problem_after(
+        [&](Files& payload) { change(payload, payload.lower_bound("source/")->first); });
   };
   CHECK_THAT(with_source([](Files& payload, const std::string& name) { payload.erase(name); }),
              Contains("data/source: the source of the commit is missing"));
@@ -127,7 +129,7 @@ TEST_CASE("a payload from which the metadata cannot follow is refused") {
              Contains("CITATION.cff: not YAML"));
 }
 
-TEST_CASE("a citation that lacks what an archive needs, or is no text, is refused") {
+TEST_CASE("an incomplete or malformed citation is refused") {
   CHECK_THROWS_WITH(dataset_citation(parse_citation("title: x"), "c"), Contains("version is missing"));
   CHECK_THROWS_WITH(parse_citation("a: ["), Contains("not YAML"));
   CHECK_THROWS_WITH(parse_citation("a: 1\na: 2"), Contains("the key a appears twice"));
@@ -135,7 +137,7 @@ TEST_CASE("a citation that lacks what an archive needs, or is no text, is refuse
   CHECK_THROWS_WITH(parse_citation("a: &a [*a]"), Contains("YAML") || Contains("nested"));
 }
 
-TEST_CASE("a result that does not fit its digests is found behind manifests that fit") {
+TEST_CASE("a result that contradicts its digests is found even if the manifests match") {
   const auto changed = [](const std::function<void(const std::string& path)>& change) {
     return first_problem_after([&](Files& payload) {
       const Scratch s;
@@ -160,14 +162,14 @@ TEST_CASE("a result that does not fit its digests is found behind manifests that
              Contains("not an HDF5 file"));
 }
 
-TEST_CASE("points computed again: those that the seed draws, the same bits or not") {
+TEST_CASE("rerun: the seed determines the points, and differences are reported") {
   const Scratch s;
   const Verification v = verify_bytes(s, sound());
   const auto points = [&](std::uint64_t seed, std::size_t count) {
     std::vector<std::string> places;
     rerun(v, count, seed, [&](const Rerun& r) {
       CHECK(r.file == "data/results/small.h5");
-      CHECK_FALSE(r.different.empty());  // the small result's numbers are made up
+      CHECK_FALSE(r.different.empty());  // the numbers of the small result are invented
       places.push_back(r.place);
     });
     return places;
@@ -183,11 +185,11 @@ TEST_CASE("points computed again: those that the seed draws, the same bits or no
   Verification other = v;
   other.results.begin()->second.facts["numerics_version"] = kNumericsVersion + 1;
   CHECK_THROWS_WITH(rerun(other, 1, 1, [](const Rerun&) {}),
-                    Contains(fmt::format("numerics_version {}, but this program has {}",
-                                         kNumericsVersion + 1, kNumericsVersion)));
+                    Contains(fmt::format("numerics_version {}, but this program has {}", kNumericsVersion + 1,
+                                         kNumericsVersion)));
 }
 
-TEST_CASE("what cannot be cited is not archived: each refusal names the file and the remedy") {
+TEST_CASE("results that are incomplete or out of date are not archived, with file and remedy") {
   const Release r;
   SECTION("no results") {
     std::filesystem::remove(r.result());
@@ -231,7 +233,7 @@ TEST_CASE("what cannot be cited is not archived: each refusal names the file and
   }
 }
 
-TEST_CASE("what cannot be traced to a commit is refused, or a draft that says so") {
+TEST_CASE("results without a reproducible commit are refused, or archived as a draft with the reason") {
   Release r;
   std::string reason;
   SECTION("a work tree with changes") {
@@ -257,7 +259,7 @@ TEST_CASE("what cannot be traced to a commit is refused, or a draft that says so
   CHECK_THAT(v.draft, Contains(reason));
 }
 
-TEST_CASE("an output that cannot be written is refused, and nothing is left behind") {
+TEST_CASE("an output that cannot be written is refused, and no temporary file remains") {
   Release r;
   r.options.output = "/proc/nowhere/a.tar";
   CHECK_THROWS_WITH(build_archive(r.options), Contains("/proc/nowhere/a.tar: cannot be written"));

@@ -1,6 +1,6 @@
 #!/bin/bash
-# The archive as a user meets it: a quick experiment's result in a repository of its own, archived, verified,
-# computed again, and damaged. usage: archive_test.sh BRISTLE SOURCE
+# The commands archive and verify: the result of a quick experiment in a repository of its own is archived, verified,
+# computed again and damaged. usage: archive_test.sh BRISTLE SOURCE
 set -u
 bristle=$1 source=$2
 . "$(dirname "$0")/shell.sh"
@@ -20,7 +20,7 @@ expect 2 "there are no results" "$bristle" archive --allow-dirty
 expect 0 "4 ok" "$bristle" run experiments/quick.json
 expect 2 "figures/quick.pdf: no such file" "$bristle" archive --allow-dirty
 touch figures/quick.{pdf,png}
-# The program is of another repository.
+# The program was built from another repository.
 expect 2 "this program, of commit" "$bristle" archive
 expect 0 "verified" "$bristle" archive --allow-dirty
 archive=$(ls dist/*.tar)
@@ -28,15 +28,15 @@ expect 0 "a draft, not to be cited: " "$bristle" verify "$archive"
 expect 0 "a draft" "$bristle" archive --allow-dirty -o again.tar
 cmp "$archive" again.tar || failed "line $LINENO"
 
-# All of it can be checked by standard tools.
+# Standard tools can check the archive.
 mkdir unpacked && tar xf "$archive" -C unpacked || failed "line $LINENO"
 (cd unpacked/* && sha512sum --quiet -c manifest-sha512.txt tagmanifest-sha512.txt) || failed "line $LINENO"
 (cd unpacked/*/data && [ "$(git get-tar-commit-id <source/*.tar)" = "$(git -C "$folder" rev-parse HEAD)" ]) || failed "line $LINENO"
 cmp unpacked/*/data/results/quick.h5 results/quick.h5 || failed "line $LINENO"
 
-# No room left: a reason, an exit code, nothing left behind.
+# Full disk: a message, an exit code, and no temporary file.
 limited() { (ulimit -f 16; "$@"); }
-expect 3 "is there room?" limited "$bristle" archive --allow-dirty -o big.tar
+expect 3 "is the disk full?" limited "$bristle" archive --allow-dirty -o big.tar
 [ -z "$(ls big.tar* 2>/dev/null)" ] || failed "a part of an archive was left"
 
 # Points computed again.
@@ -55,7 +55,7 @@ expect 1 "NOT as it was archived" "$bristle" verify cut.tar
 at=$(grep -obUaF 'Permission is hereby granted' "$archive" | head -n 1 | cut -d: -f1)
 printf 'p' | dd of="again.tar" bs=1 seek="$at" conv=notrunc status=none
 expect 1 "FAILED: data/LICENSE: its SHA-512 is" "$bristle" verify again.tar
-# Packed anew by another program: the same files, but not the archive that was published.
+# The same files packed by another program: not the archive that was published.
 tar cf packed.tar -C unpacked --sort=name "$(ls unpacked)"
 expect 1 "NOT as it was archived" "$bristle" verify packed.tar
 exit $((failures > 0))

@@ -15,7 +15,7 @@ namespace {
 
 const std::string kExperiments = BRISTLE_EXPERIMENTS;
 
-// Two experiments of a few passages each, of which alternatives change one or both.
+// Two experiments of a few passages each. The alternatives change one or both.
 struct SmallStudy {
   SmallStudy() {
     std::filesystem::create_directories(s.path("experiments/assumptions"));
@@ -95,7 +95,7 @@ TEST_CASE("every check is evaluated under every alternative") {
   CHECK(json["checks"][0]["band"].is_null());
 }
 
-TEST_CASE("a second call computes nothing") {
+TEST_CASE("a second call computes no result again") {
   SmallStudy small;
   run_assumptions(small.options);
   const std::string result = small.s.path("out/matrix/baseline/a.h5");
@@ -108,13 +108,13 @@ TEST_CASE("a second call computes nothing") {
   CHECK(again.rows[0].cells[2].result.verdict == Verdict::refuted);
 }
 
-TEST_CASE("mistakes in assumptions are named before anything is computed") {
+TEST_CASE("mistakes in assumptions are reported before anything is computed") {
   struct Row {
     std::string text, message;
   };
   const std::string head = R"({"schema": "bristle-assumption/1", "choice": "x", "question": "q", )";
   const std::vector<Row> table = {
-      {"[]", "a JSON object {...} is expected"},
+      {"[]", "expected a JSON object"},
       {head + R"("alternative": []})", "/alternative: unknown key (did you mean alternatives?)"},
       {head + R"("alternatives": [{"name": "n"}]})", "/alternatives/0/description: is missing"},
       {head + R"("alternatives": [{"name": "slow", "description": "d"}]})",
@@ -137,7 +137,7 @@ TEST_CASE("mistakes in assumptions are named before anything is computed") {
   }
 }
 
-TEST_CASE("the declared assumptions are sound, and reach every open choice") {
+TEST_CASE("the declared assumptions are valid, and cover every open choice") {
   std::vector<std::string> files;
   for (const auto& entry : std::filesystem::directory_iterator(kExperiments + "/assumptions"))
     files.push_back(entry.path().string());

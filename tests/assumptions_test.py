@@ -19,14 +19,14 @@ for path in sorted((source / "experiments/assumptions").glob("*.json")):
     declared += [a["name"] for a in one.get("alternatives", [])]
     pairs += [" + ".join(pair["members"]) for pair in one.get("pairs", [])]
 names = [a["name"] for a in recorded["alternatives"]]
-assert names == ["baseline", *declared, *pairs], "reference/assumptions.json has other alternatives: make assumptions"
+assert names == ["baseline", *declared, *pairs], "reference/assumptions.json has different alternatives: make assumptions"
 
 checks = []
 for path in sorted((source / "experiments").glob("*.json")):
     experiment = json.loads(path.read_text())
     if experiment.get("figure"):
         checks += [(experiment["name"], c["claim"], c["statement"]) for c in experiment.get("checks", [])]
-assert [(c["experiment"], c["claim"], c["statement"]) for c in recorded["checks"]] == checks, "other checks: make assumptions"
+assert [(c["experiment"], c["claim"], c["statement"]) for c in recorded["checks"]] == checks, "reference/assumptions.json has different checks: make assumptions"
 assert len(recorded["cells"]) == len(names) * len(checks)
 
 shutil.rmtree(folder, ignore_errors=True)
@@ -38,7 +38,7 @@ for run in ("first", "second"):
     made.append([(folder / run / f"assumptions.{kind}").read_bytes() for kind in ("pdf", "png")])
 assert made[0] == made[1], "two runs gave different bytes"
 assert (folder / "first.md").read_text() == (source / "docs/assumptions.md").read_text(), "docs/assumptions.md is not the text of this matrix"
-# Width and height: another version of the fonts gives other bytes.
+# Compares width and height only, because the bytes depend on the version of the fonts.
 size = [png[16:24] for png in (made[0][1], (source / "docs/images/assumptions.png").read_bytes())]
 assert size[0] == size[1], "docs/images/assumptions.png differs from the figure drawn now: make assumptions"
 # Names of the older schema are upgraded on reading.
@@ -56,7 +56,7 @@ for wrong in ("none.json", "wrong.json"):
     done = subprocess.run([sys.executable, source / "scripts/assumptions.py", folder / wrong], capture_output=True, text=True)
     assert done.returncode == 2 and "Traceback" not in done.stderr, done.stderr
 
-# Figure 8 under the other rules for the axis, computed again.
+# Computes Figure 8 under the other rules for the pole again.
 part = folder / "experiments"
 (part / "assumptions").mkdir(parents=True)
 for name in ("paper.json", "fig8.json", "assumptions/axis.json"):

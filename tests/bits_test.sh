@@ -1,5 +1,5 @@
 #!/bin/bash
-# The numbers of a smoke tier, computed otherwise, are the same bit for bit. RESULT was computed by BRISTLE (one
+# A smoke tier computed in a different way has the same numbers bit for bit. RESULT was computed by BRISTLE (one
 # compiler, -O3, all threads, the widest vectors); OTHER is the program built by the other compiler at -O2.
 # usage: bits_test.sh BRISTLE OTHER EXPERIMENT RESULT
 set -u

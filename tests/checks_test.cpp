@@ -19,7 +19,7 @@ Curve curve(const std::vector<double>& values, double error, double first_x = 1)
 
 Curves one(const Curve& c) { return {{c}, 0}; }
 
-// A result whose R_x_norm over k_r is what the test says, with these checks.
+// The evaluated checks of a result with the given values of R_x_norm over k_r.
 std::vector<CheckResult> verdicts(const Scratch& s, const std::vector<double>& values, double error,
                                   const std::string& check) {
   s.write("paper.json", bytes_of(std::string(BRISTLE_EXPERIMENTS) + "/paper.json"));
@@ -50,7 +50,7 @@ Verdict verdict(const std::vector<double>& values, double error, const std::stri
 
 }  // namespace
 
-TEST_CASE("trend: Kendall's tau, with what the errors leave open") {
+TEST_CASE("trend: Kendall's tau, its uncertainty and its significance") {
   CHECK(trend({{curve({3, 2, 1}, 0)}, 0}).value == -1);
   CHECK(trend({{curve({1, 2, 4}, 0)}, 0}).value == 1);
   CHECK(trend({{curve({1, 3, 2}, 0)}, 0}).value == Approx(1.0 / 3));
@@ -68,7 +68,7 @@ TEST_CASE("trend: Kendall's tau, with what the errors leave open") {
   CHECK(trend(one(backwards)).uncertainty == 1);
 }
 
-TEST_CASE("slope: of a power law and of a line, with errors that add as they are") {
+TEST_CASE("slope: of a power law and of a line, with common and with independent errors") {
   Curve power;
   for (const double x : {1.0, 2.0, 5.0, 10.0}) power.push_back({x, 3 * std::pow(x, -0.5), 0.01 * x});
   CHECK(slope(one(power), true).value == Approx(-0.5));
@@ -82,7 +82,7 @@ TEST_CASE("slope: of a power law and of a line, with errors that add as they are
   CHECK(slope(one(in_x), false).uncertainty == Approx(0.1));
 }
 
-TEST_CASE("plateau, level, fold: what they measure and what the errors leave open") {
+TEST_CASE("plateau, level and fold with their uncertainties") {
   CHECK(plateau(one(curve({9, 10, 11}, 0.5))).value == Approx(0.2));
   CHECK(plateau(one(curve({9, 10, 11}, 0.5))).uncertainty == Approx(0.1));
   CHECK(level({{curve({1, 3}, 0.1), curve({5}, 0.1)}, 0}).value == Approx(3));
@@ -92,7 +92,7 @@ TEST_CASE("plateau, level, fold: what they measure and what the errors leave ope
   CHECK(fold(one(curve({1, 2, 3}, 0.01))).value == 0);
 }
 
-TEST_CASE("the steepest fall: its place, its slope, its width, all within the distance of the points") {
+TEST_CASE("steepest fall: abscissa, slope and width with uncertainties from the spacing of the points") {
   Curve step;
   for (const double x : {1.0, 2.0, 4.0, 8.0, 16.0}) step.push_back({x, x < 4 ? 1 : x < 8 ? 0.9 : 0.3, 0});
   const Measurement place = steepest_fall(one(step));
@@ -104,10 +104,10 @@ TEST_CASE("the steepest fall: its place, its slope, its width, all within the di
   CHECK(width.value < std::log(2));
   CHECK(width.uncertainty == Approx(std::log(2)));
   for (CurvePoint& p : step) p.error = 0.3;
-  CHECK(steepest_fall(one(step)).uncertainty > place.uncertainty);  // cannot be told from its neighbours
+  CHECK(steepest_fall(one(step)).uncertainty > place.uncertainty);  // its neighbours agree within the errors
 }
 
-TEST_CASE("pairs: ordering, concordance and equality within the errors") {
+TEST_CASE("ordering, concordance and equality of two quantities within the errors") {
   CHECK(ordering(curve({2, 3}, 0.1), curve({1, 1}, 0.1)).value == 1);
   CHECK(ordering(curve({2, 1.1}, 0.1), curve({1, 1}, 0.1)).uncertainty == Approx(0.5));
   CHECK(concordance(curve({1, 2, 3, 4}, 0), curve({10, 20, 30, 40}, 0)).value == 1);
@@ -116,7 +116,7 @@ TEST_CASE("pairs: ordering, concordance and equality within the errors") {
   const Curve a = curve({1, 2, 3, 4}, 0.3), b = curve({1.5, 1.5, 3.5, 3.5}, 0.4);
   CHECK(equality(a, b, 1).value == Approx(1));
   CHECK(equality(a, b, 1).uncertainty == Approx(1 / std::sqrt(8)));
-  CHECK(std::isinf(equality(a, b, 0.4).uncertainty));  // errors so large that agreement means nothing
+  CHECK(std::isinf(equality(a, b, 0.4).uncertainty));  // with errors this large, agreement is meaningless
   CHECK(equality(a, curve({3, 0, 5, 2}, 0.4), 1).value == Approx(4));
 }
 
@@ -128,7 +128,7 @@ TEST_CASE("end_ratio and range_ratio, with their uncertainties") {
   CHECK(range_ratio(narrow, wide).value == Approx(1.0 / 3));
 }
 
-TEST_CASE("verdicts: supported, refuted, and undecided where the errors reach the threshold") {
+TEST_CASE("verdicts: supported, refuted, and undecided if the threshold is within the errors") {
   const std::string falls = R"("predicate": "end_ratio", "is": "at_most", "threshold": 0.5)";
   CHECK(verdict({1, 0.7, 0.3}, 1e-3, falls) == Verdict::supported);
   CHECK(verdict({1, 0.7, 0.8}, 1e-3, falls) == Verdict::refuted);
@@ -148,7 +148,7 @@ TEST_CASE("verdicts: near, selections, comparisons, and trends of too few points
   CHECK(verdict({1, 1, 1}, 0.01, near(1.5)) == Verdict::refuted);
   CHECK(verdict({1, 1, 1}, 0.05, near(1.22)) == Verdict::undecided);
   CHECK(verdict({1, 2, 3}, 0, R"("predicate": "trend", "is": "at_least", "threshold": 0.5)") ==
-        Verdict::undecided);  // three points rise by chance once in three
+        Verdict::undecided);  // three points in random order are monotonic with probability 1/3
   CHECK(verdict({9, 1, 1}, 0.01,
                 R"("predicate": "level", "where": {"k_r": [2, 20]}, "is": "at_most", "threshold": 2)") ==
         Verdict::supported);
@@ -160,7 +160,7 @@ TEST_CASE("verdicts: near, selections, comparisons, and trends of too few points
         Verdict::undecided);  // R_n is 0
 }
 
-TEST_CASE("points without values are left out and counted, without any the claim is undecided") {
+TEST_CASE("points without values are omitted and counted, and without any value the claim is undecided") {
   const Scratch s;
   const std::string falls = R"("predicate": "trend", "is": "at_most", "threshold": -0.5)";
   const auto some = verdicts(s, {5, 4, kNone, 2, 1}, 0, falls).at(0);
@@ -170,7 +170,7 @@ TEST_CASE("points without values are left out and counted, without any the claim
   CHECK(verdicts(s, {3, 2, 1}, kNone, falls).at(0).verdict == Verdict::undecided);
 }
 
-TEST_CASE("a check that names what the result lacks is an error with the remedy") {
+TEST_CASE("a check that names a missing variable, axis or value is an error with the remedy") {
   const Scratch s;
   const auto refused = [&](const char* check, const char* why) {
     CAPTURE(check);
@@ -181,10 +181,11 @@ TEST_CASE("a check that names what the result lacks is an error with the remedy"
   refused(R"("predicate": "range_ratio", "against": "k_rr")", "did you mean k_r?");
   refused(R"("predicate": "equality", "resolution": 1)", "/checks/0/compare: is missing");
   refused(R"("predicate": "level", "compare": {})", "/checks/0/compare: {} is not allowed");
-  refused(R"("predicate": "trend", "where": {"k_r": 2.5})", "2.5 is not a value of that axis; it has: 1, 10");
+  refused(R"("predicate": "trend", "where": {"k_r": 2.5})",
+          "2.5 is not a value of this axis; allowed: 1, 10");
   refused(R"("predicate": "trend", "where": {"gama_1": [1, 2]})", "did you mean gamma_1?");
-  refused(R"("predicate": "trend", "at": {"R_n": 1})", "is for traced curves only");
-  refused(R"("predicate": "trend", "compare": {"k_r": [1, 10, 3]})", "give two values of the axis");
+  refused(R"("predicate": "trend", "at": {"R_n": 1})", "is allowed for traced curves only");
+  refused(R"("predicate": "trend", "compare": {"k_r": [1, 10, 3]})", "needs two values of the axis");
   CHECK_THROWS_WITH(verdicts(s, {1, 2}, 0, R"("predicate": "level", "is": "near", "threshold": 1)"),
                     Catch::Contains("/checks/0/band: is missing"));
 }

@@ -1,5 +1,5 @@
 #!/bin/bash
-# Exit codes and messages of the program as a user meets them. usage: cli_test.sh BRISTLE RESULT.h5
+# Exit codes and messages of the program. usage: cli_test.sh BRISTLE RESULT.h5
 set -u
 bristle=$1 result=$2
 . "$(dirname "$0")/shell.sh"
@@ -34,26 +34,26 @@ expect 0 "points: 1 ok" "$bristle" run "${quick[@]}" --force
 expect 0 "points: 1 ok" "$bristle" run "${quick[@]}" --set /model/k_r=11
 expect 0 "the experiment has no checks" "$bristle" check --claims-only "$folder/r.h5"
 
-# A check that names what the result will not have is found before anything is computed.
+# A check that names a variable or an axis that the result will not have is reported before anything is computed.
 check='[{"claim":"1","statement":"s","predicate":"trend","variable":"gama_1","along":"k_r","is":"at_most","threshold":1}]'
 expect 2 'did you mean gamma_1?' "$bristle" validate experiments/fig4.json --set "/checks=$check"
 expect 2 '/checks/0/along: "k_r" is not in the result' \
   "$bristle" run "${quick[@]}" --set "/checks=${check/gama/gamma}"
 
-# No room left: a reason, an exit code, nothing left behind, the previous result as it was.
+# Full disk: a message, an exit code, no temporary file, and the previous result unchanged.
 limited() { (trap '' XFSZ; ulimit -f 16; "$@"); }
 before=$(sha256sum "$folder/r.h5")
 expect 3 "File too large" limited "$bristle" run "${quick[@]}" --force
 [ ! -e "$folder/r.h5.partial" ] || failed "a partial file was left"
 [ "$before" = "$(sha256sum "$folder/r.h5")" ] || failed "the result changed"
 
-# Numbers changed by hand are noticed.
+# Numbers changed by hand are detected.
 cp "$result" "$folder/tampered.h5"
 offset=$(grep -obUaP '\x00\x00\x00\x00\x00\x00\x59\x40' "$folder/tampered.h5" | head -n 1 | cut -d: -f1)  # k_r = 100
 printf '\x01' | dd of="$folder/tampered.h5" bs=1 seek="$offset" conv=notrunc status=none
 expect 1 "DOES NOT MATCH" "$bristle" info "$folder/tampered.h5"
 
-# Two results: equal bits, other numbers, tolerances that are none.
+# Comparison of two results: equal bits, different numbers, invalid tolerances.
 "$bristle" run "${quick[@]/%r.h5/q.h5}" --quiet --set /model/k_r=11.01
 expect 0 "the same, bit for bit" "$bristle" diff "$folder/r.h5" "$folder/r.h5"
 expect 1 "0 of " "$bristle" diff "$result" "$folder/r.h5"
@@ -62,7 +62,7 @@ expect 0 "within the tolerances" "$bristle" diff "$folder/r.h5" "$folder/q.h5" -
 expect 2 "--rtol -1" "$bristle" diff "$folder/r.h5" "$folder/r.h5" --rtol -1
 expect 2 "no such file" "$bristle" diff "$folder/r.h5" nowhere.h5
 
-# A reference in a repository of its own, made of the result as a committed program would have written it.
+# A reference in a repository of its own, made from the result as if a clean commit had computed it.
 reference=$folder/repository/reference
 git init -q "$folder/repository"
 cp "$result" "$folder/clean.h5"
@@ -87,7 +87,7 @@ rm "$folder/repository/work"
 expect 0 "refuted, was supported" \
   "$bristle" reference update "$folder/clean.h5" --reference "$reference" --reason "the verdict was edited"
 
-# A deviation comes with the command that computes its point alone, to the same bits.
+# A deviation is reported with the command that computes only its point, with the same bits.
 sed -i '/"R_x_norm"/,/"quadrature"/ s/"values": \[[0-9.]*,/"values": [0.1,/' "$reference/fig4.json"
 expect 1 "k_r = 2, k_theta = 0.3  FAILED" "$bristle" check --report-only "$result" --reference "$reference"
 expect 1 '"place": "k_r = 2, k_theta = 0.3"' "$bristle" check --json --report-only "$result" --reference "$reference"
@@ -102,7 +102,7 @@ for n in names: assert one[n][0, 0].tobytes() == all[n][0, 0].tobytes(), n' "$fo
 sed -i 's/"values": \[0.1,/"values": ["x",/' "$reference/fig4.json"
 expect 2 "fig4.json: /variables/R_x_norm/values/0: " "$bristle" check "$result" --reference "$reference"
 
-# An interrupted run says so and leaves the previous result as it was.
+# An interrupted run reports the interruption and leaves the previous result unchanged.
 before=$(sha256sum "$result")
 "$bristle" run experiments/fig4.json -o "$result" --force 2>"$folder/log" &
 sleep 1

@@ -1,4 +1,4 @@
-// Text whose contrast with what is behind it is below WCAG's AA: the first five.
+// Returns the first five elements whose text has a contrast below level AA of WCAG.
 const rgb = (colour) => colour.match(/[\d.]+/g).map(Number);
 const light = ([r, g, b]) => [r, g, b]
   .map((c) => (c /= 255) <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4)

@@ -6,14 +6,14 @@
 #include "parts.hpp"
 #include "results/journal.hpp"
 
-// Files that no program of ours wrote: an error with a name, never an access beyond what is there.
+// Malformed files cause an error that names the file, and never an access out of bounds.
 namespace bristle::damaged_test {
 using namespace testing;
 using Catch::Contains;
 
 namespace {
 
-// In place of the attribute, a list of so many texts or numbers.
+// Replaces an attribute by an array of count strings or numbers.
 void make_list(const std::string& path, const std::string& name, hsize_t count, bool texts) {
   const h5::Handle file = h5::open_file(path, true);
   const h5::Handle type(H5Tcopy(texts ? H5T_C_S1 : H5T_NATIVE_LONG), H5Tclose, "type");
@@ -38,7 +38,7 @@ void set_attribute(const std::string& path, const std::string& name, const Value
 
 }  // namespace
 
-TEST_CASE("an attribute that is a list where one value belongs") {
+TEST_CASE("malformed: an attribute that is an array instead of one value") {
   const Scratch s;
   const std::string path = small_result(s, "r.h5");
   make_list(path, "numerics_version", 1000, false);
@@ -51,14 +51,14 @@ TEST_CASE("an attribute that is a list where one value belongs") {
   CHECK_THROWS_WITH(result.text("title"), Contains("title is not a single value"));
 }
 
-TEST_CASE("an attribute that is not text in UTF-8") {
+TEST_CASE("malformed: an attribute that is not text in UTF-8") {
   const Scratch s;
   const std::string path = small_result(s, "r.h5");
   set_attribute(path, "title", std::string("\xff"));
   CHECK_THROWS_WITH(ResultReader(path).text("title"), Contains("title is not text in UTF-8"));
 }
 
-TEST_CASE("a dataset of more or fewer dimensions than the sweep") {
+TEST_CASE("malformed: a dataset with more or fewer dimensions than the sweep") {
   const Scratch s;
   const Experiment e = small_experiment(s);
   for (const h5::Shape& shape : {h5::Shape{}, h5::Shape{6}, h5::Shape{2, 3, 1}}) {
@@ -68,7 +68,7 @@ TEST_CASE("a dataset of more or fewer dimensions than the sweep") {
   }
 }
 
-TEST_CASE("a part whose points are no numbers of points, or in disorder") {
+TEST_CASE("malformed: a part with invalid or unsorted indices of points") {
   const Scratch s;
   const Experiment e = sharded(s);
   for (const double wrong : {-1.0, 0.5, 1e300, kNone, 4.0}) {
@@ -84,14 +84,14 @@ TEST_CASE("a part whose points are no numbers of points, or in disorder") {
   CHECK_THROWS_AS(ResultReader(path, Expected::part).part_points(), RunError);
 }
 
-TEST_CASE("info of a part whose points are not the sweep's") {
+TEST_CASE("malformed: info of a part with indices beyond the sweep") {
   const Scratch s;
   const std::string path = write_part(s, sharded(s), {1, 2});
   put(path, "part/points", {2}, 1000);
   CHECK_THROWS_WITH(info_command(path), Contains("are inconsistent"));
 }
 
-TEST_CASE("an experiment in a result that is none, and checks that are none") {
+TEST_CASE("malformed: a result with an invalid experiment or invalid checks") {
   const Scratch s;
   const std::string path = small_result(s, "r.h5");
   const Json document = ResultReader(path).experiment();
@@ -107,14 +107,14 @@ TEST_CASE("an experiment in a result that is none, and checks that are none") {
   }
 }
 
-TEST_CASE("checks of a variable whose errors are fewer than its values") {
+TEST_CASE("malformed: a variable with fewer errors than values") {
   const Scratch s;
   const std::string path = small_result(s, "r.h5");
   replace_dataset(path, "R_x_norm_err", {1});
   CHECK_THROWS_WITH(evaluate_checks(ResultReader(path)), Contains("R_x_norm_err has 1 values, not 6"));
 }
 
-TEST_CASE("a journal's line with a status or a table that there is not") {
+TEST_CASE("malformed: a journal line with an unknown status or table") {
   const Scratch s;
   const Experiment e = small_experiment(s);
   PointRecord record = record_of(e, small_point(0), {});
@@ -128,7 +128,7 @@ TEST_CASE("a journal's line with a status or a table that there is not") {
   CHECK_FALSE(fits(record, e));
 }
 
-TEST_CASE("a reference nested deeper than the stack, or with a key twice") {
+TEST_CASE("malformed: a reference with excessive nesting or a duplicate key") {
   const Scratch s;
   const std::string deep = std::string(200000, '[') + std::string(200000, ']');
   CHECK_THROWS_AS(read_reference(s.write("r.json", R"({"schema": )" + deep + "}")), InputError);
@@ -136,7 +136,7 @@ TEST_CASE("a reference nested deeper than the stack, or with a key twice") {
                     Contains("r.json") && Contains("twice"));
 }
 
-TEST_CASE("an experiment that extends what cannot be a file's name") {
+TEST_CASE("malformed: an experiment that extends an impossible file name") {
   const Scratch s;
   const std::string path = s.write("e.json", R"({"extends": ")" + std::string(5000, 'x') + R"("})");
   CHECK_THROWS_WITH(load_experiment(path, {}), Contains("/extends") && Contains("e.json"));

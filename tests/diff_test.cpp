@@ -14,7 +14,7 @@ Diff diff(const std::string& a, const std::string& b, const Tolerances& toleranc
   return diff_results(ResultReader(a), ResultReader(b), tolerances);
 }
 
-// Two equal results, the second of which a test breaks.
+// Two equal results. Tests change the second.
 struct Two {
   Scratch s;
   std::string a = small_result(s, "a.h5"), b = small_result(s, "b.h5");
@@ -37,7 +37,8 @@ TEST_CASE("diff: equal results agree in one line") {
 }
 
 TEST_CASE(
-    "diff: one unit in the last place is a difference, with its place, in units of both error estimates") {
+    "diff: a difference in the last bit is reported with its point, in units of the sum of the error "
+    "estimates") {
   const Two two;
   const double was = small_point(4).value[R_X], is = std::nextafter(was, 10);
   put(two.b, "R_x", {1, 1}, is);
@@ -53,14 +54,14 @@ TEST_CASE(
   CHECK_THAT(diff_text(d), Contains("R_x ") && Contains("k_r = 20, k_theta = 1"));
 }
 
-TEST_CASE("diff: a zero's sign is a bit") {
+TEST_CASE("diff: zeros of opposite signs differ") {
   const Two two;
   put(two.b, "R_y_norm", {0, 0}, -0.0);
   CHECK_FALSE(two.compare().agree());
   CHECK(two.compare({1e-9, {}}).agree());
 }
 
-TEST_CASE("diff: tolerances, worst first") {
+TEST_CASE("diff: numbers within the tolerances agree, and the worst difference comes first") {
   const Two two;
   put(two.b, "R_x", {0, 0}, small_point(0).value[R_X] * 1.001);
   put(two.b, "R_n", {0, 1}, small_point(1).value[R_N] * 1.01);
@@ -87,62 +88,63 @@ TEST_CASE("diff: a variable without an error estimate has no unit") {
   CHECK_THAT(diff_text(d), Contains(" - "));
 }
 
-TEST_CASE("diff: NaN and infinity against a number differ whatever the tolerance, NaN equals NaN") {
+TEST_CASE("diff: NaN and infinity differ from numbers at any tolerance, and NaN equals NaN") {
   const double bad = GENERATE(as<double>(), kNone, INFINITY, -INFINITY);
   const Two two;
   put(two.b, "R_x", {0, 2}, bad);
   const Diff d = two.compare(kGenerous);
   CAPTURE(bad);
   CHECK_FALSE(d.agree());
-  REQUIRE(d.plain.size() == 1);
-  CHECK_THAT(d.plain[0], Contains("R_x: ") && Contains("k_r = 5, k_theta = 3"));
+  REQUIRE(d.incomparable.size() == 1);
+  CHECK_THAT(d.incomparable[0], Contains("R_x: ") && Contains("k_r = 5, k_theta = 3"));
   put(two.a, "R_x", {0, 2}, bad);
   CHECK(two.compare().agree());
 }
 
-TEST_CASE("diff: a missing and an extra variable, another shape, another type") {
+TEST_CASE("diff: missing and extra variables, different shapes and kinds of numbers are differences") {
   const Two two;
   SECTION("missing") {
     remove_dataset(two.b, "R_x");
-    CHECK_THAT(two.compare(kGenerous).plain.at(0), Contains("R_x: only in " + two.a));
+    CHECK_THAT(two.compare(kGenerous).incomparable.at(0), Contains("R_x: only in " + two.a));
   }
   SECTION("extra") {
     add_dataset(two.b, "gamma_4", {2, 3});
-    CHECK_THAT(two.compare(kGenerous).plain.at(0), Contains("gamma_4: only in " + two.b));
+    CHECK_THAT(two.compare(kGenerous).incomparable.at(0), Contains("gamma_4: only in " + two.b));
   }
   SECTION("shape") {
     remove_dataset(two.b, "R_x");
     add_dataset(two.b, "R_x", {6});
-    CHECK_THAT(two.compare(kGenerous).plain.at(0),
-               Contains("R_x: another shape: 2 x 3 over k_r x k_theta against 6"));
+    CHECK_THAT(two.compare(kGenerous).incomparable.at(0),
+               Contains("R_x: different shapes: 2 x 3 over k_r x k_theta against 6"));
   }
   SECTION("type") {
     remove_dataset(two.b, "status");
     add_dataset(two.b, "status", {2, 3});
-    CHECK_THAT(two.compare(kGenerous).plain.at(0), Contains("status: another type"));
+    CHECK_THAT(two.compare(kGenerous).incomparable.at(0), Contains("status: different kinds of numbers"));
   }
   CHECK_FALSE(two.compare(kGenerous).agree());
 }
 
-TEST_CASE("diff: flags differ or do not, their meanings are shown") {
+TEST_CASE("diff: different flags are shown by their meanings") {
   const Two two;
   put(two.b, "status", {1, 0}, 1);
   const Diff d = two.compare(kGenerous);
   CHECK_FALSE(d.agree());
-  CHECK_THAT(d.plain.at(0), Contains("status: ok against load_jump at k_r = 20, k_theta = 0.3"));
+  CHECK_THAT(d.incomparable.at(0), Contains("status: ok against load_jump at k_r = 20, k_theta = 0.3"));
 }
 
-TEST_CASE("diff: where an axis differs, nothing over it is compared") {
+TEST_CASE("diff: variables over an axis with different values are not compared") {
   const Two two;
   put(two.b, "k_theta", {1}, std::nextafter(1.0, 2.0));
   const Diff d = two.compare(kGenerous);
   CHECK_FALSE(d.agree());
-  CHECK_THAT(d.plain.at(0), Contains("k_theta: another axis: 1 against 1.0000000000000002 at index 1"));
-  CHECK_THAT(d.plain.at(1), Contains("over k_theta are not compared"));
+  CHECK_THAT(d.incomparable.at(0),
+             Contains("k_theta: different coordinates: 1 against 1.0000000000000002 at index 1"));
+  CHECK_THAT(d.incomparable.at(1), Contains("over k_theta are not compared"));
   CHECK(d.same == 1);  // k_r
 }
 
-TEST_CASE("diff: groups are compared, /provenance and /checks are not, other experiments are named") {
+TEST_CASE("diff: groups except /provenance and /checks are compared, and different experiments are named") {
   const Two two;
   const auto add = [](const std::string& path, const std::string& group, double value) {
     h5::create_group(h5::open_file(path, true), group);

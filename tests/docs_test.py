@@ -1,9 +1,9 @@
-"""The documents' links resolve, the code has what they name, and their commands run as written.
+"""Links of the documents resolve, the code contains the names that they mention, and their commands run as written.
 
 docs_test.py SOURCE BUILD [DOCUMENT.md...]
 
-Commands are the lines of ```sh blocks (a backslash continues a line), run in order, each document's in its own copy of
-the source.
+Commands are the lines of ```sh blocks (a backslash continues a line). They run in order, in a separate copy of the source
+for each document.
 """
 import json
 import os
@@ -15,35 +15,36 @@ import sys
 import tempfile
 
 source, build = map(pathlib.Path, sys.argv[1:3])
-HISTORY = "CHANGELOG.md"  # may name files that are gone
+HISTORY = "CHANGELOG.md"  # may name files that no longer exist
 documents = sorted([*(source / name for name in ("README.md", "CONTRIBUTING.md", HISTORY)), *(source / "docs").glob("*.md")])
 if len(sys.argv) > 3:  # only these
     documents = [d for d in documents if d.name in sys.argv[3:]]
 
 FIGURES = "|".join(path.stem for path in sorted((source / "experiments").glob("*.json")))
 
-# Written by programs from results: what they quote may be wide.
+# Generated from results; may have wide lines.
 GENERATED = {"accuracy.md", "assumptions.md", "findings.md", "performance.md"}
 COLUMNS = 100
 
-# Run in another form, or by another test: the beginning of the command, and its replacement.
+# Commands that are replaced because they take long or have their own tests: a pattern for the start of the command,
+# and the replacement.
 INSTEAD = [
     (rf"make ({FIGURES})$", r"make \1 TIER=smoke"),  # the full tier takes minutes
     (r"make (figures|findings|report)$", r"make -n \1"),
     (r"make assumptions$", "make -n assumptions"),  # an hour; tests/assumptions_test.cpp computes a small one
     (r"make bench$", "make -n bench"),  # the test "benchmark: fast engine against Boost.Odeint" runs its engine part
     (r"make accuracy$", "make -n accuracy"),  # tests/accuracy_test.py
-    (r"make (build|test|test-all)$", r"make -n \1"),  # the build and the tests that this test is part of
+    (r"make (build|test|test-all)$", r"make -n \1"),  # this test is part of them
     (r"make (archive|verify\b.*|release\b.*)$", r"make -n \1"),  # tests/archive_test.sh, tests/release_test.sh
-    (r"make (sanitize|tidy|coverage|fuzz)\b(.*)$", r"make -n \1\2"),  # hours, or tests of their own
+    (r"make (sanitize|tidy|coverage|fuzz)\b(.*)$", r"make -n \1\2"),  # take hours, or have their own tests
     (r"(build/bristle run experiments/fig4.json --shard \S+)$", r"\1 --tier smoke"),
     (r"scripts/slurm/.*", "test -x scripts/slurm/array.sh"),  # tests/slurm_test.sh
 ]
-ELSEWHERE = {"extending.md"}  # tests/extending_test.py
+TESTED_ELSEWHERE = {"extending.md"}  # tests/extending_test.py
 
 
 def anchors(path):
-    """The anchors of a document's headings, as GitHub and others make them."""
+    """Anchors of the headings of a document, in the form of GitHub."""
     text = re.sub(r"^```.*?^```$", "", path.read_text(encoding="utf-8"), flags=re.M | re.S)
     titles = re.findall(r"^#+ (.+)$", text, re.M)
     return {re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-") for title in titles}
@@ -57,27 +58,27 @@ def check_links(path):
             continue
         name, _, anchor = link.partition("#")
         target = (path.parent / name) if name else path
-        assert target.exists(), f"{path.name}: {link} leads nowhere"
+        assert target.exists(), f"{path.name}: {link} does not exist"
         assert not anchor or anchor in anchors(target), f"{path.name}: {link}: no such heading"
 
 
 def check_mentions(path):
-    """Files that the text names in the source: docs/NAME.md, src/..., tests/..., experiments/..."""
+    """Source files that the text mentions, such as docs/NAME.md, exist."""
     text = re.sub(r"^```.*?^```$", "", path.read_text(encoding="utf-8"), flags=re.M | re.S)
     for name in re.findall(r"(?<![\w/.])(?:docs|src|tests|scripts|experiments|reference)/[\w./-]+\.\w+", text):
         name = name.rstrip(".")
-        assert (source / name).exists() or re.search("mine|NAME|figN", name), f"{path.name} names {name}, which is not there"
+        assert (source / name).exists() or re.search("mine|NAME|figN", name), f"{path.name} names {name}, which does not exist"
 
 
 def check_width(path):
-    """Lines outside of blocks that other tests compare with source files."""
+    """Lines are at most COLUMNS wide, except in blocks that other tests compare with source files."""
     text = re.sub(r"^```\w+ \S+\n.*?^```$", "", path.read_text(encoding="utf-8"), flags=re.M | re.S)
     wide = [line for line in text.splitlines() if len(line) > COLUMNS]
     assert path.name in GENERATED or not wide, f"{path.name}: more than {COLUMNS} columns: {wide[0]}"
 
 
 def table_cells(path, heading):
-    """The rows of the table below a heading, as lists of cells."""
+    """Rows of the table below a heading, as lists of cells."""
     section = path.read_text(encoding="utf-8").split(f"\n## {heading}\n")[1].split("\n## ")[0]
     rows = [line.strip("|").split("|") for line in section.splitlines() if line.startswith("|")]
     return [[cell.strip() for cell in row] for row in rows[2:]]
@@ -88,24 +89,24 @@ def names_in(cell):
 
 
 def defines(text, name):
-    """The text has the name as a whole word."""
+    """Whether the text contains the name as a whole word."""
     return re.search(rf"(?<!\w){re.escape(name)}(?!\w)", text) is not None
 
 
 def check_architecture(path):
-    """Every folder of src/ has its paragraph, in the order of the layers; the files that it names exist and have the
-    names beside them."""
+    """Every folder of src/ has a paragraph, in the order of the layers. The files that the document names exist and contain
+    the names in the table."""
     text = path.read_text(encoding="utf-8")
     headings = re.findall(r"^### src/(\w+)$", text, re.M)
     folders = {folder.name for folder in (source / "src").iterdir() if folder.is_dir()}
-    assert set(headings) == folders, f"{path.name}: other folders than src/: {set(headings) ^ folders}"
+    assert set(headings) == folders, f"{path.name}: the folders differ from those of src/: {set(headings) ^ folders}"
     order = re.search(r"in\s+this\s+order:([^.]*)\.", text).group(1)
     assert names_in(order) == headings, f"{path.name}: the paragraphs are not in the order of the layers"
     for folder, paragraph in re.findall(r"^### src/(\w+)\n(.*?)(?=^##)", text, re.M | re.S):
         for name in re.findall(r"`([\w.]+\.(?:hpp|cpp|json))`", paragraph):
             assert (source / "src" / folder / name).exists(), f"{path.name}: there is no src/{folder}/{name}"
     rows = table_cells(path, "Where to find")
-    assert len(rows) > 30, f"{path.name}: the table has lost its rows"
+    assert len(rows) > 30, f"{path.name}: the table has too few rows"
     for what, file, names in rows:
         content = (source / names_in(file)[0]).read_text(encoding="utf-8")
         for name in names_in(names):
@@ -113,9 +114,9 @@ def check_architecture(path):
 
 
 def check_model(path):
-    """The files of the table of equations have the functions beside them."""
+    """The files in the table of equations contain the functions named there."""
     rows = table_cells(path, "One bristle")
-    assert len(rows) > 10, f"{path.name}: the table has lost its rows"
+    assert len(rows) > 10, f"{path.name}: the table has too few rows"
     for equation, file, function, _ in rows:
         place = source / names_in(file)[0]
         files = [place] if place.is_file() else sorted(place.glob("*.hpp"))
@@ -125,7 +126,7 @@ def check_model(path):
 
 
 def check_glossary(path):
-    """The code has the names of the glossary."""
+    """The code contains the names in the glossary."""
     code = "\n".join(file.read_text(encoding="utf-8") for file in sorted((source / "src").rglob("*.?pp")))
     for symbol, in_code, in_files, meaning, _ in table_cells(path, "Symbols"):
         for name in [*names_in(in_code), *names_in(in_files)]:
@@ -134,7 +135,7 @@ def check_glossary(path):
 
 
 def words_of(schema):
-    """Keys and words that a schema allows, wherever they are in it."""
+    """All keys and words that a schema allows."""
     if isinstance(schema, list):
         return set().union(*map(words_of, schema))
     if not isinstance(schema, dict):
@@ -144,7 +145,7 @@ def words_of(schema):
 
 
 def check_experiments(path):
-    """The pages on experiments and claims have every key and word of the schema."""
+    """The pages on experiments and claims mention every key and word of the schema."""
     schema = json.loads((source / "src/experiment/experiment.schema.json").read_text(encoding="utf-8"))
     of_checks = words_of(schema["definitions"].pop("check"))
     for page, words in ((path, words_of(schema)), (path.with_name("claims.md"), of_checks)):
@@ -160,20 +161,20 @@ def commands(path):
 
 
 def written_files(path):
-    """Files that the document asks its reader to write: ```json PATH."""
+    """Files that the reader is to write: blocks of ```json PATH."""
     return re.findall(r"^```json (\S+)\n(.*?)^```$", path.read_text(encoding="utf-8"), re.M | re.S)
 
 
 def run(path, folder):
     copy = folder / path.stem
     subprocess.run(["git", "clone", "-q", "--shared", str(source), str(copy)], check=True)
-    for name in ("experiments", "scripts", "reference", "Makefile"):  # as they are now
+    for name in ("experiments", "scripts", "reference", "Makefile"):  # including uncommitted changes
         if (source / name).is_dir():
             shutil.copytree(source / name, copy / name, dirs_exist_ok=True)
         else:
             shutil.copy2(source / name, copy / name)
     for place in ("CMakeLists.txt", "tests/CMakeLists.txt", "benchmarks/CMakeLists.txt", "CMakePresets.json"):
-        os.utime(copy / place, (0, 0))  # older than what was built of them
+        os.utime(copy / place, (0, 0))  # older than the build, so that CMake does not run again
     (copy / "build").symlink_to(build, target_is_directory=True)
     for name, text in written_files(path):
         (copy / name).write_text(text, encoding="utf-8")
@@ -195,5 +196,5 @@ for name, check in (("architecture.md", check_architecture), ("model.md", check_
     check(source / "docs" / name)
 with tempfile.TemporaryDirectory() as folder:
     for document in documents:
-        if document.name not in ELSEWHERE and commands(document):
+        if document.name not in TESTED_ELSEWHERE and commands(document):
             run(document, pathlib.Path(folder))

@@ -28,9 +28,9 @@ PointResult solve(const Setup& setup, const Loading& loading) {
 
 }  // namespace
 
-TEST_CASE("ensemble means: the error estimates hold against a much finer mean") {
-  // Rough and smooth in theta_0, with and without many pinned bristles. The estimates are one standard
-  // deviation of independent parts or more, so twice them must hold for each of these.
+TEST_CASE("ensemble means: differences from a much finer mean are within the error estimates") {
+  // Cases that are rough and smooth in theta_0, with many and few pinned bristles. The estimates are at least
+  // one standard deviation of independent parts, so the differences must be within twice the estimates.
   struct Case {
     double k_r, z_0;
   };
@@ -48,16 +48,17 @@ TEST_CASE("ensemble means: the error estimates hold against a much finer mean") 
   }
 }
 
-TEST_CASE("the pinned range near head-on is found and located") {
+TEST_CASE("the range of pinned bristles near theta_0 = 180 degrees is located") {
   const Ensemble e = ensemble_mean(paper(50), 0.62);
   REQUIRE(!e.jumps.empty());
   const double border = e.jumps.back() * 180 / M_PI;
   CHECK(border == Approx(178.1).margin(0.1));
   CHECK(e.mean[PINNED_FRACTION] == Approx((180 - border) / 180).epsilon(0.02));
-  CHECK(e.mean[PINNED_R_X] / e.mean[R_X] > 0.2);  // one per cent of the bristles, a quarter of the friction
+  CHECK(e.mean[PINNED_R_X] / e.mean[R_X] > 0.2);  // 1 % of the bristles cause a quarter of the friction
 }
 
-TEST_CASE("R_y vanishes over the full circle without using the symmetry, and the halves agree") {
+TEST_CASE(
+    "without using symmetry R_y vanishes over the full circle, and the other means equal those of the half") {
   Setup whole = paper(10, 3e-3);
   whole.orientation.full_circle = true;
   const Ensemble full = ensemble_mean(whole, 0.5), half = ensemble_mean(paper(10, 3e-3), 0.5);
@@ -69,7 +70,7 @@ TEST_CASE("R_y vanishes over the full circle without using the symmetry, and the
     CHECK(std::abs(full.mean[k] - half.mean[k]) <= 2 * (full.error[k] + half.error[k]));
 }
 
-TEST_CASE("a von Mises distribution: isotropic without concentration, R_y with it") {
+TEST_CASE("a von Mises distribution is isotropic at zero concentration, and otherwise causes R_y") {
   Setup i = paper(10, 3e-3);
   const Ensemble uniform = ensemble_mean(i, 0.5);
   i.orientation.distribution = Distribution::von_mises;
@@ -85,7 +86,7 @@ TEST_CASE("a von Mises distribution: isotropic without concentration, R_y with i
   CHECK(std::abs(sideways.mean[R_Y] + mirrored.mean[R_Y]) <= 2 * (sideways.error[R_Y] + mirrored.error[R_Y]));
 }
 
-TEST_CASE("a list of azimuths is averaged as given") {
+TEST_CASE("a list of azimuths is averaged with equal weights") {
   Setup i = paper(10);
   i.orientation.sampling = Sampling::list;
   i.orientation.theta_0 = {0.5, 2.5};
@@ -97,7 +98,7 @@ TEST_CASE("a list of azimuths is averaged as given") {
   CHECK(e.error[R_N] == 0);
 }
 
-TEST_CASE("a decision against a target takes fewer bristles, and what follows goes on from them") {
+TEST_CASE("comparing with a target load needs fewer passages, which a later precise mean reuses") {
   const Setup setup = paper(50);
   EnsembleMean mean(setup, 0.62, make_runner(Engine::fast));
   const Ensemble decision = mean.rough_load(1.0);
@@ -111,7 +112,7 @@ TEST_CASE("a decision against a target takes fewer bristles, and what follows go
   CHECK(std::adjacent_find(theta_0.begin(), theta_0.end()) == theta_0.end());
 }
 
-TEST_CASE("a point is the same from both engines, within the integrator's and the quadrature's error") {
+TEST_CASE("both engines agree on a point within the errors of integrator and quadrature") {
   for (const double k_r : {5.0, 30.0}) {
     const Setup setup = paper(k_r, 3e-3);
     const PointResult fast = solve(setup, Loading{}),
@@ -123,7 +124,7 @@ TEST_CASE("a point is the same from both engines, within the integrator's and th
   }
 }
 
-TEST_CASE("an ensemble with a passage that reached no exit says so and has no values") {
+TEST_CASE("an ensemble with an incomplete passage has status incomplete and no values") {
   Setup i = paper(10);
   i.integrator.max_evaluations = 5000;
   const PointResult r = solve(i, Loading{0.3, 0, LoadPath::loading});
@@ -132,14 +133,14 @@ TEST_CASE("an ensemble with a passage that reached no exit says so and has no va
   CHECK(std::isfinite(r.incomplete_theta_0));
 }
 
-TEST_CASE("a point at a given load carries it, within its error and the tolerance") {
+TEST_CASE("a point with a target load carries this load within its error and the tolerance") {
   const PointResult r = solve(paper(30, 3e-3), Loading{});
   CHECK(r.status == PointStatus::ok);
   CHECK(std::abs(r.value[R_N] - 2) <= 2 * 3e-3 * 2);
   CHECK(r.R_x_norm == Approx(r.value[R_X] / rigid_friction(paper(30).parameters, r.value[R_N])));
   CHECK(r.z_0_error > 0);
   const PointResult same = solve(paper(30, 3e-3), Loading{r.z_0, 0, LoadPath::loading});
-  // The values belong to the gap that is reported; the nodes differ, as the search left some of its own.
+  // The values are those at the reported gap. The quadrature nodes differ, as the load search added some.
   for (const Observable k : {N_C_RATIO, R_N, R_X, GAMMA_1, GAMMA_2, GAMMA_3})
     CHECK(std::abs(same.value[k] - r.value[k]) <= 2 * (same.error[k] + r.error[k]));
 }

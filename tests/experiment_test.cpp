@@ -16,7 +16,8 @@ namespace {
 
 const std::string kExperiments = BRISTLE_EXPERIMENTS;
 
-// The error that this experiment, beside a copy of paper.json, gives; the folder's name replaced by "@".
+// The error message of this experiment in a folder with a copy of paper.json; the folder's name is replaced
+// by "@".
 std::string error_of(const std::string& text, const DocumentOptions& options = {}) {
   Scratch s;
   std::filesystem::copy_file(kExperiments + "/paper.json", s.path("paper.json"));
@@ -48,7 +49,7 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
       {"{ \"schema\": ",
        "@/e.json: not JSON: parse error at line 1, column 13: syntax error while parsing value - "
        "unexpected end of input; expected '[', '{', or a literal"},
-      {"[1]", "@/e.json: a JSON object {...} is expected, this is [1]"},
+      {"[1]", "@/e.json: expected a JSON object {...}, found [1]"},
       {with(R"("model": {"k_r": 1, "k_r": 2})"), "@/e.json: the key \"k_r\" appears twice in one object"},
       {with(R"("schema": "bristle-experiment/2")"),
        "@/e.json: /schema: \"bristle-experiment/2\" is not allowed; allowed: \"bristle-experiment/1\" "
@@ -69,9 +70,8 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
       {with(R"("model": {"A": 0.9})"),
        "@/e.json: /model/A: 0.9 is not allowed; allowed: a number at least 1 (maximum of chi, Eq. (7))"},
       {with(R"("model": {"lambda": 0})"),
-       "@/e.json: /model/lambda: 0 is not allowed; allowed: a number greater than 0 (range of the axis "
-       "repulsion in "
-       "units of r0)"},
+       "@/e.json: /model/lambda: 0 is not allowed; allowed: a number greater than 0 (range of the pole "
+       "repulsion in units of r0)"},
       {with(R"("model": {"C": "peak"})"),
        "@/e.json: /model/C: \"peak\" is not allowed; allowed: a number at most 1 or \"peak_at_V_s\" (shape "
        "of chi, "
@@ -82,8 +82,8 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
       {with(R"("model": {"friction": null})"),
        "@/e.json: /model/friction: is missing; allowed: " + quoted_laws() + " (local friction law)"},
       {with(R"("load": {"z_0": 0.5})"),
-       "@/e.json: /load: more than one of R_n, z_0 and trace is given; keep one (null removes what extends "
-       "brings)"},
+       "@/e.json: /load: more than one of R_n, z_0 and trace is given; keep one (a null removes an "
+       "inherited key)"},
       {with(R"("load": {"R_n": null})"),
        "@/e.json: /load: none of R_n, z_0 and trace is given, here or in the sweep"},
       {with(R"("load": {"R_n": null, "z_0": 0.99})"),
@@ -94,7 +94,7 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
       {with(R"("sweep": {"k_r": {"values": [2, 1]}})"),
        "@/e.json: /sweep/k_r: the values must ascend, but 1 follows 2"},
       {with(R"("sweep": {"k_r": {}})"),
-       "@/e.json: /sweep/k_r: an axis is one of values, linspace, logspace; this has none"},
+       "@/e.json: /sweep/k_r: an axis needs exactly one of values, linspace, logspace; found none"},
       {with(R"("sweep": {"k_r": {"logspace": [0, 10, 5]}})"),
        "@/e.json: /sweep/k_r/logspace: a logarithmic axis cannot start at 0; allowed: greater than 0"},
       {with(R"("sweep": {"k_r": {"linspace": [1, 10, 2.5]}})"),
@@ -117,34 +117,34 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
       {with(R"("sweep": {"friction": {"values": ["nss", "nss"]}})"),
        "@/e.json: /sweep/friction/values: \"nss\" appears twice"},
       {with(R"("sweep": {"friction": {"linspace": [0, 1, 2]}})"),
-       "@/e.json: /sweep/friction: friction takes \"values\", a list of: " + laws()},
+       "@/e.json: /sweep/friction: friction needs \"values\", a list of words; allowed: " + laws()},
       {with(R"("sweep": {"k_r": {"values": ["soft"]}})"),
        "@/e.json: /sweep/k_r/values: \"soft\" is not a number"},
       {with(R"("sweep": {"R_n": {"values": [0, 1]}})"),
        "@/e.json: /sweep/R_n: 0 is out of range for R_n; allowed: a number greater than 0 (normal load "
        "R_n/N_c0, dimensionless)"},
       {with(R"("orientation": {"seed": 1})"),
-       "@/e.json: /orientation/seed: is used with \"sampling\": \"lattice\" only"},
+       "@/e.json: /orientation/seed: is allowed with \"sampling\": \"lattice\" only"},
       {with(R"("orientation": {"sampling": "lattice"})"),
        "@/e.json: /orientation/rows: is missing; a lattice needs the number of rows that enter"},
       {with(R"("orientation": {"sampling": "lattice", "rows": 50})"),
-       "@/e.json: /orientation/rows: 50 rows have entered at t_2 = 10; means begin at t_1 = 10 [2 L_x]: give "
-       "more rows"},
+       "@/e.json: /orientation/rows: the 50 rows have entered by t_2 = 10, but averaging begins at t_1 = 10 "
+       "[2 L_x]; use more rows"},
       {with(R"("orientation": {"sampling": "lattice", "rows": 100}, "model": {"L_y": 5.1})"),
-       "@/e.json: /model/L_y: 5.1 is 25.5 spacings of 0.2; a lattice needs a whole number"},
+       "@/e.json: /model/L_y: 5.1 is 25.5 times the spacing 0.2; a lattice needs a whole number"},
       {with(R"("orientation": {"sampling": "lattice", "rows": 100}, "load": {"R_n": null, "trace": {}})"),
-       "@/e.json: /load/trace: takes the mean over theta_0 by quadrature or over a list, not over a lattice"},
+       "@/e.json: /load/trace: cannot be combined with \"sampling\": \"lattice\"; use quadrature or list"},
       {with(R"("record": ["slab_force"])"), "@/e.json: /record: slab_force needs \"sampling\": \"lattice\""},
       {with(R"("record": ["trajectories"])"),
        "@/e.json: /trajectories: is missing; recording trajectories needs {\"theta_0_deg\": [...]}"},
       {with(R"("record": ["bristles"], "load": {"R_n": null, "trace": {}})"),
        "@/e.json: /record: a trace of R_n(z_0) records observables only"},
       {with(R"("sweep": {"k_r": {"linspace": [1, 2, 1e12]}})"),
-       "@/e.json: /sweep/k_r/linspace: 1000000000000 points; allowed: at most 1e+07 in all"},
+       "@/e.json: /sweep/k_r/linspace: 1000000000000 points; allowed: at most 1e+07 in the sweep"},
       {with(R"("sweep": {"k_r": {"linspace": [1, 2, 1e6]}, "k_phi": {"linspace": [1, 2, 1e6]}})"),
        "@/e.json: /sweep: 1e+12 points or more; allowed: at most 1e+07"},
       {with(R"("sweep": {"k_r": {"values": [1, 2], "take": [2]}})"),
-       "@/e.json: /sweep/k_r/take: 2; allowed: ascending indices from 0 to 1"},
+       "@/e.json: /sweep/k_r/take: 2 is not allowed; allowed: ascending indices from 0 to 1"},
       {with(R"("tiers": {"smoke": {"model": {"k_r": -1}}})"),
        "@/e.json (tier smoke): /model/k_r: -1 is not allowed; allowed: a number greater than 0 (radial "
        "stiffness, "
@@ -152,15 +152,16 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
       {with(R"("orientation": {"sampling": "list"})"),
        "@/e.json: /orientation/theta_0_deg: is missing; sampling by list needs the azimuths in degrees"},
       {with(R"("orientation": {"distribution": "von_mises"})"),
-       "@/e.json: /orientation/concentration: is missing; a von Mises distribution needs it, and mean_deg"},
+       "@/e.json: /orientation/concentration: is missing; a von Mises distribution needs concentration and "
+       "mean_deg"},
       {with(R"("checks": [{"claim": "1"}])"),
-       "@/e.json: /checks/0/statement: is missing; allowed: a string (what the paper says, and the number "
-       "that decides)"},
+       "@/e.json: /checks/0/statement: is missing; allowed: a string (statement of the paper and the "
+       "measured number that decides it)"},
       {with(R"("sweep": {"V0_m_per_s": {"values": [1, 2]}})"),
        "@/e.json: /si/V0_m_per_s: is swept, but there is no si block with m_kg, r0_m and V0_m_per_s"},
       {with(
            R"("si": {"m_kg": 1, "r0_m": 1, "V0_m_per_s": 1, "k_r_N_per_m": 1}, "sweep": {"k_r": {"values": [1, 2]}})"),
-       "@/e.json: /si/k_r_N_per_m: k_r is swept as well; remove one"},
+       "@/e.json: /si/k_r_N_per_m: k_r, which it replaces, is swept as well; remove one of them"},
       {with(R"("si": {"m_kg": 1, "r0_m": 1, "V0_m_per_s": 1, "nu": 0.4})"),
        "@/e.json: /si/E_Pa: is missing; nu and R_m need it"},
       {with(R"("si": {"m_kg": 1, "r0_m": 1, "V0_m_per_s": 1, "E_Pa": 1e8, "R_m": 0.001})"),
@@ -168,7 +169,8 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
        "stiffness"},
       {R"({"extends": "nowhere.json"})",
        "@/e.json: /extends: \"nowhere.json\" does not exist (looked for @/nowhere.json)"},
-      {R"({"extends": "e.json"})", "@/e.json: /extends: \"e.json\" extends this file in turn: a circle"},
+      {R"({"extends": "e.json"})",
+       "@/e.json: /extends: \"e.json\" extends this file in turn; remove one of the two"},
       {R"({"extends": 3})", "@/e.json: /extends: 3 is not a file name"},
   };
   for (const Row& row : table) {
@@ -177,17 +179,17 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
   }
 }
 
-TEST_CASE("an experiment nested deeper than the stack is an error, no crash") {
+TEST_CASE("an experiment with excessive nesting is an error, not a crash") {
   const Scratch s;
   for (const char* bracket : {"[", "{\"a\":"}) {
     std::string text;
     for (int i = 0; i < 100000; ++i) text += bracket;
     CHECK_THROWS_WITH(load_experiment(s.write("e.json", text), {}),
-                      Catch::Contains("e.json: JSON nested more than 64 deep"));
+                      Catch::Contains("e.json: JSON nested more than 64 levels deep"));
   }
 }
 
-TEST_CASE("extends: chains, folders and what lies outside") {
+TEST_CASE("extends: chains, subfolders, and files outside the experiments folder") {
   Scratch s;
   s.write("experiments/paper.json", bytes_of(kExperiments + "/paper.json"));
   const auto child =
@@ -203,12 +205,12 @@ TEST_CASE("extends: chains, folders and what lies outside") {
   CHECK_THROWS_WITH(load_experiment(outside, {}), Catch::Contains("lies outside the experiments folder"));
   s.write("experiments/d.json", R"({"extends": "e.json"})");
   const auto circle = s.write("experiments/e.json", R"({"extends": "d.json"})");
-  CHECK_THROWS_WITH(load_experiment(circle, {}), Catch::Contains("a circle"));
+  CHECK_THROWS_WITH(load_experiment(circle, {}), Catch::Contains("extends this file in turn"));
   CHECK_THROWS_WITH(load_experiment(s.path("nothing.json"), {}),
                     Catch::EndsWith("cannot be read: no such file"));
 }
 
-TEST_CASE("the option --set changes a value, names itself in errors, and refuses nonsense") {
+TEST_CASE("the option --set changes a value, is named in errors, and refuses invalid arguments") {
   const std::string file = kExperiments + "/paper.json";
   CHECK(load_experiment(file, {{"/model/k_r=33"}, "full"}).base.setup.parameters.k_r == 33);
   CHECK(load_experiment(file, {{"/model/friction=coulomb"}, "full"}).base.setup.parameters.friction ==
@@ -219,17 +221,19 @@ TEST_CASE("the option --set changes a value, names itself in errors, and refuses
         "--set /model/k_r=-1: /model/k_r: -1 is not allowed; allowed: a number greater than 0 (radial "
         "stiffness, "
         "dimensionless)");
-  CHECK_THROWS_WITH(load_experiment(file, {{"/model/k_r"}, "full"}), Catch::Contains("there is no '='"));
+  CHECK_THROWS_WITH(load_experiment(file, {{"/model/k_r"}, "full"}), Catch::Contains("'=' is missing"));
   CHECK_THROWS_WITH(load_experiment(file, {{"model/k_r=1"}, "full"}),
                     Catch::Contains("must be empty or begin with '/'"));
   CHECK_THROWS_WITH(load_experiment(file, {{"/model/k_r=1x"}, "full"}), Catch::Contains("not JSON"));
   CHECK_THROWS_WITH(load_experiment(file, {{"/name=\xff"}, "full"}), Catch::Contains("invalid UTF-8"));
   std::string deep;
   for (int i = 0; i < 30000; ++i) deep += "/a";
-  CHECK_THROWS_WITH(load_experiment(file, {{deep + "=1"}, "full"}), Catch::Contains("more than 64 deep"));
+  CHECK_THROWS_WITH(load_experiment(file, {{deep + "=1"}, "full"}),
+                    Catch::Contains("more than 64 levels deep"));
 }
 
-TEST_CASE("axes: values as asked, ends exact, the smoke tier a subset of the full one bit for bit") {
+TEST_CASE(
+    "axes: requested values, exact ends, and a smoke tier that is a subset of the full tier bit for bit") {
   const Experiment full = load_experiment(kExperiments + "/fig4.json", {});
   const Experiment smoke = load_experiment(kExperiments + "/fig4.json", {{}, "smoke"});
   REQUIRE(full.axes.size() == 2);
@@ -244,7 +248,7 @@ TEST_CASE("axes: values as asked, ends exact, the smoke tier a subset of the ful
       CHECK(std::count(full.axes[d].values.begin(), full.axes[d].values.end(), value) == 1);
 }
 
-TEST_CASE("points: row-major over the axes, C follows A where it is to peak at V_s") {
+TEST_CASE("points are in row-major order over the axes, and C follows A if chi is to peak at V_s") {
   const Experiment e =
       load_experiment(kExperiments + "/paper.json",
                       {{R"(/sweep/A={"values":[1.2,1.5]})", R"(/sweep/R_n={"values":[1,2,3]})"}, "full"});
@@ -256,7 +260,7 @@ TEST_CASE("points: row-major over the axes, C follows A where it is to peak at V
   CHECK(e.point(0).setup.parameters.C == Approx(chi_C_peak_at_V_s(1.2)));
 }
 
-TEST_CASE("an SI block gives the paper's dimensionless values") {
+TEST_CASE("an SI block gives the dimensionless values of the paper") {
   const Experiment e = load_experiment(
       kExperiments + "/paper.json",
       {{R"(/si={"m_kg":1e-4,"r0_m":0.017,"V0_m_per_s":10,"R_c_m":0.001,"E_star_Pa":1.190476e8,"k_theta_N_m":0.01,
@@ -269,14 +273,14 @@ TEST_CASE("an SI block gives the paper's dimensionless values") {
   CHECK(p.k_r == Approx(10));
 }
 
-TEST_CASE("a material in SI units keeps its stiffness whatever the velocity") {
+TEST_CASE("a material in SI units has the same stiffness at every velocity") {
   const Experiment e = load_experiment(kExperiments + "/ski.json", {});
   // V0_m_per_s is the last axis: 13 values from 2 to 32.
   const PointInput slow = e.point(0), fast = e.point(12);
   const Parameters &a = slow.setup.parameters, &b = fast.setup.parameters;
   CHECK(slow.si.at("V0_m_per_s") == 2);
   CHECK(fast.si.at("V0_m_per_s") == 32);
-  // 3 pi E R^4/(4 r0), by hand
+  // 3 pi E R^4/(4 r0), computed here independently
   const double k = 3 * M_PI * 1e8 * std::pow(0.00108, 4) / (4 * 0.017);
   CHECK(a.k_phi * 1e-4 * 4 == Approx(k));
   CHECK(b.k_phi * 1e-4 * 1024 == Approx(k));
@@ -290,7 +294,7 @@ TEST_CASE("a material in SI units keeps its stiffness whatever the velocity") {
   CHECK(fast.loading.R_n * force_unit(fast) == Approx(0.1));
 }
 
-TEST_CASE("a tier removes keys by null, and a child drops its parent's tier") {
+TEST_CASE("a tier removes keys by null, and an extending experiment can remove the tier of its parent") {
   Scratch s;
   s.write("experiments/paper.json", bytes_of(kExperiments + "/paper.json"));
   const auto parent = s.write("experiments/a.json", R"({"extends": "paper.json", "name": "a",

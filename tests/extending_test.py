@@ -1,4 +1,4 @@
-"""The steps of docs/extending.md, executed: they make, of a source without the law, the source as it is.
+"""Executes the steps of docs/extending.md: applied to the source without the friction law, they give the source.
 
 extending_test.py SOURCE BUILD
 """
@@ -14,18 +14,18 @@ source, build = map(pathlib.Path, sys.argv[1:3])
 LAW = "stribeck"
 PLACES = ["src", "tests", "experiments", "scripts", "cmake", "benchmarks", "Makefile", "CMakeLists.txt", "packages.txt",
           "CMakePresets.json"]
-BESIDE = {"tests/extending_test.py"}  # names the law to look for it
+EXCEPTIONS = {"tests/extending_test.py"}  # contains the name of the law to search for it
 
 page = (source / "docs/extending.md").read_text(encoding="utf-8")
 blocks = re.findall(r"^```(\w+) ?(\S*)\n(.*?)^```$", page, re.M | re.S)
 files = [(path, text) for kind, path, text in blocks if path and kind != "diff"]
 diffs = [(path, text) for kind, path, text in blocks if kind == "diff"]
 commands = [line for kind, _, text in blocks if kind == "sh" for line in text.splitlines()]
-assert len(files) >= 4 and len(diffs) >= 5 and len(commands) >= 5, "the document has lost its steps"
+assert len(files) >= 4 and len(diffs) >= 5 and len(commands) >= 5, "the document has too few steps"
 
 
 def sides(text):
-    """A diff's lines before and after."""
+    """The text before and after a diff."""
     lines = text.splitlines(keepends=True)
     return ["".join(line[1:] for line in lines if line[0] in " " + sign) for sign in "-+"]
 
@@ -47,14 +47,14 @@ with tempfile.TemporaryDirectory() as folder:
     times = {path: path.stat().st_mtime for path in copies}
 
     for path, text in files:
-        assert (copy / path).read_text(encoding="utf-8") == text, f"{path} is not what the document has"
+        assert (copy / path).read_text(encoding="utf-8") == text, f"{path} differs from the document"
         (copy / path).unlink()
     for path, text in reversed(diffs):
         before, after = sides(text)
         replace(copy / path, after, before)
     left = [str(path.relative_to(copy)) for path in copies
             if path.exists() and LAW in path.read_text(encoding="utf-8", errors="ignore").lower()]
-    assert set(left) <= BESIDE, f"the document does not say how the law comes into {left}"
+    assert set(left) <= EXCEPTIONS, f"the document lacks the steps that add the law to {left}"
 
     for path, text in files:
         (copy / path).write_text(text, encoding="utf-8")
@@ -66,7 +66,7 @@ with tempfile.TemporaryDirectory() as folder:
         os.utime(path, (times[path], times[path]))
 
     shutil.copytree(source / "reference", copy / "reference")
-    # The copy is the source: what was built of that is the copy's build.
+    # The copy equals the source and can use its build.
     (copy / "build").symlink_to(build, target_is_directory=True)
     for command in commands:
         done = subprocess.run(command, shell=True, cwd=copy, capture_output=True, text=True)

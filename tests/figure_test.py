@@ -1,4 +1,4 @@
-"""A plotting script writes its PDF and PNG, the same bytes each time, and explains a file it cannot use.
+"""A plotting script writes PDF and PNG with the same bytes each time, and explains why it cannot use a file.
 
 figure_test.py SCRIPT RESULT FOLDER DATASET: a dataset that the script needs, such as trajectories/V_R.
 """
@@ -44,7 +44,7 @@ with h5py.File(folder / "old.h5", "a") as f:
 old = plot(folder / "old.h5", folder)
 assert old.returncode == 2 and "bristle-result/0" in old.stderr, old.stderr
 
-# As in a notebook: draw() returns a figure, errors are exceptions.
+# Use in a notebook: draw() returns a figure, and errors are exceptions.
 sys.path.insert(0, str(pathlib.Path(script).parent))
 from bristle_plots import BristleError, apply_look, open_result  # noqa: E402
 
@@ -58,4 +58,4 @@ try:
 except BristleError as error:
     assert needed in str(error), error
 else:
-    raise AssertionError("a missing dataset is no error")
+    raise AssertionError("a missing dataset caused no error")

@@ -1,5 +1,5 @@
-"""docs/findings.md has a row with a verdict for every check of the experiments, every claim of the paper is checked,
-and numbers that other documents repeat are the same there."""
+"""docs/findings.md has a row with a verdict for every check of the experiments, the experiments check every claim of the
+paper, and other documents repeat the numbers correctly."""
 import json
 import pathlib
 import re
@@ -11,14 +11,14 @@ claims = set()
 for path in sorted((root / "experiments").glob("fig*.json")):
     for check in json.loads(path.read_text())["checks"] if "checks" in path.read_text() else []:
         lines = [line for line in page.splitlines() if line.startswith(f"| {check['claim']} | {check['statement']} |")]
-        assert len(lines) == 1, f"{path.name}: claim {check['claim']} is not in docs/findings.md as it is now: `make findings`"
+        assert len(lines) == 1, f"{path.name}: claim {check['claim']} is missing in docs/findings.md: `make findings`"
         assert any(verdict in lines[0] for verdict in ("supported", "refuted", "undecided")), lines[0]
         claims.add(check["claim"])
 paper = {"3a", "3b", "3c", "3d", "4a", "4b", "4c", "4d", "4e", "4f", "5a", "5b", "5c", "6a", "6b", "7a", "7b", "8a", "8b",
          "A1", "A2", "A3"}
-assert claims == paper, f"not checked: {sorted(paper - claims)}; not of the paper: {sorted(claims - paper)}"
+assert claims == paper, f"not checked: {sorted(paper - claims)}; not in the paper: {sorted(claims - paper)}"
 
-# The README's summary.
+# The summary in README.md.
 verdicts = [re.search("supported|refuted|undecided", line.split("|")[3]).group()
             for line in page.splitlines() if line.startswith("| ") and line.count("|") == 6 and "---" not in line
             and line.split("|")[1].strip() in claims]
@@ -30,11 +30,11 @@ summary = re.search(r"(\d+) claims are tested by (\d+) checks: (\d+) are support
 found = [len(claims), len(verdicts), *map(verdicts.count, ("supported", "refuted", "undecided")), reversed_by_some, len(conclusions)]
 assert [int(number) for number in summary.groups()] == found, f"README.md's summary is {summary.group()}, the findings are {found}"
 
-# Rounded, as the other documents quote it.
+# Numbers that other documents quote rounded.
 figure_4 = page.split("## Figure 4")[1]
 passages, contact = re.search(r"(\d+) passages, ensemble mean of the contact time at most ([\d.]+) L_x/V_0",
                               " ".join(figure_4.split())).groups()
 for document, pattern, number in (("README.md", r"the ([\d ]+) passages of Figure 4", round(int(passages), -3)),
                                   ("docs/model.md", r"stay for up to ([\d.]+) L_x/V_0", round(float(contact), 1))):
     said = re.findall(pattern, (root / document).read_text(encoding="utf-8"))
-    assert [float(one.replace(" ", "")) for one in said] == [number], f"{document} says {said}, docs/findings.md {number}"
+    assert [float(one.replace(" ", "")) for one in said] == [number], f"{document} has {said}, docs/findings.md has {number}"

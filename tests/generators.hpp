@@ -6,7 +6,7 @@
 #include <cmath>
 #include <rapidcheck/catch.h>
 
-// Random input for the properties.
+// Random input for property tests.
 namespace bristle::testing {
 
 inline double uniform(double from, double to) {
@@ -16,7 +16,7 @@ inline double uniform(double from, double to) {
 
 inline double log_uniform(double from, double to) { return std::exp(uniform(std::log(from), std::log(to))); }
 
-// Parameters within the paper's ranges, either friction law.
+// Random parameters within the ranges of the paper, with one of its two friction laws.
 inline Parameters random_parameters() {
   Parameters p;
   p.friction = *rc::gen::arbitrary<bool>() ? FrictionLaw::nss : FrictionLaw::coulomb;
@@ -27,11 +27,13 @@ inline Parameters random_parameters() {
   return p;
 }
 
-// A tip off the axis and near the wall, with angles that need not fit its position.
+// A random tip off the pole and near the wall, with angles that need not agree with its position.
 inline State<double> random_state(double z_0) {
   const double theta = uniform(-3, 3), s = uniform(0.01, 1), z = z_0 - uniform(-2e-3, 0.1);
   const Vector3<double> v{uniform(-1, 2), uniform(-1, 1), uniform(-1, 1)};
-  return {{s * std::cos(theta), s * std::sin(theta), z}, v, theta + uniform(-1, 1),
+  return {{s * std::cos(theta), s * std::sin(theta), z},
+          v,
+          theta + uniform(-1, 1),
           std::atan2(z, s) + uniform(-0.5, 0.5)};
 }
 

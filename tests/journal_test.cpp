@@ -18,7 +18,7 @@ namespace {
 
 PointRecord small_record(const Experiment& e, std::size_t i) { return record_of(e, small_point(i), {}); }
 
-// The small experiment's first points, those that the journal lacks.
+// Adds the first points of the small experiment to the journal, unless it has them.
 void write_journal(const std::string& result, const Experiment& e, std::size_t points) {
   Journal journal(result, "0123abc", false);
   for (std::size_t i = 0; i < points; ++i)
@@ -38,7 +38,7 @@ std::size_t points_in(const Journal& journal, const Experiment& e) {
 
 }  // namespace
 
-TEST_CASE("a line reads back to the bit, whatever the numbers") {
+TEST_CASE("a journal line reads back bit for bit with arbitrary numbers") {
   rc::check([](const std::vector<std::uint64_t>& bits) {
     PointRecord record;
     for (const std::uint64_t b : bits) {
@@ -56,7 +56,7 @@ TEST_CASE("a line reads back to the bit, whatever the numbers") {
   });
 }
 
-TEST_CASE("torn at any byte of its last record, a journal has all the others and takes new ones") {
+TEST_CASE("a journal truncated at any byte of its last record keeps the others and accepts new ones") {
   const Scratch s;
   const Experiment e = small_experiment(s);
   const std::string result = s.path("r.h5"), path = result + ".journal";
@@ -70,11 +70,11 @@ TEST_CASE("torn at any byte of its last record, a journal has all the others and
     Journal journal(result, "0123abc", false);
     if (points_in(journal, e) != 2 || !holds(journal, e, 0) || !holds(journal, e, 1)) FAIL(size);
     journal.append(point_key(e, 2), small_record(e, 2));
-    if (bytes_of(path) != whole) FAIL("not mended: " << size);
+    if (bytes_of(path) != whole) FAIL("not repaired: " << size);
   }
 }
 
-TEST_CASE("the first record torn, or zeros where a power cut left no data: the journal begins anew") {
+TEST_CASE("a journal with only a truncated record or zeros after a power cut starts empty") {
   const Scratch s;
   const Experiment e = small_experiment(s);
   write_journal(s.path("r.h5"), e, 1);
@@ -87,7 +87,7 @@ TEST_CASE("the first record torn, or zeros where a power cut left no data: the j
   }
 }
 
-TEST_CASE("a record that is damaged is passed over, the others count") {
+TEST_CASE("a damaged record is ignored, and the others are used") {
   const Scratch s;
   const Experiment e = small_experiment(s);
   write_journal(s.path("r.h5"), e, 3);
@@ -101,7 +101,7 @@ TEST_CASE("a record that is damaged is passed over, the others count") {
   CHECK(holds(journal, e, 2));
 }
 
-TEST_CASE("what a program with uncommitted changes computed serves such programs only") {
+TEST_CASE("points computed by a program with uncommitted changes are used by such programs only") {
   const Scratch s;
   const Experiment e = small_experiment(s);
   { Journal(s.path("r.h5"), "0123abc-dirty", false).append(point_key(e, 0), small_record(e, 0)); }
@@ -118,7 +118,7 @@ TEST_CASE("what a program with uncommitted changes computed serves such programs
   CHECK(points_in(other, e) == 1);
 }
 
-TEST_CASE("another run has the journal: refused, gone with its process: no lock is left") {
+TEST_CASE("a journal that another run has locked is refused, and the lock ends with that run") {
   const Scratch s;
   const Experiment e = small_experiment(s);
   {
@@ -129,15 +129,15 @@ TEST_CASE("another run has the journal: refused, gone with its process: no lock 
   CHECK_NOTHROW(Journal(s.path("r.h5"), "0123abc", false));
 }
 
-TEST_CASE("a file that is no journal is not touched, a place that cannot be written is named") {
+TEST_CASE("a file that is not a journal is not changed, and a path that cannot be written is an error") {
   const Scratch s;
   s.write("r.h5.journal", "Dear diary,\n");
-  CHECK_THROWS_WITH(Journal(s.path("r.h5"), "0123abc", false), Catch::Contains("is no journal"));
+  CHECK_THROWS_WITH(Journal(s.path("r.h5"), "0123abc", false), Catch::Contains("not a journal"));
   CHECK(bytes_of(s.path("r.h5.journal")) == "Dear diary,\n");
   CHECK_THROWS_AS(Journal("/proc/nowhere/r.h5", "0123abc", false), InputError);
 }
 
-TEST_CASE("a journal of another version is refused by name, not emptied") {
+TEST_CASE("a journal of another version is refused with its schema and not changed") {
   const Scratch s;
   const std::string json = R"({"schema":"bristle-journal/9","key":"k","commit":"c"})";
   const std::string text = sha256_of(json) + " " + json + "\n";
@@ -146,7 +146,7 @@ TEST_CASE("a journal of another version is refused by name, not emptied") {
   CHECK(bytes_of(s.path("r.h5.journal")) == text);
 }
 
-TEST_CASE("points of other journals in the folder are taken over, those of this experiment only") {
+TEST_CASE("points of this experiment in other journals of the folder are copied") {
   const Scratch s;
   const Experiment e = small_experiment(s);
   write_journal(s.path("other.h5"), e, 4);
@@ -161,7 +161,7 @@ TEST_CASE("points of other journals in the folder are taken over, those of this 
   CHECK(points_in(journal, recorded) == 0);
 }
 
-TEST_CASE("equal points have equal keys, whatever the grid and the names, any parameter makes another") {
+TEST_CASE("equal points have equal keys regardless of grid and names") {
   const Scratch s;
   const Experiment e = small_experiment(s);
   Experiment finer = e;
@@ -172,6 +172,11 @@ TEST_CASE("equal points have equal keys, whatever the grid and the names, any pa
   std::set<std::string> keys;
   for (std::size_t i = 0; i < finer.points(); ++i) keys.insert(point_key(finer, i));
   CHECK(keys.size() == 8);
+}
+
+TEST_CASE("every sweepable quantity and every setting changes the key of a point") {
+  const Scratch s;
+  const Experiment e = small_experiment(s);
   const auto one = [&](const std::string& name, double value) {
     Experiment changed = e;
     changed.axes = {{name, {value}}};
@@ -184,7 +189,8 @@ TEST_CASE("equal points have equal keys, whatever the grid and the names, any pa
   };
   for (const Sweepable& sweepable : sweepables()) {
     CAPTURE(sweepable.name);
-    if (sweepable.name == "z_0" || in_si(sweepable.name)) continue;  // below
+    if (sweepable.name == "z_0" || in_si(sweepable.name))
+      continue;  // changed below, together with their prerequisites
     CHECK(one(sweepable.name, 1) != one(sweepable.name, 0));
   }
   const auto one_in_si = [&](const std::string& name, double value) {

@@ -1,4 +1,4 @@
-// Appendix A: random azimuths, the force on the slab over time, and its standard errors.
+// Appendix A of the paper: random azimuths, the force on the slab over time, and its standard errors.
 #include "dynamics/trajectory.hpp"
 #include "ensemble/lattice.hpp"
 
@@ -32,7 +32,7 @@ const PassageRunner& fast() {
   return run;
 }
 
-// Probability of a chi-squared statistic as large as this for equal counts.
+// p-value of the chi-squared test for equal expected counts.
 double p_uniform(const std::vector<long>& counts) {
   const double expected = double(std::accumulate(counts.begin(), counts.end(), 0L)) / double(counts.size());
   double statistic = 0;
@@ -43,7 +43,7 @@ double p_uniform(const std::vector<long>& counts) {
 
 }  // namespace
 
-TEST_CASE("azimuths: uniform, keyed by seed and index, independent between neighbours and seeds") {
+TEST_CASE("azimuths: uniform, functions of seed and index, independent between neighbours and seeds") {
   Orientation o;
   o.seed = 7;
   std::vector<long> bins(64), pairs(64), seeds(64);
@@ -60,7 +60,7 @@ TEST_CASE("azimuths: uniform, keyed by seed and index, independent between neigh
   CHECK(p_uniform(bins) > 1e-3);
   CHECK(p_uniform(pairs) > 1e-3);
   CHECK(p_uniform(seeds) > 1e-3);
-  // Of the same bits on every machine: these are exact multiples of 2 pi/2^53.
+  // The same bits on every machine, as these are multiples of 2 pi/2^53.
   CHECK(random_azimuth(o, 0) == random_azimuth(o, 0));
   CHECK(random_azimuth(o, 0) != random_azimuth(o, 1));
 }
@@ -99,12 +99,12 @@ TEST_CASE("the time mean over the lattice is the ensemble mean within its standa
       squares += units * units / seeds;
     }
     CAPTURE(k, squares);
-    CHECK(squares < 2.75);  // chi-squared of 8: beyond this once in 200
-    CHECK(squares > 0.15);  // and below this: errors that mean nothing
+    CHECK(squares < 2.75);  // chi-squared with 8 degrees of freedom: exceeded with probability 1/200
+    CHECK(squares > 0.15);  // smaller values mean that the errors are overestimated
   }
 }
 
-TEST_CASE("R(t): its mean over the window is the mean, a lattice's prefix is a shorter lattice's") {
+TEST_CASE("R_n(t): the time average equals the mean, and a shorter lattice gives the same beginning") {
   const Setup i = lattice(70, 2, 3);
   const LatticeMean l = lattice_mean(i, 0.3, fast());
   const auto from = l.force.R_n.begin() + std::lround(lattice_start(i) / l.force.interval);
@@ -117,7 +117,8 @@ TEST_CASE("R(t): its mean over the window is the mean, a lattice's prefix is a s
   CHECK(std::equal(shorter.force.R_n.begin(), shorter.force.R_n.end(), l.force.R_n.begin()));
 }
 
-TEST_CASE("sampled integrals: both engines agree along the passage, and sampling changes nothing else") {
+TEST_CASE(
+    "sampled integrals: both engines agree along the passage, and sampling does not change the passage") {
   Parameters p;
   p.C = chi_C_peak_at_V_s(p.A);
   for (const double degrees : {20.0, 100.0, 170.0, 179.5}) {
@@ -138,7 +139,7 @@ TEST_CASE("sampled integrals: both engines agree along the passage, and sampling
   }
 }
 
-TEST_CASE("a trajectory's phases are those of its numbers") {
+TEST_CASE("the phases of a trajectory agree with its forces and velocities") {
   Parameters p;
   p.k_r = 20;
   p.C = chi_C_peak_at_V_s(p.A);

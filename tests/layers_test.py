@@ -1,4 +1,4 @@
-"""A folder of src/ includes only itself and folders before it in the order that docs/architecture.md gives.
+"""Files in src/ include only files of their own folder and of folders before it in the order of docs/architecture.md.
 
 layers_test.py SOURCE
 """

@@ -27,7 +27,7 @@ double jumping(double z_0) { return rising(z_0) + (z_0 < 0.6 ? 1.0 : 0.0); }
 
 }  // namespace
 
-TEST_CASE("load control: a monotonic curve, both ways") {
+TEST_CASE("load control: a monotonic curve on both paths") {
   for (const auto path : {LoadPath::loading, LoadPath::unloading}) {
     const LoadPoint p = search(rising, 2, path);
     CHECK(p.status == LoadStatus::reached);
@@ -36,7 +36,8 @@ TEST_CASE("load control: a monotonic curve, both ways") {
   }
 }
 
-TEST_CASE("load control: at a fold the loading path takes the first crossing, unloading the last") {
+TEST_CASE(
+    "load control: at a fold the loading path finds the first crossing and the unloading path the last") {
   const LoadPoint loading = search(folded, 1.2), unloading = search(folded, 1.2, LoadPath::unloading);
   REQUIRE(loading.status == LoadStatus::reached);
   REQUIRE(unloading.status == LoadStatus::reached);
@@ -46,7 +47,9 @@ TEST_CASE("load control: at a fold the loading path takes the first crossing, un
   CHECK(folded(unloading.z_0) == Approx(1.2).epsilon(1e-3));
 }
 
-TEST_CASE("load control: a target just below the fold's top is met at the fold, just above beyond it") {
+TEST_CASE(
+    "load control: a target just below the top of the fold is reached at the fold, one just above beyond "
+    "it") {
   double top = 0;
   for (double z_0 = 0.8; z_0 > 0.5; z_0 -= 1e-5) top = std::max(top, folded(z_0));
   CHECK(search(folded, top * 0.998).z_0 > 0.65);
@@ -63,25 +66,25 @@ TEST_CASE("load control: a jump across the target is reported with both sides") 
   CHECK(p.jump_z_0 > p.z_0);
 }
 
-TEST_CASE("load control: a jump elsewhere does not matter") {
+TEST_CASE("load control: a jump that does not cross the target has no effect") {
   const LoadPoint p = search(jumping, 1);
   CHECK(p.status == LoadStatus::reached);
   CHECK(p.z_0 == Approx(kContact - 0.25).margin(5e-4));
 }
 
-TEST_CASE("load control: a load that no gap carries is unreachable, not an error") {
+TEST_CASE("load control: a load that no gap carries is unreachable and not an error") {
   CHECK(search(rising, 100).status == LoadStatus::unreachable);
   CHECK(search(rising, 100, LoadPath::unloading).status == LoadStatus::unreachable);
 }
 
-TEST_CASE("load control: a load below that of the soft wall at first contact is met above it") {
+TEST_CASE("load control: a load below that at first contact is reached at a larger gap") {
   const auto soft = [](double z_0) { return std::exp((kContact - z_0) / 0.005); };
   const LoadPoint p = search(soft, 0.5);
   CHECK(p.status == LoadStatus::reached);
   CHECK(p.z_0 > kContact);
 }
 
-TEST_CASE("load control: rough means may place a stop wrongly, what counts is the precise ones") {
+TEST_CASE("load control: wrong rough means during the scan do not change the precise result") {
   for (const double bias : {-0.3, 0.3}) {
     CAPTURE(bias);
     LoadSearch s;
@@ -96,9 +99,9 @@ TEST_CASE("load control: rough means may place a stop wrongly, what counts is th
   }
 }
 
-TEST_CASE("load control: a hump found beside a stop that a rough mean placed wrongly") {
-  // All stops of the scan are placed too low: the hump between them is searched, and the stop before it
-  // turns out to meet the target already.
+TEST_CASE("load control: a hump next to a gap of the scan with a wrong rough mean is found") {
+  // All rough means of the scan are too low, so the hump between the gaps of the scan is searched. The
+  // precise mean at the gap before the hump then already reaches the target.
   LoadSearch s;
   s.first_contact = kContact;
   const int count = int(std::ceil((kContact - s.ground) / s.step));
@@ -108,8 +111,8 @@ TEST_CASE("load control: a hump found beside a stop that a rough mean placed wro
   s.target = highest - bias + 0.02;
   const LoadPoint p = first_crossing(
       [&](double z_0, Accuracy a) {
-        const double stops = (kContact - z_0) / step;
-        const bool low = a == Accuracy::rough && std::abs(stops - std::round(stops)) < 1e-9;
+        const double steps = (kContact - z_0) / step;
+        const bool low = a == Accuracy::rough && std::abs(steps - std::round(steps)) < 1e-9;
         return Load{folded(z_0) - (low ? bias : 0.0), 1e-6};
       },
       s);
@@ -118,7 +121,7 @@ TEST_CASE("load control: a hump found beside a stop that a rough mean placed wro
   CHECK(folded(p.z_0) == Approx(s.target).epsilon(1e-3));
 }
 
-TEST_CASE("load control: a curve that cannot be computed fails as such") {
+TEST_CASE("load control: a curve that cannot be computed has status failed") {
   CHECK(search([](double z_0) { return z_0 < 0.7 ? NAN : 0.1; }, 2).status == LoadStatus::failed);
 }
 

@@ -2,13 +2,14 @@
 
 #include <catch2/catch.hpp>
 
-// Parts broken on purpose: each is refused by name, nothing is left and what was there stays.
+// Deliberately damaged parts: the message names the part, no temporary file remains and an existing file is
+// unchanged.
 namespace bristle::merge_refusal_test {
 using namespace testing;
 
 namespace {
 
-// What merging says.
+// The message with which merging is refused.
 std::string refusal(const Scratch& s, const std::vector<std::string>& paths,
                     const std::string& output = "merged.h5") {
   if (output == "merged.h5") s.write(output, "as it was");
@@ -40,7 +41,7 @@ void set_attribute(const std::string& path, const std::string& name, Value value
 
 }  // namespace
 
-TEST_CASE("parts of different experiments: both are named, and where they differ") {
+TEST_CASE("parts of different experiments are refused with both names and the difference") {
   const Scratch s;
   const std::string one = write_part(s, sharded(s), {1, 2});
   const std::string two = write_part(s, sharded(s, R"(, "model": {"k_phi": 2})"), {2, 2});
@@ -48,7 +49,7 @@ TEST_CASE("parts of different experiments: both are named, and where they differ
               {one + " and " + two + " are parts of different experiments: ", "/model/k_phi is 1.9 and 2"});
 }
 
-TEST_CASE("parts of one experiment with axes in another order are of different experiments") {
+TEST_CASE("parts with axes in different order are of different experiments") {
   const Scratch s;
   const std::string one = write_part(s, sharded(s), {1, 2});
   const Experiment turned =
@@ -57,7 +58,7 @@ TEST_CASE("parts of one experiment with axes in another order are of different e
   check_holds(refusal(s, {one, two}), {"different experiments: the keys are in a different order"});
 }
 
-TEST_CASE("parts with different titles: running the shards again mends it") {
+TEST_CASE("parts with different titles are refused with the advice to run the shards again") {
   const Scratch s;
   const std::string one = write_part(s, sharded(s), {1, 2});
   const std::string two = write_part(s, sharded(s, R"(, "title": "another")"), {2, 2});
@@ -65,7 +66,7 @@ TEST_CASE("parts with different titles: running the shards again mends it") {
               {one + " and " + two, "/title is ", "and \"another\"", "run the shards again"});
 }
 
-TEST_CASE("parts of different versions of the numerics or the program, or of others than this one") {
+TEST_CASE("parts of different versions of program or numerics, or not of this program's, are refused") {
   const Scratch s;
   const Experiment e = sharded(s);
   const auto parts = write_parts(s, e, 2);
@@ -80,25 +81,26 @@ TEST_CASE("parts of different versions of the numerics or the program, or of oth
   check_holds(refusal(s, {write_part(s, e, {1, 2}), old}), {old + " by bristle 0.0.9"});
 }
 
-TEST_CASE("missing points are named, with the shards that have them and the command") {
+TEST_CASE("missing points are named, with their shards and the command that computes them") {
   const Scratch s;
   const auto parts = write_parts(s, sharded(s), 3);
-  check_holds(refusal(s, {parts[2]}),
-              {"4 of 6 points are missing: 0 (k_r = 5, k_theta = 0.3), 1 (k_r = 5, k_theta = 1), 3 (k_r = "
-               "20, k_theta = 0.3)",
-               "They belong to the shards 1/3, 2/3.", "bristle run small.json --shard 1/3 -o small.1-of-3.h5"});
+  check_holds(
+      refusal(s, {parts[2]}),
+      {"4 of 6 points are missing: 0 (k_r = 5, k_theta = 0.3), 1 (k_r = 5, k_theta = 1), 3 (k_r = "
+       "20, k_theta = 0.3)",
+       "They belong to the shards 1/3, 2/3.", "bristle run small.json --shard 1/3 -o small.1-of-3.h5"});
   const Experiment many = sharded(s, "", R"("k_r": {"linspace": [2, 50, 60]})");
   check_holds(refusal(s, {write_part(s, many, {2, 4})}),
               {"45 of 60 points", " and 35 more", "1/4, 3/4, 4/4"});
 }
 
-TEST_CASE("two parts that contradict each other: files, point and dataset") {
+TEST_CASE("contradictory parts are refused with files, point and dataset") {
   const Scratch s;
   const Experiment e = sharded(s);
   auto parts = write_parts(s, e, 2);
   ResultWriter writer(e, s.path("other.h5"), Shard{2, 2});
   for (const std::size_t i : {1, 3, 5}) {
-    PointRecord record = made_up(e, i);
+    PointRecord record = invented_record(e, i);
     if (i == 3) record.values["R_x"][0] = 7;
     writer.write(i, record);
   }
@@ -109,8 +111,7 @@ TEST_CASE("two parts that contradict each other: files, point and dataset") {
               {parts[1] + " and " + parts[2] + " differ at point 3 (k_r = 20, k_theta = 0.3): R_x;"});
 }
 
-TEST_CASE(
-    "a damaged part is named: changed numbers, a changed experiment, what is missing, a file cut short") {
+TEST_CASE("damaged parts are named: changed numbers or experiment, missing groups, and a truncated file") {
   const Scratch s;
   const Experiment e = sharded(s, kTables);
   const auto damaged = [&](auto damage) {
@@ -130,7 +131,7 @@ TEST_CASE(
   });
 }
 
-TEST_CASE("what is not a part: nothing, text, the whole") {
+TEST_CASE("a missing file, a text and a whole result are not parts") {
   const Scratch s;
   const Experiment e = sharded(s);
   const std::string part = write_part(s, e, {1, 2});
@@ -140,7 +141,7 @@ TEST_CASE("what is not a part: nothing, text, the whole") {
   check_holds(refusal(s, {part, whole}), {whole + ": the whole result of small, not a part"});
 }
 
-TEST_CASE("the output may not be one of the parts, by whatever name") {
+TEST_CASE("the output must not be one of the parts, not even through a link") {
   const Scratch s;
   const auto parts = write_parts(s, sharded(s), 2);
   check_holds(refusal(s, parts, "small.2-of-2.h5"), {"small.2-of-2.h5: is one of the parts"});
@@ -148,7 +149,7 @@ TEST_CASE("the output may not be one of the parts, by whatever name") {
   check_holds(refusal(s, parts, "link.h5"), {"link.h5: is one of the parts (" + parts[0] + ")"});
 }
 
-TEST_CASE("an interrupted merge leaves things as they were") {
+TEST_CASE("an interrupted merge leaves existing files unchanged") {
   const Scratch s;
   PartSet parts(write_parts(s, sharded(s), 2));
   s.write("merged.h5", "as it was");
@@ -157,7 +158,7 @@ TEST_CASE("an interrupted merge leaves things as they were") {
   CHECK(!std::filesystem::exists(s.path("merged.h5.partial")));
 }
 
-TEST_CASE("a part is up to date for its own shard only, and is no result to any reader") {
+TEST_CASE("a part is up to date for its own shard only, and readers of results refuse it") {
   const Scratch s;
   const Experiment e = sharded(s);
   const std::string part = write_part(s, e, {1, 2});

@@ -6,7 +6,7 @@
 namespace bristle::merge_test {
 using namespace testing;
 
-TEST_CASE("shards share out the points, each once") {
+TEST_CASE("shards distribute all points, each once") {
   for (std::size_t points = 0; points < 12; ++points)
     for (std::size_t count = 1; count < 15; ++count) {
       std::vector<int> times(points, 0);
@@ -19,15 +19,15 @@ TEST_CASE("shards share out the points, each once") {
   CHECK(how_to_merge("mine.h5", {2, 5}) == "bristle merge -o FILE.h5 PARTS...");
 }
 
-TEST_CASE("what is not a shard is refused with what is allowed") {
+TEST_CASE("an invalid shard is refused with what is allowed") {
   CHECK(shard_text(parse_shard("3/3")) == "3/3");
   for (const char* text : {"", "/", "3", "a/b", "1/", "/2", "1/0", "-1/2", "1.0/2", " 1/2", "1/2/3", "1/2 "})
     CHECK_THROWS_WITH(parse_shard(text), Catch::Contains("such as 2/8"));
   for (const char* text : {"0/3", "4/3"})
-    CHECK_THROWS_WITH(parse_shard(text), Catch::Contains("they are numbered 1/3 to 3/3"));
+    CHECK_THROWS_WITH(parse_shard(text), Catch::Contains("shards are numbered 1/3 to 3/3"));
 }
 
-TEST_CASE("the merge of any number of parts has the digest of the whole") {
+TEST_CASE("merging any number of parts gives the digest of the whole result") {
   const Scratch s;
   for (const std::string& more : {std::string(), kTables, kLattice, kCurve}) {
     const Experiment e = sharded(s, more);
@@ -41,7 +41,7 @@ TEST_CASE("the merge of any number of parts has the digest of the whole") {
   }
 }
 
-TEST_CASE("property: parts of any numbers of shards, in any order, some twice, make the whole") {
+TEST_CASE("property: parts in any order, some twice, give the digest of the whole result") {
   const Scratch s;
   const Experiment e = sharded(s, kTables);
   const std::string whole = digest(write_file(s, "whole.h5", e, {}, {}));
@@ -56,14 +56,14 @@ TEST_CASE("property: parts of any numbers of shards, in any order, some twice, m
   });
 }
 
-TEST_CASE("more parts than may be open at a time") {
+TEST_CASE("more parts than may be open at the same time can be merged") {
   const Scratch s;
   const Experiment e = sharded(s, "", R"("k_r": {"linspace": [2, 50, 203]})");
   const std::string whole = digest(write_file(s, "whole.h5", e, {}, {}));
   CHECK(merged(s, write_parts(s, e, 203)) == whole);
 }
 
-TEST_CASE("a merged result has checks, attributes of a whole one, and says what it was made of") {
+TEST_CASE("a merged result has checks, the attributes of a whole result and the provenance of its parts") {
   const Scratch s;
   const Experiment e = small_experiment(s);
   const auto paths = write_parts(s, e, 2);
@@ -80,10 +80,10 @@ TEST_CASE("a merged result has checks, attributes of a whole one, and says what 
   CHECK(record.at("host") == "node1, node2");
   CHECK(record.at("started") == "2026-01-01");
   CHECK(record.at("finished") == "2026-02-01");
-  CHECK(record.at("part_2") ==
-        "2/2 small.2-of-2.h5: 3 points, payload sha256 " +
-            ResultReader(paths[1], Expected::part).text("payload_sha256") +
-            "; 2026-01-02 to 2026-02-01 on node2 by 0123abc: bristle run small.json --shard 2/2 -o small.2-of-2.h5");
+  CHECK(record.at("part_2") == "2/2 small.2-of-2.h5: 3 points, payload sha256 " +
+                                   ResultReader(paths[1], Expected::part).text("payload_sha256") +
+                                   "; 2026-01-02 to 2026-02-01 on node2 by 0123abc: bristle run small.json "
+                                   "--shard 2/2 -o small.2-of-2.h5");
 }
 
 }  // namespace bristle::merge_test

@@ -1,5 +1,5 @@
 #!/bin/bash
-# Shards and their merge as a user meets them. usage: merge_test.sh BRISTLE, from the repository's root.
+# The options --shard and the command merge. usage: merge_test.sh BRISTLE, from the repository's root.
 set -u
 bristle=$1
 . "$(dirname "$0")/shell.sh"
@@ -26,7 +26,7 @@ expect 0 "is up to date" "${run[@]}" --shard 2/4 -o "$(part 2 4)"
 expect 0 "part 2/4: 4 of 15 points" "$bristle" info "$(part 2 4)"
 expect 0 "points: none" "$bristle" info "$(part 17 17)"
 
-# A result is made of all parts or not at all; a part is none.
+# Merging requires all parts, and a part is not accepted as a result.
 expect 2 "4 of 15 points are missing: 1 (k_r = 2, k_theta = 1.73205)" \
   "$bristle" merge -o "$folder/r.h5" "$(part 1 4)" "$(part 3 4)" "$(part 4 4)"
 [ ! -e "$folder/r.h5" ] || failed "a merge of too few parts left a result"

@@ -47,8 +47,8 @@ TEST_CASE("Hertz area: pi (3 R_c F_n / (4 E*))^(2/3)") {
   CHECK(wall.F_n_23 == Approx(std::pow(wall.F_n, 2.0 / 3)));
 }
 
-TEST_CASE("the frame of Eq. (2) fits the position") {
-  rc::prop("for any position off the axis", [] {
+TEST_CASE("the frame of Eq. (2) agrees with the position") {
+  rc::prop("for any position off the pole", [] {
     const Vector3<double> r = random_state(0.6).r;
     const auto f = frame_at(r);
     RC_ASSERT(std::abs(f.s * f.one_s - 1) < kRounding);
@@ -59,20 +59,20 @@ TEST_CASE("the frame of Eq. (2) fits the position") {
   });
 }
 
-TEST_CASE("a short-range force is cut off where it is below rounding") {
+TEST_CASE("a short-range force is cut off where it is smaller than rounding errors") {
   CHECK(short_range_force(0.0399, 500.0, 1e3) > 0);
   CHECK(short_range_force(0.0401, 500.0, 1e3) == 0);
   CHECK(short_range_force(0.0399, 500.0, 1e3) < 1e-14);
 }
 
 TEST_CASE("without friction and damping the force is minus the gradient of the potential") {
-  rc::prop("for any place", [] {
+  rc::prop("for any position", [] {
     Parameters p = random_parameters();
     p.friction = FrictionLaw::coulomb;
     p.mu_c = p.zeta_theta = p.zeta_phi = 0;
     const auto b = make_bristle(p, 0.6, 0.5);
     State<double> state = random_state(0.6);
-    state.theta = std::atan2(state.r[1], state.r[0]);  // angles that fit the position
+    state.theta = std::atan2(state.r[1], state.r[0]);  // angles that agree with the position
     state.phi = std::atan2(state.r[2], std::hypot(state.r[0], state.r[1]));
     const auto potential = [&](const Vector3<double>& at) {
       return potential_energy(b, at, std::atan2(at[1], at[0]), std::atan2(at[2], std::hypot(at[0], at[1])));
@@ -80,7 +80,7 @@ TEST_CASE("without friction and damping the force is minus the gradient of the p
     const Eigen::Vector3d force = vector(motion(b, state).acceleration);
     const double scale = 1 + force.norm();
     for (int i = 0; i < 3; ++i) {
-      // Central differences err by h^2/6 times the third derivative, 1/lambda^2 times the force.
+      // The error of central differences is h^2/6 times the third derivative, which is force/lambda^2.
       const double h = 1e-6;
       Vector3<double> above = state.r, below = state.r;
       above[i] += h;
@@ -91,7 +91,7 @@ TEST_CASE("without friction and damping the force is minus the gradient of the p
   });
 }
 
-TEST_CASE("closing equations: theta' exact or as printed, phi' exact") {
+TEST_CASE("closing equations: theta' kinematically exact or as printed, phi' exact") {
   rc::prop("against differences along the motion", [] {
     const State<double> s = random_state(0.6);
     const auto f = frame_at(s.r);
@@ -112,7 +112,7 @@ TEST_CASE("closing equations: theta' exact or as printed, phi' exact") {
   });
 }
 
-TEST_CASE("V_R = 0 is an ordinary point of the friction force") {
+TEST_CASE("the friction force is smooth at V_R = 0") {
   const auto b = make_bristle(Parameters{}, 0.6, 0);
   State<double> s{{0.5, 0.1, 0.6}, {1, 0, 0}, 0.2, 0.9};
   const auto at_rest = slab_contact(b, s);
@@ -124,7 +124,7 @@ TEST_CASE("V_R = 0 is an ordinary point of the friction force") {
   CHECK(slow.e_x == Approx(-1));
 }
 
-TEST_CASE("the power of the forces is the rate of the energy, for the exact closure only") {
+TEST_CASE("the power of the forces equals the rate of the energy for the exact closing equation only") {
   rc::prop("by differences along the flow", [] {
     Parameters p = random_parameters();
     const double z_0 = 0.6;
@@ -135,8 +135,9 @@ TEST_CASE("the power of the forces is the rate of the energy, for the exact clos
       const auto b = make_bristle(p, z_0, 0.3);
       const auto m = motion(b, s);
       const auto at = [&](double t) {
-        return State<double>{array(vector(s.r) + t * vector(s.v)), array(vector(s.v) + t * vector(m.acceleration)),
-                             s.theta + t * m.rates.theta, s.phi + t * m.rates.phi};
+        return State<double>{array(vector(s.r) + t * vector(s.v)),
+                             array(vector(s.v) + t * vector(m.acceleration)), s.theta + t * m.rates.theta,
+                             s.phi + t * m.rates.phi};
       };
       const double rate = (energy(b, at(h)) - energy(b, at(-h))) / (2 * h);
       const double defect = std::abs(rate - power(b, m));
@@ -167,7 +168,7 @@ TEST_CASE("static equilibrium: no force, and no lower energy nearby") {
     const Equilibrium e = static_equilibrium(b);
     const State<double> s = state_at_rest(b, e);
     const Eigen::Vector3d force = vector(motion(b, s).acceleration);
-    // The wall's stiffness F_n/lambda_z turns the last bit of z into this much force.
+    // Rounding of z times the stiffness F_n/lambda_z of the wall gives a force of this size.
     RC_ASSERT(force.norm() < 1e-8 * (1 + p.k_r));
     const auto U = [&](double r, double phi) {
       return potential_energy(b, Vector3<double>{r * std::cos(phi), 0, r * std::sin(phi)}, b.theta_0, phi);

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Builds the program once more with the other compiler and at -O2, into FOLDER. usage: other_build.sh SOURCE FOLDER COMPILER_ID
-# Exit code 77 (skipped) where that compiler is not installed.
+# Builds the program with the other compiler at -O2 in FOLDER. usage: other_build.sh SOURCE FOLDER COMPILER_ID
+# Exit code 77 (skipped) if that compiler is not installed.
 set -eu
 case $3 in
   GNU) other=clang++ ;;

@@ -9,10 +9,10 @@
 #include <catch2/catch.hpp>
 #include <random>
 
-// Parts of sharded experiments with made-up numbers.
+// Parts of sharded experiments with invented numbers.
 namespace bristle::testing {
 
-// 2 x 3 points without checks; what an experiment may record beside the observables.
+// 2 x 3 points without checks. The strings below change what the experiment records.
 inline Experiment sharded(
     const Scratch& s, const std::string& more = "",
     const std::string& sweep = R"("k_r": {"values": [5, 20]}, "k_theta": {"values": [0.3, 1, 3]})") {
@@ -33,8 +33,8 @@ inline bool is_flag(const std::string& name) {
   return name == "status" || name == "branch" || name == "phase";
 }
 
-// Made-up numbers of a point, always the same: any bits where any are possible, and any number of rows.
-inline PointRecord made_up(const Experiment& e, std::size_t index) {
+// Invented numbers of a point, reproducible: arbitrary doubles where possible, and any number of rows.
+inline PointRecord invented_record(const Experiment& e, std::size_t index) {
   std::mt19937_64 random(index + 1);
   const auto fill = [&](std::vector<double>& numbers, const std::string& name, std::size_t count) {
     numbers.clear();
@@ -72,7 +72,7 @@ inline std::string write_file(const Scratch& s, const std::string& file, const E
                               std::optional<Shard> shard, const Provenance& provenance) {
   ResultWriter writer(e, s.path(file), shard);
   for (const std::size_t i : shard_points(shard.value_or(Shard{1, 1}), e.points()))
-    writer.write(i, made_up(e, i));
+    writer.write(i, invented_record(e, i));
   writer.close(provenance);
   writer.publish();
   return s.path(file);

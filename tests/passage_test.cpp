@@ -16,7 +16,7 @@ Passage pass(const Parameters& p, double z_0, double theta_0, const IntegratorOp
   return run_passage({&p, b, static_equilibrium(b), options});
 }
 
-Parameters stiff_paper_point() {  // model.md section 6
+Parameters stiff_paper_point() {  // docs/model.md section 6
   Parameters p;
   p.k_r = 50;
   p.phi_0 = 81 * kDegree;
@@ -40,7 +40,7 @@ IntegratorOptions tolerance(double rtol, Method method = Method::automatic) {
 
 }  // namespace
 
-TEST_CASE("a passage ends when the slip is L_x, to rounding") {
+TEST_CASE("a passage ends when the slip is L_x, up to rounding") {
   rc::prop("for any bristle", [] {
     const Parameters p = random_parameters();
     const double z_0 = uniform(0.3, 0.9);
@@ -53,8 +53,8 @@ TEST_CASE("a passage ends when the slip is L_x, to rounding") {
   });
 }
 
-TEST_CASE("the energy budget closes for the exact closure, to integrator tolerance") {
-  // The residual is of accumulated steps: it must fall with the tolerance and stay near it.
+TEST_CASE("with the exact closing equation the energy budget closes within the integrator tolerance") {
+  // The residual accumulates over steps: it must decrease with the tolerance and be of its order.
   rc::prop("for any bristle", [] {
     const Parameters p = random_parameters();
     const double z_0 = uniform(0.2, 0.9), theta_0 = uniform(0, M_PI);
@@ -65,7 +65,7 @@ TEST_CASE("the energy budget closes for the exact closure, to integrator toleran
   });
 }
 
-TEST_CASE("the energy budget does not close for Eq. (17) as printed") {
+TEST_CASE("with Eq. (17) as printed the energy budget does not close") {
   Parameters p = with_peak();
   p.azimuth_rate = AzimuthRate::as_printed;
   CHECK(pass(p, 0.5, 1.5, tolerance(1e-9)).energy_residual > 1e-3);
@@ -99,7 +99,7 @@ TEST_CASE("observables converge with the tolerance") {
   }
 }
 
-TEST_CASE("explicit and implicit method agree on bristles that both can do") {
+TEST_CASE("explicit and implicit methods agree on bristles that both can integrate") {
   const Parameters p = with_peak();
   for (const double degrees : {0.0, 45.0, 90.0, 135.0}) {
     const Passage a = pass(p, 0.4, degrees * kDegree, tolerance(1e-9, Method::explicit_only));
@@ -113,7 +113,7 @@ TEST_CASE("explicit and implicit method agree on bristles that both can do") {
   }
 }
 
-TEST_CASE("a pinned bristle is found pinned, with the values of an independent prototype") {
+TEST_CASE("a pinned bristle has outcome pinned and the values of an independent prototype") {
   const Passage r = pass(stiff_paper_point(), 0.62, 179.5 * kDegree);
   CHECK(r.outcome == Outcome::pinned);
   CHECK(r.implicit);
@@ -122,7 +122,7 @@ TEST_CASE("a pinned bristle is found pinned, with the values of an independent p
   CHECK(r.end[FRICTION_X] / 5 == Approx(57.0).margin(0.1));
 }
 
-TEST_CASE("bristles that meet the axis are reflected and end with a status and values") {
+TEST_CASE("bristles that reach the pole are reflected and end with an outcome and values") {
   const Parameters p = stiff_paper_point();
   for (const double degrees : {179.8, 179.99, 180.0}) {
     CAPTURE(degrees);
@@ -134,7 +134,7 @@ TEST_CASE("bristles that meet the axis are reflected and end with a status and v
   }
 }
 
-TEST_CASE("what the pole rule gives does not hang on s_min") {
+TEST_CASE("the result of the pole rule does not depend on s_min") {
   Parameters p = stiff_paper_point();
   const Passage coarse = pass(p, 0.62, 179.99 * kDegree);
   p.s_min = 1e-5;
@@ -144,7 +144,7 @@ TEST_CASE("what the pole rule gives does not hang on s_min") {
   CHECK(fine.end[FRICTION_X] == Approx(coarse.end[FRICTION_X]).epsilon(3e-3));
 }
 
-TEST_CASE("a tip that crosses the axis goes on beyond it, and leaves") {
+TEST_CASE("a tip that crosses the pole continues on the other side and leaves") {
   Parameters p = stiff_paper_point();
   p.pole_rule = PoleRule::cross;
   const double speed = 0.1;
@@ -156,13 +156,13 @@ TEST_CASE("a tip that crosses the axis goes on beyond it, and leaves") {
   CHECK(crossed[VX] == y[VX]);
   CHECK(crossed[VY] == y[VY]);
   CHECK(crossed[THETA] == Approx(0.3 + M_PI));
-  CHECK_FALSE(apply_pole_rule(PoleRule::cross, crossed));  // it recedes now
+  CHECK_FALSE(apply_pole_rule(PoleRule::cross, crossed));  // the tip now moves away from the pole
   const Passage r = pass(p, 0.62, 180 * kDegree);
   CHECK(r.outcome == Outcome::left);
   CHECK(r.reflections > 0);
 }
 
-TEST_CASE("the initial states: at the slab's height, at rest, and with the springs' energy asked for") {
+TEST_CASE("the initial states: tip at the gap, at rest, and with minimum energy for at_slab") {
   Parameters p = with_peak();
   const double z_0 = 0.6;
   const Equilibrium under = initial_state(p, z_0);
@@ -182,7 +182,7 @@ TEST_CASE("the initial states: at the slab's height, at rest, and with the sprin
   for (double phi = 0.05; phi < p.phi_0; phi += 0.01) CHECK(U(bent.phi) <= U(phi) + 1e-9);
 }
 
-TEST_CASE("the cap on evaluations ends a passage with a status, rejected steps included") {
+TEST_CASE("the limit of evaluations, including rejected steps, ends a passage with outcome step_limit") {
   IntegratorOptions options;
   options.max_evaluations = 1000;
   const Passage r = pass(with_peak(), 0.4, 1, options);
@@ -191,7 +191,7 @@ TEST_CASE("the cap on evaluations ends a passage with a status, rejected steps i
   CHECK(!r.complete());
 }
 
-TEST_CASE("a passage that cannot be computed says so") {
+TEST_CASE("a passage that cannot be computed has outcome not_finite") {
   Parameters p = with_peak();
   auto b = make_bristle(p, 0.4, 1);
   const Equilibrium e = static_equilibrium(b);
@@ -199,7 +199,7 @@ TEST_CASE("a passage that cannot be computed says so") {
   CHECK(run_passage({&p, b, e, {}}).outcome == Outcome::not_finite);
 }
 
-TEST_CASE("the observer sees a passage from start to exit") {
+TEST_CASE("the observer is called at every step from the start to the exit") {
   const Parameters p = with_peak();
   const auto b = make_bristle(p, 0.4, 1);
   std::vector<double> times;

@@ -35,7 +35,7 @@ int no_label(double) { return 0; }
 
 }  // namespace
 
-TEST_CASE("nested rules: exact for polynomials, and so is the polynomial through every second node") {
+TEST_CASE("nested rules and their interpolation from every second node are exact for polynomials") {
   for (const std::size_t n : {2, 3, 5, 9}) {
     const NestedRule& rule = nested_rule(n);
     REQUIRE(rule.weight.size() == n);
@@ -54,7 +54,7 @@ TEST_CASE("nested rules: exact for polynomials, and so is the polynomial through
   }
 }
 
-TEST_CASE("a second goal goes on from the samples that are there") {
+TEST_CASE("a second goal reuses the existing samples") {
   std::vector<double> asked;
   const auto f = [&](double x) {
     asked.push_back(x);
@@ -69,7 +69,7 @@ TEST_CASE("a second goal goes on from the samples that are there") {
   CHECK(r.samples > few);
   CHECK(std::size_t(r.samples) == asked.size());
   std::sort(asked.begin(), asked.end());
-  CHECK(std::adjacent_find(asked.begin(), asked.end()) == asked.end());  // nothing is computed twice
+  CHECK(std::adjacent_find(asked.begin(), asked.end()) == asked.end());  // no sample is computed twice
   const double exact = std::exp(M_PI) - 1 + 5 * (M_PI - 2);
   CHECK(std::abs(r.integral[0] - exact) <= r.error[0]);
 }
@@ -86,7 +86,7 @@ TEST_CASE("smooth integrands: the error is within its estimate, the estimate wit
   });
 }
 
-TEST_CASE("jumps: located from the labels, the error within its estimate") {
+TEST_CASE("jumps are located by the labels, and the error is within its estimate") {
   rc::prop("for a jump anywhere, of any height", [] {
     const double at = uniform(0.001, M_PI - 0.001), height = log_uniform(0.1, 1000);
     const double rtol = log_uniform(1e-6, 1e-2);
@@ -100,7 +100,7 @@ TEST_CASE("jumps: located from the labels, the error within its estimate") {
   });
 }
 
-TEST_CASE("jumps between two panels and beside the ends are found") {
+TEST_CASE("jumps between two panels and next to the ends are found") {
   for (const double at : {2.6, 2.5999, 2.6001, 1e-4, M_PI - 1e-4}) {
     CAPTURE(at);
     const auto r = integrate([=](double x) { return x > at ? 2000.0 : 1.0; },
@@ -113,9 +113,9 @@ TEST_CASE("jumps between two panels and beside the ends are found") {
   }
 }
 
-TEST_CASE("several jumps, and rough stretches: the estimate stays honest") {
-  // A rough stretch as the bouncing bristles make it: fast oscillations whose frequency varies. (One of a
-  // single frequency can be in step with equidistant nodes and hide from them.)
+TEST_CASE("rough ranges: the error is within its estimate as often as for a standard deviation") {
+  // A rough range like that of bouncing bristles: fast oscillations of varying frequency. (Equidistant nodes
+  // may not resolve an oscillation of a single frequency at all.)
   int within_one = 0, within_three = 0, cases = 0;
   for (int seed = 0; seed < 40; ++seed) {
     const double w = 150 + 17.3 * seed, from = 0.8 + 0.01 * seed, to = 1.9;
@@ -132,14 +132,14 @@ TEST_CASE("several jumps, and rough stretches: the estimate stays honest") {
     if (std::abs(r.integral[0] - exact) <= r.error[0]) ++within_one;
     if (std::abs(r.integral[0] - exact) <= 3 * r.error[0]) ++within_three;
   }
-  // The estimate is a standard deviation of independent panel errors, not a bound, and panels that look
-  // smooth by accident are not refined.
+  // The estimate is a standard deviation of independent panel errors and not a bound, and panels that appear
+  // smooth by chance are not refined.
   CHECK(within_one >= cases * 0.6);
   CHECK(within_three >= cases * 0.9);
 }
 
-TEST_CASE("a jump that was narrowed enough and later is the worst part is narrowed on, not passed again") {
-  // Beside a stretch so rough that its panels' errors sink below what the jump's place had been left with.
+TEST_CASE("a jump that becomes the largest error later is narrowed further") {
+  // Next to a range so rough that the errors of its panels fall below the error of the jump only later.
   for (const double height : {20.0, 40.0, 80.0}) {
     CAPTURE(height);
     const auto f = [=](double x) {
@@ -153,7 +153,7 @@ TEST_CASE("a jump that was narrowed enough and later is the worst part is narrow
   }
 }
 
-TEST_CASE("an estimate that cannot reach the tolerance is reported, and so is an invalid sample") {
+TEST_CASE("a tolerance that cannot be reached and an invalid sample are reported") {
   QuadratureGoal<1> goal;
   goal.rtol[0] = 1e-12;
   const auto rough = batched([](double x) { return Sample<1>{{1 + std::sin(1e4 * x)}, 0, true}; });
@@ -164,7 +164,7 @@ TEST_CASE("an estimate that cannot reach the tolerance is reported, and so is an
   CHECK(r.samples < 40);
 }
 
-TEST_CASE("a decision needs fewer samples than a value") {
+TEST_CASE("comparing with a threshold needs fewer samples than a precise value") {
   const auto f = batched([](double x) { return Sample<1>{{1 + std::pow(std::abs(x - 1.3), 0.3)}, 0, true}; });
   QuadratureGoal<1> goal;
   goal.rtol[0] = 1e-6;

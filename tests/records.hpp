@@ -6,7 +6,7 @@
 
 namespace bristle::testing {
 
-// Every point of an experiment, computed, in order.
+// Computes all points of an experiment, in order of their indices.
 inline std::vector<PointRecord> all_records(const Experiment& e, int threads = 1) {
   std::vector<PointRecord> records(e.points());
   std::vector<std::size_t> points(e.points());

@@ -19,7 +19,7 @@ auto& named(Quantities& all, const std::string& name) {
   throw std::out_of_range(name);
 }
 
-// A result, its reference, and a copy of the result for a test to break.
+// A result, its reference, and a copy of the result, which tests change.
 struct Pair {
   Scratch s;
   std::string a = small_result(s, "a.h5"), b = small_result(s, "b.h5");
@@ -27,7 +27,7 @@ struct Pair {
 
   DeviationReport report() const { return compare_with_reference(reference, reference_of(b)); }
   std::string text() const { return deviation_text(report(), ResultReader(b), "reference/small.json"); }
-  // Moves R_x at k_r = 20, k_theta = 0.3 by so many of its tolerances.
+  // Changes R_x at k_r = 20, k_theta = 0.3 by the given number of its tolerances.
   void move_R_x(double tolerances) const {
     const ReferenceVariable& v = named(reference.variables, "R_x");
     put(b, "R_x", {1, 0}, v.values[3] + tolerances * v.tolerance(3));
@@ -36,7 +36,7 @@ struct Pair {
 
 }  // namespace
 
-TEST_CASE("reference: what is in it, and the parts of its tolerances") {
+TEST_CASE("reference: its content and the parts of its tolerances") {
   const Scratch s;
   const std::string file = small_result(s, "a.h5");
   put(file, "load_error/R_x", {0, 0}, 4e-4);
@@ -64,7 +64,7 @@ TEST_CASE("reference: what is in it, and the parts of its tolerances") {
   CHECK(named(r.variables, "jump_z_0").tolerance(0) == 0);
 }
 
-TEST_CASE("reference: its file reads back to the same text") {
+TEST_CASE("reference: a file that is read and written again is unchanged") {
   const Pair p;
   const std::string text = reference_text(p.reference);
   CHECK(text.back() == '\n');
@@ -72,7 +72,7 @@ TEST_CASE("reference: its file reads back to the same text") {
   CHECK_THAT(text, Contains("\"jump_z_0\": {\n   \"values\": [null,null,null,null,null,null],\n"));
 }
 
-TEST_CASE("deviations: none, half a tolerance, above one") {
+TEST_CASE("deviations: none, above half a tolerance, and above the tolerance") {
   const Pair p;
   CHECK_FALSE(p.report().failed());
   CHECK(p.report().deviations.empty());
@@ -91,7 +91,7 @@ TEST_CASE("deviations: none, half a tolerance, above one") {
                       R"(--set '/sweep/k_theta={"values":[0.3],)"));
 }
 
-TEST_CASE("replay: from the file that the run was of, with what --set had changed in it") {
+TEST_CASE("replay: the command names the experiment file of the run and the changes by --set") {
   const Scratch s;
   small_experiment(s);
   const Experiment changed = load_experiment(
@@ -109,8 +109,7 @@ TEST_CASE("replay: from the file that the run was of, with what --set had change
              Contains(R"('/sweep/k_r={"values":[20.0],)") && Contains(R"('/sweep/k_theta={"values":[1.0],)"));
 }
 
-TEST_CASE(
-    "replay: a word of a choice, a traced curve whatever the node, and no checks, which one point has not") {
+TEST_CASE("replay: words of choices, any node of a traced curve, and no checks, as one point has none") {
   const Scratch s;
   small_experiment(s);
   const Experiment curves =
@@ -128,7 +127,7 @@ TEST_CASE(
                           Contains("--set /checks=null"));
 }
 
-TEST_CASE("deviations: worst first, every failure has its line as far as there are not too many") {
+TEST_CASE("deviations: listed in descending order, at most 25 of them") {
   const Pair p;
   for (hsize_t i = 0; i < 2; ++i)
     for (hsize_t j = 0; j < 3; ++j)
@@ -145,13 +144,13 @@ TEST_CASE("deviations: NaN and infinity fail, in either direction") {
   const Pair p;
   SECTION("a value was lost") { put(p.b, "R_x", {1, 2}, kNone); }
   SECTION("infinite") { put(p.b, "R_x", {1, 2}, INFINITY); }
-  SECTION("a value where there was none") { put(p.b, "jump_z_0", {1, 2}, 0.5); }
+  SECTION("a new value") { put(p.b, "jump_z_0", {1, 2}, 0.5); }
   CHECK(p.report().failed());
   CHECK(p.report().deviations.at(0).tolerances == INFINITY);
   CHECK_THAT(p.text(), Contains("k_r = 20, k_theta = 3  FAILED"));
 }
 
-TEST_CASE("deviations: missing and extra variables, another shape, another status, another verdict fail") {
+TEST_CASE("deviations: missing and extra variables and different shapes, status and verdicts are failures") {
   Pair p;
   std::string expected;
   SECTION("missing") {
@@ -165,12 +164,12 @@ TEST_CASE("deviations: missing and extra variables, another shape, another statu
   SECTION("shape") {
     remove_dataset(p.b, "R_x");
     add_dataset(p.b, "R_x", {6});
-    expected = "R_x: another shape: (6)";
+    expected = "R_x: different shape: (6)";
   }
   SECTION("dimensions") {
     remove_dataset(p.b, "R_x");
     add_dataset(p.b, "R_x", {2, 3, 1});
-    expected = "R_x: another shape: (2, 3, 1)";
+    expected = "R_x: different shape: (2, 3, 1)";
   }
   SECTION("status") {
     put(p.b, "status", {0, 1}, 1);
@@ -184,7 +183,7 @@ TEST_CASE("deviations: missing and extra variables, another shape, another statu
     p.reference.claims[0].verdict = "refuted";
     expected = "claim x \"falls\": supported, was refuted";
   }
-  SECTION("a claim less") {
+  SECTION("fewer claims") {
     p.reference.claims.push_back({"y", "rises", "supported"});
     expected = "different checks";
   }
@@ -192,13 +191,13 @@ TEST_CASE("deviations: missing and extra variables, another shape, another statu
   CHECK_THAT(p.text(), Contains(expected));
 }
 
-TEST_CASE("deviations: passages are cost, not result") {
+TEST_CASE("deviations: a different number of passages is none, as it is cost") {
   const Pair p;
   put(p.b, "passages", {0, 0}, 9999);
   CHECK_FALSE(p.report().failed());
 }
 
-TEST_CASE("deviations: more points than the reference's, a point or an axis of it that is missing fails") {
+TEST_CASE("deviations: the file may have more points, but a missing point or axis is a failure") {
   const Scratch s;
   const std::string sweep =
       R"(, "sweep": {"k_r": {"values": [1, 5, 20]}, "k_theta": {"values": [0.3, 1, 3, 9]}})";
@@ -216,12 +215,13 @@ TEST_CASE("deviations: more points than the reference's, a point or an axis of i
   CHECK(report.points == 6);
   CHECK_THAT(deviation_text(report, ResultReader(all), "r.json"), Contains("6 of 12 points"));
   put(all, "k_r", {1}, 5.1);
-  CHECK_THAT(compare_with_reference(r, reference_of(all)).failures.at(0), Contains("k_r = 5 is not among"));
+  CHECK_THAT(compare_with_reference(r, reference_of(all)).failures.at(0),
+             Contains("k_r = 5 of the reference is not among"));
   r.axes.pop_back();
   CHECK_THAT(compare_with_reference(r, reference_of(all)).failures.at(0), Contains("different axes"));
 }
 
-TEST_CASE("reference: a broken file is refused with its place") {
+TEST_CASE("reference: a malformed file is refused with the JSON pointer of the mistake") {
   const Pair p;
   Json json = Json::parse(reference_text(p.reference));
   std::string expected;
@@ -250,7 +250,7 @@ TEST_CASE("reference: a broken file is refused with its place") {
   broken("/flagz", 1);
   Json short_axis = json;
   short_axis["axes"]["k_r"] = {5};
-  expected = "/flags/status/values: 6 entries; the axes have 3 points";
+  expected = "/flags/status/values: 6 entries, but the axes have 3 points";
   refused(short_axis.dump());
   json["variables"]["R_x"].erase("quadrature");
   expected = "/variables/R_x/quadrature: is missing";

@@ -14,7 +14,7 @@ using Catch::Contains;
 
 namespace {
 
-// A result in a git repository of its own that is clean, for the update.
+// A result in a clean git repository of its own.
 struct Repository {
   Scratch s;
   std::string file;
@@ -47,7 +47,7 @@ std::string refusal(const ReferenceUpdate& update) {
 
 }  // namespace
 
-TEST_CASE("update: writes reference and record, the same again writes nothing, a change is on record") {
+TEST_CASE("update: writes reference and change log, but nothing if the numbers are the same") {
   Repository r;
   CHECK_THAT(update_reference(r.update), Contains("new reference") && Contains("program: 0123abc"));
   CHECK_FALSE(compare_with_reference(read_reference(r.json()), reference_of(r.file)).failed());
@@ -70,7 +70,7 @@ TEST_CASE("update: writes reference and record, the same again writes nothing, a
   CHECK_FALSE(std::filesystem::exists(r.json() + ".new"));
 }
 
-TEST_CASE("update: refused without a reason, in a dirty work tree, outside of one") {
+TEST_CASE("update: refused without a reason, with uncommitted changes, and outside a work tree") {
   Repository r;
   for (const char* reason : {"", "  ", "two\nlines"}) {
     ReferenceUpdate u = r.update;
@@ -90,10 +90,10 @@ TEST_CASE("update: refused without a reason, in a dirty work tree, outside of on
   CHECK_THAT(refusal(r.update), Contains("there is no folder"));
 }
 
-TEST_CASE("update: refused for a program or a file that nobody can make again") {
+TEST_CASE("update: refused for a program or a file that cannot be reproduced") {
   CHECK_THAT(refusal(Repository({}, "0123abc-dirty").update), Contains("0123abc-dirty"));
   CHECK_THAT(refusal(Repository({}, "unknown").update), Contains("unknown"));
-  CHECK_THAT(refusal(Repository({}, "0123abc", "full").update), Contains("holds the full tier"));
+  CHECK_THAT(refusal(Repository({}, "0123abc", "full").update), Contains("contains the full tier"));
   const Repository r;
   put(r.file, "R_x", {0, 0}, 7);
   CHECK_THAT(refusal(r.update), Contains("payload_sha256 does not match"));

@@ -18,7 +18,7 @@ esac; }
 [ "$(version_of CMakeLists.txt)" = "$(version_of CITATION.cff)" ] || failed "CMakeLists.txt and CITATION.cff have different versions"
 old=$(version_of CMakeLists.txt)
 
-# refuse TEXT ARGUMENTS...: refused with this text, and nothing is changed.
+# refuse TEXT ARGUMENTS...: scripts/release is refused with this text and changes no file.
 refuse() {
   local text=$1 output got
   shift

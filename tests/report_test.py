@@ -1,7 +1,7 @@
-"""The report in a browser without a network: numbers, sorting, filters, keyboard, phone, dark, paper; errors.
+"""The report in a browser without a network: numbers, sorting, filters, keyboard, phone, dark scheme, print and errors.
 
-report_test.py ROOT PROGRAM FOLDER RESULT.h5...: the smoke tier's results, fig4's and fig6's among them.
-tests/assumptions.json has made-up numbers. Exits with 77 where there is no Chromium, driver or Selenium.
+report_test.py ROOT PROGRAM FOLDER RESULT.h5...: results of the smoke tier, including fig4 and fig6. tests/assumptions.json
+has invented numbers. Exits with 77 (skipped) without Chromium, its driver or Selenium.
 """
 import base64
 import json
@@ -22,7 +22,7 @@ CONTRAST = (root / "tests" / "contrast.js").read_text()
 
 
 def report(*files, **options):
-    """Makes a report; options replace those of every test."""
+    """Writes a report; options override the defaults."""
     options = {"o": page, "program": program, "assumptions": root / "tests/assumptions.json", **options}
     words = [str(word) for key, value in options.items() for word in ("-o" if key == "o" else f"--{key}", value)]
     command = [sys.executable, root / "scripts/report/report.py", *files, *words]
@@ -30,7 +30,7 @@ def report(*files, **options):
 
 
 def check_output():
-    """Equal inputs give an equal page; a missing figure is named; ids are unique and links have targets."""
+    """Equal inputs give equal pages, ids are unique, and links have targets."""
     digests = []
     for _ in range(2):
         done = report(*results)
@@ -53,7 +53,7 @@ def check_output():
 
 
 def check_errors():
-    """One line and the exit code that the scripts have; a missing figure or matrix is not an error."""
+    """Errors give one line and exit code 2 or 3; a missing figure or matrix is not an error."""
     (folder / "text.h5").write_text("not HDF5")
     (folder / "wrong.json").write_text('{"schema": "bristle-assumptions/0"}')
     (folder / "torn.json").write_text('{"schema": "bristle-assumptions/1", "checks": [{}]')
@@ -112,7 +112,7 @@ def one(driver, selector):
 
 
 def texts(driver, selector):
-    """Contents of the elements whose row is shown."""
+    """Texts of the elements in visible rows."""
     return driver.execute_script("""return [...document.querySelectorAll(arguments[0])]
       .filter(e => !e.closest('tr').hidden).map(e => e.textContent.trim())""", selector)
 
@@ -162,14 +162,14 @@ def check_claims(driver, keys):
 
 
 def shown_numbers(driver):
-    """What the panel of a point says: name -> exact value and error."""
+    """Numbers in the panel of a point: name -> exact value and error."""
     script = """return Object.fromEntries([...document.querySelectorAll('#point tr[data-name]')].map(row =>
       [row.dataset.name, [...row.cells].slice(1).map(cell => cell.querySelector('data')?.value ?? null)]))"""
     return driver.execute_script(script)
 
 
 def check_point(driver, name, point, replay):
-    """The panel shows the numbers of the file, all of them, and the command of the point."""
+    """The panel shows all numbers of the file and the command of the point."""
     shown = shown_numbers(driver)
     with h5py.File(named[name]) as file:
         expected = [key for key in file if f"{key}_err" in file and np.isfinite(file[key][()]).any()]
@@ -182,7 +182,7 @@ def check_point(driver, name, point, replay):
 
 
 def check_map(driver, keys):
-    """A click on a cell, the arrow keys, another slice, another variable, and a row of the table."""
+    """Clicking a cell, arrow keys, selecting a slice and a variable, and a row of the table."""
     done = subprocess.run([program, "check", named["fig6"], "--json", "--report-only"], capture_output=True,
                           text=True, cwd=root)
     replay = json.loads(done.stdout)["replay"]
@@ -209,7 +209,7 @@ def check_map(driver, keys):
     one(driver, "#point button.copy").click()
     driver.implicitly_wait(0)
     said = "The command: copied."
-    for _ in range(50):  # the clipboard takes its time
+    for _ in range(50):  # the clipboard is asynchronous
         if one(driver, "#said").get_attribute("textContent") == said:
             break
         time.sleep(0.1)
@@ -218,14 +218,14 @@ def check_map(driver, keys):
 
 
 def check_every_figure(driver):
-    """Each figure has its points: one selected, with a command."""
+    """Every figure has a selected point with a command."""
     for name in named:
         select(driver, "#choose-figure", name)
         assert shown_numbers(driver) and one(driver, "#replay").text.startswith("build/bristle run "), name
 
 
 def check_replay(command):
-    """The command computes point 4 of Figure 6 to the same bits."""
+    """The command computes point 4 of Figure 6 with the same bits."""
     target = folder / "replay.h5"
     command = command.replace("build/bristle", str(program), 1).replace("results/replay.h5", str(target))
     subprocess.run(f"{command} --force --quiet", shell=True, check=True, cwd=root)
@@ -246,7 +246,7 @@ def check_matrix(driver, keys):
 
 
 def check_views(driver):
-    """No scrolling sideways on phone and desk, in light and dark, even with everything open; contrast of text."""
+    """No horizontal scrolling on phone and desktop in both colour schemes, even with all details open; contrast of text."""
     papers = set()
     widths = "const root = document.documentElement; return [root.scrollWidth, root.clientWidth]"
     for width, height in ((360, 740), (1280, 900)):
@@ -267,13 +267,13 @@ def check_paper(driver):
     assert len(re.findall(rb"/Type\s*/Page\b", pdf)) > len(named), "fewer pages than figures"
     driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
     hidden = "return [...document.querySelectorAll('.interactive')].every(e => !e.checkVisibility())"
-    assert driver.execute_script(hidden), "what is to be clicked is on paper"
+    assert driver.execute_script(hidden), "interactive elements are printed"
     paper = "return getComputedStyle(document.body).backgroundColor"
     assert driver.execute_script(paper) == "rgb(255, 255, 255)"
 
 
 def check_requests(driver):
-    """Nothing was asked for but the page itself; nothing was complained of."""
+    """The page requests no other resource, and the browser logs no message."""
     log = [json.loads(entry["message"])["message"] for entry in driver.get_log("performance")]
     asked = {message["params"]["request"]["url"] for message in log
              if message["method"] == "Network.requestWillBeSent"}

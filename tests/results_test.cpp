@@ -43,7 +43,7 @@ std::string run_to(const Experiment& e, const std::string& path, int threads) {
 
 }  // namespace
 
-TEST_CASE("the payload does not depend on threads, the name or the place of the file") {
+TEST_CASE("the payload does not depend on the number of threads or the path of the file") {
   const Scratch s;
   const Experiment e = quick(s);
   const std::string one = run_to(e, s.path("one.h5"), 1);
@@ -52,7 +52,7 @@ TEST_CASE("the payload does not depend on threads, the name or the place of the 
   CHECK(run_to(e, s.path("four.h5"), 4) == one);
 }
 
-TEST_CASE("thread counts 1 and 2 give byte-equal digests with quadrature and load control, too") {
+TEST_CASE("1 and 2 threads give the same digest with quadrature and load control") {
   const Scratch s;
   s.write("paper.json", bytes_of(std::string(BRISTLE_EXPERIMENTS) + "/paper.json"));
   const Experiment e = load_experiment(
@@ -62,17 +62,18 @@ TEST_CASE("thread counts 1 and 2 give byte-equal digests with quadrature and loa
   CHECK(run_to(e, s.path("one.h5"), 1) == run_to(e, s.path("two.h5"), 2));
 }
 
-TEST_CASE("equal runs with equal provenance give equal files, byte for byte: no object has a time") {
+TEST_CASE("equal runs with equal provenance give equal files byte for byte, as objects have no time stamps") {
   const Scratch s;
   const Experiment e = quick(s);
   run_to(e, s.path("r.h5"), 1);
   const std::string first = bytes_of(s.path("r.h5"));
-  std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // HDF5's times are seconds
+  std::this_thread::sleep_for(
+      std::chrono::milliseconds(1100));  // HDF5's time stamps have a resolution of seconds
   run_to(e, s.path("r.h5"), 2);
   CHECK((first == bytes_of(s.path("r.h5"))));
 }
 
-TEST_CASE("what is written reads back: axes, values, bristles, attributes") {
+TEST_CASE("axes, values, bristles and attributes read back as written") {
   const Scratch s;
   const Experiment e = quick(s);
   run_to(e, s.path("r.h5"), 2);
@@ -91,7 +92,7 @@ TEST_CASE("what is written reads back: axes, values, bristles, attributes") {
   CHECK(h5::scale_name(h5::open_dataset(bristles, "theta_0"), 0) == "bristle");
 }
 
-TEST_CASE("every variable describes itself") {
+TEST_CASE("every variable has the descriptive attributes") {
   const Scratch s;
   run_to(quick(s), s.path("r.h5"), 1);
   const ResultReader r(s.path("r.h5"));
@@ -104,7 +105,7 @@ TEST_CASE("every variable describes itself") {
   }
 }
 
-TEST_CASE("a run that fails leaves the previous result untouched and nothing behind") {
+TEST_CASE("a run that fails leaves the previous result unchanged and no temporary file") {
   const Scratch s;
   const Experiment e = quick(s);
   run_to(e, s.path("r.h5"), 1);
@@ -129,7 +130,7 @@ TEST_CASE("output that cannot be written is refused before anything is computed"
   CHECK_THROWS_WITH(ResultWriter(e, s.path("file/r.h5")), Catch::Contains("cannot be written"));
 }
 
-TEST_CASE("two runs into one file: one writes, the other says so and does no harm") {
+TEST_CASE("of two runs with one output file, the second is refused and changes nothing") {
   const Scratch s;
   const Experiment e = quick(s);
   const std::string undisturbed = run_to(e, s.path("alone.h5"), 1);
@@ -141,7 +142,8 @@ TEST_CASE("two runs into one file: one writes, the other says so and does no har
   CHECK(ResultReader(s.path("r.h5")).text("payload_sha256") == undisturbed);
 }
 
-TEST_CASE("up to date: the same inputs and intact numbers, whatever the title and the checks") {
+TEST_CASE(
+    "a result is up to date with the same inputs and undamaged numbers, regardless of title and checks") {
   const Scratch s;
   const std::string path = s.path("r.h5");
   CHECK(!up_to_date(path, quick(s)));
@@ -160,7 +162,7 @@ TEST_CASE("up to date: the same inputs and intact numbers, whatever the title an
   CHECK(!up_to_date(path, quick(s)));
 }
 
-TEST_CASE("files that are no results are refused with their name and the reason") {
+TEST_CASE("files that are not results are refused with their name and the reason") {
   const Scratch s;
   CHECK_THROWS_WITH(ResultReader(s.path("none.h5")), Catch::Contains("no such file"));
   CHECK_THROWS_WITH(ResultReader(s.write("text.h5", "hello")), Catch::EndsWith("not an HDF5 file"));
@@ -176,7 +178,7 @@ TEST_CASE("files that are no results are refused with their name and the reason"
                     Catch::Contains("did you mean R_x_norm?"));
 }
 
-TEST_CASE("an experiment of more than 64 KiB is stored whole") {
+TEST_CASE("an experiment of more than 64 KiB is stored completely") {
   const Scratch s;
   std::string angles = "1";
   for (int i = 0; i < 20000; ++i) angles += ", 100.5";

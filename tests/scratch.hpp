@@ -7,7 +7,7 @@
 
 namespace bristle::testing {
 
-// A folder of the test's own, removed with it.
+// A temporary folder, which the destructor removes.
 class Scratch {
  public:
   Scratch() {

@@ -1,4 +1,4 @@
-# What the shell tests share. Sourced, with $bristle set; gives a folder of its own, a count of failures, and:
+# Functions for the shell tests. Source it with $bristle set; $folder is a temporary folder, $failures a count.
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 failures=0
@@ -9,7 +9,7 @@ failed() {
   failures=$((failures + 1))
 }
 
-# expect CODE TEXT COMMAND...: the command ends with this code and its output holds the text.
+# expect CODE TEXT COMMAND...: the command ends with this exit code and its output contains the text.
 expect() {
   local code=$1 text=$2 output got
   shift 2
@@ -20,10 +20,10 @@ expect() {
   fi
 }
 
-# The payload's digest; nothing if it does not verify.
+# The payload digest; empty if it does not match the numbers.
 digest() { "$bristle" info "$1" | sed -n 's/^payload sha256 \(.*\) (verified)$/\1/p'; }
 
-# same WHAT FILE: the numbers have the digest $expected.
+# same WHAT FILE: the payload of FILE has the digest $expected.
 same() {
   if [ "$(digest "$2")" = "$expected" ]; then echo "the same: $1"; return; fi
   failed "$1: $(digest "$2"), not $expected"

@@ -14,7 +14,7 @@ using namespace testing;
 
 namespace {
 
-// Bristles of all kinds: both laws, both closures, some pinned and some reflected at the pole.
+// Bristles of all kinds: two friction laws, both closing equations, some pinned, some reflected at the pole.
 class Sample {
  public:
   PassageTask random(double largest = M_PI) {
@@ -36,7 +36,7 @@ class Sample {
   }
 
  private:
-  std::deque<Parameters> parameters_;  // stay where they are
+  std::deque<Parameters> parameters_;  // a deque, because tasks point to its elements
 };
 
 std::vector<Passage> run(const Kernels& kernels, const std::vector<PassageTask>& tasks) {
@@ -61,7 +61,7 @@ struct Restricted {
 
 }  // namespace
 
-TEST_CASE("a passage has the same bits alone, among others in any order, and on every instruction set") {
+TEST_CASE("a passage has the same bits alone, in batches of any order, and with every instruction set") {
   rc::prop("for random batches", [] {
     Sample sample;
     std::vector<PassageTask> tasks;
@@ -82,7 +82,7 @@ TEST_CASE("a passage has the same bits alone, among others in any order, and on 
   });
 }
 
-TEST_CASE("without fused multiply-add the fast engine is refused, with the remedy") {
+TEST_CASE("without fused multiply-add the fast engine is refused with a remedy") {
 #if HWY_ARCH_X86
   const Restricted old_processor(HWY_SSE4);
   CHECK(available_kernels().empty());
@@ -102,9 +102,9 @@ TEST_CASE("restricting the instruction sets restricts the kernels") {
 #endif
 }
 
-TEST_CASE("every observable agrees with Boost.Odeint's, to the integrators' errors") {
-  // Tolerances are tight, so that impacts do not amplify the step errors of either beyond what is asserted.
-  // Reflections at the pole would at any tolerance: they have a test of their own.
+TEST_CASE("all observables agree with those of Boost.Odeint within the integrators' errors") {
+  // The tolerances are tight, so that impacts do not amplify the step errors beyond the asserted limits.
+  // Reflections at the pole would do so at any tolerance; they have a separate test.
   rc::prop("for random bristles", [] {
     Sample sample;
     PassageTask task = sample.random(3.0);
@@ -126,7 +126,7 @@ TEST_CASE("every observable agrees with Boost.Odeint's, to the integrators' erro
   });
 }
 
-TEST_CASE("pinned bristles: the values of an independent prototype, reflected or not") {
+TEST_CASE("pinned bristles have the values of an independent prototype, with and without reflections") {
   for (const double degrees : {179.5, 179.8, 179.99, 180.0}) {
     Parameters p;
     p.k_r = 50;
@@ -136,8 +136,8 @@ TEST_CASE("pinned bristles: the values of an independent prototype, reflected or
     task.integrator.rtol = 1e-6;
     task.integrator.atol = 1e-8;
     const Passage r = run(best_kernels(), {task}).front();
-    // A hundred reflections amplify errors: Odeint's own values spread as much over tolerances of 1e-5 to
-    // 1e-8.
+    // A hundred reflections amplify errors: the values of Odeint have the same spread over tolerances of 1e-5
+    // to 1e-8.
     const double spread = degrees > 179.7 ? 10 : 1;
     CAPTURE(degrees);
     CHECK(r.outcome == Outcome::pinned);
@@ -150,7 +150,7 @@ TEST_CASE("pinned bristles: the values of an independent prototype, reflected or
   }
 }
 
-TEST_CASE("a lane's failure is its own: a status, and the others go on") {
+TEST_CASE("a failure in one lane gives an outcome and does not affect the others") {
   Sample sample;
   std::vector<PassageTask> tasks = {sample.head_on(30), sample.head_on(60), sample.head_on(90)};
   const auto alone = run(best_kernels(), {tasks[0]}).front();
@@ -163,7 +163,7 @@ TEST_CASE("a lane's failure is its own: a status, and the others go on") {
   CHECK(r[2].evaluations <= 612);
 }
 
-TEST_CASE("a passage ends when the slip is L_x, to 1e-10") {
+TEST_CASE("a passage of the SIMD engine ends when the slip is L_x within 1e-10") {
   rc::prop("for any bristle", [] {
     Sample sample;
     const PassageTask task = sample.random();
@@ -174,7 +174,7 @@ TEST_CASE("a passage ends when the slip is L_x, to 1e-10") {
   });
 }
 
-TEST_CASE("tableaus: order conditions up to three, the error's weights sum to nothing") {
+TEST_CASE("tableaus satisfy the order conditions up to three, and the error weights sum to zero") {
   const auto check = [](const auto& a, const auto& b, const auto& error, int stages) {
     double sum = 0, first = 0, second = 0, third = 0, errors = 0;
     std::vector<double> c(std::size_t(stages), 0.0);
@@ -196,7 +196,7 @@ TEST_CASE("tableaus: order conditions up to three, the error's weights sum to no
   check(CashKarp5::a, CashKarp5::b, CashKarp5::error, CashKarp5::stages);
   using KC = KennedyCarpenter4;
   check(KC::a, KC::b, KC::error, KC::stages);
-  for (int i = 1; i < KC::stages; ++i) {  // implicit and explicit stages are at the same times
+  for (int i = 1; i < KC::stages; ++i) {  // implicit and explicit stages are at equal times
     double implicit = KC::gamma, explicit_part = 0;
     for (int j = 0; j < i; ++j) {
       implicit += KC::a_implicit[i][j];

@@ -1,11 +1,11 @@
-# A Slurm cluster of one node for a test, sourced: munged, slurmctld and slurmd of its own, in a folder of its own, on free
-# ports. What the system runs of these is not touched. start_cluster; stop_cluster, in a trap.
+# A Slurm cluster of one node for a test. Source it, call start_cluster, and call stop_cluster in a trap. It starts munged,
+# slurmctld and slurmd in a temporary folder on free ports, and does not touch daemons of the system.
 # shellcheck shell=bash
 
 cluster=  # folder
 daemons=()
 
-# Why there can be no cluster here; nothing if there can.
+# The reason why a cluster cannot be started here; empty if it can.
 cluster_obstacle() {
   local tool
   for tool in munged slurmctld slurmd sbatch squeue scancel scontrol sinfo; do
@@ -39,7 +39,7 @@ StateSaveLocation=$cluster/state
 SlurmdSpoolDir=$cluster/spool
 SlurmctldPidFile=$cluster/slurmctld.pid
 SlurmdPidFile=$cluster/slurmd.pid
-# No control groups, no binding, no accounting: none of them may be had in a container.
+# No control groups, binding or accounting, because containers may lack them.
 ProctrackType=proctrack/pgid
 TaskPlugin=task/none
 SwitchType=switch/none
@@ -62,7 +62,7 @@ start_daemon() {
   daemons+=($!)
 }
 
-# Whether COMMAND... succeeds within so many seconds.
+# within SECONDS COMMAND...: whether the command succeeds within this time.
 within() {
   local seconds=$1 end
   shift
@@ -75,14 +75,14 @@ within() {
 
 node_is_idle() { [ "$(timeout 10 sinfo -h -o %t 2>/dev/null)" = idle ]; }
 
-# Whether the cluster came up; its logs are in $cluster.
+# Starts the cluster. Fails if it does not start; its logs are in $cluster.
 start_cluster() {
-  cluster=$(mktemp -d /tmp/bristle-slurm-XXXXXX)  # a short path: sockets' names have at most 107 characters
-  chmod 755 "$cluster"  # munged wants its socket to be within everybody's reach
+  cluster=$(mktemp -d /tmp/bristle-slurm-XXXXXX)  # a short path, because names of sockets are limited to 107 characters
+  chmod 755 "$cluster"  # munged requires that all users can access its socket
   mkdir "$cluster/state" "$cluster/spool"
   (umask 077 && head -c 128 /dev/urandom >"$cluster/munge.key")
   write_configuration
-  export SLURM_CONF=$cluster/slurm.conf  # of the clients, too; and the mark of what belongs to this cluster
+  export SLURM_CONF=$cluster/slurm.conf  # for the clients, and to identify processes of this cluster
   start_daemon munged --foreground --force --num-threads=2 --key-file="$cluster/munge.key" \
     --socket="$cluster/munge.socket" --pid-file="$cluster/munged.pid" --seed-file="$cluster/munge.seed" \
     --log-file="$cluster/munge.log"
@@ -92,7 +92,7 @@ start_cluster() {
   within 60 node_is_idle
 }
 
-# Processes of this cluster that are alive: those with its SLURM_CONF.
+# Running processes of this cluster: those with its SLURM_CONF.
 cluster_processes() {
   local file
   for file in /proc/[0-9]*/environ; do
@@ -102,7 +102,7 @@ cluster_processes() {
 
 no_jobs() { [ -z "$(timeout 10 squeue -h 2>/dev/null)" ]; }
 
-# Ends jobs and daemons and removes the folder. Fails, naming them, if processes had to be killed.
+# Ends jobs and daemons and removes the folder. Fails if processes had to be killed, and names them.
 stop_cluster() {
   local left pid
   [ -n "$cluster" ] || return 0

@@ -1,6 +1,7 @@
 #!/bin/bash
-# scripts/slurm against a real Slurm of one node: tasks fail and are cancelled, the same command finishes the rest, and the
-# merge is the whole. usage: slurm_test.sh BRISTLE, from the repository's root. 77: there can be no cluster here.
+# scripts/slurm with a Slurm cluster of one node: tasks fail and are cancelled, the same command computes the rest, and the
+# merge equals the whole result. usage: slurm_test.sh BRISTLE, from the repository's root. Exit code 77 (skipped) if a
+# cluster cannot be started.
 set -u
 bristle=$1
 # shellcheck source=tests/slurm_cluster.sh
@@ -38,16 +39,16 @@ if ! start_cluster; then
   exit
 fi
 
-# Eight points of a second each, one after the other.
+# Eight points, about a second each.
 options=(--set '/sweep/k_r={"values":[2,5,10,20],"logspace":null}' --set '/sweep/k_theta={"values":[0.3,3],"logspace":null}'
   --set /checks=null
   --set /integrator/engine=reference --set '/orientation={"rtol":0.1}')
 whole=$folder/whole/fig4.h5 merged=$folder/parts/fig4.h5
 submit() { BRISTLE=$bristle scripts/slurm/array.sh -o "$merged" experiments/fig4.json "3%3" --cpus-per-task=1 -- "${options[@]}"; }
 digest() { "$bristle" info "$1" | grep -o '^payload sha256 [0-9a-f]*'; }
-holds() { grep -qF -- "$2" "$1" || { fail "$1 does not say: $2; it says:"; cat "$1"; }; }
+holds() { grep -qF -- "$2" "$1" || { fail "$1 does not contain: $2; it contains:"; cat "$1"; }; }
 
-# Mistakes are found before anything is submitted.
+# Mistakes are reported before a job is submitted.
 for mistake in "experiments/fig4.json 0" "experiments/fig4.json three" "nowhere.json 3" "experiments/fig4.json 3 -- --tier medium"; do
   # shellcheck disable=SC2086 # words
   BRISTLE=$bristle scripts/slurm/array.sh $mistake >"$folder/log" 2>&1
@@ -55,7 +56,7 @@ for mistake in "experiments/fig4.json 0" "experiments/fig4.json three" "nowhere.
 done
 no_jobs || fail "a mistake was submitted"
 
-# Of three tasks one is cancelled at work, and one cannot write where it should.
+# Of three tasks, one is cancelled while it computes and one cannot write its output.
 mkdir -p "$folder/parts/fig4.3-of-3.h5"
 submit >"$folder/log" 2>&1 || { fail "submission"; cat "$folder/log"; exit; }
 tasks=$(sed -n 's/^job \([0-9]*\): 3 shards.*/\1/p' "$folder/log")
@@ -73,7 +74,7 @@ scontrol show job "$merge" | grep -q 'JobState=CANCELLED' || fail "the merge was
 holds "$folder/log" "5 of 8 points are missing: 1 (k_r = 2, k_theta = 3)"
 holds "$folder/log" "--shard 2/3"
 
-# The same command does what is left: nothing, some, all.
+# The same command computes what the tasks left: nothing, some points, all points.
 rmdir "$folder/parts/fig4.3-of-3.h5"
 before=$(stat -c %Y.%i "$folder/parts/fig4.1-of-3.h5")
 submit >"$folder/log" 2>&1 || { fail "second submission"; cat "$folder/log"; exit; }

@@ -9,7 +9,7 @@
 #include <catch2/catch.hpp>
 #include <cstdlib>
 
-// An archive of one small result, of a repository of its own; and ways to repack it.
+// An archive of one small result in a repository of its own, and functions to repack it.
 namespace bristle::testing {
 
 struct Release {
@@ -53,7 +53,7 @@ struct Release {
     return ref.substr(16, ref.size() - 17);
   }
 
-  // The result, with made-up numbers and this provenance, and its figures.
+  // Writes the result, with invented numbers and the commit `by` as provenance, and its figures.
   void compute(const std::string& by = "", const std::string& tier = "full") const {
     const Experiment experiment = load_experiment(s.path("experiments/small.json"), {{}, tier});
     std::filesystem::create_directories(s.path("results"));
@@ -78,7 +78,7 @@ inline Verification verify_bytes(const Scratch& s, const std::string& bytes) {
   return verify_archive(s.path("verified.tar"));
 }
 
-// Built once; the tests take copies.
+// An archive that is built once. Tests use copies.
 inline const std::string& sound() {
   static const std::string bytes = Release().build();
   return bytes;
@@ -90,7 +90,7 @@ inline std::string tar_of(const Files& files, std::time_t time = 1) {
   return bytes;
 }
 
-// The archive with another payload and manifests that fit it: what someone would make who means to deceive.
+// The archive with a changed payload and matching manifests, as made by someone who intends to deceive.
 inline std::string repacked(const std::string& archive, const std::function<void(Files&)>& change) {
   const Scratch s;
   Files files = read_tar(s.write("a.tar", archive)), payload;

@@ -15,7 +15,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
-// Results of 2 x 3 points with made-up numbers: quick, every one known; and ways to break them.
+// Results of 2 x 3 points with invented, known numbers, and functions to damage them.
 namespace bristle::testing {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
@@ -79,7 +79,7 @@ inline void remove_dataset(const std::string& path, const std::string& name) {
   h5::check(H5Ldelete(file, name.c_str(), H5P_DEFAULT), "removing " + name);
 }
 
-// A dataset without labelled dimensions, all ones.
+// Adds a dataset of ones without dimension scales.
 inline void add_dataset(const std::string& path, const std::string& name, const h5::Shape& shape) {
   const h5::Handle file = h5::open_file(path, true);
   const h5::Handle dataset = h5::create_dataset(file, name, H5T_NATIVE_DOUBLE, shape);

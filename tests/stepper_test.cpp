@@ -1,5 +1,5 @@
-// Observed order of the integration methods, on the equations themselves with walls soft enough (range
-// 0.1) for the fixed steps to resolve them.
+// Observed order of the integration methods on the equations of the bristle, with walls of range 0.1, soft
+// enough for the fixed steps to resolve them.
 #include "dynamics/rosenbrock.hpp"
 
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>

@@ -1,6 +1,5 @@
 #!/bin/bash
-# Whatever ends a run, nothing computed is lost and no file is half written. usage:
-# survive_test.sh BRISTLE KILLS
+# However a run ends, no computed point is lost and no file is left incomplete. usage: survive_test.sh BRISTLE KILLS
 set -u
 bristle=$1 wanted=$2
 . "$(dirname "$0")/shell.sh"
@@ -13,7 +12,7 @@ trap cleanup EXIT
 RANDOM=${SEED:-$$}
 echo "seed $RANDOM (SEED=... repeats)"
 
-# 32 points, one after the other, about a second; and the same with another stiffness, which is the old result.
+# 32 points that take about a second; the old result is the same experiment with a different stiffness.
 options=(--set '/sweep={"k_r":{"logspace":[2,20,8]},"k_theta":{"values":[0.5,1,2,4]}}' --set '/load={"R_n":null,"z_0":0.5}'
   --set '/orientation={"sampling":"list","theta_0_deg":[10,100,170]}' --set /integrator/engine=reference --quiet)
 run() { "$bristle" run experiments/paper.json "${options[@]}" "$@"; }
@@ -24,15 +23,15 @@ new=$(digest "$folder/undisturbed.h5") old=$(digest "$folder/old.h5")
 rm "$folder"/*.journal
 
 r=$folder/results/r.h5
-again=("$bristle" run experiments/paper.json "${options[@]}" -o "$r")  # in the background a function would be a shell
+again=("$bristle" run experiments/paper.json "${options[@]}" -o "$r")  # an array, because a function in the background would run in another shell
 points() { if [ -f "$r.journal" ]; then wc -l <"$r.journal"; else echo 0; fi; }
-# The result is the old or the new one, whole.
+# The result must be the old or the new one, complete.
 whole() {
   local is
   is=$(digest "$r")
   [ "$is" = "$old" ] || [ "$is" = "$new" ] || failed "$1: the result is neither the old nor the new one: $("$bristle" info "$r" 2>&1 | head -n 2)"
 }
-# A fresh folder with the old result.
+# Creates a new folder with the old result.
 begin() {
   rm -rf "$folder/results"
   mkdir "$folder/results"
@@ -44,7 +43,7 @@ finish() {
   [ ! -e "$r.partial" ] || failed "$1: a partial file is left"
 }
 
-# Killed at random moments, again and again, until one run gets through.
+# Killed at random times repeatedly, until one run finishes.
 kills=0 kept=0
 while [ $kills -lt "$wanted" ]; do
   begin
@@ -65,7 +64,7 @@ done
 [ $((8 * kept)) -gt $kills ] || failed "only $kept of $kills kills came between the first point and the last"
 echo "$kills kills, $kept of them between the first point and the last"
 
-# Killed while the result is written: all points are there.
+# Killed while the result is written, when all points are in the journal.
 for ((i = 0; 2 * i < wanted; ++i)); do
   cp "$folder/old.h5" "$r"
   "${again[@]}" &
@@ -77,7 +76,7 @@ for ((i = 0; 2 * i < wanted; ++i)); do
 done
 finish "kill -9 while writing"
 
-# Ctrl-C: says what is saved, exit code 3, and the same command goes on.
+# Ctrl-C: reports the saved points, exit code 3, and the same command resumes.
 begin
 "${again[@]}" 2>"$folder/log" &
 pid=$!
@@ -93,7 +92,7 @@ whole "Ctrl-C"
 finish "Ctrl-C"
 grep -q "32" <<<"$(points)" || failed "Ctrl-C: $(points) points in the journal after the continuation, not 32"
 
-# No room: a small file system where mounting is allowed, and a limit on the size of files.
+# Full disk: a limit on the size of files and, if mounting is allowed, a small file system.
 no_room() {
   whole "$1"
   grep -qE "No space left|File too large" "$folder/log" || failed "$1: $(cat "$folder/log")"
@@ -124,7 +123,7 @@ else
   echo "no file system may be mounted here: the full disk is left out"
 fi
 
-# Two runs at once: one writes, the other says so.
+# Two runs at the same time: the second is refused.
 begin
 "${again[@]}" &
 pid=$!
@@ -134,7 +133,7 @@ run -o "$r" 2>"$folder/log"
 wait $pid || failed "two runs: the first"
 [ "$(digest "$r")" = "$new" ] || failed "two runs: the numbers"
 
-# A finer grid computes its new points only; a touched file and a new name nothing.
+# A finer grid computes its new points only; a touched file and a new title cause no computation.
 begin
 run -o "$r"
 touch experiments/paper.json

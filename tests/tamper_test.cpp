@@ -7,7 +7,7 @@
 #include <fcntl.h>
 #include <random>
 
-// Archives that are not as they were made. Whatever is wrong is found, named, and does no harm.
+// Archives that were changed: every change is found, its place is named, and it causes no harm.
 namespace bristle::tamper_test {
 using namespace testing;
 using Catch::Contains;
@@ -27,7 +27,7 @@ std::string problems_of(const std::string& archive) {
 
 std::size_t padded(std::size_t size) { return (size + 511) / 512 * 512; }
 
-// One entry of a tar archive as anyone may write it.
+// One entry of a tar archive with arbitrary header fields.
 std::string entry(const std::string& name, char type, const std::string& content,
                   const std::string& link = "", const std::string& size = "") {
   std::string header(512, '\0');
@@ -52,7 +52,7 @@ std::string entry(const std::string& name, char type, const std::string& content
 
 std::string ended(const std::string& entries) { return entries + std::string(10240, '\0'); }
 
-// The result of the archive, changed, behind manifests that fit.
+// The archive with a changed result and matching manifests.
 std::string with_result(const std::function<void(hid_t file)>& change) {
   return repacked(sound(), [&](Files& payload) {
     const Scratch s;
@@ -67,7 +67,7 @@ std::string with_result(const std::function<void(hid_t file)>& change) {
 
 }  // namespace
 
-TEST_CASE("a flipped byte is found wherever it is, and its place named") {
+TEST_CASE("a flipped bit is found anywhere in the archive, and its place is named") {
   const Scratch s;
   const std::string path = s.write("a.tar", sound());
   const int file = open(path.c_str(), O_RDWR);
@@ -110,7 +110,7 @@ TEST_CASE("a flipped byte is found wherever it is, and its place named") {
   CHECK(problems_text(verify_archive(path).problems) == "");
 }
 
-TEST_CASE("a manifest's hash in capitals is a change, too") {
+TEST_CASE("a hash in capital letters is reported as a change") {
   const Scratch s;
   Files files = read_tar(s.write("a.tar", sound()));
   for (auto& [name, content] : files)
@@ -124,7 +124,7 @@ TEST_CASE("a manifest's hash in capitals is a change, too") {
   CHECK_THAT(problems_text(verify_bytes(s, tar_of(files)).problems), Contains("manifest-sha512.txt: line 1"));
 }
 
-TEST_CASE("files that are missing, added, renamed or exchanged are named") {
+TEST_CASE("missing, added, renamed and exchanged files are named") {
   const Scratch s;
   const Files files = read_tar(s.write("a.tar", sound()));
   const std::string folder = files.begin()->first.substr(0, files.begin()->first.find('/') + 1);
@@ -155,7 +155,7 @@ TEST_CASE("files that are missing, added, renamed or exchanged are named") {
                             Contains("data/figures/small.png: its SHA-512"));
 }
 
-TEST_CASE("a file added with its line in the manifest, and a folder of another version, are noticed") {
+TEST_CASE("a file that was added to the manifest and a folder of another version are found") {
   CHECK_THAT(problems_of(repacked(sound(), [](Files& payload) { payload["new.txt"] = "x"; })),
              Contains("ro-crate-metadata.json: line") && Contains("new.txt"));
   const Scratch s;
@@ -167,7 +167,7 @@ TEST_CASE("a file added with its line in the manifest, and a folder of another v
              Contains("bristle-9.9.9: is the folder of another version"));
 }
 
-TEST_CASE("no text of an archive commands the terminal") {
+TEST_CASE("control characters of an archive do not reach the terminal") {
   const Scratch s;
   Files files = read_tar(s.write("a.tar", sound()));
   for (auto& [name, content] : files)
@@ -177,7 +177,7 @@ TEST_CASE("no text of an archive commands the terminal") {
              Contains("data/\\x1b]0;evil\\x07: is missing") && !Contains("\x1b"));
 }
 
-TEST_CASE("entries that could do harm are refused by name, and nothing is unpacked") {
+TEST_CASE("harmful tar entries are refused by name, and nothing is unpacked") {
   const auto refused = [](const std::string& entries) { return problems_of(ended(entries)); };
   CHECK_THAT(refused(entry("../evil", '0', "x")), Contains("\"../evil\": leads out of the archive"));
   CHECK_THAT(refused(entry("b/../../evil", '0', "x")), Contains("leads out of the archive"));
@@ -201,7 +201,7 @@ TEST_CASE("entries that could do harm are refused by name, and nothing is unpack
              Contains("not in the ustar format") || Contains("its tar header"));
 }
 
-TEST_CASE("declared sizes beyond the file's are not believed") {
+TEST_CASE("declared sizes beyond the end of the file are refused") {
   for (const char* size : {"77777777777", "00077777777", "-0000000001"}) {
     CAPTURE(size);
     CHECK_THAT(problems_of(ended(entry("b/a", '0', "x", "", size))), Contains("b/a"));
@@ -211,7 +211,7 @@ TEST_CASE("declared sizes beyond the file's are not believed") {
              Contains("b/a"));
 }
 
-TEST_CASE("archives cut short, lengthened, compressed or empty, and what is no archive") {
+TEST_CASE("truncated, extended, compressed and empty archives and other files are refused") {
   for (const std::size_t size : {std::size_t(1), std::size_t(511), std::size_t(700), sound().size() / 2,
                                  sound().size() - 10240, sound().size() - 1}) {
     CAPTURE(size);
@@ -230,7 +230,7 @@ TEST_CASE("archives cut short, lengthened, compressed or empty, and what is no a
   CHECK_THROWS_AS(verify_archive("/tmp"), InputError);
 }
 
-TEST_CASE("HDF5 that leads elsewhere, grows when read or runs in circles is refused") {
+TEST_CASE("HDF5 files with links, cycles, compression or excessive sizes are refused") {
   CHECK_THAT(problems_of(with_result([](hid_t file) {
                h5::check(H5Lcreate_external("/etc/passwd", "/x", file, "elsewhere", H5P_DEFAULT, H5P_DEFAULT),
                          "");
@@ -261,7 +261,7 @@ TEST_CASE("HDF5 that leads elsewhere, grows when read or runs in circles is refu
   CHECK_THAT(with_dataset(1 << 20, true), Contains("/big: a compressed or filtered dataset"));
 }
 
-TEST_CASE("HDF5 with random damage behind manifests that fit ends in an error, not in a crash") {
+TEST_CASE("randomly damaged HDF5 with matching manifests causes an error, not a crash") {
   std::mt19937 random(7);
   int found = 0;
   for (int i = 0; i < 60; ++i) {
@@ -273,7 +273,7 @@ TEST_CASE("HDF5 with random damage behind manifests that fit ends in an error, n
     found += !problems.empty();
     CHECK_THAT(problems, Contains("small.h5") || Catch::Equals(""));
   }
-  CHECK(found == 60);  // the metadata has the file's hash, too
+  CHECK(found == 60);  // always, because the metadata contains the hash of the file
 }
 
 }  // namespace bristle::tamper_test

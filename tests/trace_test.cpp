@@ -1,4 +1,4 @@
-// The traced curve R_n(z_0): resolution, folds, landings and the slab's paths.
+// The traced curve R_n(z_0): resolution, folds, landings, and the loading and unloading paths.
 #include "ensemble/trace.hpp"
 
 #include "model/friction/laws.hpp"
@@ -10,7 +10,7 @@ namespace bristle::trace_test {
 
 namespace {
 
-const Setup& bent() {  // its curve has folds at R_n of about 1.1 and 1.45
+const Setup& folded_setup() {  // its curve has folds at R_n of about 1.1 and 1.45
   static const Setup setup = [] {
     Setup i;
     i.parameters.k_r = 5;
@@ -26,12 +26,12 @@ bool on(const CurveNode& node, Branch path) { return node.branch == path || node
 
 }  // namespace
 
-TEST_CASE("a traced curve: gaps descend, neighbours are as near as asked or at a jump") {
+TEST_CASE("a traced curve has descending gaps and the requested resolution except at jumps") {
   const Trace trace{0.05, 0.03, 160};
-  const auto curve = trace_curve(bent(), trace, make_runner(Engine::fast));
+  const auto curve = trace_curve(folded_setup(), trace, make_runner(Engine::fast));
   REQUIRE(curve.size() > 30);
   REQUIRE(long(curve.size()) <= trace.nodes);
-  CHECK(curve.front().result.z_0 == Approx(std::sin(bent().parameters.phi_0)));
+  CHECK(curve.front().result.z_0 == Approx(std::sin(folded_setup().parameters.phi_0)));
   CHECK(curve.back().result.z_0 == Approx(trace.to));
   for (std::size_t i = 1; i + 1 < curve.size(); ++i) {
     const PointResult &a = curve[i - 1].result, &b = curve[i].result, &c = curve[i + 1].result;
@@ -45,8 +45,8 @@ TEST_CASE("a traced curve: gaps descend, neighbours are as near as asked or at a
   }
 }
 
-TEST_CASE("a traced curve keeps to its number of nodes, folds and landings included") {
-  Setup rough = bent();
+TEST_CASE("a traced curve has at most the given number of nodes, including folds and landings") {
+  Setup rough = folded_setup();
   rough.parameters.k_r = 20;
   const auto curve = trace_curve(rough, {0.05, 0.005, 96}, make_runner(Engine::fast));
   CHECK(curve.size() <= 96);
@@ -56,8 +56,9 @@ TEST_CASE("a traced curve keeps to its number of nodes, folds and landings inclu
 }
 
 TEST_CASE(
-    "the slab's paths: the load grows along one and falls along the other; folds and landings are nodes") {
-  const auto curve = trace_curve(bent(), {0.05, 0.03, 160}, make_runner(Engine::fast));
+    "the load increases along the loading path and decreases along the unloading path, with nodes at folds "
+    "and landings") {
+  const auto curve = trace_curve(folded_setup(), {0.05, 0.03, 160}, make_runner(Engine::fast));
   double top = 0;
   std::size_t last = 0;
   bool jumped = false;
@@ -66,7 +67,7 @@ TEST_CASE(
     const PointResult& r = curve[i].result;
     const double allowed = 2 * r.error[R_N] + 0.25 * 0.03 * top;
     CHECK(r.value[R_N] > top - allowed);
-    if (i > last + 1 && r.value[R_N] < 1.3) {  // where it lands it carries the fold's load
+    if (i > last + 1 && r.value[R_N] < 1.3) {  // a landing carries the load of the fold
       jumped = true;
       CHECK(r.value[R_N] == Approx(top).epsilon(0.02));
     }

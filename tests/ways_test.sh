@@ -1,6 +1,6 @@
 #!/bin/bash
-# One experiment, computed in every way that this machine has, gives the same bits: numbers of threads, sets of vector
-# instructions, parts merged. usage: ways_test.sh BRISTLE EXPERIMENT RESULT
+# An experiment gives the same bits with different numbers of threads, with all instruction sets of this machine, and
+# when merged from parts. usage: ways_test.sh BRISTLE EXPERIMENT RESULT
 set -u
 bristle=$1 experiment=$2 result=$3
 . "$(dirname "$0")/shell.sh"
@@ -13,7 +13,7 @@ for threads in 1 3; do
   same "$threads threads" "$folder/threads.h5"
 done
 sets=$("$bristle" info "$result" | sed -n 's/^ *cpu_features  *//p')
-[ -n "$sets" ] || failed "no instruction set is known"
+[ -n "$sets" ] || failed "the result names no instruction set"
 for set in $sets; do
   run --instruction-set "$set" -o "$folder/set.h5"
   same "$set" "$folder/set.h5"

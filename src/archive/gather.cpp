@@ -38,7 +38,7 @@ class Gatherer {
     for (const char* folder : {"experiments", "reference", "docs", "LICENSE"})
       for (const std::string& name : repository_.files(folder)) payload[name] = read_file(in_source(name));
     const std::string commit = repository_.commit();
-    payload[source_file(commit)] = repository_.source(fmt::format("bristle-{}/", commit));
+    payload[source_file(commit)] = repository_.source_archive(fmt::format("bristle-{}/", commit));
     const auto facts = add_results(payload);
     check_findings(payload, facts);
     std::vector<std::string> reasons;
@@ -46,7 +46,7 @@ class Gatherer {
       reasons.push_back(fmt::format("{} {}", fmt::join(places, ", "), what));
     try {
       return {describe(std::move(payload), facts, commit, fmt::format("{}", fmt::join(reasons, "; "))),
-              version_, repository_.time()};
+              version_, repository_.commit_time()};
     } catch (const MalformedError& e) {
       throw InputError(e.what());
     }
@@ -150,7 +150,7 @@ class Gatherer {
       const std::string remedy = "commit, then compute it again with `bristle run --force`";
       if (is_dirty(commit))
         return refuse_or_record(place, "was computed by a program with uncommitted changes", remedy);
-      if (!repository_.follows(commit))
+      if (!repository_.descends_from(commit))
         return refuse_or_record(place, "was computed by a program that is not in this commit's history",
                                 remedy);
     }

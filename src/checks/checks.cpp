@@ -12,10 +12,10 @@
 namespace bristle {
 namespace {
 
-// Below this the association of a trend may be chance.
-constexpr double kSignificant = 0.05;
+// A trend with a larger p-value may be due to chance.
+constexpr double kSignificanceLevel = 0.05;
 
-// Distance from the threshold, or from the end of the band, positive where the claim holds.
+// Distance from the threshold or from the end of the band; positive if the claim holds.
 double margin_of(const Check& check, double value) {
   switch (check.criterion) {
     case Criterion::near: return *check.band - std::abs(value - check.threshold);
@@ -28,7 +28,7 @@ double margin_of(const Check& check, double value) {
 Verdict decide(const Measurement& m, double margin) {
   if (!std::isfinite(m.value) || !std::isfinite(m.uncertainty)) return Verdict::undecided;
   if (margin < -m.uncertainty) return Verdict::refuted;
-  if (m.significance > kSignificant) return Verdict::undecided;
+  if (m.significance > kSignificanceLevel) return Verdict::undecided;
   return margin >= m.uncertainty ? Verdict::supported : Verdict::undecided;
 }
 
@@ -54,7 +54,7 @@ const char* to_string(Criterion criterion) {
 
 std::vector<CheckResult> evaluate_checks(const ResultReader& result) {
   std::vector<CheckResult> out;
-  // A file's checks are untrusted: the measuring functions rely on what validation guarantees.
+  // The checks of a file are untrusted, and the predicates rely on the validation.
   const Experiment experiment = stored_experiment(result.experiment(), "full", result.path());
   validate_checks(experiment);
   for (const Check& check : experiment.checks) {
@@ -74,7 +74,7 @@ std::string checks_table(const std::vector<CheckResult>& checks) {
     const std::string claimed =
         c.check.criterion == Criterion::near
             ? fmt::format("{:.3g} +- {:.3g}", c.check.threshold, *c.check.band)
-                       : fmt::format("{} {:.3g}", c.check.criterion == Criterion::at_most ? "at most" : "at least",
+            : fmt::format("{} {:.3g}", c.check.criterion == Criterion::at_most ? "at most" : "at least",
                           c.check.threshold);
     text += fmt::format(
         "{:<5} {:<10} {:>18} {:>14} {:>9.3f}  {}{}\n", c.check.claim, to_string(c.verdict), measured, claimed,

@@ -5,8 +5,8 @@
 
 namespace bristle {
 
-// undecided: the threshold lies within the measurement's uncertainty, too few points have values, or a trend
-// of so few points may be chance.
+// undecided: the threshold lies within the uncertainty of the measurement, too few points have values, or a
+// trend is not significant.
 enum class Verdict {
   supported,
   refuted,
@@ -16,19 +16,19 @@ const char* to_string(Verdict verdict);
 
 const char* to_string(Criterion criterion);
 
-// A claim of the paper, measured on a result.
+// The check of a claim of the paper, evaluated on a result.
 struct CheckResult {
   Check check;
   Measurement measured;
-  double margin;  // distance from the threshold or from the end of the band, positive where the claim holds
+  double margin;  // distance from the threshold or from the end of the band; positive if the claim holds
   Verdict verdict;
 };
 
-// Evaluates the checks of the experiment stored in the result. Throws InputError for a check that names
-// what the result does not have.
+// Evaluates the checks of the experiment that is stored in the result. Throws InputError if a check names a
+// variable, an axis or a value that the result does not have.
 std::vector<CheckResult> evaluate_checks(const ResultReader& result);
 
-// A table for people, one line per claim.
+// A human-readable table with one line per check.
 std::string checks_table(const std::vector<CheckResult>& checks);
 
 }  // namespace bristle

@@ -15,7 +15,7 @@ namespace {
 
 using Field = CheckedField;
 
-constexpr double kSameValue = 1e-9;  // relative, of an axis
+constexpr double kSameValue = 1e-9;  // relative tolerance when selecting values of an axis
 
 std::size_t stride_of(const Field& field, std::size_t dimension) {
   std::size_t stride = 1;
@@ -32,7 +32,7 @@ std::size_t dimension_of(const ResultReader& result, const Field& field, const s
   return std::size_t(found - field.dimensions.begin());
 }
 
-// Of a variable that has the value of each point, or of an axis each of the dimension.
+// Values of a variable or an axis, of which there must be count.
 std::vector<double> values_of(const ResultReader& result, const std::string& name, std::size_t count) {
   std::vector<double> values = result.variable(name).values;
   if (values.size() != count)
@@ -54,7 +54,8 @@ Field read(const ResultReader& result, const std::string& name) {
 void divide(const ResultReader& result, Field& field, const std::string& name, double power) {
   const Field by = read(result, name);
   if (by.shape != field.shape)
-    throw InputError(fmt::format("{}: damaged: {} is of another shape", result.path(), name));
+    throw InputError(fmt::format("{}: damaged: {} has a different shape than the variable that it divides",
+                                 result.path(), name));
   for (std::size_t i = 0; i < field.values.size(); ++i) {
     const double relative = std::abs(power) * by.errors[i] / std::abs(by.values[i]);
     field.values[i] /= pow(by.values[i], power);
@@ -62,17 +63,17 @@ void divide(const ResultReader& result, Field& field, const std::string& name, d
   }
 }
 
-// The value of a word on an axis of choices: its index among the options.
+// The value of a word on the axis of a choice: its index in the flag meanings.
 double index_of(const ResultReader& result, const std::string& name, const std::string& word) {
   const auto words = result.flag_meanings(name);
   const auto found = std::find(words.begin(), words.end(), word);
   if (found == words.end())
-    throw InputError(fmt::format("{}: {} is not one of {}'s words: {}", result.path(), word, name,
+    throw InputError(fmt::format("{}: {} is not a value of {}; allowed: {}", result.path(), word, name,
                                  fmt::join(words, ", ")));
   return double(found - words.begin());
 }
 
-// The range [from, to] that a selection means on this axis.
+// A selection on this axis as a range [from, to].
 std::array<double, 2> range_of(const ResultReader& result, const std::string& name, const Selection& wanted) {
   if (const auto* range = std::get_if<std::array<double, 2>>(&wanted)) return *range;
   const auto* word = std::get_if<std::string>(&wanted);
@@ -99,12 +100,12 @@ void select(const ResultReader& result, Field& field, const std::string& name, c
   if (axis != field.dimensions.end())
     return keep_on_axis(result, field, std::size_t(axis - field.dimensions.begin()), wanted);
   const std::vector<double> values = values_of(result, name, field.values.size());
-  const auto [from, to] = std::get<std::array<double, 2>>(wanted);  // validate_checks(): a variable has a range
+  const auto [from, to] = std::get<std::array<double, 2>>(wanted);  // a range, by validate_checks()
   for (std::size_t i = 0; i < field.kept.size(); ++i)
     if (!(values[i] >= from && values[i] <= to)) field.kept[i] = false;
 }
 
-// Value and error where the abscissa first passes the target along a curve's nodes; NaN if it does not.
+// Value and error where the abscissa first crosses the target along the nodes of a curve; NaN if it does not.
 CurvePoint interpolate(const Curve& nodes, double target) {
   for (std::size_t i = 1; i < nodes.size(); ++i) {
     const CurvePoint &a = nodes[i - 1], &b = nodes[i];
@@ -117,10 +118,11 @@ CurvePoint interpolate(const Curve& nodes, double target) {
   return {target, NAN, NAN};
 }
 
-// The field without its last dimension, "node", taken where the named variable has the value.
+// The field without its last dimension, "node": interpolated where the named variable has the target value.
 Field reduce(const ResultReader& result, const Field& field, const std::string& name, double target) {
   if (field.shape.empty())
-    throw InputError(fmt::format("{}: damaged: what is taken at {} has no nodes", result.path(), name));
+    throw InputError(fmt::format("{}: damaged: a variable to be measured at a value of {} has no nodes",
+                                 result.path(), name));
   const std::vector<double> abscissa = values_of(result, name, field.values.size());
   const std::vector<double> branch = values_of(result, "branch", field.values.size());
   const bool loading_path = name == "R_n";
@@ -147,7 +149,8 @@ Field reduce(const ResultReader& result, const Field& field, const std::string& 
 
 }  // namespace
 
-CheckedCurves::CheckedCurves(const ResultReader& result, const Check& check, const std::optional<Selection>& at)
+CheckedCurves::CheckedCurves(const ResultReader& result, const Check& check,
+                             const std::optional<Selection>& at)
     : result_(result), check_(check) {
   if (at) compared_.emplace(check.compare->axis, *at);
 }

@@ -9,21 +9,21 @@
 
 namespace bristle {
 
-// A value with its error estimate over an abscissa.
+// A value and its error estimate at an abscissa.
 struct CurvePoint {
   double x, value, error;
   double x_error = 0;
 };
 using Curve = std::vector<CurvePoint>;
 
-// Curves along one dimension of a result, on which a check measures.
+// Curves along one dimension of a result, the input of predicates.
 struct Curves {
   std::vector<Curve> curves;
-  std::size_t missing = 0;   // points without a value, left out
+  std::size_t missing = 0;   // number of points without a value, which are omitted
   bool independent = false;  // the errors are independent and add in quadrature, otherwise linearly
 };
 
-// A variable with its errors over the sweep; kept marks the selected points. All in row-major order.
+// A variable with its errors over the sweep, in row-major order. kept marks the selected points.
 struct CheckedField {
   std::vector<std::string> dimensions;
   std::vector<std::size_t> shape;
@@ -31,19 +31,20 @@ struct CheckedField {
   std::vector<bool> kept;
 };
 
-// The variable of a check, divided by powers of others, at the points that its "where" selects. "at" reduces a
-// traced curve to one value: by linear interpolation, at the node that carries the given load on the loading
-// path (for another variable: where it first passes the given value); the error then includes the distance to
-// the nearer node. All members throw InputError for a name that the result does not have.
+// The variable of a check, divided by powers of other variables, at the points that "where" selects. "at"
+// reduces every traced curve to one value by linear interpolation between nodes: at the given load on the
+// loading path or, for a variable other than R_n, where that variable first crosses the given value. The
+// error then includes the difference from the nearer node. All members throw InputError for a name that the
+// result does not have.
 class CheckedCurves {
  public:
-  // at: of the check's comparison, the value of the axis at which to measure.
+  // at: for a check with "compare", the value of its axis at which to measure.
   CheckedCurves(const ResultReader& result, const Check& check, const std::optional<Selection>& at = {});
 
-  // Curves along the check's dimension, or another, over that axis or the check's abscissa x.
+  // Curves along the check's dimension, or another one, over that axis or over the check's variable x.
   Curves along() const;
   Curves along(const std::string& dimension) const;
-  // All selected points in row-major order, those without a value included.
+  // All selected points in row-major order, including those without a value.
   Curve points() const;
 
  private:

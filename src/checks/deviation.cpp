@@ -18,24 +18,25 @@ std::string names(const std::vector<Axis>& axes) {
   return out.empty() ? "none" : fmt::format("{}", fmt::join(out, ", "));
 }
 
-// Index in the file of each value of a reference's axis.
+// Index in the file of each value of an axis of the reference.
 std::vector<std::size_t> match_axis(const Axis& reference, const Axis& now, DeviationReport& report) {
   std::vector<std::size_t> at;
   for (const double value : reference.values) {
     const auto found = std::find(now.values.begin(), now.values.end(), value);
     if (found == now.values.end())
       report.failures.push_back(
-          fmt::format("axis {}: the reference's {} = {} is not among the file's {} values", now.name,
+          fmt::format("axis {}: {} = {} of the reference is not among the {} values of the file", now.name,
                       now.name, value, now.values.size()));
     at.push_back(std::size_t(found - now.values.begin()));
   }
   return at;
 }
 
-// Index in the file of each point of the reference; failures if there is no such point.
-std::vector<std::size_t> match_points(const Reference& reference, const Reference& now, DeviationReport& report) {
+// Index in the file of each point of the reference. Reports missing points as failures.
+std::vector<std::size_t> match_points(const Reference& reference, const Reference& now,
+                                      DeviationReport& report) {
   if (names(reference.axes) != names(now.axes)) {
-    report.failures.push_back(fmt::format("different axes: the file's are {}, the reference's {}",
+    report.failures.push_back(fmt::format("different axes: the file has {}, the reference has {}",
                                           names(now.axes), names(reference.axes)));
     return {};
   }
@@ -52,7 +53,8 @@ std::vector<std::size_t> match_points(const Reference& reference, const Referenc
   return points;
 }
 
-// The same quantity in both; failures for what only one has and for what is not over the sweep.
+// Compares quantities of the same name. Reports as failures quantities that only one side has or that do not
+// have the dimensions of the sweep.
 template <class Quantity, class Compare>
 void compare_by_name(const std::vector<Quantity>& reference, const std::vector<Quantity>& now,
                      DeviationReport& report, Compare compare) {
@@ -89,11 +91,12 @@ void compare_flags(const ReferenceFlags& r, const ReferenceFlags& n, const std::
   }
 }
 
-// Only between equal sets of points: a claim over more of them may well end otherwise.
+// Requires equal sets of points, because verdicts may depend on them.
 void compare_claims(const Reference& reference, const Reference& now, DeviationReport& report) {
   if (reference.claims.size() != now.claims.size())
-    report.failures.push_back(fmt::format("different checks: the file's experiment has {}, the reference {}",
-                                          now.claims.size(), reference.claims.size()));
+    report.failures.push_back(
+        fmt::format("different checks: the experiment of the file has {}, the reference {}",
+                    now.claims.size(), reference.claims.size()));
   for (std::size_t i = 0; i < std::min(reference.claims.size(), now.claims.size()); ++i) {
     const ReferenceClaim &r = reference.claims[i], &n = now.claims[i];
     if (r.claim != n.claim || r.statement != n.statement)
@@ -107,17 +110,16 @@ void compare_claims(const Reference& reference, const Reference& now, DeviationR
 
 void note_other_origin(const Reference& reference, const Reference& now, DeviationReport& report) {
   if (reference.numerics_version != now.numerics_version)
-    report.notes.push_back(fmt::format("numerics_version is {}, the reference's is {}", now.numerics_version,
-                                       reference.numerics_version));
+    report.notes.push_back(fmt::format("numerics_version is {}, that of the reference is {}",
+                                       now.numerics_version, reference.numerics_version));
   if (report.points == report.points_in_file && reference.inputs_sha256 != now.inputs_sha256)
-    report.notes.emplace_back("computed from other inputs than the reference (inputs_sha256)");
+    report.notes.emplace_back("computed from different inputs than the reference (inputs_sha256)");
 }
 
 }  // namespace
 
 std::size_t DeviationReport::above(double tolerances) const {
-  return std::size_t(
-      std::count_if(deviations.begin(), deviations.end(),
+  return std::size_t(std::count_if(deviations.begin(), deviations.end(),
                                    [=](const Deviation& d) { return d.tolerances > tolerances; }));
 }
 

@@ -9,7 +9,7 @@
 namespace bristle {
 namespace {
 
-constexpr std::size_t kWorst = 5;  // deviations that are listed
+constexpr std::size_t kMaxListed = 5;
 
 Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
@@ -25,7 +25,7 @@ Json entry(const Deviation& d, const ResultReader& result) {
 
 Json deviation_json(const DeviationReport& report, const ResultReader& result, const std::string& reference) {
   Json worst = Json::array();
-  for (std::size_t i = 0; i < std::min(kWorst, report.deviations.size()); ++i)
+  for (std::size_t i = 0; i < std::min(kMaxListed, report.deviations.size()); ++i)
     worst.push_back(entry(report.deviations[i], result));
   return {{"reference", reference},
           {"failed", report.failed()},

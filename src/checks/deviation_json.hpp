@@ -8,7 +8,7 @@
 
 namespace bristle {
 
-// A report for programs: the counts, the worst five deviations, failures and notes.
+// The report as JSON: counts, the five worst deviations, failures and notes.
 Json deviation_json(const DeviationReport& report, const ResultReader& result, const std::string& reference);
 
 }  // namespace bristle

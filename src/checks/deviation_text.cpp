@@ -11,12 +11,14 @@
 namespace bristle {
 namespace {
 
-constexpr std::size_t kAlwaysShown = 5, kMostShown = 25;
-constexpr double kWarning = 0.5;  // of a tolerance
+constexpr std::size_t kMinShown = 5, kMaxShown = 25;
+constexpr double kWarning = 0.5;  // in units of the tolerance
 
 std::string row(const ResultReader& result, const Deviation& d) {
   const std::string size = std::isfinite(d.tolerances) ? fmt::format("{:.3g}", d.tolerances) : "-";
-  const char* verdict = d.tolerances > 1 ? "  FAILED" : d.tolerances > kWarning ? "  above half its tolerance" : "";
+  const char* verdict = d.tolerances > 1          ? "  FAILED"
+                        : d.tolerances > kWarning ? "  above half its tolerance"
+                                                  : "";
   return fmt::format("{:<18} {:>10} {:>24} {:>24}  {}{}\n", d.variable, size,
                      value_text(result, d.variable, d.reference), value_text(result, d.variable, d.now),
                      place(result, d.variable, d.point), verdict);
@@ -37,9 +39,10 @@ std::string replays(const DeviationReport& report, const ResultReader& result, s
 
 }  // namespace
 
-std::string deviation_text(const DeviationReport& report, const ResultReader& result, const std::string& reference) {
+std::string deviation_text(const DeviationReport& report, const ResultReader& result,
+                           const std::string& reference) {
   const std::size_t warnings = report.above(kWarning), failed = report.above(1);
-  const std::size_t wanted = std::min(std::max(kAlwaysShown, warnings), kMostShown);
+  const std::size_t wanted = std::min(std::max(kMinShown, warnings), kMaxShown);
   const std::size_t shown = std::min(wanted, report.deviations.size());
   std::string text;
   for (const std::string& note : report.notes) text += fmt::format("note: {}\n", note);

@@ -7,8 +7,8 @@
 
 namespace bristle {
 
-// A report for people: the worst five deviations, and up to 25 that exceed half their tolerance, with the
-// commands that compute their points again. reference: the path of its file.
+// The report as text: the five worst deviations, or up to 25 if more exceed half their tolerance, and the
+// commands that compute their points again. reference: path of the reference, for the summary.
 std::string deviation_text(const DeviationReport& report, const ResultReader& result,
                            const std::string& reference);
 

@@ -15,7 +15,7 @@
 namespace bristle {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 struct Pair {
   const ResultReader &a, &b;
@@ -23,7 +23,7 @@ struct Pair {
 
 void check_tolerance(const char* option, const std::optional<double>& value) {
   if (value && !(*value >= 0 && std::isfinite(*value)))
-    throw InputError(fmt::format("{} {}: allowed: 0 or a positive number", option, *value));
+    throw InputError(fmt::format("{} {} is not allowed; allowed: 0 or a positive number", option, *value));
 }
 
 std::string shape_text(const Variable& v) {
@@ -31,7 +31,7 @@ std::string shape_text(const Variable& v) {
   return fmt::format("{} over {}", fmt::join(v.shape, " x "), fmt::join(v.dimensions, " x "));
 }
 
-// Names in both files; those in one are differences.
+// Names that are in both files. Names that are in one file only are differences.
 std::vector<std::string> common_names(const Pair& files, Diff& out) {
   const auto in_a = numeric_datasets(files.a), in_b = numeric_datasets(files.b);
   const auto has = [](const std::vector<std::string>& names, const std::string& name) {
@@ -40,43 +40,47 @@ std::vector<std::string> common_names(const Pair& files, Diff& out) {
   std::vector<std::string> both;
   for (const std::string& name : in_a)
     if (has(in_b, name)) both.push_back(name);
-    else out.plain.push_back(fmt::format("{}: only in {}", name, files.a.path()));
+    else out.incomparable.push_back(fmt::format("{}: only in {}", name, files.a.path()));
   for (const std::string& name : in_b)
-    if (!has(in_a, name)) out.plain.push_back(fmt::format("{}: only in {}", name, files.b.path()));
+    if (!has(in_a, name)) out.incomparable.push_back(fmt::format("{}: only in {}", name, files.b.path()));
   return both;
 }
 
-// How two axes differ; empty if they do not.
-std::string axis_difference(const Variable& a, const Variable& b) {
+// The first difference of two axes or row numbers; empty if they are equal.
+std::string coordinate_difference(const Variable& a, const Variable& b) {
   if (a.shape != b.shape)
-    return fmt::format("another axis: {} values against {}", a.values.size(), b.values.size());
+    return fmt::format("different coordinates: {} values against {}", a.values.size(), b.values.size());
   for (std::size_t i = 0; i < a.values.size(); ++i)
     if (!same_bits(a.values[i], b.values[i]))
-      return fmt::format("another axis: {} against {} at index {}", a.values[i], b.values[i], i);
+      return fmt::format("different coordinates: {} against {} at index {}", a.values[i], b.values[i], i);
   return "";
 }
 
-// The axes whose indices do not mean the same points in both files, by the name that dimensions have.
-std::set<std::string> compare_axes(const Pair& files, const std::vector<std::string>& names, Diff& out) {
-  std::set<std::string> others;
+// Names of the dimensions whose coordinates differ, so that equal indices are different points.
+std::set<std::string> compare_coordinates(const Pair& files, const std::vector<std::string>& names,
+                                          Diff& out) {
+  std::set<std::string> different;
   for (const std::string& name : names) {
-    if (kind_of(files.a, name) != Kind::axis || kind_of(files.b, name) != Kind::axis) continue;
+    if (kind_of(files.a, name) != DatasetKind::coordinate ||
+        kind_of(files.b, name) != DatasetKind::coordinate)
+      continue;
     ++out.compared;
-    const std::string how = axis_difference(files.a.variable(name), files.b.variable(name));
+    const std::string how = coordinate_difference(files.a.variable(name), files.b.variable(name));
     if (how.empty()) {
       ++out.same;
       continue;
     }
-    out.plain.push_back(fmt::format("{}: {}", name, how));
-    others.insert(name.substr(name.rfind('/') + 1));
+    out.incomparable.push_back(fmt::format("{}: {}", name, how));
+    different.insert(name.substr(name.rfind('/') + 1));
   }
-  return others;
+  return different;
 }
 
-// The unit of a variable's differences; without tolerances the error estimates of both, NaN without.
+// The unit of the differences of a variable: the tolerance or, if none is given, the sum of both error
+// estimates. NaN without error estimates.
 std::vector<double> units_of(const Pair& files, const std::string& name, const Variable& a, const Variable& b,
                              const Tolerances& tolerances) {
-  std::vector<double> units(a.values.size(), kNone);
+  std::vector<double> units(a.values.size(), kUnknown);
   if (tolerances.given()) {
     for (std::size_t i = 0; i < units.size(); ++i)
       units[i] = tolerances.atol.value_or(0) +
@@ -91,68 +95,71 @@ std::vector<double> units_of(const Pair& files, const std::string& name, const V
   return units;
 }
 
-// Flags, NaN and infinity have no distance: the first of them, and how many there are.
-void report_incomparable(const Pair& files, const std::string& name, const Variable& a, const Variable& b,
-                  const std::vector<std::size_t>& at, Diff& out) {
+// Reports differences of flags, NaN and infinity, which have no size: the first of them and their number.
+void report_without_size(const Pair& files, const std::string& name, const Variable& a, const Variable& b,
+                         const std::vector<std::size_t>& at, Diff& out) {
   if (at.empty()) return;
   const std::size_t i = at[0];
-  out.plain.push_back(fmt::format("{}: {} against {} at {}{}", name, value_text(files.a, name, a.values[i]),
-                                  value_text(files.b, name, b.values[i]), place(files.a, name, i),
-                                  at.size() > 1 ? fmt::format(", and {} more", at.size() - 1) : ""));
+  out.incomparable.push_back(fmt::format("{}: {} against {} at {}{}", name,
+                                         value_text(files.a, name, a.values[i]),
+                                         value_text(files.b, name, b.values[i]), place(files.a, name, i),
+                                         at.size() > 1 ? fmt::format(", and {} more", at.size() - 1) : ""));
 }
 
 void compare_values(const Pair& files, const std::string& name, const Variable& a, const Variable& b,
                     Diff& out) {
-  const bool flags = kind_of(files.a, name) == Kind::flags;
+  const bool flags = kind_of(files.a, name) == DatasetKind::flags;
   const auto units = units_of(files, name, a, b, out.tolerances);
   Difference d;
   d.name = name;
-  std::vector<std::size_t> incomparable, comparable;
+  std::vector<std::size_t> without_size, with_size;
   std::pair<double, double> worst;
   for (std::size_t i = 0; i < a.values.size(); ++i) {
     const double x = a.values[i], y = b.values[i];
     if (same_bits(x, y)) continue;
-    const bool distance = !flags && std::isfinite(x) && std::isfinite(y);
-    (distance ? comparable : incomparable).push_back(i);
-    if (!distance) continue;
-    const double size = std::abs(x - y), many = in_tolerances(x, y, units[i]);
+    const bool has_size = !flags && std::isfinite(x) && std::isfinite(y);
+    (has_size ? with_size : without_size).push_back(i);
+    if (!has_size) continue;
+    const double size = std::abs(x - y), in_units = in_tolerances(x, y, units[i]);
     d.absolute = std::max(d.absolute, size);
     if (size > 0) d.relative = std::max(d.relative, size / std::max(std::abs(x), std::abs(y)));
-    if (!std::isnan(many)) d.units = std::max(d.units.value_or(0), many);
-    const std::pair<double, double> rank{std::isnan(many) ? -1 : many, size};
-    if (comparable.size() > 1 && rank <= worst) continue;
+    if (!std::isnan(in_units)) d.units = std::max(d.units.value_or(0), in_units);
+    const std::pair<double, double> rank{std::isnan(in_units) ? -1 : in_units, size};
+    if (with_size.size() > 1 && rank <= worst) continue;
     worst = rank;
     d.a = x;
     d.b = y;
     d.where = i;
   }
-  report_incomparable(files, name, a, b, incomparable, out);
-  if (incomparable.empty() && comparable.empty()) ++out.same;
-  if (comparable.empty()) return;
+  report_without_size(files, name, a, b, without_size, out);
+  if (without_size.empty() && with_size.empty()) ++out.same;
+  if (with_size.empty()) return;
   d.place = place(files.a, name, d.where);
   out.numbers.push_back(d);
 }
 
 void compare_variables(const Pair& files, const std::vector<std::string>& names,
-                       const std::set<std::string>& other_axes, Diff& out) {
-  std::map<std::string, int> skipped;  // by the axis that differs
+                       const std::set<std::string>& different_dimensions, Diff& out) {
+  std::map<std::string, int> skipped;  // number of variables, by dimension
   for (const std::string& name : names) {
-    const Kind kind = kind_of(files.a, name);
+    const DatasetKind kind = kind_of(files.a, name);
     const bool same_kind = kind == kind_of(files.b, name);
-    if (kind == Kind::axis && same_kind) continue;
+    if (kind == DatasetKind::coordinate && same_kind) continue;
     ++out.compared;
     const Variable a = files.a.variable(name), b = files.b.variable(name);
-    const auto other = std::find_if(a.dimensions.begin(), a.dimensions.end(),
-                                    [&](const std::string& d) { return other_axes.contains(d); });
-    if (!same_kind) out.plain.push_back(fmt::format("{}: another type of numbers", name));
-    else if (a.dimensions == b.dimensions && other != a.dimensions.end()) ++skipped[*other];
+    const auto different = std::find_if(a.dimensions.begin(), a.dimensions.end(), [&](const std::string& d) {
+      return different_dimensions.contains(d);
+    });
+    if (!same_kind) out.incomparable.push_back(fmt::format("{}: different kinds of numbers", name));
+    else if (a.dimensions == b.dimensions && different != a.dimensions.end()) ++skipped[*different];
     else if (a.shape != b.shape || a.dimensions != b.dimensions)
-      out.plain.push_back(
-          fmt::format("{}: another shape: {} against {}", name, shape_text(a), shape_text(b)));
+      out.incomparable.push_back(
+          fmt::format("{}: different shapes: {} against {}", name, shape_text(a), shape_text(b)));
     else compare_values(files, name, a, b, out);
   }
-  for (const auto& [axis, count] : skipped)
-    out.plain.push_back(fmt::format("{} variables over {} are not compared: the axis differs", count, axis));
+  for (const auto& [dimension, count] : skipped)
+    out.incomparable.push_back(fmt::format(
+        "{} variables over {} are not compared, because its coordinates differ", count, dimension));
 }
 
 std::string table(const std::vector<Difference>& numbers) {
@@ -169,13 +176,13 @@ std::string table(const std::vector<Difference>& numbers) {
 }  // namespace
 
 double Diff::worst() const {
-  double most = 0;
-  for (const Difference& d : numbers) most = std::max(most, d.units.value_or(INFINITY));
-  return most;
+  double largest = 0;
+  for (const Difference& d : numbers) largest = std::max(largest, d.units.value_or(INFINITY));
+  return largest;
 }
 
 bool Diff::agree() const {
-  if (!plain.empty()) return false;
+  if (!incomparable.empty()) return false;
   return tolerances.given() ? worst() <= 1 : numbers.empty();
 }
 
@@ -188,7 +195,7 @@ Diff diff_results(const ResultReader& a, const ResultReader& b, const Tolerances
   if (const auto x = a.text("name"), y = b.text("name"); x != y)
     out.notes.push_back(fmt::format("different experiments: {} and {}", x, y));
   const auto names = common_names(files, out);
-  compare_variables(files, names, compare_axes(files, names, out), out);
+  compare_variables(files, names, compare_coordinates(files, names, out), out);
   const auto rank = [](const Difference& d) { return std::pair(d.units.value_or(-1), d.relative); };
   std::stable_sort(out.numbers.begin(), out.numbers.end(),
                    [&](const Difference& x, const Difference& y) { return rank(x) > rank(y); });
@@ -206,7 +213,7 @@ std::string diff_text(const Diff& diff) {
                "within the tolerances: {} variables, {} of them the same bit for bit, the rest up to {:.3g} "
                "of the tolerance\n",
                diff.compared, diff.same, diff.worst());
-  for (const std::string& line : diff.plain) text += line + "\n";
+  for (const std::string& line : diff.incomparable) text += line + "\n";
   if (!diff.numbers.empty()) text += table(diff.numbers);
   return text + fmt::format("{} of {} variables are the same bit for bit\n", diff.same, diff.compared);
 }

@@ -8,39 +8,41 @@
 
 namespace bristle {
 
-// Two numbers agree within atol + rtol * max(|a|, |b|). With neither given only equal numbers agree, and
-// differences are shown in units of the files' own error estimates, <name>_err of both together.
+// Two numbers agree if they differ by at most atol + rtol * max(|a|, |b|). If neither is given, only equal
+// numbers agree, and differences are shown in units of the sum of the error estimates <name>_err of both
+// files.
 struct Tolerances {
   std::optional<double> rtol, atol;
   bool given() const { return rtol || atol; }
 };
 
-// How the numbers of a variable differ. The sizes are the largest over the variable, each by itself; where
-// is the index of the largest in units, or else of the largest absolute one.
+// The largest differences of a variable: absolute, relative and in units of the tolerance, each maximised
+// separately. where is the index of the largest difference in units, or without units of the largest absolute
+// difference.
 struct Difference {
   std::string name;
   double absolute = 0, relative = 0;
-  std::optional<double> units;  // none without an error estimate; infinite if that is zero
+  std::optional<double> units;  // none without an error estimate; infinite if the estimate is zero
   std::size_t where = 0;
   std::string place;
-  double a = 0, b = 0;  // there
+  double a = 0, b = 0;  // the values at index where
 };
 
 struct Diff {
   Tolerances tolerances;
-  std::vector<std::string> notes;      // what a reader should know, no difference
-  std::vector<std::string> plain;      // differences that no tolerance covers
-  std::vector<Difference> numbers;     // worst first
-  std::size_t compared = 0, same = 0;  // variables; those that are the same bit for bit
+  std::vector<std::string> notes;         // information, not a difference
+  std::vector<std::string> incomparable;  // differences that have no size, so that no tolerance covers them
+  std::vector<Difference> numbers;        // worst first
+  std::size_t compared = 0, same = 0;     // variables, and those of them that are the same bit for bit
 
   double worst() const;  // in units
   bool agree() const;
 };
 
-// Compares every dataset of numbers. Throws InputError for a tolerance that is none.
+// Compares all numeric datasets. Throws InputError for an invalid tolerance.
 Diff diff_results(const ResultReader& a, const ResultReader& b, const Tolerances& tolerances);
 
-// For people: one line where they agree, else the plain differences and a table.
+// One line if the files agree, otherwise the differences without a size and a table of the others.
 std::string diff_text(const Diff& diff);
 
 }  // namespace bristle

@@ -59,15 +59,13 @@ std::vector<Predicate> make_predicates() {
   table.push_back({"concordance", {}, nullptr, [](const Curve& a, const Curve& b, const Check&) {
                      return concordance(a, b);
                    }});
-  table.push_back({"ordering", {}, nullptr, [](const Curve& a, const Curve& b, const Check&) {
-                     return ordering(a, b);
-                   }});
-  table.push_back({"equality",
-                   {{"resolution", [](const Check& c) { return c.resolution.has_value(); }}},
-                   nullptr,
-                   [](const Curve& a, const Curve& b, const Check& check) {
-                     return equality(a, b, *check.resolution);
-                   }});
+  table.push_back(
+      {"ordering", {}, nullptr, [](const Curve& a, const Curve& b, const Check&) { return ordering(a, b); }});
+  table.push_back(
+      {"equality",
+       {{"resolution", [](const Check& c) { return c.resolution.has_value(); }}},
+       nullptr,
+       [](const Curve& a, const Curve& b, const Check& check) { return equality(a, b, *check.resolution); }});
   return table;
 }
 
@@ -79,8 +77,8 @@ const std::vector<Predicate>& predicates() {
 }
 
 const Predicate& find_predicate(const std::string& name) {
-  const auto found =
-      std::find_if(predicates().begin(), predicates().end(), [&](const Predicate& p) { return p.name == name; });
+  const auto found = std::find_if(predicates().begin(), predicates().end(),
+                                  [&](const Predicate& p) { return p.name == name; });
   if (found == predicates().end()) throw std::logic_error("no predicate " + name);
   return *found;
 }
@@ -93,7 +91,8 @@ Measurement measure(const ResultReader& result, const Check& check) {
     return predicate.on_pairs(points, Curve(points.size(), {0, *check.expected, 0}), check);
   }
   if (!check.compare) return predicate.on_curves(all, check);
-  const CheckedCurves first(result, check, check.compare->first), second(result, check, check.compare->second);
+  const CheckedCurves first(result, check, check.compare->first),
+      second(result, check, check.compare->second);
   if (predicate.on_pairs) return predicate.on_pairs(first.points(), second.points(), check);
   const Measurement a = predicate.on_curves(first, check), b = predicate.on_curves(second, check);
   return check.difference ? difference(a, b) : ratio(a, b);

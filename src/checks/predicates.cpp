@@ -10,7 +10,7 @@ namespace {
 
 double relative_error(const CurvePoint& p) { return p.error / std::abs(p.value); }
 
-// Errors that add linearly, or in quadrature if they are independent.
+// Sum of errors: in quadrature if they are independent, otherwise linear.
 class ErrorSum {
  public:
   explicit ErrorSum(bool independent) : independent_(independent) {}
@@ -22,7 +22,7 @@ class ErrorSum {
   double sum_ = 0;
 };
 
-// Mean over the curves of what one curve of at least two points measures: {value, uncertainty}.
+// Mean over the curves with at least two points. of_curve returns {value, uncertainty} of one curve.
 template <class OfCurve>
 Measurement mean_over(const Curves& in, OfCurve of_curve) {
   double sum = 0;
@@ -56,13 +56,13 @@ Measurement mean_log_range(const Curves& in) {
   });
 }
 
-// +-1, or 0 if the errors overlap.
-int sign_of(double change, double unsure) { return change > unsure ? 1 : change < -unsure ? -1 : 0; }
+// Sign of a change; 0 if its size does not exceed its error.
+int sign_of(double change, double error) { return change > error ? 1 : change < -error ? -1 : 0; }
 
-// Of Kendall's statistic over pairs of points.
+// Pairs of points, counted for Kendall's tau.
 struct Pairs {
   long rising = 0, falling = 0, all = 0;
-  double variance = 0;  // of rising - falling without association
+  double variance = 0;  // of rising - falling if there is no association
 
   void add(int sign) {
     ++all;
@@ -102,8 +102,9 @@ std::size_t steepest(const std::vector<Estimate>& slopes) {
   return std::size_t(std::min_element(slopes.begin(), slopes.end(), less) - slopes.begin());
 }
 
-// ln(abscissa) at which the curve first comes down to a level, and half the distance of the points there.
-Estimate comes_down(const Curve& curve, std::size_t from, double level) {
+// ln(abscissa) at which the curve first falls to a level after the point from, and half the distance of the
+// points there.
+Estimate falls_to(const Curve& curve, std::size_t from, double level) {
   for (std::size_t i = from + 1; i < curve.size(); ++i) {
     if (curve[i].value > level) continue;
     const double a = log(curve[i - 1].x), b = log(curve[i].x);
@@ -238,8 +239,8 @@ Measurement fall_width(const Curves& in) {
     const auto low = std::min_element(high, curve.end(), less);
     const double range = high->value - low->value;
     const auto from = std::size_t(high - curve.begin());
-    const Estimate begin = comes_down(curve, from, high->value - range / 4);
-    const Estimate end = comes_down(curve, from, high->value - 3 * range / 4);
+    const Estimate begin = falls_to(curve, from, high->value - range / 4);
+    const Estimate end = falls_to(curve, from, high->value - 3 * range / 4);
     return Estimate{end.value - begin.value, begin.uncertainty + end.uncertainty};
   });
 }

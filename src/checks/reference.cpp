@@ -12,22 +12,22 @@
 namespace bristle {
 namespace {
 
-// The integrator's error in a mean is below 6 rtol of its size (docs/numerics.md, gamma_2 at 1e-5), doubled
-// for points less kind than the three measured there.
+// The relative error of a mean due to the integrator is below 6 rtol (docs/numerics.md, gamma_2 at 1e-5). The
+// larger factor allows for points that are harder than the three measured there.
 constexpr double kIntegrator = 10;
-// Headroom for the last bits of another libm: amplified along a trajectory, relative to the variable's size;
-// and, where a decision of the quadrature or of the load search falls otherwise, the estimated error once
-// more, or three times for the pinned bristles' parts, whose accuracy nothing asks for (docs/reference.md has
-// the measurement).
+// Allowance for a different libm (measured in docs/reference.md): last bits, amplified along a trajectory,
+// relative to the size of the variable; and, as the quadrature or the load search may decide differently, the
+// estimated error once more, or three times for the pinned bristles' variables, whose accuracy is not
+// controlled.
 constexpr double kLibm = 1e-8;
-double decisions(const std::string& name) { return name.rfind("pinned_", 0) == 0 ? 3 : 1; }
+double decision_factor(const std::string& name) { return name.rfind("pinned_", 0) == 0 ? 3 : 1; }
 
 bool has_suffix(const std::string& text, const std::string& suffix) {
   return text.size() > suffix.size() && text.compare(text.size() - suffix.size(), suffix.size(), suffix) == 0;
 }
 
-// The parts are relative to the variable's largest value: a value that passes through zero is not known
-// better than its neighbours.
+// Largest absolute value of the variable, to which the parts are relative: a value near zero is not more
+// accurate than its neighbours.
 double scale_of(const std::vector<double>& values) {
   double scale = 0;
   for (const double v : values)
@@ -35,8 +35,8 @@ double scale_of(const std::vector<double>& values) {
   return scale;
 }
 
-// A companion of a variable, zero where there is none: without a value, there is nothing to add.
-std::vector<double> companion(const ResultReader& result, const std::string& name, std::size_t size) {
+// Values of an error variable; zero if the variable is missing or not finite.
+std::vector<double> errors_of(const ResultReader& result, const std::string& name, std::size_t size) {
   std::vector<double> values(size, 0);
   if (!result.has(name)) return values;
   const auto stored = result.variable(name).values;
@@ -48,15 +48,16 @@ std::vector<double> companion(const ResultReader& result, const std::string& nam
 std::string misfit(const Variable& v, const std::vector<std::string>& axes,
                    const std::vector<std::size_t>& shape) {
   if (v.dimensions == axes && v.shape == shape) return "";
-  return fmt::format("another shape: ({}) over ({}), the sweep is ({}) over ({})", fmt::join(v.shape, ", "),
-                     fmt::join(v.dimensions, ", "), fmt::join(shape, ", "), fmt::join(axes, ", "));
+  return fmt::format("different shape: ({}) over ({}), but the sweep is ({}) over ({})",
+                     fmt::join(v.shape, ", "), fmt::join(v.dimensions, ", "), fmt::join(shape, ", "),
+                     fmt::join(axes, ", "));
 }
 
 void add_to(std::vector<double>& values, double what) {
   for (double& value : values) value += what;
 }
 
-// How far from its target the load search may stop: orientation.rtol of it; 0 where none was searched for.
+// Allowed deviation of R_n from the target load, orientation.rtol times the target; 0 without a load search.
 double search_error(const ResultReader& result) {
   const Json experiment = result.experiment();
   if (!result.has("load_error")) return 0;
@@ -71,30 +72,30 @@ ReferenceVariable make_variable(const ResultReader& result, const std::string& n
   ReferenceVariable out{name, values, {}, {}, {}, {}, misfit};
   const std::size_t size = out.values.size();
   const double scale = scale_of(out.values);
-  out.quadrature = companion(result, name + "_err", size);
+  out.quadrature = errors_of(result, name + "_err", size);
   out.load_control.assign(size, 0);
-  if (result.has("load_error"))
-    out.load_control = companion(result, "load_error/" + name, size);
-  // energy_residual is the integrator's error itself.
+  if (result.has("load_error")) out.load_control = errors_of(result, "load_error/" + name, size);
+  // energy_residual is itself an error of the integrator.
   out.integrator.assign(size, (name == "energy_residual" ? 1 : kIntegrator * rtol) * scale);
   out.libm.assign(size, kLibm * scale);
   if (name == "R_n") add_to(out.load_control, search_error(result));
   for (std::size_t i = 0; i < size; ++i) {
-    const double load_error = name == "R_n" ? 0 : out.load_control[i];  // R_n's is not part of its _err
+    const double load_error = name == "R_n" ? 0 : out.load_control[i];  // not included in R_n_err
     out.quadrature[i] = std::max(0.0, out.quadrature[i] - load_error);
-    out.libm[i] += decisions(name) * (out.quadrature[i] + out.load_control[i]);
+    out.libm[i] += decision_factor(name) * (out.quadrature[i] + out.load_control[i]);
     if (std::isfinite(out.values[i])) continue;
     for (const TolerancePart& part : kToleranceParts) (out.*part.values)[i] = 0;
   }
   return out;
 }
 
-// Dimensions of the points: those of the status, nodes included, or of the sweep if a damaged file lacks it.
+// Dimensions of the points: those of the variable status, including nodes; those of the sweep if a damaged
+// file has no status.
 std::vector<std::string> dimensions_of(const ResultReader& result) {
   return result.has("status") ? result.variable("status").dimensions : result.axes();
 }
 
-// The commit of the program that computed the points; several if the points are from several runs.
+// Commit of the program that computed the points; a list of commits if several programs did.
 std::string commit_of(const ResultReader& result) {
   const auto provenance = result.provenance();
   for (const char* name : {"points_commits", "commit"})
@@ -131,16 +132,19 @@ Reference make_reference(const ResultReader& result, const std::vector<CheckResu
   for (const std::string& name : axes) out.axes.push_back({name, result.variable(name).values});
   const double rtol = experiment["integrator"]["rtol"];
   for (const std::string& name : numeric_datasets(result)) {
-    const Kind kind = kind_of(result, name);
-    const bool axis = kind == Kind::axis || std::count(axes.begin(), axes.end(), name) > 0;
-    if (axis || kind == Kind::integer || has_suffix(name, "_err") || name.find('/') != std::string::npos)
+    const DatasetKind kind = kind_of(result, name);
+    const bool coordinate = kind == DatasetKind::coordinate || std::count(axes.begin(), axes.end(), name) > 0;
+    if (coordinate || kind == DatasetKind::integer || has_suffix(name, "_err") ||
+        name.find('/') != std::string::npos)
       continue;
     const Variable v = result.variable(name);
     const std::string wrong = misfit(v, axes, out.shape());
-    if (kind == Kind::real) out.variables.push_back(make_variable(result, name, v.values, rtol, wrong));
+    if (kind == DatasetKind::real)
+      out.variables.push_back(make_variable(result, name, v.values, rtol, wrong));
     else out.flags.push_back({name, std::vector<long>(v.values.begin(), v.values.end()), wrong});
   }
-  for (const CheckResult& c : checks) out.claims.push_back({c.check.claim, c.check.statement, to_string(c.verdict)});
+  for (const CheckResult& c : checks)
+    out.claims.push_back({c.check.claim, c.check.statement, to_string(c.verdict)});
   return out;
 }
 

@@ -6,13 +6,13 @@
 
 namespace bristle {
 
-// A quantity over the points, row-major, the last axis fastest, with what its value leaves open: a change
-// within the sum of the parts is none. docs/reference.md derives them. NaN: the point has no value.
+// A variable at all points in row-major order, with the parts of its tolerance: a value may change by the sum
+// of the parts (derived in docs/reference.md). NaN: the point has no value.
 struct ReferenceVariable {
   std::string name;
   std::vector<double> values;
   std::vector<double> quadrature, load_control, integrator, libm;
-  std::string misfit;  // why the values are not over the sweep's axes; empty where they are
+  std::string misfit;  // difference between the variable's dimensions and those of the sweep; empty if equal
 
   double tolerance(std::size_t point) const;
 };
@@ -28,7 +28,7 @@ inline constexpr std::array<TolerancePart, 4> kToleranceParts = {{
     {"libm", &ReferenceVariable::libm},
 }};
 
-// Codes over the points, compared exactly.
+// Codes at all points, compared exactly.
 struct ReferenceFlags {
   std::string name;
   std::vector<long> values;
@@ -39,7 +39,7 @@ struct ReferenceClaim {
   std::string claim, statement, verdict;
 };
 
-// The numbers of an experiment that a later program is held against.
+// The numbers and verdicts of an experiment that later results are compared with.
 struct Reference {
   std::string name, tier, inputs_sha256, payload_sha256, commit;
   long numerics_version = 0;
@@ -52,8 +52,8 @@ struct Reference {
   std::size_t points() const;
 };
 
-// What a result file with these verdicts would be as a reference. Left out: errors (they are the tolerance),
-// axes, and counts without meanings such as passages, which are cost, not result.
+// The reference made from a result file and its verdicts. Errors are omitted because they become tolerances,
+// and counts such as passages because they are cost, not result.
 Reference make_reference(const ResultReader& result, const std::vector<CheckResult>& checks);
 
 }  // namespace bristle

@@ -16,7 +16,7 @@
 namespace bristle {
 namespace {
 
-// Objects and arrays of objects one entry per line, arrays of numbers on one line.
+// JSON text: objects and arrays of objects with one entry per line, arrays of numbers on one line.
 std::string layout(const Json& json, const std::string& indent) {
   const bool objects = json.is_array() && !json.empty() && json[0].is_object();
   if ((!json.is_object() && !objects) || json.empty()) return json.dump();
@@ -30,7 +30,7 @@ std::string layout(const Json& json, const std::string& indent) {
                      objects ? "]" : "}");
 }
 
-// A value of the file with the place it has there, for messages.
+// A value of the file with its JSON pointer, for messages.
 class Node {
  public:
   Node(const std::string& path, const Json& json, JsonPointer at = JsonPointer())
@@ -39,8 +39,8 @@ class Node {
   [[noreturn]] void fail(const std::string& what) const {
     const std::string at = at_.empty() ? "/" : at_.to_string();
     throw InputError(
-        fmt::format("{}: {}: {}; `git checkout` brings a reference back, `bristle reference update` "
-                    "makes it anew",
+        fmt::format("{}: {}: {}; restore the reference with `git checkout`, or write it again with `bristle "
+                    "reference update`",
                     path_, at, what));
   }
 
@@ -50,7 +50,7 @@ class Node {
     return *this / key;
   }
 
-  // An object with these keys and no others.
+  // Requires an object with no other keys than these.
   const Node& only(const std::vector<std::string>& keys) const {
     for (const auto& [key, value] : object().items())
       if (std::find(keys.begin(), keys.end(), key) == keys.end())
@@ -73,7 +73,7 @@ class Node {
   bool is_number() const { return json_.is_number(); }
 
   std::string text() const {
-    if (!json_.is_string()) fail(fmt::format("{} is not a text", shown(json_)));
+    if (!json_.is_string()) fail(fmt::format("{} is not a string", shown(json_)));
     return json_.get<std::string>();
   }
 
@@ -82,7 +82,7 @@ class Node {
     return json_.get<long>();
   }
 
-  // Finite, or null for NaN.
+  // A finite number, or NaN for null.
   double number() const {
     if (json_.is_null()) return std::numeric_limits<double>::quiet_NaN();
     if (!json_.is_number() || !std::isfinite(json_.get<double>()))
@@ -99,7 +99,8 @@ class Node {
 
   template <class Read>
   auto list(Read read, std::size_t size) const {
-    if (array().size() != size) fail(fmt::format("{} entries; the axes have {} points", json_.size(), size));
+    if (array().size() != size)
+      fail(fmt::format("{} entries, but the axes have {} points", json_.size(), size));
     return list(read);
   }
 
@@ -122,16 +123,16 @@ class Node {
 double number(const Node& node) { return node.number(); }
 
 double coordinate(const Node& node) {
-  if (std::isnan(node.number())) node.fail("null; a coordinate is a number");
+  if (std::isnan(node.number())) node.fail("null is not allowed; allowed: a number");
   return node.number();
 }
 
 double tolerance_part(const Node& node) {
-  if (!(node.number() >= 0)) node.fail("a part of a tolerance is 0 or a positive number");
+  if (!(node.number() >= 0)) node.fail("not a part of a tolerance; allowed: 0 or a positive number");
   return node.number();
 }
 
-// A list, or one number for all points with a value.
+// Reads a list, or one number that applies to all points with a value.
 std::vector<double> read_part(const Node& node, const std::vector<double>& values) {
   if (!node.is_number()) return node.list(tolerance_part, values.size());
   const double same = tolerance_part(node);
@@ -163,7 +164,7 @@ ReferenceVariable read_variable(const std::string& name, const Node& node, std::
 
 Axis read_axis(const std::string& name, const Node& node) {
   Axis axis{name, node.list(coordinate)};
-  if (axis.values.empty()) node.fail("an axis has at least one value");
+  if (axis.values.empty()) node.fail("an axis needs at least one value");
   return axis;
 }
 
@@ -219,7 +220,7 @@ Reference read_reference(const std::string& path) {
   const Json json = parse(path);
   const Node root(path, json);
   if (const std::string schema = root["schema"].text(); schema != kReferenceSchema)
-    root["schema"].fail(fmt::format("\"{}\"; this program reads {}", schema, kReferenceSchema));
+    root["schema"].fail(fmt::format("\"{}\", but this program reads {} only", schema, kReferenceSchema));
   root.only({"schema", "name", "tier", "inputs_sha256", "numerics_version", "payload_sha256", "commit",
              "claims", "axes", "flags", "variables"});
   Reference out;

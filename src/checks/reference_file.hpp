@@ -8,13 +8,13 @@ namespace bristle {
 
 constexpr const char* kReferenceSchema = "bristle-reference/1";
 
-// JSON, the same text for the same reference: one array per line, numbers that read back to the bit.
+// Deterministic JSON text with one array per line. All numbers read back exactly.
 std::string reference_text(const Reference& reference);
 
-// Throws InputError naming file and JSON pointer for whatever is not a reference.
+// Throws InputError with file and JSON pointer for every mistake.
 Reference read_reference(const std::string& path);
 
-// Where an experiment's reference lies: FOLDER/<name>.json.
+// Path of the reference of an experiment: FOLDER/<name>.json.
 std::string reference_path(const std::string& folder, const std::string& name);
 
 }  // namespace bristle

@@ -20,7 +20,8 @@ namespace bristle {
 namespace fs = std::filesystem;
 namespace {
 
-// Variables that points may have no value of: there is a jump, a lost passage, a lattice, or there is none.
+// Variables without a value at some points: only points with a jump, an incomplete passage or a lattice have
+// one.
 const std::set<std::string> kMayBeMissing = {"jump_z_0", "jump_R_n", "incomplete_theta_0", "R_n_fluctuation",
                                              "R_n_fluctuation_of_rows"};
 
@@ -29,31 +30,30 @@ bool status_is(double status, PointStatus wanted) { return status == double(want
 void require_reason(const std::string& reason) {
   if (reason.find_first_not_of(" \t\n") == std::string::npos || reason.find('\n') != std::string::npos)
     throw InputError(
-        "--reason: say in one line why the reference changes: it is recorded in the references' "
+        "--reason: give in one line why the reference changes; the reason is written to the references' "
         "CHANGELOG.md");
 }
 
 void require_origin(const ResultReader& result, const Reference& made) {
-  const std::string again =
+  const std::string run_again =
       fmt::format("`bristle run EXPERIMENT.json --tier smoke --force -o {}`", result.path());
   if (payload_sha256(result.file()) != made.payload_sha256)
     throw InputError(
         fmt::format("{}: payload_sha256 does not match the numbers: the file was changed or damaged; {}",
-                    result.path(), again));
+                    result.path(), run_again));
   if (made.tier != "smoke")
-    throw InputError(
-        fmt::format("{}: holds the {} tier; a reference holds the smoke tier, every commit's: {}",
-                    result.path(), made.tier, again));
+    throw InputError(fmt::format("{}: contains the {} tier, but a reference contains the smoke tier; {}",
+                                 result.path(), made.tier, run_again));
   const bool dirty = made.commit.find("-dirty") != std::string::npos;
   if (dirty || made.commit.find("unknown") != std::string::npos)
     throw InputError(
-        fmt::format("{}: computed by a program of commit {}, which nobody can build again; commit, "
+        fmt::format("{}: computed by a program of commit {}, which cannot be built again; commit, "
                     "build, then {}",
-                    result.path(), made.commit, again));
+                    result.path(), made.commit, run_again));
 }
 
-// A value that is not there although its point has values, or is infinite.
-bool is_lost(const std::string& name, double value, double status) {
+// Whether a value is infinite, or NaN although the point has values.
+bool is_invalid(const std::string& name, double value, double status) {
   if (std::isinf(value)) return true;
   const bool has_values = status_is(status, PointStatus::ok) || status_is(status, PointStatus::load_jump);
   return std::isnan(value) && has_values && !kMayBeMissing.contains(name);
@@ -62,7 +62,7 @@ bool is_lost(const std::string& name, double value, double status) {
 void require_sound_run(const ResultReader& result, const Reference& made) {
   const auto fail = [&](const std::string& name, const std::string& what) {
     throw InputError(
-        fmt::format("{}: {}: {}; a reference is made of runs without failures", result.path(), name, what));
+        fmt::format("{}: {}: {}; a reference requires a run without failures", result.path(), name, what));
   };
   const std::vector<double> status = result.variable("status").values;
   for (const ReferenceFlags& f : made.flags)
@@ -74,7 +74,7 @@ void require_sound_run(const ResultReader& result, const Reference& made) {
   for (const ReferenceVariable& v : made.variables) {
     if (!v.misfit.empty()) fail(v.name, v.misfit);
     for (std::size_t i = 0; i < v.values.size(); ++i)
-      if (is_lost(v.name, v.values[i], status[i]))
+      if (is_invalid(v.name, v.values[i], status[i]))
         fail(v.name, fmt::format("{} at {}", v.values[i], place(result, v.name, i)));
   }
 }
@@ -93,7 +93,7 @@ std::string change_line(const ResultReader& result, const Deviation& d) {
                      value_text(result, d.variable, d.now), place(result, d.variable, d.point), size);
 }
 
-// What changed: the largest change of every variable, and what has no size.
+// The largest change of every variable, and the changes that have no size.
 std::string changes(const ResultReader& result, const Reference& old, const Reference& made) {
   const DeviationReport report = compare_with_reference(old, made);
   std::string text;
@@ -103,7 +103,7 @@ std::string changes(const ResultReader& result, const Reference& old, const Refe
   for (const Deviation& d : report.deviations)  // worst first
     if (listed.insert(d.variable).second) text += change_line(result, d);
   if (report.deviations.empty() && report.failures.empty())
-    text += "- the same values, other tolerances or inputs\n";
+    text += "- the same values, but different tolerances or inputs\n";
   return text;
 }
 
@@ -114,7 +114,7 @@ std::string entry(const ReferenceUpdate& update, const ResultReader& result, con
                      old ? changes(result, *old, made) : std::string("- new reference\n"));
 }
 
-// Both files under temporary names first: a full disk leaves both old files.
+// Writes both files under temporary names first, so that a full disk leaves both old files.
 void write_files(const std::string& reference, const std::string& text, const std::string& log,
                  const std::string& record) {
   WholeFile new_reference(reference), new_log(log);
@@ -126,8 +126,8 @@ void write_files(const std::string& reference, const std::string& text, const st
   new_reference.publish();
 }
 
-// What is recorded must follow from a state that can be restored: nothing outside the folder of the references,
-// which need not exist yet, may differ from the commit.
+// Throws InputError if the work tree outside the folder of the references, which need not exist yet, differs
+// from its commit: the state that produced a reference must be reproducible.
 void require_clean_work_tree(const std::string& folder) {
   const std::string option = "--reference " + folder;
   const fs::path path = fs::absolute(fs::path(folder) / "").lexically_normal().parent_path();
@@ -157,8 +157,8 @@ std::string update_reference(const ReferenceUpdate& update) {
   std::string added = entry(update, result, old ? &*old : nullptr, made);
   const std::string before = fs::exists(log)
                                  ? read_file(log)
-                                 : "# Changes of the references\n\nWritten by `bristle reference update`; "
-                                   "oldest first. docs/reference.md says what is in a reference.\n";
+                                 : "# Changes of the references\n\nWritten by `bristle reference update`, "
+                                   "oldest first. docs/reference.md describes the references.\n";
   write_files(path, reference_text(made), log, before + added);
   return added;
 }

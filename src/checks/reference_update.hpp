@@ -7,13 +7,13 @@ namespace bristle {
 struct ReferenceUpdate {
   std::string file, reason;
   std::string folder = "reference";
-  std::string day;  // for the record
+  std::string day;  // of the change, YYYY-MM-DD
 };
 
-// Makes the result FOLDER/<name>.json and puts on record, in FOLDER/CHANGELOG.md, why and what changed.
-// Returns the record's entry; empty if the reference says the same already, and then nothing is written.
-// Throws InputError, naming what is wrong and the remedy, for a reason that is none, a result that is not
-// whole or not the smoke tier's, a program or a work tree that is no commit.
+// Writes the result to FOLDER/<name>.json as the new reference, and reason and changes to
+// FOLDER/CHANGELOG.md. Returns the entry of the change log; empty if the reference has these numbers already,
+// in which case nothing is written. Throws InputError, with the remedy, for an empty reason, for a result
+// that is not a whole result of the smoke tier, and if the program or the work tree differs from its commit.
 std::string update_reference(const ReferenceUpdate& update);
 
 }  // namespace bristle

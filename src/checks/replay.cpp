@@ -16,7 +16,7 @@ std::string tier_of(const ResultReader& result) {
   return h5::has_attribute(result.file(), "tier") ? result.text("tier") : "full";
 }
 
-// The experiment's file as named on the command line of the run, or else the usual one.
+// The experiment file named on the command line of the run; without a command line experiments/NAME.json.
 std::string experiment_file(const ResultReader& result) {
   const auto provenance = result.provenance();
   if (const auto line = provenance.find("command_line"); line != provenance.end()) {
@@ -27,7 +27,7 @@ std::string experiment_file(const ResultReader& result) {
   return fmt::format("experiments/{}.json", result.text("name"));
 }
 
-// A coordinate in the form of the experiment file: a word on an axis of words, else the exact number.
+// A coordinate as in an experiment file: a word for a choice, otherwise the exact number.
 Json coordinate(const Json& axis, double value, std::size_t index) {
   if (!axis.contains("values")) return value;
   const Json& values = axis["values"];
@@ -40,7 +40,7 @@ void add_set(std::vector<std::string>& words, const JsonPointer& at, const Json&
   words.push_back(at.to_string() + "=" + value.dump());
 }
 
-// The --set options that turn the experiment's file, if it exists, into the experiment of the run.
+// Adds the --set options that change the experiment file, if it exists, into the experiment of the run.
 void add_changes(std::vector<std::string>& words, const Json& run, const std::string& file,
                  const std::string& tier) {
   Json read;
@@ -58,7 +58,7 @@ void add_changes(std::vector<std::string>& words, const Json& run, const std::st
   }
 }
 
-// Nodes of a traced curve; otherwise 1.
+// Number of nodes of a traced curve; otherwise 1.
 std::size_t nodes_per_point(const ResultReader& result) {
   return result.variable("status").values.size() / grid_size(result.sweep_shape());
 }
@@ -83,7 +83,8 @@ std::string replay_command(const ResultReader& result, std::size_t point) {
     add_set(words, JsonPointer("/sweep") / name, one);
     ++d;
   }
-  if (experiment.contains("checks")) add_set(words, JsonPointer("/checks"), nullptr);  // they need the sweep
+  if (experiment.contains("checks"))
+    add_set(words, JsonPointer("/checks"), nullptr);  // checks need the whole sweep
   std::string command;
   for (const std::string& word : words) command += shell_quoted(word) + " ";
   return command + "-o results/replay.h5";

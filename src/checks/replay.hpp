@@ -7,11 +7,11 @@
 
 namespace bristle {
 
-// The command that computes one point of a result again, alone, to the same bits. index: of the point's value
-// in the variable status, row-major.
+// The command that computes only this point of a result again, with the same bits. index: of the point's
+// value in the variable status, in row-major order.
 std::string replay_command(const ResultReader& result, std::size_t index);
 
-// The commands of all sweep points, the last axis fastest, as a JSON array.
+// The commands of all sweep points in row-major order, as a JSON array.
 Json replay_json(const ResultReader& result);
 
 }  // namespace bristle

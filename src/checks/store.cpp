@@ -8,7 +8,7 @@
 namespace bristle {
 namespace {
 
-// Fixed-length strings, as the other texts of the file.
+// Writes strings of fixed length, as elsewhere in result files.
 void write_texts(hid_t group, const std::string& name, const std::vector<std::string>& texts) {
   std::size_t length = 1;
   for (const std::string& text : texts) length = std::max(length, text.size());

@@ -4,7 +4,7 @@
 
 namespace bristle {
 
-// Replaces the group /checks of a result file by these.
+// Writes the checks to the group /checks of a result file, replacing earlier ones.
 void write_checks(const std::string& path, const std::vector<CheckResult>& checks);
 
 }  // namespace bristle

@@ -32,7 +32,7 @@ class CheckValidator {
     for (const auto& [name, power] : check_.divide_by) known("divide_by/" + name, name, variables_);
     if (check_.at) known("at/" + check_.at->first, check_.at->first, variables_);
     if (check_.at && !experiment_.base.loading.trace)
-      fail("at", "is for traced curves only (/load/trace)");
+      fail("at", "is allowed for traced curves only (/load/trace)");
     for (const auto& [name, value] : check_.where) selects("where/" + name, name, value);
     if (const auto& pair = check_.compare) {
       selects("compare/" + pair->axis, pair->axis, pair->first);
@@ -56,13 +56,14 @@ class CheckValidator {
     for (const Predicate::Need& need : predicate.needs)
       if (!need.met(check_)) fail(need.key, fmt::format("is missing; {} needs it", predicate.name));
     if (predicate.on_pairs && !check_.compare && !check_.expected)
-      fail("compare", fmt::format("is missing; {} compares two values of an axis, or with \"expected\"",
-                                  predicate.name));
+      fail("compare",
+           fmt::format("is missing; {} needs either \"compare\", two values of an axis, or \"expected\"",
+                       predicate.name));
     if (check_.criterion == Criterion::near && !check_.band)
-      fail("band", "is missing; \"near\" needs the distance allowed");
+      fail("band", "is missing; \"near\" needs the largest allowed distance");
   }
 
-  // A word of a choice, a value of an axis, or a range of an axis or a variable.
+  // The selection must be a word of a choice, a value of an axis, or a range of an axis or a variable.
   void selects(const std::string& key, const std::string& name, const Selection& value) const {
     const bool range = std::holds_alternative<std::array<double, 2>>(value);
     const auto axis = std::find_if(experiment_.axes.begin(), experiment_.axes.end(),
@@ -71,11 +72,11 @@ class CheckValidator {
       std::vector<std::string> names = variables_;
       names.insert(names.end(), axes_.begin(), axes_.end());
       known(key, name, names);
-      if (!range) fail(key, "give a range, two numbers, of a variable");
+      if (!range) fail(key, "a variable needs a range of two numbers, [from, to]");
       return;
     }
     if (!range && !on_axis(*axis, value))
-      fail(key, fmt::format("{} is not a value of that axis; it has: {}", selection_text(value),
+      fail(key, fmt::format("{} is not a value of this axis; allowed: {}", selection_text(value),
                             axis_text(*axis)));
   }
 

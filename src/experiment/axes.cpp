@@ -33,7 +33,7 @@ class AxisReader {
         fail(at_,
              fmt::format("the values must ascend, but {} follows {}", axis.values[i], axis.values[i - 1]));
     for (const double value : axis.values) check_parameter(document_, at_, name_, value);
-    if (json_.contains("take")) axis.values = taken(axis.values);
+    if (json_.contains("take")) axis.values = values_at_taken_indices(axis.values);
     return axis;
   }
 
@@ -42,12 +42,13 @@ class AxisReader {
     document_.fail(at.to_string(), what);
   }
 
+  // The values before "take" selects some of them.
   std::vector<double> all_values() const {
     std::vector<std::string> given;
     for (const char* kind : {"values", "linspace", "logspace"})
       if (json_.contains(kind)) given.emplace_back(kind);
     if (given.size() != 1)
-      fail(at_, fmt::format("an axis is one of values, linspace, logspace; this has {}",
+      fail(at_, fmt::format("an axis needs exactly one of values, linspace, logspace; found {}",
                             given.empty() ? "none" : fmt::format("{}", fmt::join(given, " and "))));
     if (given[0] == "values") return numbers();
     return range(given[0] == "logspace", at_ / given[0]);
@@ -62,11 +63,12 @@ class AxisReader {
     return values;
   }
 
-  // The indices of the words in the axis' options.
+  // Indices of the given words in the choice's options.
   std::vector<double> choices() const {
     const auto& options = sweepable_->options;
     if (!json_.contains("values"))
-      fail(at_, fmt::format("{} takes \"values\", a list of: {}", name_, fmt::join(options, ", ")));
+      fail(at_,
+           fmt::format("{} needs \"values\", a list of words; allowed: {}", name_, fmt::join(options, ", ")));
     std::vector<double> indices;
     for (const Json& value : json_["values"]) {
       const std::string word = value.is_string() ? value.get<std::string>() : shown(value);
@@ -79,7 +81,7 @@ class AxisReader {
         fail(at_ / "values", fmt::format("{} appears twice", shown(value)));
       indices.push_back(index);
     }
-    return json_.contains("take") ? taken(indices) : indices;
+    return json_.contains("take") ? values_at_taken_indices(indices) : indices;
   }
 
   std::vector<double> range(bool logarithmic, const JsonPointer& at) const {
@@ -87,28 +89,29 @@ class AxisReader {
     const double from = r[0], to = r[1], count = r[2];
     if (count != std::floor(count) || count < 1)
       fail(at, fmt::format("the count {} is not a positive integer", count));
-    if (count > kMostPoints)
-      fail(at, fmt::format("{} points; allowed: at most {:.0e} in all", count, kMostPoints));
+    if (count > kMaxPoints)
+      fail(at, fmt::format("{} points; allowed: at most {:.0e} in the sweep", count, kMaxPoints));
     if (logarithmic && !(from > 0))
       fail(at, fmt::format("a logarithmic axis cannot start at {}; allowed: greater than 0", from));
     const auto n = std::size_t(count);
     std::vector<double> values(n, from);
     for (std::size_t i = 1; i < n; ++i) {
       const double share = double(i) / double(n - 1);
-      values[i] = logarithmic ? from * pow(to / from, share)
-                              : from + (to - from) * double(i) / double(n - 1);  // whole numbers stay whole
+      values[i] = logarithmic
+                      ? from * pow(to / from, share)
+                      : from + (to - from) * double(i) / double(n - 1);  // exact for integers, unlike share
     }
     if (n > 1) values.back() = to;
     return values;
   }
 
-  std::vector<double> taken(const std::vector<double>& values) const {
+  std::vector<double> values_at_taken_indices(const std::vector<double>& values) const {
     std::vector<double> kept;
     long last = -1;
     for (const long index : json_["take"]) {
       if (index <= last || index >= long(values.size()))
-        fail(at_ / "take",
-             fmt::format("{}; allowed: ascending indices from 0 to {}", index, values.size() - 1));
+        fail(at_ / "take", fmt::format("{} is not allowed; allowed: ascending indices from 0 to {}", index,
+                                       values.size() - 1));
       kept.push_back(values[std::size_t(index)]);
       last = index;
     }
@@ -131,8 +134,9 @@ std::vector<Axis> read_axes(const Document& document) {
   for (const auto& [name, json] : document.json()["sweep"].items()) {
     axes.push_back(AxisReader(document, name).read());
     points *= double(axes.back().values.size());
-    if (points > kMostPoints) {
-      document.fail("/sweep", fmt::format("{:.3g} points or more; allowed: at most {:.0e}", points, kMostPoints));
+    if (points > kMaxPoints) {
+      document.fail("/sweep",
+                    fmt::format("{:.3g} points or more; allowed: at most {:.0e}", points, kMaxPoints));
     }
   }
   return axes;

@@ -4,10 +4,10 @@
 
 namespace bristle {
 
-// The sweep's axes, expanded. Throws InputError: unknown parameter, empty or unsorted axis, a value outside
-// the parameter's range, more points in all than kMostPoints.
+// The sweep's axes with all their values. Throws InputError for an unknown parameter, an empty or unsorted
+// axis, a value outside the parameter's range, and more than kMaxPoints points in total.
 std::vector<Axis> read_axes(const Document& document);
 
-constexpr double kMostPoints = 1e7;
+constexpr double kMaxPoints = 1e7;
 
 }  // namespace bristle

@@ -9,9 +9,10 @@
 namespace bristle {
 namespace {
 
-using Object = nlohmann::json;  // keys in ascending order; numbers in the shortest form that reads back
+using Object = nlohmann::json;  // sorted keys; numbers in the shortest form that reads back exactly
 
-// A member that is added and forgotten here would let different points pass for equal.
+// These fail when a member is added: without the member in canonical(), different points would be treated as
+// equal.
 static_assert(sizeof(Parameters) == 24 * sizeof(double));
 static_assert(sizeof(Orientation) == 11 * sizeof(double));
 static_assert(sizeof(IntegratorOptions) == 4 * sizeof(double));
@@ -21,7 +22,8 @@ static_assert(sizeof(Recording) == 4 * sizeof(double));
 Object canonical(const Parameters& p) {
   Object out;
   for (const ParameterEntry& entry : parameters_table()) out[entry.name] = p.*entry.member;
-  for (const Choice& choice : choices_table()) out[choice.name] = choice.options.at(std::size_t(choice.get(p)));
+  for (const Choice& choice : choices_table())
+    out[choice.name] = choice.options.at(std::size_t(choice.get(p)));
   return out;
 }
 

@@ -4,9 +4,9 @@
 
 namespace bristle {
 
-// Everything that a point's numbers depend on, and nothing else, as JSON text: equal for equal points of any two
-// experiments, whatever their names, axes and order. Choices are words, so that inserting a friction law
-// does not change the meaning of stored keys.
+// Exactly the input that determines a point's numbers, as JSON text: the same text for equal points of any
+// two experiments, regardless of names, axes and their order. Choices are written as words, so that inserting
+// or reordering friction laws does not change the meaning of stored keys.
 std::string canonical_point(const Experiment& experiment, std::size_t index);
 
 }  // namespace bristle

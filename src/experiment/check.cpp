@@ -36,9 +36,9 @@ class CheckReader {
       check.at.emplace(name, value.get<double>());
     });
     for_each("compare", [&](const std::string& name, const Json& values) {
-      if (values.size() != 2) fail("compare/" + name, "give two values of the axis");
-      check.compare = AxisPair{name, selection("compare/" + name, values[0]),
-                               selection("compare/" + name, values[1])};
+      if (values.size() != 2) fail("compare/" + name, "needs two values of the axis");
+      check.compare =
+          AxisPair{name, selection("compare/" + name, values[0]), selection("compare/" + name, values[1])};
     });
     check.difference = json_.value("by", "ratio") == "difference";
     check.logarithmic = json_.value("scale", "log") == "log";
@@ -66,7 +66,7 @@ class CheckReader {
     if (value.is_string()) return value.get<std::string>();
     if (value.is_number()) return value.get<double>();
     if (!value.is_array() || value.size() != 2 || !value[0].is_number() || !value[1].is_number())
-      fail(key, "a range is two numbers");
+      fail(key, "a range consists of two numbers, [from, to]");
     return std::array{value[0].get<double>(), value[1].get<double>()};
   }
 

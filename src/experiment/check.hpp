@@ -11,10 +11,10 @@
 
 namespace bristle {
 
-// Selects points: those with this word of a choice, this value, or a value in this range [from, to].
+// Selects points by a word of a choice, a value, or a range [from, to] of values.
 using Selection = std::variant<std::string, double, std::array<double, 2>>;
 
-// Two values of one axis, at which a check measures and compares.
+// Two values of one axis. A check measures at both and compares the measurements.
 struct AxisPair {
   std::string axis;
   Selection first, second;
@@ -27,20 +27,22 @@ enum class Criterion {
   near  // within band of the threshold
 };
 
-// How a claim of the paper is checked, as an experiment declares it: one number, measured by a predicate on a
-// variable of the result, against a threshold (docs/claims.md). Strings are empty where the key is absent.
+// The check of a claim of the paper, as declared by an experiment: a predicate measures one number on a
+// variable of the result, which is compared with a threshold (docs/claims.md). A string is empty if its key
+// is absent.
 struct Check {
   std::string claim, statement;
-  std::string predicate;           // a name in checks/measure.hpp
-  std::string variable;            // of the result file
-  std::string along, x, against;   // dimension of the curves, abscissa, second dimension
+  std::string predicate;          // a name in checks/measure.hpp
+  std::string variable;           // of the result file
+  std::string along, x, against;  // dimension of the curves, abscissa, second dimension
   std::vector<std::pair<std::string, double>> divide_by;  // variables and their powers
   std::vector<std::pair<std::string, Selection>> where;
-  std::optional<std::pair<std::string, double>> at;  // traced curves: the variable's value at which to measure
+  std::optional<std::pair<std::string, double>>
+      at;  // traced curves: variable and its value at which to measure
   std::optional<AxisPair> compare;
-  bool difference = false;           // of a comparison; otherwise the ratio
-  bool logarithmic = true;           // slope of the logarithms
-  bool independent_errors = false;   // errors add in quadrature
+  bool difference = false;          // compare by the difference; otherwise by the ratio
+  bool logarithmic = true;          // for slope: of the logarithms
+  bool independent_errors = false;  // errors add in quadrature
   std::optional<double> expected, resolution;
   Criterion criterion = Criterion::at_least;
   double threshold = 0;
@@ -49,7 +51,7 @@ struct Check {
   bool operator==(const Check&) const = default;
 };
 
-// The checks of an experiment's document that matches its schema; source names the document in messages.
+// The checks of an experiment's document, which must match the schema. source names the document in messages.
 // Throws InputError for a selection that is not a word, a number or a range of two numbers.
 std::vector<Check> read_checks(const Json& document, const std::string& source);
 

@@ -16,8 +16,8 @@ namespace bristle {
 namespace fs = std::filesystem;
 namespace {
 
-// Experiments extend each other within one folder: the outermost "experiments" above the file, or
-// the file's own.
+// The folder within which experiments may extend each other: the outermost folder named "experiments" above
+// the file, or else the file's own folder.
 fs::path experiments_folder(const fs::path& file) {
   fs::path folder = fs::canonical(file).parent_path(), root = folder;
   for (fs::path p = folder; p != p.root_path(); p = p.parent_path())
@@ -30,6 +30,7 @@ bool inside(const fs::path& file, const fs::path& folder) {
   return !relative.empty() && *relative.begin() != "..";
 }
 
+// Appends the file to out, after the files that it extends. chain: the files that led to this one.
 void collect(const std::string& path, const fs::path& root, std::vector<std::string>& chain,
              std::vector<Document::Source>& out) {
   Json content = read_json_file(path);
@@ -41,15 +42,15 @@ void collect(const std::string& path, const fs::path& root, std::vector<std::str
     };
     if (!extends.is_string()) fail("is not a file name");
     const fs::path parent = fs::path(path).parent_path() / extends.get<std::string>();
-    std::error_code error;  // a name too long, a loop of links
+    std::error_code error;  // for instance a name that is too long, or a loop of links
     const fs::path there = fs::weakly_canonical(parent, error);
-    if (error) fail(fmt::format("is no file's name: {}", error.message()));
+    if (error) fail(fmt::format("is not a valid file name: {}", error.message()));
     if (!inside(there, root))
       fail(fmt::format("lies outside the experiments folder {}; copy it there", root.string()));
     if (!fs::is_regular_file(parent, error))
       fail(fmt::format("does not exist (looked for {})", parent.string()));
     if (std::count(chain.begin(), chain.end(), fs::canonical(parent).string()))
-      fail("extends this file in turn: a circle");
+      fail("extends this file in turn; remove one of the two");
     collect(parent.lexically_normal().string(), root, chain, out);
   }
   content.erase("extends");
@@ -61,14 +62,15 @@ Document::Source parse_set(const std::string& argument) {
   const auto fail = [&](const std::string& why) {
     throw InputError(fmt::format("--set {}: {}; write --set /model/k_r=20", argument, why));
   };
-  if (equals == std::string::npos) fail("there is no '='");
+  if (equals == std::string::npos) fail("'=' is missing");
   const std::string text = argument.substr(equals + 1);
-  if (std::count(argument.begin(), argument.begin() + long(equals), '/') > kDeepestJson)
-    fail(fmt::format("the pointer is more than {} deep", kDeepestJson));
+  if (std::count(argument.begin(), argument.begin() + long(equals), '/') > kMaxJsonDepth)
+    fail(fmt::format("the JSON pointer is more than {} levels deep", kMaxJsonDepth));
   Json value;
   try {
-    const bool meant = std::isdigit(static_cast<unsigned char>(text[0])) || std::strchr("-[{\"", text[0]);
-    value = Json::accept(text) || (meant && !text.empty()) ? parse_json(text) : Json(text);  // or a bare word
+    const bool json_intended =
+        std::isdigit(static_cast<unsigned char>(text[0])) || std::strchr("-[{\"", text[0]);
+    value = Json::accept(text) || (json_intended && !text.empty()) ? parse_json(text) : Json(text);
     value.dump();  // throws for text that is not UTF-8
   } catch (const InputError& e) {
     fail(fmt::format("'{}': {}", text.substr(0, 60), e.what()));
@@ -77,7 +79,7 @@ Document::Source parse_set(const std::string& argument) {
   }
   try {
     const JsonPointer pointer(argument.substr(0, equals));
-    if (pointer.empty()) fail("the pointer is empty");
+    if (pointer.empty()) fail("the JSON pointer is empty");
     Json patch;
     patch[pointer] = value;
     return {"--set " + argument, std::make_shared<const Json>(std::move(patch))};
@@ -94,7 +96,7 @@ Document Document::load(const std::string& path, const DocumentOptions& options)
   d.path_ = path;
   d.tier_ = options.tier;
   std::vector<std::string> chain;
-  read_json_file(path);  // so that a missing file is reported before its folder
+  read_json_file(path);  // reports a missing file before its missing folder
   collect(path, experiments_folder(path), chain, d.files_);
   for (const std::string& argument : options.set) d.set_.push_back(parse_set(argument));
   d.merge();
@@ -117,7 +119,8 @@ Document Document::with_tier(const std::string& tier) const {
   return d;
 }
 
-// Those of the files, parents first: a patch merged with another would lose what it removes.
+// The tier's patches of all files, parents first. They are applied one by one: merging two patches into one
+// would lose the keys that the first removes.
 std::vector<Json> Document::tier_patches() const {
   std::vector<Json> patches;
   for (const Source& s : files_) {

@@ -8,30 +8,29 @@
 
 namespace bristle {
 
-// Changes to an experiment file that the command line asks for.
+// Changes to an experiment file that the command line requests.
 struct DocumentOptions {
   std::vector<std::string> set;  // "/json/pointer=value"
   std::string tier = "full";
 };
 
-// An experiment file merged with its parents (extends), its tier and the --set changes, together with the
-// source of each value for messages.
+// An experiment file merged with its parents (extends), the patches of the tier and the --set changes.
+// Remembers the source of each value for messages.
 class Document {
  public:
-  // Throws InputError: unreadable or malformed file; extends that is missing, circular or outside the
-  // experiments folder; a bad --set or tier.
+  // Throws InputError for an unreadable or malformed file, for an extends that is missing, circular or
+  // outside the experiments folder, and for an invalid --set or tier.
   static Document load(const std::string& path, const DocumentOptions& options);
-  // An experiment as stored in a result file: already merged, without tiers. source names it in messages.
+  // An experiment as stored in a result file: merged, without tiers. source names it in messages.
   static Document stored(const Json& content, const std::string& source);
 
   const Json& json() const { return *merged_; }
-  const std::shared_ptr<const Json>& shared_json() const { return merged_; }
   const std::string& path() const { return path_; }
-  // The source that set the value at pointer; the experiment's own file for a default.
+  // The file or option that sets the value at pointer; the experiment's own file for a default.
   std::string origin(const JsonPointer& pointer) const;
-  // Throws InputError: the source of the value at a JSON pointer, the pointer, and what is wrong with the value.
+  // Throws InputError with origin(pointer), the JSON pointer and the description of the mistake.
   [[noreturn]] void fail(const std::string& pointer, const std::string& what) const;
-  // The same document with the patch of this tier instead.
+  // The same document for another tier.
   Document with_tier(const std::string& tier) const;
 
   struct Source {

@@ -49,13 +49,14 @@ Orientation read_orientation(const Document& d) {
   o.rows = json.value("rows", o.rows);
   o.t_1 = json.value("t_1", -1.0);
   if (o.distribution == Distribution::von_mises && !json.contains("concentration"))
-    d.fail("/orientation/concentration", "is missing; a von Mises distribution needs it, and mean_deg");
+    d.fail("/orientation/concentration",
+           "is missing; a von Mises distribution needs concentration and mean_deg");
   if (o.sampling == Sampling::list) {
     if (!json.contains("theta_0_deg"))
       d.fail("/orientation/theta_0_deg", "is missing; sampling by list needs the azimuths in degrees");
     for (const double degrees : json["theta_0_deg"]) o.theta_0.push_back(degrees * kDegree);
   } else if (json.contains("theta_0_deg")) {
-    d.fail("/orientation/theta_0_deg", "is used with \"sampling\": \"list\" only");
+    d.fail("/orientation/theta_0_deg", "is allowed with \"sampling\": \"list\" only");
   }
   return o;
 }
@@ -104,9 +105,9 @@ Loading read_loading(const Document& d, const std::vector<Axis>& axes) {
   const bool by_trace = json.contains("trace");
   if (by_load + by_gap + by_trace != 1)
     d.fail("/load",
-         by_load + by_gap + by_trace > 1
-             ? "more than one of R_n, z_0 and trace is given; keep one (null removes what extends brings)"
-             : "none of R_n, z_0 and trace is given, here or in the sweep");
+           by_load + by_gap + by_trace > 1
+               ? "more than one of R_n, z_0 and trace is given; keep one (a null removes an inherited key)"
+               : "none of R_n, z_0 and trace is given, here or in the sweep");
   Loading loading;
   if (by_trace) loading.trace = read_trace(json["trace"]);
   if (by_gap) loading.z_0 = json.value("z_0", 0.0);
@@ -122,34 +123,36 @@ void check_gap(const Document& d, const Experiment& e) {
     if (!point.loading.z_0) return;
     if (*point.loading.z_0 > highest)
       d.fail(d.json()["load"].contains("z_0") ? "/load/z_0" : "/sweep/z_0",
-           fmt::format("{} is above first contact; allowed: at most sin(phi_0) = {:.6f}", *point.loading.z_0,
-                       highest));
+             fmt::format("{} is above first contact; allowed: at most sin(phi_0) = {:.6f}",
+                         *point.loading.z_0, highest));
   }
 }
 
-// The lattice's numbers, at every point: whole bristles across the slab, and rows that outlast t_1.
+// Checks at every point that the slab is a whole number of lattice spacings wide and that rows still enter
+// after t_1.
 void check_lattice(const Document& d, const Experiment& e) {
   const bool used = e.on_lattice();
   if (used && e.base.loading.trace)
-    d.fail("/load/trace", "takes the mean over theta_0 by quadrature or over a list, not over a lattice");
+    d.fail("/load/trace", "cannot be combined with \"sampling\": \"lattice\"; use quadrature or list");
   if (e.record.slab_force && !used) d.fail("/record", "slab_force needs \"sampling\": \"lattice\"");
   for (const char* key : {"seed", "rows", "t_1"})
     if (!used && (d.json()["orientation"].contains(key) || e.swept(key)))
-      d.fail(std::string("/orientation/") + key, "is used with \"sampling\": \"lattice\" only");
+      d.fail(std::string("/orientation/") + key, "is allowed with \"sampling\": \"lattice\" only");
   for (std::size_t i = 0; used && i < e.points(); ++i) {
     const Setup point = e.point(i).setup;
     const Parameters& p = point.parameters;
     const double across = p.L_y / p.spacing;
     if (std::abs(across - std::round(across)) > 1e-6 || across < 0.5)
-      d.fail("/model/L_y",
-           fmt::format("{} is {:.6g} spacings of {}; a lattice needs a whole number", p.L_y, across,
-                       p.spacing));
+      d.fail("/model/L_y", fmt::format("{} is {:.6g} times the spacing {}; a lattice needs a whole number",
+                                       p.L_y, across, p.spacing));
     if (point.orientation.rows == 0)
       d.fail("/orientation/rows", "is missing; a lattice needs the number of rows that enter");
     if (lattice_end(point) <= lattice_start(point))
-      d.fail("/orientation/rows",
-           fmt::format("{} rows have entered at t_2 = {}; means begin at t_1 = {} [2 L_x]: give more rows",
-                       point.orientation.rows, lattice_end(point), lattice_start(point)));
+      d.fail(
+          "/orientation/rows",
+          fmt::format(
+              "the {} rows have entered by t_2 = {}, but averaging begins at t_1 = {} [2 L_x]; use more rows",
+              point.orientation.rows, lattice_end(point), lattice_start(point)));
   }
 }
 
@@ -168,7 +171,7 @@ Experiment read(const Document& d) {
   const Json& model = json["model"];
   e.C_peaks_at_V_s = !model.contains("C") || model["C"].is_string();
   if (e.swept("C") && model.contains("C") && model["C"].is_string())
-    d.fail("/model/C", "is swept, so give it a number here");
+    d.fail("/model/C", "is swept; its value here must be a number");
   e.engine = from_word<Engine>(json["integrator"].value("engine", "fast"));
   e.base.setup = {read_model(d), read_orientation(d), read_integrator(d)};
   e.base.loading = read_loading(d, e.axes);
@@ -227,7 +230,7 @@ Experiment load_experiment(const std::string& path, const DocumentOptions& optio
   const Document document = Document::load(path, options);
   Experiment experiment = read(document);
   experiment.tier = options.tier;
-  // A mistake in another tier is found now, not later; but what --set changes is meant for this one.
+  // Reports mistakes in the other tiers, too. Not with --set, as its changes are meant for this tier only.
   for (const char* tier : {"smoke", "study", "full"})
     if (tier != options.tier && options.set.empty()) read(document.with_tier(tier));
   return experiment;

@@ -8,19 +8,19 @@
 
 namespace bristle {
 
-// A number of the experiment's model block: its JSON name, where it lives, its unit's factor, and how
-// result files label it.
+// A number of the experiment's model block. Its range is declared in experiment.schema.json; a test compares
+// names and descriptions of the two.
 struct ParameterEntry {
-  const char* name;
+  const char* name;  // JSON key
   double Parameters::*member;
-  double unit;  // member = JSON value * unit
-  const char* symbol;
-  const char* description;
+  double unit;              // member = JSON value * unit
+  const char* symbol;       // LaTeX
+  const char* description;  // attribute of result files
 };
 
 const std::vector<ParameterEntry>& parameters_table();
 
-// A choice of the model block: one of some words.
+// A choice of the model block: one of several words.
 struct Choice {
   const char* name;
   const char* description;

@@ -16,7 +16,7 @@
 namespace bristle {
 namespace {
 
-using Plain = nlohmann::json;  // what valijson's adapter takes
+using Plain = nlohmann::json;  // the type that valijson's adapter requires
 
 const Json& schema_json() {
   static const Json schema = Json::parse(experiment_schema());
@@ -28,8 +28,8 @@ const Json& resolve(const Json& schema) {
   return schema_json().at(JsonPointer(schema["$ref"].get<std::string>().substr(1)));
 }
 
-// The subschema that governs one step down, or null.
-const Json& step_down(const Json& schema, const std::string& token) {
+// The subschema of one member or array element, or null.
+const Json& subschema(const Json& schema, const std::string& token) {
   static const Json none;
   const Json& here = resolve(schema);
   if (here.contains("properties") && here["properties"].contains(token))
@@ -59,7 +59,7 @@ std::string number_range(const Json& s) {
   return limits.empty() ? text : fmt::format("{} {}", text, fmt::join(limits, " and "));
 }
 
-// Explains what is wrong with the value at this place.
+// Throws InputError that explains why the value does not match the schema.
 [[noreturn]] void explain(const Document& d, const JsonPointer& at, const Json& schema) {
   const Json& value = d.json().at(at);
   if (value.is_object() && schema.contains("properties")) {
@@ -67,17 +67,18 @@ std::string number_range(const Json& s) {
     for (const auto& [key, child] : value.items())
       if (!schema["properties"].contains(key) && schema.value("additionalProperties", Json(true)) == false)
         d.fail((at / key).to_string(),
-             fmt::format("unknown key{}; allowed: {}", did_you_mean(key, known), fmt::join(known, ", ")));
+               fmt::format("unknown key{}; allowed: {}", did_you_mean(key, known), fmt::join(known, ", ")));
     if (schema.contains("required"))
       for (const std::string key : schema["required"])
         if (!value.contains(key))
-          d.fail((at / key).to_string(),
-               fmt::format("is missing; allowed: {}", allowed_by_schema(resolve(schema["properties"][key]))));
+          d.fail((at / key).to_string(), fmt::format("is missing; allowed: {}",
+                                                     allowed_by_schema(resolve(schema["properties"][key]))));
   }
   std::string hint;
   if (value.is_string() && schema.contains("enum"))
     hint = did_you_mean(value, schema["enum"].get<std::vector<std::string>>());
-  d.fail(at.to_string(), fmt::format("{} is not allowed{}; allowed: {}", shown(value), hint, allowed_by_schema(schema)));
+  d.fail(at.to_string(),
+         fmt::format("{} is not allowed{}; allowed: {}", shown(value), hint, allowed_by_schema(schema)));
 }
 
 // valijson's context is "<root>", "[model]", "[k_r]".
@@ -102,7 +103,7 @@ bool matches(const Plain& schema_document, const Json& value,
   return fine;
 }
 
-// A sweepable's: of the model, the load, the orientation or the SI units.
+// The schema of a sweepable number: in the model, load, orientation or si block.
 const Json& schema_of(const std::string& name) {
   for (const char* place : {"/definitions/model/properties", "/properties/load/properties",
                             "/properties/orientation/properties", "/definitions/si/properties"})
@@ -142,14 +143,14 @@ void check_schema(const Document& document) { check_schema(document, experiment_
 void check_schema(const Document& document, const char* text) {
   std::vector<std::vector<std::string>> contexts;
   if (matches(Plain::parse(text), document.json(), &contexts)) return;
-  // The deepest place is the cause; the places above follow from it.
+  // The deepest mismatch is the cause; those above it follow from it.
   const auto deepest = std::max_element(contexts.begin(), contexts.end(),
                                         [](const auto& a, const auto& b) { return a.size() < b.size(); });
   const JsonPointer at = pointer_from(*deepest);
   const Json root = Json::parse(text);
   const Json* schema = &resolve(root);
   for (std::size_t i = 1; i < deepest->size(); ++i)
-    schema = &step_down(*schema, (*deepest)[i].substr(1, (*deepest)[i].size() - 2));
+    schema = &subschema(*schema, (*deepest)[i].substr(1, (*deepest)[i].size() - 2));
   explain(document, at, *schema);
 }
 
@@ -158,8 +159,8 @@ void check_parameter(const Document& document, const JsonPointer& at, const std:
   const Json& schema = schema_of(parameter);
   const bool whole = value == std::floor(value) && std::abs(value) < 1e15;
   if (!matches(Plain(schema), whole ? Json(long(value)) : Json(value), nullptr))
-    document.fail(at.to_string(),
-         fmt::format("{} is out of range for {}; allowed: {}", value, parameter, allowed_by_schema(schema)));
+    document.fail(at.to_string(), fmt::format("{} is out of range for {}; allowed: {}", value, parameter,
+                                              allowed_by_schema(schema)));
 }
 
 }  // namespace bristle

@@ -4,17 +4,18 @@
 
 namespace bristle {
 
-// Checks the document, as merged, against the experiment schema (src/experiment/experiment.schema.json) or
-// another, whose text is given. Throws InputError that names source, JSON pointer, offending value and what
-// is allowed.
+// Checks the merged document against the experiment schema (src/experiment/experiment.schema.json) or against
+// the text of another schema. Throws InputError with source, JSON pointer, the invalid value and what is
+// allowed.
 void check_schema(const Document& document);
 void check_schema(const Document& document, const char* schema);
 
-// The experiment schema's text, and what it allows at a place: "a number greater than 0 (radial stiffness)".
+// The text of the experiment schema, and a description of what a subschema allows: "a number greater than 0
+// (radial stiffness, dimensionless)".
 const char* experiment_schema();
 std::string allowed_by_schema(const Json& schema);
 
-// A value of a sweepable number against its schema. Throws InputError if it is outside.
+// Checks a value of a sweep against the schema of the parameter. Throws InputError if it is out of range.
 void check_parameter(const Document& document, const JsonPointer& at, const std::string& parameter,
                      double value);
 

@@ -7,26 +7,40 @@
 
 namespace bristle {
 
-// A quantity of an experiment's si block.
+// One unit of each dimensionless quantity in SI units.
+struct SiScales {
+  double length;     // r0, m
+  double velocity;   // V0, m/s
+  double energy;     // m V0^2, J, and torsional stiffness, N m/rad
+  double force;      // m V0^2/r0, N
+  double stiffness;  // m V0^2/r0^2, N/m
+  double stress;     // m V0^2/r0^3, Pa
+};
+
+// A quantity of an experiment's si block. Its range is declared in experiment.schema.json; a test compares
+// names and descriptions of the two.
 struct SiQuantity {
-  const char* name;  // with its unit, as the key in JSON
-  const char* symbol;
-  const char* description;
+  const char* name;         // JSON key, which includes the unit
+  const char* symbol;       // LaTeX
+  const char* description;  // attribute of result files
   const char* units;
-  std::vector<const char*> replaces;  // the dimensionless values that follow from it
+  std::vector<const char*> replaces;  // the dimensionless values that are computed from it
+  // The value divided by this scale is the only value that it replaces. Null: apply_si_units() computes the
+  // values.
+  double SiScales::*scale = nullptr;
 };
 const std::vector<SiQuantity>& si_quantities();
 
-// Reads the document's si block into input.si. Throws InputError if what follows from it is swept, too, or if
-// it leaves something out.
+// Reads the document's si block into input.si. Throws InputError if a dimensionless value that the block
+// replaces is swept as well, or if the block is incomplete.
 void read_si_units(const Document& document, const std::vector<Axis>& axes, PointInput& input);
 
-// Replaces dimensionless values by those that follow from input.si, if there is any. Scales: length r0, force
-// m V0^2/r0, torsional stiffness and energy m V0^2, stress m V0^2/r0^3. A shaft of radius R and Young's
-// modulus E bends as a cantilever: k_theta = k_phi = 3 pi E R^4/(4 r0) (the paper, section 3).
+// Replaces dimensionless values by those computed from input.si; without SI quantities does nothing. The
+// shaft of radius R and Young's modulus E bends like a cantilever: k_theta = k_phi = 3 pi E R^4/(4 r0)
+// (section 3 of the paper).
 void apply_si_units(PointInput& input);
 
-// Newtons per dimensionless force; not-a-number without SI units.
+// Newtons per unit of dimensionless force; NaN without SI quantities.
 double force_unit(const PointInput& input);
 
 }  // namespace bristle

@@ -37,7 +37,7 @@ std::vector<Sweepable> all() {
          [](P& p, double v) { p.setup.orientation.concentration = v; });
   number("seed", "seed", "seed of the lattice's azimuths",
          [](P& p, double v) { p.setup.orientation.seed = std::uint64_t(v); });
-  number("rows", "n_\\mathrm{rows}", "rows of the lattice that enter",
+  number("rows", "n_\\mathrm{rows}", "rows of the lattice that enter the slab",
          [](P& p, double v) { p.setup.orientation.rows = long(v); });
 
   for (const SiQuantity& q : si_quantities())
@@ -51,9 +51,9 @@ std::vector<Sweepable> all() {
   };
   for (const Choice& c : choices_table())
     choice(c.name, c.description, c.options, [c](P& p, double v) { c.set(p.setup.parameters, int(v)); });
-  choice("path", "how the load is reached", words<LoadPath>(),
+  choice("path", "path on which the load is reached", words<LoadPath>(),
          [](P& p, double v) { p.loading.path = LoadPath(int(v)); });
-  choice("sampling", "how the mean over theta_0 is taken", {"quadrature", "lattice"},
+  choice("sampling", "sampling of theta_0 for the ensemble mean", {"quadrature", "lattice"},
          [](P& p, double v) { p.setup.orientation.sampling = Sampling(int(v)); });
   return out;
 }

@@ -9,27 +9,27 @@
 
 namespace bristle {
 
-// What a point of the sweep is computed from.
+// Input of one point of the sweep.
 struct PointInput {
   Setup setup;
   Loading loading;
-  std::map<std::string, double> si{};  // SI units by their names in JSON, see si_units.hpp
+  std::map<std::string, double> si{};  // SI quantities by JSON key, see si_units.hpp
 };
 
-// Something that a sweep may vary, and how result files label its axis.
+// A quantity or choice that a sweep may vary, with the labels of its axis in result files.
 struct Sweepable {
   std::string name, symbol, description, units;
   std::function<void(PointInput&, double)> set;
-  std::vector<std::string> options;  // the words of a choice, whose value is an index; empty for a number
+  std::vector<std::string> options;  // words of a choice, whose value is an index; empty for a number
 
-  // The value for messages: a word, or six digits of a number.
+  // The value for messages: a word, or a number with six digits.
   std::string text(double value) const;
 };
 
-// The model's numbers and choices, the load, and the orientation's numbers and sampling.
+// Numbers and choices of the model, SI quantities, the load, and numbers and sampling of the orientation.
 const std::vector<Sweepable>& sweepables();
 
-// Null if there is none of that name.
+// Null for an unknown name.
 const Sweepable* find_sweepable(const std::string& name);
 
 }  // namespace bristle

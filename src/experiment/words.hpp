@@ -10,8 +10,7 @@
 
 namespace bristle {
 
-// The words of experiments for the values 0, 1, ... of an enumeration. The schema lists the same words, which a
-// test compares.
+// The words in experiments for the values 0, 1, ... of an enumeration. A test compares them with the schema.
 template <class Enum>
 const std::vector<std::string>& words();
 
@@ -46,7 +45,7 @@ const std::string& word(Enum value) {
   return words<Enum>().at(std::size_t(value));
 }
 
-// The value of a word that the schema allows.
+// The value of a word. The schema must allow the word.
 template <class Enum>
 Enum from_word(const std::string& text) {
   const auto& list = words<Enum>();

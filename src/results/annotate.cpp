@@ -16,11 +16,9 @@
 namespace bristle {
 namespace {
 
-bool fixed(const Experiment& e, const std::string& name) {
-  return std::none_of(e.axes.begin(), e.axes.end(), [&](const Axis& axis) { return axis.name == name; });
-}
+bool fixed(const Experiment& e, const std::string& name) { return !e.swept(name); }
 
-// "m = 10^{-4}$ kg": powers of ten as such.
+// A value with symbol and unit as mathtext, with powers of ten: "$m = 10^{-4}$ kg".
 std::string quantity(const SiQuantity& q, double value) {
   std::string number = fmt::format("{:.4g}", value);
   if (const auto e = number.find('e'); e != std::string::npos) {
@@ -28,8 +26,9 @@ std::string quantity(const SiQuantity& q, double value) {
     number = fmt::format("{}10^{{{}}}", mantissa == "1" ? "" : mantissa + R"( \times )",
                          std::stoi(number.substr(e + 1)));
   }
-  const bool pure = std::string(q.units) == "1";
-  return fmt::format("${} = {}${}{}", q.symbol, number, pure ? "" : " ", pure ? "" : q.units);
+  const bool dimensionless = std::string(q.units) == "1";
+  return fmt::format("${} = {}${}{}", q.symbol, number, dimensionless ? "" : " ",
+                     dimensionless ? "" : q.units);
 }
 
 std::vector<std::string> si_parts(const Experiment& e) {
@@ -55,7 +54,7 @@ std::vector<std::string> dimensionless_parts(const Experiment& e) {
   return parts;
 }
 
-// What stays fixed in a sweep, for the figure's caption: mathtext.
+// The values that are fixed in the sweep, as mathtext for the caption of the figure.
 std::string caption(const Experiment& e) {
   std::vector<std::string> parts;
   if (fixed(e, "friction"))
@@ -66,8 +65,8 @@ std::string caption(const Experiment& e) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-// Constants for plots of the lattice's forces, written where all points share them: t_1 of Eq. (A4) in r0/V0,
-// and N_c0/L_y.
+// Constants for plots of the lattice's forces, if all points have the same: t_1 of Eq. (A4), in units of
+// r0/V0, and N_c0/L_y, in units of 1/r0.
 void annotate_slab_force(hid_t file, const Experiment& e) {
   if (!h5::exists(file, "slab_force") || !fixed(e, "L_x") || !fixed(e, "spacing")) return;
   const Setup& setup = e.base.setup;

@@ -8,7 +8,8 @@
 
 namespace bristle {
 
-// Writes the root attributes that describe the numbers: title, the experiment as run, digests of the inputs.
+// Writes the root attributes: versions, title, caption, the experiment with --set and tier applied, and
+// digests of the inputs.
 void annotate(const std::string& path, const Experiment& experiment, const std::optional<Shard>& shard = {});
 
 }  // namespace bristle

@@ -16,17 +16,19 @@ H5T_class_t class_of(hid_t dataset) {
   return H5Tget_class(type);
 }
 
-// A dimension's coordinates lie beside the variable or, as the sweep's axes, in the root.
-std::string coordinate(const ResultReader& result, const std::string& folder, const std::string& axis,
+// The coordinate at index i of a dimension. Coordinates are datasets in the folder of the variable or, for
+// the axes of the sweep, in the root.
+std::string coordinate(const ResultReader& result, const std::string& folder, const std::string& dimension,
                        std::size_t i) {
-  if (axis.empty()) return fmt::format("row {}", i);
-  const std::string name = result.has(folder + axis) ? folder + axis : axis;
-  if (!result.has(name)) return fmt::format("{}[{}]", axis, i);
+  if (dimension.empty()) return fmt::format("row {}", i);
+  const std::string name = result.has(folder + dimension) ? folder + dimension : dimension;
+  if (!result.has(name)) return fmt::format("{}[{}]", dimension, i);
   const auto values = result.variable(name).values;
-  if (i >= values.size()) return fmt::format("{}[{}]", axis, i);
+  if (i >= values.size()) return fmt::format("{}[{}]", dimension, i);
   const double value = values[i];
   const std::string text = value_text(result, name, value);
-  return fmt::format("{} = {}", axis, text == fmt::format("{}", value) ? fmt::format("{:.6g}", value) : text);
+  return fmt::format("{} = {}", dimension,
+                     text == fmt::format("{}", value) ? fmt::format("{:.6g}", value) : text);
 }
 
 }  // namespace
@@ -40,11 +42,11 @@ std::vector<std::string> numeric_datasets(const ResultReader& result) {
   return names;
 }
 
-Kind kind_of(const ResultReader& result, const std::string& name) {
+DatasetKind kind_of(const ResultReader& result, const std::string& name) {
   const h5::Handle dataset = h5::open_dataset(result.file(), name);
-  if (h5::is_scale(dataset)) return Kind::axis;
-  if (class_of(dataset) != H5T_INTEGER) return Kind::real;
-  return h5::has_attribute(dataset, "flag_meanings") ? Kind::flags : Kind::integer;
+  if (h5::is_scale(dataset)) return DatasetKind::coordinate;
+  if (class_of(dataset) != H5T_INTEGER) return DatasetKind::real;
+  return h5::has_attribute(dataset, "flag_meanings") ? DatasetKind::flags : DatasetKind::integer;
 }
 
 std::string place(const ResultReader& result, const std::string& name, std::size_t index) {

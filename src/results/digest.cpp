@@ -10,7 +10,7 @@
 namespace bristle {
 namespace {
 
-// Feeds a dataset's rows to the digest a block at a time.
+// Adds the values of a dataset to the digest, in blocks of rows.
 void add_values(Digest& digest, hid_t dataset, const h5::Shape& shape) {
   const h5::Handle type(H5Dget_type(dataset), H5Tclose, "reading a dataset's type");
   const std::size_t bytes = H5Tget_size(type);
@@ -66,9 +66,9 @@ std::vector<std::string> payload_datasets(hid_t file) {
 }
 
 std::string inputs_sha256(const Json& document) {
-  nlohmann::json inputs = document;  // sorted keys: the order of a file's keys does not matter
+  nlohmann::json inputs = document;  // sorts the keys: their order in the file does not matter
   for (const char* name : {"name", "title", "figure", "notes", "checks"}) inputs.erase(name);
-  // ... but the order of the axes is that of the dimensions
+  // The order of the axes matters: it is that of the dimensions.
   nlohmann::json axes = nlohmann::json::array();
   if (document.contains("sweep"))
     for (const auto& [name, axis] : document["sweep"].items()) axes.push_back(name);

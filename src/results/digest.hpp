@@ -8,13 +8,13 @@
 
 namespace bristle {
 
-// SHA-256 over name, type, shape and values of the payload: every dataset outside /checks and /provenance.
+// SHA-256 of names, types, shapes and values of the payload: all datasets outside /checks and /provenance.
 std::string payload_sha256(hid_t file);
 // Paths of these datasets, in the order of the digest.
 std::vector<std::string> payload_datasets(hid_t file);
 
-// SHA-256 of the part of an experiment's document that determines the numbers: all but name, title, figure,
-// notes and checks.
+// SHA-256 of the part of an experiment's document that determines the numbers: everything except name, title,
+// figure, notes and checks.
 std::string inputs_sha256(const Json& document);
 
 }  // namespace bristle

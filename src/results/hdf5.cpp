@@ -24,9 +24,9 @@ Handle space_of(hid_t dataset) { return {H5Dget_space(dataset), H5Sclose, "readi
 
 Handle selection(hid_t dataset, const Shape& start, const Shape& count) {
   Handle space = space_of(dataset);
-  // HDF5 believes that start and count are as long as the file's dataset has dimensions.
+  // HDF5 reads one element of start and count per dimension of the dataset, however short the arrays are.
   if (check(H5Sget_simple_extent_ndims(space), "reading a dataset's rank") != int(start.size()))
-    throw RunError(fmt::format("HDF5: a dataset has other than {} dimensions", start.size()));
+    throw RunError(fmt::format("HDF5: a dataset does not have {} dimensions", start.size()));
   if (!start.empty())
     check(H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr),
           "selecting a part of a dataset");
@@ -47,14 +47,15 @@ void put_attribute(hid_t object, const std::string& name, hid_t type, hid_t spac
 
 bool is_utf8(const std::string& text) {
   try {
-    Json(text).dump();  // throws for what is not
+    Json(text).dump();  // throws for text that is not UTF-8
     return true;
   } catch (const Json::exception&) {
     return false;
   }
 }
 
-// A single value: HDF5 would write as many as the file's attribute has.
+// Opens an attribute that must be a single value: H5Aread writes all elements of the attribute, however small
+// the buffer.
 Handle open_attribute(hid_t object, const std::string& name) {
   Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose, "opening attribute " + name);
   const Handle space(H5Aget_space(attribute), H5Sclose, "reading the shape of attribute " + name);
@@ -65,8 +66,8 @@ Handle open_attribute(hid_t object, const std::string& name) {
 
 void set_fill_and_chunks(hid_t properties, hid_t type, const Shape& shape) {
   if (H5Tequal(type, H5T_NATIVE_DOUBLE) > 0) {
-    const double none = std::numeric_limits<double>::quiet_NaN();
-    check(H5Pset_fill_value(properties, type, &none), "setting the fill value");
+    const double missing = std::numeric_limits<double>::quiet_NaN();
+    check(H5Pset_fill_value(properties, type, &missing), "setting the fill value");
   }
   if (shape.empty() || shape[0] != H5S_UNLIMITED) return;
   Shape chunk = shape;
@@ -80,14 +81,14 @@ void fail(const std::string& what) {
   std::string reason;
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_DOWNWARD, keep_innermost, &reason);
   H5Eclear2(H5E_DEFAULT);
-  // The library's own text buries the system's word for it: "..., errno = 28, error message = ...".
+  // HDF5's text surrounds the system's error: "..., errno = 28, error message = ...". Show the latter alone.
   if (const auto at = reason.find("errno = "); at != std::string::npos)
     reason = std::strerror(std::atoi(reason.c_str() + at + 8));
   throw RunError(fmt::format("HDF5: {} failed{}", what, reason.empty() ? "" : ": " + reason));
 }
 
 void silence() {
-  // NOTE: after a write that failed (a full disk) HDF5 1.10 crashes in its own clean-up at exit.
+  // NOTE: HDF5 1.10 crashes in its clean-up at exit if a write failed before (full disk).
   H5dont_atexit();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
@@ -172,7 +173,7 @@ Shape shape_of(hid_t dataset) {
 
 hsize_t length_of(hid_t dataset) {
   const Shape shape = shape_of(dataset);
-  if (shape.size() != 1) throw RunError("HDF5: a dataset is not a list");
+  if (shape.size() != 1) throw RunError("HDF5: a dataset is not one-dimensional");
   return shape[0];
 }
 

@@ -4,16 +4,17 @@
 #include <string>
 #include <vector>
 
-// Thin ownership over HDF5's C interface: every handle is closed, every return code looked at.
+// Thin wrapper of HDF5's C interface: closes every handle and checks every return code.
 namespace bristle::h5 {
 
-// Throws RunError naming what failed and HDF5's innermost reason, if code is negative; else returns it.
+// Returns code. If it is negative, throws RunError with what, the operation that failed, and HDF5's innermost
+// reason.
 template <class Code>
 Code check(Code code, const std::string& what);
 [[noreturn]] void fail(const std::string& what);
 
-// Call first. Stops HDF5 from printing its error stack (errors become exceptions) and from cleaning up at
-// exit.
+// Call before all other functions. Prevents HDF5 from printing its error stack, as errors become exceptions,
+// and from cleaning up at exit.
 void silence();
 
 class Handle {
@@ -26,7 +27,7 @@ class Handle {
   ~Handle();
 
   operator hid_t() const { return id_; }
-  // Closes and looks at the result, which a destructor cannot report.
+  // Closes and throws RunError if that fails, which the destructor cannot do.
   void close(const std::string& what);
 
  private:
@@ -45,13 +46,13 @@ Handle open_group(hid_t parent, const std::string& name);
 Handle open_dataset(hid_t parent, const std::string& name);
 bool exists(hid_t parent, const std::string& name);
 
-// A dataset without time stamps. An empty shape is a scalar; a first extent of H5S_UNLIMITED appends.
-// Doubles are filled with NaN.
+// Creates a dataset without time stamps. An empty shape creates a scalar, a first extent of H5S_UNLIMITED a
+// dataset that can grow. Doubles are filled with NaN.
 Handle create_dataset(hid_t parent, const std::string& name, hid_t type, const Shape& shape);
 Shape shape_of(hid_t dataset);
-hsize_t length_of(hid_t dataset);  // of one dimension; else throws RunError
-// Part of a dataset: count elements along each dimension from start. Throws RunError if it has other
-// dimensions.
+hsize_t length_of(hid_t dataset);  // throws RunError unless the dataset has one dimension
+// Part of a dataset: count elements along each dimension from start. Throws RunError if the number of
+// dimensions differs.
 void write_part(hid_t dataset, hid_t type, const Shape& start, const Shape& count, const void* data);
 void read_part(hid_t dataset, hid_t type, const Shape& start, const Shape& count, void* data);
 
@@ -60,21 +61,21 @@ void write_attribute(hid_t object, const std::string& name, const char* text);
 void write_attribute(hid_t object, const std::string& name, long value);
 void write_attribute(hid_t object, const std::string& name, double value);
 void write_attribute(hid_t object, const std::string& name, const std::vector<signed char>& values);
-// Single values; of a list they throw RunError.
+// These throw RunError if the attribute is not a single value.
 std::string read_text_attribute(hid_t object, const std::string& name);
 double read_number_attribute(hid_t object, const std::string& name);
 long read_integer_attribute(hid_t object, const std::string& name);
 bool has_attribute(hid_t object, const std::string& name);
 std::vector<std::string> attribute_names(hid_t object);
-// Names of the links of a group, ascending.
+// Names of the links of a group in ascending order.
 std::vector<std::string> children(hid_t group);
 bool is_group(hid_t parent, const std::string& name);
 
-// Makes dataset a dimension scale (a coordinate), or labels a dataset's dimension with one.
+// Turns a dataset into a dimension scale (coordinates), or attaches one to a dimension of a dataset.
 void make_scale(hid_t dataset, const std::string& name);
 void attach_scale(hid_t dataset, hid_t scale, unsigned dimension);
 bool is_scale(hid_t dataset);
-// Name of the scale on a dimension; empty if there is none.
+// Name of the dimension scale of a dimension; empty if there is none.
 std::string scale_name(hid_t dataset, unsigned dimension);
 
 template <class Code>

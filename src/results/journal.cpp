@@ -23,7 +23,7 @@ namespace {
 constexpr const char* kJournalExtension = ".journal";
 constexpr long kSyncSeconds = 2;
 
-// Calls visit(line, offset) for every line that ends in a line feed; returns the end of the last.
+// Calls visit(line, offset) for every line that ends with a line feed. Returns the end of the last of them.
 template <class Visit>
 std::uint64_t each_line(const std::string& path, Visit visit) {
   std::ifstream in(path, std::ios::binary);
@@ -32,9 +32,9 @@ std::uint64_t each_line(const std::string& path, Visit visit) {
   return end;
 }
 
-// The file may be what a crash left of a line, which begins with a checksum; zeros are what a power cut
-// leaves.
-bool may_be_torn(const std::string& path) {
+// Whether the file can be the remainder of a journal after a crash: the start of a line, which is a checksum,
+// or the zeros that a power cut leaves.
+bool may_be_truncated_journal(const std::string& path) {
   std::string start(64, '\0');
   std::ifstream(path, std::ios::binary).read(start.data(), std::streamsize(start.size()));
   return std::all_of(start.begin(), start.end(),
@@ -49,11 +49,11 @@ std::string point_key(const Experiment& experiment, std::size_t index) {
 
 bool is_dirty(const std::string& commit) { return commit.ends_with("-dirty") || commit == "unknown"; }
 
-Journal::Journal(const std::string& result, const std::string& commit, bool forget)
+Journal::Journal(const std::string& result, const std::string& commit, bool clear)
     : path_(result + kJournalExtension), commit_(commit), file_(lock_file(result, path_)) {
   try {
     scan();
-    if (forget) {
+    if (clear) {
       entries_.clear();
       end_ = 0;
     }
@@ -73,18 +73,18 @@ void Journal::scan() {
     const auto schema = schema_of(line);
     if (schema && *schema != kJournalSchema)
       throw InputError(fmt::format(
-          "{}: schema {}; this program writes {}: move the file, or use the program that wrote it", path_,
+          "{}: schema {}, but this program writes {}; move the file, or use the program that wrote it", path_,
           *schema, kJournalSchema));
     const auto head = head_of(line);
-    if (head && trusts(*head)) entries_[head->key] = {offset, line.size()};
+    if (head && accepts(*head)) entries_[head->key] = {offset, line.size()};
     known = known || head;
   });
-  if (!known && !may_be_torn(path_))
-    throw InputError(
-        fmt::format("{}: is no journal of bristle; move it: the run keeps its points there", path_));
+  if (!known && !may_be_truncated_journal(path_))
+    throw InputError(fmt::format(
+        "{}: not a journal of bristle; move the file: the run writes its journal to this path", path_));
 }
 
-bool Journal::trusts(const JournalLine& head) const { return is_dirty(commit_) || !is_dirty(head.commit); }
+bool Journal::accepts(const JournalLine& head) const { return is_dirty(commit_) || !is_dirty(head.commit); }
 
 JournalLine Journal::read(const std::string& key) const {
   const Entry& entry = entries_.at(key);
@@ -124,7 +124,7 @@ void Journal::adopt(const Experiment& experiment, const std::vector<std::size_t>
       continue;
     each_line(name, [&](const std::string& text, std::uint64_t) {
       const auto head = head_of(text);
-      if (!head || !wanted.contains(head->key) || !trusts(*head)) return;
+      if (!head || !wanted.contains(head->key) || !accepts(*head)) return;
       if (const auto line = decode(text); line && fits(line->record, experiment)) {
         append(*line);
         wanted.erase(line->key);

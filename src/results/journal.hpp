@@ -8,37 +8,39 @@
 
 namespace bristle {
 
-// Key of a point in journals: SHA-256 of what its numbers depend on and of kNumericsVersion.
+// Key of a point in journals: SHA-256 of canonical_point() and kNumericsVersion.
 std::string point_key(const Experiment& experiment, std::size_t index);
 
-// The commit of a program that nobody can build again: it had changes, or none is known.
+// Whether the program cannot be built again from its commit: there were uncommitted changes, or it is
+// unknown.
 bool is_dirty(const std::string& commit);
 
-// Finished points, kept beside a result in FILE.h5.journal: whatever ends a run, the next one continues. One
-// line per point, the SHA-256 of the rest and JSON with numbers that read back exactly; see
-// docs/results-format.md. What is torn or damaged is passed over, so that its point is computed again.
+// The finished points of a run, in FILE.h5.journal beside the result FILE.h5, from which the next run resumes
+// if this one ends early. One line per point: the SHA-256 of the rest of the line, and JSON with numbers that
+// read back exactly (docs/results-format.md). Truncated and damaged lines are ignored; their points are
+// computed again.
 class Journal {
  public:
-  // Creates the file and its folder if need be, and keeps other runs off until it is destroyed or the process
-  // dies. commit is that of this program; a clean one passes over what a program with uncommitted changes
-  // computed. forget: begins anew. Throws InputError if the place cannot be written or holds something else,
-  // RunError if another run has it.
-  Journal(const std::string& result, const std::string& commit, bool forget);
+  // Creates the file and its folder if necessary, and locks it until the destructor runs or the process ends.
+  // commit is that of this program; if it is clean, points computed by programs with uncommitted changes are
+  // ignored. clear removes all points. Throws InputError if the file cannot be written or is not a journal,
+  // RunError if another run holds the lock.
+  Journal(const std::string& result, const std::string& commit, bool clear);
   ~Journal();
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;
 
   const std::string& path() const { return path_; }
   bool has(const std::string& key) const { return entries_.contains(key); }
-  // Throws RunError if it reads otherwise than before.
+  // Throws RunError if the line has changed since the journal was opened.
   JournalLine read(const std::string& key) const;
 
-  // The record is with the system when this returns, and on the disk some seconds later. Throws RunError, for
-  // instance for a full disk; what was there before stays.
+  // Hands the record to the operating system; it is on the disk some seconds later, or after sync(). Throws
+  // RunError, for instance if the disk is full; the earlier points remain.
   void append(const std::string& key, const PointRecord& record) { append({key, commit_, record}); }
   void sync();
 
-  // Takes over, of these points, those that journals of other results in the same folder have.
+  // Copies those of the given points that journals of other results in the same folder contain.
   void adopt(const Experiment& experiment, const std::vector<std::size_t>& points);
 
  private:
@@ -47,13 +49,13 @@ class Journal {
   };
 
   void scan();
-  bool trusts(const JournalLine& head) const;
+  bool accepts(const JournalLine& head) const;
   void append(const JournalLine& line);
 
   std::string path_, commit_;
   int file_ = -1;
-  std::uint64_t end_ = 0;  // of the last whole line
-  long synced_ = 0;        // time, s
+  std::uint64_t end_ = 0;  // of the last complete line
+  long synced_ = 0;        // time of the last sync(), s
   std::unordered_map<std::string, Entry> entries_;
 };
 

@@ -11,7 +11,7 @@
 namespace bristle {
 namespace {
 
-constexpr std::size_t kDigest = 64;
+constexpr std::size_t kDigestLength = 64;
 
 Json encoded(const std::vector<double>& numbers) {
   Json out = Json::array();
@@ -33,18 +33,18 @@ std::vector<double> decoded(const Json& json) {
   return out;
 }
 
-// The JSON of a line whose checksum holds.
+// The JSON of a line. None if the checksum does not match.
 std::optional<std::string_view> checked(std::string_view line) {
-  if (line.size() <= kDigest || line[kDigest] != ' ') return {};
-  const std::string_view json = line.substr(kDigest + 1);
-  if (sha256_of(std::string(json)) != line.substr(0, kDigest)) return {};
+  if (line.size() <= kDigestLength || line[kDigestLength] != ' ') return {};
+  const std::string_view json = line.substr(kDigestLength + 1);
+  if (sha256_of(std::string(json)) != line.substr(0, kDigestLength)) return {};
   return json;
 }
 
-// The word after before, up to the next quote; takes both from text.
-std::optional<std::string> take(std::string_view& text, const std::string& before) {
-  if (!text.starts_with(before)) return {};
-  text.remove_prefix(before.size());
+// Removes prefix and the word after it, up to the next quote, from text. Returns the word.
+std::optional<std::string> take_word(std::string_view& text, const std::string& prefix) {
+  if (!text.starts_with(prefix)) return {};
+  text.remove_prefix(prefix.size());
   const auto end = std::min(text.find('"'), text.size());
   std::string word(text.substr(0, end));
   text.remove_prefix(end);
@@ -80,24 +80,24 @@ std::optional<JournalLine> decode(std::string_view line) {
     }
     return out;
   } catch (const Json::exception&) {
-    return {};  // written by a program with other ideas
+    return {};  // written by a program with another record format
   }
 }
 
 std::optional<JournalLine> head_of(std::string_view line) {
   const auto text = checked(line);
   if (!text) return {};
-  // As encode() writes it, without reading the numbers.
+  // Relies on the order of keys of encode(), so that the numbers need not be parsed.
   std::string_view rest = *text;
-  const auto schema = take(rest, R"({"schema":")"), key = take(rest, R"(","key":")"),
-             commit = take(rest, R"(","commit":")");
+  const auto schema = take_word(rest, R"({"schema":")"), key = take_word(rest, R"(","key":")"),
+             commit = take_word(rest, R"(","commit":")");
   if (!commit || *schema != kJournalSchema) return {};
   return JournalLine{*key, *commit, {}};
 }
 
 std::optional<std::string> schema_of(std::string_view line) {
   auto text = checked(line);
-  return text ? take(*text, R"({"schema":")") : std::nullopt;
+  return text ? take_word(*text, R"({"schema":")") : std::nullopt;
 }
 
 }  // namespace bristle

@@ -16,13 +16,13 @@ struct JournalLine {
 
 constexpr const char* kJournalSchema = "bristle-journal/1";
 
-// Text with its line feed. Checksum and JSON; numbers that are not finite are words.
+// The line with its line feed: checksum and JSON. Numbers that are not finite are written as words.
 std::string encode(const JournalLine& line);
-// None if it is torn or damaged. line is without its line feed.
+// The opposite, of a line without its line feed. None if the line is truncated or damaged.
 std::optional<JournalLine> decode(std::string_view line);
-// Key and commit alone, of a line whose checksum holds.
+// Key and commit of a line, without its record. None if the checksum does not match.
 std::optional<JournalLine> head_of(std::string_view line);
-// The schema of a line whose checksum holds.
+// The schema of a line. None if the checksum does not match.
 std::optional<std::string> schema_of(std::string_view line);
 
 }  // namespace bristle

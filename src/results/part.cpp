@@ -33,10 +33,10 @@ Shard parse_shard(const std::string& text) {
   const auto count = slash == std::string::npos ? std::nullopt : whole_number(text.substr(slash + 1));
   if (!number || !count || *count == 0)
     throw InputError(fmt::format(
-        "--shard {}: not a shard; i/N is: the i-th of N shards, two whole numbers from 1, such as 2/8",
+        "--shard {}: not a shard; give i/N, the i-th of N shards, as two positive integers such as 2/8",
         text));
   if (*number == 0 || *number > *count)
-    throw InputError(fmt::format("--shard {}: there is no shard {} of {}; they are numbered 1/{} to {}/{}",
+    throw InputError(fmt::format("--shard {}: there is no shard {} of {}; shards are numbered 1/{} to {}/{}",
                                  text, *number, *count, *count, *count, *count));
   return {*number, *count};
 }

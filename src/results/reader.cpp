@@ -17,27 +17,28 @@ namespace bristle {
 
 ResultReader::ResultReader(const std::string& path, Expected expected) : path_(path) {
   if (!std::filesystem::is_regular_file(path))
-    throw InputError(fmt::format("{}: no such file; `bristle run EXPERIMENT.json {}-o {}` makes it", path,
-                                 expected == Expected::part ? "--shard i/N " : "", path));
+    throw InputError(fmt::format("{}: no such file; create it with `bristle run EXPERIMENT.json {}-o {}`",
+                                 path, expected == Expected::part ? "--shard i/N " : "", path));
   if (H5Fis_hdf5(path.c_str()) <= 0) throw InputError(fmt::format("{}: not an HDF5 file", path));
   file_ = h5::open_file(path, false);
   if (!h5::has_attribute(file_, "schema_version"))
-    throw InputError(fmt::format("{}: not a result of bristle: there is no attribute schema_version", path));
+    throw InputError(
+        fmt::format("{}: not a result of bristle: the attribute schema_version is missing", path));
   require(expected);
 }
 
 void ResultReader::require(Expected expected) const {
   const std::string version = text("schema_version");
   if (version != kResultSchema && version != kPartSchema)
-    throw InputError(fmt::format("{}: schema version {}; this program reads {} and {}", path_, version,
-                                 kResultSchema, kPartSchema));
+    throw InputError(fmt::format("{}: schema version {}, but this program reads {} and {} only", path_,
+                                 version, kResultSchema, kPartSchema));
   const auto part = shard();
   if (part && expected == Expected::whole)
-    throw InputError(fmt::format("{}: a part ({}) of {}, not the whole; merge the parts first: {}", path_,
-                                 shard_text(*part), text("name"), how_to_merge(path_, *part)));
+    throw InputError(fmt::format("{}: a part ({}) of {}, not a whole result; merge the parts first: {}",
+                                 path_, shard_text(*part), text("name"), how_to_merge(path_, *part)));
   if (!part && expected == Expected::part)
     throw InputError(
-        fmt::format("{}: the whole result of {}, not a part of one (`bristle run --shard` makes these)",
+        fmt::format("{}: the whole result of {}, not a part of one (`bristle run --shard` computes parts)",
                     path_, text("name")));
 }
 
@@ -51,9 +52,10 @@ std::vector<std::size_t> ResultReader::part_points() const {
   std::vector<double> numbers(h5::length_of(dataset));
   if (!numbers.empty()) h5::read_part(dataset, H5T_NATIVE_DOUBLE, {0}, {numbers.size()}, numbers.data());
   for (std::size_t i = 0; i < numbers.size(); ++i)
-    if (!(numbers[i] >= 0 && numbers[i] < kMostPoints) || numbers[i] != std::floor(numbers[i]) ||
+    if (!(numbers[i] >= 0 && numbers[i] < kMaxPoints) || numbers[i] != std::floor(numbers[i]) ||
         (i > 0 && numbers[i] <= numbers[i - 1]))
-      throw RunError(fmt::format("part/points: {} is no point's number, or out of order", numbers[i]));
+      throw RunError(
+          fmt::format("part/points: {} is not the index of a point, or not in ascending order", numbers[i]));
   return {numbers.begin(), numbers.end()};
 }
 
@@ -103,15 +105,15 @@ bool up_to_date(const std::string& path, const Experiment& experiment, const std
     const h5::Handle file = h5::open_file(path, false);
     for (const char* name : {"schema_version", "inputs_sha256", "numerics_version", "payload_sha256"})
       if (!h5::has_attribute(file, name)) return false;
-    const bool same_share = !shard || (h5::has_attribute(file, "shard") &&
+    const bool same_shard = !shard || (h5::has_attribute(file, "shard") &&
                                        h5::read_text_attribute(file, "shard") == shard_text(*shard));
-    return same_share &&
+    return same_shard &&
            h5::read_text_attribute(file, "schema_version") == (shard ? kPartSchema : kResultSchema) &&
            h5::read_number_attribute(file, "numerics_version") == double(kNumericsVersion) &&
            h5::read_text_attribute(file, "inputs_sha256") == inputs_sha256(*experiment.document) &&
            h5::read_text_attribute(file, "payload_sha256") == payload_sha256(file);
   } catch (const RunError&) {
-    return false;  // not a result file that can be read: computed anew
+    return false;  // unreadable: to be computed again
   }
 }
 

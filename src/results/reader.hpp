@@ -18,33 +18,33 @@ struct Variable {
   std::vector<double> values;
 };
 
-// What a reader is to be given: a whole result, a part of one, or either.
+// What a file must contain: a whole result, a part of one, or either.
 enum class Expected {
   whole,
   part,
   either
 };
 
-// Reads result files. Throws InputError that names file and dataset for what is not a result, is of an
-// unknown schema version, is a part where the whole is expected or the reverse, or is missing.
+// Reads result files. Throws InputError with file and dataset if the file is not a result, has an unknown
+// schema version or is not what is expected, and if a dataset or attribute is missing.
 class ResultReader {
  public:
   explicit ResultReader(const std::string& path, Expected expected = Expected::whole);
 
   const std::string& path() const { return path_; }
   hid_t file() const { return file_; }
-  std::vector<std::string> variables() const;  // numeric datasets of the root
+  std::vector<std::string> variables() const;  // datasets of the root
   Variable variable(const std::string& name) const;
-  // The words that a flag variable's values 0, 1, ... stand for; none for another.
+  // Meanings of the values 0, 1, ... of a flag variable; empty for other variables.
   std::vector<std::string> flag_meanings(const std::string& name) const;
   bool has(const std::string& name) const;  // a dataset or group
   std::string text(const std::string& attribute) const;
   Json experiment() const;
   std::map<std::string, std::string> provenance() const;  // empty if there is none
-  std::vector<std::string> axes() const;                  // of the sweep, by the names of their variables
-  std::vector<std::size_t> sweep_shape() const;           // a traced curve is one point
-  std::optional<Shard> shard() const;            // of a part; none for a whole result
-  std::vector<std::size_t> part_points() const;  // of a part: indices of its points, ascending
+  std::vector<std::string> axes() const;                  // names of the variables of the sweep's axes
+  std::vector<std::size_t> sweep_shape() const;           // without the nodes of traced curves
+  std::optional<Shard> shard() const;                     // none for a whole result
+  std::vector<std::size_t> part_points() const;           // ascending indices of the points of a part
 
  private:
   void require(Expected expected) const;
@@ -53,14 +53,15 @@ class ResultReader {
   h5::Handle file_;
 };
 
-// Whether the file exists and holds a whole result, of any version.
+// Whether the file exists and contains a whole result of any version.
 bool holds_whole_result(const std::string& path);
 
-// Whether the file already holds the numbers of this experiment, or of this shard of it, complete and intact.
+// Whether the file contains the numbers of this experiment, or of this shard of it, complete and undamaged.
 bool up_to_date(const std::string& path, const Experiment& experiment,
                 const std::optional<Shard>& shard = {});
 
-// The name of an axis in the file: a swept R_n or z_0 is an input, R_n_target; the value reached is R_n.
+// The name of an axis in the file. A swept R_n or z_0 becomes R_n_target or z_0_target, because R_n and z_0
+// are the computed values.
 std::string axis_variable(const std::string& name);
 
 }  // namespace bristle

@@ -10,16 +10,16 @@
 namespace bristle {
 namespace {
 
-// The sign of a NaN is the processor's and the compiler's choice.
-void settle_nan(std::vector<double>& numbers) {
+// The sign of a computed NaN depends on processor and compiler.
+void unify_nan(std::vector<double>& numbers) {
   for (double& x : numbers)
     if (std::isnan(x)) x = std::numeric_limits<double>::quiet_NaN();
 }
 
-PointRecord settled(PointRecord record) {
-  for (auto& [name, numbers] : record.values) settle_nan(numbers);
+PointRecord with_unified_nan(PointRecord record) {
+  for (auto& [name, numbers] : record.values) unify_nan(numbers);
   for (auto& [name, rows] : record.tables)
-    for (auto& column : rows) settle_nan(column);
+    for (auto& column : rows) unify_nan(column);
   return record;
 }
 
@@ -43,7 +43,7 @@ void append(Rows& rows, const Rows& more) {
   for (std::size_t i = 0; i < more.size(); ++i) rows[i].insert(rows[i].end(), more[i].begin(), more[i].end());
 }
 
-// The first row of this point or a later one, by bisection: a table may be too long to be read for each
+// The first row of this point or of a later one, by bisection: tables may be too long to be read for every
 // point.
 hsize_t first_row(hid_t points, std::size_t index) {
   hsize_t low = 0, high = h5::length_of(points);
@@ -57,7 +57,7 @@ hsize_t first_row(hid_t points, std::size_t index) {
   return low;
 }
 
-// The rows of one point; a table is in ascending order of points.
+// The rows of one point. Requires that the table is sorted by points.
 Rows read_rows(hid_t file, const std::string& table, std::size_t index) {
   const h5::Handle group = h5::open_group(file, table);
   const auto read = [&](const std::string& column, hsize_t from, hsize_t count) {
@@ -106,7 +106,7 @@ PointRecord record_of(const Experiment& experiment, const PointResult& result, c
       for (const Trajectory& trajectory : recorded.trajectories) append(rows, trajectory_rows(trajectory));
     if (rows.empty()) rows.resize(table_columns(table).size());
   }
-  return settled(std::move(record));
+  return with_unified_nan(std::move(record));
 }
 
 PointRecord record_of(const Experiment& experiment, const std::vector<CurveNode>& curve) {
@@ -118,7 +118,7 @@ PointRecord record_of(const Experiment& experiment, const std::vector<CurveNode>
                [&](const std::string& name, double value) { record.values[name].push_back(value); });
     record.values["branch"].push_back(double(node.branch));
   }
-  return settled(std::move(record));
+  return with_unified_nan(std::move(record));
 }
 
 PointRecord read_record(hid_t file, const Experiment& experiment, std::size_t index) {
@@ -141,7 +141,7 @@ PointRecord read_record(hid_t file, const Experiment& experiment, std::size_t in
   for (const std::string& name : value_names(experiment)) record.values[name] = read(name);
   for (const std::string& table : table_names(experiment))
     record.tables[table] = read_rows(file, table, index);
-  return settled(std::move(record));
+  return with_unified_nan(std::move(record));
 }
 
 std::vector<std::string> value_names(const Experiment& experiment) {
@@ -170,19 +170,19 @@ bool fits(const PointRecord& record, const Experiment& experiment) {
     return false;
   const std::size_t nodes = record.values.begin()->second.size();
   const bool curve = experiment.base.loading.trace.has_value();
-  const bool room = curve ? nodes <= std::size_t(experiment.base.loading.trace->nodes) : nodes == 1;
-  const bool even = std::all_of(record.values.begin(), record.values.end(),
-                                [&](const auto& v) { return v.second.size() == nodes; });
-  const bool tables = std::all_of(record.tables.begin(), record.tables.end(), [](const auto& t) {
+  const bool nodes_valid = curve ? nodes <= std::size_t(experiment.base.loading.trace->nodes) : nodes == 1;
+  const bool equal_lengths = std::all_of(record.values.begin(), record.values.end(),
+                                         [&](const auto& v) { return v.second.size() == nodes; });
+  const bool tables_valid = std::all_of(record.tables.begin(), record.tables.end(), [](const auto& t) {
     return t.second.size() == table_columns(t.first).size() &&
            std::all_of(t.second.begin(), t.second.end(),
                        [&](const auto& column) { return column.size() == t.second.front().size(); });
   });
   const auto& status = record.values.at("status");
-  const bool known = std::all_of(status.begin(), status.end(), [](double s) {
+  const bool status_known = std::all_of(status.begin(), status.end(), [](double s) {
     return s >= 0 && s < double(kPointStatusNames.size()) && s == std::floor(s);
   });
-  return room && even && tables && known;
+  return nodes_valid && equal_lengths && tables_valid && status_known;
 }
 
 std::vector<std::string> differences(const PointRecord& a, const PointRecord& b) {

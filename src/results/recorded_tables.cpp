@@ -7,7 +7,7 @@
 namespace bristle {
 namespace {
 
-// A field of one record, with its column.
+// A column and the function that gives its value for a record.
 template <class Record>
 struct Field {
   Column column;
@@ -55,7 +55,7 @@ const std::vector<Field<Passage>>& bristle_fields() {
        [](B b) { return b.gamma_2; }},
       {{"gamma_3", "ratio in Eq. (26)", R"(\tilde{\gamma}_{3,i})", "Eq. (26)"},
        [](B b) { return b.gamma_3; }},
-      {{"energy_residual", "defect of the energy budget over the energy dissipated", R"(\epsilon_E)", ""},
+      {{"energy_residual", "error of the energy budget over the dissipated energy", R"(\epsilon_E)", ""},
        [](B b) { return b.energy_residual; }},
       {{"steps", "integration steps", "", ""}, [](B b) { return double(b.steps); }},
       {{"reflections", "arrivals at the pole, s = s_min", "", ""}, [](B b) { return double(b.reflections); }},
@@ -64,7 +64,7 @@ const std::vector<Field<Passage>>& bristle_fields() {
 }
 
 Column phase_column() {
-  Column column = flag("phase", "what the tip does", kPhaseNames);
+  Column column = flag("phase", "phase of the tip's motion", kPhaseNames);
   column.constants = {{"off_slab_wall_ranges", kOffSlabRanges}, {"side_slip_rad", kSideSlip}};
   return column;
 }
@@ -76,11 +76,9 @@ const std::vector<Field<TrajectoryPoint>>& trajectory_fields() {
        [](T p) { return p.xi; }},
       {{"x", "tip position along the motion", R"(\tilde{x})", "Eq. (2)"}, [](T p) { return p.y[X]; }},
       {{"y", "tip position across the motion", R"(\tilde{y})", "Eq. (2)"}, [](T p) { return p.y[Y]; }},
-      {{"z", "tip height", R"(\tilde{z})", "Eq. (2)"}, [](T p) { return p.y[Z]; }},
-      {{"v_x", "tip velocity along the motion", R"(\tilde{v}_x)", "Eq. (18)"},
-       [](T p) { return p.y[VX]; }},
-      {{"v_y", "tip velocity across the motion", R"(\tilde{v}_y)", "Eq. (18)"},
-       [](T p) { return p.y[VY]; }},
+      {{"z", "tip position, vertical", R"(\tilde{z})", "Eq. (2)"}, [](T p) { return p.y[Z]; }},
+      {{"v_x", "tip velocity along the motion", R"(\tilde{v}_x)", "Eq. (18)"}, [](T p) { return p.y[VX]; }},
+      {{"v_y", "tip velocity across the motion", R"(\tilde{v}_y)", "Eq. (18)"}, [](T p) { return p.y[VY]; }},
       {{"v_z", "vertical tip velocity", R"(\tilde{v}_z)", "Eq. (18)"}, [](T p) { return p.y[VZ]; }},
       {angle("theta", "azimuth", R"(\theta)", "Eq. (17)"), [](T p) { return p.y[THETA]; }},
       {angle("phi", "polar angle", R"(\varphi)", "Eq. (18)"), [](T p) { return p.y[PHI]; }},
@@ -95,7 +93,7 @@ const std::vector<Field<TrajectoryPoint>>& trajectory_fields() {
   return fields;
 }
 
-// A recorded table: what numbers its rows, and its columns after "point".
+// A recorded table: the name of its row numbers, and its columns after "point".
 struct Layout {
   std::string row;
   std::vector<Column> columns;

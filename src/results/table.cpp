@@ -24,7 +24,7 @@ Table::Table(hid_t file, const std::string& group, const std::string& row, const
     : name_(group), group_(h5::create_group(file, group)) {
   const h5::Shape open{H5S_UNLIMITED};
   rows_ = h5::create_dataset(group_, row, H5T_NATIVE_LONG, open);
-  describe(rows_, "number of the row", "", "");
+  describe(rows_, "row number", "", "");
   h5::make_scale(rows_, row);
   for (const Column& column : columns) {
     h5::Handle dataset = h5::create_dataset(group_, column.name, column.type, open);

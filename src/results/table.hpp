@@ -12,17 +12,17 @@ namespace bristle {
 struct Column {
   std::string name, long_name, symbol, equation;
   hid_t type = H5T_NATIVE_DOUBLE;    // in the file
-  std::vector<std::string> flags{};  // meanings of the values 0, 1, ..., if it is a flag
+  std::vector<std::string> flags{};  // meanings of the values 0, 1, ... of a flag; otherwise empty
   std::string units = "1";
-  std::vector<std::pair<std::string, double>> constants{};  // of the column's definition: attributes
+  std::vector<std::pair<std::string, double>> constants{};  // used in the column's definition: attributes
 };
 
-// A group of columns of one growing length, with a dimension scale that numbers the rows.
+// A group of columns of equal length, with a dimension scale of row numbers. Rows can be appended.
 class Table {
  public:
   Table(hid_t file, const std::string& group, const std::string& row, const std::vector<Column>& columns);
 
-  // Appends rows, given by columns in the order of construction and of one length.
+  // Appends rows. columns: in the order of the constructor, of equal length.
   void append(const std::vector<std::vector<double>>& columns);
   void close();
 
@@ -33,7 +33,7 @@ class Table {
   hsize_t length_ = 0;
 };
 
-// Attributes that every dataset has.
+// Writes the attributes that every dataset has.
 void describe(hid_t dataset, const std::string& long_name, const std::string& symbol,
               const std::string& equation, const std::string& units = "1");
 void describe_flags(hid_t dataset, const std::vector<std::string>& names);

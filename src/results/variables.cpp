@@ -61,7 +61,7 @@ ResultVariable fluctuation(const char* name, const char* long_name, const char* 
           {}};
 }
 
-// A mean in newtons.
+// An ensemble mean in newtons.
 ResultVariable force(const char* name, const char* long_name, const char* symbol, Observable k) {
   return {name,
           long_name,
@@ -71,6 +71,22 @@ ResultVariable force(const char* name, const char* long_name, const char* symbol
           [k](const PointResult& p) { return p.error[k] * p.force_unit; },
           [k](const PointResult& p) { return p.load_error[k] * p.force_unit; },
           "N"};
+}
+
+void add_load_jump(std::vector<ResultVariable>& variables) {
+  variables.push_back(field("jump_z_0", "last gap before R_n(z_0) jumps across the target",
+                            R"(\tilde{z}_{0,\mathrm{jump}})", "Fig. 3", &PointResult::jump_z_0));
+  variables.push_back(field("jump_R_n", "normal load at jump_z_0", R"(\tilde{R}_{n,\mathrm{jump}}/N_{c,0})",
+                            "Fig. 3", &PointResult::jump_R_n));
+}
+
+void add_fluctuations(std::vector<ResultVariable>& variables) {
+  variables.push_back(fluctuation("R_n_fluctuation", "standard deviation of R_n(t) over its mean",
+                                  R"(\sigma(R_n)/R_n)", &PointResult::fluctuation));
+  variables.push_back(
+      fluctuation("R_n_fluctuation_of_rows",
+                  "standard deviation of R_n(t), averaged over the passing time of a row, over its mean",
+                  R"(\sigma(\langle R_n\rangle_{\mathrm{row}})/R_n)", &PointResult::fluctuation_of_rows));
 }
 
 void add_si(std::vector<ResultVariable>& variables) {
@@ -83,11 +99,11 @@ void add_si(std::vector<ResultVariable>& variables) {
                               "Eq. (19)", friction_coefficient));
 }
 
-// Where the azimuths are not evenly distributed, the friction force is not parallel to the motion.
+// If the azimuths are not uniformly distributed, the friction force is not parallel to the motion.
 void add_direction(std::vector<ResultVariable>& variables) {
-  variables.push_back(derived("R_norm", "friction's magnitude in the plane over that of rigid bristles",
-                              R"(|\check{R}|)", "Eqs. (20, 21)", friction_magnitude));
-  variables.push_back(derived("direction", "direction of the friction force against that of the motion",
+  variables.push_back(derived("R_norm", "magnitude of friction over that of rigid bristles", R"(|\check{R}|)",
+                              "Eqs. (20, 21)", friction_magnitude));
+  variables.push_back(derived("direction", "angle of the friction force relative to the motion",
                               R"(\angle R)", "Eq. (19)", friction_direction, false, "degree"));
 }
 
@@ -112,31 +128,20 @@ std::vector<ResultVariable> result_variables(const Experiment& experiment) {
       mean("gamma_2", "alignment of friction with the motion", R"(\tilde{\gamma}_2)", "Eq. (25)", GAMMA_2),
       mean("gamma_3", "reduction of the contact area by load fluctuations", R"(\tilde{\gamma}_3)", "Eq. (26)",
            GAMMA_3),
-      mean("pinned_fraction", "fraction of bristles held upright at the pole", R"(f_\mathrm{pinned})", "",
+      mean("pinned_fraction", "fraction of bristles pinned upright at the pole", R"(f_\mathrm{pinned})", "",
            PINNED_FRACTION),
-      pinned_share("pinned_share_R_n", "pinned bristles' share of R_n", R"(R_{n,\mathrm{pinned}}/R_n)", PINNED_R_N,
-            R_N),
-      pinned_share("pinned_share_R_x", "pinned bristles' share of R_x", R"(R_{x,\mathrm{pinned}}/R_x)", PINNED_R_X,
-            R_X),
-      mean("energy_residual", "mean defect of the energy budget over the energy dissipated", R"(\epsilon_E)",
+      pinned_share("pinned_share_R_n", "share of pinned bristles in R_n", R"(R_{n,\mathrm{pinned}}/R_n)",
+                   PINNED_R_N, R_N),
+      pinned_share("pinned_share_R_x", "share of pinned bristles in R_x", R"(R_{x,\mathrm{pinned}}/R_x)",
+                   PINNED_R_X, R_X),
+      mean("energy_residual", "mean error of the energy budget over the dissipated energy", R"(\epsilon_E)",
            "Eqs. (13, 17, 18)", ENERGY_RESIDUAL),
-      field("incomplete_theta_0", "azimuth of the first passage without an exit", R"(\theta_0)", "",
-            &P::incomplete_theta_0),
+      field("incomplete_theta_0", "undeformed azimuth of the first passage without an exit", R"(\theta_0)",
+            "", &P::incomplete_theta_0),
   };
   variables.back().units = "rad";
-  if (!experiment.base.loading.z_0 && !experiment.base.loading.trace) {
-    variables.push_back(field("jump_z_0", "last gap before R_n(z_0) jumps across the target",
-                              R"(\tilde{z}_{0,\mathrm{jump}})", "Fig. 3", &P::jump_z_0));
-    variables.push_back(field("jump_R_n", "normal load there", R"(\tilde{R}_{n,\mathrm{jump}}/N_{c,0})",
-                              "Fig. 3", &P::jump_R_n));
-  }
-  if (experiment.on_lattice()) {
-    variables.push_back(fluctuation("R_n_fluctuation", "standard deviation of R_n(t) over its mean",
-                                    R"(\sigma(R_n)/R_n)", &P::fluctuation));
-    variables.push_back(fluctuation(
-        "R_n_fluctuation_of_rows", "standard deviation of R_n(t), averaged over a row's time, over its mean",
-        R"(\sigma(\langle R_n\rangle_{\mathrm{row}})/R_n)", &P::fluctuation_of_rows));
-  }
+  if (!experiment.base.loading.z_0 && !experiment.base.loading.trace) add_load_jump(variables);
+  if (experiment.on_lattice()) add_fluctuations(variables);
   if (!experiment.base.si.empty()) add_si(variables);
   if (experiment.base.setup.orientation.distribution == Distribution::von_mises) add_direction(variables);
   return variables;

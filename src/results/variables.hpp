@@ -8,16 +8,16 @@
 
 namespace bristle {
 
-// A variable of the result file over the sweep's dimensions.
+// A variable of the result file, with one value per sweep point.
 struct ResultVariable {
   using Value = std::function<double(const PointResult&)>;
   std::string name, long_name, symbol, equation;
   Value value;
-  Value error;       // empty: no <name>_err
-  Value load_error;  // the part of error from the load control; empty: none
+  Value error;       // written as <name>_err; empty: none
+  Value load_error;  // the part of error due to the deviation of the load from its target; empty: none
   std::string units = "1";
 };
-// Those that a result of this experiment has.
+// The variables of a result of this experiment.
 std::vector<ResultVariable> result_variables(const Experiment& experiment);
 
 // Flag meanings, in the order of PointStatus, Branch, Outcome and Phase.

@@ -42,7 +42,7 @@ void ResultWriter::create() {
     std::vector<double> numbers(nodes);
     std::iota(numbers.begin(), numbers.end(), 0.0);
     create_scale("node", H5T_NATIVE_LONG, numbers,
-                 {"node", "number of the node, from first contact down", "1"});
+                 {"node", "index of the node, from first contact down", "1"});
   }
   create_variables();
   if (shard_) create_part();
@@ -108,18 +108,19 @@ void ResultWriter::create_variables() {
           create_variable(file_, v.name + "_err", H5T_NATIVE_DOUBLE, "estimated numerical error of " + v.name,
                           symbol, v.equation, v.units);
     if (searched_ && v.load_error)
-      variables_["load_error/" + v.name] = create_variable(
-          load_error_, v.name, H5T_NATIVE_DOUBLE,
-          "part of " + v.name + "_err from the load's distance to its target", symbol, v.equation, v.units);
+      variables_["load_error/" + v.name] =
+          create_variable(load_error_, v.name, H5T_NATIVE_DOUBLE,
+                          "part of " + v.name + "_err due to the deviation of the load from its target",
+                          symbol, v.equation, v.units);
   }
-  variables_["passages"] =
-      create_variable(file_, "passages", H5T_NATIVE_LONG, "bristles integrated for the point", "N", "");
-  create_flags("status", "how the point ended", kPointStatusNames, int(PointStatus::absent));
+  variables_["passages"] = create_variable(file_, "passages", H5T_NATIVE_LONG,
+                                           "number of passages computed for the point", "N", "");
+  create_flags("status", "outcome of the point", kPointStatusNames, int(PointStatus::absent));
   if (curves_)
-    create_flags("branch", "where the node lies on the slab's paths", kBranchNames, int(Branch::absent));
+    create_flags("branch", "paths of the slab on which the node lies", kBranchNames, int(Branch::absent));
 }
 
-// Filled with the code of what is not there.
+// Creates a flag variable that is filled with the code absent.
 void ResultWriter::create_flags(const std::string& name, const std::string& long_name,
                                 const std::vector<std::string>& meanings, int absent) {
   h5::Handle& flags = variables_[name] = create_variable(file_, name, H5T_NATIVE_SCHAR, long_name, "", "");

@@ -9,23 +9,24 @@
 
 namespace bristle {
 
-// Writes a result file point by point, under a temporary name beside the final one; publish() gives
-// it its name. Without publish() the final name is untouched and the temporary file removed.
+// Writes a result file point by point under a temporary name, which publish() replaces by the final name.
+// Without publish() an existing file remains unchanged and the temporary file is removed.
 class ResultWriter {
  public:
-  // Of a shard: the file is a part, with these points only. Throws InputError if the output cannot be written
-  // there.
+  // With a shard, the file is a part with the points of the shard only. Throws InputError if path cannot be
+  // written.
   ResultWriter(const Experiment& experiment, const std::string& path, const std::optional<Shard>& shard = {});
   ~ResultWriter();
 
-  // Call in ascending order of index: what is recorded is appended. The record must fit the experiment.
+  // Call in ascending order of index, because tables are appended to. Requires fits(record, experiment).
   void write(std::size_t index, const PointRecord& record);
 
-  // Adds attributes, digest and provenance (name -> text), closes, and reads back what was written.
+  // Adds attributes, digest and provenance (name -> text), closes the file, and verifies it by reading it
+  // back.
   void close(const std::map<std::string, std::string>& provenance);
-  // The closed file under its temporary name, for what else is to be added.
+  // Temporary name of the closed file, for additions before publish().
   const std::string& partial() const { return partial_; }
-  // Gives the closed file its name.
+  // Renames the closed file to its final name.
   void publish();
 
  private:
@@ -46,8 +47,8 @@ class ResultWriter {
   std::string path_, partial_;
   std::optional<Shard> shard_;
   bool curves_;    // of R_n(z_0), along a last dimension "node"
-  bool searched_;  // the gap was searched for: errors have a part from that
-  int lock_ = -1;  // descriptor that keeps other runs off the temporary file
+  bool searched_;  // the gap follows from a load search: errors have a part due to the load
+  int lock_ = -1;  // descriptor that holds the lock of the temporary file
   h5::Handle file_, load_error_;
   h5::Shape shape_;
   std::vector<h5::Handle> axes_;

@@ -15,7 +15,7 @@ namespace bristle {
 namespace fs = std::filesystem;
 namespace {
 
-// Whether the descriptor's file still has this name: it may have been renamed between opening and locking.
+// Whether path still names the descriptor's file: it may have been renamed between opening and locking.
 bool still_named(int descriptor, const std::string& path) {
   struct stat opened {
   }, named{};
@@ -23,7 +23,7 @@ bool still_named(int descriptor, const std::string& path) {
          opened.st_ino == named.st_ino && opened.st_dev == named.st_dev;
 }
 
-void to_disk(const std::string& path, int flags) {
+void flush_to_disk(const std::string& path, int flags) {
   const int descriptor = open(path.c_str(), flags | O_CLOEXEC);
   const bool done = descriptor >= 0 && fsync(descriptor) == 0;
   const int reason = errno;
@@ -43,7 +43,7 @@ int lock_file(const std::string& result, const std::string& path) {
   for (;;) {
     const int descriptor = open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
     if (descriptor < 0)
-      throw InputError(fmt::format("-o {}: {} cannot be written: {}; give another place with -o", result,
+      throw InputError(fmt::format("-o {}: {} cannot be written: {}; choose another path with -o", result,
                                    path, reason.empty() ? std::strerror(errno) : reason));
     struct flock whole {};
     whole.l_type = F_WRLCK;
@@ -52,21 +52,22 @@ int lock_file(const std::string& result, const std::string& path) {
     if (locked && still_named(descriptor, path)) return descriptor;
     ::close(descriptor);
     if (!locked && error_of_lock != EAGAIN && error_of_lock != EACCES)
-      throw RunError(fmt::format("{}: cannot be locked: {}; give a place with -o whose file system has locks",
-                                 path, std::strerror(error_of_lock)));
-    if (!locked)
       throw RunError(
-          fmt::format("{}: another run is writing it; wait for that, or give another place with -o", result));
+          fmt::format("{}: cannot be locked: {}; choose a path on a file system that supports locks with -o",
+                      path, std::strerror(error_of_lock)));
+    if (!locked)
+      throw RunError(fmt::format(
+          "{}: another run is writing it; wait until it ends, or choose another path with -o", result));
   }
 }
 
 void replace_file(const std::string& from, const std::string& to) {
-  to_disk(from, O_RDONLY);
+  flush_to_disk(from, O_RDONLY);
   std::error_code error;
   fs::rename(from, to, error);
   if (error) throw RunError(fmt::format("{}: cannot be renamed to {}: {}", from, to, error.message()));
   const fs::path folder = fs::path(to).parent_path();
-  to_disk(folder.empty() ? "." : folder.string(), O_RDONLY | O_DIRECTORY);
+  flush_to_disk(folder.empty() ? "." : folder.string(), O_RDONLY | O_DIRECTORY);
 }
 
 std::string read_file(const std::string& path) {
@@ -98,7 +99,7 @@ void WholeFile::write(const char* bytes, std::size_t count) { out_.write(bytes, 
 
 void WholeFile::close() {
   out_.close();
-  if (!out_) throw RunError(fmt::format("{}: cannot be written to the end: is there room?", path_));
+  if (!out_) throw RunError(fmt::format("{}: cannot be written completely; is the disk full?", path_));
 }
 
 void WholeFile::publish() {

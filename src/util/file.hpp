@@ -9,17 +9,18 @@ namespace bristle {
 // The bytes of a file. Throws InputError if it cannot be read.
 std::string read_file(const std::string& path);
 
-// Opens path for writing, creating it and its folder if necessary, and locks it. Returns the descriptor; the lock
-// is released when it is closed or the process ends. Messages name result, the file that the run writes. Throws
-// InputError if it cannot be written, RunError if another run holds the lock.
+// Opens path for writing, creating it and its folder if necessary, and locks it. Returns the descriptor; the
+// lock is released when the descriptor is closed or the process ends. result is the file that the run writes,
+// for messages. Throws InputError if path cannot be written, RunError if another run holds the lock.
 int lock_file(const std::string& result, const std::string& path);
 
-// Renames a finished file, after flushing it to the disk: a power cut leaves the old file or the whole new one.
-// Throws RunError.
+// Renames a finished file after flushing it to the disk, so that a power cut leaves either the old file or
+// the complete new one. Throws RunError.
 void replace_file(const std::string& from, const std::string& to);
 
-// A file that is written whole or not at all: under a temporary name beside its own, which publish() replaces.
-// Without publish() the destructor removes the temporary file and an existing file stays as it was.
+// A file that is written completely or not at all: it is written under a temporary name in the same folder,
+// and publish() renames it. Without publish() the destructor removes the temporary file, and an existing file
+// remains unchanged.
 class WholeFile {
  public:
   // Creates the folder if necessary. Throws InputError if the file cannot be written there.
@@ -29,7 +30,7 @@ class WholeFile {
   WholeFile& operator=(const WholeFile&) = delete;
 
   void write(const char* bytes, std::size_t count);
-  void close();    // throws RunError if not everything could be written
+  void close();    // throws RunError if writing failed
   void publish();  // call after close(); throws RunError
   const std::string& partial() const { return partial_; }
 
@@ -39,7 +40,7 @@ class WholeFile {
   bool published_ = false;
 };
 
-// Writes a text as a whole file. Throws as WholeFile does.
+// Writes a text through WholeFile. Throws as WholeFile does.
 void write_whole(const std::string& path, const std::string& text);
 
 }  // namespace bristle

@@ -25,8 +25,8 @@ Repository::Repository(const std::string& folder, const std::string& option, con
   const auto prefix =
       run_process(fmt::format("git -C {} rev-parse --show-prefix 2>&1", shell_quoted(folder_)));
   if (prefix.code != 0)
-    throw InputError(fmt::format("{}: not in a git work tree: {}; {}", option_,
-                                 without_newline(prefix.output), purpose));
+    throw InputError(
+        fmt::format("{}: not in a git work tree: {}; {}", option_, without_newline(prefix.output), purpose));
   prefix_ = without_newline(prefix.output);
 }
 
@@ -39,14 +39,14 @@ std::string Repository::git(const std::string& arguments) const {
 
 std::string Repository::commit() const { return without_newline(git("rev-parse --verify HEAD")); }
 
-std::time_t Repository::time() const { return std::stol(git("show -s --format=%ct HEAD")); }
+std::time_t Repository::commit_time() const { return std::stol(git("show -s --format=%ct HEAD")); }
 
 std::string Repository::changes(const std::string& except) const {
   const std::string others = except.empty() ? "" : " " + shell_quoted(":(exclude,literal)" + except);
   return git("status --porcelain --untracked-files=all -- :/" + others);
 }
 
-bool Repository::follows(const std::string& commit) const {
+bool Repository::descends_from(const std::string& commit) const {
   return !commit.empty() && std::all_of(commit.begin(), commit.end(), ::isxdigit) &&
          run_process(fmt::format("git -C {} merge-base --is-ancestor {} HEAD 2>/dev/null",
                                  shell_quoted(folder_), commit))
@@ -60,7 +60,7 @@ std::vector<std::string> Repository::files(const std::string& under) const {
   return names;
 }
 
-std::string Repository::source(const std::string& prefix) const {
+std::string Repository::source_archive(const std::string& prefix) const {
   return git(fmt::format("-c tar.umask=0022 archive --format=tar --prefix={} HEAD", shell_quoted(prefix)));
 }
 

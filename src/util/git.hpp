@@ -9,21 +9,22 @@ namespace bristle {
 // A git work tree. All functions throw InputError if git fails.
 class Repository {
  public:
-  // folder: any folder of the work tree. option is the command-line option that named it, purpose the reason
-  // why it must be in a repository; both for messages.
+  // folder: any folder of the work tree. For messages: option, the command-line option that names the folder,
+  // and purpose, the reason why the folder must be in a repository.
   Repository(const std::string& folder, const std::string& option, const std::string& purpose);
 
-  std::string commit() const;                             // the commit checked out
-  bool is_top() const { return prefix_.empty(); }         // folder is the top folder of the work tree
-  std::time_t time() const;                               // of that commit
-  // Output of `git status --porcelain`, leaving out one path relative to folder; empty if nothing differs.
+  std::string commit() const;                      // the commit that is checked out
+  bool is_top() const { return prefix_.empty(); }  // folder is the top folder of the work tree
+  std::time_t commit_time() const;
+  // Output of `git status --porcelain` without the path except, which is relative to folder. Empty if the
+  // work tree equals the commit.
   std::string changes(const std::string& except = "") const;
-  // Whether the commit checked out is this one or descends from it.
-  bool follows(const std::string& commit) const;
-  // Names of the files under version control below a path, relative to folder.
+  // Whether the commit that is checked out is the given one or descends from it.
+  bool descends_from(const std::string& commit) const;
+  // Names, relative to folder, of the files under version control below a path.
   std::vector<std::string> files(const std::string& under) const;
-  // The files of the commit as a tar archive, whose header holds the commit's identifier.
-  std::string source(const std::string& prefix) const;
+  // The files of the commit as a tar archive, whose header contains the commit's identifier.
+  std::string source_archive(const std::string& prefix) const;
 
  private:
   std::string git(const std::string& arguments) const;

@@ -25,7 +25,7 @@ Json read_json_file(const std::string& path) {
   try {
     Json content = parse_json({std::istreambuf_iterator<char>(in), {}});
     if (!content.is_object())
-      throw InputError(fmt::format("a JSON object {{...}} is expected, this is {}", shown(content)));
+      throw InputError(fmt::format("expected a JSON object {{...}}, found {}", shown(content)));
     return content;
   } catch (const InputError& e) {
     throw InputError(fmt::format("{}: {}", path, e.what()));
@@ -35,7 +35,8 @@ Json read_json_file(const std::string& path) {
 Json parse_json(const std::string& text) {
   std::vector<std::set<std::string>> keys;
   const auto watch = [&](int depth, Json::parse_event_t event, Json& parsed) {
-    if (depth > kDeepestJson) throw InputError(fmt::format("JSON nested more than {} deep", kDeepestJson));
+    if (depth > kMaxJsonDepth)
+      throw InputError(fmt::format("JSON nested more than {} levels deep", kMaxJsonDepth));
     if (event == Json::parse_event_t::object_start) keys.emplace_back();
     if (event == Json::parse_event_t::object_end) keys.pop_back();
     if (event == Json::parse_event_t::key && !keys.back().insert(parsed.get<std::string>()).second)

@@ -6,19 +6,19 @@
 
 namespace bristle {
 
-// A source file that uses a Json includes <nlohmann/json.hpp> itself: that header costs more compile time than
-// all others together.
+// A source file that uses Json includes <nlohmann/json.hpp> itself: parsing that header takes longer than
+// parsing all others together.
 using Json = nlohmann::ordered_json;  // keeps the order of sweep axes
 using JsonPointer = nlohmann::json_pointer<std::string>;
 
-// JSON nested deeper than this is refused: functions that walk through it call themselves once per level.
-constexpr int kDeepestJson = 64;
+// JSON with more levels of nesting is refused: recursive functions process it, and the stack is limited.
+constexpr int kMaxJsonDepth = 64;
 
 // Reads a file that holds one JSON object. Throws InputError, naming the file, as parse_json() does.
 Json read_json_file(const std::string& path);
 
 // Parses untrusted text. Throws InputError, without a file name, for text that is not JSON, for a key that
-// appears twice in one object, and for nesting deeper than kDeepestJson.
+// appears twice in one object, and for nesting deeper than kMaxJsonDepth.
 Json parse_json(const std::string& text);
 
 // The value as it appears in messages: JSON, shortened to 60 characters.

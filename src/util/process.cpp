@@ -18,13 +18,13 @@
 namespace bristle {
 namespace {
 
-constexpr rlim_t kMostMemory = rlim_t(8) << 30;
-constexpr rlim_t kMostSeconds = 3600;
-constexpr std::size_t kMostText = std::size_t(64) << 20;
+constexpr rlim_t kMaxMemory = rlim_t(8) << 30;           // bytes
+constexpr rlim_t kMaxCpuTime = 3600;                     // s
+constexpr std::size_t kMaxText = std::size_t(64) << 20;  // bytes
 
-void limit(int what, rlim_t most) {
-  const rlimit both{most, most};
-  setrlimit(what, &both);
+void limit(int resource, rlim_t maximum) {
+  const rlimit soft_and_hard{maximum, maximum};
+  setrlimit(resource, &soft_and_hard);
 }
 
 bool write_all(int descriptor, const std::string& text) {
@@ -36,18 +36,19 @@ bool write_all(int descriptor, const std::string& text) {
   return true;
 }
 
-// The parent reports a crash: inherited signal handlers and the C library's messages would report it twice.
+// The parent process reports a crash; inherited signal handlers and the C library's messages would report it
+// a second time.
 void silence_crash_output() {
   for (const int signal : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL}) std::signal(signal, SIG_DFL);
-  const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
-  if (nowhere >= 0) dup2(nowhere, STDERR_FILENO);
+  const int null_device = open("/dev/null", O_WRONLY | O_CLOEXEC);
+  if (null_device >= 0) dup2(null_device, STDERR_FILENO);
 }
 
 [[noreturn]] void run_child(int descriptor, const std::function<std::string()>& work) {
   silence_crash_output();
   limit(RLIMIT_CORE, 0);
-  limit(RLIMIT_CPU, kMostSeconds);
-  if (!kSanitized) limit(RLIMIT_AS, kMostMemory);
+  limit(RLIMIT_CPU, kMaxCpuTime);
+  if (!kSanitized) limit(RLIMIT_AS, kMaxMemory);
   std::string answer;
   try {
     answer = "+" + work();
@@ -61,7 +62,7 @@ void silence_crash_output() {
 std::string read_all(int descriptor) {
   std::string text;
   char buffer[65536];
-  while (text.size() < kMostText) {
+  while (text.size() < kMaxText) {
     const ssize_t n = read(descriptor, buffer, sizeof buffer);
     if (n == 0 || (n < 0 && errno != EINTR)) break;
     if (n > 0) text.append(buffer, std::size_t(n));
@@ -95,10 +96,10 @@ std::string run_isolated(const std::function<std::string()>& work) {
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
   if (WIFSIGNALED(status))
-    throw MalformedError(fmt::format("reading it ended the process (signal {}: {}): it is malformed",
-                                 WTERMSIG(status), strsignal(WTERMSIG(status))));
+    throw MalformedError(fmt::format("malformed: the process that read it was ended by signal {} ({})",
+                                     WTERMSIG(status), strsignal(WTERMSIG(status))));
   if (answer.empty() || WEXITSTATUS(status) != 0)
-    throw MalformedError("reading it ended the process: it is malformed");
+    throw MalformedError("malformed: the process that read it ended without a result");
   if (answer[0] == '-') throw MalformedError(answer.substr(1));
   return answer.substr(1);
 }
@@ -106,12 +107,13 @@ std::string run_isolated(const std::function<std::string()>& work) {
 TemporaryFile::TemporaryFile(const std::string& bytes)
     : path_((std::filesystem::temp_directory_path() / "bristle-XXXXXX").string()) {
   const int descriptor = mkstemp(path_.data());
-  if (descriptor < 0) throw RunError(fmt::format("{}: no temporary file: {}", path_, std::strerror(errno)));
+  if (descriptor < 0)
+    throw RunError(fmt::format("{}: the temporary file cannot be created: {}", path_, std::strerror(errno)));
   const bool complete = write_all(descriptor, bytes);
   close(descriptor);
   if (complete) return;
   unlink(path_.c_str());
-  throw RunError(fmt::format("{}: cannot be written: is there room?", path_));
+  throw RunError(fmt::format("{}: cannot be written completely; is the disk full?", path_));
 }
 
 TemporaryFile::~TemporaryFile() { unlink(path_.c_str()); }

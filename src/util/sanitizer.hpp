@@ -2,8 +2,8 @@
 
 namespace bristle {
 
-// Whether this is a build with a sanitizer of addresses or threads. These sanitizers do not support coroutines'
-// stacks, and reserve more address space than a limited process may have.
+// Whether the address or the thread sanitizer is active. Neither supports the stacks of coroutines, and both
+// reserve more address space than a process with a memory limit may use.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr bool kSanitized = true;
 #elif defined(__has_feature)

@@ -11,7 +11,7 @@ struct Digest::State {
   EVP_MD_CTX* context = EVP_MD_CTX_new();
   ~State() { EVP_MD_CTX_free(context); }
   static void check(int code) {
-    if (code != 1) throw RunError("libcrypto: SHA-2 failed");
+    if (code != 1) throw RunError("libcrypto: computing a SHA-2 digest failed");
   }
 };
 

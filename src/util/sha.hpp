@@ -10,14 +10,14 @@ enum class Sha {
   bits_512
 };
 
-// SHA-2 over bytes fed in pieces, by libcrypto. Throws RunError if the library refuses.
+// SHA-2 of bytes that are added in pieces, computed by libcrypto. Throws RunError if the library fails.
 class Digest {
  public:
   explicit Digest(Sha algorithm);
   ~Digest();
   void add(const void* data, std::size_t bytes);
   void add(const std::string& text) { add(text.data(), text.size()); }
-  std::string hex();  // ends the digest
+  std::string hex();  // call once, after the last add()
 
  private:
   struct State;

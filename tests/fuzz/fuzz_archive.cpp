@@ -8,7 +8,8 @@
 #include "util/error.hpp"
 #include "util/text.hpp"
 
-// The first byte tells what the others are: a tar, a citation, an experiment, a bag's manifest or HDF5.
+// The first byte selects how the others are read: as a tar, a citation, an experiment, the manifest of a bag
+// or HDF5.
 using namespace bristle;
 using namespace bristle::testing;
 
@@ -28,7 +29,7 @@ void read_as(char kind, const std::string& bytes) {
     case 'c': citation_text(dataset_citation(parse_citation(bytes), "c")); return;
     case 'j': experiment_chain({{"experiments/a.json", bytes}}, "experiments/a.json"); return;
     case 'b': bag_of(bytes); return;
-    case 'h': checked_result_facts(bytes); return;  // in a process of its own: HDF5 does not survive all
+    case 'h': checked_result_facts(bytes); return;  // in a child process, because HDF5 may crash
     default: verify_archive(s.write("fuzz.tar", bytes));
   }
 }

@@ -4,7 +4,7 @@
 #include "experiment/experiment.hpp"
 #include "util/error.hpp"
 
-// The bytes as an experiment file: an experiment or an InputError, never anything else.
+// Reads the bytes as an experiment file: only an experiment or an InputError may result.
 using namespace bristle;
 using namespace bristle::testing;
 
@@ -16,7 +16,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     const Experiment experiment = load_experiment(path, {});
     validate_checks(experiment);
-    // The document as it is stored in a result reads as the same experiment.
+    // The document as stored in a result must read as the same experiment.
     require(stored_experiment(*experiment.document, experiment.tier, path).points() == experiment.points());
   } catch (const InputError&) {
   }

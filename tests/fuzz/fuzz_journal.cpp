@@ -4,7 +4,7 @@
 #include "results/journal.hpp"
 #include "util/sha.hpp"
 
-// The bytes as a journal, and as the JSON of a line whose checksum holds.
+// Reads the bytes as a journal, and as the JSON of a line with a matching checksum.
 using namespace bristle;
 using namespace bristle::testing;
 
@@ -29,7 +29,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   open_journal(s, line + "\n");
   head_of(line);
   schema_of(line);
-  // What is read is what would be written again.
+  // A line that can be read must not change when it is written and read again.
   if (const auto read = decode(line)) {
     const std::string text = encode(*read);
     const auto again = decode(std::string_view(text).substr(0, text.size() - 1));

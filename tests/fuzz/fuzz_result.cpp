@@ -9,7 +9,7 @@
 
 #include <fuzzer/FuzzedDataProvider.h>
 
-// A valid small result, of which the bytes replace attributes, texts, shapes, types and numbers.
+// Uses the bytes to replace attributes, texts, shapes, types and numbers of a valid small result.
 using namespace bristle;
 using namespace bristle::testing;
 
@@ -23,7 +23,7 @@ struct Original {
 
 using Bytes = FuzzedDataProvider;
 
-// Of the root and its datasets; now and then a name that is not there.
+// Name of an object in the root, or a name that does not exist.
 std::string some_object(hid_t file, Bytes& in) {
   std::vector<std::string> names = h5::children(file);
   names.push_back("other");
@@ -34,7 +34,8 @@ void change_attribute(hid_t object, Bytes& in) {
   std::vector<std::string> names = h5::attribute_names(object);
   names.push_back("other");
   const std::string name = names[in.ConsumeIntegralInRange<std::size_t>(0, names.size() - 1)];
-  if (name == "DIMENSION_LIST" || name == "REFERENCE_LIST") return;  // HDF5's own, and not robust
+  if (name == "DIMENSION_LIST" || name == "REFERENCE_LIST")
+    return;  // internal to HDF5, which crashes on malformed ones
   switch (in.ConsumeIntegralInRange(0, 3)) {
     case 0: h5::write_attribute(object, name, in.ConsumeRandomLengthString()); break;
     case 1: h5::write_attribute(object, name, in.ConsumeIntegral<long>()); break;
@@ -86,7 +87,7 @@ void change(hid_t file, Bytes& in) {
   }
 }
 
-// What reads a result; one of them at a time, as most of the time goes into HDF5.
+// The readers of results. Each run uses one of them, because HDF5 takes most of the time.
 enum class Reader {
   facts,
   difference,

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Builds the fuzz targets in FOLDER and runs each on its corpus, then for SECONDS on what libFuzzer makes of it.
-# usage: run.sh SOURCE FOLDER SECONDS. Exit code 77 (skipped) without a clang++ that has libFuzzer.
+# Builds the fuzz targets in FOLDER and runs each on its corpus, then for SECONDS on inputs that libFuzzer derives from it.
+# usage: run.sh SOURCE FOLDER SECONDS. Exit code 77 (skipped) without a clang++ with libFuzzer.
 set -eu
 [ $# = 3 ] || { sed -n '3s/^# //p' "$0"; exit 2; }
 mkdir -p "$2"
@@ -9,13 +9,13 @@ cd "$folder"
 
 empty='extern "C" int LLVMFuzzerTestOneInput(const unsigned char*, unsigned long) { return 0; }'
 if ! echo "$empty" | clang++ -fsanitize=fuzzer,address -x c++ - -o probe >probe.log 2>&1; then
-  echo "no clang++ with libFuzzer: scripts/install-packages test-all"
+  echo "skipped: there is no clang++ with libFuzzer; install it with scripts/install-packages test-all"
   exit 77
 fi
 (cd "$source" && cmake --preset fuzz -B "$folder" -G Ninja) >configure.log 2>&1 || { cat configure.log; exit 1; }
 nice -n 10 ninja --quiet fuzz
 
-# Leaks are for `make sanitize`. An input that takes two minutes is an error, too.
+# `make sanitize` detects leaks. An input that takes more than two minutes is an error.
 failed=
 for corpus in "$source"/tests/fuzz/corpus/*/; do
   target=$(basename "$corpus")
@@ -29,4 +29,4 @@ for corpus in "$source"/tests/fuzz/corpus/*/; do
     tail -n 40 "$target.log"
   fi
 done
-[ -z "$failed" ] || { echo "FAILED:$failed; the input that did it is the last line's file, or in $folder"; exit 1; }
+[ -z "$failed" ] || { echo "FAILED:$failed; the last lines above name the file with the input, in $folder"; exit 1; }
