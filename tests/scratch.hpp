@@ -5,7 +5,25 @@
 #include <string>
 #include <unistd.h>
 
+namespace bristle {
+namespace experiment {}
+namespace results {}
+namespace checks {}
+namespace run {}
+namespace assumptions {}
+namespace archive {}
+namespace cli {}
+}  // namespace bristle
+
 namespace bristle::testing {
+
+using namespace experiment;
+using namespace results;
+using namespace checks;
+using namespace run;
+using namespace assumptions;
+using namespace archive;
+using namespace cli;
 
 // A temporary folder, which the destructor removes.
 class Scratch {

@@ -13,6 +13,7 @@
 #include <set>
 
 namespace bristle::tables_test {
+using namespace testing;
 
 namespace {
 
@@ -21,7 +22,7 @@ const std::string kPaper = std::string(BRISTLE_EXPERIMENTS) + "/paper.json";
 using Names = std::set<std::string>;
 
 Json schema_at(const std::string& pointer) {
-  static const Json schema = Json::parse(experiment_schema());
+  static const Json schema = Json::parse(experiment::experiment_schema());
   return schema.at(JsonPointer(pointer));
 }
 
@@ -55,7 +56,7 @@ void check_number(const Json& schema) {
 template <class Enum>
 void check_words(const std::string& pointer) {
   CAPTURE(pointer);
-  const auto& list = words<Enum>();
+  const auto& list = experiment::words<Enum>();
   CHECK(words_in(schema_at(pointer)["enum"]) == Names(list.begin(), list.end()));
 }
 
@@ -63,8 +64,8 @@ void check_words(const std::string& pointer) {
 
 TEST_CASE("every key of the schema's model block is a parameter or a choice, and the reverse") {
   const Json model = schema_at("/definitions/model/properties");
-  Names names = names_in(parameters_table());
-  names.merge(names_in(choices_table()));
+  Names names = names_in(experiment::parameters_table());
+  names.merge(names_in(experiment::choices_table()));
   CHECK(keys_in(model) == names);
   for (const ParameterEntry& entry : parameters_table()) {
     CAPTURE(entry.name);
@@ -80,7 +81,7 @@ TEST_CASE("every key of the schema's model block is a parameter or a choice, and
 
 TEST_CASE("every key of the schema's si block is an SI quantity, and the reverse") {
   const Json si = schema_at("/definitions/si/properties");
-  CHECK(keys_in(si) == names_in(si_quantities()));
+  CHECK(keys_in(si) == names_in(experiment::si_quantities()));
   for (const SiQuantity& q : si_quantities()) {
     CAPTURE(q.name);
     check_number(si[q.name]);
@@ -98,13 +99,14 @@ TEST_CASE("the words of choices are those of the schema") {
 }
 
 TEST_CASE("the predicates are those of the schema") {
-  CHECK(words_in(schema_at("/definitions/check/properties/predicate/enum")) == names_in(predicates()));
+  CHECK(words_in(schema_at("/definitions/check/properties/predicate/enum")) ==
+        names_in(checks::predicates()));
 }
 
 TEST_CASE("paper.json states every parameter and choice, with the default values of the program") {
   // pole_rule came later: stating it would change inputs_sha256 of every experiment that extends paper.json.
   const Names left_at_default = {"pole_rule"};
-  const Experiment paper = load_experiment(kPaper, {});
+  const Experiment paper = experiment::load_experiment(kPaper, {});
   Names names = keys_in((*paper.document)["model"]);
   names.insert(left_at_default.begin(), left_at_default.end());
   CHECK(names == keys_in(schema_at("/definitions/model/properties")));
@@ -121,7 +123,7 @@ TEST_CASE("paper.json states every parameter and choice, with the default values
 }
 
 TEST_CASE("a point's canonical text, of which journals store the digest, holds words instead of positions") {
-  const Experiment paper = load_experiment(kPaper, {});
+  const Experiment paper = experiment::load_experiment(kPaper, {});
   const auto text_after = [&](const auto& change) {
     Experiment changed = paper;
     change(changed);
@@ -134,22 +136,27 @@ TEST_CASE("a point's canonical text, of which journals store the digest, holds w
     for (std::size_t i = 0; i < choice.options.size(); ++i)
       CHECK_THAT(text_after([&](Experiment& e) { choice.set(e.base.setup.parameters, int(i)); }),
                  has(choice.name, choice.options[i]));
-  for (const std::string& word : words<Distribution>())
+  for (const std::string& word : experiment::words<Distribution>())
     CHECK_THAT(text_after([&](Experiment& e) {
-                 e.base.setup.orientation.distribution = from_word<Distribution>(word);
+                 e.base.setup.orientation.distribution = experiment::from_word<Distribution>(word);
                }),
                has("distribution", word));
-  for (const std::string& word : words<Sampling>())
+  for (const std::string& word : experiment::words<Sampling>())
+    CHECK_THAT(text_after([&](Experiment& e) {
+                 e.base.setup.orientation.sampling = experiment::from_word<Sampling>(word);
+               }),
+               has("sampling", word));
+  for (const std::string& word : experiment::words<LoadPath>())
     CHECK_THAT(
-        text_after([&](Experiment& e) { e.base.setup.orientation.sampling = from_word<Sampling>(word); }),
-        has("sampling", word));
-  for (const std::string& word : words<LoadPath>())
-    CHECK_THAT(text_after([&](Experiment& e) { e.base.loading.path = from_word<LoadPath>(word); }),
-               has("path", word));
-  for (const std::string& word : words<Engine>())
-    CHECK_THAT(text_after([&](Experiment& e) { e.engine = from_word<Engine>(word); }), has("engine", word));
-  for (const std::string& word : words<Method>())
-    CHECK_THAT(text_after([&](Experiment& e) { e.base.setup.integrator.method = from_word<Method>(word); }),
+        text_after([&](Experiment& e) { e.base.loading.path = experiment::from_word<LoadPath>(word); }),
+        has("path", word));
+  for (const std::string& word : experiment::words<Engine>())
+    CHECK_THAT(text_after([&](Experiment& e) { e.engine = experiment::from_word<Engine>(word); }),
+               has("engine", word));
+  for (const std::string& word : experiment::words<Method>())
+    CHECK_THAT(text_after([&](Experiment& e) {
+                 e.base.setup.integrator.method = experiment::from_word<Method>(word);
+               }),
                has("method", word));
   // Whatever the order of the enumerations, these words belong to these values.
   CHECK_THAT(text_after([](Experiment& e) { e.base.setup.parameters.friction = FrictionLaw::coulomb; }),

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <sstream>
 
-namespace bristle {
+namespace bristle::archive {
 namespace {
 
 constexpr const char* kDeclaration = "BagIt-Version: 1.0\nTag-File-Character-Encoding: UTF-8\n";
@@ -153,4 +153,4 @@ std::string bag_info(const Files& files, const std::string& label) {
   return "";
 }
 
-}  // namespace bristle
+}  // namespace bristle::archive

@@ -7,7 +7,7 @@
 #include <vector>
 
 // BagIt 1.0 (RFC 8493): the payload in data/, and manifests with the SHA-512 of every file.
-namespace bristle {
+namespace bristle::archive {
 
 // Descriptions of problems, one line each, starting with the name of the file.
 using Problems = std::vector<std::string>;
@@ -29,4 +29,4 @@ Problems check_bag(const Files& files);
 // The value of a label in bag-info.txt; empty if it is missing.
 std::string bag_info(const Files& files, const std::string& label);
 
-}  // namespace bristle
+}  // namespace bristle::archive

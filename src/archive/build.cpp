@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-namespace bristle {
+namespace bristle::archive {
 namespace {
 
 BagInfo bag_info_of(const Gathered& gathered) {
@@ -53,4 +53,4 @@ BuiltArchive build_archive(const ArchiveOptions& options) {
   return built;
 }
 
-}  // namespace bristle
+}  // namespace bristle::archive

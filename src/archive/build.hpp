@@ -2,7 +2,7 @@
 
 #include "archive/options.hpp"
 
-namespace bristle {
+namespace bristle::archive {
 
 struct BuiltArchive {
   std::string path, sha512, draft;
@@ -13,4 +13,4 @@ struct BuiltArchive {
 // give equal bytes. Throws InputError if an input cannot be archived, or the output cannot be written.
 BuiltArchive build_archive(const ArchiveOptions& options);
 
-}  // namespace bristle
+}  // namespace bristle::archive

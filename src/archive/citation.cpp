@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <yaml-cpp/yaml.h>
 
-namespace bristle {
+namespace bristle::archive {
 namespace {
 
 constexpr int kMaxYamlDepth = 16;
@@ -110,4 +110,4 @@ Json dataset_citation(const Json& software, const std::string& commit) try {
   throw MalformedError(json_error(e.what()));
 }
 
-}  // namespace bristle
+}  // namespace bristle::archive

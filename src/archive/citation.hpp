@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace bristle {
+namespace bristle::archive {
 
 // Converts a CITATION.cff to JSON. Throws MalformedError if
 // it is not a YAML object in UTF-8, or if it is too large.
@@ -15,4 +15,4 @@ std::string citation_text(const Json& citation);
 // version, and the software as a reference. Throws MalformedError if one of these is missing.
 Json dataset_citation(const Json& software, const std::string& commit);
 
-}  // namespace bristle
+}  // namespace bristle::archive

@@ -11,7 +11,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-namespace bristle {
+namespace bristle::archive {
 namespace {
 
 const std::string& file_of(const Files& payload, const std::string& name) {
@@ -78,4 +78,4 @@ Contents describe(Files payload, const std::map<std::string, Json>& facts, const
   return contents;
 }
 
-}  // namespace bristle
+}  // namespace bristle::archive

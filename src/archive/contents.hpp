@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace bristle {
+namespace bristle::archive {
 
 // One result: its file, the experiment files from which it was
 // computed (its own is the last), its figures, and its result_facts().
@@ -40,4 +40,4 @@ std::string source_file(const std::string& commit);
 // Names in the payload of an experiment file and of the files that it extends, which come first.
 std::vector<std::string> experiment_chain(const Files& payload, const std::string& file);
 
-}  // namespace bristle
+}  // namespace bristle::archive

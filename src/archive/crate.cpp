@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-namespace bristle {
+namespace bristle::archive {
 namespace {
 
 constexpr const char* kProfile = "https://w3id.org/ro/wfrun/process/0.5";
@@ -210,4 +210,4 @@ std::string crate_text(const Contents& contents) {
   return crate.dump(1) + "\n";
 }
 
-}  // namespace bristle
+}  // namespace bristle::archive

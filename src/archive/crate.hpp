@@ -5,11 +5,11 @@
 #include <string>
 
 // Metadata of the payload: RO-Crate 1.1 with the profile Process Run Crate 0.5.
-namespace bristle {
+namespace bristle::archive {
 
 constexpr const char* kCrateFile = "ro-crate-metadata.json";
 
 // The text of the crate. contents.payload must contain all files except the crate.
 std::string crate_text(const Contents& contents);
 
-}  // namespace bristle
+}  // namespace bristle::archive

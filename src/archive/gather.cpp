@@ -16,7 +16,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-namespace bristle {
+namespace bristle::archive {
 namespace fs = std::filesystem;
 namespace {
 
@@ -89,7 +89,7 @@ class Gatherer {
     std::vector<Experiment> experiments;
     for (const std::string& name : repository_.files("experiments"))
       if (fs::path(name).parent_path() == "experiments" && fs::path(name).extension() == ".json")
-        if (Experiment e = load_experiment(in_source(name), {}); !e.figure.empty())
+        if (Experiment e = experiment::load_experiment(in_source(name), {}); !e.figure.empty())
           experiments.push_back(std::move(e));
     const auto exists = [&](const Experiment& e) { return fs::exists(result_path(e)); };
     if (std::none_of(experiments.begin(), experiments.end(), exists))
@@ -111,7 +111,7 @@ class Gatherer {
     if (!fs::exists(path))
       throw InputError(fmt::format("{}: no such file: the result of {} is missing; `make {}` computes it",
                                    path, experiment.path, experiment.name));
-    const ResultReader result(path);
+    const results::ResultReader result(path);
     check_current(result, experiment);
     Json facts = result_facts(result);
     check_origin(path, facts["provenance"]);
@@ -120,7 +120,7 @@ class Gatherer {
     return facts;
   }
 
-  void check_current(const ResultReader& result, const Experiment& experiment) const {
+  void check_current(const results::ResultReader& result, const Experiment& experiment) const {
     const auto refuse = [&](const std::string& what) {
       throw InputError(
           fmt::format("{}: {}; `make {}` computes it again", result.path(), what, experiment.name));
@@ -128,13 +128,14 @@ class Gatherer {
     if (result.text("tier") != "full")
       refuse(fmt::format("is of the {} tier, not of the full tier", result.text("tier")));
     if (const double made = h5::read_number_attribute(result.file(), "numerics_version");
-        made != kNumericsVersion)
-      refuse(fmt::format("has numerics_version {}, but this program has {}", made, kNumericsVersion));
-    if (result.text("inputs_sha256") != inputs_sha256(*experiment.document))
+        made != results::kNumericsVersion)
+      refuse(
+          fmt::format("has numerics_version {}, but this program has {}", made, results::kNumericsVersion));
+    if (result.text("inputs_sha256") != results::inputs_sha256(*experiment.document))
       refuse(fmt::format("is out of date: {} has changed since", experiment.path));
     if (result.experiment() != *experiment.document)
       refuse(fmt::format("is out of date: title, notes or checks of {} have changed since", experiment.path));
-    if (payload_sha256(result.file()) != result.text("payload_sha256"))
+    if (results::payload_sha256(result.file()) != result.text("payload_sha256"))
       refuse("is damaged: its numbers do not match payload_sha256");
   }
 
@@ -148,7 +149,7 @@ class Gatherer {
     for (const std::string& commit : commits) {
       const std::string place = fmt::format("{} (commit {})", path, commit);
       const std::string remedy = "commit, then compute it again with `bristle run --force`";
-      if (is_dirty(commit))
+      if (results::is_dirty(commit))
         return refuse_or_record(place, "was computed by a program with uncommitted changes", remedy);
       if (!repository_.descends_from(commit))
         return refuse_or_record(place, "was computed by a program that is not in this commit's history",
@@ -185,4 +186,4 @@ class Gatherer {
 
 Gathered gather(const ArchiveOptions& options) { return Gatherer(options).run(); }
 
-}  // namespace bristle
+}  // namespace bristle::archive

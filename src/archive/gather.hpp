@@ -5,7 +5,7 @@
 
 #include <ctime>
 
-namespace bristle {
+namespace bristle::archive {
 
 struct Gathered {
   Contents contents;
@@ -17,4 +17,4 @@ struct Gathered {
 // damaged or cannot be traced to a commit.
 Gathered gather(const ArchiveOptions& options);
 
-}  // namespace bristle
+}  // namespace bristle::archive

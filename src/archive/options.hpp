@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace bristle {
+namespace bristle::archive {
 
 struct ArchiveOptions {
   std::string source = ".";  // source repository
@@ -12,4 +12,4 @@ struct ArchiveOptions {
   std::string version, commit;  // of this program
 };
 
-}  // namespace bristle
+}  // namespace bristle::archive

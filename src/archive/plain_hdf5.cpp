@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-namespace bristle {
+namespace bristle::archive {
 namespace {
 
 constexpr int kMaxGroupDepth = 4;
@@ -83,4 +83,4 @@ void require_plain_hdf5(const std::string& path, std::size_t size) {
   PlainChecker(size).check_group(root, "", 0);
 }
 
-}  // namespace bristle
+}  // namespace bristle::archive

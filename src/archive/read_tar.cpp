@@ -12,7 +12,7 @@
 #include <fstream>
 #include <memory>
 
-namespace bristle {
+namespace bristle::archive {
 namespace fs = std::filesystem;
 namespace {
 
@@ -174,7 +174,7 @@ class TarReader {
   }
 
   std::string path_, last_;
-  std::unique_ptr<archive, int (*)(archive*)> in_;
+  std::unique_ptr<::archive, int (*)(::archive*)> in_;
   std::uintmax_t size_ = 0;
   std::size_t header_ = 0;  // offset of the next entry's header
 };
@@ -183,4 +183,4 @@ class TarReader {
 
 Files read_tar(const std::string& path) { return TarReader(path).read(); }
 
-}  // namespace bristle
+}  // namespace bristle::archive

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-namespace bristle {
+namespace bristle::archive {
 
 const char* readme_template();  // src/archive/README.md.in, embedded by the build
 
@@ -70,4 +70,4 @@ std::string archive_readme(const Contents& contents) {
   return text;
 }
 
-}  // namespace bristle
+}  // namespace bristle::archive

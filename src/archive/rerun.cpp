@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-namespace bristle {
+namespace bristle::archive {
 namespace {
 
 struct DrawnPoint {
@@ -36,17 +36,18 @@ std::vector<DrawnPoint> draw_points(const Verification& archive, std::size_t cou
 }
 
 Json compare_point(const std::string& path, const std::string& name, std::size_t index) {
-  const ResultReader result(path);
-  const Experiment experiment = stored_experiment(result.experiment(), result.text("tier"), name);
+  const results::ResultReader result(path);
+  const Experiment experiment = experiment::stored_experiment(result.experiment(), result.text("tier"), name);
   if (index >= experiment.points())
     throw MalformedError(fmt::format("its experiment has {} points, but its datasets have at least {}",
                                      experiment.points(), index + 1));
-  PointRecord computed;
-  run_sweep(
-      experiment, {index}, 1, [&](PointReport&& report) { computed = std::move(report.record); },
+  results::PointRecord computed;
+  run::run_sweep(
+      experiment, {index}, 1, [&](run::PointReport&& report) { computed = std::move(report.record); },
       [] { return false; });
-  return {{"place", experiment.place(index)},
-          {"different", differences(read_record(result.file(), experiment, index), computed)}};
+  return {
+      {"place", experiment.place(index)},
+      {"different", results::differences(results::read_record(result.file(), experiment, index), computed)}};
 }
 
 }  // namespace
@@ -54,11 +55,11 @@ Json compare_point(const std::string& path, const std::string& name, std::size_t
 void rerun(const Verification& archive, std::size_t count, std::uint64_t seed,
            const std::function<void(const Rerun&)>& report) {
   for (const auto& [name, result] : archive.results)
-    if (const double version = result.facts["numerics_version"]; version != kNumericsVersion)
+    if (const double version = result.facts["numerics_version"]; version != results::kNumericsVersion)
       throw InputError(fmt::format(
           "--rerun: {} has numerics_version {}, but this program has {}, so its numbers may differ; "
           "build and use the program in the archive's data/source",
-          name, version, kNumericsVersion));
+          name, version, results::kNumericsVersion));
   for (const DrawnPoint& drawn : draw_points(archive, count, seed)) {
     const TemporaryFile file(archive.results.at(drawn.file).bytes);
     try {
@@ -71,4 +72,4 @@ void rerun(const Verification& archive, std::size_t count, std::uint64_t seed,
   }
 }
 
-}  // namespace bristle
+}  // namespace bristle::archive

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <functional>
 
-namespace bristle {
+namespace bristle::archive {
 
 // Comparison of one point.
 struct Rerun {
@@ -19,4 +19,4 @@ struct Rerun {
 void rerun(const Verification& archive, std::size_t count, std::uint64_t seed,
            const std::function<void(const Rerun&)>& report);
 
-}  // namespace bristle
+}  // namespace bristle::archive

@@ -13,21 +13,21 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-namespace bristle {
+namespace bristle::archive {
 namespace {
 
 void require(bool condition, const std::string& what) {
   if (!condition) throw MalformedError(what);
 }
 
-void check_digests(const ResultReader& result) {
+void check_digests(const results::ResultReader& result) {
   const std::string document = result.text("experiment");
   const Json experiment = parse_untrusted(document);
   require(sha256_of(document) == result.text("experiment_sha256"),
           "its experiment does not match the attribute experiment_sha256");
-  require(experiment.is_object() && inputs_sha256(experiment) == result.text("inputs_sha256"),
+  require(experiment.is_object() && results::inputs_sha256(experiment) == result.text("inputs_sha256"),
           "its experiment does not match the attribute inputs_sha256");
-  const std::string actual = payload_sha256(result.file()), stored = result.text("payload_sha256");
+  const std::string actual = results::payload_sha256(result.file()), stored = result.text("payload_sha256");
   require(actual == stored, fmt::format("its numbers have the digest {}..., not the {}... of payload_sha256",
                                         actual.substr(0, 16), stored.substr(0, 16)));
 }
@@ -42,8 +42,8 @@ Json parse_untrusted(const std::string& text) {
   }
 }
 
-Json result_facts(const ResultReader& result) {
-  const Variable status = result.variable("status");
+Json result_facts(const results::ResultReader& result) {
+  const results::Variable status = result.variable("status");
   Json facts;
   for (const char* name : {"name", "title", "figure", "tier", "payload_sha256"})
     facts[name] = result.text(name);
@@ -53,10 +53,10 @@ Json result_facts(const ResultReader& result) {
   facts["sweep_points"] = grid_size(result.sweep_shape());
   facts["provenance"] = Json(result.provenance());
   facts["checks"] = Json::array();
-  for (const CheckResult& check : evaluate_checks(result))
+  for (const checks::CheckResult& check : checks::evaluate_checks(result))
     facts["checks"].push_back({{"claim", check.check.claim},
                                {"statement", check.check.statement},
-                               {"verdict", to_string(check.verdict)}});
+                               {"verdict", checks::to_string(check.verdict)}});
   return facts;
 }
 
@@ -65,7 +65,7 @@ Json checked_result_facts(const std::string& bytes) {
   try {
     return parse_untrusted(run_isolated([&] {
       require_plain_hdf5(file.path(), bytes.size());
-      const ResultReader result(file.path());
+      const results::ResultReader result(file.path());
       check_digests(result);
       return result_facts(result).dump();
     }));
@@ -74,4 +74,4 @@ Json checked_result_facts(const std::string& bytes) {
   }
 }
 
-}  // namespace bristle
+}  // namespace bristle::archive

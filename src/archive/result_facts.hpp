@@ -3,11 +3,11 @@
 #include "results/reader.hpp"
 #include "util/json.hpp"
 
-namespace bristle {
+namespace bristle::archive {
 
 // Facts about a result for README and metadata: {"name", "title", "figure", "tier", "numerics_version",
 // "points", "payload_sha256", "provenance": {...}, "checks": [{"claim", "statement", "verdict"}]}.
-Json result_facts(const ResultReader& result);
+Json result_facts(const results::ResultReader& result);
 
 // The same for an untrusted result file, read in a separate process. Throws
 // MalformedError if the payload or the experiment does not match its digest,
@@ -17,4 +17,4 @@ Json checked_result_facts(const std::string& bytes);
 // Parses untrusted JSON. Throws MalformedError, without a file name, where parse_json() throws InputError.
 Json parse_untrusted(const std::string& text);
 
-}  // namespace bristle
+}  // namespace bristle::archive

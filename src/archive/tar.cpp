@@ -9,23 +9,23 @@
 #include <memory>
 #include <vector>
 
-namespace bristle {
+namespace bristle::archive {
 namespace {
 
 constexpr std::size_t kRecord = 20 * kTarBlock;
 
 std::size_t padded(std::size_t size) { return (size + kTarBlock - 1) / kTarBlock * kTarBlock; }
 
-using Writer = std::unique_ptr<archive, int (*)(archive*)>;
+using Writer = std::unique_ptr<::archive, int (*)(::archive*)>;
 using Entry = std::unique_ptr<archive_entry, void (*)(archive_entry*)>;
 using Sink = std::function<void(const char*, std::size_t)>;
 
-la_ssize_t write_to_sink(archive*, void* sink, const void* bytes, std::size_t size) {
+la_ssize_t write_to_sink(::archive*, void* sink, const void* bytes, std::size_t size) {
   (*static_cast<const Sink*>(sink))(static_cast<const char*>(bytes), size);
   return la_ssize_t(size);
 }
 
-void write_file(archive* out, const std::string& name, const std::string& content, std::time_t time) {
+void write_file(::archive* out, const std::string& name, const std::string& content, std::time_t time) {
   const Entry entry(archive_entry_new(), archive_entry_free);
   archive_entry_set_pathname(entry.get(), name.c_str());
   archive_entry_set_size(entry.get(), la_int64_t(content.size()));
@@ -67,7 +67,7 @@ void write_tar(const Files& files, std::time_t time, const Sink& sink) {
 }
 
 std::string file_in_tar(const std::string& bytes, const std::string& name) {
-  const std::unique_ptr<archive, int (*)(archive*)> in(archive_read_new(), archive_read_free);
+  const std::unique_ptr<::archive, int (*)(::archive*)> in(archive_read_new(), archive_read_free);
   archive_read_support_format_tar(in.get());
   if (archive_read_open_memory(in.get(), bytes.data(), bytes.size()) != ARCHIVE_OK)
     throw MalformedError("not a tar archive");
@@ -106,4 +106,4 @@ std::string tar_difference(const std::string& path, const Files& files, std::tim
   return found;
 }
 
-}  // namespace bristle
+}  // namespace bristle::archive

@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-namespace bristle {
+namespace bristle::archive {
 
 constexpr std::size_t kTarBlock = 512;  // bytes
 
@@ -25,4 +25,4 @@ std::string file_in_tar(const std::string& archive, const std::string& name);
 // of write_tar() for these files. Empty if there is no difference.
 std::string tar_difference(const std::string& path, const Files& files, std::time_t time);
 
-}  // namespace bristle
+}  // namespace bristle::archive

@@ -14,7 +14,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-namespace bristle {
+namespace bristle::archive {
 namespace {
 
 // Files that are generated from the rest of the payload.
@@ -79,7 +79,8 @@ class Verifier {
       check_description(facts);
     } catch (const MalformedError& e) {
       out_.problems.push_back(e.what());
-    } catch (const Json::exception& e) {  // an attribute of a result, or a key of the citation, of another type
+    } catch (
+        const Json::exception& e) {  // an attribute of a result, or a key of the citation, of another type
       out_.problems.push_back(fmt::format("the metadata cannot be generated: {}", json_error(e.what())));
     }
   }
@@ -114,17 +115,19 @@ class Verifier {
       out_.problems.push_back(fmt::format("{}: is the folder of another version; the source has version {}",
                                           out_.folder, out_.version));
     const std::string agent = bag_info(files_, "Bag-Software-Agent");
-    const std::string other = agent.empty() || agent == fmt::format("bristle {}", kVersion)
+    const std::string other = agent.empty() || agent == fmt::format("bristle {}", run::kVersion)
                                   ? ""
-                                  : fmt::format(" (archived by {}, this is {}: verify with the program in "
-                                                "data/source)",
-                                                agent, kVersion);
+                                  : fmt::format(
+                                        " (archived by {}, this is {}: verify with the program in "
+                                        "data/source)",
+                                        agent, run::kVersion);
     for (const char* name : kGenerated) {
       const auto file = files_.find(std::string("data/") + name);
       if (file == files_.end())
         out_.problems.push_back(fmt::format("data/{}: is missing; every archive contains it", name));
       else if (const std::string& expected = contents.payload.at(name); file->second != expected)
-        out_.problems.push_back(fmt::format("data/{}: {}{}", name, first_difference(file->second, expected), other));
+        out_.problems.push_back(
+            fmt::format("data/{}: {}{}", name, first_difference(file->second, expected), other));
     }
   }
 
@@ -169,4 +172,4 @@ Verification verify_archive(const std::string& path) {
   return found;
 }
 
-}  // namespace bristle
+}  // namespace bristle::archive

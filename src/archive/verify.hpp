@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace bristle {
+namespace bristle::archive {
 
 // A result file of a verified archive and its result_facts().
 struct VerifiedResult {
@@ -26,4 +26,4 @@ struct Verification {
 // files. The archive is not trusted and is not unpacked to disk. Throws InputError if it does not exist.
 Verification verify_archive(const std::string& path);
 
-}  // namespace bristle
+}  // namespace bristle::archive

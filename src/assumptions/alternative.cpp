@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-namespace bristle {
+namespace bristle::assumptions {
 
 const char* assumption_schema();  // the text of assumption.schema.json, embedded by the build
 
@@ -78,8 +78,8 @@ std::vector<Alternative> read_alternatives(const std::vector<std::string>& files
   std::vector<Alternative> out;
   std::vector<std::pair<std::string, Json>> pairs;
   for (const std::string& file : files) {
-    const Document document = Document::stored(read_json_file(file), file);
-    check_schema(document, assumption_schema());
+    const experiment::Document document = experiment::Document::stored(read_json_file(file), file);
+    experiment::check_schema(document, assumption_schema());
     const Json& json = document.json();
     for (const Json& one : json.value("alternatives", Json::array()))
       out.push_back(
@@ -92,4 +92,4 @@ std::vector<Alternative> read_alternatives(const std::vector<std::string>& files
   return out;
 }
 
-}  // namespace bristle
+}  // namespace bristle::assumptions

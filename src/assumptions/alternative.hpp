@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace bristle {
+namespace bristle::assumptions {
 
 // An alternative to the baseline for one choice that the paper leaves open, or for several together, as
 // declared in experiments/assumptions/*.json (schema: src/assumptions/assumption.schema.json).
@@ -23,4 +23,4 @@ struct Alternative {
 // that does not match the schema, for duplicate names, and for unknown members of a combination.
 std::vector<Alternative> read_alternatives(const std::vector<std::string>& files);
 
-}  // namespace bristle
+}  // namespace bristle::assumptions

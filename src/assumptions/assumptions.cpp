@@ -14,7 +14,7 @@
 #include <filesystem>
 #include <iterator>
 
-namespace bristle {
+namespace bristle::assumptions {
 namespace {
 
 namespace fs = std::filesystem;
@@ -29,7 +29,7 @@ std::vector<Experiment> experiments_with_claims(const AssumptionsOptions& option
   std::sort(files.begin(), files.end());
   std::vector<Experiment> out;
   for (const std::string& file : files) {
-    Experiment e = load_experiment(file, {{}, options.tier});
+    Experiment e = experiment::load_experiment(file, {{}, options.tier});
     if (!e.figure.empty() && !e.checks.empty()) out.push_back(std::move(e));
   }
   if (out.empty())
@@ -58,8 +58,8 @@ class AssumptionsRun {
   Matrix run() {
     // Reports a mistake in an alternative before computing anything.
     for (const Alternative& a : matrix_.alternatives)
-      for (const Experiment& e : baseline_) validate_checks(experiment_under(a, e));
-    Progress progress("assumptions", matrix_.alternatives.size() * baseline_.size(), options_.quiet);
+      for (const Experiment& e : baseline_) checks::validate_checks(experiment_under(a, e));
+    run::Progress progress("assumptions", matrix_.alternatives.size() * baseline_.size(), options_.quiet);
     for (const Alternative& a : matrix_.alternatives) {
       std::size_t row = 0;
       for (const Experiment& e : baseline_) {
@@ -73,23 +73,25 @@ class AssumptionsRun {
 
  private:
   Experiment experiment_under(const Alternative& a, const Experiment& e) const {
-    return stored_experiment(a.apply(e.name, *e.document), options_.tier,
-                             fmt::format("{} under {}", e.path, a.name));
+    return experiment::stored_experiment(a.apply(e.name, *e.document), options_.tier,
+                                         fmt::format("{} under {}", e.path, a.name));
   }
 
   // Adds the cells of the checks of one experiment under one alternative.
   // row is the row of the first check; it is advanced past the last one.
   void add_cells(const Alternative& a, const Experiment& baseline, std::size_t& row) {
     const Experiment experiment = experiment_under(a, baseline);
-    const bool affected = a.declarations.empty() ||
-                          inputs_sha256(*experiment.document) != inputs_sha256(*baseline.document) ||
-                          experiment.checks != baseline.checks;
+    const bool affected =
+        a.declarations.empty() ||
+        results::inputs_sha256(*experiment.document) != results::inputs_sha256(*baseline.document) ||
+        experiment.checks != baseline.checks;
     const std::string& folder = affected ? a.name : matrix_.alternatives.front().name;
     const std::string path =
         (fs::path(options_.output).replace_extension() / folder_name(folder) / (baseline.name + ".h5"))
             .string();
-    if (affected) run_task({experiment, {}, path}, {options_.threads, false, true, options_.command_line});
-    for (CheckResult& result : evaluate_checks(ResultReader(path))) {
+    if (affected)
+      run::run_task({experiment, {}, path}, {options_.threads, false, true, options_.command_line});
+    for (checks::CheckResult& result : checks::evaluate_checks(results::ResultReader(path))) {
       if (matrix_.rows.size() == row) matrix_.rows.push_back({baseline.name, {}});
       matrix_.rows[row++].cells.push_back({std::move(result), affected});
     }
@@ -104,4 +106,4 @@ class AssumptionsRun {
 
 Matrix run_assumptions(const AssumptionsOptions& options) { return AssumptionsRun(options).run(); }
 
-}  // namespace bristle
+}  // namespace bristle::assumptions

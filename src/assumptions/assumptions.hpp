@@ -2,7 +2,7 @@
 
 #include "assumptions/matrix.hpp"
 
-namespace bristle {
+namespace bristle::assumptions {
 
 struct AssumptionsOptions {
   std::vector<std::string> files;  // declarations of alternatives, see alternative.hpp
@@ -20,4 +20,4 @@ struct AssumptionsOptions {
 // Throws InputError, or RunError if interrupted; the same call then continues.
 Matrix run_assumptions(const AssumptionsOptions& options);
 
-}  // namespace bristle
+}  // namespace bristle::assumptions

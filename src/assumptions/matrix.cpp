@@ -6,25 +6,28 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-namespace bristle {
+namespace bristle::assumptions {
 namespace {
 
 Json number(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
 
 // Supported against refuted.
-bool reversed(Verdict a, Verdict b) { return a != b && a != Verdict::undecided && b != Verdict::undecided; }
+bool reversed(checks::Verdict a, checks::Verdict b) {
+  return a != b && a != checks::Verdict::undecided && b != checks::Verdict::undecided;
+}
 
 Json check_json(const Matrix::Row& row) {
-  const Check& c = row.cells.front().result.check;
-  return {{"experiment", row.experiment}, {"claim", c.claim},         {"statement", c.statement},
-          {"is", to_string(c.criterion)}, {"threshold", c.threshold}, {"band", number(c.band.value_or(NAN))}};
+  const experiment::Check& c = row.cells.front().result.check;
+  return {{"experiment", row.experiment}, {"claim", c.claim},
+          {"statement", c.statement},     {"is", checks::to_string(c.criterion)},
+          {"threshold", c.threshold},     {"band", number(c.band.value_or(NAN))}};
 }
 
 Json cell_json(std::size_t check, std::size_t alternative, const Cell& cell) {
-  const CheckResult& c = cell.result;
+  const checks::CheckResult& c = cell.result;
   return {{"check", check},
           {"alternative", alternative},
-          {"verdict", to_string(c.verdict)},
+          {"verdict", checks::to_string(c.verdict)},
           {"measured", number(c.measured.value)},
           {"uncertainty", number(c.measured.uncertainty)},
           {"margin", number(c.margin)},
@@ -35,18 +38,18 @@ Json cell_json(std::size_t check, std::size_t alternative, const Cell& cell) {
 // The conclusion about one check, with the names of the alternatives that change its verdict.
 Json conclusion_json(const Matrix& matrix, std::size_t index) {
   const Matrix::Row& row = matrix.rows[index];
-  const Verdict baseline = row.cells.front().result.verdict;
+  const checks::Verdict baseline = row.cells.front().result.verdict;
   Json reversing = Json::array(), undecided = Json::array(), choices = Json::array();
   for (std::size_t a = 1; a < row.cells.size(); ++a) {
-    const Verdict verdict = row.cells[a].result.verdict;
+    const checks::Verdict verdict = row.cells[a].result.verdict;
     if (verdict == baseline) continue;
     const Alternative& alternative = matrix.alternatives[a];
-    (verdict == Verdict::undecided ? undecided : reversing).push_back(alternative.name);
+    (verdict == checks::Verdict::undecided ? undecided : reversing).push_back(alternative.name);
     if (std::find(choices.begin(), choices.end(), alternative.choice) == choices.end())
       choices.push_back(alternative.choice);
   }
   return {{"check", index},
-          {"baseline", to_string(baseline)},
+          {"baseline", checks::to_string(baseline)},
           {"conclusion", conclusion(row)},
           {"depends_on", choices},
           {"other", reversing},
@@ -56,8 +59,8 @@ Json conclusion_json(const Matrix& matrix, std::size_t index) {
 }  // namespace
 
 const char* conclusion(const Matrix::Row& row) {
-  const Verdict baseline = row.cells.front().result.verdict;
-  if (baseline == Verdict::undecided) return "open";
+  const checks::Verdict baseline = row.cells.front().result.verdict;
+  if (baseline == checks::Verdict::undecided) return "open";
   const char* out = "robust";
   for (const Cell& cell : row.cells) {
     if (reversed(cell.result.verdict, baseline)) return "assumption-dependent";
@@ -69,7 +72,7 @@ const char* conclusion(const Matrix::Row& row) {
 Json matrix_json(const Matrix& matrix) {
   Json out = {{"schema", kMatrixSchema},
               {"tier", matrix.tier},
-              {"program", {{"version", kVersion}, {"commit", kCommit}}},
+              {"program", {{"version", run::kVersion}, {"commit", run::kCommit}}},
               {"checks", Json::array()},
               {"alternatives", Json::array()},
               {"cells", Json::array()},
@@ -86,4 +89,4 @@ Json matrix_json(const Matrix& matrix) {
   return out;
 }
 
-}  // namespace bristle
+}  // namespace bristle::assumptions

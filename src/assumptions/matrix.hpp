@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
-namespace bristle {
+namespace bristle::assumptions {
 
 constexpr const char* kMatrixSchema = "bristle-assumptions/2";
 
 // Result of one check under one alternative.
 struct Cell {
-  CheckResult result;
+  checks::CheckResult result;
   // False if the alternative does not change this experiment: then the result is that of the baseline.
   bool affected = true;
 };
@@ -35,4 +35,4 @@ const char* conclusion(const Matrix::Row& row);
 // Keys: schema, tier, program, checks, alternatives, cells, conclusions (docs/assumptions.md). NaN is null.
 Json matrix_json(const Matrix& matrix);
 
-}  // namespace bristle
+}  // namespace bristle::assumptions

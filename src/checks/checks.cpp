@@ -9,18 +9,18 @@
 #include <fmt/format.h>
 #include <cmath>
 
-namespace bristle {
+namespace bristle::checks {
 namespace {
 
 // A trend with a larger p-value may be due to chance.
 constexpr double kSignificanceLevel = 0.05;
 
 // Distance from the threshold or from the end of the band; positive if the claim holds.
-double margin_of(const Check& check, double value) {
+double margin_of(const experiment::Check& check, double value) {
   switch (check.criterion) {
-    case Criterion::near: return *check.band - std::abs(value - check.threshold);
-    case Criterion::at_most: return check.threshold - value;
-    case Criterion::at_least: break;
+    case experiment::Criterion::near: return *check.band - std::abs(value - check.threshold);
+    case experiment::Criterion::at_most: return check.threshold - value;
+    case experiment::Criterion::at_least: break;
   }
   return value - check.threshold;
 }
@@ -43,21 +43,21 @@ const char* to_string(Verdict verdict) {
   return "?";
 }
 
-const char* to_string(Criterion criterion) {
+const char* to_string(experiment::Criterion criterion) {
   switch (criterion) {
-    case Criterion::at_most: return "at_most";
-    case Criterion::at_least: return "at_least";
-    case Criterion::near: return "near";
+    case experiment::Criterion::at_most: return "at_most";
+    case experiment::Criterion::at_least: return "at_least";
+    case experiment::Criterion::near: return "near";
   }
   return "?";
 }
 
-std::vector<CheckResult> evaluate_checks(const ResultReader& result) {
+std::vector<CheckResult> evaluate_checks(const results::ResultReader& result) {
   std::vector<CheckResult> out;
   // The checks of a file are untrusted, and the predicates rely on the validation.
-  const Experiment experiment = stored_experiment(result.experiment(), "full", result.path());
+  const Experiment experiment = experiment::stored_experiment(result.experiment(), "full", result.path());
   validate_checks(experiment);
-  for (const Check& check : experiment.checks) {
+  for (const experiment::Check& check : experiment.checks) {
     CheckResult r{check, measure(result, check), 0, Verdict::undecided};
     r.margin = margin_of(check, r.measured.value);
     r.verdict = decide(r.measured, r.margin);
@@ -72,9 +72,10 @@ std::string checks_table(const std::vector<CheckResult>& checks) {
   for (const CheckResult& c : checks) {
     const std::string measured = fmt::format("{:.3f} +- {:.3f}", c.measured.value, c.measured.uncertainty);
     const std::string claimed =
-        c.check.criterion == Criterion::near
+        c.check.criterion == experiment::Criterion::near
             ? fmt::format("{:.3g} +- {:.3g}", c.check.threshold, *c.check.band)
-            : fmt::format("{} {:.3g}", c.check.criterion == Criterion::at_most ? "at most" : "at least",
+            : fmt::format("{} {:.3g}",
+                          c.check.criterion == experiment::Criterion::at_most ? "at most" : "at least",
                           c.check.threshold);
     text += fmt::format(
         "{:<5} {:<10} {:>18} {:>14} {:>9.3f}  {}{}\n", c.check.claim, to_string(c.verdict), measured, claimed,
@@ -84,4 +85,4 @@ std::string checks_table(const std::vector<CheckResult>& checks) {
   return text;
 }
 
-}  // namespace bristle
+}  // namespace bristle::checks

@@ -3,7 +3,7 @@
 #include "checks/predicates.hpp"
 #include "experiment/experiment.hpp"
 
-namespace bristle {
+namespace bristle::checks {
 
 // undecided: the threshold lies within the uncertainty of the measurement, too few points have values, or a
 // trend is not significant.
@@ -14,11 +14,11 @@ enum class Verdict {
 };
 const char* to_string(Verdict verdict);
 
-const char* to_string(Criterion criterion);
+const char* to_string(experiment::Criterion criterion);
 
 // The check of a claim of the paper, evaluated on a result.
 struct CheckResult {
-  Check check;
+  experiment::Check check;
   Measurement measured;
   double margin;  // distance from the threshold or from the end of the band; positive if the claim holds
   Verdict verdict;
@@ -26,9 +26,9 @@ struct CheckResult {
 
 // Evaluates the checks of the experiment that is stored in the result. Throws InputError if a check names a
 // variable, an axis or a value that the result does not have.
-std::vector<CheckResult> evaluate_checks(const ResultReader& result);
+std::vector<CheckResult> evaluate_checks(const results::ResultReader& result);
 
 // A human-readable table with one line per check.
 std::string checks_table(const std::vector<CheckResult>& checks);
 
-}  // namespace bristle
+}  // namespace bristle::checks

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-namespace bristle {
+namespace bristle::checks {
 
 double in_tolerances(double a, double b, double tolerance) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -13,4 +13,4 @@ double in_tolerances(double a, double b, double tolerance) {
   return tolerance == 0 ? infinity : distance / tolerance;
 }
 
-}  // namespace bristle
+}  // namespace bristle::checks

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace bristle {
+namespace bristle::checks {
 namespace {
 
 using Field = CheckedField;
@@ -23,7 +23,7 @@ std::size_t stride_of(const Field& field, std::size_t dimension) {
   return stride;
 }
 
-std::size_t dimension_of(const ResultReader& result, const Field& field, const std::string& variable,
+std::size_t dimension_of(const results::ResultReader& result, const Field& field, const std::string& variable,
                          const std::string& name) {
   const auto found = std::find(field.dimensions.begin(), field.dimensions.end(), name);
   if (found == field.dimensions.end())
@@ -33,7 +33,8 @@ std::size_t dimension_of(const ResultReader& result, const Field& field, const s
 }
 
 // Values of a variable or an axis, of which there must be count.
-std::vector<double> values_of(const ResultReader& result, const std::string& name, std::size_t count) {
+std::vector<double> values_of(const results::ResultReader& result, const std::string& name,
+                              std::size_t count) {
   std::vector<double> values = result.variable(name).values;
   if (values.size() != count)
     throw InputError(
@@ -41,8 +42,8 @@ std::vector<double> values_of(const ResultReader& result, const std::string& nam
   return values;
 }
 
-Field read(const ResultReader& result, const std::string& name) {
-  const Variable v = result.variable(name);
+Field read(const results::ResultReader& result, const std::string& name) {
+  const results::Variable v = result.variable(name);
   Field field{v.dimensions, v.shape, v.values, std::vector<double>(v.values.size(), 0),
               std::vector<bool>(v.values.size(), true)};
   const auto known = result.variables();
@@ -51,7 +52,7 @@ Field read(const ResultReader& result, const std::string& name) {
   return field;
 }
 
-void divide(const ResultReader& result, Field& field, const std::string& name, double power) {
+void divide(const results::ResultReader& result, Field& field, const std::string& name, double power) {
   const Field by = read(result, name);
   if (by.shape != field.shape)
     throw InputError(fmt::format("{}: damaged: {} has a different shape than the variable that it divides",
@@ -64,7 +65,7 @@ void divide(const ResultReader& result, Field& field, const std::string& name, d
 }
 
 // The value of a word on the axis of a choice: its index in the flag meanings.
-double index_of(const ResultReader& result, const std::string& name, const std::string& word) {
+double index_of(const results::ResultReader& result, const std::string& name, const std::string& word) {
   const auto words = result.flag_meanings(name);
   const auto found = std::find(words.begin(), words.end(), word);
   if (found == words.end())
@@ -74,14 +75,16 @@ double index_of(const ResultReader& result, const std::string& name, const std::
 }
 
 // A selection on this axis as a range [from, to].
-std::array<double, 2> range_of(const ResultReader& result, const std::string& name, const Selection& wanted) {
+std::array<double, 2> range_of(const results::ResultReader& result, const std::string& name,
+                               const experiment::Selection& wanted) {
   if (const auto* range = std::get_if<std::array<double, 2>>(&wanted)) return *range;
   const auto* word = std::get_if<std::string>(&wanted);
   const double value = word ? index_of(result, name, *word) : std::get<double>(wanted);
   return {value, value};
 }
 
-void keep_on_axis(const ResultReader& result, Field& field, std::size_t d, const Selection& wanted) {
+void keep_on_axis(const results::ResultReader& result, Field& field, std::size_t d,
+                  const experiment::Selection& wanted) {
   const std::string& name = field.dimensions[d];
   const std::vector<double> axis = values_of(result, name, field.shape[d]);
   const auto [low, high] = range_of(result, name, wanted);
@@ -89,13 +92,14 @@ void keep_on_axis(const ResultReader& result, Field& field, std::size_t d, const
   const auto selected = [from = low - slack, to = high + slack](double x) { return x >= from && x <= to; };
   if (std::none_of(axis.begin(), axis.end(), selected))
     throw InputError(fmt::format("{}: the axis {} has no value {}; it has: {:.6g}", result.path(), name,
-                                 selection_text(wanted), fmt::join(axis, ", ")));
+                                 experiment::selection_text(wanted), fmt::join(axis, ", ")));
   const std::size_t stride = stride_of(field, d);
   for (std::size_t i = 0; i < field.kept.size(); ++i)
     if (!selected(axis[i / stride % field.shape[d]])) field.kept[i] = false;
 }
 
-void select(const ResultReader& result, Field& field, const std::string& name, const Selection& wanted) {
+void select(const results::ResultReader& result, Field& field, const std::string& name,
+            const experiment::Selection& wanted) {
   const auto axis = std::find(field.dimensions.begin(), field.dimensions.end(), name);
   if (axis != field.dimensions.end())
     return keep_on_axis(result, field, std::size_t(axis - field.dimensions.begin()), wanted);
@@ -119,7 +123,8 @@ CurvePoint interpolate(const Curve& nodes, double target) {
 }
 
 // The field without its last dimension, "node": interpolated where the named variable has the target value.
-Field reduce(const ResultReader& result, const Field& field, const std::string& name, double target) {
+Field reduce(const results::ResultReader& result, const Field& field, const std::string& name,
+             double target) {
   if (field.shape.empty())
     throw InputError(fmt::format("{}: damaged: a variable to be measured at a value of {} has no nodes",
                                  result.path(), name));
@@ -149,8 +154,8 @@ Field reduce(const ResultReader& result, const Field& field, const std::string& 
 
 }  // namespace
 
-CheckedCurves::CheckedCurves(const ResultReader& result, const Check& check,
-                             const std::optional<Selection>& at)
+CheckedCurves::CheckedCurves(const results::ResultReader& result, const experiment::Check& check,
+                             const std::optional<experiment::Selection>& at)
     : result_(result), check_(check) {
   if (at) compared_.emplace(check.compare->axis, *at);
 }
@@ -201,4 +206,4 @@ Curve CheckedCurves::points() const {
   return out;
 }
 
-}  // namespace bristle
+}  // namespace bristle::checks

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace bristle {
+namespace bristle::checks {
 
 // A value and its error estimate at an abscissa.
 struct CurvePoint {
@@ -39,7 +39,8 @@ struct CheckedField {
 class CheckedCurves {
  public:
   // at: for a check with "compare", the value of its axis at which to measure.
-  CheckedCurves(const ResultReader& result, const Check& check, const std::optional<Selection>& at = {});
+  CheckedCurves(const results::ResultReader& result, const experiment::Check& check,
+                const std::optional<experiment::Selection>& at = {});
 
   // Curves along the check's dimension, or another one, over that axis or over the check's variable x.
   Curves along() const;
@@ -50,9 +51,9 @@ class CheckedCurves {
  private:
   CheckedField field_of(const std::string& variable) const;
 
-  const ResultReader& result_;
-  const Check& check_;
-  std::optional<std::pair<std::string, Selection>> compared_;
+  const results::ResultReader& result_;
+  const experiment::Check& check_;
+  std::optional<std::pair<std::string, experiment::Selection>> compared_;
 };
 
-}  // namespace bristle
+}  // namespace bristle::checks

@@ -9,17 +9,18 @@
 #include <algorithm>
 #include <cmath>
 
-namespace bristle {
+namespace bristle::checks {
 namespace {
 
-std::string names(const std::vector<Axis>& axes) {
+std::string names(const std::vector<experiment::Axis>& axes) {
   std::vector<std::string> out;
-  for (const Axis& axis : axes) out.push_back(axis.name);
+  for (const experiment::Axis& axis : axes) out.push_back(axis.name);
   return out.empty() ? "none" : fmt::format("{}", fmt::join(out, ", "));
 }
 
 // Index in the file of each value of an axis of the reference.
-std::vector<std::size_t> match_axis(const Axis& reference, const Axis& now, DeviationReport& report) {
+std::vector<std::size_t> match_axis(const experiment::Axis& reference, const experiment::Axis& now,
+                                    DeviationReport& report) {
   std::vector<std::size_t> at;
   for (const double value : reference.values) {
     const auto found = std::find(now.values.begin(), now.values.end(), value);
@@ -77,7 +78,7 @@ void compare_variable(const ReferenceVariable& r, const ReferenceVariable& n,
   for (std::size_t p = 0; p < points.size(); ++p) {
     const double a = r.values[p], b = n.values[points[p]];
     ++report.values;
-    if (!same_bits(a, b))
+    if (!results::same_bits(a, b))
       report.deviations.push_back({r.name, points[p], a, b, in_tolerances(a, b, r.tolerance(p))});
   }
 }
@@ -140,4 +141,4 @@ DeviationReport compare_with_reference(const Reference& reference, const Referen
   return report;
 }
 
-}  // namespace bristle
+}  // namespace bristle::checks

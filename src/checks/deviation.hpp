@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace bristle {
+namespace bristle::checks {
 
 // A value that differs from the reference.
 struct Deviation {
@@ -33,4 +33,4 @@ struct DeviationReport {
 // differ by the tolerance of the reference.
 DeviationReport compare_with_reference(const Reference& reference, const Reference& now);
 
-}  // namespace bristle
+}  // namespace bristle::checks

@@ -6,24 +6,25 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-namespace bristle {
+namespace bristle::checks {
 namespace {
 
 constexpr std::size_t kMaxListed = 5;
 
 Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
-Json entry(const Deviation& d, const ResultReader& result) {
+Json entry(const Deviation& d, const results::ResultReader& result) {
   return {{"variable", d.variable},
-          {"place", place(result, d.variable, d.point)},
-          {"reference", value_text(result, d.variable, d.reference)},
-          {"now", value_text(result, d.variable, d.now)},
+          {"place", results::place(result, d.variable, d.point)},
+          {"reference", results::value_text(result, d.variable, d.reference)},
+          {"now", results::value_text(result, d.variable, d.now)},
           {"tolerances", finite(d.tolerances)}};
 }
 
 }  // namespace
 
-Json deviation_json(const DeviationReport& report, const ResultReader& result, const std::string& reference) {
+Json deviation_json(const DeviationReport& report, const results::ResultReader& result,
+                    const std::string& reference) {
   Json worst = Json::array();
   for (std::size_t i = 0; i < std::min(kMaxListed, report.deviations.size()); ++i)
     worst.push_back(entry(report.deviations[i], result));
@@ -40,4 +41,4 @@ Json deviation_json(const DeviationReport& report, const ResultReader& result, c
           {"notes", report.notes}};
 }
 
-}  // namespace bristle
+}  // namespace bristle::checks

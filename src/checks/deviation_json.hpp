@@ -6,9 +6,10 @@
 
 #include <string>
 
-namespace bristle {
+namespace bristle::checks {
 
 // The report as JSON: counts, the five worst deviations, failures and notes.
-Json deviation_json(const DeviationReport& report, const ResultReader& result, const std::string& reference);
+Json deviation_json(const DeviationReport& report, const results::ResultReader& result,
+                    const std::string& reference);
 
-}  // namespace bristle
+}  // namespace bristle::checks

@@ -8,30 +8,31 @@
 #include <algorithm>
 #include <cmath>
 
-namespace bristle {
+namespace bristle::checks {
 namespace {
 
 constexpr std::size_t kMinShown = 5, kMaxShown = 25;
 constexpr double kWarning = 0.5;  // in units of the tolerance
 
-std::string row(const ResultReader& result, const Deviation& d) {
+std::string row(const results::ResultReader& result, const Deviation& d) {
   const std::string size = std::isfinite(d.tolerances) ? fmt::format("{:.3g}", d.tolerances) : "-";
   const char* verdict = d.tolerances > 1          ? "  FAILED"
                         : d.tolerances > kWarning ? "  above half its tolerance"
                                                   : "";
   return fmt::format("{:<18} {:>10} {:>24} {:>24}  {}{}\n", d.variable, size,
-                     value_text(result, d.variable, d.reference), value_text(result, d.variable, d.now),
-                     place(result, d.variable, d.point), verdict);
+                     results::value_text(result, d.variable, d.reference),
+                     results::value_text(result, d.variable, d.now),
+                     results::place(result, d.variable, d.point), verdict);
 }
 
-std::string replays(const DeviationReport& report, const ResultReader& result, std::size_t shown) {
+std::string replays(const DeviationReport& report, const results::ResultReader& result, std::size_t shown) {
   std::string text;
   std::vector<std::size_t> listed;
   for (std::size_t i = 0; i < shown; ++i) {
     const Deviation& d = report.deviations[i];
     if (std::find(listed.begin(), listed.end(), d.point) != listed.end()) continue;
     listed.push_back(d.point);
-    text += fmt::format("To compute {} again:\n  {}\n", place(result, d.variable, d.point),
+    text += fmt::format("To compute {} again:\n  {}\n", results::place(result, d.variable, d.point),
                         replay_command(result, d.point));
   }
   return text;
@@ -39,7 +40,7 @@ std::string replays(const DeviationReport& report, const ResultReader& result, s
 
 }  // namespace
 
-std::string deviation_text(const DeviationReport& report, const ResultReader& result,
+std::string deviation_text(const DeviationReport& report, const results::ResultReader& result,
                            const std::string& reference) {
   const std::size_t warnings = report.above(kWarning), failed = report.above(1);
   const std::size_t wanted = std::min(std::max(kMinShown, warnings), kMaxShown);
@@ -66,4 +67,4 @@ std::string deviation_text(const DeviationReport& report, const ResultReader& re
                             report.deviations.size(), report.deviations[0].tolerances, warnings);
 }
 
-}  // namespace bristle
+}  // namespace bristle::checks

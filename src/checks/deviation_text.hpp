@@ -5,11 +5,11 @@
 
 #include <string>
 
-namespace bristle {
+namespace bristle::checks {
 
 // The report as text: the five worst deviations, or up to 25 if more exceed half their tolerance, and the
 // commands that compute their points again. reference: path of the reference, for the summary.
-std::string deviation_text(const DeviationReport& report, const ResultReader& result,
+std::string deviation_text(const DeviationReport& report, const results::ResultReader& result,
                            const std::string& reference);
 
-}  // namespace bristle
+}  // namespace bristle::checks

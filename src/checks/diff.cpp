@@ -12,13 +12,13 @@
 #include <map>
 #include <set>
 
-namespace bristle {
+namespace bristle::checks {
 namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 struct Pair {
-  const ResultReader &a, &b;
+  const results::ResultReader &a, &b;
 };
 
 void check_tolerance(const char* option, const std::optional<double>& value) {
@@ -26,14 +26,14 @@ void check_tolerance(const char* option, const std::optional<double>& value) {
     throw InputError(fmt::format("{} {} is not allowed; allowed: 0 or a positive number", option, *value));
 }
 
-std::string shape_text(const Variable& v) {
+std::string shape_text(const results::Variable& v) {
   if (v.shape.empty()) return "a single value";
   return fmt::format("{} over {}", fmt::join(v.shape, " x "), fmt::join(v.dimensions, " x "));
 }
 
 // Names that are in both files. Names that are in one file only are differences.
 std::vector<std::string> common_names(const Pair& files, Diff& out) {
-  const auto in_a = numeric_datasets(files.a), in_b = numeric_datasets(files.b);
+  const auto in_a = results::numeric_datasets(files.a), in_b = results::numeric_datasets(files.b);
   const auto has = [](const std::vector<std::string>& names, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
   };
@@ -47,11 +47,11 @@ std::vector<std::string> common_names(const Pair& files, Diff& out) {
 }
 
 // The first difference of two axes or row numbers; empty if they are equal.
-std::string coordinate_difference(const Variable& a, const Variable& b) {
+std::string coordinate_difference(const results::Variable& a, const results::Variable& b) {
   if (a.shape != b.shape)
     return fmt::format("different coordinates: {} values against {}", a.values.size(), b.values.size());
   for (std::size_t i = 0; i < a.values.size(); ++i)
-    if (!same_bits(a.values[i], b.values[i]))
+    if (!results::same_bits(a.values[i], b.values[i]))
       return fmt::format("different coordinates: {} against {} at index {}", a.values[i], b.values[i], i);
   return "";
 }
@@ -61,8 +61,8 @@ std::set<std::string> compare_coordinates(const Pair& files, const std::vector<s
                                           Diff& out) {
   std::set<std::string> different;
   for (const std::string& name : names) {
-    if (kind_of(files.a, name) != DatasetKind::coordinate ||
-        kind_of(files.b, name) != DatasetKind::coordinate)
+    if (results::kind_of(files.a, name) != results::DatasetKind::coordinate ||
+        results::kind_of(files.b, name) != results::DatasetKind::coordinate)
       continue;
     ++out.compared;
     const std::string how = coordinate_difference(files.a.variable(name), files.b.variable(name));
@@ -78,8 +78,8 @@ std::set<std::string> compare_coordinates(const Pair& files, const std::vector<s
 
 // The unit of the differences of a variable: the tolerance or, if none is given, the sum of both error
 // estimates. NaN without error estimates.
-std::vector<double> units_of(const Pair& files, const std::string& name, const Variable& a, const Variable& b,
-                             const Tolerances& tolerances) {
+std::vector<double> units_of(const Pair& files, const std::string& name, const results::Variable& a,
+                             const results::Variable& b, const Tolerances& tolerances) {
   std::vector<double> units(a.values.size(), kUnknown);
   if (tolerances.given()) {
     for (std::size_t i = 0; i < units.size(); ++i)
@@ -96,19 +96,19 @@ std::vector<double> units_of(const Pair& files, const std::string& name, const V
 }
 
 // Reports differences of flags, NaN and infinity, which have no size: the first of them and their number.
-void report_without_size(const Pair& files, const std::string& name, const Variable& a, const Variable& b,
-                         const std::vector<std::size_t>& at, Diff& out) {
+void report_without_size(const Pair& files, const std::string& name, const results::Variable& a,
+                         const results::Variable& b, const std::vector<std::size_t>& at, Diff& out) {
   if (at.empty()) return;
   const std::size_t i = at[0];
-  out.incomparable.push_back(fmt::format("{}: {} against {} at {}{}", name,
-                                         value_text(files.a, name, a.values[i]),
-                                         value_text(files.b, name, b.values[i]), place(files.a, name, i),
-                                         at.size() > 1 ? fmt::format(", and {} more", at.size() - 1) : ""));
+  out.incomparable.push_back(
+      fmt::format("{}: {} against {} at {}{}", name, results::value_text(files.a, name, a.values[i]),
+                  results::value_text(files.b, name, b.values[i]), results::place(files.a, name, i),
+                  at.size() > 1 ? fmt::format(", and {} more", at.size() - 1) : ""));
 }
 
-void compare_values(const Pair& files, const std::string& name, const Variable& a, const Variable& b,
-                    Diff& out) {
-  const bool flags = kind_of(files.a, name) == DatasetKind::flags;
+void compare_values(const Pair& files, const std::string& name, const results::Variable& a,
+                    const results::Variable& b, Diff& out) {
+  const bool flags = results::kind_of(files.a, name) == results::DatasetKind::flags;
   const auto units = units_of(files, name, a, b, out.tolerances);
   Difference d;
   d.name = name;
@@ -116,7 +116,7 @@ void compare_values(const Pair& files, const std::string& name, const Variable& 
   std::pair<double, double> worst;
   for (std::size_t i = 0; i < a.values.size(); ++i) {
     const double x = a.values[i], y = b.values[i];
-    if (same_bits(x, y)) continue;
+    if (results::same_bits(x, y)) continue;
     const bool has_size = !flags && std::isfinite(x) && std::isfinite(y);
     (has_size ? with_size : without_size).push_back(i);
     if (!has_size) continue;
@@ -134,7 +134,7 @@ void compare_values(const Pair& files, const std::string& name, const Variable& 
   report_without_size(files, name, a, b, without_size, out);
   if (without_size.empty() && with_size.empty()) ++out.same;
   if (with_size.empty()) return;
-  d.place = place(files.a, name, d.where);
+  d.place = results::place(files.a, name, d.where);
   out.numbers.push_back(d);
 }
 
@@ -142,11 +142,11 @@ void compare_variables(const Pair& files, const std::vector<std::string>& names,
                        const std::set<std::string>& different_dimensions, Diff& out) {
   std::map<std::string, int> skipped;  // number of variables, by dimension
   for (const std::string& name : names) {
-    const DatasetKind kind = kind_of(files.a, name);
-    const bool same_kind = kind == kind_of(files.b, name);
-    if (kind == DatasetKind::coordinate && same_kind) continue;
+    const results::DatasetKind kind = results::kind_of(files.a, name);
+    const bool same_kind = kind == results::kind_of(files.b, name);
+    if (kind == results::DatasetKind::coordinate && same_kind) continue;
     ++out.compared;
-    const Variable a = files.a.variable(name), b = files.b.variable(name);
+    const results::Variable a = files.a.variable(name), b = files.b.variable(name);
     const auto different = std::find_if(a.dimensions.begin(), a.dimensions.end(), [&](const std::string& d) {
       return different_dimensions.contains(d);
     });
@@ -186,7 +186,8 @@ bool Diff::agree() const {
   return tolerances.given() ? worst() <= 1 : numbers.empty();
 }
 
-Diff diff_results(const ResultReader& a, const ResultReader& b, const Tolerances& tolerances) {
+Diff diff_results(const results::ResultReader& a, const results::ResultReader& b,
+                  const Tolerances& tolerances) {
   check_tolerance("--rtol", tolerances.rtol);
   check_tolerance("--atol", tolerances.atol);
   const Pair files{a, b};
@@ -218,4 +219,4 @@ std::string diff_text(const Diff& diff) {
   return text + fmt::format("{} of {} variables are the same bit for bit\n", diff.same, diff.compared);
 }
 
-}  // namespace bristle
+}  // namespace bristle::checks

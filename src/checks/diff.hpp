@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace bristle {
+namespace bristle::checks {
 
 // Two numbers agree if they differ by at most atol + rtol * max(|a|, |b|). If neither is given, only equal
 // numbers agree, and differences are shown in units of the sum of the error estimates <name>_err of both
@@ -40,9 +40,10 @@ struct Diff {
 };
 
 // Compares all numeric datasets. Throws InputError for an invalid tolerance.
-Diff diff_results(const ResultReader& a, const ResultReader& b, const Tolerances& tolerances);
+Diff diff_results(const results::ResultReader& a, const results::ResultReader& b,
+                  const Tolerances& tolerances);
 
 // One line if the files agree, otherwise the differences without a size and a table of the others.
 std::string diff_text(const Diff& diff);
 
-}  // namespace bristle
+}  // namespace bristle::checks

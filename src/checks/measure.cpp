@@ -5,7 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
-namespace bristle {
+namespace bristle::checks {
 namespace {
 
 Measurement combined(const Measurement& a, const Measurement& b, double value, double uncertainty) {
@@ -31,8 +31,8 @@ Measurement difference(const Measurement& a, const Measurement& b) {
 template <Measurement (*Function)(const Curves&)>
 Predicate of_curves(const char* name) {
   return {name,
-          {{"along", [](const Check& c) { return !c.along.empty(); }}},
-          [](const CheckedCurves& curves, const Check&) { return Function(curves.along()); },
+          {{"along", [](const experiment::Check& c) { return !c.along.empty(); }}},
+          [](const CheckedCurves& curves, const experiment::Check&) { return Function(curves.along()); },
           nullptr};
 }
 
@@ -45,27 +45,29 @@ std::vector<Predicate> make_predicates() {
   };
   const Predicate::Need along = table.front().needs.front();
   table.push_back({"range_ratio",
-                   {along, {"against", [](const Check& c) { return !c.against.empty(); }}},
-                   [](const CheckedCurves& curves, const Check& check) {
+                   {along, {"against", [](const experiment::Check& c) { return !c.against.empty(); }}},
+                   [](const CheckedCurves& curves, const experiment::Check& check) {
                      return range_ratio(curves.along(), curves.along(check.against));
                    },
                    nullptr});
   table.push_back({"slope",
                    {along},
-                   [](const CheckedCurves& curves, const Check& check) {
+                   [](const CheckedCurves& curves, const experiment::Check& check) {
                      return slope(curves.along(), check.logarithmic);
                    },
                    nullptr});
-  table.push_back({"concordance", {}, nullptr, [](const Curve& a, const Curve& b, const Check&) {
+  table.push_back({"concordance", {}, nullptr, [](const Curve& a, const Curve& b, const experiment::Check&) {
                      return concordance(a, b);
                    }});
-  table.push_back(
-      {"ordering", {}, nullptr, [](const Curve& a, const Curve& b, const Check&) { return ordering(a, b); }});
-  table.push_back(
-      {"equality",
-       {{"resolution", [](const Check& c) { return c.resolution.has_value(); }}},
-       nullptr,
-       [](const Curve& a, const Curve& b, const Check& check) { return equality(a, b, *check.resolution); }});
+  table.push_back({"ordering", {}, nullptr, [](const Curve& a, const Curve& b, const experiment::Check&) {
+                     return ordering(a, b);
+                   }});
+  table.push_back({"equality",
+                   {{"resolution", [](const experiment::Check& c) { return c.resolution.has_value(); }}},
+                   nullptr,
+                   [](const Curve& a, const Curve& b, const experiment::Check& check) {
+                     return equality(a, b, *check.resolution);
+                   }});
   return table;
 }
 
@@ -83,7 +85,7 @@ const Predicate& find_predicate(const std::string& name) {
   return *found;
 }
 
-Measurement measure(const ResultReader& result, const Check& check) {
+Measurement measure(const results::ResultReader& result, const experiment::Check& check) {
   const Predicate& predicate = find_predicate(check.predicate);
   const CheckedCurves all(result, check);
   if (predicate.on_pairs && check.expected) {
@@ -98,4 +100,4 @@ Measurement measure(const ResultReader& result, const Check& check) {
   return check.difference ? difference(a, b) : ratio(a, b);
 }
 
-}  // namespace bristle
+}  // namespace bristle::checks

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace bristle {
+namespace bristle::checks {
 namespace {
 
 double relative_error(const CurvePoint& p) { return p.error / std::abs(p.value); }
@@ -302,4 +302,4 @@ Measurement equality(const Curve& first, const Curve& second, double resolution)
   return out;
 }
 
-}  // namespace bristle
+}  // namespace bristle::checks

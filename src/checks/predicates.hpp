@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace bristle {
+namespace bristle::checks {
 
 // A measured number. If the error estimates in the result are correct, the true number lies within value +-
 // uncertainty.
@@ -64,4 +64,4 @@ Measurement ordering(const Curve& first, const Curve& second);
 // because agreement would then be meaningless.
 Measurement equality(const Curve& first, const Curve& second, double resolution);
 
-}  // namespace bristle
+}  // namespace bristle::checks

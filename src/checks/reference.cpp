@@ -9,7 +9,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-namespace bristle {
+namespace bristle::checks {
 namespace {
 
 // The relative error of a mean due to the integrator is below 6 rtol (docs/numerics.md, gamma_2 at 1e-5). The
@@ -36,7 +36,8 @@ double scale_of(const std::vector<double>& values) {
 }
 
 // Values of an error variable; zero if the variable is missing or not finite.
-std::vector<double> errors_of(const ResultReader& result, const std::string& name, std::size_t size) {
+std::vector<double> errors_of(const results::ResultReader& result, const std::string& name,
+                              std::size_t size) {
   std::vector<double> values(size, 0);
   if (!result.has(name)) return values;
   const auto stored = result.variable(name).values;
@@ -45,7 +46,7 @@ std::vector<double> errors_of(const ResultReader& result, const std::string& nam
   return values;
 }
 
-std::string misfit(const Variable& v, const std::vector<std::string>& axes,
+std::string misfit(const results::Variable& v, const std::vector<std::string>& axes,
                    const std::vector<std::size_t>& shape) {
   if (v.dimensions == axes && v.shape == shape) return "";
   return fmt::format("different shape: ({}) over ({}), but the sweep is ({}) over ({})",
@@ -58,7 +59,7 @@ void add_to(std::vector<double>& values, double what) {
 }
 
 // Allowed deviation of R_n from the target load, orientation.rtol times the target; 0 without a load search.
-double search_error(const ResultReader& result) {
+double search_error(const results::ResultReader& result) {
   const Json experiment = result.experiment();
   if (!result.has("load_error")) return 0;
   double largest = experiment["load"].value("R_n", 0.0);
@@ -67,7 +68,7 @@ double search_error(const ResultReader& result) {
   return experiment["orientation"].value("rtol", 0.0) * largest;
 }
 
-ReferenceVariable make_variable(const ResultReader& result, const std::string& name,
+ReferenceVariable make_variable(const results::ResultReader& result, const std::string& name,
                                 const std::vector<double>& values, double rtol, const std::string& misfit) {
   ReferenceVariable out{name, values, {}, {}, {}, {}, misfit};
   const std::size_t size = out.values.size();
@@ -91,12 +92,12 @@ ReferenceVariable make_variable(const ResultReader& result, const std::string& n
 
 // Dimensions of the points: those of the variable status, including nodes; those of the sweep if a damaged
 // file has no status.
-std::vector<std::string> dimensions_of(const ResultReader& result) {
+std::vector<std::string> dimensions_of(const results::ResultReader& result) {
   return result.has("status") ? result.variable("status").dimensions : result.axes();
 }
 
 // Commit of the program that computed the points; a list of commits if several programs did.
-std::string commit_of(const ResultReader& result) {
+std::string commit_of(const results::ResultReader& result) {
   const auto provenance = result.provenance();
   for (const char* name : {"points_commits", "commit"})
     if (const auto found = provenance.find(name); found != provenance.end()) return found->second;
@@ -113,13 +114,13 @@ double ReferenceVariable::tolerance(std::size_t point) const {
 
 std::vector<std::size_t> Reference::shape() const {
   std::vector<std::size_t> s;
-  for (const Axis& axis : axes) s.push_back(axis.values.size());
+  for (const experiment::Axis& axis : axes) s.push_back(axis.values.size());
   return s;
 }
 
 std::size_t Reference::points() const { return grid_size(shape()); }
 
-Reference make_reference(const ResultReader& result, const std::vector<CheckResult>& checks) {
+Reference make_reference(const results::ResultReader& result, const std::vector<CheckResult>& checks) {
   const Json experiment = result.experiment();
   Reference out;
   out.name = result.text("name");
@@ -132,14 +133,15 @@ Reference make_reference(const ResultReader& result, const std::vector<CheckResu
   for (const std::string& name : axes) out.axes.push_back({name, result.variable(name).values});
   const double rtol = experiment["integrator"]["rtol"];
   for (const std::string& name : numeric_datasets(result)) {
-    const DatasetKind kind = kind_of(result, name);
-    const bool coordinate = kind == DatasetKind::coordinate || std::count(axes.begin(), axes.end(), name) > 0;
-    if (coordinate || kind == DatasetKind::integer || has_suffix(name, "_err") ||
+    const results::DatasetKind kind = results::kind_of(result, name);
+    const bool coordinate =
+        kind == results::DatasetKind::coordinate || std::count(axes.begin(), axes.end(), name) > 0;
+    if (coordinate || kind == results::DatasetKind::integer || has_suffix(name, "_err") ||
         name.find('/') != std::string::npos)
       continue;
-    const Variable v = result.variable(name);
+    const results::Variable v = result.variable(name);
     const std::string wrong = misfit(v, axes, out.shape());
-    if (kind == DatasetKind::real)
+    if (kind == results::DatasetKind::real)
       out.variables.push_back(make_variable(result, name, v.values, rtol, wrong));
     else out.flags.push_back({name, std::vector<long>(v.values.begin(), v.values.end()), wrong});
   }
@@ -148,4 +150,4 @@ Reference make_reference(const ResultReader& result, const std::vector<CheckResu
   return out;
 }
 
-}  // namespace bristle
+}  // namespace bristle::checks

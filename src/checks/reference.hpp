@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace bristle {
+namespace bristle::checks {
 
 // A variable at all points in row-major order, with the parts of its tolerance: a value may change by the sum
 // of the parts (derived in docs/reference.md). NaN: the point has no value.
@@ -43,7 +43,7 @@ struct ReferenceClaim {
 struct Reference {
   std::string name, tier, inputs_sha256, payload_sha256, commit;
   long numerics_version = 0;
-  std::vector<Axis> axes;  // in the order of the dimensions, named as in the result file
+  std::vector<experiment::Axis> axes;  // in the order of the dimensions, named as in the result file
   std::vector<ReferenceVariable> variables;
   std::vector<ReferenceFlags> flags;
   std::vector<ReferenceClaim> claims;
@@ -54,6 +54,6 @@ struct Reference {
 
 // The reference made from a result file and its verdicts. Errors are omitted because they become tolerances,
 // and counts such as passages because they are cost, not result.
-Reference make_reference(const ResultReader& result, const std::vector<CheckResult>& checks);
+Reference make_reference(const results::ResultReader& result, const std::vector<CheckResult>& checks);
 
-}  // namespace bristle
+}  // namespace bristle::checks

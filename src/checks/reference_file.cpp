@@ -13,7 +13,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-namespace bristle {
+namespace bristle::checks {
 namespace {
 
 // JSON text: objects and arrays of objects with one entry per line, arrays of numbers on one line.
@@ -162,8 +162,8 @@ ReferenceVariable read_variable(const std::string& name, const Node& node, std::
   return v;
 }
 
-Axis read_axis(const std::string& name, const Node& node) {
-  Axis axis{name, node.list(coordinate)};
+experiment::Axis read_axis(const std::string& name, const Node& node) {
+  experiment::Axis axis{name, node.list(coordinate)};
   if (axis.values.empty()) node.fail("an axis needs at least one value");
   return axis;
 }
@@ -203,7 +203,7 @@ std::string reference_text(const Reference& reference) {
   for (const ReferenceClaim& c : reference.claims)
     out["claims"].push_back({{"claim", c.claim}, {"verdict", c.verdict}, {"statement", c.statement}});
   out["axes"] = Json::object();
-  for (const Axis& axis : reference.axes) out["axes"][axis.name] = axis.values;
+  for (const experiment::Axis& axis : reference.axes) out["axes"][axis.name] = axis.values;
   out["flags"] = Json::object();
   for (const ReferenceFlags& f : reference.flags) out["flags"][f.name]["values"] = f.values;
   out["variables"] = Json::object();
@@ -248,4 +248,4 @@ std::string reference_path(const std::string& folder, const std::string& name) {
   return (std::filesystem::path(folder) / (name + ".json")).string();
 }
 
-}  // namespace bristle
+}  // namespace bristle::checks

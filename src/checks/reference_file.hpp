@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace bristle {
+namespace bristle::checks {
 
 constexpr const char* kReferenceSchema = "bristle-reference/1";
 
@@ -17,4 +17,4 @@ Reference read_reference(const std::string& path);
 // Path of the reference of an experiment: FOLDER/<name>.json.
 std::string reference_path(const std::string& folder, const std::string& name);
 
-}  // namespace bristle
+}  // namespace bristle::checks

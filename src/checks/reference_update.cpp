@@ -16,7 +16,7 @@
 #include <filesystem>
 #include <set>
 
-namespace bristle {
+namespace bristle::checks {
 namespace fs = std::filesystem;
 namespace {
 
@@ -34,10 +34,10 @@ void require_reason(const std::string& reason) {
         "CHANGELOG.md");
 }
 
-void require_origin(const ResultReader& result, const Reference& made) {
+void require_origin(const results::ResultReader& result, const Reference& made) {
   const std::string run_again =
       fmt::format("`bristle run EXPERIMENT.json --tier smoke --force -o {}`", result.path());
-  if (payload_sha256(result.file()) != made.payload_sha256)
+  if (results::payload_sha256(result.file()) != made.payload_sha256)
     throw InputError(
         fmt::format("{}: payload_sha256 does not match the numbers: the file was changed or damaged; {}",
                     result.path(), run_again));
@@ -59,7 +59,7 @@ bool is_invalid(const std::string& name, double value, double status) {
   return std::isnan(value) && has_values && !kMayBeMissing.contains(name);
 }
 
-void require_sound_run(const ResultReader& result, const Reference& made) {
+void require_sound_run(const results::ResultReader& result, const Reference& made) {
   const auto fail = [&](const std::string& name, const std::string& what) {
     throw InputError(
         fmt::format("{}: {}: {}; a reference requires a run without failures", result.path(), name, what));
@@ -69,13 +69,13 @@ void require_sound_run(const ResultReader& result, const Reference& made) {
     if (!f.misfit.empty()) fail(f.name, f.misfit);
   for (std::size_t i = 0; i < status.size(); ++i)
     if (status_is(status[i], PointStatus::incomplete) || status_is(status[i], PointStatus::not_converged))
-      fail("status",
-           fmt::format("{} at {}", value_text(result, "status", status[i]), place(result, "status", i)));
+      fail("status", fmt::format("{} at {}", results::value_text(result, "status", status[i]),
+                                 results::place(result, "status", i)));
   for (const ReferenceVariable& v : made.variables) {
     if (!v.misfit.empty()) fail(v.name, v.misfit);
     for (std::size_t i = 0; i < v.values.size(); ++i)
       if (is_invalid(v.name, v.values[i], status[i]))
-        fail(v.name, fmt::format("{} at {}", v.values[i], place(result, v.name, i)));
+        fail(v.name, fmt::format("{} at {}", v.values[i], results::place(result, v.name, i)));
   }
 }
 
@@ -86,15 +86,16 @@ bool equivalent(Reference a, const Reference& b) {
   return reference_text(a) == reference_text(b);
 }
 
-std::string change_line(const ResultReader& result, const Deviation& d) {
+std::string change_line(const results::ResultReader& result, const Deviation& d) {
   const std::string size =
       std::isfinite(d.tolerances) ? fmt::format(", {:.3g} of the old tolerance", d.tolerances) : "";
-  return fmt::format("- {}: {} -> {} at {}{}\n", d.variable, value_text(result, d.variable, d.reference),
-                     value_text(result, d.variable, d.now), place(result, d.variable, d.point), size);
+  return fmt::format(
+      "- {}: {} -> {} at {}{}\n", d.variable, results::value_text(result, d.variable, d.reference),
+      results::value_text(result, d.variable, d.now), results::place(result, d.variable, d.point), size);
 }
 
 // The largest change of every variable, and the changes that have no size.
-std::string changes(const ResultReader& result, const Reference& old, const Reference& made) {
+std::string changes(const results::ResultReader& result, const Reference& old, const Reference& made) {
   const DeviationReport report = compare_with_reference(old, made);
   std::string text;
   for (const std::string& note : report.notes) text += fmt::format("- {}\n", note);
@@ -107,7 +108,7 @@ std::string changes(const ResultReader& result, const Reference& old, const Refe
   return text;
 }
 
-std::string entry(const ReferenceUpdate& update, const ResultReader& result, const Reference* old,
+std::string entry(const ReferenceUpdate& update, const results::ResultReader& result, const Reference* old,
                   const Reference& made) {
   return fmt::format("\n## {} {}\n\n{}\n\n- program: {}\n- payload: {} -> {}\n{}", update.day, made.name,
                      update.reason, made.commit, old ? old->payload_sha256 : "none", made.payload_sha256,
@@ -144,7 +145,7 @@ void require_clean_work_tree(const std::string& folder) {
 
 std::string update_reference(const ReferenceUpdate& update) {
   require_reason(update.reason);
-  const ResultReader result(update.file);
+  const results::ResultReader result(update.file);
   const Reference made = make_reference(result, evaluate_checks(result));
   require_origin(result, made);
   require_sound_run(result, made);
@@ -163,4 +164,4 @@ std::string update_reference(const ReferenceUpdate& update) {
   return added;
 }
 
-}  // namespace bristle
+}  // namespace bristle::checks

@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace bristle {
+namespace bristle::checks {
 
 struct ReferenceUpdate {
   std::string file, reason;
@@ -16,4 +16,4 @@ struct ReferenceUpdate {
 // that is not a whole result of the smoke tier, and if the program or the work tree differs from its commit.
 std::string update_reference(const ReferenceUpdate& update);
 
-}  // namespace bristle
+}  // namespace bristle::checks

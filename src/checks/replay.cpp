@@ -9,15 +9,15 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-namespace bristle {
+namespace bristle::checks {
 namespace {
 
-std::string tier_of(const ResultReader& result) {
+std::string tier_of(const results::ResultReader& result) {
   return h5::has_attribute(result.file(), "tier") ? result.text("tier") : "full";
 }
 
 // The experiment file named on the command line of the run; without a command line experiments/NAME.json.
-std::string experiment_file(const ResultReader& result) {
+std::string experiment_file(const results::ResultReader& result) {
   const auto provenance = result.provenance();
   if (const auto line = provenance.find("command_line"); line != provenance.end()) {
     std::istringstream words(line->second);
@@ -45,7 +45,7 @@ void add_changes(std::vector<std::string>& words, const Json& run, const std::st
                  const std::string& tier) {
   Json read;
   try {
-    read = *load_experiment(file, {{}, tier}).document;
+    read = *experiment::load_experiment(file, {{}, tier}).document;
   } catch (const InputError&) {
     return;
   }
@@ -59,13 +59,13 @@ void add_changes(std::vector<std::string>& words, const Json& run, const std::st
 }
 
 // Number of nodes of a traced curve; otherwise 1.
-std::size_t nodes_per_point(const ResultReader& result) {
+std::size_t nodes_per_point(const results::ResultReader& result) {
   return result.variable("status").values.size() / grid_size(result.sweep_shape());
 }
 
 }  // namespace
 
-std::string replay_command(const ResultReader& result, std::size_t point) {
+std::string replay_command(const results::ResultReader& result, std::size_t point) {
   const Json experiment = result.experiment();
   const std::string file = experiment_file(result), tier = tier_of(result);
   std::vector<std::string> words = {"build/bristle", "run", file};
@@ -76,7 +76,7 @@ std::string replay_command(const ResultReader& result, std::size_t point) {
   const auto at = unravel(point / nodes_per_point(result), shape);
   std::size_t d = 0;
   for (const auto& [name, axis] : sweep.items()) {
-    const double value = result.variable(axis_variable(name)).values[at[d]];
+    const double value = result.variable(results::axis_variable(name)).values[at[d]];
     Json one;
     one["values"] = Json::array({coordinate(axis, value, at[d])});
     for (const char* other : {"logspace", "linspace", "take"}) one[other] = nullptr;
@@ -90,11 +90,11 @@ std::string replay_command(const ResultReader& result, std::size_t point) {
   return command + "-o results/replay.h5";
 }
 
-Json replay_json(const ResultReader& result) {
+Json replay_json(const results::ResultReader& result) {
   const std::size_t nodes = nodes_per_point(result), values = result.variable("status").values.size();
   Json commands = Json::array();
   for (std::size_t p = 0; p < values; p += nodes) commands.push_back(replay_command(result, p));
   return commands;
 }
 
-}  // namespace bristle
+}  // namespace bristle::checks

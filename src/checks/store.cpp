@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace bristle {
+namespace bristle::checks {
 namespace {
 
 // Writes strings of fixed length, as elsewhere in result files.
@@ -58,4 +58,4 @@ void write_checks(const std::string& path, const std::vector<CheckResult>& check
   file.close("closing " + path);
 }
 
-}  // namespace bristle
+}  // namespace bristle::checks

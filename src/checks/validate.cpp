@@ -11,15 +11,16 @@
 #include <algorithm>
 #include <cmath>
 
-namespace bristle {
+namespace bristle::checks {
 namespace {
 
 class CheckValidator {
  public:
   CheckValidator(const Experiment& experiment, std::size_t index)
       : experiment_(experiment), index_(index), check_(experiment.checks[index]) {
-    for (const ResultVariable& v : result_variables(experiment)) variables_.push_back(v.name);
-    for (const Axis& axis : experiment.axes) axes_.push_back(axis_variable(axis.name));
+    for (const results::ResultVariable& v : results::result_variables(experiment))
+      variables_.push_back(v.name);
+    for (const experiment::Axis& axis : experiment.axes) axes_.push_back(results::axis_variable(axis.name));
     if (experiment.base.loading.trace) axes_.emplace_back("node");
   }
 
@@ -59,15 +60,16 @@ class CheckValidator {
       fail("compare",
            fmt::format("is missing; {} needs either \"compare\", two values of an axis, or \"expected\"",
                        predicate.name));
-    if (check_.criterion == Criterion::near && !check_.band)
+    if (check_.criterion == experiment::Criterion::near && !check_.band)
       fail("band", "is missing; \"near\" needs the largest allowed distance");
   }
 
   // The selection must be a word of a choice, a value of an axis, or a range of an axis or a variable.
-  void selects(const std::string& key, const std::string& name, const Selection& value) const {
+  void selects(const std::string& key, const std::string& name, const experiment::Selection& value) const {
     const bool range = std::holds_alternative<std::array<double, 2>>(value);
-    const auto axis = std::find_if(experiment_.axes.begin(), experiment_.axes.end(),
-                                   [&](const Axis& a) { return axis_variable(a.name) == name; });
+    const auto axis =
+        std::find_if(experiment_.axes.begin(), experiment_.axes.end(),
+                     [&](const experiment::Axis& a) { return results::axis_variable(a.name) == name; });
     if (axis == experiment_.axes.end()) {
       std::vector<std::string> names = variables_;
       names.insert(names.end(), axes_.begin(), axes_.end());
@@ -76,28 +78,28 @@ class CheckValidator {
       return;
     }
     if (!range && !on_axis(*axis, value))
-      fail(key, fmt::format("{} is not a value of this axis; allowed: {}", selection_text(value),
+      fail(key, fmt::format("{} is not a value of this axis; allowed: {}", experiment::selection_text(value),
                             axis_text(*axis)));
   }
 
-  static bool on_axis(const Axis& axis, const Selection& value) {
-    const Sweepable& sweepable = *find_sweepable(axis.name);
+  static bool on_axis(const experiment::Axis& axis, const experiment::Selection& value) {
+    const experiment::Sweepable& sweepable = *experiment::find_sweepable(axis.name);
     return std::any_of(axis.values.begin(), axis.values.end(), [&](double x) {
-      if (!sweepable.options.empty()) return value == Selection(sweepable.text(x));
+      if (!sweepable.options.empty()) return value == experiment::Selection(sweepable.text(x));
       const double* number = std::get_if<double>(&value);
       return number && std::abs(x - *number) <= 1e-9 * std::abs(x);
     });
   }
 
-  static std::string axis_text(const Axis& axis) {
+  static std::string axis_text(const experiment::Axis& axis) {
     std::vector<std::string> texts;
-    for (const double x : axis.values) texts.push_back(find_sweepable(axis.name)->text(x));
+    for (const double x : axis.values) texts.push_back(experiment::find_sweepable(axis.name)->text(x));
     return fmt::format("{}", fmt::join(texts, ", "));
   }
 
   const Experiment& experiment_;
   std::size_t index_;
-  const Check& check_;
+  const experiment::Check& check_;
   std::vector<std::string> variables_, axes_;
 };
 
@@ -107,4 +109,4 @@ void validate_checks(const Experiment& experiment) {
   for (std::size_t i = 0; i < experiment.checks.size(); ++i) CheckValidator(experiment, i).validate();
 }
 
-}  // namespace bristle
+}  // namespace bristle::checks

@@ -9,13 +9,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-namespace bristle {
+namespace bristle::cli {
 namespace {
 
 // A damaged manifest causes one problem per file.
 constexpr std::size_t kMaxShown = 20;
 
-void print_problems(const std::string& path, const Problems& problems) {
+void print_problems(const std::string& path, const archive::Problems& problems) {
   for (std::size_t i = 0; i < std::min(kMaxShown, problems.size()); ++i)
     fmt::print("FAILED: {}\n", problems[i]);
   if (problems.size() > kMaxShown) fmt::print("... and {} more\n", problems.size() - kMaxShown);
@@ -28,10 +28,10 @@ void print_draft(const std::string& draft) {
 }
 
 // Computes points again; returns whether all equal those of the archive.
-bool rerun_points(const VerifyOptions& options, const Verification& archive) {
+bool rerun_points(const VerifyOptions& options, const archive::Verification& archive) {
   std::size_t done = 0, same = 0;
   try {
-    rerun(archive, options.rerun, options.seed, [&](const Rerun& point) {
+    archive::rerun(archive, options.rerun, options.seed, [&](const archive::Rerun& point) {
       ++done;
       same += point.different.empty();
       const std::string verdict = point.different.empty()
@@ -51,10 +51,10 @@ bool rerun_points(const VerifyOptions& options, const Verification& archive) {
 
 }  // namespace
 
-int archive_command(ArchiveOptions options) {
-  options.version = kVersion;
-  options.commit = kCommit;
-  const BuiltArchive built = build_archive(options);
+int archive_command(archive::ArchiveOptions options) {
+  options.version = run::kVersion;
+  options.commit = run::kCommit;
+  const archive::BuiltArchive built = archive::build_archive(options);
   fmt::print("{}: {} files, {} bytes, verified\nsha512 {}\n", built.path, built.files, built.bytes,
              built.sha512);
   print_draft(built.draft);
@@ -62,7 +62,7 @@ int archive_command(ArchiveOptions options) {
 }
 
 int verify_command(const VerifyOptions& options) {
-  const Verification found = verify_archive(options.file);
+  const archive::Verification found = archive::verify_archive(options.file);
   if (!found.problems.empty()) {
     print_problems(options.file, found.problems);
     return kCheckFailed;
@@ -73,4 +73,4 @@ int verify_command(const VerifyOptions& options) {
   return options.rerun == 0 || rerun_points(options, found) ? kSuccess : kCheckFailed;
 }
 
-}  // namespace bristle
+}  // namespace bristle::cli

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string>
 
-namespace bristle {
+namespace bristle::cli {
 
 struct VerifyOptions {
   std::string file;
@@ -15,7 +15,7 @@ struct VerifyOptions {
 };
 
 // The commands `archive` and `verify`. They return the exit code and throw InputError or RunError.
-int archive_command(ArchiveOptions options);
+int archive_command(archive::ArchiveOptions options);
 int verify_command(const VerifyOptions& options);
 
-}  // namespace bristle
+}  // namespace bristle::cli

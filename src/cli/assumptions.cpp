@@ -10,7 +10,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-namespace bristle {
+namespace bristle::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -26,12 +26,12 @@ std::vector<std::string> assumption_files(const std::string& folder) {
   return files;
 }
 
-void print_conclusions(const Matrix& matrix) {
+void print_conclusions(const assumptions::Matrix& matrix) {
   std::map<std::string, int> counts;
-  for (const Matrix::Row& row : matrix.rows) {
-    ++counts[conclusion(row)];
+  for (const assumptions::Matrix::Row& row : matrix.rows) {
+    ++counts[assumptions::conclusion(row)];
     fmt::print("{:<5} {:<10} {:<20} {}\n", row.cells.front().result.check.claim,
-               to_string(row.cells.front().result.verdict), conclusion(row),
+               checks::to_string(row.cells.front().result.verdict), assumptions::conclusion(row),
                row.cells.front().result.check.statement);
   }
   fmt::print("{} checks under {} alternatives: {} robust, {} weakened, {} assumption-dependent, {} open\n",
@@ -41,13 +41,13 @@ void print_conclusions(const Matrix& matrix) {
 
 }  // namespace
 
-int assumptions_command(AssumptionsOptions options) {
+int assumptions_command(assumptions::AssumptionsOptions options) {
   if (options.files.empty())
     options.files = assumption_files((fs::path(options.experiments) / "assumptions").string());
-  const Matrix matrix = run_assumptions(options);
-  write_whole(options.output, matrix_json(matrix).dump(1) + "\n");
+  const assumptions::Matrix matrix = assumptions::run_assumptions(options);
+  write_whole(options.output, assumptions::matrix_json(matrix).dump(1) + "\n");
   print_conclusions(matrix);
   return kSuccess;
 }
 
-}  // namespace bristle
+}  // namespace bristle::cli

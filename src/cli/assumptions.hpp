@@ -2,9 +2,9 @@
 
 #include "assumptions/assumptions.hpp"
 
-namespace bristle {
+namespace bristle::cli {
 
 // The command `assumptions`. Returns the exit code; throws InputError or RunError.
-int assumptions_command(AssumptionsOptions options);
+int assumptions_command(assumptions::AssumptionsOptions options);
 
-}  // namespace bristle
+}  // namespace bristle::cli

@@ -13,29 +13,29 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-namespace bristle {
+namespace bristle::cli {
 namespace {
 
 // Prints the verdicts of the claims; returns whether all are supported.
-bool report_claims(const CheckOptions& options, const std::vector<CheckResult>& checks) {
+bool report_claims(const CheckOptions& options, const std::vector<checks::CheckResult>& checks) {
   if (checks.empty()) {
     fmt::print("{}: the experiment has no checks\n", options.file);
     return true;
   }
-  fmt::print("{}", checks_table(checks));
-  const auto count = [&](Verdict verdict) {
+  fmt::print("{}", checks::checks_table(checks));
+  const auto count = [&](checks::Verdict verdict) {
     return std::count_if(checks.begin(), checks.end(),
-                         [=](const CheckResult& c) { return c.verdict == verdict; });
+                         [=](const checks::CheckResult& c) { return c.verdict == verdict; });
   };
-  fmt::print("{} supported, {} refuted, {} undecided\n", count(Verdict::supported), count(Verdict::refuted),
-             count(Verdict::undecided));
-  return count(Verdict::supported) == long(checks.size());
+  fmt::print("{} supported, {} refuted, {} undecided\n", count(checks::Verdict::supported),
+             count(checks::Verdict::refuted), count(checks::Verdict::undecided));
+  return count(checks::Verdict::supported) == long(checks.size());
 }
 
 // Prints deviations from the stored reference; returns whether all are within the tolerances.
-bool report_deviations(const CheckOptions& options, const ResultReader& result,
-                       const std::vector<CheckResult>& checks) {
-  const std::string path = reference_path(options.reference, result.text("name"));
+bool report_deviations(const CheckOptions& options, const results::ResultReader& result,
+                       const std::vector<checks::CheckResult>& checks) {
+  const std::string path = checks::reference_path(options.reference, result.text("name"));
   if (!std::filesystem::exists(path)) {
     fmt::print(
         "FAILED: {}: no such reference; `bristle reference update {} --reason \"...\"` creates it from a "
@@ -43,23 +43,26 @@ bool report_deviations(const CheckOptions& options, const ResultReader& result,
         path, options.file);
     return false;
   }
-  const DeviationReport report = compare_with_reference(read_reference(path), make_reference(result, checks));
-  fmt::print("{}", deviation_text(report, result, path));
+  const checks::DeviationReport report =
+      checks::compare_with_reference(checks::read_reference(path), checks::make_reference(result, checks));
+  fmt::print("{}", checks::deviation_text(report, result, path));
   return !report.failed();
 }
 
 // Prints deviations and replay commands as JSON; "deviation" is
 // null if there is no reference. Returns whether no check failed.
-bool print_json(const CheckOptions& options, const ResultReader& result,
-                const std::vector<CheckResult>& checks) {
-  const std::string path = reference_path(options.reference, result.text("name"));
-  Json out = {{"file", options.file}, {"deviation", nullptr}, {"replay", replay_json(result)}};
+bool print_json(const CheckOptions& options, const results::ResultReader& result,
+                const std::vector<checks::CheckResult>& checks) {
+  const std::string path = checks::reference_path(options.reference, result.text("name"));
+  Json out = {{"file", options.file}, {"deviation", nullptr}, {"replay", checks::replay_json(result)}};
   if (std::filesystem::exists(path))
-    out["deviation"] = deviation_json(
-        compare_with_reference(read_reference(path), make_reference(result, checks)), result, path);
+    out["deviation"] = checks::deviation_json(
+        checks::compare_with_reference(checks::read_reference(path), checks::make_reference(result, checks)),
+        result, path);
   fmt::print("{}\n", out.dump(1));
-  const bool claims_supported = std::all_of(
-      checks.begin(), checks.end(), [](const CheckResult& c) { return c.verdict == Verdict::supported; });
+  const bool claims_supported = std::all_of(checks.begin(), checks.end(), [](const checks::CheckResult& c) {
+    return c.verdict == checks::Verdict::supported;
+  });
   const bool reference_failed = out["deviation"].is_null() || out["deviation"]["failed"].get<bool>();
   return (claims_supported || options.report_only) && (!reference_failed || options.claims_only);
 }
@@ -67,24 +70,24 @@ bool print_json(const CheckOptions& options, const ResultReader& result,
 }  // namespace
 
 int diff_command(const DiffOptions& options) {
-  const ResultReader a(options.a), b(options.b);
-  const Diff diff = diff_results(a, b, options.tolerances);
-  fmt::print("{}", diff_text(diff));
+  const results::ResultReader a(options.a), b(options.b);
+  const checks::Diff diff = checks::diff_results(a, b, options.tolerances);
+  fmt::print("{}", checks::diff_text(diff));
   return diff.agree() ? kSuccess : kCheckFailed;
 }
 
 int check_command(const CheckOptions& options) {
-  const ResultReader result(options.file);
-  const auto checks = evaluate_checks(result);
+  const results::ResultReader result(options.file);
+  const auto checks = checks::evaluate_checks(result);
   if (options.json) return print_json(options, result, checks) ? kSuccess : kCheckFailed;
   const bool claims = report_claims(options, checks) || options.report_only;
   const bool reference = options.claims_only || report_deviations(options, result, checks);
   return claims && reference ? kSuccess : kCheckFailed;
 }
 
-int reference_update_command(ReferenceUpdate update) {
-  update.day = utc_now().substr(0, 10);
-  const std::string entry = update_reference(update);
+int reference_update_command(checks::ReferenceUpdate update) {
+  update.day = run::utc_now().substr(0, 10);
+  const std::string entry = checks::update_reference(update);
   if (entry.empty()) fmt::print("unchanged: the reference already has these values; nothing was written\n");
   else
     fmt::print("recorded in {}:\n{}", (std::filesystem::path(update.folder) / "CHANGELOG.md").string(),
@@ -92,4 +95,4 @@ int reference_update_command(ReferenceUpdate update) {
   return kSuccess;
 }
 
-}  // namespace bristle
+}  // namespace bristle::cli

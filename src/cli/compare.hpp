@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace bristle {
+namespace bristle::cli {
 
 struct CheckOptions {
   std::string file, reference = "reference";
@@ -16,13 +16,13 @@ struct CheckOptions {
 
 struct DiffOptions {
   std::string a, b;
-  Tolerances tolerances;
+  checks::Tolerances tolerances;
 };
 
 // The commands `check`, `diff` and `reference update`. They
 // return the exit code and throw InputError or RunError.
 int check_command(const CheckOptions& options);
 int diff_command(const DiffOptions& options);
-int reference_update_command(ReferenceUpdate update);
+int reference_update_command(checks::ReferenceUpdate update);
 
-}  // namespace bristle
+}  // namespace bristle::cli

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace bristle {
+namespace bristle::cli {
 
 enum ExitCode {
   kSuccess = 0,
@@ -9,4 +9,4 @@ enum ExitCode {
   kCouldNotFinish = 3
 };
 
-}  // namespace bristle
+}  // namespace bristle::cli

@@ -12,11 +12,11 @@
 #include <algorithm>
 #include <cmath>
 
-namespace bristle {
+namespace bristle::cli {
 namespace {
 
-void print_variable(const ResultReader& result, const std::string& name) {
-  const Variable v = result.variable(name);
+void print_variable(const results::ResultReader& result, const std::string& name) {
+  const results::Variable v = result.variable(name);
   double low = INFINITY, high = -INFINITY;
   std::size_t values = 0;
   for (const double x : v.values)
@@ -35,15 +35,15 @@ void print_variable(const ResultReader& result, const std::string& name) {
 }
 
 // Prints which part of the sweep the file contains, and reduces status to its points.
-void restrict_to_part(const ResultReader& result, Variable& status) {
+void restrict_to_part(const results::ResultReader& result, results::Variable& status) {
   const std::size_t points = grid_size(result.sweep_shape());
   const auto own = result.part_points();
   if (points == 0 || status.values.size() % points != 0 || (!own.empty() && own.back() >= points))
     throw InputError(
         fmt::format("{}: damaged: status, part/points and the sweep are inconsistent", result.path()));
   const std::size_t nodes = status.values.size() / points;  // of a traced curve; otherwise 1
-  fmt::print("part {}: {} of {} points; {}\n", shard_text(*result.shard()), own.size(), points,
-             how_to_merge(result.path(), *result.shard()));
+  fmt::print("part {}: {} of {} points; {}\n", results::shard_text(*result.shard()), own.size(), points,
+             results::how_to_merge(result.path(), *result.shard()));
   std::vector<double> kept;
   for (const std::size_t p : own)
     kept.insert(kept.end(), status.values.begin() + long(p * nodes),
@@ -51,17 +51,17 @@ void restrict_to_part(const ResultReader& result, Variable& status) {
   status.values = std::move(kept);
 }
 
-void print_statuses(const ResultReader& result) {
-  Variable status = result.variable("status");
+void print_statuses(const results::ResultReader& result) {
+  results::Variable status = result.variable("status");
   if (result.shard()) restrict_to_part(result, status);
   fmt::print("points:{}", status.values.empty() ? " none" : "");
-  for (std::size_t s = 0; s < kPointStatusNames.size(); ++s)
+  for (std::size_t s = 0; s < results::kPointStatusNames.size(); ++s)
     if (const auto n = std::count(status.values.begin(), status.values.end(), double(s)))
-      fmt::print(" {} {}", n, kPointStatusNames[s]);
+      fmt::print(" {} {}", n, results::kPointStatusNames[s]);
   fmt::print("\n");
 }
 
-void print_provenance(const ResultReader& result) {
+void print_provenance(const results::ResultReader& result) {
   const auto provenance = result.provenance();
   if (provenance.empty()) return;
   // Order of the entries; all others follow.
@@ -80,9 +80,9 @@ void print_provenance(const ResultReader& result) {
 }  // namespace
 
 int info_command(const std::string& file) {
-  const ResultReader result(file, Expected::either);
+  const results::ResultReader result(file, results::Expected::either);
   const std::string stored = result.text("payload_sha256");
-  const bool intact = payload_sha256(result.file()) == stored;
+  const bool intact = results::payload_sha256(result.file()) == stored;
   fmt::print("{}: {}\n", file, result.text("title"));
   fmt::print("schema {}, experiment {}\npayload sha256 {}{}\n", result.text("schema_version"),
              result.text("name"), stored, intact ? " (verified)" : " DOES NOT MATCH THE NUMBERS");
@@ -93,4 +93,4 @@ int info_command(const std::string& file) {
   return intact ? kSuccess : kCheckFailed;
 }
 
-}  // namespace bristle
+}  // namespace bristle::cli

@@ -18,6 +18,7 @@
 namespace {
 
 using namespace bristle;
+using namespace bristle::cli;
 
 void add_experiment(CLI::App& command, RunOptions& options) {
   command.add_option("EXPERIMENT", options.experiment, "experiment file (JSON)")->required();
@@ -87,7 +88,7 @@ CLI::App* add_merge(CLI::App& app, MergeOptions& merge) {
   return command;
 }
 
-CLI::App* add_assumptions(CLI::App& app, AssumptionsOptions& options) {
+CLI::App* add_assumptions(CLI::App& app, assumptions::AssumptionsOptions& options) {
   auto* command = app.add_subcommand(
       "assumptions", "evaluate every claim under alternatives for the choices that the paper leaves open");
   command->add_option("FILES", options.files, "files of assumptions [all in <experiments>/assumptions]");
@@ -105,7 +106,7 @@ CLI::App* add_assumptions(CLI::App& app, AssumptionsOptions& options) {
   return command;
 }
 
-CLI::App* add_reference_update(CLI::App& app, ReferenceUpdate& update) {
+CLI::App* add_reference_update(CLI::App& app, checks::ReferenceUpdate& update) {
   auto* reference = app.add_subcommand("reference", "the stored values that `check` compares with");
   reference->require_subcommand(1);
   auto* command = reference->add_subcommand(
@@ -116,7 +117,7 @@ CLI::App* add_reference_update(CLI::App& app, ReferenceUpdate& update) {
   return command;
 }
 
-CLI::App* add_archive(CLI::App& app, ArchiveOptions& archive) {
+CLI::App* add_archive(CLI::App& app, archive::ArchiveOptions& archive) {
   auto* command = app.add_subcommand("archive", "write the results of all figures into one citable archive");
   command->add_option("-o,--output", archive.output, "archive [dist/bristle-<version>.tar]");
   command->add_option("--results", archive.results, "folder of the results")->capture_default_str();
@@ -142,21 +143,23 @@ class CommandLine {
   CommandLine(int argc, char** argv) {
     for (int i = 0; i < argc; ++i) command_line_ += fmt::format("{}{}", i ? " " : "", shell_quoted(argv[i]));
     run_.command_line = merge_.command_line = assumptions_.command_line = command_line_;
-    app_.set_version_flag("--version", fmt::format("bristle {} ({})", kVersion, kCommit));
+    app_.set_version_flag("--version", fmt::format("bristle {} ({})", run::kVersion, run::kCommit));
     app_.require_subcommand(1);
     app_.footer(
         "Exit codes: 0 success; 1 a check failed; 2 wrong input or command line; "
         "3 the run could not finish.");
-    set_action(add_run(app_, run_), [this] { return run_command(run_); });
-    set_action(add_validate(app_, run_), [this] { return validate_command(run_); });
-    set_action(add_info(app_, info_file_), [this] { return info_command(info_file_); });
-    set_action(add_check(app_, check_), [this] { return check_command(check_); });
-    set_action(add_diff(app_, diff_), [this] { return diff_command(diff_); });
-    set_action(add_merge(app_, merge_), [this] { return merge_command(merge_); });
-    set_action(add_archive(app_, archive_), [this] { return archive_command(archive_); });
-    set_action(add_verify(app_, verify_), [this] { return verify_command(verify_); });
-    set_action(add_assumptions(app_, assumptions_), [this] { return assumptions_command(assumptions_); });
-    set_action(add_reference_update(app_, update_), [this] { return reference_update_command(update_); });
+    set_action(add_run(app_, run_), [this] { return cli::run_command(run_); });
+    set_action(add_validate(app_, run_), [this] { return cli::validate_command(run_); });
+    set_action(add_info(app_, info_file_), [this] { return cli::info_command(info_file_); });
+    set_action(add_check(app_, check_), [this] { return cli::check_command(check_); });
+    set_action(add_diff(app_, diff_), [this] { return cli::diff_command(diff_); });
+    set_action(add_merge(app_, merge_), [this] { return cli::merge_command(merge_); });
+    set_action(add_archive(app_, archive_), [this] { return cli::archive_command(archive_); });
+    set_action(add_verify(app_, verify_), [this] { return cli::verify_command(verify_); });
+    set_action(add_assumptions(app_, assumptions_),
+               [this] { return cli::assumptions_command(assumptions_); });
+    set_action(add_reference_update(app_, update_),
+               [this] { return cli::reference_update_command(update_); });
   }
 
   // Runs the selected command; returns the exit code.
@@ -164,7 +167,7 @@ class CommandLine {
     try {
       app_.parse(argc, argv);
     } catch (const CLI::ParseError& e) {
-      return app_.exit(e) == 0 ? kSuccess : kBadInput;
+      return app_.exit(e) == 0 ? cli::kSuccess : cli::kBadInput;
     }
     return selected_();
   }
@@ -183,10 +186,10 @@ class CommandLine {
   CheckOptions check_;
   DiffOptions diff_;
   MergeOptions merge_;
-  ArchiveOptions archive_;
+  archive::ArchiveOptions archive_;
   VerifyOptions verify_;
-  AssumptionsOptions assumptions_;
-  ReferenceUpdate update_;
+  assumptions::AssumptionsOptions assumptions_;
+  checks::ReferenceUpdate update_;
 };
 
 }  // namespace
@@ -198,9 +201,9 @@ int main(int argc, char** argv) {
     return CommandLine(argc, argv).dispatch(argc, argv);
   } catch (const InputError& e) {
     fmt::print(stderr, "bristle: {}\n", e.what());
-    return kBadInput;
+    return cli::kBadInput;
   } catch (const std::exception& e) {
     fmt::print(stderr, "bristle: {}\n", e.what());
-    return kCouldNotFinish;
+    return cli::kCouldNotFinish;
   }
 }

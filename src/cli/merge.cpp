@@ -6,15 +6,15 @@
 
 #include <fmt/format.h>
 
-namespace bristle {
+namespace bristle::cli {
 
 int merge_command(const MergeOptions& options) {
-  install_signal_handlers();
-  PartSet parts(options.parts);
-  merge_parts(parts, options.output, options.command_line, interrupted);
+  run::install_signal_handlers();
+  run::PartSet parts(options.parts);
+  run::merge_parts(parts, options.output, options.command_line, run::interrupted);
   fmt::print("{}: {} points of {} parts, payload sha256 {}\n", options.output, parts.experiment().points(),
-             parts.parts().size(), ResultReader(options.output).text("payload_sha256"));
+             parts.parts().size(), results::ResultReader(options.output).text("payload_sha256"));
   return kSuccess;
 }
 
-}  // namespace bristle
+}  // namespace bristle::cli

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace bristle {
+namespace bristle::cli {
 
 struct MergeOptions {
   std::vector<std::string> parts;
@@ -13,4 +13,4 @@ struct MergeOptions {
 // The command `merge`. Returns the exit code; throws InputError or RunError.
 int merge_command(const MergeOptions& options);
 
-}  // namespace bristle
+}  // namespace bristle::cli

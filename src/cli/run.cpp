@@ -11,12 +11,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-namespace bristle {
+namespace bristle::cli {
 namespace {
 
 // Prevents a part from replacing a whole result.
 void require_no_whole_result(const std::string& path) {
-  if (holds_whole_result(path))
+  if (results::holds_whole_result(path))
     throw InputError(fmt::format(
         "-o {}: contains a whole result, which the part would replace; choose another name for the part",
         path));
@@ -31,8 +31,8 @@ void choose_instruction_set(const std::string& name) {
 }
 
 Experiment load_checked(const RunOptions& options) {
-  Experiment experiment = load_experiment(options.experiment, {options.set, options.tier});
-  validate_checks(experiment);
+  Experiment experiment = experiment::load_experiment(options.experiment, {options.set, options.tier});
+  checks::validate_checks(experiment);
   return experiment;
 }
 
@@ -40,21 +40,21 @@ Experiment load_checked(const RunOptions& options) {
 
 int run_command(const RunOptions& options) {
   choose_instruction_set(options.instruction_set);
-  std::optional<Shard> shard;
-  if (options.shard) shard = parse_shard(*options.shard);
+  std::optional<results::Shard> shard;
+  if (options.shard) shard = results::parse_shard(*options.shard);
   const Experiment experiment = load_checked(options);
   const std::string whole_path = fmt::format("results/{}.h5", experiment.name);
-  const std::string default_path = shard ? part_path(whole_path, *shard) : whole_path;
-  const Task task{experiment, shard, options.output.empty() ? default_path : options.output};
+  const std::string default_path = shard ? results::part_path(whole_path, *shard) : whole_path;
+  const run::Task task{experiment, shard, options.output.empty() ? default_path : options.output};
   if (shard) require_no_whole_result(task.path);
-  run_task(task, {options.threads, options.force, options.quiet, options.command_line});
+  run::run_task(task, {options.threads, options.force, options.quiet, options.command_line});
   return kSuccess;
 }
 
 int validate_command(const RunOptions& options) {
   const Experiment e = load_checked(options);
   std::string sweep;
-  for (const Axis& axis : e.axes)
+  for (const experiment::Axis& axis : e.axes)
     sweep += fmt::format("{}{} ({} from {:.6g} to {:.6g})", sweep.empty() ? "" : " x ", axis.name,
                          axis.values.size(), axis.values.front(), axis.values.back());
   fmt::print("{}: valid. {}: {} point{}{}{}, {} check{}\n", options.experiment, e.name, e.points(),
@@ -63,4 +63,4 @@ int validate_command(const RunOptions& options) {
   return kSuccess;
 }
 
-}  // namespace bristle
+}  // namespace bristle::cli

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace bristle {
+namespace bristle::cli {
 
 struct RunOptions {
   std::string experiment, output;  // empty output: results/<name>.h5
@@ -21,4 +21,4 @@ struct RunOptions {
 int run_command(const RunOptions& options);
 int validate_command(const RunOptions& options);
 
-}  // namespace bristle
+}  // namespace bristle::cli

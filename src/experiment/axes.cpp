@@ -10,7 +10,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-namespace bristle {
+namespace bristle::experiment {
 namespace {
 
 class AxisReader {
@@ -142,4 +142,4 @@ std::vector<Axis> read_axes(const Document& document) {
   return axes;
 }
 
-}  // namespace bristle
+}  // namespace bristle::experiment

@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace bristle {
+namespace bristle::experiment {
 namespace {
 
 using Object = nlohmann::json;  // sorted keys; numbers in the shortest form that reads back exactly
@@ -69,4 +69,4 @@ std::string canonical_point(const Experiment& experiment, std::size_t index) {
   return out.dump();
 }
 
-}  // namespace bristle
+}  // namespace bristle::experiment

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-namespace bristle {
+namespace bristle::experiment {
 namespace {
 
 class CheckReader {
@@ -88,4 +88,4 @@ std::string selection_text(const Selection& selection) {
   return std::visit([](const auto& value) { return shown(Json(value)); }, selection);
 }
 
-}  // namespace bristle
+}  // namespace bristle::experiment

@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-namespace bristle {
+namespace bristle::experiment {
 
 // Selects points by a word of a choice, a value, or a range [from, to] of values.
 using Selection = std::variant<std::string, double, std::array<double, 2>>;
@@ -58,4 +58,4 @@ std::vector<Check> read_checks(const Json& document, const std::string& source);
 // The JSON text of a selection, for messages.
 std::string selection_text(const Selection& selection);
 
-}  // namespace bristle
+}  // namespace bristle::experiment

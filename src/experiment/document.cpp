@@ -12,7 +12,7 @@
 #include <fstream>
 #include <set>
 
-namespace bristle {
+namespace bristle::experiment {
 namespace fs = std::filesystem;
 namespace {
 
@@ -161,4 +161,4 @@ std::string Document::origin(const JsonPointer& pointer) const {
   return path_;
 }
 
-}  // namespace bristle
+}  // namespace bristle::experiment

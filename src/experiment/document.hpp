@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace bristle {
+namespace bristle::experiment {
 
 // Changes to an experiment file that the command line requests.
 struct DocumentOptions {
@@ -48,4 +48,4 @@ class Document {
   std::shared_ptr<const Json> merged_;
 };
 
-}  // namespace bristle
+}  // namespace bristle::experiment

@@ -16,7 +16,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-namespace bristle {
+namespace bristle::experiment {
 namespace {
 
 constexpr double kDegree = M_PI / 180;
@@ -198,7 +198,7 @@ std::vector<std::size_t> Experiment::shape() const {
   return s;
 }
 
-bool Experiment::swept(const std::string& axis) const { return bristle::swept(axes, axis); }
+bool Experiment::swept(const std::string& axis) const { return experiment::swept(axes, axis); }
 
 bool Experiment::on_lattice() const {
   return base.setup.orientation.sampling == Sampling::lattice || swept("sampling");
@@ -242,4 +242,4 @@ Experiment stored_experiment(const Json& document, const std::string& tier, cons
   return experiment;
 }
 
-}  // namespace bristle
+}  // namespace bristle::experiment

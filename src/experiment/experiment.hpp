@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace bristle {
+namespace bristle::experiment {
 
 // One dimension of a sweep: the name of a Sweepable, and its ascending values or, for a choice, the indices
 // of its options.
@@ -44,4 +44,8 @@ Experiment load_experiment(const std::string& path, const DocumentOptions& optio
 // The experiment of a result file, from the document and the tier stored there. Throws as load_experiment().
 Experiment stored_experiment(const Json& document, const std::string& tier, const std::string& source);
 
-}  // namespace bristle
+}  // namespace bristle::experiment
+
+namespace bristle {
+using experiment::Experiment;
+}

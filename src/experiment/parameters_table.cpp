@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace bristle {
+namespace bristle::experiment {
 
 namespace {
 
@@ -57,4 +57,4 @@ const std::vector<Choice>& choices_table() {
   return table;
 }
 
-}  // namespace bristle
+}  // namespace bristle::experiment

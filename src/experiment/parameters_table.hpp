@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace bristle {
+namespace bristle::experiment {
 
 // A number of the experiment's model block. Its range is declared in experiment.schema.json; a test compares
 // names and descriptions of the two.
@@ -31,4 +31,4 @@ struct Choice {
 
 const std::vector<Choice>& choices_table();
 
-}  // namespace bristle
+}  // namespace bristle::experiment

@@ -13,7 +13,7 @@
 #include <valijson/validation_results.hpp>
 #include <valijson/validator.hpp>
 
-namespace bristle {
+namespace bristle::experiment {
 namespace {
 
 using Plain = nlohmann::json;  // the type that valijson's adapter requires
@@ -163,4 +163,4 @@ void check_parameter(const Document& document, const JsonPointer& at, const std:
                                               allowed_by_schema(schema)));
 }
 
-}  // namespace bristle
+}  // namespace bristle::experiment

@@ -2,7 +2,7 @@
 
 #include "experiment/document.hpp"
 
-namespace bristle {
+namespace bristle::experiment {
 
 // Checks the merged document against the experiment schema (src/experiment/experiment.schema.json) or against
 // the text of another schema. Throws InputError with source, JSON pointer, the invalid value and what is
@@ -19,4 +19,4 @@ std::string allowed_by_schema(const Json& schema);
 void check_parameter(const Document& document, const JsonPointer& at, const std::string& parameter,
                      double value);
 
-}  // namespace bristle
+}  // namespace bristle::experiment

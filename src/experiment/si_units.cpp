@@ -8,7 +8,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-namespace bristle {
+namespace bristle::experiment {
 namespace {
 
 SiScales scales_of(const PointInput& input) {
@@ -59,7 +59,7 @@ const std::vector<SiQuantity>& si_quantities() {
 }
 
 void read_si_units(const Document& document, const std::vector<Axis>& axes, PointInput& input) {
-  const auto swept = [&](const std::string& name) { return bristle::swept(axes, name); };
+  const auto swept = [&](const std::string& name) { return experiment::swept(axes, name); };
   const Json& json = document.json();
   const bool given = json.contains("si");
   const auto has = [&](const char* key) { return (given && json["si"].contains(key)) || swept(key); };
@@ -98,4 +98,4 @@ double force_unit(const PointInput& input) {
   return scales_of(input).force;
 }
 
-}  // namespace bristle
+}  // namespace bristle::experiment

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace bristle {
+namespace bristle::experiment {
 
 // One unit of each dimensionless quantity in SI units.
 struct SiScales {
@@ -43,4 +43,4 @@ void apply_si_units(PointInput& input);
 // Newtons per unit of dimensionless force; NaN without SI quantities.
 double force_unit(const PointInput& input);
 
-}  // namespace bristle
+}  // namespace bristle::experiment

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace bristle {
+namespace bristle::experiment {
 namespace {
 
 Sweepable of_model(const ParameterEntry& entry) {
@@ -76,4 +76,4 @@ const Sweepable* find_sweepable(const std::string& name) {
   return found == table.end() ? nullptr : &*found;
 }
 
-}  // namespace bristle
+}  // namespace bristle::experiment

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace bristle {
+namespace bristle::experiment {
 
 // Input of one point of the sweep.
 struct PointInput {
@@ -32,4 +32,4 @@ const std::vector<Sweepable>& sweepables();
 // Null for an unknown name.
 const Sweepable* find_sweepable(const std::string& name);
 
-}  // namespace bristle
+}  // namespace bristle::experiment

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace bristle {
+namespace bristle::experiment {
 
 // The words in experiments for the values 0, 1, ... of an enumeration. A test compares them with the schema.
 template <class Enum>
@@ -52,4 +52,4 @@ Enum from_word(const std::string& text) {
   return Enum(std::find(list.begin(), list.end(), text) - list.begin());
 }
 
-}  // namespace bristle
+}  // namespace bristle::experiment

@@ -13,13 +13,13 @@
 #include <nlohmann/json.hpp>
 #include <algorithm>
 
-namespace bristle {
+namespace bristle::results {
 namespace {
 
 bool fixed(const Experiment& e, const std::string& name) { return !e.swept(name); }
 
 // A value with symbol and unit as mathtext, with powers of ten: "$m = 10^{-4}$ kg".
-std::string quantity(const SiQuantity& q, double value) {
+std::string quantity(const experiment::SiQuantity& q, double value) {
   std::string number = fmt::format("{:.4g}", value);
   if (const auto e = number.find('e'); e != std::string::npos) {
     const std::string mantissa = number.substr(0, e);
@@ -33,7 +33,7 @@ std::string quantity(const SiQuantity& q, double value) {
 
 std::vector<std::string> si_parts(const Experiment& e) {
   std::vector<std::string> parts;
-  for (const SiQuantity& q : si_quantities())
+  for (const experiment::SiQuantity& q : experiment::si_quantities())
     if (fixed(e, q.name) && e.base.si.contains(q.name)) parts.push_back(quantity(q, e.base.si.at(q.name)));
   return parts;
 }
@@ -95,4 +95,4 @@ void annotate(const std::string& path, const Experiment& experiment, const std::
   file.close("closing " + path);
 }
 
-}  // namespace bristle
+}  // namespace bristle::results

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace bristle {
+namespace bristle::results {
 namespace {
 
 H5T_class_t class_of(hid_t dataset) {
@@ -73,4 +73,4 @@ bool same_bits(double a, double b) {
   return a == b && std::signbit(a) == std::signbit(b);
 }
 
-}  // namespace bristle
+}  // namespace bristle::results

@@ -7,7 +7,7 @@
 
 // Properties of the datasets of a result file, for comparisons. Names are paths from the root, such as "R_x"
 // and "bristles/theta_0".
-namespace bristle {
+namespace bristle::results {
 
 enum class DatasetKind {
   coordinate,  // values along a dimension (a dimension scale)
@@ -31,4 +31,4 @@ std::string value_text(const ResultReader& result, const std::string& name, doub
 // NaN equals NaN; zeros of opposite signs differ.
 bool same_bits(double a, double b);
 
-}  // namespace bristle
+}  // namespace bristle::results

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <algorithm>
 
-namespace bristle {
+namespace bristle::results {
 namespace {
 
 // Adds the values of a dataset to the digest, in blocks of rows.
@@ -76,4 +76,4 @@ std::string inputs_sha256(const Json& document) {
   return sha256_of(inputs.dump());
 }
 
-}  // namespace bristle
+}  // namespace bristle::results

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace bristle {
+namespace bristle::results {
 
 // SHA-256 of names, types, shapes and values of the payload: all datasets outside /checks and /provenance.
 std::string payload_sha256(hid_t file);
@@ -17,4 +17,4 @@ std::vector<std::string> payload_datasets(hid_t file);
 // figure, notes and checks.
 std::string inputs_sha256(const Json& document);
 
-}  // namespace bristle
+}  // namespace bristle::results

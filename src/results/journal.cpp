@@ -16,7 +16,7 @@
 #include <set>
 #include <unistd.h>
 
-namespace bristle {
+namespace bristle::results {
 namespace fs = std::filesystem;
 namespace {
 
@@ -44,7 +44,8 @@ bool may_be_truncated_journal(const std::string& path) {
 }  // namespace
 
 std::string point_key(const Experiment& experiment, std::size_t index) {
-  return sha256_of(fmt::format("numerics {}: {}", kNumericsVersion, canonical_point(experiment, index)));
+  return sha256_of(
+      fmt::format("numerics {}: {}", kNumericsVersion, experiment::canonical_point(experiment, index)));
 }
 
 bool is_dirty(const std::string& commit) { return commit.ends_with("-dirty") || commit == "unknown"; }
@@ -134,4 +135,4 @@ void Journal::adopt(const Experiment& experiment, const std::vector<std::size_t>
   }
 }
 
-}  // namespace bristle
+}  // namespace bristle::results

@@ -6,7 +6,7 @@
 #include <string>
 #include <unordered_map>
 
-namespace bristle {
+namespace bristle::results {
 
 // Key of a point in journals: SHA-256 of canonical_point() and kNumericsVersion.
 std::string point_key(const Experiment& experiment, std::size_t index);
@@ -59,4 +59,4 @@ class Journal {
   std::unordered_map<std::string, Entry> entries_;
 };
 
-}  // namespace bristle
+}  // namespace bristle::results

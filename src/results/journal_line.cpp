@@ -8,7 +8,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-namespace bristle {
+namespace bristle::results {
 namespace {
 
 constexpr std::size_t kDigestLength = 64;
@@ -100,4 +100,4 @@ std::optional<std::string> schema_of(std::string_view line) {
   return text ? take_word(*text, R"({"schema":")") : std::nullopt;
 }
 
-}  // namespace bristle
+}  // namespace bristle::results

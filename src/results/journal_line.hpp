@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace bristle {
+namespace bristle::results {
 
 // A line of a journal: one finished point.
 struct JournalLine {
@@ -25,4 +25,4 @@ std::optional<JournalLine> head_of(std::string_view line);
 // The schema of a line. None if the checksum does not match.
 std::optional<std::string> schema_of(std::string_view line);
 
-}  // namespace bristle
+}  // namespace bristle::results

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <charconv>
 
-namespace bristle {
+namespace bristle::results {
 namespace {
 
 constexpr const char* kExtension = ".h5";
@@ -61,4 +61,4 @@ std::string how_to_merge(const std::string& path, const Shard& shard) {
   return fmt::format("bristle merge -o {}{} {}.*-of-{}{}", whole, kExtension, whole, shard.count, kExtension);
 }
 
-}  // namespace bristle
+}  // namespace bristle::results

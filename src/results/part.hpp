@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace bristle {
+namespace bristle::results {
 
 // A share of a sweep that is computed separately: number 1 to count.
 struct Shard {
@@ -25,4 +25,4 @@ std::string part_path(const std::string& whole, const Shard& shard);
 // The command that merges path with the other parts.
 std::string how_to_merge(const std::string& path, const Shard& shard);
 
-}  // namespace bristle
+}  // namespace bristle::results

@@ -13,7 +13,7 @@
 #include <filesystem>
 #include <sstream>
 
-namespace bristle {
+namespace bristle::results {
 
 ResultReader::ResultReader(const std::string& path, Expected expected) : path_(path) {
   if (!std::filesystem::is_regular_file(path))
@@ -52,7 +52,7 @@ std::vector<std::size_t> ResultReader::part_points() const {
   std::vector<double> numbers(h5::length_of(dataset));
   if (!numbers.empty()) h5::read_part(dataset, H5T_NATIVE_DOUBLE, {0}, {numbers.size()}, numbers.data());
   for (std::size_t i = 0; i < numbers.size(); ++i)
-    if (!(numbers[i] >= 0 && numbers[i] < kMaxPoints) || numbers[i] != std::floor(numbers[i]) ||
+    if (!(numbers[i] >= 0 && numbers[i] < experiment::kMaxPoints) || numbers[i] != std::floor(numbers[i]) ||
         (i > 0 && numbers[i] <= numbers[i - 1]))
       throw RunError(
           fmt::format("part/points: {} is not the index of a point, or not in ascending order", numbers[i]));
@@ -161,4 +161,4 @@ Json ResultReader::experiment() const {
   }
 }
 
-}  // namespace bristle
+}  // namespace bristle::results

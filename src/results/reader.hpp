@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace bristle {
+namespace bristle::results {
 
 // A numeric variable of a result file, values in row-major order.
 struct Variable {
@@ -64,4 +64,4 @@ bool up_to_date(const std::string& path, const Experiment& experiment,
 // are the computed values.
 std::string axis_variable(const std::string& name);
 
-}  // namespace bristle
+}  // namespace bristle::results

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace bristle {
+namespace bristle::results {
 namespace {
 
 // The sign of a computed NaN depends on processor and compiler.
@@ -75,7 +75,7 @@ Rows read_rows(hid_t file, const std::string& table, std::size_t index) {
 
 bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](double x, double y) { return bristle::same_bits(x, y); });
+                    [](double x, double y) { return results::same_bits(x, y); });
 }
 
 bool same_bits(const Rows& a, const Rows& b) {
@@ -192,4 +192,4 @@ std::vector<std::string> differences(const PointRecord& a, const PointRecord& b)
   return out;
 }
 
-}  // namespace bristle
+}  // namespace bristle::results

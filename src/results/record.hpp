@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace bristle {
+namespace bristle::results {
 
 // The numbers of one sweep point in the form of a result file. Runs compute records, journals store them, and
 // merging and verifying read them. Every NaN has the same bits.
@@ -32,4 +32,4 @@ bool fits(const PointRecord& record, const Experiment& experiment);
 // Datasets and tables whose bits differ, or which only one of the records has.
 std::vector<std::string> differences(const PointRecord& a, const PointRecord& b);
 
-}  // namespace bristle
+}  // namespace bristle::results

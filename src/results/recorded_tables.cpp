@@ -4,7 +4,7 @@
 
 #include <map>
 
-namespace bristle {
+namespace bristle::results {
 namespace {
 
 // A column and the function that gives its value for a record.
@@ -152,4 +152,4 @@ Rows slab_force_rows(const SlabForce& force) {
   return {t, force.R_n, force.R_x, force.R_y, force.N_c};
 }
 
-}  // namespace bristle
+}  // namespace bristle::results

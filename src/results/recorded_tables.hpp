@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace bristle {
+namespace bristle::results {
 
 // Tables that an experiment may record: bristles, trajectories, slab_force. The first column of a table in
 // the file is "point", the index of the sweep point; table_columns() and the *_rows() functions omit it.
@@ -17,4 +17,4 @@ Rows bristle_rows(const std::vector<Passage>& bristles);
 Rows slab_force_rows(const SlabForce& force);
 Rows trajectory_rows(const Trajectory& trajectory);
 
-}  // namespace bristle
+}  // namespace bristle::results

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-namespace bristle {
+namespace bristle::results {
 
 void describe(hid_t dataset, const std::string& long_name, const std::string& symbol,
               const std::string& equation, const std::string& units) {
@@ -54,4 +54,4 @@ void Table::close() {
   group_.close("closing /" + name_);
 }
 
-}  // namespace bristle
+}  // namespace bristle::results

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace bristle {
+namespace bristle::results {
 
 // A column of a table in a result file.
 struct Column {
@@ -38,4 +38,4 @@ void describe(hid_t dataset, const std::string& long_name, const std::string& sy
               const std::string& equation, const std::string& units = "1");
 void describe_flags(hid_t dataset, const std::vector<std::string>& names);
 
-}  // namespace bristle
+}  // namespace bristle::results

@@ -2,7 +2,7 @@
 
 #include "ensemble/derived.hpp"
 
-namespace bristle {
+namespace bristle::results {
 namespace {
 
 using Value = ResultVariable::Value;
@@ -153,4 +153,4 @@ const std::vector<std::string> kBranchNames = {"unstable", "loading", "unloading
 const std::vector<std::string> kOutcomeNames = {"left", "pinned", "step_limit", "not_finite"};
 const std::vector<std::string> kPhaseNames = {"off_slab", "stick", "side_slip", "slip"};
 
-}  // namespace bristle
+}  // namespace bristle::results

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace bristle {
+namespace bristle::results {
 
 // A variable of the result file, with one value per sweep point.
 struct ResultVariable {
@@ -23,4 +23,4 @@ std::vector<ResultVariable> result_variables(const Experiment& experiment);
 // Flag meanings, in the order of PointStatus, Branch, Outcome and Phase.
 extern const std::vector<std::string> kPointStatusNames, kBranchNames, kOutcomeNames, kPhaseNames;
 
-}  // namespace bristle
+}  // namespace bristle::results

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace bristle {
+namespace bristle::results {
 
 constexpr const char* kResultSchema = "bristle-result/1";
 // A part has the layout of the whole result, with values at its own points only. Its different schema
@@ -10,4 +10,4 @@ constexpr const char* kPartSchema = "bristle-part/1";
 // Version of physics and numerics. Increase it when results may change.
 constexpr long kNumericsVersion = 4;
 
-}  // namespace bristle
+}  // namespace bristle::results

@@ -14,7 +14,7 @@
 #include <numeric>
 #include <unistd.h>
 
-namespace bristle {
+namespace bristle::results {
 namespace fs = std::filesystem;
 
 ResultWriter::ResultWriter(const Experiment& experiment, const std::string& path,
@@ -36,7 +36,7 @@ ResultWriter::ResultWriter(const Experiment& experiment, const std::string& path
 
 void ResultWriter::create() {
   file_ = h5::create_file(partial_);
-  for (const Axis& axis : experiment_.axes) create_axis(axis);
+  for (const experiment::Axis& axis : experiment_.axes) create_axis(axis);
   if (curves_) {
     const std::size_t nodes = std::size_t(experiment_.base.loading.trace->nodes);
     std::vector<double> numbers(nodes);
@@ -61,8 +61,8 @@ void ResultWriter::create_part() {
   group.close("closing /part");
 }
 
-void ResultWriter::create_axis(const Axis& axis) {
-  const Sweepable& what = *find_sweepable(axis.name);
+void ResultWriter::create_axis(const experiment::Axis& axis) {
+  const experiment::Sweepable& what = *experiment::find_sweepable(axis.name);
   const bool choice = !what.options.empty();
   create_scale(axis_variable(axis.name), choice ? H5T_NATIVE_SCHAR : H5T_NATIVE_DOUBLE, axis.values,
                {what.symbol, what.description, what.units});
@@ -169,4 +169,4 @@ void ResultWriter::publish() {
   published_ = true;
 }
 
-}  // namespace bristle
+}  // namespace bristle::results

@@ -7,7 +7,7 @@
 
 #include <map>
 
-namespace bristle {
+namespace bristle::results {
 
 // Writes a result file point by point under a temporary name, which publish() replaces by the final name.
 // Without publish() an existing file remains unchanged and the temporary file is removed.
@@ -33,7 +33,7 @@ class ResultWriter {
   void create();
   void discard();
   void create_part();
-  void create_axis(const Axis& axis);
+  void create_axis(const experiment::Axis& axis);
   void create_scale(const std::string& name, hid_t type, const std::vector<double>& values,
                     const std::array<std::string, 3>& label);  // symbol, description, units
   void create_variables();
@@ -57,4 +57,4 @@ class ResultWriter {
   bool published_ = false;
 };
 
-}  // namespace bristle
+}  // namespace bristle::results

@@ -12,7 +12,7 @@
 #include <filesystem>
 #include <set>
 
-namespace bristle {
+namespace bristle::run {
 namespace {
 
 std::string provenance_entry(const Part& part, const std::string& name) {
@@ -29,9 +29,9 @@ void require_distinct_output(const std::vector<Part>& parts, const std::string& 
 }
 
 std::string part_line(const Part& part) {
-  return fmt::format("{} {}: {} points, payload sha256 {}; {} to {} on {} by {}: {}", shard_text(part.shard),
-                     std::filesystem::path(part.path).filename().string(), part.points.size(),
-                     part.payload_sha256, provenance_entry(part, "started"),
+  return fmt::format("{} {}: {} points, payload sha256 {}; {} to {} on {} by {}: {}",
+                     results::shard_text(part.shard), std::filesystem::path(part.path).filename().string(),
+                     part.points.size(), part.payload_sha256, provenance_entry(part, "started"),
                      provenance_entry(part, "finished"), provenance_entry(part, "host"),
                      provenance_entry(part, "commit"), provenance_entry(part, "command_line"));
 }
@@ -62,7 +62,7 @@ void merge_parts(PartSet& parts, const std::string& output, const std::string& c
   require_distinct_output(parts.parts(), output);
   parts.require_complete();
   const Experiment& experiment = parts.experiment();
-  ResultWriter writer(experiment, output);
+  results::ResultWriter writer(experiment, output);
   for (std::size_t i = 0; i < experiment.points(); ++i) {
     if (stop()) throw RunError(fmt::format("interrupted; {} was not changed", output));
     writer.write(i, parts.record(i));
@@ -71,9 +71,9 @@ void merge_parts(PartSet& parts, const std::string& output, const std::string& c
   entries["command_line"] = command_line;
   entries["merged"] = fmt::format("{} by bristle {} ({})", utc_now(), kVersion, kCommit);
   writer.close(entries);
-  const auto checks = evaluate_checks(ResultReader(writer.partial()));
-  write_checks(writer.partial(), checks);
+  const auto checks = checks::evaluate_checks(results::ResultReader(writer.partial()));
+  checks::write_checks(writer.partial(), checks);
   writer.publish();
 }
 
-}  // namespace bristle
+}  // namespace bristle::run

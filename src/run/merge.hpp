@@ -4,7 +4,7 @@
 
 #include <functional>
 
-namespace bristle {
+namespace bristle::run {
 
 // Writes the points of the parts as one result. Numbers and digest are those of an unsharded run; checks are
 // evaluated; /provenance lists the parts. Throws InputError for missing or contradictory points, or if the
@@ -17,4 +17,4 @@ void merge_parts(PartSet& parts, const std::string& output, const std::string& c
 // parts, the earliest start, the latest end, and one line per part.
 std::map<std::string, std::string> merged_provenance(const std::vector<Part>& parts);
 
-}  // namespace bristle
+}  // namespace bristle::run

@@ -13,25 +13,25 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-namespace bristle {
+namespace bristle::run {
 namespace {
 
 constexpr std::size_t kMaxOpenParts = 200;  // the usual limit is 1024 file descriptors per process
 constexpr std::size_t kMaxNamed = 10;       // points and shards named in a message
 
 // The command that computes this shard, derived from the command that computed the part.
-std::string shard_command(const Part& part, const Shard& shard) {
+std::string shard_command(const Part& part, const results::Shard& shard) {
   const auto line = part.provenance.find("command_line");
-  const std::string old_option = "--shard " + shard_text(part.shard),
-                    new_option = "--shard " + shard_text(shard);
+  const std::string old_option = "--shard " + results::shard_text(part.shard),
+                    new_option = "--shard " + results::shard_text(shard);
   if (line == part.provenance.end() || line->second.find(old_option) == std::string::npos)
     return "bristle run EXPERIMENT.json " + new_option;
-  return replace_all(replace_all(line->second, old_option, new_option), part_path("", part.shard),
-                     part_path("", shard));
+  return replace_all(replace_all(line->second, old_option, new_option), results::part_path("", part.shard),
+                     results::part_path("", shard));
 }
 
-void require_intact(const ResultReader& file, const Part& part, std::size_t points) {
-  const bool intact = payload_sha256(file.file()) == part.payload_sha256 &&
+void require_intact(const results::ResultReader& file, const Part& part, std::size_t points) {
+  const bool intact = results::payload_sha256(file.file()) == part.payload_sha256 &&
                       sha256_of(file.text("experiment")) == file.text("experiment_sha256");
   const bool fits = part.points.empty() || part.points.back() < points;
   if (!intact || !fits)
@@ -58,13 +58,13 @@ std::vector<std::string> differences_of(const Json& a, const Json& b) {
   return out;
 }
 
-void require_same_experiment(const ResultReader& first, const ResultReader& other) {
+void require_same_experiment(const results::ResultReader& first, const results::ResultReader& other) {
   const Json a = first.experiment(), b = other.experiment();
   if (a == b && first.text("tier") == other.text("tier")) return;
   const auto differences = differences_of(a, b);
   const std::string more =
       differences.size() > 1 ? fmt::format(" (and {} more)", differences.size() - 1) : "";
-  if (inputs_sha256(a) != inputs_sha256(b))
+  if (results::inputs_sha256(a) != results::inputs_sha256(b))
     throw InputError(fmt::format("{} and {} are parts of different experiments: {}{}", first.path(),
                                  other.path(), differences.front(), more));
   throw InputError(fmt::format(
@@ -78,7 +78,7 @@ struct Version {
   long numerics;
 };
 
-Version version_of(const ResultReader& file, const Part& part) {
+Version version_of(const results::ResultReader& file, const Part& part) {
   const auto program = part.provenance.find("version");
   return {program == part.provenance.end() ? "unknown" : program->second,
           h5::read_integer_attribute(file.file(), "numerics_version")};
@@ -97,9 +97,9 @@ void require_same_version(const Part& first, const Version& of_first, const Part
                                  version_text(of_first), other.path, version_text(of_other)));
 }
 
-ResultReader open_part(const std::string& path) {
+results::ResultReader open_part(const std::string& path) {
   try {
-    return ResultReader(path, Expected::part);
+    return results::ResultReader(path, results::Expected::part);
   } catch (const RunError& e) {
     throw InputError(fmt::format("{}: damaged: {}; compute it again", path, e.what()));
   }
@@ -120,14 +120,14 @@ std::vector<Part> PartSet::read(const std::vector<std::string>& paths) {
   std::vector<Part> parts;
   Version of_first{};
   for (const std::string& path : paths) {
-    const ResultReader file = open_part(path);
+    const results::ResultReader file = open_part(path);
     try {
       if (!file.has("provenance")) throw RunError("there is no group /provenance");
       parts.push_back(
           {path, *file.shard(), file.part_points(), file.text("payload_sha256"), file.provenance()});
       if (parts.size() == 1) {
         of_first = version_of(file, parts[0]);
-        experiment_ = stored_experiment(file.experiment(), file.text("tier"), path);
+        experiment_ = experiment::stored_experiment(file.experiment(), file.text("tier"), path);
       }
       require_intact(file, parts.back(), experiment_.points());
     } catch (const RunError& e) {
@@ -136,7 +136,7 @@ std::vector<Part> PartSet::read(const std::vector<std::string>& paths) {
     require_same_version(parts[0], of_first, parts.back(), version_of(file, parts.back()));
     require_same_experiment(open_part(paths[0]), file);
   }
-  const Version own{kVersion, kNumericsVersion};
+  const Version own{kVersion, results::kNumericsVersion};
   if (!same(of_first, own))
     throw InputError(fmt::format(
         "{} was computed by {}, but this program is {}; merge with the program that computed the parts, or "
@@ -165,7 +165,7 @@ void PartSet::require_complete() const {
     if (points.size() < kMaxNamed) points.push_back(point_label(i));
   }
   for (const std::size_t n : numbers)
-    if (shards.size() < kMaxNamed) shards.push_back(shard_text({n, example.shard.count}));
+    if (shards.size() < kMaxNamed) shards.push_back(results::shard_text({n, example.shard.count}));
   const auto more = [](std::size_t all) {
     return all > kMaxNamed ? fmt::format(" and {} more", all - kMaxNamed) : "";
   };
@@ -177,19 +177,20 @@ void PartSet::require_complete() const {
                   shard_command(example, {*numbers.begin(), example.shard.count})));
 }
 
-const ResultReader& PartSet::open(std::size_t part) {
+const results::ResultReader& PartSet::open(std::size_t part) {
   const auto found = opened_.find(part);
   if (found != opened_.end()) return found->second;
   if (opened_.size() == kMaxOpenParts) opened_.clear();
-  return opened_.try_emplace(part, parts_[part].path, Expected::part).first->second;
+  return opened_.try_emplace(part, parts_[part].path, results::Expected::part).first->second;
 }
 
-PointRecord PartSet::record(std::size_t index) {
+results::PointRecord PartSet::record(std::size_t index) {
   auto location = std::lower_bound(locations_.begin(), locations_.end(), Location{index, 0});
   const std::size_t from = location->part;
-  PointRecord out = read_record(open(from).file(), experiment_, index);
+  results::PointRecord out = results::read_record(open(from).file(), experiment_, index);
   for (++location; location != locations_.end() && location->point == index; ++location) {
-    const auto other = differences(out, read_record(open(location->part).file(), experiment_, index));
+    const auto other =
+        results::differences(out, results::read_record(open(location->part).file(), experiment_, index));
     if (!other.empty())
       throw InputError(fmt::format("{} and {} differ at point {}: {}; compute one of them again",
                                    parts_[from].path, parts_[location->part].path, point_label(index),
@@ -198,4 +199,4 @@ PointRecord PartSet::record(std::size_t index) {
   return out;
 }
 
-}  // namespace bristle
+}  // namespace bristle::run

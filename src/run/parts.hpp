@@ -7,12 +7,12 @@
 
 #include <map>
 
-namespace bristle {
+namespace bristle::run {
 
 // Contents of the file of one shard, except the numbers.
 struct Part {
   std::string path;
-  Shard shard;
+  results::Shard shard;
   std::vector<std::size_t> points;  // ascending
   std::string payload_sha256;
   std::map<std::string, std::string> provenance;
@@ -30,7 +30,7 @@ class PartSet {
   // Throws InputError, naming the missing points and the command that computes them.
   void require_complete() const;
   // The record of a point. Throws InputError if two parts contain different numbers for it.
-  PointRecord record(std::size_t index);
+  results::PointRecord record(std::size_t index);
 
  private:
   struct Location {
@@ -38,13 +38,13 @@ class PartSet {
     auto operator<=>(const Location&) const = default;
   };
   std::vector<Part> read(const std::vector<std::string>& paths);
-  const ResultReader& open(std::size_t part);
+  const results::ResultReader& open(std::size_t part);
   std::string point_label(std::size_t index) const;  // for messages: "3 (k_r = 2, k_theta = 0.5)"
 
   Experiment experiment_;
   std::vector<Part> parts_;
-  std::vector<Location> locations_;             // of every point in every part, ascending by point
-  std::map<std::size_t, ResultReader> opened_;  // at most kMaxOpenParts
+  std::vector<Location> locations_;                      // of every point in every part, ascending by point
+  std::map<std::size_t, results::ResultReader> opened_;  // at most kMaxOpenParts
 };
 
-}  // namespace bristle
+}  // namespace bristle::run

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <unistd.h>
 
-namespace bristle {
+namespace bristle::run {
 namespace {
 
 constexpr double kTerminalSeconds = 0.2, kPlainSeconds = 30;
@@ -54,4 +54,4 @@ void Progress::finish() {
   if (!quiet_ && terminal_) fmt::print(stderr, "\n");
 }
 
-}  // namespace bristle
+}  // namespace bristle::run

@@ -3,7 +3,7 @@
 #include <chrono>
 #include <string>
 
-namespace bristle {
+namespace bristle::run {
 
 // Progress on standard error: on a terminal a bar with rate and
 // time left, otherwise a line every 30 s, nothing if quiet.
@@ -26,4 +26,4 @@ class Progress {
 // "3 min 20 s"
 std::string duration_text(double seconds);
 
-}  // namespace bristle
+}  // namespace bristle::run

@@ -15,7 +15,7 @@
 #include <fstream>
 #include <gnu/libc-version.h>
 
-namespace bristle {
+namespace bristle::run {
 
 namespace {
 
@@ -62,7 +62,7 @@ std::map<std::string, std::string> provenance(const std::string& command_line, i
   return {
       {"version", kVersion},
       {"commit", kCommit},
-      {"dirty", is_dirty(kCommit) ? "yes: built from uncommitted changes, or without git" : "no"},
+      {"dirty", results::is_dirty(kCommit) ? "yes: built from uncommitted changes, or without git" : "no"},
       {"compiler", BRISTLE_COMPILER},
       {"flags", BRISTLE_FLAGS},
       {"eigen", BRISTLE_EIGEN},
@@ -86,4 +86,4 @@ std::map<std::string, std::string> provenance(const std::string& command_line, i
   };
 }
 
-}  // namespace bristle
+}  // namespace bristle::run

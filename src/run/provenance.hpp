@@ -3,7 +3,7 @@
 #include <map>
 #include <string>
 
-namespace bristle {
+namespace bristle::run {
 
 // Version and source commit of the program.
 extern const char* const kVersion;
@@ -16,4 +16,4 @@ std::map<std::string, std::string> provenance(const std::string& command_line, i
 // Current time in UTC, ISO 8601.
 std::string utc_now();
 
-}  // namespace bristle
+}  // namespace bristle::run

@@ -3,7 +3,7 @@
 #include <atomic>
 #include <csignal>
 
-namespace bristle {
+namespace bristle::run {
 namespace {
 
 // Atomic because the handler runs on one thread and all
@@ -27,4 +27,4 @@ void install_signal_handlers() {
 
 bool interrupted() { return received; }
 
-}  // namespace bristle
+}  // namespace bristle::run

@@ -1,10 +1,10 @@
 #pragma once
 
-namespace bristle {
+namespace bristle::run {
 
 // Installs handlers for SIGINT, SIGTERM and SIGHUP. The first signal
 // makes interrupted() return true, the second terminates the process.
 void install_signal_handlers();
 bool interrupted();
 
-}  // namespace bristle
+}  // namespace bristle::run

@@ -7,7 +7,7 @@
 #include <thread>
 #include <utility>
 
-namespace bristle {
+namespace bristle::run {
 namespace {
 
 // Distributes the points in their order and passes the reports to the sink, one at a time.
@@ -78,4 +78,4 @@ bool run_sweep(const Experiment& experiment, const std::vector<std::size_t>& poi
   return queue.complete();
 }
 
-}  // namespace bristle
+}  // namespace bristle::run

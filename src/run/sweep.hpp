@@ -5,11 +5,11 @@
 
 #include <functional>
 
-namespace bristle {
+namespace bristle::run {
 
 struct PointReport {
   std::size_t index;
-  PointRecord record;
+  results::PointRecord record;
 };
 
 // Solves these points of the sweep on this many threads. Passes each report to sink when its point is solved,
@@ -18,4 +18,4 @@ struct PointReport {
 bool run_sweep(const Experiment& experiment, const std::vector<std::size_t>& points, int threads,
                const std::function<void(PointReport&&)>& sink, const std::function<bool()>& stop);
 
-}  // namespace bristle
+}  // namespace bristle::run

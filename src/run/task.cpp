@@ -20,22 +20,23 @@
 #include <set>
 #include <thread>
 
-namespace bristle {
+namespace bristle::run {
 namespace {
 
 // Evaluates the checks of the result file and stores their verdicts in it.
 void add_checks(const std::string& path) {
-  const auto checks = evaluate_checks(ResultReader(path));
-  write_checks(path, checks);
+  const auto checks = checks::evaluate_checks(results::ResultReader(path));
+  checks::write_checks(path, checks);
 }
 
 // Updates title, notes and checks of a result whose numbers are up to date.
 void refresh_description(const Task& task) {
-  if (ResultReader(task.path, Expected::either).experiment() == *task.experiment.document) return;
-  const Journal lock(task.path, kCommit, false);
+  if (results::ResultReader(task.path, results::Expected::either).experiment() == *task.experiment.document)
+    return;
+  const results::Journal lock(task.path, kCommit, false);
   const std::string copy = task.path + ".partial";
   std::filesystem::copy_file(task.path, copy, std::filesystem::copy_options::overwrite_existing);
-  annotate(copy, task.experiment, task.shard);
+  results::annotate(copy, task.experiment, task.shard);
   if (!task.shard) add_checks(copy);
   replace_file(copy, task.path);
 }
@@ -43,37 +44,37 @@ void refresh_description(const Task& task) {
 // Number of points with each status, for the closing message.
 class StatusCounts {
  public:
-  void add(const PointRecord& record) {
+  void add(const results::PointRecord& record) {
     for (const double status : record.values.at("status")) ++counts_[std::size_t(status)];
   }
   std::string text() const {
     std::string out;
     for (std::size_t i = 0; i < counts_.size(); ++i)
       if (counts_[i] > 0)
-        out += fmt::format("{}{} {}", out.empty() ? "" : ", ", counts_[i], kPointStatusNames[i]);
+        out += fmt::format("{}{} {}", out.empty() ? "" : ", ", counts_[i], results::kPointStatusNames[i]);
     return out;
   }
 
  private:
-  std::vector<long> counts_ = std::vector<long>(kPointStatusNames.size(), 0);
+  std::vector<long> counts_ = std::vector<long>(results::kPointStatusNames.size(), 0);
 };
 
-std::vector<std::size_t> missing_points(const Task& task, const Journal& journal) {
+std::vector<std::size_t> missing_points(const Task& task, const results::Journal& journal) {
   std::vector<std::size_t> missing;
   for (const std::size_t i : task.points())
-    if (!journal.has(point_key(task.experiment, i))) missing.push_back(i);
+    if (!journal.has(results::point_key(task.experiment, i))) missing.push_back(i);
   return missing;
 }
 
 // Computes the missing points and appends each to the journal when it is solved.
-void fill_journal(const Task& task, const std::vector<std::size_t>& missing, int threads, Journal& journal,
-                  bool quiet) {
+void fill_journal(const Task& task, const std::vector<std::size_t>& missing, int threads,
+                  results::Journal& journal, bool quiet) {
   const Experiment& experiment = task.experiment;
   const std::size_t all = task.points().size();
   Progress progress(experiment.name, missing.size(), quiet);
   std::size_t saved = all - missing.size();
   const auto sink = [&](PointReport&& report) {
-    journal.append(point_key(experiment, report.index), report.record);
+    journal.append(results::point_key(experiment, report.index), report.record);
     ++saved;
     progress.step();
   };
@@ -91,14 +92,14 @@ void fill_journal(const Task& task, const std::vector<std::size_t>& missing, int
 }
 
 // Writes the result file from the journal, in the order of the points.
-StatusCounts write_result(const Task& task, const Journal& journal,
+StatusCounts write_result(const Task& task, const results::Journal& journal,
                           std::map<std::string, std::string> entries) {
   StatusCounts counts;
   std::set<std::string> commits;
-  ResultWriter writer(task.experiment, task.path, task.shard);
+  results::ResultWriter writer(task.experiment, task.path, task.shard);
   for (const std::size_t i : task.points()) {
-    const JournalLine line = journal.read(point_key(task.experiment, i));
-    if (!fits(line.record, task.experiment))
+    const results::JournalLine line = journal.read(results::point_key(task.experiment, i));
+    if (!results::fits(line.record, task.experiment))
       throw RunError(fmt::format(
           "{}: its variables differ from those of this program; --force computes all points again",
           journal.path()));
@@ -118,7 +119,7 @@ void compute(const Task& task, int threads, const TaskOptions& options) {
   install_signal_handlers();
   auto entries = provenance(options.command_line, threads);
   entries["started"] = utc_now();
-  Journal journal(task.path, kCommit, options.force);
+  results::Journal journal(task.path, kCommit, options.force);
   std::vector<std::size_t> missing = missing_points(task, journal);
   if (!options.force && !missing.empty()) {
     journal.adopt(task.experiment, missing);
@@ -143,7 +144,7 @@ void compute(const Task& task, int threads, const TaskOptions& options) {
 }  // namespace
 
 std::vector<std::size_t> Task::points() const {
-  return shard_points(shard.value_or(Shard{1, 1}), experiment.points());
+  return results::shard_points(shard.value_or(results::Shard{1, 1}), experiment.points());
 }
 
 void run_task(const Task& task, const TaskOptions& options) {
@@ -157,4 +158,4 @@ void run_task(const Task& task, const TaskOptions& options) {
   compute(task, options.threads > 0 ? options.threads : cores, options);
 }
 
-}  // namespace bristle
+}  // namespace bristle::run

@@ -7,13 +7,13 @@
 #include <string>
 #include <vector>
 
-namespace bristle {
+namespace bristle::run {
 
 // Input and output of a run.
 struct Task {
   const Experiment& experiment;
-  std::optional<Shard> shard;  // none: all points
-  std::string path;            // of the result file; the journal is in the same folder
+  std::optional<results::Shard> shard;  // none: all points
+  std::string path;                     // of the result file; the journal is in the same folder
 
   std::vector<std::size_t> points() const;  // of the shard
 };
@@ -29,4 +29,4 @@ struct TaskOptions {
 // Throws RunError if interrupted or if the disk is full; the computed points are then in the journal.
 void run_task(const Task& task, const TaskOptions& options);
 
-}  // namespace bristle
+}  // namespace bristle::run

@@ -8,20 +8,20 @@
 
 #include <list>
 
-namespace bristle {
+namespace bristle::run {
 namespace {
 
 // Enough points to keep the lanes full while most of the points wait for the last passages of a batch.
 constexpr std::size_t kMaxActivePoints = 24;
 
 PointReport solve(const Experiment& experiment, std::size_t index, const PassageRunner& run) {
-  const PointInput input = experiment.point(index);
+  const experiment::PointInput input = experiment.point(index);
   if (input.loading.trace)
-    return {index, record_of(experiment, trace_curve(input.setup, *input.loading.trace, run))};
+    return {index, results::record_of(experiment, trace_curve(input.setup, *input.loading.trace, run))};
   Recorded recorded;
   PointResult result = solve_point(input.setup, input.loading, run, experiment.record, &recorded);
-  result.force_unit = force_unit(input);
-  return {index, record_of(experiment, result, recorded)};
+  result.force_unit = experiment::force_unit(input);
+  return {index, results::record_of(experiment, result, recorded)};
 }
 
 // A point that is being solved, suspended until the requested passages have been computed.
@@ -154,4 +154,4 @@ void run_worker(const Experiment& experiment, PointQueue& queue, std::size_t sha
   else solve_sequentially(experiment, queue, experiment.engine);
 }
 
-}  // namespace bristle
+}  // namespace bristle::run

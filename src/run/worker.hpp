@@ -4,7 +4,7 @@
 
 #include <optional>
 
-namespace bristle {
+namespace bristle::run {
 
 // Source of the points and destination of the reports of the workers. Called from several threads.
 class PointQueue {
@@ -21,4 +21,4 @@ class PointQueue {
 // while a point waits for passages, the lanes compute those of other points.
 void run_worker(const Experiment& experiment, PointQueue& queue, std::size_t share);
 
-}  // namespace bristle
+}  // namespace bristle::run
