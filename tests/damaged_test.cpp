@@ -51,6 +51,22 @@ TEST_CASE("malformed: an attribute that is an array instead of one value") {
   CHECK_THROWS_WITH(result.text("title"), Contains("title is not a single value"));
 }
 
+TEST_CASE("the name of a dimension scale is a list instead of one text") {
+  const Scratch s;
+  const std::string path = small_result(s, "r.h5");
+  {
+    const h5::Handle file = h5::open_file(path, true), scale = h5::open_dataset(file, "k_r");
+    const hsize_t count = 1000;
+    const h5::Handle space(H5Screate_simple(1, &count, nullptr), H5Sclose, "space");
+    h5::check(H5Adelete(scale, "NAME"), "removing");
+    const h5::Handle name(H5Acreate2(scale, "NAME", H5T_NATIVE_LONG, space, H5P_DEFAULT, H5P_DEFAULT),
+                          H5Aclose, "creating");
+    const std::vector<long> zeros(count);
+    h5::check(H5Awrite(name, H5T_NATIVE_LONG, zeros.data()), "writing");
+  }
+  CHECK_THROWS_WITH(ResultReader(path).variable("R_x"), Contains("NAME is not a single value"));
+}
+
 TEST_CASE("malformed: an attribute that is not text in UTF-8") {
   const Scratch s;
   const std::string path = small_result(s, "r.h5");

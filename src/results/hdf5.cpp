@@ -280,15 +280,17 @@ void attach_scale(hid_t dataset, hid_t scale, unsigned dimension) {
 bool is_scale(hid_t dataset) { return check(H5DSis_scale(dataset), "looking for a dimension scale") > 0; }
 
 std::string scale_name(hid_t dataset, unsigned dimension) {
-  std::string name;
+  hid_t first = -1;
   const auto visit = [](hid_t, unsigned, hid_t scale, void* out) -> herr_t {
-    char buffer[256] = "";
-    H5DSget_scale_name(scale, buffer, sizeof buffer);
-    *static_cast<std::string*>(out) = buffer;
+    H5Iinc_ref(scale);
+    *static_cast<hid_t*>(out) = scale;
     return 1;
   };
-  check(H5DSiterate_scales(dataset, dimension, nullptr, visit, &name), "reading dimension scales");
-  return name;
+  check(H5DSiterate_scales(dataset, dimension, nullptr, visit, &first), "reading dimension scales");
+  if (first < 0) return "";
+  const Handle scale(first, H5Dclose, "opening a dimension scale");
+  // NOTE: H5DSget_scale_name() writes beyond its buffer if a damaged NAME is not a single text.
+  return has_attribute(scale, "NAME") ? read_text_attribute(scale, "NAME") : "";
 }
 
 }  // namespace bristle::h5

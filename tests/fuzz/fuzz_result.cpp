@@ -4,6 +4,7 @@
 #include "archive/result_facts.hpp"
 #include "archive/tar.hpp"
 #include "checks/diff.hpp"
+#include "checks/reference_file.hpp"
 #include "util/error.hpp"
 #include "small_result.hpp"
 
