@@ -31,7 +31,7 @@ build: packages $(BUILD)/build.ninja ## build the program: build/bristle
 	@ninja -C $(BUILD) --quiet -j $(JOBS) bristle
 
 $(FIGURES) $(STUDIES): %: build
-	@test -e results/$*$(SUFFIX).h5 || echo "Computing $* ($(TIER) tier): $(or $(TIME_$*_$(TIER)),about a minute on two cores) ..."
+	@test -e results/$*$(SUFFIX).h5 || echo "Computing $*, $(if $(SUFFIX),some seconds,about a minute) on two cores ..."
 	$(BUILD)/bristle run experiments/$*.json --tier $(TIER) -o results/$*$(SUFFIX).h5
 	@$$($(PLOT_PYTHON)) scripts/$*.py results/$*$(SUFFIX).h5 -o figures$(SUFFIX)
 	@echo "The paper's claims (docs/claims.md), and deviations from the reference (docs/reference.md):"
@@ -66,7 +66,7 @@ build-tests: test-packages $(BUILD)/tests/CTestTestfile.cmake
 report-packages:
 	@scripts/install-packages report
 
-test: build-tests ## what every commit needs: about three minutes
+test: build-tests ## what every commit needs: minutes
 	@scripts/run-ctest $(BUILD) -L '^(unit|commit)$$'
 
 test-all: ## everything, nightly and before a release: sanitizers, fuzzers, other compiler, all figures, documents
