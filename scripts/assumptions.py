@@ -11,7 +11,7 @@ from bristle_plots.assumptions import TOGETHER, cells_by_place, read_matrix, rev
 from bristle_plots.command_line import run
 from bristle_plots.errors import BristleError
 from bristle_plots.files import save_figure, write_text
-from bristle_plots.markdown import filled, table
+from bristle_plots.markdown import filled
 from bristle_plots.style import BLUE, GREEN, GREY, VERMILION, apply_look, wrapped
 from bristle_plots.verdicts import number, threshold_text, with_uncertainty
 
@@ -138,7 +138,8 @@ docs/findings.md, and alternatives are compared with the baseline of the same ti
 
 A check is **robust** if its verdict is the same under every alternative, **weakened** if some
 alternatives leave it undecided, and **assumption-dependent** if an alternative reverses it; **open** is
-a check that the baseline leaves undecided.
+a check that the baseline leaves undecided. Below each statement are the number that the baseline
+gives, the threshold, and the range of the numbers over the alternatives that affect the check.
 """
 
 
@@ -147,11 +148,10 @@ def account(matrix):
     for name in CONCLUSIONS:
         found = [c for c in matrix.conclusions if c["conclusion"] == name]
         parts.append(f"## {name.capitalize()}: {len(found)} of {len(matrix.conclusions)}\n")
-        parts += [sentence(matrix, c) for c in found] + [""] if found else []
-    rows = [alternative_row(matrix, i) for i in range(1, len(matrix.alternatives))]
-    parts += ["## The alternatives\n",
-              table(["open choice", "alternative", "assumption", "verdicts that differ from the baseline"], *rows),
-              "\n## The numbers\n", number_table(matrix)]
+        parts += [check_item(matrix, c) for c in found] + [""] if found else []
+    parts.append("## The alternatives\n")
+    for choice, group in groupby(range(1, len(matrix.alternatives)), key=lambda i: matrix.alternatives[i]["choice"]):
+        parts += [f"### {choice}\n", *(alternative_item(matrix, i) for i in group), ""]
     return filled("\n".join(parts))
 
 
@@ -168,34 +168,32 @@ def influence(matrix):
             f"No verdict is reversed by {', '.join(harmless)}.\n")
 
 
-def sentence(matrix, conclusion):
+def check_item(matrix, conclusion):
+    """An item of a list: the statement, its numbers, and the alternatives that give another verdict."""
     check, cells = matrix.checks[conclusion["check"]], matrix.cells[conclusion["check"]]
-    line = f"- {check['claim']}, {conclusion['baseline']}: {check['statement']}."
+    lines = [f"- **{check['claim']}**, {conclusion['baseline']}: {check['statement']}", f"  - {numbers(check, cells)}"]
     for verdict in SIGNS:
         names = [a["name"] for a, cell in zip(matrix.alternatives, cells) if cell["verdict"] == verdict]
         if names and verdict != conclusion["baseline"]:
-            line += f" {verdict.capitalize()} under: {', '.join(names)}."
-    return line
+            lines.append(f"  - {verdict} under: {'; '.join(names)}")
+    return "\n".join(lines)
 
 
-def alternative_row(matrix, index):
+def numbers(check, cells):
+    """The baseline's value, the threshold, and the range over the alternatives that affect the check."""
+    baseline = [float("nan") if cells[0][key] is None else cells[0][key] for key in ("measured", "uncertainty")]
+    values = [c["measured"] for c in cells if c["affected"] and c["measured"] is not None]
+    spread = f"{number(min(values), '.3g')} to {number(max(values), '.3g')}" if values else "none"
+    threshold = threshold_text(check["is"], check["threshold"], check["band"]).strip()
+    return f"baseline {with_uncertainty(*baseline)}; threshold {threshold}; over the alternatives {spread}"
+
+
+def alternative_item(matrix, index):
     alternative = matrix.alternatives[index]
     changed = [f"{check['claim']} {cells[index]['verdict']}" for check, cells in zip(matrix.checks, matrix.cells)
                if cells[index]["verdict"] != cells[0]["verdict"]]
-    return [*(alternative[key] for key in ("choice", "name", "description")), ", ".join(changed) or "none"]
-
-
-def number_table(matrix):
-    """The baseline's value, and the range over the alternatives that affect the check."""
-    rows = []
-    for check, cells in zip(matrix.checks, matrix.cells):
-        values = [c["measured"] for c in cells if c["affected"] and c["measured"] is not None]
-        spread = f"{number(min(values), '.3g')} to {number(max(values), '.3g')}" if values else "none"
-        threshold = threshold_text(check["is"], check["threshold"], check["band"])
-        baseline = [float("nan") if cells[0][key] is None else cells[0][key]
-                    for key in ("measured", "uncertainty")]
-        rows.append([check["claim"], check["statement"], with_uncertainty(*baseline), threshold, spread])
-    return table(["claim", "statement", "baseline", "threshold", "over the alternatives"], *rows)
+    return (f"- **{alternative['name']}**: {alternative['description']}\n"
+            f"  - other verdicts than the baseline's: {', '.join(changed) or 'none'}")
 
 
 if __name__ == "__main__":

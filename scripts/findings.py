@@ -49,8 +49,7 @@ def section(file):
     lines = [f"## {as_text(file.attrs['title'])}", "", provenance(file), ""]
     checks = declared_checks(file)
     if checks:
-        rows = [table_row(check, claim) for check, claim in checks]
-        lines += [table(["claim", "statement", "verdict", "measured", "threshold"], *rows), ""]
+        lines += ["\n".join(item(check, claim) for check, claim in checks), ""]
     left_open = {}
     for check, _ in checks:
         if "leaves_open" in check:
@@ -74,10 +73,12 @@ def provenance(file):
             f"{contact:.2f} L_x/V_0. Payload SHA-256 `{digest[:16]}`.")
 
 
-def table_row(check, claim):
+def item(check, claim):
+    """An item of a list: the statement, and below it the verdict with its numbers."""
     measured = f"{quantity(check)} {claim.measured:.3f} ± {claim.uncertainty:.3f}{p_text(claim)}"
-    return [claim.claim, claim.statement, emphasised(claim.verdict), measured,
-            threshold_text(claim.relation, claim.threshold, claim.band)]
+    threshold = threshold_text(claim.relation, claim.threshold, claim.band).strip()
+    return (f"- **{claim.claim}**: {claim.statement}\n"
+            f"  - {emphasised(claim.verdict)}: {measured}; threshold {threshold}")
 
 
 if __name__ == "__main__":

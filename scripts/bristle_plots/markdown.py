@@ -14,17 +14,22 @@ def table(head, *rows):
 
 
 def filled(text):
-    """The text with its paragraphs and list items wrapped; headings, tables and images stay as they are."""
+    """The text with its paragraphs and list items (of two levels) wrapped; headings, tables and images stay as they are."""
     return "\n\n".join(fill_block(block) for block in text.rstrip("\n").split("\n\n")) + "\n"
 
 
 def fill_block(block):
     if re.match(r"[#|!]", block):
         return block
-    items = re.split(r"\n(?=- )", block)
+    items = re.split(r"\n(?=(?:  )?- )", block)
     # No break within formulas, code and links, nor before a word that would begin a list or a heading.
     unbroken = r"\$[^$]+\$|`[^`]+`|\[[^]]+\]\([^)]*\)|\s(?=(?:[-+*#]|\d+[.)])\s)"
     kept = [re.sub(unbroken, lambda found: re.sub(r"\s", "\0", found.group()), item) for item in items]
-    return "\n".join(textwrap.fill(item, COLUMNS, break_long_words=False, break_on_hyphens=False,
-                                   subsequent_indent="  " if item.startswith("- ") else "")
-                     for item in kept).replace("\0", " ")
+    return "\n".join(fill_item(item) for item in kept).replace("\0", " ")
+
+
+def fill_item(item):
+    """A paragraph, or one item of a list. Its continuation lines are indented as far as its text."""
+    bullet = re.match(r"(?:[ \0]*- )?", item).group()  # \0: see fill_block
+    return textwrap.fill(item, COLUMNS, break_long_words=False, break_on_hyphens=False,
+                         subsequent_indent=" " * len(bullet))
