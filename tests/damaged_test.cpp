@@ -2,9 +2,9 @@
 #include "archive/tar.hpp"
 #include "checks/reference_file.hpp"
 #include "cli/inspect.hpp"
+#include "results/journal.hpp"
 #include "util/error.hpp"
 #include "parts.hpp"
-#include "results/journal.hpp"
 
 // Malformed files cause an error that names the file, and never an access out of bounds.
 namespace bristle::damaged_test {

@@ -1,7 +1,7 @@
 #include "experiment/experiment.hpp"
-#include "util/error.hpp"
 #include "experiment/si_units.hpp"
 #include "model/friction/laws.hpp"
+#include "util/error.hpp"
 #include "scratch.hpp"
 
 #include <catch2/catch.hpp>

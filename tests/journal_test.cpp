@@ -1,7 +1,7 @@
-#include "experiment/si_units.hpp"
 #include "experiment/canonical.hpp"
-#include "util/error.hpp"
+#include "experiment/si_units.hpp"
 #include "results/journal.hpp"
+#include "util/error.hpp"
 #include "util/sha.hpp"
 #include "small_result.hpp"
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "util/error.hpp"
 #include "results/writer.hpp"
 #include "run/merge.hpp"
 #include "run/provenance.hpp"
+#include "util/error.hpp"
 #include "small_result.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
-#include "generators.hpp"
 #include "ensemble/quadrature_impl.hpp"
+#include "generators.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

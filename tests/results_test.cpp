@@ -1,8 +1,8 @@
 #include "checks/checks.hpp"
-#include "util/error.hpp"
 #include "results/reader.hpp"
 #include "results/variables.hpp"
 #include "results/writer.hpp"
+#include "util/error.hpp"
 #include "records.hpp"
 #include "scratch.hpp"
 

@@ -1,5 +1,5 @@
-#include "simd/runner.hpp"
 #include "model/friction/laws.hpp"
+#include "simd/runner.hpp"
 
 #include <catch2/catch.hpp>
 

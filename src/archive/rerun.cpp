@@ -1,13 +1,13 @@
 #include "archive/rerun.hpp"
 
 #include "archive/result_facts.hpp"
+#include "results/record.hpp"
+#include "results/version.hpp"
+#include "run/sweep.hpp"
 #include "util/error.hpp"
 #include "util/process.hpp"
 #include "util/random.hpp"
 #include "util/text.hpp"
-#include "results/record.hpp"
-#include "results/version.hpp"
-#include "run/sweep.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,9 +1,9 @@
 #include "checks/curves.hpp"
 
-#include "util/error.hpp"
-#include "util/text.hpp"
 #include "ensemble/trace.hpp"
 #include "model/elementary.hpp"
+#include "util/error.hpp"
+#include "util/text.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

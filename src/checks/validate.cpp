@@ -2,9 +2,9 @@
 
 #include "checks/measure.hpp"
 #include "results/reader.hpp"
+#include "results/variables.hpp"
 #include "util/error.hpp"
 #include "util/text.hpp"
-#include "results/variables.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

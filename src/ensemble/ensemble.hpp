@@ -1,8 +1,8 @@
 #pragma once
 
-#include "simd/runner.hpp"
 #include "ensemble/orientation.hpp"
 #include "ensemble/quadrature.hpp"
+#include "simd/runner.hpp"
 
 #include <array>
 #include <optional>

@@ -1,9 +1,9 @@
 #include "experiment/axes.hpp"
 
-#include "util/error.hpp"
 #include "experiment/schema.hpp"
-#include "util/text.hpp"
 #include "model/elementary.hpp"
+#include "util/error.hpp"
+#include "util/text.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,14 +1,14 @@
 #include "experiment/experiment.hpp"
 
+#include "ensemble/lattice.hpp"
 #include "experiment/axes.hpp"
-#include "util/error.hpp"
 #include "experiment/parameters_table.hpp"
 #include "experiment/schema.hpp"
 #include "experiment/si_units.hpp"
 #include "experiment/words.hpp"
-#include "ensemble/lattice.hpp"
 #include "model/elementary.hpp"
 #include "model/friction/chi.hpp"
+#include "util/error.hpp"
 #include "util/grid.hpp"
 
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "dynamics/passage.hpp"
 #include "ensemble/load.hpp"
 #include "ensemble/orientation.hpp"
-#include "dynamics/passage.hpp"
 
 #include <algorithm>
 #include <string>

@@ -1,10 +1,10 @@
 #include "results/journal.hpp"
 
 #include "experiment/canonical.hpp"
+#include "results/version.hpp"
 #include "util/error.hpp"
 #include "util/file.hpp"
 #include "util/sha.hpp"
-#include "results/version.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>

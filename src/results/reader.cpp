@@ -1,10 +1,10 @@
 #include "results/reader.hpp"
 
 #include "experiment/axes.hpp"
-#include "util/error.hpp"
-#include "util/text.hpp"
 #include "results/digest.hpp"
 #include "results/version.hpp"
+#include "util/error.hpp"
+#include "util/text.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -2,9 +2,9 @@
 
 #include "checks/checks.hpp"
 #include "checks/store.hpp"
-#include "util/error.hpp"
 #include "results/writer.hpp"
 #include "run/provenance.hpp"
+#include "util/error.hpp"
 #include "util/text.hpp"
 
 #include <fmt/format.h>

@@ -1,9 +1,9 @@
 #include "run/parts.hpp"
 
-#include "util/error.hpp"
 #include "results/digest.hpp"
 #include "results/version.hpp"
 #include "run/provenance.hpp"
+#include "util/error.hpp"
 #include "util/sha.hpp"
 #include "util/text.hpp"
 

@@ -1,7 +1,7 @@
 #include "run/provenance.hpp"
 
-#include "simd/dispatch.hpp"
 #include "results/journal.hpp"
+#include "simd/dispatch.hpp"
 
 #include <boost/version.hpp>
 #include <ctime>

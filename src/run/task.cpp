@@ -2,15 +2,15 @@
 
 #include "checks/checks.hpp"
 #include "checks/store.hpp"
-#include "util/error.hpp"
-#include "results/journal.hpp"
-#include "util/file.hpp"
 #include "results/annotate.hpp"
+#include "results/journal.hpp"
 #include "results/writer.hpp"
 #include "run/progress.hpp"
 #include "run/provenance.hpp"
 #include "run/signals.hpp"
 #include "run/sweep.hpp"
+#include "util/error.hpp"
+#include "util/file.hpp"
 
 #include <fmt/format.h>
 #include <filesystem>

@@ -1,9 +1,9 @@
 #include "run/worker.hpp"
 
-#include "simd/dispatch.hpp"
-#include "simd/engine.hpp"
 #include "dynamics/jobs.hpp"
 #include "experiment/si_units.hpp"
+#include "simd/dispatch.hpp"
+#include "simd/engine.hpp"
 #include "util/sanitizer.hpp"
 
 #include <list>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "simd/kernels.hpp"
 #include "dynamics/passage.hpp"
+#include "simd/kernels.hpp"
 
 #include <deque>
 #include <functional>

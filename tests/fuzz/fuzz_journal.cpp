@@ -1,7 +1,7 @@
 #include "fuzz.hpp"
 
-#include "util/error.hpp"
 #include "results/journal.hpp"
+#include "util/error.hpp"
 #include "util/sha.hpp"
 
 // Reads the bytes as a journal, and as the JSON of a line with a matching checksum.
