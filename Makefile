@@ -40,15 +40,15 @@ $(FIGURES) $(STUDIES): %: build
 figures: $(FIGURES) ## make all figures
 
 findings: figures ## all figures, and docs/findings.md: every claim with its verdict and numbers
-	@$$(scripts/find-python) scripts/findings.py $(FIGURES:%=results/%$(SUFFIX).h5) -o $(if $(SUFFIX),results/findings$(SUFFIX).md,docs/findings.md)
+	@$$($(PLOT_PYTHON)) scripts/findings.py $(FIGURES:%=results/%$(SUFFIX).h5) -o $(if $(SUFFIX),results/findings$(SUFFIX).md,docs/findings.md)
 
 assumptions: build ## every claim under every alternative to what the paper leaves open: docs/assumptions.md
 	$(BUILD)/bristle assumptions
-	@$$(scripts/find-python) scripts/assumptions.py results/assumptions.json -o figures --text docs/assumptions.md
+	@$$($(PLOT_PYTHON)) scripts/assumptions.py results/assumptions.json -o figures --text docs/assumptions.md
 	@cp figures/assumptions.png docs/images/
 
 report: figures $(STUDIES) report-packages ## one page of all figures, claims, points and sources: report/index.html
-	@$$(scripts/find-python) scripts/report/report.py $(patsubst %,results/%$(SUFFIX).h5,$(FIGURES) $(STUDIES)) -o report$(SUFFIX)/index.html
+	@$$($(PLOT_PYTHON) jinja2 yaml) scripts/report/report.py $(patsubst %,results/%$(SUFFIX).h5,$(FIGURES) $(STUDIES)) -o report$(SUFFIX)/index.html
 
 # The tests are configured into the same build folder; the program is not compiled again.
 $(BUILD)/tests/CTestTestfile.cmake: tests/CMakeLists.txt benchmarks/CMakeLists.txt | test-packages
@@ -81,15 +81,15 @@ bench: build ## benchmarks: ratios against peers in the same run, into docs/perf
 	@mkdir -p $(BUILD)/bench
 	$(BUILD)/benchmarks/bench_engine >$(BUILD)/bench/engine.json
 	$(BUILD)/benchmarks/bench_quadrature >$(BUILD)/bench/quadrature.json
-	$$(scripts/find-python) benchmarks/scipy_peer.py $(BUILD)/benchmarks/libscipy_slopes.so >$(BUILD)/bench/scipy.json
-	scripts/time-figures $$(scripts/find-python) $(BUILD)/bristle $(FIGURES) >$(BUILD)/bench/figures.json
-	@$$(scripts/find-python) scripts/performance.py $(BUILD)/bench
+	$$($(PLOT_PYTHON)) benchmarks/scipy_peer.py $(BUILD)/benchmarks/libscipy_slopes.so >$(BUILD)/bench/scipy.json
+	scripts/time-figures $$($(PLOT_PYTHON)) $(BUILD)/bristle $(FIGURES) >$(BUILD)/bench/figures.json
+	@$$($(PLOT_PYTHON)) scripts/performance.py $(BUILD)/bench
 
 accuracy: build ## errors of the methods, measured: docs/accuracy.md
 	@ninja -C $(BUILD) --quiet -j $(JOBS) accuracy
 	@mkdir -p $(BUILD)/bench
 	$(BUILD)/benchmarks/accuracy >$(BUILD)/bench/accuracy.json
-	@$$(scripts/find-python) scripts/accuracy.py $(BUILD)/bench/accuracy.json
+	@$$($(PLOT_PYTHON)) scripts/accuracy.py $(BUILD)/bench/accuracy.json
 
 archive: figures ## one citable file of all results: dist/bristle-<version>.tar
 	$(BUILD)/bristle archive
