@@ -3,6 +3,7 @@
 #include "checks/validate.hpp"
 #include "cli/exit_code.hpp"
 #include "experiment/experiment.hpp"
+#include "experiment/si_units.hpp"
 #include "results/reader.hpp"
 #include "run/task.hpp"
 #include "simd/dispatch.hpp"
@@ -60,6 +61,9 @@ int validate_command(const RunOptions& options) {
   fmt::print("{}: valid. {}: {} point{}{}{}, {} check{}\n", options.experiment, e.name, e.points(),
              e.points() == 1 ? "" : "s", sweep.empty() ? "" : ", ", sweep, e.checks.size(),
              e.checks.size() == 1 ? "" : "s");
+  if (const auto kept = experiment::values_not_in_si(e.point(0)); !e.base.si.empty() && !kept.empty())
+    fmt::print("not given in the si block, so dimensionless and the same for any material: {}\n",
+               fmt::join(kept, ", "));
   return kSuccess;
 }
 

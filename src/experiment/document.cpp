@@ -1,10 +1,12 @@
 #include "experiment/document.hpp"
 
 #include "util/error.hpp"
+#include "util/text.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <algorithm>
 #include <cctype>
 #include <cstring>
@@ -57,7 +59,7 @@ void collect(const std::string& path, const fs::path& root, std::vector<std::str
   out.push_back({path, std::make_shared<const Json>(std::move(content))});
 }
 
-Document::Source parse_set(const std::string& argument) {
+Document::Change parse_set(const std::string& argument) {
   const auto equals = argument.find('=');
   const auto fail = [&](const std::string& why) {
     throw InputError(fmt::format("--set {}: {}; write --set /model/k_r=20", argument, why));
@@ -80,13 +82,73 @@ Document::Source parse_set(const std::string& argument) {
   try {
     const JsonPointer pointer(argument.substr(0, equals));
     if (pointer.empty()) fail("the JSON pointer is empty");
-    Json patch;
-    patch[pointer] = value;
-    return {"--set " + argument, std::make_shared<const Json>(std::move(patch))};
+    if (argument.starts_with("/tiers"))
+      fail("would have no effect, because the tier has been applied; set the value itself");
+    return {"--set " + argument, pointer, std::make_shared<const Json>(std::move(value))};
   } catch (const Json::exception& e) {
     fail(json_error(e.what()));
   }
-  return {};
+  return {"", JsonPointer(), nullptr};  // not reached: fail() throws
+}
+
+std::vector<std::string> tokens_of(JsonPointer pointer) {
+  std::vector<std::string> tokens;
+  for (; !pointer.empty(); pointer.pop_back()) tokens.insert(tokens.begin(), pointer.back());
+  return tokens;
+}
+
+// The element of an array for a token of a JSON pointer; "-" appends one. Throws InputError.
+Json& element(Json& array, const std::string& token, const std::string& change) {
+  if (token == "-") return array.emplace_back();
+  const bool number =
+      !token.empty() && token.size() < 10 && token.find_first_not_of("0123456789") == token.npos;
+  if (!number || std::stoul(token) >= array.size())
+    throw InputError(
+        fmt::format("{}: \"{}\" is not an element of the array {}; allowed: 0 to {}, or - to append", change,
+                    token, shown(array), std::ptrdiff_t(array.size()) - 1));
+  return array[std::stoul(token)];
+}
+
+void remove_key(Json& object, const std::string& key, const std::string& change) {
+  std::vector<std::string> keys;
+  for (const auto& [name, value] : object.items()) keys.push_back(name);
+  if (!object.contains(key))
+    throw InputError(fmt::format("{}: there is no key {} to remove{}; here: {}", change, key,
+                                 did_you_mean(key, keys), fmt::join(keys, ", ")));
+  object.erase(key);
+}
+
+// Assigns the value at its pointer; an object is merged into the one there, and null removes a key.
+void apply(Json& document, const Document::Change& change) {
+  const std::vector<std::string> tokens = tokens_of(change.pointer);
+  Json* at = &document;
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    const std::string& token = tokens[i];
+    if (at->is_array()) {
+      at = &element(*at, token, change.name);
+    } else if (at->is_object() || at->is_null()) {
+      if (i + 1 == tokens.size() && change.value->is_null()) {
+        remove_key(*at, token, change.name);
+        return;
+      }
+      at = &(*at)[token];
+    } else {
+      throw InputError(fmt::format("{}: \"{}\" does not exist, because what should contain it is {}",
+                                   change.name, token, shown(*at)));
+    }
+  }
+  if (change.value->is_object() && at->is_object()) at->merge_patch(*change.value);
+  else *at = *change.value;
+}
+
+// Whether the change sets the value at this pointer, or a part of it.
+bool sets(const Document::Change& change, const JsonPointer& pointer) {
+  const auto changed = tokens_of(change.pointer), asked = tokens_of(pointer);
+  const std::size_t common = std::min(changed.size(), asked.size());
+  if (!std::equal(changed.begin(), changed.begin() + long(common), asked.begin())) return false;
+  JsonPointer rest;
+  for (std::size_t i = common; i < asked.size(); ++i) rest.push_back(asked[i]);
+  return change.value->contains(rest);
 }
 
 }  // namespace
@@ -136,13 +198,7 @@ void Document::merge() {
   Json merged = Json::object();
   for (const Source& s : files_) merged.merge_patch(*s.content);
   for (const Json& patch : tier_patches()) merged.merge_patch(patch);
-  for (const Source& s : set_) {
-    try {
-      merged.merge_patch(*s.content);
-    } catch (const Json::exception& e) {
-      throw InputError(fmt::format("{}: {}", s.name, json_error(e.what())));
-    }
-  }
+  for (const Change& change : set_) apply(merged, change);
   merged_ = std::make_shared<const Json>(std::move(merged));
 }
 
@@ -152,7 +208,7 @@ void Document::fail(const std::string& pointer, const std::string& what) const {
 
 std::string Document::origin(const JsonPointer& pointer) const {
   for (auto s = set_.rbegin(); s != set_.rend(); ++s)
-    if (s->content->contains(pointer)) return s->name;
+    if (sets(*s, pointer)) return s->name;
   const JsonPointer in_tier = JsonPointer("/tiers/" + tier_) / pointer;
   for (auto s = files_.rbegin(); s != files_.rend(); ++s) {
     if (s->content->contains(in_tier)) return fmt::format("{} (tier {})", s->name, tier_);

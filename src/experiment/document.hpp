@@ -34,8 +34,13 @@ class Document {
   Document with_tier(const std::string& tier) const;
 
   struct Source {
-    std::string name;  // a file, or "--set ..."
+    std::string name;
     std::shared_ptr<const Json> content;
+  };
+  struct Change {
+    std::string name;  // "--set ..."
+    JsonPointer pointer;
+    std::shared_ptr<const Json> value;
   };
 
  private:
@@ -44,7 +49,7 @@ class Document {
 
   std::string path_, tier_;
   std::vector<Source> files_;  // parents first
-  std::vector<Source> set_;
+  std::vector<Change> set_;
   std::shared_ptr<const Json> merged_;
 };
 

@@ -1,5 +1,6 @@
 #include "experiment/si_units.hpp"
 
+#include "experiment/parameters_table.hpp"
 #include "util/error.hpp"
 
 #include <fmt/format.h>
@@ -7,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 namespace bristle::experiment {
 namespace {
@@ -81,6 +83,8 @@ void read_si_units(const Document& document, const std::vector<Axis>& axes, Poin
   if (has("R_m") && has("k_r_over_k_phi") == has("k_r_N_per_m"))
     document.fail("/si/k_r_over_k_phi",
                   "R_m needs either k_r_over_k_phi or k_r_N_per_m for the radial stiffness");
+  if (has("E_Pa") && has("nu") == has("E_star_Pa"))
+    document.fail("/si/nu", "E_Pa needs either nu or E_star_Pa for the contact modulus");
   if (has("k_r_over_k_phi") && !has("R_m")) document.fail("/si/k_r_over_k_phi", "is allowed with R_m only");
 }
 
@@ -91,6 +95,22 @@ void apply_si_units(PointInput& input) {
   for (const SiQuantity& q : si_quantities())
     if (const auto given = input.si.find(q.name); q.scale && given != input.si.end())
       find_sweepable(q.replaces.front())->set(input, given->second / (scales.*q.scale));
+}
+
+std::vector<std::string> values_not_in_si(const PointInput& input) {
+  std::vector<std::string> out;
+  for (const ParameterEntry& entry : parameters_table()) {
+    bool convertible = false, given = false;
+    for (const SiQuantity& q : si_quantities())
+      for (const char* name : q.replaces)
+        if (std::string_view(name) == entry.name) {
+          convertible = true;
+          given = given || input.si.contains(q.name);
+        }
+    if (convertible && !given)
+      out.push_back(fmt::format("{} = {:.6g}", entry.name, input.setup.parameters.*entry.member));
+  }
+  return out;
 }
 
 double force_unit(const PointInput& input) {

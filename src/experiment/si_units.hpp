@@ -40,6 +40,10 @@ void read_si_units(const Document& document, const std::vector<Axis>& axes, Poin
 // (section 3 of the paper).
 void apply_si_units(PointInput& input);
 
+// The dimensionless values, as "name = value", that no SI quantity replaces although one could: they stay
+// what they are, whatever the material.
+std::vector<std::string> values_not_in_si(const PointInput& input);
+
 // Newtons per unit of dimensionless force; NaN without SI quantities.
 double force_unit(const PointInput& input);
 
