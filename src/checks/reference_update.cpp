@@ -52,6 +52,9 @@ void require_origin(const results::ResultReader& result, const Reference& made) 
                     result.path(), made.commit, run_again));
 }
 
+const std::set<PointStatus> kUnsound = {PointStatus::incomplete, PointStatus::not_converged,
+                                        PointStatus::failed, PointStatus::work_limit, PointStatus::ambiguous};
+
 // Whether a value is infinite, or NaN although the point has values.
 bool is_invalid(const std::string& name, double value, double status) {
   if (std::isinf(value)) return true;
@@ -68,7 +71,7 @@ void require_sound_run(const results::ResultReader& result, const Reference& mad
   for (const ReferenceFlags& f : made.flags)
     if (!f.misfit.empty()) fail(f.name, f.misfit);
   for (std::size_t i = 0; i < status.size(); ++i)
-    if (status_is(status[i], PointStatus::incomplete) || status_is(status[i], PointStatus::not_converged))
+    if (kUnsound.contains(PointStatus(status[i])))
       fail("status", fmt::format("{} at {}", results::value_text(result, "status", status[i]),
                                  results::place(result, "status", i)));
   for (const ReferenceVariable& v : made.variables) {

@@ -61,6 +61,12 @@ void print_statuses(const results::ResultReader& result) {
   fmt::print("\n");
 }
 
+void print_failures(const results::ResultReader& result) {
+  const auto failures = result.failures();
+  if (!failures.empty()) fmt::print("failed points, by index (the last axis fastest):\n");
+  for (const auto& [point, error] : failures) fmt::print("  {:<22} {}\n", point, error);
+}
+
 void print_provenance(const results::ResultReader& result) {
   const auto provenance = result.provenance();
   if (provenance.empty()) return;
@@ -87,6 +93,7 @@ int info_command(const std::string& file) {
   fmt::print("schema {}, experiment {}\npayload sha256 {}{}\n", result.text("schema_version"),
              result.text("name"), stored, intact ? " (verified)" : " DOES NOT MATCH THE NUMBERS");
   print_statuses(result);
+  print_failures(result);
   fmt::print("variables (smallest .. largest):\n");
   for (const std::string& name : result.variables()) print_variable(result, name);
   print_provenance(result);

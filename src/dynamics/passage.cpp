@@ -207,9 +207,10 @@ void evaluate_exit(const PassageTask& task, Passage& out) {
   const double mean_root = cbrt(I_n / T);
   out.gamma_3 = out.end[AREA] / T / (mean_root * mean_root);
   const State<double> at_rest = state_at_rest(task.bristle, task.start);
-  const double gained = energy(task.bristle, unpack<double>(out.end)) - energy(task.bristle, at_rest);
+  const double start = energy(task.bristle, at_rest);
+  const double gained = energy(task.bristle, unpack<double>(out.end)) - start;
   const double dissipated = out.end[FRICTION_X] - out.end[WORK];
-  out.energy_residual = std::abs(gained - out.end[WORK]) / dissipated;
+  out.energy_residual = std::abs(gained - out.end[WORK]) / std::max(dissipated, start);
 }
 
 Passage run_passage(const PassageTask& task, const Observer& observe) {

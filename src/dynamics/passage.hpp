@@ -27,7 +27,7 @@ struct IntegratorOptions {
   double rtol = 1e-6;
   double atol = 1e-8;
   Method method = Method::automatic;  // automatic: explicit until the bristle is stiff, then implicit
-  long max_evaluations = 2'000'000;   // of derivative(), including rejected steps
+  long max_evaluations = 2'000'000;   // of derivative() per passage, including rejected steps
 };
 
 // Integrals of F_n, F_fx and F_fy from the start of a passage to one instant, see Component.
@@ -42,7 +42,7 @@ struct Passage {
   double contact_time = 0;                       // T = Delta xi
   OdeState end{};                                // state and integrals at the exit
   double gamma_1 = 0, gamma_2 = 0, gamma_3 = 0;  // ratios of Eqs. (24-26) for this bristle
-  double energy_residual = 0;                    // |E(T) - E(0) - work| over the dissipated energy
+  double energy_residual = 0;  // |E(T) - E(0) - work| over the larger of dissipated energy and E(0)
   long steps = 0, evaluations = 0;
   int reflections = 0;              // number of applications of the pole rule, at s = s_min
   bool implicit = false;            // the implicit method was used

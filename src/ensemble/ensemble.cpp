@@ -1,9 +1,11 @@
 #include "ensemble/ensemble.hpp"
 
+#include "ensemble/integrator_error.hpp"
 #include "ensemble/quadrature_impl.hpp"
 #include "model/elementary.hpp"
 #include "model/friction/laws.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace bristle {
@@ -16,7 +18,16 @@ constexpr double kRoughFactor = 4;
 // resolves the intervals in which the number of bounces changes (measured in docs/numerics.md).
 constexpr double kMaxPanelWidth = 0.35;
 
-std::vector<double> initial_edges(bool half_circle) {
+// Edges of the first panels. A narrow distribution is integrated around its mean only, over panels of 3 or 4
+// standard deviations; beyond the last edge its density is below exp(-40) of the peak.
+std::vector<double> initial_edges(const Orientation& o, bool half_circle) {
+  if (const double sigma = standard_deviation(o); 9 * sigma < M_PI) {
+    if (half_circle && cos(o.mean) > 0) return {0, 2 * sigma, 5 * sigma, 9 * sigma};
+    if (half_circle) return {M_PI - 9 * sigma, M_PI - 5 * sigma, M_PI - 2 * sigma, M_PI};
+    std::vector<double> edges;
+    for (const double multiple : {-9, -5, -2, 0, 2, 5, 9}) edges.push_back(o.mean + multiple * sigma);
+    return edges;
+  }
   // Bristles that point against the motion contribute most: they get their own panel.
   const double head_on = M_PI / 6;
   if (half_circle) return {0, M_PI - head_on, M_PI};
@@ -40,6 +51,7 @@ ObservableArray observables(const Passage& passage, double L_x) {
   o[PINNED_R_N] = pinned ? R_n : 0;
   o[PINNED_R_X] = pinned ? R_x : 0;
   o[ENERGY_RESIDUAL] = passage.energy_residual;
+  o[WEIGHT] = 1;
   return o;
 }
 
@@ -47,18 +59,23 @@ EnsembleMean::EnsembleMean(const Setup& setup, double z_0, PassageRunner run)
     : setup_(setup),
       run_(std::move(run)),
       start_(initial_state(setup.parameters, z_0)),
+      density_(setup.orientation),
       half_circle_(mirror_symmetric(setup.orientation) && !setup.orientation.full_circle) {
   out_.z_0 = z_0;
   if (setup.orientation.sampling != Sampling::list)
     quadrature_.emplace([this](const std::vector<double>& at) { return samples(at); },
-                        initial_edges(half_circle_));
+                        initial_edges(setup.orientation, half_circle_));
 }
+
+PassageTask EnsembleMean::task(double theta_0) const {
+  return {&setup_.parameters, make_bristle(setup_.parameters, out_.z_0, theta_0), start_, setup_.integrator};
+}
+
+double EnsembleMean::weight(double theta_0) const { return (half_circle_ ? 2 : 1) * density_(theta_0); }
 
 std::vector<Passage> EnsembleMean::run(const std::vector<double>& theta_0) {
   std::vector<PassageTask> tasks;
-  for (double angle : theta_0)
-    tasks.push_back(
-        {&setup_.parameters, make_bristle(setup_.parameters, out_.z_0, angle), start_, setup_.integrator});
+  for (const double angle : theta_0) tasks.push_back(task(angle));
   std::vector<Passage> results = run_(tasks);
   for (const Passage& one : results)
     if (!one.complete() && out_.incomplete++ == 0) out_.incomplete_theta_0 = one.theta_0;
@@ -75,8 +92,7 @@ std::vector<Sample<OBSERVABLES>> EnsembleMean::samples(const std::vector<double>
     sample.valid = one.complete();
     sample.value = observables(one, setup_.parameters.L_x);
     if (half_circle_) sample.value[R_Y] = 0;  // cancels against the mirror image
-    const double weight = (half_circle_ ? 2 : 1) * density(setup_.orientation, one.theta_0);
-    for (double& value : sample.value) value *= weight;
+    for (double& value : sample.value) value *= weight(one.theta_0);
     out.push_back(sample);
   }
   return out;
@@ -86,6 +102,7 @@ EnsembleMean::Goal EnsembleMean::goal() const {
   Goal goal;
   for (std::size_t k = 0; k < OBSERVABLES; ++k) goal.scale[k] = int(k);
   goal.scale[R_Y] = R_X;  // R_y is near zero, so its tolerance is relative to R_x
+  goal.rtol[WEIGHT] = setup_.orientation.rtol;
   return goal;
 }
 
@@ -119,9 +136,38 @@ const Ensemble& EnsembleMean::refine(const Goal& goal) {
   const auto& result = quadrature_->refine(goal);
   out_.mean = result.integral;
   out_.error = result.error;
-  out_.converged = result.status == QuadratureStatus::converged;
+  const double missing = std::abs(out_.mean[WEIGHT] - 1);
+  out_.converged = result.status == QuadratureStatus::converged &&
+                   missing <= std::max(setup_.orientation.rtol, out_.error[WEIGHT]);
   out_.jumps = result.jumps;
   return out_;
+}
+
+std::vector<WeightedPassage> EnsembleMean::weighted_passages() const {
+  std::vector<WeightedPassage> out;
+  const std::size_t n = passages_.size();
+  for (const Passage& one : passages_) out.push_back({&one, 1 / double(n)});
+  if (!quadrature_) return out;
+  std::sort(out.begin(), out.end(),
+            [](const auto& a, const auto& b) { return a.passage->theta_0 < b.passage->theta_0; });
+  for (std::size_t i = 0; i < n; ++i) {
+    const double from = out[i > 0 ? i - 1 : 0].passage->theta_0,
+                 to = out[std::min(i + 1, n - 1)].passage->theta_0;
+    out[i].weight = weight(out[i].passage->theta_0) * (to - from) / 2;
+  }
+  return out;
+}
+
+const Ensemble& EnsembleMean::with_integrator_error() {
+  if (checked_) return *checked_;
+  checked_ = full();
+  if (checked_->incomplete > 0) return *checked_;
+  ObservableArray& more = checked_->integrator_error = integrator_error(
+      weighted_passages(), setup_.parameters.L_x, [this](const Passage& p) { return task(p.theta_0); }, run_,
+      checked_->passages);
+  if (half_circle_) more[R_Y] = 0;
+  for (std::size_t k = 0; k < OBSERVABLES; ++k) checked_->error[k] += more[k];
+  return *checked_;
 }
 
 void EnsembleMean::average_list() {

@@ -23,6 +23,7 @@ enum Observable {
   PINNED_R_N,  // contribution of the pinned bristles to R_n and R_x
   PINNED_R_X,
   ENERGY_RESIDUAL,
+  WEIGHT,  // integral of the density of theta_0: 1 up to the error of the quadrature
   OBSERVABLES
 };
 using ObservableArray = std::array<double, OBSERVABLES>;
@@ -32,16 +33,25 @@ struct Setup {
   Parameters parameters;
   Orientation orientation;
   IntegratorOptions integrator;
+  // Limit on the evaluations of the equations in means and load searches of one point.
+  long max_evaluations_per_point = 2'000'000'000;
 };
 
 struct Ensemble {
   double z_0 = 0;
-  ObservableArray mean{}, error{};  // error: estimate of the quadrature; 0 for a list
-  bool converged = true;            // error within rtol
+  ObservableArray mean{}, error{};     // error: estimate of the quadrature, which is 0 for a list, ..
+  ObservableArray integrator_error{};  // .. plus this one, if requested
+  bool converged = true;               // error of the quadrature within rtol
   long passages = 0;
   long incomplete = 0;            // passages that reached no exit; if > 0, mean and error are invalid
   double incomplete_theta_0 = 0;  // azimuth of the first of them, rad
   std::vector<double> jumps;      // theta_0 at which the outcome changes, rad
+};
+
+// A passage and its share of the ensemble mean; the shares of all passages add up to 1.
+struct WeightedPassage {
+  const Passage* passage;
+  double weight;
 };
 
 // Ensemble mean, by quadrature or over a list, of single passages at the gap z_0 (docs/model.md, section "The
@@ -60,13 +70,22 @@ class EnsembleMean {
   const Ensemble& precise_load();
   // R_n, R_x, N_c and gamma_1..3 to orientation.rtol.
   const Ensemble& full();
+  // The values of full(); errors include an estimate of the error of the integrator, see
+  // integrator_error.hpp.
+  const Ensemble& with_integrator_error();
 
-  // All computed passages, in the order of computation.
+  // Number of computed passages, with those that with_integrator_error() repeated.
+  long count() const { return checked_ ? checked_->passages : out_.passages; }
+  // The passages of the means, in the order of computation.
   const std::vector<Passage>& passages() const { return passages_; }
 
  private:
   using Goal = QuadratureGoal<OBSERVABLES>;
 
+  PassageTask task(double theta_0) const;
+  // Weight of a passage in the means, per rad of theta_0.
+  double weight(double theta_0) const;
+  std::vector<WeightedPassage> weighted_passages() const;
   std::vector<Sample<OBSERVABLES>> samples(const std::vector<double>& theta_0);
   std::vector<Passage> run(const std::vector<double>& theta_0);
   const Ensemble& refine(const Goal& goal);
@@ -76,9 +95,11 @@ class EnsembleMean {
   const Setup& setup_;
   PassageRunner run_;
   Equilibrium start_;
+  Density density_;
   bool half_circle_;
   Ensemble out_;
   std::vector<Passage> passages_;
+  std::optional<Ensemble> checked_;                    // with_integrator_error()
   std::optional<Quadrature<OBSERVABLES>> quadrature_;  // none for a list
 };
 

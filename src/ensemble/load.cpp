@@ -12,6 +12,9 @@ namespace {
 
 struct NotComputable {};
 
+// A load is above or below the target if its distance exceeds this multiple of its error.
+constexpr double kDistinct = 2;
+
 // R_n at one gap. excess is R_n minus the target on the
 // loading path, the target minus R_n on the unloading path.
 struct GapLoad {
@@ -69,9 +72,24 @@ class CrossingSearch {
       if (scanned.back().excess < 0) continue;
       const GapLoad far = scanned.back();
       scanned.pop_back();
+      reaches_by_noise_ = near_target(far) && !rises_further(far);
       return bracket_before(out, far, scanned);
     }
     return false;
+  }
+
+  // Whether the target is within the error of the load at this gap.
+  bool near_target(const GapLoad& at) {
+    if (std::abs(at.excess) > kDistinct * at.load.error + search_.rtol * search_.target) return false;
+    const GapLoad reported = load_at(at.z_0, Accuracy::reported);
+    return std::abs(reported.excess) <= kDistinct * reported.load.error;
+  }
+
+  // Whether the load is above the target one step of the scan beyond this gap, too.
+  bool rises_further(const GapLoad& at) {
+    const double direction = search_.path == LoadPath::loading ? -1 : 1;
+    const double next = std::clamp(at.z_0 + direction * search_.step, search_.ground, search_.first_contact);
+    return load_at(next, Accuracy::precise).excess >= 0;
   }
 
   // Brackets the crossing by the last scanned gap with negative excess,
@@ -90,8 +108,8 @@ class CrossingSearch {
   // The wall is soft: a load below R_n at first contact occurs a few wall ranges lambda_z above it.
   GapLoad above_contact() {
     GapLoad probe = load_at(search_.first_contact, Accuracy::precise);
-    double height = 1e-3;  // above first contact
-    while (probe.excess >= 0 && height < 0.1) {
+    double height = search_.wall_range;  // above first contact
+    while (probe.excess >= 0 && height < 100 * search_.wall_range) {
       probe = load_at(search_.first_contact + height, Accuracy::precise);
       height *= 2;
     }
@@ -105,18 +123,21 @@ class CrossingSearch {
     const double rise = b.excess - a.excess, fall = b.excess - c.excess;
     const double peak = b.excess + (rise - fall) * (rise - fall) / (8 * (rise + fall) + 1e-300);
     if (peak + b.load.error < -0.05 * search_.target) return {};
-    std::optional<GapLoad> found;
+    GapLoad top = b;
+    const auto found = [&] { return top.excess > kDistinct * top.load.error; };
     const auto negative_excess = [&](double z_0) {
-      if (found) return -found->excess;  // ends the search quickly
+      if (found()) return -top.excess;  // ends the search quickly
       GapLoad probe = load_at(z_0, Accuracy::rough);
       if (probe.excess >= 0) probe = load_at(z_0, Accuracy::precise);
-      if (probe.excess >= 0) found = probe;
+      if (probe.excess > top.excess) top = probe;
       return -probe.excess;
     };
     std::uintmax_t iterations = 12;
     const auto [low, high] = std::minmax(a.z_0, c.z_0);
     boost::math::tools::brent_find_minima(negative_excess, low, high, 12, iterations);
-    return found;
+    if (!found() && near_target(top)) reaches_by_noise_ = true;
+    if (top.excess < 0) return {};
+    return top;
   }
 
   static bool set_bracket(LoadPoint& out, const GapLoad& near, const GapLoad& far) {
@@ -125,28 +146,53 @@ class CrossingSearch {
     return near.excess < 0;
   }
 
-  void locate_crossing(LoadPoint& out) {
-    GapLoad near = load_at(out.z_0_near, Accuracy::precise), far = load_at(out.z_0_far, Accuracy::precise);
+  struct Bracket {
+    GapLoad near, far;
+    std::optional<GapLoad> solution{};  // within rtol of the target
+  };
+
+  // Narrows the bracket to a gap at which the load is within rtol of the target, or to z_0_resolution.
+  void narrow(Bracket& b, Accuracy accuracy) {
     const double allowed = search_.rtol * search_.target;
-    std::optional<GapLoad> solution;
+    if (std::abs(b.far.excess) <= allowed) {
+      b.solution = b.far;
+      return;
+    }
     const auto excess = [&](double z_0) {
-      const GapLoad probe = load_at(z_0, Accuracy::precise);
-      (probe.excess < 0 ? near : far) = probe;
+      const GapLoad probe = load_at(z_0, accuracy);
+      (probe.excess < 0 ? b.near : b.far) = probe;
       if (std::abs(probe.excess) > allowed) return probe.excess;
-      solution = probe;
+      b.solution = probe;
       return 0.0;
     };
-    if (std::abs(far.excess) <= allowed) {
-      solution = far;
-    } else {
-      const bool descending = near.z_0 > far.z_0;
-      const GapLoad &low = descending ? far : near, &high = descending ? near : far;
-      const double a = low.z_0, b = high.z_0, f_a = low.excess, f_b = high.excess;
-      const auto close = [&](double l, double r) { return r - l <= search_.z_0_resolution; };
-      std::uintmax_t iterations = 60;
-      boost::math::tools::toms748_solve(excess, a, b, f_a, f_b, close, iterations);
+    const bool descending = b.near.z_0 > b.far.z_0;
+    const GapLoad low = descending ? b.far : b.near, high = descending ? b.near : b.far;
+    const auto close = [&](double l, double r) { return r - l <= search_.z_0_resolution; };
+    std::uintmax_t iterations = 60;
+    boost::math::tools::toms748_solve(excess, low.z_0, high.z_0, low.excess, high.excess, close, iterations);
+  }
+
+  Bracket bracket_of(double near, double far, Accuracy accuracy) {
+    return {load_at(near, accuracy), load_at(far, accuracy)};
+  }
+
+  void locate_crossing(LoadPoint& out) {
+    Bracket b = bracket_of(out.z_0_near, out.z_0_far, Accuracy::precise);
+    narrow(b, Accuracy::precise);
+    if (!b.solution) {
+      // A jump, or the noise of the means: the reported loads decide.
+      b = bracket_of(b.near.z_0, b.far.z_0, Accuracy::reported);
+      if (b.near.excess >= 0 || b.far.excess < 0) b = located_again(out);
     }
-    set_result(out, near, far, solution);
+    out.ambiguous = reaches_by_noise_;
+    set_result(out, b.near, b.far, b.solution);
+  }
+
+  Bracket located_again(const LoadPoint& out) {
+    Bracket b = bracket_of(out.z_0_near, out.z_0_far, Accuracy::reported);
+    if (b.near.excess < 0 && b.far.excess >= 0) narrow(b, Accuracy::reported);
+    else reaches_by_noise_ = true;
+    return b;
   }
 
   void set_result(LoadPoint& out, const GapLoad& near, const GapLoad& far,
@@ -166,6 +212,7 @@ class CrossingSearch {
 
   const LoadCurve& curve_;
   const LoadSearch& search_;
+  bool reaches_by_noise_ = false;  // whether a maximum of the load reaches the target is within the errors
 };
 
 }  // namespace

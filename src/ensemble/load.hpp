@@ -8,11 +8,11 @@ namespace bristle {
 struct Load {
   double R_n, error;
 };
-// Requested accuracy of R_n(z_0): rough suffices to decide on which side of a distant target it lies, precise
-// is the accuracy of the reported values.
+// Requested accuracy of R_n(z_0).
 enum class Accuracy {
-  rough,
-  precise
+  rough,    // suffices to decide on which side of a distant target R_n lies
+  precise,  // near the target, that of the reported values
+  reported  // that of the reported values, and the error includes the integrator's
 };
 using LoadCurve = std::function<Load(double z_0, Accuracy accuracy)>;
 
@@ -34,6 +34,7 @@ struct LoadSearch {
   LoadPath path = LoadPath::loading;
   double rtol = 1e-3;            // of R_n
   double first_contact = 0.985;  // sin(phi_0)
+  double wall_range = 1e-3;      // lambda_z
   double ground = 0.01;          // lowest z_0 of the search
   double step = 0.05;            // of the scan; narrower humps of R_n(z_0) may be missed
   double z_0_resolution = 1e-6;  // a crossing of the target within this is a jump
@@ -47,6 +48,9 @@ struct LoadPoint {
   double z_0_far = 0;
   double jump_z_0 = 0;  // last gap before a jump, and its R_n
   double jump_R_n = 0;
+  // Whether the crossing is the first one is within the errors: a maximum of R_n(z_0) at this crossing or
+  // before it equals the target (a minimum on the unloading path).
+  bool ambiguous = false;
 };
 
 // Finds the gap at which R_n(z_0) first reaches the target when the slab is lowered from

@@ -5,28 +5,43 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace bristle {
 
 namespace {
 
-// exp(-kappa) times the modified Bessel function I_0(kappa), by the trapezoidal
-// rule for its integral. For a periodic integrand the rule converges faster
-// than any power; with this number of nodes its error is below rounding.
-double scaled_bessel(double kappa) {
-  const int nodes = 32 + int(std::ceil(10 * std::sqrt(kappa)));
+// Density of the von Mises distribution relative to its peak.
+double relative_density(double kappa, double from_mean) {
+  const double half = sin(from_mean / 2);
+  return exp(-2 * kappa * half * half);
+}
+
+// Integral of relative_density(), by the trapezoidal rule over the circle or over ten standard deviations on
+// both sides of the peak. For a periodic or vanishing integrand the rule converges faster than any power;
+// with this number of nodes its error is below rounding.
+double integral(double kappa) {
+  constexpr int nodes = 64;
+  const double half_width = kappa > 0 ? std::min(M_PI, 10 / std::sqrt(kappa)) : M_PI;
   double sum = 0;
-  for (int i = 0; i < nodes; ++i) sum += exp(kappa * (cos(2 * M_PI * i / nodes) - 1));
-  return sum / nodes;
+  for (int i = 0; i < nodes; ++i) sum += relative_density(kappa, half_width * (2.0 * i / nodes - 1));
+  return sum * 2 * half_width / nodes;
 }
 
 }  // namespace
 
-double density(const Orientation& o, double theta_0) {
-  if (o.distribution == Distribution::uniform) return 1 / (2 * M_PI);
-  // Numerator and denominator are scaled by exp(-kappa), so that large concentrations do not overflow.
-  const double kappa = o.concentration;
-  return exp(kappa * (cos(theta_0 - o.mean) - 1)) / (2 * M_PI * scaled_bessel(kappa));
+Density::Density(const Orientation& o)
+    : mean_(o.mean),
+      concentration_(o.distribution == Distribution::uniform ? 0 : o.concentration),
+      peak_(1 / (concentration_ > 0 ? integral(concentration_) : 2 * M_PI)) {}
+
+double Density::operator()(double theta_0) const {
+  return concentration_ > 0 ? peak_ * relative_density(concentration_, theta_0 - mean_) : peak_;
+}
+
+double standard_deviation(const Orientation& o) {
+  if (o.distribution == Distribution::uniform) return std::numeric_limits<double>::infinity();
+  return 1 / std::sqrt(o.concentration);
 }
 
 bool mirror_symmetric(const Orientation& o) {

@@ -30,7 +30,17 @@ struct Orientation {
 };
 
 // Probability density of theta_0, per rad.
-double density(const Orientation& orientation, double theta_0);
+class Density {
+ public:
+  explicit Density(const Orientation& orientation);
+  double operator()(double theta_0) const;
+
+ private:
+  double mean_, concentration_, peak_;
+};
+
+// Standard deviation of a narrow distribution, rad; infinity for the uniform one.
+double standard_deviation(const Orientation& orientation);
 
 // The azimuth (rad) of the bristle with this index. Depends on the seed and the index only.
 double random_azimuth(const Orientation& orientation, std::uint64_t index);

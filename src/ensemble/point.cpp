@@ -16,30 +16,16 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 // achieves a multiple of 4 unless it stops at its limit.
 constexpr double kDecided = 3;
 
-PointResult without_values(PointStatus status) {
-  PointResult out;
-  out.status = status;
-  out.z_0 = out.z_0_error = kNone;
-  out.value.fill(kNone);
-  out.error.fill(kNone);
-  out.R_x_norm = out.R_x_norm_error = out.R_y_norm = out.R_y_norm_error = kNone;
-  out.R_x_norm_load_error = out.R_y_norm_load_error = kNone;
-  out.load_error.fill(kNone);
-  out.fluctuation = out.fluctuation_of_rows = {kNone, kNone};
-  out.jump_z_0 = out.jump_R_n = out.incomplete_theta_0 = kNone;
-  return out;
-}
-
 // Adds the effect of a deviation of the load from its target (in units of R_n) to the errors, by the secant
-// through the gaps of the scan on both sides of the crossing.
-void add_load_error(PointResult& out, const Ensemble& near, const Ensemble& far, double deviation) {
-  const double span = std::abs(far.mean[R_N] - near.mean[R_N]);
+// to another gap. Larger errors remain.
+void add_load_error(PointResult& out, const Ensemble& other, double deviation) {
+  const double span = std::abs(other.mean[R_N] - out.value[R_N]);
   if (span == 0) return;
   const double share = deviation / span;
   for (std::size_t k = 0; k < OBSERVABLES; ++k)
-    if (k != R_N) out.load_error[k] = std::abs(far.mean[k] - near.mean[k]) * share;
-  for (std::size_t k = 0; k < OBSERVABLES; ++k) out.error[k] += out.load_error[k];
-  out.z_0_error = std::abs(far.z_0 - near.z_0) * share;
+    if (k != R_N)
+      out.load_error[k] = std::max(out.load_error[k], std::abs(other.mean[k] - out.value[k]) * share);
+  out.z_0_error = std::max(out.z_0_error, std::abs(other.z_0 - out.z_0) * share);
 }
 
 void normalise(PointResult& out, const Parameters& p) {
@@ -54,6 +40,16 @@ void normalise(PointResult& out, const Parameters& p) {
   out.R_y_norm_error = out.error[R_Y] / R_rigid + std::abs(out.R_y_norm) * load;
 }
 
+// The status of a converged point.
+PointStatus quality(const Parameters& p, const PointResult& out) {
+  if (p.azimuth_rate == AzimuthRate::kinematic && out.value[ENERGY_RESIDUAL] > kMaxEnergyResidual)
+    return PointStatus::inaccurate;
+  return std::isfinite(out.R_x_norm) && std::isfinite(out.value[GAMMA_3]) ? PointStatus::ok
+                                                                          : PointStatus::undefined;
+}
+
+struct WorkLimitReached {};
+
 class PointSolver {
  public:
   PointSolver(const Setup& setup, const Loading& loading, const PassageRunner& run, const Recording& record,
@@ -61,11 +57,16 @@ class PointSolver {
       : setup_(setup), loading_(loading), run_(run), record_(record), recorded_(recorded) {}
 
   PointResult solve() {
-    PointResult out = ensemble_values();
+    PointResult out;
+    try {
+      out = ensemble_values();
+    } catch (const WorkLimitReached&) {
+      out = without_values(PointStatus::work_limit);
+    }
     if (setup_.orientation.sampling == Sampling::lattice && std::isfinite(out.z_0)) out = lattice_values(out);
     if (std::isfinite(out.z_0)) record_trajectories(out.z_0);
     out.passages = lattice_passages_;
-    for (const auto& [z_0, mean] : means_) out.passages += long(mean.passages().size());
+    for (const auto& [z_0, mean] : means_) out.passages += mean.count();
     return out;
   }
 
@@ -81,12 +82,33 @@ class PointSolver {
       out.jump_z_0 = found.jump_z_0;
       out.jump_R_n = found.jump_R_n;
     } else {
-      const double deviation = std::abs(out.value[R_N] - loading_.R_n) + out.error[R_N];
-      add_load_error(out, mean_at(found.z_0_near).precise_load(), mean_at(found.z_0_far).precise_load(),
-                     deviation);
-      normalise(out, setup_.parameters);
+      add_load_errors(out, found);
     }
+    if (found.ambiguous) out.status = PointStatus::ambiguous;
     return out;
+  }
+
+  void add_load_errors(PointResult& out, const LoadPoint& found) {
+    const double distance = std::abs(out.value[R_N] - loading_.R_n), deviation = distance + out.error[R_N];
+    for (const double z_0 : {found.z_0_near, found.z_0_far})
+      add_load_error(out, mean_at(z_0).precise_load(), deviation);
+    add_nearest(out, std::make_reverse_iterator(means_.find(out.z_0)), means_.rend(), deviation);
+    add_nearest(out, std::next(means_.find(out.z_0)), means_.end(), deviation);
+    for (std::size_t k = 0; k < OBSERVABLES; ++k) out.error[k] += out.load_error[k];
+    normalise(out, setup_.parameters);
+    if (out.status == PointStatus::ok && distance > setup_.orientation.rtol * loading_.R_n)
+      out.status = PointStatus::not_converged;
+  }
+
+  // Adds the secant to the nearest gap whose load differs by at least the deviation.
+  template <class Iterator>
+  void add_nearest(PointResult& out, Iterator from, Iterator to, double deviation) {
+    for (; from != to; ++from) {
+      const Ensemble& other = from->second.precise_load();
+      if (!(std::abs(other.mean[R_N] - out.value[R_N]) >= deviation)) continue;
+      add_load_error(out, other, deviation);
+      return;
+    }
   }
 
   LoadPoint search() {
@@ -95,6 +117,7 @@ class PointSolver {
     search.path = loading_.path;
     search.rtol = setup_.orientation.rtol;
     search.first_contact = sin(setup_.parameters.phi_0);
+    search.wall_range = setup_.parameters.lambda_z;
     return first_crossing([this](double z_0, Accuracy accuracy) { return load_at(z_0, accuracy); }, search);
   }
 
@@ -105,14 +128,24 @@ class PointSolver {
     const Ensemble* e = &mean.rough_load(loading_.R_n);
     const auto distance = [&] { return std::abs(e->mean[R_N] - loading_.R_n); };
     const bool decided = distance() > kDecided * e->error[R_N];
-    if (e->incomplete == 0 && (accuracy == Accuracy::precise || !decided)) e = &mean.precise_load();
+    if (e->incomplete == 0 && (accuracy != Accuracy::rough || !decided)) e = &mean.precise_load();
     if (e->incomplete == 0 && distance() <= 2 * setup_.orientation.rtol * loading_.R_n) e = &mean.full();
+    if (e->incomplete == 0 && accuracy == Accuracy::reported) e = &mean.with_integrator_error();
     if (e->incomplete == 0) return {e->mean[R_N], e->error[R_N]};
     incomplete_theta_0_ = e->incomplete_theta_0;
     return {kNone, kNone};
   }
 
-  EnsembleMean& mean_at(double z_0) { return means_.try_emplace(z_0, setup_, z_0, run_).first->second; }
+  EnsembleMean& mean_at(double z_0) {
+    return means_.try_emplace(z_0, setup_, z_0, limited_run_).first->second;
+  }
+
+  std::vector<Passage> run_within_limit(const std::vector<PassageTask>& tasks) {
+    if (evaluations_ > setup_.max_evaluations_per_point) throw WorkLimitReached{};
+    std::vector<Passage> passages = run_(tasks);
+    for (const Passage& one : passages) evaluations_ += one.evaluations;
+    return passages;
+  }
 
   PointResult incomplete() const {
     PointResult out = without_values(PointStatus::incomplete);
@@ -122,7 +155,7 @@ class PointSolver {
 
   PointResult at_gap(double z_0, LoadStatus status) {
     EnsembleMean& mean = mean_at(z_0);
-    const Ensemble& ensemble = mean.full();
+    const Ensemble& ensemble = mean.with_integrator_error();
     if (record_.bristles) recorded_.bristles = mean.passages();
     PointResult out = values_of(setup_.parameters, ensemble);
     if (status == LoadStatus::load_jump && out.status != PointStatus::incomplete)
@@ -141,6 +174,8 @@ class PointSolver {
     }
     out.value = lattice.mean;
     out.error = lattice.error;
+    const ObservableArray& integrator = mean_at(mean.z_0).with_integrator_error().integrator_error;
+    for (std::size_t k = 0; k < OBSERVABLES; ++k) out.error[k] += integrator[k];
     out.load_error.fill(0);
     out.fluctuation = lattice.fluctuation;
     out.fluctuation_of_rows = lattice.fluctuation_of_rows;
@@ -163,12 +198,28 @@ class PointSolver {
   const PassageRunner& run_;
   const Recording& record_;
   Recorded& recorded_;
+  const PassageRunner limited_run_ = [this](const auto& tasks) { return run_within_limit(tasks); };
+  long evaluations_ = 0;
   std::map<double, EnsembleMean> means_;  // by gap
   long lattice_passages_ = 0;
   double incomplete_theta_0_ = kNone;  // of a passage without an exit, rad
 };
 
 }  // namespace
+
+PointResult without_values(PointStatus status) {
+  PointResult out;
+  out.status = status;
+  out.z_0 = out.z_0_error = kNone;
+  out.value.fill(kNone);
+  out.error.fill(kNone);
+  out.R_x_norm = out.R_x_norm_error = out.R_y_norm = out.R_y_norm_error = kNone;
+  out.R_x_norm_load_error = out.R_y_norm_load_error = kNone;
+  out.load_error.fill(kNone);
+  out.fluctuation = out.fluctuation_of_rows = {kNone, kNone};
+  out.jump_z_0 = out.jump_R_n = out.incomplete_theta_0 = kNone;
+  return out;
+}
 
 PointResult values_of(const Parameters& parameters, const Ensemble& ensemble) {
   if (ensemble.incomplete > 0) {
@@ -183,6 +234,7 @@ PointResult values_of(const Parameters& parameters, const Ensemble& ensemble) {
   out.error = ensemble.error;
   out.load_error.fill(0);
   normalise(out, parameters);
+  if (out.status == PointStatus::ok) out.status = quality(parameters, out);
   return out;
 }
 

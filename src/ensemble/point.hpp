@@ -30,11 +30,19 @@ enum class PointStatus {
   unreachable,    // no gap carries the target: no values
   incomplete,     // a passage ended without an exit: no values
   not_converged,  // there are values, but with an error above rtol
-  absent          // the traced curve has fewer nodes
+  absent,         // the traced curve has fewer nodes
+  failed,         // an error ended the computation: no values; the result has its message
+  work_limit,     // integrator.max_evaluations_per_point was reached: no values
+  ambiguous,      // there are values, but within the errors another crossing of the target may be the first
+  inaccurate,     // there are values, but the energy residual exceeds kMaxEnergyResidual
+  undefined       // there are values, but some are NaN: without load or friction, ratios to them do not exist
 };
+// Bound on the energy residual of a trustworthy point with the exact closing equation
+// (AzimuthRate::kinematic).
+constexpr double kMaxEnergyResidual = 1e-2;
 
 // Result of one sweep point. Values that the status excludes are NaN. Errors include the quadrature over
-// theta_0 and, after a load search, the deviation of the load from its target.
+// theta_0, the integrator and, after a load search, the deviation of the load from its target.
 struct PointResult {
   PointStatus status = PointStatus::ok;
   double z_0 = 0, z_0_error = 0;
@@ -61,6 +69,9 @@ struct Recorded {
   SlabForce slab_force;
   std::vector<Trajectory> trajectories;
 };
+
+// The result of a point without values. Throws nothing.
+PointResult without_values(PointStatus status);
 
 // Solves one sweep point. If the status is ok and a target load is given, R_n is within orientation.rtol of
 // it. For lattice sampling the gap is the one at which the ensemble mean carries the target load. run

@@ -58,8 +58,8 @@ class Tracer {
 
   PointResult solve(double z_0, const PassageRunner& run) const {
     EnsembleMean mean(setup_, z_0, run);
-    PointResult node = values_of(setup_.parameters, mean.full());
-    node.passages = long(mean.passages().size());
+    PointResult node = values_of(setup_.parameters, mean.with_integrator_error());
+    node.passages = mean.count();
     node.z_0 = z_0;
     return node;
   }

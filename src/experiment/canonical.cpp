@@ -16,6 +16,8 @@ using Object = nlohmann::json;  // sorted keys; numbers in the shortest form tha
 static_assert(sizeof(Parameters) == 24 * sizeof(double));
 static_assert(sizeof(Orientation) == 11 * sizeof(double));
 static_assert(sizeof(IntegratorOptions) == 4 * sizeof(double));
+static_assert(sizeof(Setup) ==
+              sizeof(Parameters) + sizeof(Orientation) + sizeof(IntegratorOptions) + sizeof(double));
 static_assert(sizeof(Loading) == 8 * sizeof(double));
 static_assert(sizeof(Recording) == 4 * sizeof(double));
 
@@ -63,6 +65,7 @@ std::string canonical_point(const Experiment& experiment, std::size_t index) {
                 {"orientation", canonical(point.setup.orientation)},
                 {"integrator", canonical(point.setup.integrator)},
                 {"engine", word(experiment.engine)},
+                {"max_evaluations_per_point", point.setup.max_evaluations_per_point},
                 {"load", canonical(point.loading)},
                 {"record", canonical(experiment.record)}};
   if (!point.si.empty()) out["force_unit"] = force_unit(point);

@@ -174,6 +174,8 @@ Experiment read(const Document& d) {
     d.fail("/model/C", "is swept; its value here must be a number");
   e.engine = from_word<Engine>(json["integrator"].value("engine", "fast"));
   e.base.setup = {read_model(d), read_orientation(d), read_integrator(d)};
+  e.base.setup.max_evaluations_per_point =
+      json["integrator"].value("max_evaluations_per_point", e.base.setup.max_evaluations_per_point);
   e.base.loading = read_loading(d, e.axes);
   read_si_units(d, e.axes, e.base);
   apply_si_units(e.base);

@@ -5,6 +5,7 @@
 #include <boost/math/tools/minima.hpp>
 #include <boost/math/tools/roots.hpp>
 #include <algorithm>
+#include <fmt/format.h>
 #include <limits>
 #include <stdexcept>
 
@@ -18,13 +19,15 @@ double midpoint(const std::pair<double, double>& bracket) {
   return bracket.first + (bracket.second - bracket.first) / 2;
 }
 
-// r at which the radial forces balance for the polar angle phi. The residual increases strictly with r.
+// r at which the radial forces balance for the polar angle phi. The residual increases strictly with r. NaN
+// if it is positive at r = 0: then the wall, reaching that far, compresses the spring completely.
 double balanced_radius(const Bristle<double>& b, double phi) {
   const double sin_phi = sin(phi), cos_phi = cos(phi);
   const auto residual = [&](double r) {
     return b.k_r * (r - 1) + sin_phi * short_range_force(b.z_0 - r * sin_phi, b.wall_peak, b.wall_rate) -
            cos_phi * short_range_force(r * cos_phi, b.pole_peak, b.pole_rate);
   };
+  if (residual(0) >= 0) return std::numeric_limits<double>::quiet_NaN();
   const double r_max = 1 + b.pole_peak / b.k_r;
   return midpoint(bisect(residual, 0.0, r_max, eps_tolerance<double>(52)));
 }
@@ -76,7 +79,10 @@ Equilibrium static_equilibrium(const Bristle<double>& b) {
     at_upper = at_lower;
   }
   if (!std::isfinite(least))
-    throw std::runtime_error("no static equilibrium under the slab; check stiffnesses and gap");
+    throw std::runtime_error(fmt::format(
+        "no static equilibrium of the bristle under the slab at z_0 = {:.6g}: the wall (lambda_z, beta) is "
+        "stronger than the springs (k_r, k_phi)",
+        b.z_0));
   return best;
 }
 

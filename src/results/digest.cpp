@@ -1,6 +1,7 @@
 #include "results/digest.hpp"
 
 #include "results/hdf5.hpp"
+#include "results/version.hpp"
 #include "util/sha.hpp"
 
 #include <fmt/format.h>
@@ -34,7 +35,7 @@ void add_values(Digest& digest, hid_t dataset, const h5::Shape& shape) {
 void collect(hid_t group, const std::string& prefix, std::vector<std::string>& paths) {
   for (const std::string& name : h5::children(group)) {
     const std::string path = prefix + name;
-    if (path == "checks" || path == "provenance") continue;
+    if (path == "checks" || path == "provenance" || path == kFailures) continue;
     if (h5::is_group(group, name)) collect(h5::open_group(group, name), path + "/", paths);
     else paths.push_back(path);
   }

@@ -62,6 +62,7 @@ std::string encode(const JournalLine& line) {
     Json& columns = json["tables"][name] = Json::array();
     for (const auto& column : rows) columns.push_back(encoded(column));
   }
+  if (!line.record.failure.empty()) json["failure"] = line.record.failure;
   const std::string text = json.dump();
   return sha256_of(text) + " " + text + "\n";
 }
@@ -78,6 +79,7 @@ std::optional<JournalLine> decode(std::string_view line) {
       Rows& columns = out.record.tables[name];
       for (const Json& column : rows) columns.push_back(decoded(column));
     }
+    out.record.failure = json.value("failure", "");
     return out;
   } catch (const Json::exception&) {
     return {};  // written by a program with another record format

@@ -130,11 +130,12 @@ bool holds_whole_result(const std::string& path) {
 
 bool ResultReader::has(const std::string& name) const { return h5::exists(file_, name); }
 
-std::map<std::string, std::string> ResultReader::provenance() const {
+std::map<std::string, std::string> ResultReader::text_attributes(const std::string& name) const {
   std::map<std::string, std::string> out;
-  if (!has("provenance")) return out;
-  const h5::Handle group = h5::open_group(file_, "provenance");
-  for (const std::string& name : h5::attribute_names(group)) out[name] = h5::read_text_attribute(group, name);
+  if (!has(name)) return out;
+  const h5::Handle group = h5::open_group(file_, name);
+  for (const std::string& attribute : h5::attribute_names(group))
+    out[attribute] = h5::read_text_attribute(group, attribute);
   return out;
 }
 

@@ -3,6 +3,7 @@
 #include "experiment/experiment.hpp"
 #include "results/hdf5.hpp"
 #include "results/part.hpp"
+#include "results/version.hpp"
 
 #include <map>
 #include <optional>
@@ -40,14 +41,17 @@ class ResultReader {
   bool has(const std::string& name) const;  // a dataset or group
   std::string text(const std::string& attribute) const;
   Json experiment() const;
-  std::map<std::string, std::string> provenance() const;  // empty if there is none
-  std::vector<std::string> axes() const;                  // names of the variables of the sweep's axes
-  std::vector<std::size_t> sweep_shape() const;           // without the nodes of traced curves
-  std::optional<Shard> shard() const;                     // none for a whole result
-  std::vector<std::size_t> part_points() const;           // ascending indices of the points of a part
+  // Attributes of the groups /provenance and /failures; empty if there is no such group.
+  std::map<std::string, std::string> provenance() const { return text_attributes("provenance"); }
+  std::map<std::string, std::string> failures() const { return text_attributes(kFailures); }
+  std::vector<std::string> axes() const;         // names of the variables of the sweep's axes
+  std::vector<std::size_t> sweep_shape() const;  // without the nodes of traced curves
+  std::optional<Shard> shard() const;            // none for a whole result
+  std::vector<std::size_t> part_points() const;  // ascending indices of the points of a part
 
  private:
   void require(Expected expected) const;
+  std::map<std::string, std::string> text_attributes(const std::string& group) const;
 
   std::string path_;
   h5::Handle file_;

@@ -1,6 +1,7 @@
 #include "results/record.hpp"
 
 #include "results/datasets.hpp"
+#include "results/version.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -121,6 +122,14 @@ PointRecord record_of(const Experiment& experiment, const std::vector<CurveNode>
   return with_unified_nan(std::move(record));
 }
 
+PointRecord failed_record(const Experiment& experiment, const std::string& error) {
+  const PointResult result = without_values(PointStatus::failed);
+  PointRecord record = experiment.base.loading.trace ? record_of(experiment, {{result, Branch::unstable}})
+                                                     : record_of(experiment, result, {});
+  record.failure = error;
+  return record;
+}
+
 PointRecord read_record(hid_t file, const Experiment& experiment, std::size_t index) {
   PointRecord record;
   const bool curve = experiment.base.loading.trace.has_value();
@@ -141,8 +150,15 @@ PointRecord read_record(hid_t file, const Experiment& experiment, std::size_t in
   for (const std::string& name : value_names(experiment)) record.values[name] = read(name);
   for (const std::string& table : table_names(experiment))
     record.tables[table] = read_rows(file, table, index);
+  if (h5::exists(file, kFailures)) {
+    const h5::Handle failures = h5::open_group(file, kFailures);
+    if (const std::string name = failure_name(index); h5::has_attribute(failures, name))
+      record.failure = h5::read_text_attribute(failures, name);
+  }
   return with_unified_nan(std::move(record));
 }
+
+std::string failure_name(std::size_t index) { return fmt::format("point_{}", index); }
 
 std::vector<std::string> value_names(const Experiment& experiment) {
   std::vector<std::string> names;

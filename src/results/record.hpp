@@ -15,13 +15,19 @@ namespace bristle::results {
 struct PointRecord {
   std::map<std::string, std::vector<double>> values;  // by dataset: one number, or one per node of a curve
   std::map<std::string, Rows> tables;                 // by table: its columns except the first, "point"
+  std::string failure;                                // the error of a point with the status failed
 };
 
 PointRecord record_of(const Experiment& experiment, const PointResult& result, const Recorded& recorded);
 PointRecord record_of(const Experiment& experiment, const std::vector<CurveNode>& curve);
+// A point that an error ended: status failed, no values, a curve with one node.
+PointRecord failed_record(const Experiment& experiment, const std::string& error);
 
 // Reads a point from a result file of this experiment or from a part. Throws RunError if it cannot be read.
 PointRecord read_record(hid_t file, const Experiment& experiment, std::size_t index);
+
+// Name of the attribute of the group kFailures that has the error of a point.
+std::string failure_name(std::size_t index);
 
 // Names of the datasets over the sweep and of the tables that a result of this experiment has.
 std::vector<std::string> value_names(const Experiment& experiment);

@@ -7,6 +7,8 @@ constexpr const char* kResultSchema = "bristle-result/1";
 // prevents readers from treating it as a whole result. Root attribute `shard`: "2/5"; dataset /part/points:
 // the indices of its points.
 constexpr const char* kPartSchema = "bristle-part/1";
+// The group whose text attributes are the errors of failed points.
+constexpr const char* kFailures = "failures";
 // Version of physics and numerics. Increase it when results may change.
 constexpr long kNumericsVersion = 4;
 

@@ -140,6 +140,7 @@ void ResultWriter::write(std::size_t index, const PointRecord& record) {
   }
   for (const auto& [name, dataset] : variables_)
     h5::write_part(dataset, H5T_NATIVE_DOUBLE, at, count, record.values.at(name).data());
+  if (!record.failure.empty()) failures_[index] = record.failure;
   for (auto& [name, table] : tables_) {
     const Rows& rows = record.tables.at(name);
     Rows numbered{std::vector<double>(rows.front().size(), double(index))};
@@ -152,6 +153,10 @@ void ResultWriter::close(const std::map<std::string, std::string>& provenance) {
   h5::Handle group = h5::create_group(file_, "provenance");
   for (const auto& [name, text] : provenance) h5::write_attribute(group, name, text);
   group.close("closing /provenance");
+  if (!failures_.empty()) {
+    const h5::Handle failures = h5::create_group(file_, kFailures);
+    for (const auto& [index, error] : failures_) h5::write_attribute(failures, failure_name(index), error);
+  }
   const std::string digest = payload_sha256(file_);
   h5::write_attribute(file_, "payload_sha256", digest);
   for (auto& [name, handle] : variables_) handle.close("closing " + name);

@@ -54,6 +54,7 @@ class ResultWriter {
   std::vector<h5::Handle> axes_;
   std::map<std::string, h5::Handle> variables_;
   std::map<std::string, Table> tables_;
+  std::map<std::size_t, std::string> failures_;  // errors of failed points, by index
   bool published_ = false;
 };
 

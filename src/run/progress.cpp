@@ -34,6 +34,10 @@ void Progress::step() {
   show(std::chrono::duration<double>(now - start_).count());
 }
 
+void Progress::note(const std::string& text) {
+  fmt::print(stderr, "{}{}\n", !quiet_ && terminal_ ? "\r\033[K" : "", text);
+}
+
 void Progress::show(double seconds) {
   const double rate = double(done_) / seconds;
   const double left = double(total_ - done_) / rate;

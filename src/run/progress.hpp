@@ -10,8 +10,9 @@ namespace bristle::run {
 class Progress {
  public:
   Progress(std::string what, std::size_t total, bool quiet);
-  void step();    // counts one completed item
-  void finish();  // ends the line of the bar
+  void step();                         // counts one completed item
+  void note(const std::string& text);  // a line of its own, also if quiet
+  void finish();                       // ends the line of the bar
 
  private:
   using Clock = std::chrono::steady_clock;

@@ -2,36 +2,48 @@
 
 #include "run/worker.hpp"
 
+#include <algorithm>
+#include <chrono>
 #include <exception>
+#include <map>
 #include <mutex>
+#include <set>
 #include <thread>
 #include <utility>
 
 namespace bristle::run {
 namespace {
 
+using Clock = std::chrono::steady_clock;
+constexpr double kSlowSeconds = 60, kSlowFactor = 10;
+
 // Distributes the points in their order and passes the reports to the sink, one at a time.
 class SweepQueue : public PointQueue {
  public:
   using Sink = std::function<void(PointReport&&)>;
-  SweepQueue(const std::vector<std::size_t>& points, const Sink& sink, const std::function<bool()>& stop)
-      : points_(points), sink_(sink), stop_(stop) {}
+  using Slow = std::function<void(std::size_t, double)>;
+  SweepQueue(const std::vector<std::size_t>& points, const Sink& sink, const std::function<bool()>& stop,
+             const Slow& slow)
+      : points_(points), sink_(sink), stop_(stop), slow_(slow) {}
 
   std::optional<std::size_t> next() override {
     const std::lock_guard lock(mutex_);
     if (update_stopped() || started_ == points_.size()) return {};
+    active_[points_[started_]] = Clock::now();
     return points_[started_++];
   }
 
   void deliver(PointReport&& report) override {
     const std::lock_guard lock(mutex_);
     if (error_) return;
+    active_.erase(report.index);
     sink_(std::move(report));
     ++delivered_;
   }
 
   bool stopped() override {
     const std::lock_guard lock(mutex_);
+    if (slow_) report_slow_points();
     return update_stopped();
   }
 
@@ -47,6 +59,21 @@ class SweepQueue : public PointQueue {
   }
 
  private:
+  // Reports each active point once that has taken longer than a minute and ten times the mean of the others.
+  void report_slow_points() {
+    const auto seconds_since = [now = Clock::now()](Clock::time_point then) {
+      return std::chrono::duration<double>(now - then).count();
+    };
+    const double mean =
+        seconds_since(begin_) * double(most_active_) / double(std::max<std::size_t>(1, delivered_));
+    most_active_ = std::max(most_active_, active_.size());
+    for (const auto& [index, start] : active_)
+      if (const double seconds = seconds_since(start); seconds > kSlowSeconds &&
+                                                       (delivered_ == 0 || seconds > kSlowFactor * mean) &&
+                                                       named_.insert(index).second)
+        slow_(index, seconds);
+  }
+
   bool update_stopped() { return stopped_ = stopped_ || error_ || stop_(); }
 
   const std::vector<std::size_t>& points_;
@@ -56,13 +83,19 @@ class SweepQueue : public PointQueue {
   std::size_t started_ = 0, delivered_ = 0;
   bool stopped_ = false;
   std::exception_ptr error_;
+  const Slow& slow_;
+  const Clock::time_point begin_ = Clock::now();
+  std::map<std::size_t, Clock::time_point> active_;  // points by index, with their start
+  std::size_t most_active_ = 1;                      // at the same time
+  std::set<std::size_t> named_;                      // slow points that have been reported
 };
 
 }  // namespace
 
 bool run_sweep(const Experiment& experiment, const std::vector<std::size_t>& points, int threads,
-               const std::function<void(PointReport&&)>& sink, const std::function<bool()>& stop) {
-  SweepQueue queue(points, sink, stop);
+               const std::function<void(PointReport&&)>& sink, const std::function<bool()>& stop,
+               const std::function<void(std::size_t, double)>& slow) {
+  SweepQueue queue(points, sink, stop, slow);
   const std::size_t share = (points.size() + std::size_t(threads) - 1) / std::size_t(threads);
   const auto run_thread = [&] {
     try {

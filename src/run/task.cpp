@@ -41,12 +41,16 @@ void refresh_description(const Task& task) {
   replace_file(copy, task.path);
 }
 
-// Number of points with each status, for the closing message.
-class StatusCounts {
+// Number of points with each status, and the errors of failed points, for the closing message.
+class Summary {
  public:
-  void add(const results::PointRecord& record) {
+  void add(const results::PointRecord& record, const std::string& place) {
     for (const double status : record.values.at("status")) ++counts_[std::size_t(status)];
+    ++points_;
+    if (!record.failure.empty()) failures_.push_back(fmt::format("{}: {}", place, record.failure));
   }
+  bool all_failed() const { return points_ > 0 && failures_.size() == points_; }
+  const std::vector<std::string>& failures() const { return failures_; }
   std::string text() const {
     std::string out;
     for (std::size_t i = 0; i < counts_.size(); ++i)
@@ -57,7 +61,21 @@ class StatusCounts {
 
  private:
   std::vector<long> counts_ = std::vector<long>(results::kPointStatusNames.size(), 0);
+  std::size_t points_ = 0;
+  std::vector<std::string> failures_;
 };
+
+// Names the failed points on standard error. Throws RunError if there are no others.
+void report_failures(const Task& task, const Summary& summary) {
+  constexpr std::size_t most = 10;
+  const std::vector<std::string>& failures = summary.failures();
+  if (summary.all_failed())
+    throw RunError(fmt::format("{}: no point could be computed; {}", task.path, failures.front()));
+  for (std::size_t i = 0; i < std::min(most, failures.size()); ++i)
+    fmt::print(stderr, "{}: failed: {}\n", task.path, failures[i]);
+  if (failures.size() > most)
+    fmt::print(stderr, "... and {} more; `bristle info {}` names all\n", failures.size() - most, task.path);
+}
 
 std::vector<std::size_t> missing_points(const Task& task, const results::Journal& journal) {
   std::vector<std::size_t> missing;
@@ -78,9 +96,13 @@ void fill_journal(const Task& task, const std::vector<std::size_t>& missing, int
     ++saved;
     progress.step();
   };
+  const auto slow = [&](std::size_t index, double seconds) {
+    progress.note(fmt::format("{}: {} takes unusually long: {} so far", experiment.name,
+                              experiment.place(index), duration_text(seconds)));
+  };
   std::string failure;
   try {
-    if (!run_sweep(experiment, missing, threads, sink, interrupted)) failure = "interrupted";
+    if (!run_sweep(experiment, missing, threads, sink, interrupted, slow)) failure = "interrupted";
     journal.sync();
   } catch (const RunError& e) {
     failure = e.what();
@@ -92,9 +114,9 @@ void fill_journal(const Task& task, const std::vector<std::size_t>& missing, int
 }
 
 // Writes the result file from the journal, in the order of the points.
-StatusCounts write_result(const Task& task, const results::Journal& journal,
-                          std::map<std::string, std::string> entries) {
-  StatusCounts counts;
+Summary write_result(const Task& task, const results::Journal& journal,
+                     std::map<std::string, std::string> entries) {
+  Summary summary;
   std::set<std::string> commits;
   results::ResultWriter writer(task.experiment, task.path, task.shard);
   for (const std::size_t i : task.points()) {
@@ -104,7 +126,7 @@ StatusCounts write_result(const Task& task, const results::Journal& journal,
           "{}: its variables differ from those of this program; --force computes all points again",
           journal.path()));
     writer.write(i, line.record);
-    counts.add(line.record);
+    summary.add(line.record, task.experiment.place(i));
     commits.insert(line.commit);
   }
   entries["points_commits"] = fmt::format("{}", fmt::join(commits, ", "));
@@ -112,7 +134,7 @@ StatusCounts write_result(const Task& task, const results::Journal& journal,
   writer.close(entries);
   if (!task.shard) add_checks(writer.partial());
   writer.publish();
-  return counts;
+  return summary;
 }
 
 void compute(const Task& task, int threads, const TaskOptions& options) {
@@ -128,7 +150,7 @@ void compute(const Task& task, int threads, const TaskOptions& options) {
   const std::size_t all = task.points().size(), found = all - missing.size();
   entries["points_computed"] = fmt::format("{} of {}", missing.size(), all);
   fill_journal(task, missing, threads, journal, options.quiet);
-  const StatusCounts counts = [&] {
+  const Summary summary = [&] {
     try {
       return write_result(task, journal, entries);
     } catch (const RunError& e) {
@@ -136,8 +158,9 @@ void compute(const Task& task, int threads, const TaskOptions& options) {
                                  e.what(), journal.path()));
     }
   }();
+  report_failures(task, summary);
   if (options.quiet) return;
-  fmt::print("{}: points: {}{}\n", task.path, all > 0 ? counts.text() : "none in this shard",
+  fmt::print("{}: points: {}{}\n", task.path, all > 0 ? summary.text() : "none in this shard",
              found > 0 ? fmt::format("; {} computed before", found) : std::string());
 }
 

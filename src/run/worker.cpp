@@ -7,6 +7,7 @@
 #include "util/sanitizer.hpp"
 
 #include <list>
+#include <new>
 
 namespace bristle::run {
 namespace {
@@ -14,14 +15,25 @@ namespace {
 // Enough points to keep the lanes full while most of the points wait for the last passages of a batch.
 constexpr std::size_t kMaxActivePoints = 24;
 
-PointReport solve(const Experiment& experiment, std::size_t index, const PassageRunner& run) {
+results::PointRecord solve(const Experiment& experiment, std::size_t index, const PassageRunner& run) {
   const experiment::PointInput input = experiment.point(index);
   if (input.loading.trace)
-    return {index, results::record_of(experiment, trace_curve(input.setup, *input.loading.trace, run))};
+    return results::record_of(experiment, trace_curve(input.setup, *input.loading.trace, run));
   Recorded recorded;
   PointResult result = solve_point(input.setup, input.loading, run, experiment.record, &recorded);
   result.force_unit = experiment::force_unit(input);
-  return {index, results::record_of(experiment, result, recorded)};
+  return results::record_of(experiment, result, recorded);
+}
+
+// An error within a point becomes its status, so that it does not cost the other points.
+PointReport report_of(const Experiment& experiment, std::size_t index, const PassageRunner& run) {
+  try {
+    return {index, solve(experiment, index, run)};
+  } catch (const std::bad_alloc&) {
+    throw;  // the other points may be the cause
+  } catch (const std::exception& e) {
+    return {index, results::failed_record(experiment, e.what())};
+  }
 }
 
 // A point that is being solved, suspended until the requested passages have been computed.
@@ -29,7 +41,7 @@ class SuspendedPoint {
  public:
   SuspendedPoint(const Experiment& experiment, std::size_t index)
       : job_([this, &experiment, index](const PassageRunner& run) {
-          report_ = solve(experiment, index, run);
+          report_ = report_of(experiment, index, run);
         }) {
     prepare();
   }
@@ -142,7 +154,7 @@ void solve_sequentially(const Experiment& experiment, PointQueue& queue, Engine 
     return runner(tasks);
   };
   try {
-    while (const auto index = queue.next()) queue.deliver(solve(experiment, *index, run));
+    while (const auto index = queue.next()) queue.deliver(report_of(experiment, *index, run));
   } catch (const Stopped&) {
   }
 }

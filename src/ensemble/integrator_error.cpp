@@ -1,0 +1,68 @@
+#include "ensemble/integrator_error.hpp"
+
+#include <cmath>
+
+namespace bristle {
+namespace {
+
+constexpr double kTighter = 10;        // ratio of the tolerances
+constexpr long kMoreEvaluations = 10;  // allowed for them
+// Number of repeated passages of each class; all if there are fewer.
+constexpr std::size_t kOrdinary = 12, kSensitive = 24;
+
+bool sensitive(const Passage& p) { return p.implicit || p.reflections > 0 || p.outcome == Outcome::pinned; }
+
+// Systematic sampling: passages at equal distances of the cumulative weight. Their weights have the same sum.
+std::vector<WeightedPassage> sample(const std::vector<WeightedPassage>& all, std::size_t count) {
+  if (all.size() <= count) return all;
+  double total = 0, passed = 0;
+  for (const WeightedPassage& one : all) total += one.weight;
+  const double step = total / double(count);
+  std::vector<WeightedPassage> out;
+  for (const WeightedPassage& one : all) {
+    const double from = passed;
+    passed += one.weight;
+    const double hits = std::floor(passed / step + 0.5) - std::floor(from / step + 0.5);
+    if (hits > 0) out.push_back({one.passage, hits * step});
+  }
+  return out;
+}
+
+}  // namespace
+
+ObservableArray integrator_error(const std::vector<WeightedPassage>& passages, double L_x,
+                                 const std::function<PassageTask(const Passage&)>& task,
+                                 const PassageRunner& run, long& count) {
+  std::vector<WeightedPassage> ordinary, chosen;
+  for (const WeightedPassage& one : passages) (sensitive(*one.passage) ? chosen : ordinary).push_back(one);
+  chosen = sample(chosen, kSensitive);
+  for (const WeightedPassage& one : sample(ordinary, kOrdinary)) chosen.push_back(one);
+
+  std::vector<PassageTask> tasks;
+  for (const WeightedPassage& one : chosen) {
+    tasks.push_back(task(*one.passage));
+    IntegratorOptions& options = tasks.back().integrator;
+    options.rtol /= kTighter;
+    options.atol /= kTighter;
+    options.max_evaluations *= kMoreEvaluations;
+  }
+  const std::vector<Passage> exact = run(tasks);
+  count += long(exact.size());
+
+  ObservableArray difference{}, squares{};
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    const ObservableArray a = observables(*chosen[i].passage, L_x);
+    const ObservableArray b = exact[i].complete() ? observables(exact[i], L_x) : ObservableArray{};
+    for (std::size_t k = 0; k < OBSERVABLES; ++k) {
+      const double change = chosen[i].weight * (b[k] - a[k]);
+      difference[k] += change;
+      squares[k] += change * change;
+    }
+  }
+  ObservableArray error;
+  for (std::size_t k = 0; k < OBSERVABLES; ++k)
+    error[k] = std::sqrt(difference[k] * difference[k] + squares[k]);
+  return error;
+}
+
+}  // namespace bristle
