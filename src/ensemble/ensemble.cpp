@@ -34,6 +34,17 @@ std::vector<double> initial_edges(const Orientation& o, bool half_circle) {
   return {-M_PI, -M_PI + head_on, 0, M_PI - head_on, M_PI};
 }
 
+// A tip that is moved across the pole leaves it if the bristle is exactly head-on, at a node of the quadrature,
+// but may become pinned if it passes the pole within its range. These azimuths get a panel of their own.
+std::vector<double> with_pole_panels(std::vector<double> edges, const Parameters& p) {
+  constexpr double ranges = 10;
+  if (p.pole_rule != PoleRule::cross) return edges;
+  for (const double edge : {-M_PI + ranges * p.lambda, M_PI - ranges * p.lambda})
+    if (edges.front() < edge && edge < edges.back())
+      edges.insert(std::upper_bound(edges.begin(), edges.end(), edge), edge);
+  return edges;
+}
+
 }  // namespace
 
 ObservableArray observables(const Passage& passage, double L_x) {
@@ -64,7 +75,7 @@ EnsembleMean::EnsembleMean(const Setup& setup, double z_0, PassageRunner run)
   out_.z_0 = z_0;
   if (setup.orientation.sampling != Sampling::list)
     quadrature_.emplace([this](const std::vector<double>& at) { return samples(at); },
-                        initial_edges(setup.orientation, half_circle_));
+                        with_pole_panels(initial_edges(setup.orientation, half_circle_), setup.parameters));
 }
 
 PassageTask EnsembleMean::task(double theta_0) const {
