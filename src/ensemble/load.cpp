@@ -14,6 +14,9 @@ struct NotComputable {};
 
 // A load is above or below the target if its distance exceeds this multiple of its error.
 constexpr double kDistinct = 2;
+// Distance before a crossing, in steps of the scan, at which the load is checked to be below the target.
+constexpr double kNeighbour = 0.125;
+constexpr int kMaxEarlier = 4;  // number of times that the search moves to an earlier crossing
 
 // R_n at one gap. excess is R_n minus the target on the
 // loading path, the target minus R_n on the unloading path.
@@ -43,7 +46,8 @@ class CrossingSearch {
     const Load load = curve_(z_0, accuracy);
     if (!std::isfinite(load.R_n)) throw NotComputable{};
     const double sign = search_.path == LoadPath::loading ? 1 : -1;
-    return {z_0, load, sign * (load.R_n - search_.target)};
+    computed_.push_back({z_0, load, sign * (load.R_n - search_.target)});
+    return computed_.back();
   }
 
   std::vector<double> scan_gaps() const {
@@ -78,17 +82,22 @@ class CrossingSearch {
     return false;
   }
 
-  // Whether the target is within the error of the load at this gap.
+  // Whether the load at this gap equals the target within its tolerance or its error.
   bool near_target(const GapLoad& at) {
-    if (std::abs(at.excess) > kDistinct * at.load.error + search_.rtol * search_.target) return false;
+    const double allowed = search_.rtol * search_.target;
+    if (std::abs(at.excess) > allowed + 2 * kDistinct * at.load.error) return false;
     const GapLoad reported = load_at(at.z_0, Accuracy::reported);
-    return std::abs(reported.excess) <= kDistinct * reported.load.error;
+    return std::abs(reported.excess) <= std::max(allowed, kDistinct * reported.load.error);
+  }
+
+  // The gap that lies beyond z_0 on the path by this distance, or before it if the distance is negative.
+  double beyond(double z_0, double distance) const {
+    return z_0 + (search_.path == LoadPath::loading ? -distance : distance);
   }
 
   // Whether the load is above the target one step of the scan beyond this gap, too.
   bool rises_further(const GapLoad& at) {
-    const double direction = search_.path == LoadPath::loading ? -1 : 1;
-    const double next = std::clamp(at.z_0 + direction * search_.step, search_.ground, search_.first_contact);
+    const double next = std::clamp(beyond(at.z_0, search_.step), search_.ground, search_.first_contact);
     return load_at(next, Accuracy::precise).excess >= 0;
   }
 
@@ -119,8 +128,10 @@ class CrossingSearch {
   // If b is the top of a hump, searches between a and c for a gap with excess >= 0. Only humps whose parabola
   // reaches to within 5 % of the target are searched.
   std::optional<GapLoad> find_in_hump(const GapLoad& a, const GapLoad& b, const GapLoad& c) {
-    if (!(b.excess < 0 && c.excess < 0 && b.excess >= a.excess && b.excess >= c.excess)) return {};
-    const double rise = b.excess - a.excess, fall = b.excess - c.excess;
+    if (!(b.excess < 0 && c.excess < 0)) return {};
+    const double rise = b.excess - a.excess + (b.load.error + a.load.error),
+                 fall = b.excess - c.excess + (b.load.error + c.load.error);
+    if (rise < 0 || fall < 0) return {};
     const double peak = b.excess + (rise - fall) * (rise - fall) / (8 * (rise + fall) + 1e-300);
     if (peak + b.load.error < -0.05 * search_.target) return {};
     GapLoad top = b;
@@ -179,6 +190,14 @@ class CrossingSearch {
   void locate_crossing(LoadPoint& out) {
     Bracket b = bracket_of(out.z_0_near, out.z_0_far, Accuracy::precise);
     narrow(b, Accuracy::precise);
+    for (int i = 0; b.solution && i < kMaxEarlier; ++i) {
+      const auto earlier = earlier_crossing(out.z_0_near, b.solution->z_0);
+      if (!earlier) break;
+      out.z_0_far = earlier->z_0;
+      b = {load_at(out.z_0_near, Accuracy::precise), *earlier};
+      narrow(b, Accuracy::precise);
+    }
+    if (b.solution && only_touches(b.solution->z_0, out.z_0_far)) reaches_by_noise_ = true;
     if (!b.solution) {
       // A jump, or the noise of the means: the reported loads decide.
       b = bracket_of(b.near.z_0, b.far.z_0, Accuracy::reported);
@@ -186,6 +205,28 @@ class CrossingSearch {
     }
     out.ambiguous = reaches_by_noise_;
     set_result(out, b.near, b.far, b.solution);
+  }
+
+  // A gap a little before the crossing whose load is above the target already: then the load between has a
+  // maximum and a minimum.
+  std::optional<GapLoad> earlier_crossing(double near, double crossing) {
+    const double z_0 = beyond(crossing, -kNeighbour * search_.step);
+    if (std::abs(near - crossing) <= kNeighbour * search_.step) return {};
+    GapLoad probe = load_at(z_0, Accuracy::rough);
+    if (probe.excess < -kDistinct * probe.load.error) return {};
+    probe = load_at(z_0, Accuracy::precise);
+    if (probe.excess >= 0) return probe;
+    if (near_target(probe)) reaches_by_noise_ = true;
+    return {};
+  }
+
+  // Whether no load between the crossing and the far end of its bracket exceeds the target by more than the
+  // errors.
+  bool only_touches(double crossing, double far) const {
+    const auto [low, high] = std::minmax(crossing, far);
+    return std::none_of(computed_.begin(), computed_.end(), [low = low, high = high](const GapLoad& one) {
+      return low <= one.z_0 && one.z_0 <= high && one.excess > kDistinct * one.load.error;
+    });
   }
 
   Bracket located_again(const LoadPoint& out) {
@@ -212,6 +253,7 @@ class CrossingSearch {
 
   const LoadCurve& curve_;
   const LoadSearch& search_;
+  std::vector<GapLoad> computed_;
   bool reaches_by_noise_ = false;  // whether a maximum of the load reaches the target is within the errors
 };
 
