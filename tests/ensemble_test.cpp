@@ -86,6 +86,81 @@ TEST_CASE("a von Mises distribution is isotropic at zero concentration, and othe
   CHECK(std::abs(sideways.mean[R_Y] + mirrored.mean[R_Y]) <= 2 * (sideways.error[R_Y] + mirrored.error[R_Y]));
 }
 
+TEST_CASE("the density of a von Mises distribution has the integral 1 at every concentration") {
+  for (const double kappa : {1e-3, 0.5, 3.0, 20.0, 1e3, 1e8}) {
+    Setup setup = paper(10, 1e-3);
+    setup.orientation.distribution = Distribution::von_mises;
+    setup.orientation.concentration = kappa;
+    setup.orientation.mean = 1.357;
+    const Ensemble e = ensemble_mean(setup, 0.5);
+    CAPTURE(kappa, e.error[WEIGHT]);
+    CHECK(e.converged);
+    CHECK(e.mean[WEIGHT] == Approx(1).epsilon(1e-3));
+  }
+}
+
+TEST_CASE("a narrow distribution gives the values of its only azimuth") {
+  Setup list = paper(10);
+  list.orientation.sampling = Sampling::list;
+  for (const double mean : {0.0, 1.357, -2.9, M_PI}) {
+    list.orientation.theta_0 = {mean};
+    const Ensemble one = ensemble_mean(list, 0.5);
+    Setup narrow = paper(10);
+    narrow.orientation.distribution = Distribution::von_mises;
+    narrow.orientation.concentration = 1e8;
+    narrow.orientation.mean = mean;
+    const Ensemble e = ensemble_mean(narrow, 0.5);
+    CAPTURE(mean);
+    for (const Observable k : {R_N, R_X, GAMMA_2}) CHECK(e.mean[k] == Approx(one.mean[k]).epsilon(1e-3));
+  }
+}
+
+TEST_CASE("errors include those of the integrator") {
+  // One bristle has no error of the quadrature. The tolerances are loose, so that the integrator's error is
+  // visible.
+  Setup loose = paper(10);
+  loose.orientation.sampling = Sampling::list;
+  loose.orientation.theta_0 = {0.5, 2.5, 3.1};
+  Setup tight = loose;
+  loose.integrator.rtol = 1e-3;
+  loose.integrator.atol = 1e-5;
+  tight.integrator.rtol = 1e-9;
+  tight.integrator.atol = 1e-11;
+  EnsembleMean mean(loose, 0.5, make_runner(Engine::fast));
+  const Ensemble e = mean.with_integrator_error(), exact = ensemble_mean(tight, 0.5);
+  for (const Observable k : {N_C_RATIO, R_N, R_X, R_Y, GAMMA_1, GAMMA_2, GAMMA_3}) {
+    CAPTURE(k, e.error[k]);
+    CHECK(std::abs(e.mean[k] - exact.mean[k]) <= 2 * e.error[k]);
+    CHECK(e.error[k] < 0.1 * std::abs(e.mean[k]) + 1e-3);
+  }
+  CHECK(e.error[R_N] > 0);
+  CHECK(e.passages == 6);
+  CHECK(mean.count() == 6);
+}
+
+TEST_CASE("a point whose equations are evaluated too often has the status work_limit and no values") {
+  Setup setup = paper(10);
+  setup.max_evaluations_per_point = 100'000;
+  for (const Loading loading : {Loading{}, Loading{0.5}}) {
+    const PointResult r = solve(setup, loading);
+    CHECK(r.status == PointStatus::work_limit);
+    CHECK(std::isnan(r.value[R_N]));
+    CHECK(r.passages > 0);
+  }
+}
+
+TEST_CASE("points without friction have the status undefined, and a bounded energy residual") {
+  Setup setup = paper(10, 1e-2);
+  setup.parameters.friction = FrictionLaw::coulomb;
+  setup.parameters.mu_c = 0;
+  const PointResult r = solve(setup, Loading{0.5});
+  CHECK(r.status == PointStatus::undefined);
+  CHECK(std::isnan(r.R_x_norm));
+  CHECK(r.value[R_N] > 0);
+  CHECK(r.value[R_X] == 0);
+  CHECK(r.value[ENERGY_RESIDUAL] < 1e-3);
+}
+
 TEST_CASE("a list of azimuths is averaged with equal weights") {
   Setup i = paper(10);
   i.orientation.sampling = Sampling::list;

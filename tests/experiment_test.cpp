@@ -164,6 +164,13 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
        "@/e.json: /si/k_r_N_per_m: k_r, which it replaces, is swept as well; remove one of them"},
       {with(R"("si": {"m_kg": 1, "r0_m": 1, "V0_m_per_s": 1, "nu": 0.4})"),
        "@/e.json: /si/E_Pa: is missing; nu and R_m need it"},
+      {with(
+           R"("si": {"m_kg": 1, "r0_m": 1, "V0_m_per_s": 1, "E_Pa": 1e8, "R_m": 0.001, "k_r_over_k_phi": 10})"),
+       "@/e.json: /si/nu: E_Pa needs either nu or E_star_Pa for the contact modulus"},
+      {with(
+           R"("orientation": {"distribution": "von_mises", "concentration": 1e9, "sampling": "quadrature"})"),
+       "@/e.json: /orientation/concentration: 1000000000.0 is not allowed; allowed: a number at least 0 and "
+       "at most 100000000.0 (von Mises: concentration kappa)"},
       {with(R"("si": {"m_kg": 1, "r0_m": 1, "V0_m_per_s": 1, "E_Pa": 1e8, "R_m": 0.001})"),
        "@/e.json: /si/k_r_over_k_phi: R_m needs either k_r_over_k_phi or k_r_N_per_m for the radial "
        "stiffness"},
@@ -230,6 +237,33 @@ TEST_CASE("the option --set changes a value, is named in errors, and refuses inv
   for (int i = 0; i < 30000; ++i) deep += "/a";
   CHECK_THROWS_WITH(load_experiment(file, {{deep + "=1"}, "full"}),
                     Catch::Contains("more than 64 levels deep"));
+}
+
+TEST_CASE("the option --set changes elements of arrays, and refuses pointers to nothing") {
+  const auto changed = [](std::vector<std::string> changes) {
+    changes.insert(changes.begin(), {R"(/load={"R_n":null,"path":null,"z_0":0.5})",
+                                     R"(/orientation={"sampling":"list","theta_0_deg":[10,100,170]})"});
+    std::vector<double> degrees;
+    for (const double theta_0 :
+         load_experiment(kExperiments + "/paper.json", {changes, "full"}).base.setup.orientation.theta_0)
+      degrees.push_back(std::round(theta_0 * 180 / M_PI));
+    return degrees;
+  };
+  CHECK(changed({"/orientation/theta_0_deg/0=20"}) == std::vector<double>{20, 100, 170});
+  CHECK(changed({"/orientation/theta_0_deg/2=20"}) == std::vector<double>{10, 100, 20});
+  CHECK(changed({"/orientation/theta_0_deg/-=20"}) == std::vector<double>{10, 100, 170, 20});
+  CHECK(changed({"/orientation/theta_0_deg=[20]"}) == std::vector<double>{20});
+  CHECK_THROWS_WITH(changed({"/orientation/theta_0_deg/3=20"}),
+                    Catch::Contains("allowed: 0 to 2, or - to append"));
+  CHECK_THROWS_WITH(changed({"/orientation/theta_0_deg/first=20"}),
+                    Catch::Contains("not an element of the array"));
+  CHECK_THROWS_WITH(
+      changed({"/orientation/theta_0_deg/1=\"x\""}),
+      Catch::StartsWith("--set /orientation/theta_0_deg/1=\"x\": /orientation/theta_0_deg/1: "));
+  CHECK_THROWS_WITH(changed({"/modle/k_r=3"}), Catch::Contains("did you mean model?"));
+  CHECK_THROWS_WITH(changed({"/model/k_rr=null"}), Catch::Contains("did you mean k_r?"));
+  CHECK_THROWS_WITH(changed({"/name/k_r=3"}), Catch::Contains("does not exist"));
+  CHECK_THROWS_WITH(changed({"/tiers/full/model/k_r=3"}), Catch::Contains("would have no effect"));
 }
 
 TEST_CASE(

@@ -121,6 +121,62 @@ TEST_CASE("load control: a hump next to a gap of the scan with a wrong rough mea
   CHECK(folded(p.z_0) == Approx(s.target).epsilon(1e-3));
 }
 
+TEST_CASE("load control: a soft wall is followed far above first contact") {
+  LoadSearch s;
+  s.target = 0.5;
+  s.first_contact = kContact;
+  s.wall_range = 0.05;
+  const LoadPoint p = first_crossing(
+      [](double z_0, Accuracy) {
+        return Load{1.3 * std::exp((kContact - z_0) / 0.2), 1e-6};
+      },
+      s);
+  CHECK(p.status == LoadStatus::reached);
+  CHECK(p.z_0 == Approx(kContact + 0.2 * std::log(2.6)).margin(1e-3));
+}
+
+TEST_CASE("load control: a maximum that equals the target within the errors is ambiguous") {
+  double top = 0;
+  for (double z_0 = 0.8; z_0 > 0.5; z_0 -= 1e-5) top = std::max(top, folded(z_0));
+  const auto search_with_error = [&](double target, double error) {
+    LoadSearch s;
+    s.target = target;
+    s.first_contact = kContact;
+    return first_crossing([&](double z_0, Accuracy) { return Load{folded(z_0), error}; }, s);
+  };
+  for (const double distance : {-0.003, 0.003}) {
+    CAPTURE(distance);
+    CHECK(search_with_error(top + distance, 0.01).ambiguous);
+    CHECK(!search_with_error(top + distance, 1e-6).ambiguous);
+  }
+  CHECK(!search_with_error(1.2, 0.01).ambiguous);
+}
+
+TEST_CASE("load control: noise of the precise means is not taken for a jump") {
+  // The precise means are too high beyond a gap where the reported ones have no jump.
+  LoadSearch s;
+  s.first_contact = kContact;
+  const LoadPoint p = first_crossing(
+      [](double z_0, Accuracy a) {
+        return Load{rising(z_0) + (a != Accuracy::reported && z_0 < 0.5 ? 0.2 : 0.0), 1e-6};
+      },
+      s);
+  CHECK(p.status == LoadStatus::reached);
+  CHECK(p.load.R_n == Approx(2).epsilon(1e-3));
+  CHECK(p.z_0 == Approx(kContact - 0.5).margin(5e-4));
+}
+
+TEST_CASE("load control: an earlier crossing within the same step of the scan is found") {
+  // A hump of half a hundredth just before the crossing.
+  const auto curve = [](double z_0) {
+    return rising(z_0) + 0.1 * std::exp(-std::pow((z_0 - 0.487) / 0.002, 2));
+  };
+  const LoadPoint p = search(curve, 2);
+  CHECK(p.status == LoadStatus::reached);
+  CHECK(p.z_0 > 0.487);
+  CHECK(curve(p.z_0) == Approx(2).epsilon(1e-3));
+}
+
 TEST_CASE("load control: a curve that cannot be computed has status failed") {
   CHECK(search([](double z_0) { return z_0 < 0.7 ? NAN : 0.1; }, 2).status == LoadStatus::failed);
 }

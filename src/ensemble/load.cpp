@@ -76,18 +76,19 @@ class CrossingSearch {
       if (scanned.back().excess < 0) continue;
       const GapLoad far = scanned.back();
       scanned.pop_back();
-      reaches_by_noise_ = near_target(far) && !rises_further(far);
+      if (!scanned.empty()) examine_top(scanned.back().z_0, far);
       return bracket_before(out, far, scanned);
     }
     return false;
   }
 
+  double allowed() const { return search_.rtol * search_.target; }
+
   // Whether the load at this gap equals the target within its tolerance or its error.
   bool near_target(const GapLoad& at) {
-    const double allowed = search_.rtol * search_.target;
-    if (std::abs(at.excess) > allowed + 2 * kDistinct * at.load.error) return false;
+    if (std::abs(at.excess) > allowed() + 2 * kDistinct * at.load.error) return false;
     const GapLoad reported = load_at(at.z_0, Accuracy::reported);
-    return std::abs(reported.excess) <= std::max(allowed, kDistinct * reported.load.error);
+    return std::abs(reported.excess) <= std::max(allowed(), kDistinct * reported.load.error);
   }
 
   // The gap that lies beyond z_0 on the path by this distance, or before it if the distance is negative.
@@ -95,10 +96,16 @@ class CrossingSearch {
     return z_0 + (search_.path == LoadPath::loading ? -distance : distance);
   }
 
-  // Whether the load is above the target one step of the scan beyond this gap, too.
-  bool rises_further(const GapLoad& at) {
-    const double next = std::clamp(beyond(at.z_0, search_.step), search_.ground, search_.first_contact);
-    return load_at(next, Accuracy::precise).excess >= 0;
+  GapLoad next_of_scan(double z_0, Accuracy accuracy) {
+    return load_at(std::clamp(beyond(z_0, search_.step), search_.ground, search_.first_contact), accuracy);
+  }
+
+  // If the load hardly reaches the target at this gap of the scan and is smaller beyond it, whether it
+  // reaches the target depends on the top between.
+  void examine_top(double before, const GapLoad& at) {
+    if (!near_target(at)) return;
+    const GapLoad next = next_of_scan(at.z_0, Accuracy::rough);
+    if (next.excess < 0) top_of_hump(before, at, next.z_0);
   }
 
   // Brackets the crossing by the last scanned gap with negative excess,
@@ -128,14 +135,22 @@ class CrossingSearch {
   // If b is the top of a hump, searches between a and c for a gap with excess >= 0. Only humps whose parabola
   // reaches to within 5 % of the target are searched.
   std::optional<GapLoad> find_in_hump(const GapLoad& a, const GapLoad& b, const GapLoad& c) {
-    if (!(b.excess < 0 && c.excess < 0)) return {};
-    const double rise = b.excess - a.excess + (b.load.error + a.load.error),
-                 fall = b.excess - c.excess + (b.load.error + c.load.error);
-    if (rise < 0 || fall < 0) return {};
+    const double noise = a.load.error + b.load.error + c.load.error;
+    const bool hump = b.excess < 0 && c.excess < 0 && b.excess >= std::max(a.excess, c.excess) - noise;
+    if (!hump) return {};
+    const double rise = std::max(0.0, b.excess - a.excess), fall = std::max(0.0, b.excess - c.excess);
     const double peak = b.excess + (rise - fall) * (rise - fall) / (8 * (rise + fall) + 1e-300);
     if (peak + b.load.error < -0.05 * search_.target) return {};
+    const GapLoad top = top_of_hump(a.z_0, b, c.z_0);
+    if (top.excess < 0) return {};
+    return top;
+  }
+
+  // The largest load found between two gaps on both sides of b, or the first that is above the target beyond
+  // doubt.
+  GapLoad top_of_hump(double before, const GapLoad& b, double after) {
     GapLoad top = b;
-    const auto found = [&] { return top.excess > kDistinct * top.load.error; };
+    const auto found = [&] { return top.excess > allowed() + kDistinct * top.load.error; };
     const auto negative_excess = [&](double z_0) {
       if (found()) return -top.excess;  // ends the search quickly
       GapLoad probe = load_at(z_0, Accuracy::rough);
@@ -144,10 +159,9 @@ class CrossingSearch {
       return -probe.excess;
     };
     std::uintmax_t iterations = 12;
-    const auto [low, high] = std::minmax(a.z_0, c.z_0);
+    const auto [low, high] = std::minmax(before, after);
     boost::math::tools::brent_find_minima(negative_excess, low, high, 12, iterations);
     if (!found() && near_target(top)) reaches_by_noise_ = true;
-    if (top.excess < 0) return {};
     return top;
   }
 
@@ -164,15 +178,14 @@ class CrossingSearch {
 
   // Narrows the bracket to a gap at which the load is within rtol of the target, or to z_0_resolution.
   void narrow(Bracket& b, Accuracy accuracy) {
-    const double allowed = search_.rtol * search_.target;
-    if (std::abs(b.far.excess) <= allowed) {
+    if (std::abs(b.far.excess) <= allowed()) {
       b.solution = b.far;
       return;
     }
     const auto excess = [&](double z_0) {
       const GapLoad probe = load_at(z_0, accuracy);
       (probe.excess < 0 ? b.near : b.far) = probe;
-      if (std::abs(probe.excess) > allowed) return probe.excess;
+      if (std::abs(probe.excess) > allowed()) return probe.excess;
       b.solution = probe;
       return 0.0;
     };
@@ -229,8 +242,14 @@ class CrossingSearch {
     });
   }
 
+  // Locates the crossing by reported loads: the precise ones misled the search.
   Bracket located_again(const LoadPoint& out) {
     Bracket b = bracket_of(out.z_0_near, out.z_0_far, Accuracy::reported);
+    const double end = search_.path == LoadPath::loading ? search_.ground : search_.first_contact;
+    while (b.far.excess < 0 && b.far.z_0 != end) {
+      b.near = b.far;
+      b.far = next_of_scan(b.far.z_0, Accuracy::reported);
+    }
     if (b.near.excess < 0 && b.far.excess >= 0) narrow(b, Accuracy::reported);
     else reaches_by_noise_ = true;
     return b;

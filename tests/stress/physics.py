@@ -1,0 +1,254 @@
+"""Random points over the range of the experiment schema: the fast engine against converged values.
+
+physics.py BRISTLE [--points N] [--seconds S] [--seed SEED] [--folder DIR]
+
+Each point is computed as an experiment asks for it, and again by the reference engine with a tolerance of the
+integrator that is 100 times tighter and a tolerance of the means that is 10 times tighter. The table counts, for each
+variable, the values whose distance from the second computation exceeds 2 and 10 times the sum of both stated errors.
+Fails if less than 97 % of the values lie within twice that sum, if one lies beyond 10 times, or if an invariant does
+not hold. Exit code 1 for a failure; the experiments of failed points stay in DIR.
+"""
+import argparse
+import collections
+import json
+import math
+import pathlib
+import random
+import subprocess
+import sys
+import tempfile
+import time
+
+import h5py
+import numpy
+
+TIGHTER_STEPS, TIGHTER_MEANS = 100, 10
+REQUIRED_SHARE = 0.97
+FACTOR, LIMIT = 2, 10
+# Distances below this share of a variable's scale are rounding.
+ROUNDING = 1e-9
+# Measures of the integrator's error: tight tolerances are meant to change them.
+DIAGNOSTICS = ("energy_residual",)
+STATUS_WITH_VALUES = ("ok",)
+
+
+class Draw(random.Random):
+    def log(self, low, high):
+        return math.exp(self.uniform(math.log(low), math.log(high)))
+
+    def chance(self, p):
+        return self.random() < p
+
+    def or_default(self, default, value, p=0.5):
+        return value if self.chance(p) else default
+
+
+def experiment(seed):
+    """A random point. Each parameter has its default with some probability, so that all pairs occur."""
+    r = Draw(seed)
+    phi_0 = r.or_default(80, r.uniform(25, 89))
+    lam = r.or_default(1e-3, r.log(3e-4, 1e-2), 0.3)
+    model = {
+        "friction": r.choice(["nss", "coulomb", "stribeck"]),
+        "k_r": r.log(1, 200), "k_theta": r.log(0.03, 30), "k_phi": r.or_default(1.9, r.log(0.05, 20)),
+        "phi_0_deg": phi_0,
+        "zeta_theta": r.or_default(0.1, r.choice([0, r.uniform(0, 1)])),
+        "zeta_phi": r.or_default(0.1, r.choice([0, r.uniform(0, 1)])),
+        "mu_c": r.or_default(1, r.choice([0, r.log(0.01, 5)])),
+        "tau_f": r.or_default(3e4, r.log(3e2, 1e5)),
+        "R_c": r.or_default(1 / 17, r.log(0.01, 0.3), 0.3),
+        "E_star": r.or_default(5.849e4, r.log(1e3, 1e6), 0.3),
+        "A": r.or_default(1.2, r.choice([1, r.uniform(1, 2)]), 0.3),
+        "C": "peak_at_V_s",
+        "V_s": r.or_default(0.01, r.log(1e-3, 0.1), 0.3),
+        "lambda": lam,
+        "lambda_z": r.or_default(1e-3, r.log(3e-4, 2e-2), 0.3),
+        "alpha": r.or_default(1, r.choice([0, r.uniform(0, 10)]), 0.3),
+        "beta": r.or_default(1, r.log(0.3, 100), 0.3),
+        "azimuth_rate": r.choice(["kinematic", "kinematic", "as_printed"]),
+        "initial_state": r.choice(["static_equilibrium", "static_equilibrium", "at_slab", "upright"]),
+        "pole_rule": r.choice(["reflect", "reflect", "cross"]),
+        "s_min": r.or_default(1e-4, lam * r.log(0.01, 0.5), 0.3),
+        "L_x": r.or_default(5, r.log(0.5, 15), 0.3), "L_y": 5, "spacing": 0.2,
+    }
+    contact = math.sin(math.radians(phi_0))
+    if r.chance(0.6):
+        load = {"z_0": max(0.01, r.uniform(0.05, 1) * contact)}
+    else:
+        load = {"R_n": r.log(0.1, 10), "path": r.choice(["loading", "loading", "unloading"])}
+    orientation = {"distribution": "uniform", "sampling": "quadrature", "rtol": r.log(3e-3, 0.1)}
+    if r.chance(0.2):
+        orientation.update(distribution="von_mises", concentration=r.log(0.1, 1e5),
+                           mean_deg=r.choice([0, 180, r.uniform(-180, 180)]))
+    elif r.chance(0.15):
+        orientation.update(sampling="list", theta_0_deg=[r.uniform(-180, 180) for _ in range(r.randint(1, 12))])
+    elif r.chance(0.1):
+        orientation["full_circle"] = True
+    rtol = r.log(1e-6, 1e-4)
+    return {"schema": "bristle-experiment/1", "name": "random", "model": model, "load": load,
+            "orientation": orientation, "integrator": {"rtol": rtol, "atol": rtol / 100}, "record": ["observables"]}
+
+
+def converged(document):
+    """The same point, by the reference engine with tight tolerances."""
+    d = json.loads(json.dumps(document))
+    d["integrator"] = {"engine": "reference", "rtol": d["integrator"]["rtol"] / TIGHTER_STEPS,
+                       "atol": d["integrator"]["atol"] / TIGHTER_STEPS, "max_evaluations": 100_000_000}
+    d["orientation"]["rtol"] = max(1e-8, d["orientation"]["rtol"] / TIGHTER_MEANS)
+    return d
+
+
+def compute(bristle, document, path, timeout):
+    path.write_text(json.dumps(document, indent=1))
+    out = path.with_suffix(".h5")
+    done = subprocess.run([bristle, "run", str(path), "-o", str(out), "--quiet", "--force", "--threads", "1"],
+                          capture_output=True, text=True, timeout=timeout)
+    path.with_suffix(".h5.journal").unlink(missing_ok=True)
+    if done.returncode != 0:
+        return {"exit": done.returncode, "message": done.stderr.strip()}
+    with h5py.File(out) as f:
+        values = {name: float(d[()]) for name, d in f.items() if isinstance(d, h5py.Dataset) and d.shape == ()}
+        words = f["status"].attrs["flag_meanings"]
+        words = (words.decode() if isinstance(words, bytes) else words).split()
+    out.unlink()
+    return {"exit": 0, "status": words[int(values["status"])], "values": values}
+
+
+def load_tolerance(document):
+    """How far R_n may be from its target; 0 if the gap is given."""
+    return document["load"].get("R_n", 0) * document["orientation"]["rtol"]
+
+
+def invariants(document, status, v):
+    """What must hold for a point with the status ok."""
+    model = document["model"]
+    bad = [name for name in v if not name.startswith(("incomplete", "jump")) and not math.isfinite(v[name])]
+    bad = [f"{name} is {v[name]}" for name in bad]
+    slack = lambda name: 1 + 2 * v[name + "_err"] + 1e-9
+    if model["A"] >= 1 and v["gamma_1"] > model["A"] * slack("gamma_1"):
+        bad.append(f"gamma_1 = {v['gamma_1']} exceeds A = {model['A']}")
+    if abs(v["gamma_2"]) > max(1, model["A"]) * slack("gamma_2"):
+        bad.append(f"gamma_2 = {v['gamma_2']}")
+    if v["gamma_3"] > slack("gamma_3"):
+        bad.append(f"gamma_3 = {v['gamma_3']} exceeds 1 (Jensen)")
+    if not v["N_c_ratio"] > 0:
+        bad.append(f"N_c_ratio = {v['N_c_ratio']}")
+    if not -1e-12 <= v["pinned_fraction"] <= 1 + 2 * v["pinned_fraction_err"] + 1e-12:
+        bad.append(f"pinned_fraction = {v['pinned_fraction']}")
+    o = document["orientation"]
+    symmetric = o["sampling"] == "quadrature" and (o["distribution"] == "uniform" or o["mean_deg"] % 180 == 0)
+    if symmetric and abs(v["R_y"]) > 2 * v["R_y_err"] + 1e-12:
+        bad.append(f"R_y = {v['R_y']} +- {v['R_y_err']}")
+    target = document["load"].get("R_n")
+    if target and abs(v["R_n"] - target) > load_tolerance(document) * (1 + 1e-9):
+        bad.append(f"R_n = {v['R_n']} is not within rtol of {target}")
+    if model["azimuth_rate"] == "kinematic" and v["energy_residual"] > 1e-2:
+        bad.append(f"energy_residual = {v['energy_residual']}")
+    return bad
+
+
+class Table:
+    def __init__(self):
+        self.ratios = collections.defaultdict(list)
+
+    def add(self, number, fast, exact, allowed):
+        """allowed: difference between two loads that both equal the target within their tolerances."""
+        for name in sorted(fast):
+            if name + "_err" not in fast or name in DIAGNOSTICS:
+                continue
+            a, b = fast[name], exact[name]
+            error = fast[name + "_err"] + exact[name + "_err"]
+            if name == "R_n":
+                error += allowed
+            distance = abs(a - b)
+            if math.isnan(a) and math.isnan(b):
+                continue
+            ratio = 0 if distance <= ROUNDING * max(abs(a), abs(b), 1e-3) else distance / error if error > 0 else math.inf
+            self.ratios[name].append((ratio, number, a, fast[name + "_err"], b, exact[name + "_err"]))
+
+    def text(self):
+        lines = [f"{'variable':<20} {'values':>6} {'median':>7} {'97 %':>7} {'worst':>8}  beyond {FACTOR}  beyond {LIMIT}"]
+        for name, all_ in self.ratios.items():
+            r = sorted(x[0] for x in all_)
+            share = r[min(len(r) - 1, math.ceil(0.97 * len(r)) - 1)]
+            lines.append(f"{name:<20} {len(r):>6} {r[len(r) // 2]:>7.2g} {share:>7.2g} {r[-1]:>8.3g} "
+                         f"{sum(x > FACTOR for x in r):>8} {sum(x > LIMIT for x in r):>10}")
+        return "\n".join(lines)
+
+    def failures(self):
+        out = []
+        for name, all_ in self.ratios.items():
+            outside = [x for x in all_ if x[0] > FACTOR]
+            # With few values a single one must not fail the share.
+            if len(outside) > max(1, (1 - REQUIRED_SHARE) * len(all_)):
+                out.append(f"{name}: {len(outside)} of {len(all_)} values beyond {FACTOR} x error")
+            out += [f"{name} of point {n}: {a:.6g} +- {e:.2g}, converged {b:.6g} +- {f:.2g}: {r:.3g} x error"
+                    for r, n, a, e, b, f in all_ if r > LIMIT]
+        return out
+
+
+def main():
+    options = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    options.add_argument("bristle")
+    options.add_argument("--points", type=int, default=200)
+    options.add_argument("--seconds", type=float, default=math.inf)
+    options.add_argument("--seed", type=int, default=None)
+    options.add_argument("--folder", type=pathlib.Path, default=None)
+    options.add_argument("--only", type=int, default=None, help="this point alone")
+    options.add_argument("--timeout", type=float, default=600)
+    options.add_argument("--verbose", action="store_true")
+    o = options.parse_args()
+    seed = o.seed if o.seed is not None else random.SystemRandom().randrange(1 << 31)
+    folder = o.folder or pathlib.Path(tempfile.mkdtemp(prefix="bristle-physics-"))
+    folder.mkdir(parents=True, exist_ok=True)
+    print(f"seed {seed}; experiments in {folder}", flush=True)
+    table, statuses, bad, start = Table(), collections.Counter(), [], time.monotonic()
+    numbers = [o.only] if o.only is not None else range(o.points)
+    for n in numbers:
+        if time.monotonic() - start > o.seconds:
+            break
+        document, path = experiment(f"{seed}/{n}"), folder / f"point-{n}.json"
+        began = time.monotonic()
+        try:
+            fast = compute(o.bristle, document, path, o.timeout)
+        except subprocess.TimeoutExpired:
+            bad.append(f"point {n}: no end within {o.timeout:g} s")
+            continue
+        took = time.monotonic() - began
+        if fast["exit"] == 3 and "no static equilibrium" in fast["message"]:
+            statuses["no equilibrium"] += 1
+            continue
+        if fast["exit"] != 0:
+            bad.append(f"point {n}: exit {fast['exit']}: {fast['message'][:200]}")
+            statuses["exit %d" % fast["exit"]] += 1
+            continue
+        statuses[fast["status"]] += 1
+        line = f"point {n}: {fast['status']} in {took:.1f} s"
+        if fast["status"] in STATUS_WITH_VALUES:
+            broken = invariants(document, fast["status"], fast["values"])
+            bad += [f"point {n}: {text}" for text in broken]
+            try:
+                exact = compute(o.bristle, converged(document), folder / f"exact-{n}.json", o.timeout)
+            except subprocess.TimeoutExpired:
+                exact = {"exit": 0, "status": "not computed in time"}
+            statuses["reference: " + (exact["status"] if exact["exit"] == 0 else "failed")] += 1
+            if exact["exit"] == 0 and exact["status"] in STATUS_WITH_VALUES:
+                before = len(table.failures())
+                table.add(n, fast["values"], exact["values"], load_tolerance(document))
+                worst = max((x[0], name) for name, xs in table.ratios.items() for x in xs if x[1] == n)
+                line += f", reference in {time.monotonic() - began - took:.1f} s, worst {worst[0]:.2g} in {worst[1]}"
+        if o.verbose:
+            print(line, flush=True)
+        if not any(text.startswith(f"point {n}:") for text in bad) and o.only is None:
+            pass
+    bad += table.failures()
+    print(f"{sum(v for k, v in statuses.items() if ':' not in k)} points: "
+          + ", ".join(f"{k} {v}" for k, v in sorted(statuses.items())))
+    print(table.text())
+    for text in bad:
+        print("FAILED:", text)
+    return 1 if bad else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
