@@ -3,6 +3,7 @@
 
 #include "model/friction/laws.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -53,6 +54,21 @@ TEST_CASE("a traced curve has at most the given number of nodes, including folds
   long unresolved = 0;
   for (const CurveNode& node : curve) unresolved += node.result.status == PointStatus::not_converged;
   CHECK(unresolved > 0);
+}
+
+TEST_CASE("a traced curve ends although some of its nodes are incomplete, and marks their neighbours") {
+  Setup limited = folded_setup();
+  limited.parameters.k_r = 2;
+  limited.integrator.max_evaluations = 20'000;
+  const auto curve = trace_curve(limited, {0.01, 0.02, 200}, make_runner(Engine::fast));
+  CHECK(curve.size() <= 200);
+  const auto count = [&](PointStatus status) {
+    return std::count_if(curve.begin(), curve.end(),
+                         [&](const auto& node) { return node.result.status == status; });
+  };
+  CHECK(count(PointStatus::incomplete) > 0);
+  CHECK(count(PointStatus::not_converged) > 0);
+  CHECK(count(PointStatus::ok) > 20);
 }
 
 TEST_CASE(

@@ -97,6 +97,10 @@ class Tracer {
     std::vector<double> between, unresolved;
     const auto halve = [&](std::size_t i) {
       const double middle = (z[i] + z[i + 1]) / 2;
+      if (nodes_.contains(middle)) {  // incomplete: the curve cannot be resolved here
+        nodes_[z[i]].status = nodes_[z[i + 1]].status = PointStatus::not_converged;
+        return;
+      }
       if (z[i + 1] - z[i] > kClosest && (between.empty() || between.back() != middle))
         between.push_back(middle);
     };
