@@ -31,19 +31,19 @@ def places(value, at=()):
 
 
 def mutate(document):
-    at = r.choice([p for p in places(document) if p])
+    at = r.choice([p for p in places(document) if p and (p[0] != "checks" or r.random() < 0.1)])
     parent = document
     for key in at[:-1]:
         parent = parent[key]
     old = parent[at[-1]]
     kind = r.random()
-    if kind < 0.45 and isinstance(old, (int, float)):
-        parent[at[-1]] = r.choice([r.choice(NUMBERS), old * 10 ** r.uniform(-3, 3)])
-    elif kind < 0.6:
+    if kind < 0.8 and isinstance(old, (int, float)):
+        parent[at[-1]] = r.choice([r.choice(NUMBERS), old * 10 ** r.uniform(-1, 1), old * 10 ** r.uniform(-3, 3)])
+    elif kind < 0.85:
         parent[at[-1]] = r.choice(NUMBERS + OTHERS)
-    elif kind < 0.75:
+    elif kind < 0.9:
         del parent[at[-1]]
-    elif kind < 0.85 and isinstance(parent, dict):
+    elif kind < 0.95 and isinstance(parent, dict):
         parent[r.choice(["k_r", "z_0", "x", str(at[-1]) + "_", "R_n"])] = copy.deepcopy(old)
     else:
         others = [p for p in places(document) if p]
