@@ -134,8 +134,8 @@ std::vector<ResultVariable> result_variables(const Experiment& experiment) {
                    PINNED_R_N, R_N),
       pinned_share("pinned_share_R_x", "share of pinned bristles in R_x", R"(R_{x,\mathrm{pinned}}/R_x)",
                    PINNED_R_X, R_X),
-      mean("energy_residual", "mean error of the energy budget over the dissipated energy", R"(\epsilon_E)",
-           "Eqs. (13, 17, 18)", ENERGY_RESIDUAL),
+      mean("energy_residual", "mean error of the energy budget over the dissipated or initial energy",
+           R"(\epsilon_E)", "Eqs. (13, 17, 18)", ENERGY_RESIDUAL),
       field("incomplete_theta_0", "undeformed azimuth of the first passage without an exit", R"(\theta_0)",
             "", &P::incomplete_theta_0),
   };
