@@ -121,11 +121,10 @@ std::string axis_variable(const std::string& name) {
   return name == "R_n" || name == "z_0" ? name + "_target" : name;
 }
 
-bool holds_whole_result(const std::string& path) {
-  if (!std::filesystem::is_regular_file(path) || H5Fis_hdf5(path.c_str()) <= 0) return false;
-  const h5::Handle file = h5::open_file(path, false);
-  return h5::has_attribute(file, "schema_version") &&
-         h5::read_text_attribute(file, "schema_version").rfind("bristle-result/", 0) == 0;
+FileKind replaceable_by(const std::optional<Shard>& shard) {
+  const std::string signature = "\x89HDF\r\n\x1a\n";
+  if (shard) return {"a part of a result of bristle", signature, {"bristle-part/"}};
+  return {"a result of bristle", signature, {"bristle-result/", "bristle-part/"}};
 }
 
 bool ResultReader::has(const std::string& name) const { return h5::exists(file_, name); }

@@ -3,6 +3,7 @@
 #include "experiment/experiment.hpp"
 #include "results/hdf5.hpp"
 #include "results/part.hpp"
+#include "util/file.hpp"
 
 #include <map>
 #include <optional>
@@ -53,8 +54,8 @@ class ResultReader {
   h5::Handle file_;
 };
 
-// Whether the file exists and contains a whole result of any version.
-bool holds_whole_result(const std::string& path);
+// The files that a run may replace: results and parts of any version, or only parts for the run of a shard.
+FileKind replaceable_by(const std::optional<Shard>& shard);
 
 // Whether the file contains the numbers of this experiment, or of this shard of it, complete and undamaged.
 bool up_to_date(const std::string& path, const Experiment& experiment,
