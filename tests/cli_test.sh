@@ -47,6 +47,21 @@ expect 3 "File too large" limited "$bristle" run "${quick[@]}" --force
 [ ! -e "$folder/r.h5.partial" ] || failed "a partial file was left"
 [ "$before" = "$(sha256sum "$folder/r.h5")" ] || failed "the result changed"
 
+# Standard output that cannot be written is an error of every command.
+full() { "$@" >/dev/full; }
+expect 3 "standard output cannot be written" full "$bristle" --help
+expect 3 "No space left" full "$bristle" validate experiments/fig4.json
+expect 3 "" full "$bristle" run "${quick[@]}"
+expect 3 "" full "$bristle" info "$result"
+expect 3 "" full "$bristle" check --claims-only --report-only "$result"
+expect 3 "" full "$bristle" diff "$result" "$result"
+
+# Fewer threads than asked for, if there is no memory for their stacks. (A sanitizer needs more memory than this.)
+small() { (ulimit -v 500000; "$@"); }
+if small "$bristle" --version >/dev/null 2>&1; then
+  expect 0 "threads could be started" small "$bristle" run "${quick[@]}" --force --threads 1000
+fi
+
 # Numbers changed by hand are detected.
 cp "$result" "$folder/tampered.h5"
 offset=$(grep -obUaP '\x00\x00\x00\x00\x00\x00\x59\x40' "$folder/tampered.h5" | head -n 1 | cut -d: -f1)  # k_r = 100
