@@ -120,7 +120,7 @@ TEST_CASE("damaged parts are named: changed numbers or experiment, missing group
   const auto damaged = [&](auto damage) {
     const auto parts = write_parts(s, e, 2);
     damage(parts[1]);
-    check_holds(refusal(s, parts), {parts[1] + ": damaged: "});
+    check_holds(refusal(s, parts), {parts[1] + ": damaged"});
   };
   damaged([](const std::string& path) { put(path, "R_x", {0, 1}, 7); });
   damaged([](const std::string& path) { put(path, "part/points", {0}, 0); });

@@ -26,12 +26,20 @@ enum class Expected {
   either
 };
 
-// Reads result files. Throws InputError with file and dataset if the file is not a result, has an unknown
-// schema version or is not what is expected, and if a dataset or attribute is missing.
+// Reads result files, which are not trusted: a file is opened only after damage_of() has read it in a process
+// of its own. Throws InputError with file and dataset if the file is not a result, cannot be read, has an
+// unknown schema version or is not what is expected, and if a dataset or attribute is missing.
 class ResultReader {
  public:
   explicit ResultReader(const std::string& path, Expected expected = Expected::whole);
+  // Reads a whole result in memory, of an archive. name: for messages. Throws MalformedError if the bytes cannot
+  // be read.
+  ResultReader(const std::string& name, const std::string& bytes);
 
+  // What is damaged; empty if digests and contents match. Whoever draws conclusions from the numbers calls
+  // require_intact(), which throws InputError.
+  const std::vector<std::string>& damage() const { return damage_; }
+  void require_intact() const;
   const std::string& path() const { return path_; }
   hid_t file() const { return file_; }
   std::vector<std::string> variables() const;  // datasets of the root
@@ -51,6 +59,7 @@ class ResultReader {
   void require(Expected expected) const;
 
   std::string path_;
+  std::vector<std::string> damage_;
   h5::Handle file_;
 };
 
