@@ -44,6 +44,9 @@ expect 0 "3 of 3 points computed again are the same, bit for bit (seed 1)" "$bri
 expect 0 "k_r = 20, friction = coulomb: the same, bit for bit" "$bristle" verify "$archive" --rerun 9 --seed 5
 expect 2 "--rerun" "$bristle" verify "$archive" --rerun x
 
+# No copies of the results remain if the program is killed: it makes no temporary files.
+expect 0 "same, bit for bit" env TMPDIR=/nowhere "$bristle" verify "$archive" --rerun 1
+
 # Damage.
 expect 2 "no such file" "$bristle" verify nowhere.tar
 expect 2 "ARCHIVE is required" "$bristle" verify
