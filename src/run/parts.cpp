@@ -10,7 +10,9 @@
 #include <fmt/ranges.h>
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
+#include <utility>
 
 namespace bristle::run {
 namespace {
@@ -116,8 +118,9 @@ PartSet::PartSet(const std::vector<std::string>& paths) : parts_(read(paths)) {
 std::vector<Part> PartSet::read(const std::vector<std::string>& paths) {
   std::vector<Part> parts;
   Version of_first{};
+  std::optional<results::ResultReader> first;
   for (const std::string& path : paths) {
-    const results::ResultReader file = open_part(path);
+    results::ResultReader file = open_part(path);
     try {
       if (!file.has("provenance")) throw RunError("there is no group /provenance");
       parts.push_back(
@@ -131,7 +134,8 @@ std::vector<Part> PartSet::read(const std::vector<std::string>& paths) {
       throw InputError(fmt::format("{}: damaged: {}; compute it again", path, e.what()));
     }
     require_same_version(parts[0], of_first, parts.back(), version_of(file, parts.back()));
-    require_same_experiment(open_part(paths[0]), file);
+    if (first) require_same_experiment(*first, file);
+    else first = std::move(file);
   }
   const Version own{kVersion, results::kNumericsVersion};
   if (!same(of_first, own))
