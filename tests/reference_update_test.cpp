@@ -96,7 +96,7 @@ TEST_CASE("update: refused for a program or a file that cannot be reproduced") {
   CHECK_THAT(refusal(Repository({}, "0123abc", "full").update), Contains("contains the full tier"));
   const Repository r;
   put(r.file, "R_x", {0, 0}, 7);
-  CHECK_THAT(refusal(r.update), Contains("payload_sha256 does not match"));
+  CHECK_THAT(refusal(r.update), Contains("payload_sha256 DOES NOT MATCH"));
 }
 
 TEST_CASE("update: refused for a run with failures") {
