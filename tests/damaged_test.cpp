@@ -58,7 +58,8 @@ TEST_CASE("every reader refuses a file with cycles, links or sizes that have no 
     h5::check(H5Lcreate_hard(file, "/", file, "loop", H5P_DEFAULT, H5P_DEFAULT), "linking");
   });
   refused([](hid_t file) {
-    h5::check(H5Lcreate_external("/etc/passwd", "/x", file, "elsewhere", H5P_DEFAULT, H5P_DEFAULT), "linking");
+    h5::check(H5Lcreate_external("/etc/passwd", "/x", file, "elsewhere", H5P_DEFAULT, H5P_DEFAULT),
+              "linking");
   });
   const auto large = [](hid_t file, bool deflated) {
     const hsize_t size = hsize_t(1) << 40, chunk = 1024;
@@ -114,8 +115,9 @@ TEST_CASE("what is damaged is said before any verdict: numbers, experiment, /che
     return result.damage().front();
   };
   for (const double wrong : {7.0, kNone})
-    CHECK(damage([&](const std::string& path) { put(path, "R_x", {0, 1}, wrong); }) ==
-          "payload_sha256 DOES NOT MATCH the numbers");
+    CHECK(damage([&](const std::string& path) {
+            put(path, "R_x", {0, 1}, wrong);
+          }) == "payload_sha256 DOES NOT MATCH the numbers");
   CHECK(damage([](const std::string& path) { set_attribute(path, "experiment", std::string("{}")); }) ==
         "experiment_sha256 DOES NOT MATCH the experiment");
   CHECK_THAT(damage([](const std::string& path) { make_list(path, "experiment", 2, true); }),

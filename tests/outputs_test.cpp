@@ -52,8 +52,8 @@ TEST_CASE("a run replaces neither its experiment, nor what that extends, nor any
   std::string foreign = s.path("foreign.h5");
   h5::create_file(foreign).close("closing");
   Journal(s.path("other.h5"), "0123abc", false).append("key", {});
-  for (const std::string& path : {s.path("quick.json"), s.path("paper.json"), text, foreign,
-                                  s.path("other.h5.journal")}) {
+  for (const std::string& path :
+       {s.path("quick.json"), s.path("paper.json"), text, foreign, s.path("other.h5.journal")}) {
     CAPTURE(path);
     CHECK_THAT(refusal(s, path), Contains(path + ": is not a result of bristle"));
     CHECK_FALSE(std::filesystem::exists(path + ".journal"));
@@ -172,11 +172,13 @@ TEST_CASE("an archive replaces only an archive") {
 TEST_CASE("experiments are read only from regular files of limited size") {
   const Scratch s;
   REQUIRE(mkfifo(s.path("pipe.json").c_str(), 0600) == 0);
-  CHECK_THROWS_WITH(load_experiment(s.path("pipe.json"), {}), Contains("pipe.json: cannot be read: a device, pipe"));
+  CHECK_THROWS_WITH(load_experiment(s.path("pipe.json"), {}),
+                    Contains("pipe.json: cannot be read: a device, pipe"));
   CHECK_THROWS_WITH(load_experiment("/dev/zero", {}), Contains("/dev/zero: cannot be read: a device, pipe"));
   CHECK_THROWS_WITH(read_reference(s.path("pipe.json")), Contains("cannot be read: a device, pipe"));
   std::filesystem::resize_file(s.write("large.json", "{}"), kMaxJsonBytes + 1);
-  CHECK_THROWS_WITH(load_experiment(s.path("large.json"), {}), Contains("large.json: cannot be read: more than"));
+  CHECK_THROWS_WITH(load_experiment(s.path("large.json"), {}),
+                    Contains("large.json: cannot be read: more than"));
 }
 
 }  // namespace bristle::outputs_test

@@ -102,7 +102,8 @@ TEST_CASE("update: refused for a program or a file that cannot be reproduced") {
 TEST_CASE("update: a change log of something else and linked references are not replaced") {
   const Repository r;
   r.s.write("reference/CHANGELOG.md", "# Changelog of the program\n");
-  CHECK_THROWS_WITH(update_reference(r.update), Contains("CHANGELOG.md: is not the record of the references"));
+  CHECK_THROWS_WITH(update_reference(r.update),
+                    Contains("CHANGELOG.md: is not the record of the references"));
   CHECK(r.log() == "# Changelog of the program\n");
   CHECK_FALSE(std::filesystem::exists(r.json()));
   std::filesystem::remove(r.s.path("reference/CHANGELOG.md"));

@@ -158,9 +158,10 @@ std::string update_reference(const ReferenceUpdate& update) {
   std::string added = entry(update, result, old ? &*old : nullptr, made);
   const std::string before = fs::exists(log)
                                  ? read_file(log)
-                                 : kLogTitle + std::string("\n\nWritten by `bristle reference update`, "
-                                                           "oldest first. docs/reference.md describes the "
-                                                           "references.\n");
+                                 : kLogTitle + std::string(
+                                                   "\n\nWritten by `bristle reference update`, "
+                                                   "oldest first. docs/reference.md describes the "
+                                                   "references.\n");
   write_files(path, reference_text(made), log, before + added);
   return added;
 }

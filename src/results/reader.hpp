@@ -32,8 +32,8 @@ enum class Expected {
 class ResultReader {
  public:
   explicit ResultReader(const std::string& path, Expected expected = Expected::whole);
-  // Reads a whole result in memory, of an archive. name: for messages. Throws MalformedError if the bytes cannot
-  // be read.
+  // Reads a whole result in memory, of an archive. name: for messages. Throws MalformedError if the bytes
+  // cannot be read.
   ResultReader(const std::string& name, const std::string& bytes);
 
   // What is damaged; empty if digests and contents match. Whoever draws conclusions from the numbers calls

@@ -37,7 +37,8 @@ std::string special_file(const std::string& path) {
   struct stat found {};
   if (lstat(path.c_str(), &found) != 0 || S_ISREG(found.st_mode)) return "";
   if (S_ISDIR(found.st_mode)) return "a folder; give a file name";
-  if (S_ISLNK(found.st_mode)) return "a symbolic link, which is not followed; give the name of the file itself";
+  if (S_ISLNK(found.st_mode))
+    return "a symbolic link, which is not followed; give the name of the file itself";
   return "a device, pipe or socket; give the name of a file";
 }
 
@@ -121,7 +122,8 @@ int lock_file(const std::string& result, const std::string& path) {
                       std::strerror(error_of_lock)));
     if (!locked)
       throw RunError(fmt::format(
-          "{}: another run is writing it; wait until it ends, or choose another name for the output", result));
+          "{}: another run is writing it; wait until it ends, or choose another name for the output",
+          result));
   }
 }
 
@@ -140,6 +142,7 @@ std::string read_file(const std::string& path, std::uintmax_t max_bytes) {
   const auto fail = [&](const std::string& why) {
     throw InputError(fmt::format("{}: cannot be read: {}", path, why));
   };
+  if (status.type() == fs::file_type::unknown) fail(error.message());  // a folder without permission
   if (!fs::exists(status)) fail("no such file");
   if (fs::is_directory(status)) fail("not a readable file");
   if (!fs::is_regular_file(status)) fail("a device, pipe or socket; write its contents to a file first");

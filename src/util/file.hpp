@@ -20,7 +20,8 @@ struct FileKind {
   std::vector<std::string> marks;
 };
 
-// Whether the file at path is of this kind, as far as its bytes tell; it may be damaged or of another version.
+// Whether the file at path is of this kind, as far as its bytes tell; it may be damaged or of another
+// version.
 bool is_of_kind(const std::string& path, const FileKind& kind);
 
 // Throws InputError unless output is the name of a file that the program may write: nothing stands there, or
@@ -44,8 +45,8 @@ void replace_file(const std::string& from, const std::string& to);
 // remains unchanged.
 class WholeFile {
  public:
-  // Creates the folder if necessary. Throws InputError if the file cannot be written there, or would replace a
-  // file of another kind; RunError if another run is writing it.
+  // Creates the folder if necessary. Throws InputError if the file cannot be written there, or would replace
+  // a file of another kind; RunError if another run is writing it.
   WholeFile(std::string path, const FileKind& kind);
   ~WholeFile();
   WholeFile(const WholeFile&) = delete;
