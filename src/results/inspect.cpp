@@ -13,7 +13,7 @@
 namespace bristle::results {
 namespace {
 
-// Seconds of processor time and bytes of memory beyond those of the file. A result of 5 MB takes 20 ms.
+// Seconds of processor time and bytes of memory beyond those of the file. A result of 1 MB takes 10 ms.
 constexpr long kSeconds = 5;
 constexpr std::size_t kBytesPerSecond = 20'000'000;
 constexpr std::size_t kMemory = std::size_t(256) << 20;
