@@ -39,10 +39,20 @@ limited() { (ulimit -f 16; "$@"); }
 expect 3 "is the disk full?" limited "$bristle" archive --allow-dirty -o big.tar
 [ -z "$(ls big.tar* 2>/dev/null)" ] || failed "a part of an archive was left"
 
+# What is left of an archive that was killed is replaced; anything else is not.
+head -c 5000 "$archive" >killed.tar.partial
+expect 0 "verified" "$bristle" archive --allow-dirty -o killed.tar
+cp LICENSE mine.tar.partial
+expect 2 "mine.tar.partial: is not the remainder of an archive" "$bristle" archive --allow-dirty -o mine.tar
+cmp LICENSE mine.tar.partial || failed "line $LINENO"
+
 # Points computed again.
 expect 0 "3 of 3 points computed again are the same, bit for bit (seed 1)" "$bristle" verify "$archive" --rerun 3
 expect 0 "k_r = 20, friction = coulomb: the same, bit for bit" "$bristle" verify "$archive" --rerun 9 --seed 5
 expect 2 "--rerun" "$bristle" verify "$archive" --rerun x
+
+# No copies of the results remain if the program is killed: it makes no temporary files.
+expect 0 "same, bit for bit" env TMPDIR=/nowhere "$bristle" verify "$archive" --rerun 1
 
 # Damage.
 expect 2 "no such file" "$bristle" verify nowhere.tar

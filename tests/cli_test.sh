@@ -47,11 +47,41 @@ expect 3 "File too large" limited "$bristle" run "${quick[@]}" --force
 [ ! -e "$folder/r.h5.partial" ] || failed "a partial file was left"
 [ "$before" = "$(sha256sum "$folder/r.h5")" ] || failed "the result changed"
 
+# Standard output that cannot be written is an error of every command.
+full() { "$@" >/dev/full; }
+expect 3 "standard output cannot be written" full "$bristle" --help
+expect 3 "No space left" full "$bristle" validate experiments/fig4.json
+expect 3 "" full "$bristle" run "${quick[@]}" --set /model/k_r=11
+expect 3 "" full "$bristle" info "$result"
+expect 3 "" full "$bristle" check --claims-only --report-only "$result"
+expect 3 "" full "$bristle" diff "$result" "$result"
+
+# Fewer threads than asked for, if there is no memory for their stacks. (A sanitizer needs more memory than this.)
+small() { (ulimit -v 500000; "$@"); }
+if small "$bristle" --version >/dev/null 2>&1; then
+  expect 0 "threads could be started" small "$bristle" run "${quick[@]}" --set /model/k_r=11 --force --threads 1000
+fi
+
 # Numbers changed by hand are detected.
 cp "$result" "$folder/tampered.h5"
 offset=$(grep -obUaP '\x00\x00\x00\x00\x00\x00\x59\x40' "$folder/tampered.h5" | head -n 1 | cut -d: -f1)  # k_r = 100
 printf '\x01' | dd of="$folder/tampered.h5" bs=1 seek="$offset" conv=notrunc status=none
 expect 1 "DOES NOT MATCH" "$bristle" info "$folder/tampered.h5"
+for damaged in check "check --claims-only" "check --json" "diff $result" "reference update --reason x"; do
+  expect 2 "tampered.h5: damaged: payload_sha256 DOES NOT MATCH the numbers" "$bristle" $damaged "$folder/tampered.h5"
+done
+
+# Inputs that may never end, and outputs that are something else.
+mkfifo "$folder/pipe"
+expect 2 "pipe: cannot be read: a device, pipe or socket" "$bristle" validate "$folder/pipe"
+expect 2 "/dev/zero: cannot be read: a device, pipe or socket" "$bristle" validate /dev/zero
+expect 2 "pipe: is a device, pipe or socket" "$bristle" run experiments/paper.json -o "$folder/pipe"
+cp experiments/paper.json "$folder/mine.json"
+expect 2 "mine.json: is not a result of bristle" "$bristle" run "$folder/mine.json" -o "$folder/mine.json"
+expect 2 "mine.json: is not a result of bristle" "$bristle" merge "$result" -o "$folder/mine.json"
+expect 2 "mine.json: is not a matrix of assumptions" "$bristle" assumptions -o "$folder/mine.json"
+expect 2 "mine.json: is not an archive of bristle" "$bristle" archive -o "$folder/mine.json"
+cmp -s experiments/paper.json "$folder/mine.json" || failed "an experiment was replaced"
 
 # Comparison of two results: equal bits, different numbers, invalid tolerances.
 "$bristle" run "${quick[@]/%r.h5/q.h5}" --quiet --set /model/k_r=11.01

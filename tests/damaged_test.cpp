@@ -4,7 +4,11 @@
 #include "cli/inspect.hpp"
 #include "results/journal.hpp"
 #include "util/error.hpp"
+#include "util/process.hpp"
+#include "util/sanitizer.hpp"
 #include "parts.hpp"
+
+#include <random>
 
 // Malformed files cause an error that names the file, and never an access out of bounds.
 namespace bristle::damaged_test {
@@ -37,6 +41,90 @@ void set_attribute(const std::string& path, const std::string& name, const Value
 }
 
 }  // namespace
+
+TEST_CASE("every reader refuses a file with cycles, links or sizes that have no end") {
+  const Scratch s;
+  const auto refused = [&](const std::function<void(hid_t file)>& change) {
+    const std::string path = small_result(s, "r.h5");
+    change(h5::open_file(path, true));
+    CHECK_FALSE(up_to_date(path, small_experiment(s)));
+    for (const Expected expected : {Expected::whole, Expected::part, Expected::either}) {
+      CHECK_THROWS_AS(ResultReader(path, expected), InputError);
+      CHECK_THROWS_WITH(ResultReader(path, expected), Contains("r.h5: damaged, or not written by bristle: "));
+    }
+    CHECK_THROWS_AS(info_command(path), InputError);
+  };
+  refused([](hid_t file) {
+    h5::check(H5Lcreate_hard(file, "/", file, "loop", H5P_DEFAULT, H5P_DEFAULT), "linking");
+  });
+  refused([](hid_t file) {
+    h5::check(H5Lcreate_external("/etc/passwd", "/x", file, "elsewhere", H5P_DEFAULT, H5P_DEFAULT),
+              "linking");
+  });
+  const auto large = [](hid_t file, bool deflated) {
+    const hsize_t size = hsize_t(1) << 40, chunk = 1024;
+    const h5::Handle space(H5Screate_simple(1, &size, nullptr), H5Sclose, "space");
+    const h5::Handle how(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "properties");
+    if (deflated) h5::check(H5Pset_chunk(how, 1, &chunk), "chunks");
+    if (deflated) h5::check(H5Pset_deflate(how, 9), "deflate");
+    const h5::Handle data(H5Dcreate2(file, "large", H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, how, H5P_DEFAULT),
+                          H5Dclose, "dataset");
+  };
+  refused([&](hid_t file) { large(file, false); });
+  refused([&](hid_t file) { large(file, true); });
+}
+
+TEST_CASE("randomly damaged results are refused or read, within the limits of time and memory") {
+  const Scratch s;
+  const std::string bytes = bytes_of(small_result(s, "r.h5"));
+  std::mt19937 random(11);
+  for (int i = 0; i < 40; ++i) {
+    std::string changed = bytes;
+    for (int k = 0; k < 4; ++k) changed[random() % changed.size()] ^= char(1 << random() % 8);
+    const std::string path = s.write("changed.h5", changed);
+    try {
+      evaluate_checks(ResultReader(path));
+    } catch (const InputError&) {
+    } catch (const RunError&) {
+    }
+  }
+}
+
+TEST_CASE("work in a child process ends at its limits of time and memory") {
+  const auto endless = []() -> std::string {
+    for (volatile bool on = true; on;) continue;
+    return "";
+  };
+  CHECK_THROWS_WITH(run_isolated(endless, {1, 1 << 20}), Contains("takes more than 1 s"));
+  const auto large = [] { return std::to_string(std::vector<char>(std::size_t(1) << 31, 'x').size()); };
+  if (!kSanitized) CHECK_THROWS_AS(run_isolated(large, {10, 1 << 20}), MalformedError);
+  CHECK(run_isolated([] { return std::string("done"); }, {1, 1 << 26}) == "done");
+}
+
+TEST_CASE("what is damaged is said before any verdict: numbers, experiment, /checks") {
+  const Scratch s;
+  const auto damage = [&](const std::function<void(const std::string& path)>& change) {
+    const std::string path = small_result(s, "r.h5");
+    CHECK_NOTHROW(ResultReader(path).require_intact());
+    change(path);
+    CHECK_FALSE(up_to_date(path, small_experiment(s)));
+    const ResultReader result(path);
+    CHECK_THROWS_AS(result.require_intact(), InputError);
+    CHECK_THROWS_WITH(result.require_intact(), Contains("r.h5: damaged: ") && Contains("bristle run"));
+    CHECK(info_command(path) == 1);
+    return result.damage().front();
+  };
+  for (const double wrong : {7.0, kNone})
+    CHECK(damage([&](const std::string& path) {
+            put(path, "R_x", {0, 1}, wrong);
+          }) == "payload_sha256 DOES NOT MATCH the numbers");
+  CHECK(damage([](const std::string& path) { set_attribute(path, "experiment", std::string("{}")); }) ==
+        "experiment_sha256 DOES NOT MATCH the experiment");
+  CHECK_THAT(damage([](const std::string& path) { make_list(path, "experiment", 2, true); }),
+             Contains("experiment is not a single value"));
+  CHECK_THAT(damage([](const std::string& path) { add_dataset(path, "checks", {1}); }),
+             Contains("/checks cannot be read"));
+}
 
 TEST_CASE("malformed: an attribute that is an array instead of one value") {
   const Scratch s;

@@ -10,6 +10,7 @@ import subprocess
 import sys
 
 import h5py
+import numpy
 
 script, result, folder, needed = sys.argv[1], sys.argv[2], pathlib.Path(sys.argv[3]), sys.argv[4]
 shutil.rmtree(folder, ignore_errors=True)
@@ -18,6 +19,10 @@ shutil.rmtree(folder, ignore_errors=True)
 def plot(source, target):
     return subprocess.run([sys.executable, script, str(source), "-o", str(target)], capture_output=True, text=True)
 
+
+sys.path.insert(0, str(pathlib.Path(script).parent))
+from bristle_plots import BristleError, apply_look, open_result  # noqa: E402
+from bristle_plots.integrity import read_group  # noqa: E402
 
 digests = []
 for run in ("first", "second"):
@@ -35,6 +40,9 @@ assert plot(folder / "text.h5", folder).returncode == 2
 shutil.copy(result, folder / "lacking.h5")
 with h5py.File(folder / "lacking.h5", "a") as f:
     del f[needed]
+    digest = hashlib.sha256()
+    read_group(f, "", 0, digest)
+    f.attrs["payload_sha256"] = numpy.bytes_(digest.hexdigest())  # lacking, but not damaged
 lacking = plot(folder / "lacking.h5", folder)
 assert lacking.returncode == 2 and needed in lacking.stderr, lacking.stderr
 assert "Traceback" not in lacking.stderr
@@ -44,10 +52,8 @@ with h5py.File(folder / "old.h5", "a") as f:
 old = plot(folder / "old.h5", folder)
 assert old.returncode == 2 and "bristle-result/0" in old.stderr, old.stderr
 
-# Use in a notebook: draw() returns a figure, and errors are exceptions.
-sys.path.insert(0, str(pathlib.Path(script).parent))
-from bristle_plots import BristleError, apply_look, open_result  # noqa: E402
 
+# Use in a notebook: draw() returns a figure, and errors are exceptions.
 figure = importlib.import_module(pathlib.Path(script).stem)
 apply_look()
 with open_result(result) as file:

@@ -96,7 +96,20 @@ TEST_CASE("update: refused for a program or a file that cannot be reproduced") {
   CHECK_THAT(refusal(Repository({}, "0123abc", "full").update), Contains("contains the full tier"));
   const Repository r;
   put(r.file, "R_x", {0, 0}, 7);
-  CHECK_THAT(refusal(r.update), Contains("payload_sha256 does not match"));
+  CHECK_THAT(refusal(r.update), Contains("payload_sha256 DOES NOT MATCH"));
+}
+
+TEST_CASE("update: a change log of something else and linked references are not replaced") {
+  const Repository r;
+  r.s.write("reference/CHANGELOG.md", "# Changelog of the program\n");
+  CHECK_THROWS_WITH(update_reference(r.update),
+                    Contains("CHANGELOG.md: is not the record of the references"));
+  CHECK(r.log() == "# Changelog of the program\n");
+  CHECK_FALSE(std::filesystem::exists(r.json()));
+  std::filesystem::remove(r.s.path("reference/CHANGELOG.md"));
+  std::filesystem::create_symlink(r.s.path("elsewhere.json"), r.json());
+  CHECK_THROWS_WITH(update_reference(r.update), Contains("small.json: is a symbolic link"));
+  CHECK_FALSE(std::filesystem::exists(r.s.path("elsewhere.json")));
 }
 
 TEST_CASE("update: refused for a run with failures") {

@@ -13,6 +13,8 @@ FIGURE_FORMATS = ("pdf", "png")
 
 def read_json(path, remedy):
     """The document in the file; remedy: how to make the file, for the error message."""
+    if os.path.exists(path) and not os.path.isfile(path):
+        raise BristleError(f"{path}: not a regular file; {remedy}")
     try:
         with open(path, encoding="utf-8") as file:
             return json.load(file)
@@ -24,15 +26,34 @@ def read_json(path, remedy):
 
 def write_whole(path, content):
     """Writes the bytes, creating the folder; after an error there is no incomplete file."""
+    require_replaceable(path, content)
+    part = f"{path}.{os.getpid()}.part"
     try:
         os.makedirs(os.path.dirname(path) or ".", exist_ok=True)
-        with open(path + ".part", "wb") as part:
-            part.write(content)
-        os.replace(path + ".part", path)
+        with open(part, "xb") as file:  # never through a link
+            file.write(content)
+        os.replace(part, path)
     except OSError as error:
         with contextlib.suppress(OSError):
-            os.remove(path + ".part")
+            if not isinstance(error, FileExistsError):
+                os.remove(part)
         raise BristleError(f"{path}: cannot be written ({error.strerror})", NOT_WRITTEN) from error
+
+
+def require_replaceable(path, content):
+    """Raises BristleError unless nothing stands at path, or an empty file, or one with the same first line.
+
+    The first line is the title of a page, or the signature of PDF and PNG.
+    """
+    if not os.path.lexists(path):
+        return
+    if os.path.islink(path) or not os.path.isfile(path):
+        raise BristleError(f"{path}: not a regular file, and would be replaced; choose another name for the output")
+    with open(path, "rb") as file:
+        found = file.readline(1000)
+    if found and found != io.BytesIO(content).readline(1000):
+        raise BristleError(f"{path}: something else than this script writes, and would be replaced; "
+                           "choose another name for the output")
 
 
 def write_text(path, text):

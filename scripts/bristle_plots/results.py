@@ -11,6 +11,7 @@ import h5py
 import numpy as np
 
 from .errors import BristleError
+from .integrity import require_intact
 
 SCHEMA = "bristle-result/1"
 RENAMED_FLAGS = {"jump": "load_jump"}  # words in files of older programs
@@ -20,15 +21,18 @@ CHOICE_NAMES = {"nss": "NSS", "coulomb": "Amontons\u2013Coulomb", "stribeck": "e
 
 
 def open_result(path):
-    """The result file, open for reading."""
+    """The result file, open for reading: one that could be read and whose digests match."""
     if os.path.isdir(path):
         raise BristleError(f"{path}: a folder, not a result file")
     if not os.path.exists(path):
         raise BristleError(f"{path}: no such file; `bristle run EXPERIMENT.json -o {path}` writes it")
+    if not os.path.isfile(path):
+        raise BristleError(f"{path}: a device, pipe or socket, not a result file")
     if not os.access(path, os.R_OK):
         raise BristleError(f"{path}: no permission to read it")
     if not h5py.is_hdf5(path):
         raise BristleError(f"{path}: not an HDF5 file")
+    require_intact(path)
     try:
         file = h5py.File(path, "r")
     except OSError as error:

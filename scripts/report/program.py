@@ -1,4 +1,4 @@
-"""Calls of the program: deviations from the references, replay commands, integrity of the numbers."""
+"""Calls of the program: deviations from the references, replay commands."""
 
 import json
 import subprocess
@@ -22,11 +22,6 @@ def check(program, path, reference):
     """Deviation from the reference, None without one, and the replay command of each point."""
     found = json.loads(run([program, "check", path, "--json", "--report-only", "--reference", reference]).stdout)
     return found["deviation" if "deviation" in found else "drift"], found["replay"]  # "drift" in older programs
-
-
-def intact(program, path):
-    """Whether the payload has the digest that the file states."""
-    return run([program, "info", path]).returncode == 0
 
 
 def outcome(deviation):

@@ -69,7 +69,6 @@ def figure(path, arguments):
             "svg": svg, "width": round(width * 100), "claims": rows,
             "points": points.collect(file, replay),
             "deviation": deviation, "outcome": program.outcome(deviation),
-            "intact": program.intact(arguments.program, path),
             "diagnostics": diagnostics.read(file), "provenance": sources.provenance(file, path),
         }
 

@@ -29,12 +29,14 @@ BagInfo bag_info_of(const Gathered& gathered) {
 }  // namespace
 
 BuiltArchive build_archive(const ArchiveOptions& options) {
+  const FileKind kind = {"an archive of bristle", "bristle-", {"/bag-info.txt"}};
+  if (!options.output.empty()) require_replaceable(options.output, kind);
   const Gathered gathered = gather(options);
   const std::string folder = "bristle-" + gathered.version;
   BuiltArchive built;
   built.path = options.output.empty() ? "dist/" + folder + ".tar" : options.output;
   built.draft = gathered.contents.draft;
-  WholeFile out(built.path);
+  WholeFile out(built.path, kind);
   Digest digest(Sha::bits_512);
   write_tar(make_bag(folder, gathered.contents.payload, bag_info_of(gathered)), gathered.time,
             [&](const char* bytes, std::size_t size) {

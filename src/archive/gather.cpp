@@ -112,6 +112,7 @@ class Gatherer {
       throw InputError(fmt::format("{}: no such file: the result of {} is missing; `make {}` computes it",
                                    path, experiment.path, experiment.name));
     const results::ResultReader result(path);
+    result.require_intact();
     check_current(result, experiment);
     Json facts = result_facts(result);
     check_origin(path, facts["provenance"]);
@@ -135,8 +136,6 @@ class Gatherer {
       refuse(fmt::format("is out of date: {} has changed since", experiment.path));
     if (result.experiment() != *experiment.document)
       refuse(fmt::format("is out of date: title, notes or checks of {} have changed since", experiment.path));
-    if (results::payload_sha256(result.file()) != result.text("payload_sha256"))
-      refuse("is damaged: its numbers do not match payload_sha256");
   }
 
   void check_origin(const std::string& path, const Json& provenance) {

@@ -56,9 +56,13 @@ class AssumptionsRun {
   }
 
   Matrix run() {
-    // Reports a mistake in an alternative before computing anything.
+    // Reports a mistake in an alternative, and a file that is in the way, before computing anything.
+    require_replaceable(options_.output, replaceable_by_matrix());
     for (const Alternative& a : matrix_.alternatives)
-      for (const Experiment& e : baseline_) checks::validate_checks(experiment_under(a, e));
+      for (const Experiment& e : baseline_) {
+        checks::validate_checks(experiment_under(a, e));
+        require_replaceable(result_path(a, e), results::replaceable_by({}));
+      }
     run::Progress progress("assumptions", matrix_.alternatives.size() * baseline_.size(), options_.quiet);
     for (const Alternative& a : matrix_.alternatives) {
       std::size_t row = 0;
@@ -77,6 +81,10 @@ class AssumptionsRun {
                                          fmt::format("{} under {}", e.path, a.name));
   }
 
+  std::string result_path(const Alternative& a, const Experiment& e) const {
+    return (fs::path(options_.output).replace_extension() / folder_name(a.name) / (e.name + ".h5")).string();
+  }
+
   // Adds the cells of the checks of one experiment under one alternative.
   // row is the row of the first check; it is advanced past the last one.
   void add_cells(const Alternative& a, const Experiment& baseline, std::size_t& row) {
@@ -85,10 +93,7 @@ class AssumptionsRun {
         a.declarations.empty() ||
         results::inputs_sha256(*experiment.document) != results::inputs_sha256(*baseline.document) ||
         experiment.checks != baseline.checks;
-    const std::string& folder = affected ? a.name : matrix_.alternatives.front().name;
-    const std::string path =
-        (fs::path(options_.output).replace_extension() / folder_name(folder) / (baseline.name + ".h5"))
-            .string();
+    const std::string path = result_path(affected ? a : matrix_.alternatives.front(), baseline);
     if (affected)
       run::run_task({experiment, {}, path}, {options_.threads, false, true, options_.command_line});
     for (checks::CheckResult& result : checks::evaluate_checks(results::ResultReader(path))) {

@@ -69,6 +69,8 @@ const char* conclusion(const Matrix::Row& row) {
   return out;
 }
 
+FileKind replaceable_by_matrix() { return {"a matrix of assumptions", "{", {"\"bristle-assumptions/"}}; }
+
 Json matrix_json(const Matrix& matrix) {
   Json out = {{"schema", kMatrixSchema},
               {"tier", matrix.tier},

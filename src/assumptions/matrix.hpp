@@ -2,6 +2,7 @@
 
 #include "assumptions/alternative.hpp"
 #include "checks/checks.hpp"
+#include "util/file.hpp"
 
 #include <string>
 #include <vector>
@@ -31,6 +32,9 @@ struct Matrix {
 // The conclusion about a claim: "robust" if no alternative changes the verdict, "weakened" if some leave it
 // undecided, "assumption-dependent" if some reverse it, "open" if the baseline does not decide it.
 const char* conclusion(const Matrix::Row& row);
+
+// The files that a matrix may replace: matrices of any version.
+FileKind replaceable_by_matrix();
 
 // Keys: schema, tier, program, checks, alternatives, cells, conclusions (docs/assumptions.md). NaN is null.
 Json matrix_json(const Matrix& matrix);

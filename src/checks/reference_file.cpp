@@ -1,6 +1,7 @@
 #include "checks/reference_file.hpp"
 
 #include "util/error.hpp"
+#include "util/file.hpp"
 #include "util/text.hpp"
 
 #include <fmt/format.h>
@@ -8,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -179,10 +179,9 @@ ReferenceClaim read_claim(const Node& node) {
 }
 
 Json parse(const std::string& path) {
-  std::ifstream in(path);
-  if (!in) throw InputError(fmt::format("{}: cannot be read", path));
+  const std::string text = read_file(path, kMaxJsonBytes);
   try {
-    return parse_json({std::istreambuf_iterator<char>(in), {}});
+    return parse_json(text);
   } catch (const InputError& e) {
     Node(path, Json()).fail(e.what());
   }

@@ -25,6 +25,8 @@ namespace {
 const std::set<std::string> kMayBeMissing = {"jump_z_0", "jump_R_n", "incomplete_theta_0", "R_n_fluctuation",
                                              "R_n_fluctuation_of_rows"};
 
+constexpr const char* kLogTitle = "# Changes of the references";
+
 bool status_is(double status, PointStatus wanted) { return status == double(wanted); }
 
 void require_reason(const std::string& reason) {
@@ -37,10 +39,6 @@ void require_reason(const std::string& reason) {
 void require_origin(const results::ResultReader& result, const Reference& made) {
   const std::string run_again =
       fmt::format("`bristle run EXPERIMENT.json --tier smoke --force -o {}`", result.path());
-  if (results::payload_sha256(result.file()) != made.payload_sha256)
-    throw InputError(
-        fmt::format("{}: payload_sha256 does not match the numbers: the file was changed or damaged; {}",
-                    result.path(), run_again));
   if (made.tier != "smoke")
     throw InputError(fmt::format("{}: contains the {} tier, but a reference contains the smoke tier; {}",
                                  result.path(), made.tier, run_again));
@@ -121,7 +119,8 @@ std::string entry(const ReferenceUpdate& update, const results::ResultReader& re
 // Writes both files under temporary names first, so that a full disk leaves both old files.
 void write_files(const std::string& reference, const std::string& text, const std::string& log,
                  const std::string& record) {
-  WholeFile new_reference(reference), new_log(log);
+  WholeFile new_reference(reference, {"a reference of bristle", "{", {"\"bristle-reference/"}});
+  WholeFile new_log(log, {"the record of the references", kLogTitle, {}});
   new_reference.write(text.data(), text.size());
   new_log.write(record.data(), record.size());
   new_reference.close();
@@ -149,6 +148,7 @@ void require_clean_work_tree(const std::string& folder) {
 std::string update_reference(const ReferenceUpdate& update) {
   require_reason(update.reason);
   const results::ResultReader result(update.file);
+  result.require_intact();
   const Reference made = make_reference(result, evaluate_checks(result));
   require_origin(result, made);
   require_sound_run(result, made);
@@ -161,8 +161,10 @@ std::string update_reference(const ReferenceUpdate& update) {
   std::string added = entry(update, result, old ? &*old : nullptr, made);
   const std::string before = fs::exists(log)
                                  ? read_file(log)
-                                 : "# Changes of the references\n\nWritten by `bristle reference update`, "
-                                   "oldest first. docs/reference.md describes the references.\n";
+                                 : kLogTitle + std::string(
+                                                   "\n\nWritten by `bristle reference update`, "
+                                                   "oldest first. docs/reference.md describes the "
+                                                   "references.\n");
   write_files(path, reference_text(made), log, before + added);
   return added;
 }

@@ -2,7 +2,6 @@
 
 #include "cli/exit_code.hpp"
 #include "util/error.hpp"
-#include "util/file.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -45,7 +44,8 @@ int assumptions_command(assumptions::AssumptionsOptions options) {
   if (options.files.empty())
     options.files = assumption_files((fs::path(options.experiments) / "assumptions").string());
   const assumptions::Matrix matrix = assumptions::run_assumptions(options);
-  write_whole(options.output, assumptions::matrix_json(matrix).dump(1) + "\n");
+  write_whole(options.output, assumptions::matrix_json(matrix).dump(1) + "\n",
+              assumptions::replaceable_by_matrix());
   print_conclusions(matrix);
   return kSuccess;
 }

@@ -71,6 +71,8 @@ bool print_json(const CheckOptions& options, const results::ResultReader& result
 
 int diff_command(const DiffOptions& options) {
   const results::ResultReader a(options.a), b(options.b);
+  a.require_intact();
+  b.require_intact();
   const checks::Diff diff = checks::diff_results(a, b, options.tolerances);
   fmt::print("{}", checks::diff_text(diff));
   return diff.agree() ? kSuccess : kCheckFailed;
@@ -78,6 +80,7 @@ int diff_command(const DiffOptions& options) {
 
 int check_command(const CheckOptions& options) {
   const results::ResultReader result(options.file);
+  result.require_intact();
   const auto checks = checks::evaluate_checks(result);
   if (options.json) return print_json(options, result, checks) ? kSuccess : kCheckFailed;
   const bool claims = report_claims(options, checks) || options.report_only;

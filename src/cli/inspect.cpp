@@ -1,7 +1,6 @@
 #include "cli/inspect.hpp"
 
 #include "cli/exit_code.hpp"
-#include "results/digest.hpp"
 #include "results/reader.hpp"
 #include "results/variables.hpp"
 #include "util/error.hpp"
@@ -87,11 +86,11 @@ void print_provenance(const results::ResultReader& result) {
 
 int info_command(const std::string& file) {
   const results::ResultReader result(file, results::Expected::either);
-  const std::string stored = result.text("payload_sha256");
-  const bool intact = results::payload_sha256(result.file()) == stored;
+  const bool intact = result.damage().empty();
   fmt::print("{}: {}\n", file, result.text("title"));
   fmt::print("schema {}, experiment {}\npayload sha256 {}{}\n", result.text("schema_version"),
-             result.text("name"), stored, intact ? " (verified)" : " DOES NOT MATCH THE NUMBERS");
+             result.text("name"), result.text("payload_sha256"), intact ? " (verified)" : "");
+  for (const std::string& what : result.damage()) fmt::print("DAMAGED: {}\n", what);
   print_statuses(result);
   print_failures(result);
   fmt::print("variables (smallest .. largest):\n");

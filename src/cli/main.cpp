@@ -12,8 +12,12 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <cerrno>
 #include <csignal>
+#include <cstdio>
+#include <cstring>
 #include <functional>
+#include <iostream>
 
 namespace {
 
@@ -192,13 +196,22 @@ class CommandLine {
   checks::ReferenceUpdate update_;
 };
 
+// Throws RunError if what was printed did not reach standard output: small outputs are written only here.
+void finish_output() {
+  std::cout.flush();
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) || !std::cout)
+    throw RunError(fmt::format("standard output cannot be written: {}", std::strerror(errno)));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   h5::silence();
   std::signal(SIGXFSZ, SIG_IGN);  // a write beyond the file-size limit then fails with an error message
   try {
-    return CommandLine(argc, argv).dispatch(argc, argv);
+    const int code = CommandLine(argc, argv).dispatch(argc, argv);
+    finish_output();
+    return code;
   } catch (const InputError& e) {
     fmt::print(stderr, "bristle: {}\n", e.what());
     return cli::kBadInput;

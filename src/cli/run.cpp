@@ -4,7 +4,6 @@
 #include "cli/exit_code.hpp"
 #include "experiment/experiment.hpp"
 #include "experiment/si_units.hpp"
-#include "results/reader.hpp"
 #include "run/task.hpp"
 #include "simd/dispatch.hpp"
 #include "util/error.hpp"
@@ -14,14 +13,6 @@
 
 namespace bristle::cli {
 namespace {
-
-// Prevents a part from replacing a whole result.
-void require_no_whole_result(const std::string& path) {
-  if (results::holds_whole_result(path))
-    throw InputError(fmt::format(
-        "-o {}: contains a whole result, which the part would replace; choose another name for the part",
-        path));
-}
 
 void choose_instruction_set(const std::string& name) {
   if (name.empty() || prefer_kernels(name)) return;
@@ -47,7 +38,6 @@ int run_command(const RunOptions& options) {
   const std::string whole_path = fmt::format("results/{}.h5", experiment.name);
   const std::string default_path = shard ? results::part_path(whole_path, *shard) : whole_path;
   const run::Task task{experiment, shard, options.output.empty() ? default_path : options.output};
-  if (shard) require_no_whole_result(task.path);
   run::run_task(task, {options.threads, options.force, options.quiet, options.command_line});
   return kSuccess;
 }

@@ -126,6 +126,13 @@ Handle open_file(const std::string& path, bool writable) {
           "opening " + path};
 }
 
+Handle open_image(const std::string& bytes) {
+  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "creating file properties");
+  check(H5Pset_fapl_core(access, std::size_t(1) << 16, false), "reading a file in memory");
+  check(H5Pset_file_image(access, const_cast<char*>(bytes.data()), bytes.size()), "reading a file in memory");
+  return {H5Fopen("in memory", H5F_ACC_RDONLY, access), H5Fclose, "opening a file in memory"};
+}
+
 Handle create_group(hid_t parent, const std::string& name) {
   const Handle creation(H5Pcreate(H5P_GROUP_CREATE), H5Pclose, "creating group properties");
   check(H5Pset_obj_track_times(creation, false), "switching time stamps off");

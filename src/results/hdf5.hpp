@@ -41,6 +41,8 @@ Shape position(const std::vector<std::size_t>& shape, std::size_t index);
 
 Handle create_file(const std::string& path);
 Handle open_file(const std::string& path, bool writable);
+// A file in memory, for reading. bytes need not outlive the call.
+Handle open_image(const std::string& bytes);
 Handle create_group(hid_t parent, const std::string& name);
 Handle open_group(hid_t parent, const std::string& name);
 Handle open_dataset(hid_t parent, const std::string& name);

@@ -21,6 +21,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kJournalExtension = ".journal";
+constexpr const char* kAfterChecksum = R"( {"schema":"bristle-journal/)";
 constexpr long kSyncSeconds = 2;
 
 // Calls visit(line, offset) for every line that ends with a line feed. Returns the end of the last of them.
@@ -32,13 +33,17 @@ std::uint64_t each_line(const std::string& path, Visit visit) {
   return end;
 }
 
-// Whether the file can be the remainder of a journal after a crash: the start of a line, which is a checksum,
-// or the zeros that a power cut leaves.
+// Whether the file can be the remainder of a journal after a crash: the start of a line, which is a checksum
+// followed by JSON, or the zeros that a power cut leaves.
 bool may_be_truncated_journal(const std::string& path) {
-  std::string start(64, '\0');
+  std::string start(64 + std::strlen(kAfterChecksum), '\0');
   std::ifstream(path, std::ios::binary).read(start.data(), std::streamsize(start.size()));
-  return std::all_of(start.begin(), start.end(),
-                     [](char c) { return c == '\0' || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f'); });
+  for (std::size_t i = 0; i < start.size(); ++i) {
+    const char c = start[i];
+    const bool fits = i < 64 ? (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f') : c == kAfterChecksum[i - 64];
+    if (c != '\0' && !fits) return false;
+  }
+  return true;
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "experiment/axes.hpp"
 #include "results/digest.hpp"
+#include "results/inspect.hpp"
 #include "results/version.hpp"
 #include "util/error.hpp"
 #include "util/text.hpp"
@@ -15,16 +16,41 @@
 
 namespace bristle::results {
 
+namespace {
+
+constexpr const char* kRemedy = "restore the file, or compute it again with `bristle run`";
+
+}  // namespace
+
 ResultReader::ResultReader(const std::string& path, Expected expected) : path_(path) {
   if (!std::filesystem::is_regular_file(path))
     throw InputError(fmt::format("{}: no such file; create it with `bristle run EXPERIMENT.json {}-o {}`",
                                  path, expected == Expected::part ? "--shard i/N " : "", path));
   if (H5Fis_hdf5(path.c_str()) <= 0) throw InputError(fmt::format("{}: not an HDF5 file", path));
-  file_ = h5::open_file(path, false);
+  const auto open = [&] { return h5::open_file(path, false); };
+  try {
+    damage_ = damage_of(open, std::filesystem::file_size(path));
+  } catch (const MalformedError& e) {
+    throw InputError(fmt::format("{}: damaged, or not written by bristle: {}; {}", path, e.what(), kRemedy));
+  }
+  file_ = open();
   if (!h5::has_attribute(file_, "schema_version"))
     throw InputError(
         fmt::format("{}: not a result of bristle: the attribute schema_version is missing", path));
   require(expected);
+}
+
+ResultReader::ResultReader(const std::string& name, const std::string& bytes) : path_(name) {
+  if (!bytes.starts_with(replaceable_by({}).start)) throw MalformedError("not an HDF5 file");
+  const auto open = [&] { return h5::open_image(bytes); };
+  damage_ = damage_of(open, bytes.size());
+  file_ = open();
+  require(Expected::whole);
+}
+
+void ResultReader::require_intact() const {
+  if (!damage_.empty())
+    throw InputError(fmt::format("{}: damaged: {}; {}", path_, fmt::join(damage_, "; "), kRemedy));
 }
 
 void ResultReader::require(Expected expected) const {
@@ -102,18 +128,14 @@ std::string ResultReader::text(const std::string& attribute) const {
 bool up_to_date(const std::string& path, const Experiment& experiment, const std::optional<Shard>& shard) {
   if (!std::filesystem::is_regular_file(path)) return false;
   try {
-    const h5::Handle file = h5::open_file(path, false);
-    for (const char* name : {"schema_version", "inputs_sha256", "numerics_version", "payload_sha256"})
-      if (!h5::has_attribute(file, name)) return false;
-    const bool same_shard = !shard || (h5::has_attribute(file, "shard") &&
-                                       h5::read_text_attribute(file, "shard") == shard_text(*shard));
-    return same_shard &&
-           h5::read_text_attribute(file, "schema_version") == (shard ? kPartSchema : kResultSchema) &&
-           h5::read_number_attribute(file, "numerics_version") == double(kNumericsVersion) &&
-           h5::read_text_attribute(file, "inputs_sha256") == inputs_sha256(*experiment.document) &&
-           h5::read_text_attribute(file, "payload_sha256") == payload_sha256(file);
+    const ResultReader file(path, shard ? Expected::part : Expected::whole);
+    return file.damage().empty() && (!shard || file.text("shard") == shard_text(*shard)) &&
+           h5::read_number_attribute(file.file(), "numerics_version") == double(kNumericsVersion) &&
+           file.text("inputs_sha256") == inputs_sha256(*experiment.document);
+  } catch (const InputError&) {
+    return false;  // unreadable, or of another version: to be computed again
   } catch (const RunError&) {
-    return false;  // unreadable: to be computed again
+    return false;
   }
 }
 
@@ -121,11 +143,10 @@ std::string axis_variable(const std::string& name) {
   return name == "R_n" || name == "z_0" ? name + "_target" : name;
 }
 
-bool holds_whole_result(const std::string& path) {
-  if (!std::filesystem::is_regular_file(path) || H5Fis_hdf5(path.c_str()) <= 0) return false;
-  const h5::Handle file = h5::open_file(path, false);
-  return h5::has_attribute(file, "schema_version") &&
-         h5::read_text_attribute(file, "schema_version").rfind("bristle-result/", 0) == 0;
+FileKind replaceable_by(const std::optional<Shard>& shard) {
+  const std::string signature = "\x89HDF\r\n\x1a\n";
+  if (shard) return {"a part of a result of bristle", signature, {"bristle-part/"}};
+  return {"a result of bristle", signature, {"bristle-result/", "bristle-part/"}};
 }
 
 bool ResultReader::has(const std::string& name) const { return h5::exists(file_, name); }

@@ -4,6 +4,7 @@
 #include "results/hdf5.hpp"
 #include "results/part.hpp"
 #include "results/version.hpp"
+#include "util/file.hpp"
 
 #include <map>
 #include <optional>
@@ -26,12 +27,20 @@ enum class Expected {
   either
 };
 
-// Reads result files. Throws InputError with file and dataset if the file is not a result, has an unknown
-// schema version or is not what is expected, and if a dataset or attribute is missing.
+// Reads result files, which are not trusted: a file is opened only after damage_of() has read it in a process
+// of its own. Throws InputError with file and dataset if the file is not a result, cannot be read, has an
+// unknown schema version or is not what is expected, and if a dataset or attribute is missing.
 class ResultReader {
  public:
   explicit ResultReader(const std::string& path, Expected expected = Expected::whole);
+  // Reads a whole result in memory, of an archive. name: for messages. Throws MalformedError if the bytes
+  // cannot be read.
+  ResultReader(const std::string& name, const std::string& bytes);
 
+  // What is damaged; empty if digests and contents match. Whoever draws conclusions from the numbers calls
+  // require_intact(), which throws InputError.
+  const std::vector<std::string>& damage() const { return damage_; }
+  void require_intact() const;
   const std::string& path() const { return path_; }
   hid_t file() const { return file_; }
   std::vector<std::string> variables() const;  // datasets of the root
@@ -54,11 +63,12 @@ class ResultReader {
   std::map<std::string, std::string> text_attributes(const std::string& group) const;
 
   std::string path_;
+  std::vector<std::string> damage_;
   h5::Handle file_;
 };
 
-// Whether the file exists and contains a whole result of any version.
-bool holds_whole_result(const std::string& path);
+// The files that a run may replace: results and parts of any version, or only parts for the run of a shard.
+FileKind replaceable_by(const std::optional<Shard>& shard);
 
 // Whether the file contains the numbers of this experiment, or of this shard of it, complete and undamaged.
 bool up_to_date(const std::string& path, const Experiment& experiment,

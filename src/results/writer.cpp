@@ -25,6 +25,7 @@ ResultWriter::ResultWriter(const Experiment& experiment, const std::string& path
       shard_(shard),
       curves_(experiment.base.loading.trace.has_value()),
       searched_(!curves_ && !experiment.base.loading.z_0) {
+  require_replaceable(path_, replaceable_by(shard_));
   lock_ = lock_file(path_, partial_);
   try {
     create();

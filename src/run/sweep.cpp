@@ -1,13 +1,18 @@
 #include "run/sweep.hpp"
 
 #include "run/worker.hpp"
+#include "util/error.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <exception>
 #include <map>
 #include <mutex>
+#include <new>
 #include <set>
+#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -100,12 +105,21 @@ bool run_sweep(const Experiment& experiment, const std::vector<std::size_t>& poi
   const auto run_thread = [&] {
     try {
       run_worker(experiment, queue, share);
+    } catch (const std::bad_alloc&) {
+      queue.fail(std::make_exception_ptr(
+          RunError(fmt::format("not enough memory for {} threads; give fewer with --threads", threads))));
     } catch (...) {
       queue.fail(std::current_exception());
     }
   };
   std::vector<std::thread> workers;
-  for (int i = 1; i < threads; ++i) workers.emplace_back(run_thread);
+  workers.reserve(std::size_t(threads));
+  try {
+    for (int i = 1; i < threads; ++i) workers.emplace_back(run_thread);
+  } catch (const std::system_error& e) {  // the numbers do not depend on how many there are
+    fmt::print(stderr, "bristle: {} of {} threads could be started: {}\n", workers.size() + 1, threads,
+               e.what());
+  }
   run_thread();
   for (std::thread& worker : workers) worker.join();
   return queue.complete();

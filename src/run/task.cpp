@@ -13,7 +13,6 @@
 #include "util/file.hpp"
 
 #include <fmt/format.h>
-#include <filesystem>
 #include <fmt/ranges.h>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -34,11 +33,13 @@ void refresh_description(const Task& task) {
   if (results::ResultReader(task.path, results::Expected::either).experiment() == *task.experiment.document)
     return;
   const results::Journal lock(task.path, kCommit, false);
-  const std::string copy = task.path + ".partial";
-  std::filesystem::copy_file(task.path, copy, std::filesystem::copy_options::overwrite_existing);
-  results::annotate(copy, task.experiment, task.shard);
-  if (!task.shard) add_checks(copy);
-  replace_file(copy, task.path);
+  WholeFile copy(task.path, results::replaceable_by(task.shard));
+  const std::string bytes = read_file(task.path);
+  copy.write(bytes.data(), bytes.size());
+  copy.close();
+  results::annotate(copy.partial(), task.experiment, task.shard);
+  if (!task.shard) add_checks(copy.partial());
+  copy.publish();
 }
 
 // Number of points with each status, and the errors of failed points, for the closing message.
@@ -171,6 +172,7 @@ std::vector<std::size_t> Task::points() const {
 }
 
 void run_task(const Task& task, const TaskOptions& options) {
+  require_replaceable(task.path, results::replaceable_by(task.shard));
   if (!options.force && up_to_date(task.path, task.experiment, task.shard)) {
     refresh_description(task);
     if (!options.quiet)

@@ -3,6 +3,7 @@
 #include "util/error.hpp"
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
@@ -31,20 +32,84 @@ void flush_to_disk(const std::string& path, int flags) {
   if (!done) throw RunError(fmt::format("{}: {}", path, std::strerror(reason)));
 }
 
+// What stands at path itself, not behind a symbolic link, if it is not a regular file; for messages.
+std::string special_file(const std::string& path) {
+  struct stat found {};
+  if (lstat(path.c_str(), &found) != 0 || S_ISREG(found.st_mode)) return "";
+  if (S_ISDIR(found.st_mode)) return "a folder; give a file name";
+  if (S_ISLNK(found.st_mode))
+    return "a symbolic link, which is not followed; give the name of the file itself";
+  return "a device, pipe or socket; give the name of a file";
+}
+
+[[noreturn]] void refuse(const std::string& path, const std::string& what) {
+  throw InputError(fmt::format("{}: is {}; nothing was written", path, what));
+}
+
+void require_regular_or_none(const std::string& path) {
+  if (fs::path(path).filename().empty()) refuse(path, "a folder; give a file name");
+  if (const std::string what = special_file(path); !what.empty()) refuse(path, what);
+}
+
+// Whether the file can be the remainder of one that begins with start: its beginning, or zeros, because the
+// first bytes of an HDF5 file are written last.
+bool may_be_partial(const std::string& path, const std::string& start) {
+  std::string found(start.size(), '\0');
+  std::ifstream in(path, std::ios::binary);
+  in.read(found.data(), std::streamsize(found.size()));
+  found.resize(std::size_t(in.gcount()));
+  return start.compare(0, found.size(), found) == 0 || found.find_first_not_of('\0') == std::string::npos;
+}
+
+// Whether one of the texts occurs in the rest of the stream.
+bool contains_one(std::istream& in, const std::vector<std::string>& texts) {
+  std::size_t longest = 1;
+  for (const std::string& text : texts) longest = std::max(longest, text.size());
+  std::string window, block(std::size_t(1) << 20, '\0');
+  while (in.read(block.data(), std::streamsize(block.size())) || in.gcount() > 0) {
+    window.append(block, 0, std::size_t(in.gcount()));
+    for (const std::string& text : texts)
+      if (window.find(text) != std::string::npos) return true;
+    window.erase(0, window.size() - std::min(window.size(), longest - 1));
+  }
+  return false;
+}
+
 }  // namespace
+
+bool is_of_kind(const std::string& path, const FileKind& kind) {
+  std::ifstream in(path, std::ios::binary);
+  std::string start(kind.start.size(), '\0');
+  in.read(start.data(), std::streamsize(start.size()));
+  return in && start == kind.start && (kind.marks.empty() || contains_one(in, kind.marks));
+}
+
+void require_replaceable(const std::string& output, const FileKind& kind) {
+  const std::string partial = output + ".partial";
+  for (const std::string& path : {output, partial}) require_regular_or_none(path);
+  std::error_code error;
+  if (const auto size = fs::file_size(output, error); !error && size > 0 && !is_of_kind(output, kind))
+    throw InputError(fmt::format("{}: is not {}, and would be replaced; choose another name for the output",
+                                 output, kind.name));
+  const bool exists = fs::exists(partial, error);
+  if (exists && (fs::hard_link_count(partial, error) > 1 || !may_be_partial(partial, kind.start)))
+    throw InputError(
+        fmt::format("{}: is not the remainder of {}, and would be replaced; move it, or choose another name "
+                    "for the output",
+                    partial, kind.name));
+}
 
 int lock_file(const std::string& result, const std::string& path) {
   std::error_code error;
   const fs::path folder = fs::path(result).parent_path();
   if (!folder.empty()) fs::create_directories(folder, error);
   const std::string reason = error ? error.message() : "";
-  if (fs::is_directory(result, error))
-    throw InputError(fmt::format("-o {}: is a folder; give a file name", result));
+  for (const std::string& name : {result, path}) require_regular_or_none(name);
   for (;;) {
-    const int descriptor = open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    const int descriptor = open(path.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
     if (descriptor < 0)
-      throw InputError(fmt::format("-o {}: {} cannot be written: {}; choose another path with -o", result,
-                                   path, reason.empty() ? std::strerror(errno) : reason));
+      throw InputError(fmt::format("{}: cannot be written: {}: {}; choose another name for the output",
+                                   result, path, reason.empty() ? std::strerror(errno) : reason));
     struct flock whole {};
     whole.l_type = F_WRLCK;
     const bool locked = fcntl(descriptor, F_OFD_SETLK, &whole) == 0;
@@ -53,11 +118,12 @@ int lock_file(const std::string& result, const std::string& path) {
     ::close(descriptor);
     if (!locked && error_of_lock != EAGAIN && error_of_lock != EACCES)
       throw RunError(
-          fmt::format("{}: cannot be locked: {}; choose a path on a file system that supports locks with -o",
-                      path, std::strerror(error_of_lock)));
+          fmt::format("{}: cannot be locked: {}; choose an output on a file system that supports locks", path,
+                      std::strerror(error_of_lock)));
     if (!locked)
       throw RunError(fmt::format(
-          "{}: another run is writing it; wait until it ends, or choose another path with -o", result));
+          "{}: another run is writing it; wait until it ends, or choose another name for the output",
+          result));
   }
 }
 
@@ -70,29 +136,34 @@ void replace_file(const std::string& from, const std::string& to) {
   flush_to_disk(folder.empty() ? "." : folder.string(), O_RDONLY | O_DIRECTORY);
 }
 
-std::string read_file(const std::string& path) {
+std::string read_file(const std::string& path, std::uintmax_t max_bytes) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  const auto fail = [&](const std::string& why) {
+    throw InputError(fmt::format("{}: cannot be read: {}", path, why));
+  };
+  if (status.type() == fs::file_type::unknown) fail(error.message());  // a folder without permission
+  if (!fs::exists(status)) fail("no such file");
+  if (fs::is_directory(status)) fail("not a readable file");
+  if (!fs::is_regular_file(status)) fail("a device, pipe or socket; write its contents to a file first");
+  if (fs::file_size(path, error) > max_bytes) fail(fmt::format("more than {} bytes", max_bytes));
   std::ifstream in(path, std::ios::binary);
-  std::error_code ignored;
-  if (!in || fs::is_directory(path, ignored))
-    throw InputError(fmt::format("{}: cannot be read: {}", path,
-                                 fs::exists(path, ignored) ? "not a readable file" : "no such file"));
+  if (!in) fail("not a readable file");
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-WholeFile::WholeFile(std::string path) : path_(std::move(path)), partial_(path_ + ".partial") {
-  std::error_code ignored;
-  const fs::path folder = fs::path(path_).parent_path();
-  if (!folder.empty()) fs::create_directories(folder, ignored);
-  if (fs::is_directory(path_, ignored))
-    throw InputError(fmt::format("{}: is a folder; give a file name", path_));
+WholeFile::WholeFile(std::string path, const FileKind& kind)
+    : path_(std::move(path)), partial_(path_ + ".partial") {
+  require_replaceable(path_, kind);
+  lock_ = lock_file(path_, partial_);
   out_.open(partial_, std::ios::binary);
-  if (!out_) throw InputError(fmt::format("{}: cannot be written: {}", path_, std::strerror(errno)));
 }
 
 WholeFile::~WholeFile() {
   std::error_code ignored;
   out_.close();
   if (!published_) fs::remove(partial_, ignored);
+  ::close(lock_);
 }
 
 void WholeFile::write(const char* bytes, std::size_t count) { out_.write(bytes, std::streamsize(count)); }
@@ -107,8 +178,8 @@ void WholeFile::publish() {
   published_ = true;
 }
 
-void write_whole(const std::string& path, const std::string& text) {
-  WholeFile file(path);
+void write_whole(const std::string& path, const std::string& text, const FileKind& kind) {
+  WholeFile file(path, kind);
   file.write(text.data(), text.size());
   file.close();
   file.publish();

@@ -1,17 +1,39 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <fstream>
 #include <string>
+#include <vector>
 
 namespace bristle {
 
-// The bytes of a file. Throws InputError if it cannot be read.
-std::string read_file(const std::string& path);
+// The bytes of a file. Throws InputError if it cannot be read, is not a regular file (reading a pipe or a
+// device may never end), or has more bytes than max_bytes.
+std::string read_file(const std::string& path, std::uintmax_t max_bytes = UINTMAX_MAX);
+
+// A kind of file that the program writes. Every such file begins with start and, if there are marks,
+// contains one of them.
+struct FileKind {
+  std::string name;  // for messages: "a result of bristle"
+  std::string start;
+  std::vector<std::string> marks;
+};
+
+// Whether the file at path is of this kind, as far as its bytes tell; it may be damaged or of another
+// version.
+bool is_of_kind(const std::string& path, const FileKind& kind);
+
+// Throws InputError unless output is the name of a file that the program may write: nothing stands there, or
+// an empty regular file (made by mktemp, or by a full disk), or one of this kind. The same holds for the
+// temporary file output.partial, of which an earlier program may have written only the beginning. Symbolic
+// links to the file are refused, links to its folders are followed. Call it before computing.
+void require_replaceable(const std::string& output, const FileKind& kind);
 
 // Opens path for writing, creating it and its folder if necessary, and locks it. Returns the descriptor; the
 // lock is released when the descriptor is closed or the process ends. result is the file that the run writes,
-// for messages. Throws InputError if path cannot be written, RunError if another run holds the lock.
+// for messages. Throws InputError if path cannot be written or is not a regular file, RunError if another run
+// holds the lock.
 int lock_file(const std::string& result, const std::string& path);
 
 // Renames a finished file after flushing it to the disk, so that a power cut leaves either the old file or
@@ -23,8 +45,9 @@ void replace_file(const std::string& from, const std::string& to);
 // remains unchanged.
 class WholeFile {
  public:
-  // Creates the folder if necessary. Throws InputError if the file cannot be written there.
-  explicit WholeFile(std::string path);
+  // Creates the folder if necessary. Throws InputError if the file cannot be written there, or would replace
+  // a file of another kind; RunError if another run is writing it.
+  WholeFile(std::string path, const FileKind& kind);
   ~WholeFile();
   WholeFile(const WholeFile&) = delete;
   WholeFile& operator=(const WholeFile&) = delete;
@@ -36,11 +59,12 @@ class WholeFile {
 
  private:
   std::string path_, partial_;
+  int lock_;  // descriptor that holds the lock of the temporary file
   std::ofstream out_;
   bool published_ = false;
 };
 
 // Writes a text through WholeFile. Throws as WholeFile does.
-void write_whole(const std::string& path, const std::string& text);
+void write_whole(const std::string& path, const std::string& text, const FileKind& kind);
 
 }  // namespace bristle

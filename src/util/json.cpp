@@ -1,16 +1,14 @@
 #include "util/json.hpp"
 
 #include "util/error.hpp"
+#include "util/file.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <fmt/format.h>
-#include <filesystem>
-#include <fstream>
 #include <set>
 
 namespace bristle {
-namespace fs = std::filesystem;
 
 std::string json_error(const std::string& message) {
   const auto end = message.find("] ");
@@ -18,12 +16,9 @@ std::string json_error(const std::string& message) {
 }
 
 Json read_json_file(const std::string& path) {
-  std::ifstream in(path);
-  if (!in || fs::is_directory(path))
-    throw InputError(fmt::format("{}: cannot be read: {}", path,
-                                 fs::exists(path) ? "not a readable file" : "no such file"));
+  const std::string text = read_file(path, kMaxJsonBytes);
   try {
-    Json content = parse_json({std::istreambuf_iterator<char>(in), {}});
+    Json content = parse_json(text);
     if (!content.is_object())
       throw InputError(fmt::format("expected a JSON object {{...}}, found {}", shown(content)));
     return content;

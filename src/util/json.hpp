@@ -2,6 +2,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <cstdint>
 #include <string>
 
 namespace bristle {
@@ -14,7 +15,11 @@ using JsonPointer = nlohmann::json_pointer<std::string>;
 // JSON with more levels of nesting is refused: recursive functions process it, and the stack is limited.
 constexpr int kMaxJsonDepth = 64;
 
-// Reads a file that holds one JSON object. Throws InputError, naming the file, as parse_json() does.
+// Files with more bytes are refused before they are read; those of this project have less than a megabyte.
+constexpr std::uintmax_t kMaxJsonBytes = std::uintmax_t(64) << 20;
+
+// Reads a file that holds one JSON object. Throws InputError, naming the file, as read_file() and
+// parse_json() do.
 Json read_json_file(const std::string& path);
 
 // Parses untrusted text. Throws InputError, without a file name, for text that is not JSON, for a key that

@@ -10,7 +10,8 @@
 #include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
-#include <filesystem>
+#include <fstream>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -18,13 +19,18 @@
 namespace bristle {
 namespace {
 
-constexpr rlim_t kMaxMemory = rlim_t(8) << 30;           // bytes
-constexpr rlim_t kMaxCpuTime = 3600;                     // s
 constexpr std::size_t kMaxText = std::size_t(64) << 20;  // bytes
 
-void limit(int resource, rlim_t maximum) {
-  const rlimit soft_and_hard{maximum, maximum};
-  setrlimit(resource, &soft_and_hard);
+void limit(int resource, rlim_t soft, rlim_t hard) {
+  const rlimit limits{soft, hard};
+  setrlimit(resource, &limits);
+}
+
+// The address space of this process in bytes.
+rlim_t memory_in_use() {
+  rlim_t pages = 0;
+  std::ifstream("/proc/self/statm") >> pages;
+  return pages * rlim_t(sysconf(_SC_PAGESIZE));
 }
 
 bool write_all(int descriptor, const std::string& text) {
@@ -39,16 +45,18 @@ bool write_all(int descriptor, const std::string& text) {
 // The parent process reports a crash; inherited signal handlers and the C library's messages would report it
 // a second time.
 void silence_crash_output() {
-  for (const int signal : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL}) std::signal(signal, SIG_DFL);
+  for (const int signal : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL, SIGXCPU}) std::signal(signal, SIG_DFL);
   const int null_device = open("/dev/null", O_WRONLY | O_CLOEXEC);
   if (null_device >= 0) dup2(null_device, STDERR_FILENO);
 }
 
-[[noreturn]] void run_child(int descriptor, const std::function<std::string()>& work) {
+[[noreturn]] void run_child(int descriptor, const std::function<std::string()>& work, const Limits& limits) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
   silence_crash_output();
-  limit(RLIMIT_CORE, 0);
-  limit(RLIMIT_CPU, kMaxCpuTime);
-  if (!kSanitized) limit(RLIMIT_AS, kMaxMemory);
+  limit(RLIMIT_CORE, 0, 0);
+  limit(RLIMIT_CPU, rlim_t(limits.seconds), rlim_t(limits.seconds) + 1);
+  const rlim_t memory = memory_in_use() + limits.memory;
+  if (!kSanitized) limit(RLIMIT_AS, memory, memory);
   std::string answer;
   try {
     answer = "+" + work();
@@ -82,19 +90,21 @@ ProcessResult run_process(const std::string& command) {
   return out;
 }
 
-std::string run_isolated(const std::function<std::string()>& work) {
+std::string run_isolated(const std::function<std::string()>& work, const Limits& limits) {
   int ends[2];
   std::fflush(nullptr);  // otherwise the child prints the buffered output a second time
   if (pipe(ends) != 0) throw RunError(fmt::format("cannot open a pipe: {}", std::strerror(errno)));
   const pid_t child = fork();
   if (child < 0) throw RunError(fmt::format("cannot start a process: {}", std::strerror(errno)));
-  if (child == 0) run_child(ends[1], work);
+  if (child == 0) run_child(ends[1], work, limits);
   close(ends[1]);
   const std::string answer = read_all(ends[0]);
   close(ends[0]);
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
+  if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU)
+    throw MalformedError(fmt::format("malformed: reading it takes more than {} s", limits.seconds));
   if (WIFSIGNALED(status))
     throw MalformedError(fmt::format("malformed: the process that read it was ended by signal {} ({})",
                                      WTERMSIG(status), strsignal(WTERMSIG(status))));
@@ -103,19 +113,5 @@ std::string run_isolated(const std::function<std::string()>& work) {
   if (answer[0] == '-') throw MalformedError(answer.substr(1));
   return answer.substr(1);
 }
-
-TemporaryFile::TemporaryFile(const std::string& bytes)
-    : path_((std::filesystem::temp_directory_path() / "bristle-XXXXXX").string()) {
-  const int descriptor = mkstemp(path_.data());
-  if (descriptor < 0)
-    throw RunError(fmt::format("{}: the temporary file cannot be created: {}", path_, std::strerror(errno)));
-  const bool complete = write_all(descriptor, bytes);
-  close(descriptor);
-  if (complete) return;
-  unlink(path_.c_str());
-  throw RunError(fmt::format("{}: cannot be written completely; is the disk full?", path_));
-}
-
-TemporaryFile::~TemporaryFile() { unlink(path_.c_str()); }
 
 }  // namespace bristle

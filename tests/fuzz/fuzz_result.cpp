@@ -1,10 +1,10 @@
 #include "fuzz.hpp"
 
-#include "archive/plain_hdf5.hpp"
 #include "archive/result_facts.hpp"
 #include "archive/tar.hpp"
 #include "checks/diff.hpp"
 #include "checks/reference_file.hpp"
+#include "results/plain_hdf5.hpp"
 #include "util/error.hpp"
 #include "small_result.hpp"
 
@@ -98,7 +98,8 @@ enum class Reader {
 };
 
 void read(const Original& original, const std::string& path, Reader reader) {
-  require_plain_hdf5(path, std::filesystem::file_size(path));
+  // ResultReader does this in a child process, where a crash is no finding.
+  require_plain_hdf5(h5::open_file(path, false), std::filesystem::file_size(path));
   const ResultReader result(path, Expected::either);
   switch (reader) {
     case Reader::facts:

@@ -1,11 +1,12 @@
-#include "archive/plain_hdf5.hpp"
+#include "results/plain_hdf5.hpp"
 
 #include "results/hdf5.hpp"
 #include "util/error.hpp"
 
 #include <fmt/format.h>
+#include <vector>
 
-namespace bristle::archive {
+namespace bristle::results {
 namespace {
 
 constexpr int kMaxGroupDepth = 4;
@@ -37,7 +38,7 @@ class PlainChecker {
     throw MalformedError(fmt::format("{}: {}; a result file has none", at.empty() ? "/" : at, what));
   }
 
-  // Rejects attributes that declare more data than the size of the file.
+  // Reads the attributes; rejects those that declare more data than the size of the file.
   void check_attributes(hid_t object, const std::string& path) {
     for (const std::string& name : h5::attribute_names(object)) {
       const h5::Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose,
@@ -47,6 +48,9 @@ class PlainChecker {
       const auto count = h5::check(H5Sget_simple_extent_npoints(space), "reading an attribute's shape");
       if (H5Tget_size(type) > size_ || (count > 0 && std::size_t(count) > size_ / H5Tget_size(type)))
         refuse(path + "@" + name, "an attribute larger than the file");
+      std::vector<char> bytes(std::size_t(count) * H5Tget_size(type));
+      h5::check(H5Aread(attribute, type, bytes.data()), "reading attribute " + path + "@" + name);
+      h5::check(H5Dvlen_reclaim(type, space, H5P_DEFAULT, bytes.data()), "freeing an attribute");
     }
   }
 
@@ -64,7 +68,9 @@ class PlainChecker {
       refuse(path, "a dataset of neither numbers nor fixed-length text");
     std::size_t left = H5Dget_storage_size(dataset);
     if (left > size_) refuse(path, "a dataset larger than the file");
-    left /= H5Tget_size(type);
+    // A dataset without stored data is that of a part without points, where only /status is stored: one byte
+    // for each number.
+    left = left == 0 ? size_ : left / H5Tget_size(type);
     for (const hsize_t n : h5::shape_of(dataset)) {
       if (n > left) refuse(path, "a dataset whose declared size exceeds its stored data");
       if (n > 0) left /= n;
@@ -76,11 +82,9 @@ class PlainChecker {
 
 }  // namespace
 
-void require_plain_hdf5(const std::string& path, std::size_t size) {
-  if (H5Fis_hdf5(path.c_str()) <= 0) throw MalformedError("not an HDF5 file");
-  const h5::Handle file = h5::open_file(path, false);
+void require_plain_hdf5(hid_t file, std::size_t size) {
   const h5::Handle root(H5Gopen2(file, "/", H5P_DEFAULT), H5Gclose, "opening the root");
   PlainChecker(size).check_group(root, "", 0);
 }
 
-}  // namespace bristle::archive
+}  // namespace bristle::results

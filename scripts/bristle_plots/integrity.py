@@ -1,0 +1,114 @@
+"""Reading a result file of unknown origin once, in a child process with limited time and memory.
+
+As src/results/inspect.cpp does: libhdf5 loops, crashes or fills the memory on some damaged files.
+"""
+
+import hashlib
+import os
+import resource
+import warnings
+
+import h5py
+
+from .errors import BristleError
+
+SECONDS = 5  # of processor time
+BYTES_PER_SECOND = 20_000_000
+MEMORY = 256 << 20  # bytes beyond those of this process and of the file
+MAX_DEPTH = 4  # of groups
+
+
+def require_intact(path):
+    """Raises BristleError if the HDF5 file cannot be read, or is a result but not as `bristle run` wrote it."""
+    receive, send = os.pipe()
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", DeprecationWarning)  # of a fork beside threads: the child uses none
+        child = os.fork()
+    if child == 0:
+        report(path, send)
+    os.close(send)
+    with os.fdopen(receive, "rb") as answer:
+        damage = answer.read().decode()
+    status = os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
+    if status != 0:
+        damage = f"the process that read it ended with {status}"  # -9: beyond the limits
+    if damage:
+        raise BristleError(f"{path}: damaged, or not written by bristle: {damage}; "
+                           "restore the file, or compute it again with `bristle run`")
+
+
+def report(path, send):
+    """Writes what is damaged to the descriptor, and ends this process."""
+    status = 1
+    try:
+        size = os.path.getsize(path)
+        limit(resource.RLIMIT_CORE, 0)
+        limit(resource.RLIMIT_CPU, SECONDS + size // BYTES_PER_SECOND)
+        with open("/proc/self/statm", encoding="ascii") as numbers:
+            mapped = int(numbers.read().split()[0]) * resource.getpagesize()
+        limit(resource.RLIMIT_AS, mapped + MEMORY + 4 * size)
+        try:
+            with h5py.File(path, "r") as file:
+                damage = damage_of(file)
+        except (OSError, RuntimeError, KeyError, ValueError, MemoryError) as error:
+            damage = f"{type(error).__name__}: {error}"
+        os.write(send, damage[:1000].encode())
+        status = 0
+    finally:
+        os._exit(status)
+
+
+def limit(kind, value):
+    resource.setrlimit(kind, (value, value))
+
+
+def damage_of(file):
+    """What is damaged; empty if the file is intact, or is no result of bristle."""
+    digest = hashlib.sha256()
+    read_group(file, "", 0, digest)
+    if not text(file.attrs.get("schema_version", "")).startswith("bristle-"):
+        return ""
+    stated = {name: text(file.attrs.get(name, "")) for name in
+              ("payload_sha256", "experiment_sha256", "experiment")}
+    if digest.hexdigest() != stated["payload_sha256"]:
+        return "payload_sha256 does not match the numbers"
+    if hashlib.sha256(stated["experiment"].encode()).hexdigest() != stated["experiment_sha256"]:
+        return "experiment_sha256 does not match the experiment"
+    return ""
+
+
+def read_group(group, prefix, depth, digest):
+    """Adds names, types, shapes and values of the payload to the digest (docs/results-format.md); reads the rest."""
+    if depth > MAX_DEPTH:
+        raise ValueError(f"{prefix}: groups nested too deeply")
+    read_attributes(group)
+    for name in sorted(group, key=str.encode):
+        path = prefix + name
+        if not isinstance(group.get(name, getlink=True), h5py.HardLink):
+            raise ValueError(f"/{path}: a soft or external link")
+        found = group[name]
+        outside = digest is None or path in ("checks", "provenance")
+        if isinstance(found, h5py.Group):
+            read_group(found, path + "/", depth + 1, None if outside else digest)
+        else:
+            read_attributes(found)
+            read_dataset(found, path, None if outside else digest)
+
+
+def read_dataset(data, path, digest):
+    if data.is_virtual or data.external:
+        raise ValueError(f"/{path}: a dataset stored in another file")
+    values = data[()]
+    if digest is not None:
+        kind = "f" if data.dtype.kind == "f" else "i"
+        digest.update(" ".join([f"/{path} {kind}{data.dtype.itemsize}", *map(str, data.shape)]).encode() + b"\n")
+        digest.update(values.tobytes())
+
+
+def read_attributes(found):
+    for name in found.attrs:
+        found.attrs[name]
+
+
+def text(value):
+    return value.decode("utf-8", "replace") if isinstance(value, bytes) else str(value)

@@ -1,0 +1,79 @@
+"""Plotting scripts refuse damaged results, and replace nothing but what they write.
+
+plots_test.py SCRIPTS RESULT FOLDER
+"""
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+
+import h5py
+import numpy
+
+scripts, result, folder = pathlib.Path(sys.argv[1]), sys.argv[2], pathlib.Path(sys.argv[3])
+sys.path.insert(0, str(scripts))
+from bristle_plots import BristleError, open_result  # noqa: E402
+from bristle_plots.files import read_json, write_text, write_whole  # noqa: E402
+
+shutil.rmtree(folder, ignore_errors=True)
+folder.mkdir(parents=True)
+
+
+def refusal(action, *arguments):
+    try:
+        action(*arguments)
+    except BristleError as error:
+        return str(error)
+    raise AssertionError(f"{arguments} caused no error")
+
+
+def refusal_after(change):
+    """What is said of the result after a change."""
+    shutil.copy(result, folder / "changed.h5")
+    with h5py.File(folder / "changed.h5", "a") as file:
+        change(file)
+    return refusal(open_result, folder / "changed.h5")
+
+
+def change_number(file):
+    file["z_0"][0, 0] += 1e-9
+
+
+# Damaged results, and files that HDF5 would read without end or beyond themselves.
+open_result(result).close()
+assert "payload_sha256 does not match" in refusal_after(change_number)
+assert "experiment_sha256" in refusal_after(lambda file: file.attrs.modify("experiment", numpy.bytes_("{}")))
+assert "nested too deeply" in refusal_after(lambda file: file.__setitem__("loop", file["/"]))
+assert "link" in refusal_after(lambda file: file.__setitem__("elsewhere", h5py.ExternalLink("/etc/passwd", "/x")))
+assert "damaged" in refusal_after(lambda file: file.create_dataset("large", (1 << 40,), "f8"))
+assert "damaged" in refusal_after(lambda file: file.create_dataset(
+    "bomb", (1 << 33,), "i1", chunks=(1 << 24,), compression="gzip"))
+os.mkfifo(folder / "pipe")
+assert "pipe" in refusal(open_result, folder / "pipe")
+assert "not a regular file" in refusal(read_json, folder / "pipe", "")
+
+# A file of another kind at the output, or a link, is not replaced.
+pdf = b"%PDF-1.4\nnew"
+for name, mine in (("a.pdf", b"my notes\n"), ("b.pdf", pathlib.Path(result).read_bytes())):
+    (folder / name).write_bytes(mine)
+    assert "would be replaced" in refusal(write_whole, folder / name, pdf)
+    assert (folder / name).read_bytes() == mine
+(folder / "experiment.json").write_text('{"extends": "paper.json"}')
+assert "would be replaced" in refusal(write_text, folder / "experiment.json", "# Findings\n")
+(folder / "old.pdf").write_bytes(b"%PDF-1.4\nold")
+(folder / "link.pdf").symlink_to(folder / "old.pdf")
+for name in ("link.pdf", "pipe"):
+    assert "not a regular file" in refusal(write_whole, folder / name, pdf)
+write_whole(folder / "old.pdf", pdf)
+write_whole(folder / "new/new.pdf", pdf)
+(folder / "empty.pdf").touch()
+write_whole(folder / "empty.pdf", pdf)
+assert all((folder / name).read_bytes() == pdf for name in ("old.pdf", "new/new.pdf", "empty.pdf"))
+assert not list(folder.rglob("*.part"))
+
+# The command line: the result as its own output.
+before = pathlib.Path(result).read_bytes()
+done = subprocess.run([sys.executable, scripts / "fig4.py", result, "-o", result], capture_output=True, text=True)
+assert done.returncode != 0 and "Traceback" not in done.stderr, done.stderr
+assert pathlib.Path(result).read_bytes() == before
