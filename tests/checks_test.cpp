@@ -198,6 +198,7 @@ TEST_CASE("checks are stored beside the numbers without changing their digest") 
   write_checks(s.path("c.h5"), checks);
   write_checks(s.path("c.h5"), checks);
   CHECK(payload_sha256(h5::open_file(s.path("c.h5"), false)) == before);
+  CHECK(h5::scale_name(h5::open_dataset(h5::open_file(s.path("c.h5"), false), "checks/verdict"), 0) == "check");
   CHECK(checks_table(checks).find("supported") != std::string::npos);
 }
 

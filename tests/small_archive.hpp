@@ -66,6 +66,8 @@ struct Release {
                   {"finished", "2026-01-02T03:04:06Z"},
                   {"command_line", "bristle run experiments/small.json"}});
     writer.publish();
+    const auto checks = evaluate_checks(ResultReader(result()));
+    write_checks(result(), checks);
     s.write("figures/small.pdf", "%PDF");
     s.write("figures/small.png", "PNG");
   }

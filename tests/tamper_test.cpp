@@ -242,7 +242,7 @@ TEST_CASE("HDF5 files with links, cycles, compression or excessive sizes are ref
              Contains("/soft: a soft or external link"));
   CHECK_THAT(problems_of(with_result([](hid_t file) {
                const h5::Handle group = h5::create_group(file, "circle");
-               h5::check(H5Lcreate_hard(file, "/", group, "again", H5P_DEFAULT, H5P_DEFAULT), "");
+               h5::check(H5Lcreate_hard(file, "circle", group, "again", H5P_DEFAULT, H5P_DEFAULT), "");
              })),
              Contains("nested too deeply") || Contains("too many"));
   const auto with_dataset = [](hsize_t size, bool deflated) {
@@ -258,6 +258,8 @@ TEST_CASE("HDF5 files with links, cycles, compression or excessive sizes are ref
   };
   CHECK_THAT(with_dataset(hsize_t(1) << 50, false),
              Contains("/big: a dataset whose declared size exceeds its stored data"));
+  CHECK_THAT(problems_of(with_result([](hid_t file) { h5::create_dataset(file, "text", H5T_C_S1, {1}); })),
+             Contains("/text: a dataset of other than numbers"));
   CHECK_THAT(with_dataset(1 << 20, true), Contains("/big: a compressed or filtered dataset"));
 }
 

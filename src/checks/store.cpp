@@ -2,27 +2,81 @@
 
 #include "results/hdf5.hpp"
 
-#include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace bristle::checks {
 namespace {
 
-// Writes strings of fixed length, as elsewhere in result files.
-void write_texts(hid_t group, const std::string& name, const std::vector<std::string>& texts) {
-  std::size_t length = 1;
-  for (const std::string& text : texts) length = std::max(length, text.size());
-  std::string bytes;
-  for (std::string text : texts) {
-    text.resize(length, '\0');
-    bytes += text;
-  }
-  const h5::Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "creating a string type");
-  h5::check(H5Tset_size(type, length), "sizing a string type");
+template <class Value>
+struct Column {
+  const char* name;
+  const char* long_name;
+  Value (*value)(const CheckResult&);
+};
+
+using C = const CheckResult&;
+
+const Column<std::string> kTexts[] = {
+    {"claim", "identifier of the claim", [](C c) { return c.check.claim; }},
+    {"statement", "text of the claim", [](C c) { return c.check.statement; }},
+    {"is", "required relation of the measured number to the threshold",
+     [](C c) { return std::string(to_string(c.check.criterion)); }},
+    {"verdict", "verdict on the claim", [](C c) { return std::string(to_string(c.verdict)); }},
+};
+
+const Column<double> kNumbers[] = {
+    {"measured", "measured number", [](C c) { return c.measured.value; }},
+    {"uncertainty", "uncertainty of the measured number", [](C c) { return c.measured.uncertainty; }},
+    {"threshold", "required number", [](C c) { return c.check.threshold; }},
+    {"band", "greatest distance from the threshold that counts as near",
+     [](C c) { return c.check.band.value_or(NAN); }},
+    {"margin", "distance from the threshold or from the end of the band, positive if the claim holds",
+     [](C c) { return c.margin; }},
+    {"significance", "two-sided p-value of a trend", [](C c) { return c.measured.significance; }},
+};
+
+h5::Handle create_column(hid_t group, const char* name, const char* long_name, hid_t type, hsize_t size) {
+  h5::Handle column = h5::create_dataset(group, name, type, {size});
+  h5::write_attribute(column, "long_name", long_name);
+  return column;
+}
+
+// The numbers of the checks, a dimension scale.
+h5::Handle write_rows(hid_t group, std::size_t size) {
+  h5::Handle rows = create_column(group, "check", "number of the check", H5T_NATIVE_LONG, size);
+  std::vector<double> numbers(size);
+  std::iota(numbers.begin(), numbers.end(), 0.0);
+  h5::write_part(rows, H5T_NATIVE_DOUBLE, {0}, {size}, numbers.data());
+  h5::make_scale(rows, "check");
+  return rows;
+}
+
+// The netCDF library reads strings of variable length, and crashes on arrays of strings of fixed length.
+h5::Handle text_type() {
+  h5::Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "creating a string type");
+  h5::check(H5Tset_size(type, H5T_VARIABLE), "sizing a string type");
   h5::check(H5Tset_cset(type, H5T_CSET_UTF8), "choosing UTF-8");
-  h5::check(H5Tset_strpad(type, H5T_STR_NULLPAD), "choosing string padding");
-  const h5::Handle dataset = h5::create_dataset(group, name, type, {texts.size()});
-  h5::write_part(dataset, type, {0}, {texts.size()}, bytes.data());
+  return type;
+}
+
+template <class Value>
+void write_column(hid_t group, hid_t rows, const Column<Value>& column,
+                  const std::vector<CheckResult>& checks) {
+  std::vector<Value> values;
+  for (const CheckResult& c : checks) values.push_back(column.value(c));
+  const auto write = [&](hid_t type, const void* data) {
+    const h5::Handle dataset = create_column(group, column.name, column.long_name, type, checks.size());
+    h5::attach_scale(dataset, rows, 0);
+    h5::write_part(dataset, type, {0}, {checks.size()}, data);
+  };
+  if constexpr (std::is_same_v<Value, std::string>) {
+    std::vector<const char*> texts;
+    for (const std::string& text : values) texts.push_back(text.c_str());
+    write(text_type(), texts.data());
+  } else {
+    write(H5T_NATIVE_DOUBLE, values.data());
+  }
 }
 
 }  // namespace
@@ -32,27 +86,9 @@ void write_checks(const std::string& path, const std::vector<CheckResult>& check
   if (h5::exists(file, "checks")) h5::check(H5Ldelete(file, "checks", H5P_DEFAULT), "replacing /checks");
   if (!checks.empty()) {
     h5::Handle group = h5::create_group(file, "checks");
-    const auto texts = [&](const std::string& name, auto text) {
-      std::vector<std::string> all;
-      for (const CheckResult& c : checks) all.push_back(text(c));
-      write_texts(group, name, all);
-    };
-    const auto numbers = [&](const std::string& name, auto number) {
-      std::vector<double> all;
-      for (const CheckResult& c : checks) all.push_back(number(c));
-      const h5::Handle dataset = h5::create_dataset(group, name, H5T_NATIVE_DOUBLE, {all.size()});
-      h5::write_part(dataset, H5T_NATIVE_DOUBLE, {0}, {all.size()}, all.data());
-    };
-    texts("claim", [](const CheckResult& c) { return c.check.claim; });
-    texts("statement", [](const CheckResult& c) { return c.check.statement; });
-    texts("is", [](const CheckResult& c) { return std::string(to_string(c.check.criterion)); });
-    texts("verdict", [](const CheckResult& c) { return std::string(to_string(c.verdict)); });
-    numbers("measured", [](const CheckResult& c) { return c.measured.value; });
-    numbers("uncertainty", [](const CheckResult& c) { return c.measured.uncertainty; });
-    numbers("threshold", [](const CheckResult& c) { return c.check.threshold; });
-    numbers("band", [](const CheckResult& c) { return c.check.band.value_or(NAN); });
-    numbers("margin", [](const CheckResult& c) { return c.margin; });
-    numbers("significance", [](const CheckResult& c) { return c.measured.significance; });
+    const h5::Handle rows = write_rows(group, checks.size());
+    for (const auto& column : kTexts) write_column(group, rows, column, checks);
+    for (const auto& column : kNumbers) write_column(group, rows, column, checks);
     group.close("closing /checks");
   }
   file.close("closing " + path);

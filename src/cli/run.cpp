@@ -19,7 +19,7 @@ void choose_instruction_set(const std::string& name) {
   std::vector<std::string> names;
   for (const Kernels* kernels : available_kernels()) names.emplace_back(kernels->target);
   throw InputError(fmt::format("--instruction-set {}: not supported by this processor; allowed: {}", name,
-                               names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
+                               fmt::join(names, ", ")));
 }
 
 Experiment load_checked(const RunOptions& options) {

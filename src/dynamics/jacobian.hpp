@@ -2,6 +2,11 @@
 
 #include "dynamics/ode.hpp"
 
+#ifdef __aarch64__
+// Eigen's vectors of two doubles would use fused multiply-add on ARM only, and round differently.
+#include <arm_neon.h>
+#undef __ARM_FEATURE_FMA
+#endif
 #include <Eigen/Core>
 #include <unsupported/Eigen/AutoDiff>
 

@@ -64,6 +64,24 @@ Handle open_attribute(hid_t object, const std::string& name) {
   return attribute;
 }
 
+// Properties for creating an object: without time stamps, and with the creation order of its attributes,
+// without which netCDF programs do not add any.
+Handle creation_properties(hid_t kind) {
+  Handle creation(H5Pcreate(kind), H5Pclose, "creating an object's properties");
+  check(H5Pset_obj_track_times(creation, false), "switching time stamps off");
+  check(H5Pset_attr_creation_order(creation, H5P_CRT_ORDER_TRACKED), "tracking creation order");
+  return creation;
+}
+
+// The same for a group or the root: netCDF programs write only to groups with the creation order of their
+// links.
+Handle group_properties(hid_t kind) {
+  Handle creation = creation_properties(kind);
+  check(H5Pset_link_creation_order(creation, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED),
+        "tracking creation order");
+  return creation;
+}
+
 void set_fill_and_chunks(hid_t properties, hid_t type, const Shape& shape) {
   if (H5Tequal(type, H5T_NATIVE_DOUBLE) > 0) {
     const double missing = std::numeric_limits<double>::quiet_NaN();
@@ -112,10 +130,7 @@ void Handle::close(const std::string& what) {
 Handle create_file(const std::string& path) {
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "creating file properties");
   check(H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V18), "choosing the file format");
-  const Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose, "creating file properties");
-  check(H5Pset_obj_track_times(creation, false), "switching time stamps off");
-  check(H5Pset_link_creation_order(creation, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED),
-        "tracking creation order");
+  const Handle creation = group_properties(H5P_FILE_CREATE);
   return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access), H5Fclose, "creating " + path};
 }
 
@@ -134,8 +149,7 @@ Handle open_image(const std::string& bytes) {
 }
 
 Handle create_group(hid_t parent, const std::string& name) {
-  const Handle creation(H5Pcreate(H5P_GROUP_CREATE), H5Pclose, "creating group properties");
-  check(H5Pset_obj_track_times(creation, false), "switching time stamps off");
+  const Handle creation = group_properties(H5P_GROUP_CREATE);
   return {H5Gcreate2(parent, name.c_str(), H5P_DEFAULT, creation, H5P_DEFAULT), H5Gclose,
           "creating group " + name};
 }
@@ -153,8 +167,7 @@ bool exists(hid_t parent, const std::string& name) {
 }
 
 Handle create_dataset(hid_t parent, const std::string& name, hid_t type, const Shape& shape) {
-  const Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "creating dataset properties");
-  check(H5Pset_obj_track_times(creation, false), "switching time stamps off");
+  const Handle creation = creation_properties(H5P_DATASET_CREATE);
   set_fill_and_chunks(creation, type, shape);
   Shape now = shape;
   if (!now.empty() && now[0] == H5S_UNLIMITED) now[0] = 0;

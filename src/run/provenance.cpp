@@ -20,15 +20,13 @@ namespace bristle::run {
 namespace {
 
 // Instruction set of the kernels in use.
-std::string instruction_set() {
-  return available_kernels().empty() ? "none with fused multiply-add" : best_kernels().target;
-}
+std::string instruction_set() { return best_kernels().target; }
 
-// Instruction sets that the processor supports.
+// Instruction sets for vectors that the processor supports.
 std::string cpu_features() {
   std::string out;
   for (const Kernels* kernels : available_kernels())
-    out += fmt::format("{}{}", out.empty() ? "" : " ", kernels->target);
+    if (kernels->width > 1) out += fmt::format("{}{}", out.empty() ? "" : " ", kernels->target);
   return out;
 }
 

@@ -2,10 +2,11 @@
 
 #include <hwy/targets.h>
 
-#include <stdexcept>
-
 namespace bristle {
 
+namespace N_SCALAR {
+extern const Kernels kKernels;
+}
 #if HWY_ARCH_X86
 namespace N_AVX3 {
 extern const Kernels kKernels;
@@ -28,6 +29,7 @@ std::vector<const Kernels*> available_kernels() {
 #else
   if (supported & HWY_NEON) out.push_back(&N_NEON::kKernels);
 #endif
+  out.push_back(&N_SCALAR::kKernels);
   return out;
 }
 
@@ -45,12 +47,7 @@ bool prefer_kernels(const std::string& target) {
 
 const Kernels& best_kernels() {
   if (preferred) return *preferred;
-  const auto available = available_kernels();
-  if (available.empty())
-    throw std::runtime_error(
-        "this processor has no fused multiply-add on vectors (AVX2 or better), which the fast engine needs "
-        "for reproducible numbers; set \"integrator\": { \"engine\": \"reference\" }");
-  return *available.front();
+  return *available_kernels().front();
 }
 
 }  // namespace bristle

@@ -6,6 +6,27 @@
 
 #include <hwy/highway.h>
 
+#if HWY_TARGET == HWY_SCALAR
+#include <cmath>
+
+// Highway rounds the product here, unlike everywhere else. These are preferred to its templates, also by its
+// elementary functions. std::fma is exact on every processor.
+namespace hwy::HWY_NAMESPACE {
+inline Vec1<double> MulAdd(Vec1<double> a, Vec1<double> b, Vec1<double> c) {
+  return Vec1<double>(std::fma(a.raw, b.raw, c.raw));
+}
+inline Vec1<double> MulSub(Vec1<double> a, Vec1<double> b, Vec1<double> c) {
+  return Vec1<double>(std::fma(a.raw, b.raw, -c.raw));
+}
+inline Vec1<double> NegMulAdd(Vec1<double> a, Vec1<double> b, Vec1<double> c) {
+  return Vec1<double>(std::fma(-a.raw, b.raw, c.raw));
+}
+inline Vec1<double> NegMulSub(Vec1<double> a, Vec1<double> b, Vec1<double> c) {
+  return Vec1<double>(std::fma(-a.raw, b.raw, -c.raw));
+}
+}  // namespace hwy::HWY_NAMESPACE
+#endif
+
 #include <hwy/contrib/math/math-inl.h>
 
 #include <Eigen/Core>
