@@ -204,7 +204,8 @@ class CrossingSearch {
     Bracket b = bracket_of(out.z_0_near, out.z_0_far, Accuracy::precise);
     narrow(b, Accuracy::precise);
     for (int i = 0; b.solution && i < kMaxEarlier; ++i) {
-      const auto earlier = earlier_crossing(out.z_0_near, b.solution->z_0);
+      const auto earlier =
+          earlier_crossing(bracket_of(out.z_0_near, out.z_0_far, Accuracy::precise), *b.solution);
       if (!earlier) break;
       out.z_0_far = earlier->z_0;
       b = {load_at(out.z_0_near, Accuracy::precise), *earlier};
@@ -222,24 +223,30 @@ class CrossingSearch {
 
   // A gap a little before the crossing whose load is above the target already: then the load between has a
   // maximum and a minimum.
-  std::optional<GapLoad> earlier_crossing(double near, double crossing) {
-    const double z_0 = beyond(crossing, -kNeighbour * search_.step);
-    if (std::abs(near - crossing) <= kNeighbour * search_.step) return {};
+  std::optional<GapLoad> earlier_crossing(const Bracket& scan, const GapLoad& crossing) {
+    const double distance = kNeighbour * search_.step;
+    if (std::abs(scan.near.z_0 - crossing.z_0) <= distance) return {};
+    const double z_0 = beyond(crossing.z_0, -distance);
     GapLoad probe = load_at(z_0, Accuracy::rough);
     if (probe.excess < -kDistinct * probe.load.error) return {};
     probe = load_at(z_0, Accuracy::precise);
     if (probe.excess >= 0) return probe;
-    if (near_target(probe)) reaches_by_noise_ = true;
+    // On an even slope the load there would be below the target beyond doubt.
+    const double slope = (scan.far.excess - scan.near.excess) / std::abs(scan.far.z_0 - scan.near.z_0);
+    if (slope * distance > allowed() + kDistinct * probe.load.error && near_target(probe))
+      reaches_by_noise_ = true;
     return {};
   }
 
   // Whether no load between the crossing and the far end of its bracket exceeds the target by more than the
-  // errors.
-  bool only_touches(double crossing, double far) const {
+  // errors, and the load is below the target again beyond.
+  bool only_touches(double crossing, double far) {
     const auto [low, high] = std::minmax(crossing, far);
-    return std::none_of(computed_.begin(), computed_.end(), [low = low, high = high](const GapLoad& one) {
-      return low <= one.z_0 && one.z_0 <= high && one.excess > kDistinct * one.load.error;
-    });
+    const bool exceeds =
+        std::any_of(computed_.begin(), computed_.end(), [low = low, high = high](const GapLoad& one) {
+          return low <= one.z_0 && one.z_0 <= high && one.excess > kDistinct * one.load.error;
+        });
+    return !exceeds && next_of_scan(far, Accuracy::rough).excess < 0;
   }
 
   // Locates the crossing by reported loads: the precise ones misled the search.

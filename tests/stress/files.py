@@ -94,8 +94,8 @@ def crafted(path):
                 return "no change"
             f[name][...] = values
         elif kind == "experiment":
-            f.attrs["experiment"] = damaged(f.attrs["experiment"] if isinstance(f.attrs["experiment"], bytes)
-                                            else f.attrs["experiment"].encode())
+            text = f.attrs["experiment"]
+            f.attrs["experiment"] = numpy.bytes_(damaged(text if isinstance(text, bytes) else text.encode()))
         elif kind == "wrong type":
             f.attrs[r.choice(list(f.attrs))] = r.choice([1, 2.5, [1, 2, 3], "x", numpy.zeros(3)])
         elif kind == "long attribute":
