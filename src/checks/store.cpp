@@ -82,16 +82,18 @@ void write_column(hid_t group, hid_t rows, const Column<Value>& column,
 }  // namespace
 
 void write_checks(const std::string& path, const std::vector<CheckResult>& checks) {
-  h5::Handle file = h5::open_file(path, true);
-  if (h5::exists(file, "checks")) h5::check(H5Ldelete(file, "checks", H5P_DEFAULT), "replacing /checks");
-  if (!checks.empty()) {
-    h5::Handle group = h5::create_group(file, "checks");
-    const h5::Handle rows = write_rows(group, checks.size());
-    for (const auto& column : kTexts) write_column(group, rows, column, checks);
-    for (const auto& column : kNumbers) write_column(group, rows, column, checks);
-    group.close("closing /checks");
-  }
-  file.close("closing " + path);
+  h5::in_file(path, [&] {
+    h5::Handle file = h5::open_file(path, true);
+    if (h5::exists(file, "checks")) h5::check(H5Ldelete(file, "checks", H5P_DEFAULT), "replacing /checks");
+    if (!checks.empty()) {
+      h5::Handle group = h5::create_group(file, "checks");
+      const h5::Handle rows = write_rows(group, checks.size());
+      for (const auto& column : kTexts) write_column(group, rows, column, checks);
+      for (const auto& column : kNumbers) write_column(group, rows, column, checks);
+      group.close("closing /checks");
+    }
+    file.close("closing the file");
+  });
 }
 
 }  // namespace bristle::checks

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "util/error.hpp"
+
 #include <hdf5.h>
 #include <string>
 #include <vector>
@@ -12,6 +14,10 @@ namespace bristle::h5 {
 template <class Code>
 Code check(Code code, const std::string& what);
 [[noreturn]] void fail(const std::string& what);
+
+// Does the work, which is on the file at path, and adds the path to the message of a RunError.
+template <class Work>
+void in_file(const std::string& path, const Work& work);
 
 // Call before all other functions. Prevents HDF5 from printing its error stack, as errors become exceptions,
 // and from cleaning up at exit.
@@ -79,6 +85,15 @@ void attach_scale(hid_t dataset, hid_t scale, unsigned dimension);
 bool is_scale(hid_t dataset);
 // Name of the dimension scale of a dimension; empty if there is none.
 std::string scale_name(hid_t dataset, unsigned dimension);
+
+template <class Work>
+void in_file(const std::string& path, const Work& work) {
+  try {
+    work();
+  } catch (const RunError& e) {
+    throw RunError(path + ": " + e.what());
+  }
+}
 
 template <class Code>
 Code check(Code code, const std::string& what) {

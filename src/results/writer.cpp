@@ -133,6 +133,10 @@ void ResultWriter::create_flags(const std::string& name, const std::string& long
 }
 
 void ResultWriter::write(std::size_t index, const PointRecord& record) {
+  h5::in_file(partial_, [&] { write_values(index, record); });
+}
+
+void ResultWriter::write_values(std::size_t index, const PointRecord& record) {
   h5::Shape at = h5::position(experiment_.shape(), index), count(at.size(), 1);
   if (curves_) {
     at.push_back(0);
@@ -151,6 +155,10 @@ void ResultWriter::write(std::size_t index, const PointRecord& record) {
 }
 
 void ResultWriter::close(const std::map<std::string, std::string>& provenance) {
+  h5::in_file(partial_, [&] { finish(provenance); });
+}
+
+void ResultWriter::finish(const std::map<std::string, std::string>& provenance) {
   h5::Handle group = h5::create_group(file_, "provenance");
   for (const auto& [name, text] : provenance) h5::write_attribute(group, name, text);
   group.close("closing /provenance");
@@ -164,10 +172,10 @@ void ResultWriter::close(const std::map<std::string, std::string>& provenance) {
   for (h5::Handle& axis : axes_) axis.close("closing an axis");
   for (auto& [name, table] : tables_) table.close();
   load_error_.close("closing /load_error");
-  file_.close("closing " + partial_);
+  file_.close("closing the file");
   annotate(partial_, experiment_, shard_);
   if (payload_sha256(h5::open_file(partial_, false)) != digest)
-    throw RunError(fmt::format("{}: reads back differently from what was written", partial_));
+    throw RunError("reads back differently from what was written");
 }
 
 void ResultWriter::publish() {

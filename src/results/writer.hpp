@@ -33,6 +33,8 @@ class ResultWriter {
   void create();
   void discard();
   void create_part();
+  void write_values(std::size_t index, const PointRecord& record);
+  void finish(const std::map<std::string, std::string>& provenance);
   void create_axis(const experiment::Axis& axis);
   void create_scale(const std::string& name, hid_t type, const std::vector<double>& values,
                     const std::array<std::string, 3>& label);  // symbol, description, units
