@@ -110,10 +110,16 @@ sanitize: test-packages ## unit tests, shell tests and smoke runs under the sani
 	ninja -C build-$(CHECKED) --quiet -j $(JOBS) bristle unit_tests
 	scripts/run-ctest build-$(CHECKED) -L '^(unit|shell|smoke)$$'
 
-SECONDS ?= 60
+fuzz: SECONDS ?= 60
 fuzz: packages ## the readers of files on random changes of tests/fuzz/corpus, SECONDS=60 for each kind
 	@scripts/install-packages test-all
 	tests/fuzz/run.sh . build-fuzz $(SECONDS)
+
+# docs/hardening.md describes the parts of the campaign.
+.PHONY: stress
+stress: SECONDS ?= 600
+stress: build test-packages ## random physics, damaged files, mutated experiments, kills, failing system calls: SECONDS=600
+	@$$(scripts/find-python numpy h5py) tests/stress/run.py $(BUILD)/bristle --seconds $(SECONDS) $(if $(SEED),--seed $(SEED))
 
 # SINCE=REVISION limits it to the source files that changed since then.
 tidy: packages ## clang-tidy over src/ with the checks of .clang-tidy; SINCE=REV: over what changed since REV

@@ -1,6 +1,6 @@
 """Random points over the range of the experiment schema: the fast engine against converged values.
 
-physics.py BRISTLE [--points N] [--seconds S] [--seed SEED] [--folder DIR]
+physics.py BRISTLE [--points N] [--seconds S] [--seed SEED] [--folder DIR] [--only NUMBER]
 
 Each point is computed as an experiment asks for it, and again by the reference engine with a tolerance of the
 integrator that is 100 times tighter and a tolerance of the means that is 10 times tighter. The table counts, for each
@@ -25,6 +25,7 @@ import numpy
 TIGHTER_STEPS, TIGHTER_MEANS = 100, 10
 REQUIRED_SHARE = 0.97
 FACTOR, LIMIT = 2, 10
+SECONDS = 600  # within which every point ends
 # Distances below this share of a variable's scale are rounding.
 ROUNDING = 1e-9
 # Measures of the integrator's error: tight tolerances are meant to change them.
@@ -119,7 +120,7 @@ def load_tolerance(document):
     return document["load"].get("R_n", 0) * document["orientation"]["rtol"]
 
 
-def invariants(document, status, v):
+def invariants(document, v):
     """What must hold for a point with the status ok."""
     model = document["model"]
     bad = [name for name in v if not name.startswith(("incomplete", "jump")) and not math.isfinite(v[name])]
@@ -187,67 +188,72 @@ class Table:
         return out
 
 
+class Comparison:
+    """Computes random points by both engines and collects what came of it."""
+
+    def __init__(self, bristle, seed, folder, patience):
+        self.bristle, self.seed, self.folder, self.patience = bristle, seed, folder, patience
+        self.table, self.statuses, self.references, self.failures = Table(), collections.Counter(), collections.Counter(), []
+
+    def fail(self, number, what):
+        self.failures.append(f"point {number}: {what}")
+
+    def add(self, number):
+        document = experiment(f"{self.seed}/{number}")
+        try:
+            fast = compute(self.bristle, document, self.folder / f"point-{number}.json", SECONDS)
+        except subprocess.TimeoutExpired:
+            return self.fail(number, f"no end within {SECONDS} s")
+        if fast["exit"] == 3 and "no static equilibrium" in fast["message"]:
+            self.statuses["failed: no static equilibrium"] += 1
+            return None
+        if fast["exit"] != 0:
+            return self.fail(number, f"exit code {fast['exit']}: {fast['message'][:200]}")
+        self.statuses[fast["status"]] += 1
+        if fast["status"] not in STATUS_WITH_VALUES:
+            return None
+        for broken in invariants(document, fast["values"]):
+            self.fail(number, broken)
+        try:
+            exact = compute(self.bristle, converged(document), self.folder / f"exact-{number}.json", self.patience)
+        except subprocess.TimeoutExpired:
+            exact = {"exit": 0, "status": "not computed in time"}
+        status = exact["status"] if exact["exit"] == 0 else "failed"
+        self.references[status] += 1
+        if status in STATUS_WITH_VALUES:
+            self.table.add(number, fast["values"], exact["values"], load_tolerance(document))
+        return None
+
+    def report(self):
+        counts = lambda of: ", ".join(f"{n} {what}" for what, n in of.most_common())
+        print(f"physics: {sum(self.statuses.values())} points: {counts(self.statuses)}")
+        print(f"compared with the reference engine: {counts(self.references)}")
+        print(self.table.text())
+        failures = self.failures + self.table.failures()
+        for text in failures:
+            print("FAILED:", text)
+        return not failures
+
+
 def main():
     options = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     options.add_argument("bristle")
     options.add_argument("--points", type=int, default=200)
-    options.add_argument("--seconds", type=float, default=math.inf)
-    options.add_argument("--seed", type=int, default=None)
+    options.add_argument("--seconds", type=float, default=math.inf, help="ends earlier than after all points")
+    options.add_argument("--seed", type=int, default=random.SystemRandom().randrange(1 << 31))
     options.add_argument("--folder", type=pathlib.Path, default=None)
-    options.add_argument("--only", type=int, default=None, help="this point alone")
-    options.add_argument("--timeout", type=float, default=600)
-    options.add_argument("--verbose", action="store_true")
+    options.add_argument("--only", type=int, default=None, help="number of the only point to compute")
+    options.add_argument("--patience", type=float, default=90, help="seconds for one run of the reference engine")
     o = options.parse_args()
-    seed = o.seed if o.seed is not None else random.SystemRandom().randrange(1 << 31)
     folder = o.folder or pathlib.Path(tempfile.mkdtemp(prefix="bristle-physics-"))
     folder.mkdir(parents=True, exist_ok=True)
-    print(f"seed {seed}; experiments in {folder}", flush=True)
-    table, statuses, bad, start = Table(), collections.Counter(), [], time.monotonic()
-    numbers = [o.only] if o.only is not None else range(o.points)
-    for n in numbers:
-        if time.monotonic() - start > o.seconds:
+    print(f"seed {o.seed}; experiments in {folder}", flush=True)
+    comparison, begin = Comparison(o.bristle, o.seed, folder, o.patience), time.monotonic()
+    for number in [o.only] if o.only is not None else range(o.points):
+        if time.monotonic() - begin > o.seconds:
             break
-        document, path = experiment(f"{seed}/{n}"), folder / f"point-{n}.json"
-        began = time.monotonic()
-        try:
-            fast = compute(o.bristle, document, path, o.timeout)
-        except subprocess.TimeoutExpired:
-            bad.append(f"point {n}: no end within {o.timeout:g} s")
-            continue
-        took = time.monotonic() - began
-        if fast["exit"] == 3 and "no static equilibrium" in fast["message"]:
-            statuses["no equilibrium"] += 1
-            continue
-        if fast["exit"] != 0:
-            bad.append(f"point {n}: exit {fast['exit']}: {fast['message'][:200]}")
-            statuses["exit %d" % fast["exit"]] += 1
-            continue
-        statuses[fast["status"]] += 1
-        line = f"point {n}: {fast['status']} in {took:.1f} s"
-        if fast["status"] in STATUS_WITH_VALUES:
-            broken = invariants(document, fast["status"], fast["values"])
-            bad += [f"point {n}: {text}" for text in broken]
-            try:
-                exact = compute(o.bristle, converged(document), folder / f"exact-{n}.json", o.timeout)
-            except subprocess.TimeoutExpired:
-                exact = {"exit": 0, "status": "not computed in time"}
-            statuses["reference: " + (exact["status"] if exact["exit"] == 0 else "failed")] += 1
-            if exact["exit"] == 0 and exact["status"] in STATUS_WITH_VALUES:
-                before = len(table.failures())
-                table.add(n, fast["values"], exact["values"], load_tolerance(document))
-                worst = max((x[0], name) for name, xs in table.ratios.items() for x in xs if x[1] == n)
-                line += f", reference in {time.monotonic() - began - took:.1f} s, worst {worst[0]:.2g} in {worst[1]}"
-        if o.verbose:
-            print(line, flush=True)
-        if not any(text.startswith(f"point {n}:") for text in bad) and o.only is None:
-            pass
-    bad += table.failures()
-    print(f"{sum(v for k, v in statuses.items() if ':' not in k)} points: "
-          + ", ".join(f"{k} {v}" for k, v in sorted(statuses.items())))
-    print(table.text())
-    for text in bad:
-        print("FAILED:", text)
-    return 1 if bad else 0
+        comparison.add(number)
+    return 0 if comparison.report() else 1
 
 
 if __name__ == "__main__":

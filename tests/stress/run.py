@@ -4,6 +4,7 @@ run.py BRISTLE [--seconds S] [--seed SEED] [PART ...]: runs the parts one after 
 time, and ends with their counts. Exit code 1 if a part found a failure; its files then stay in the printed folder.
 """
 import argparse
+import os
 import pathlib
 import random
 import shutil
@@ -62,6 +63,9 @@ def main():
                           "--folder", folder / part)
         elif part == "kills":
             code = kills(str(bristle), seconds, seed)
+        elif part == "calls":
+            os.environ["SEED"] = str(seed)
+            code = python("calls.py", bristle, seconds)
         else:
             code = python(f"{part}.py", bristle, seconds, seed, folder / part)
         if code != 0:
