@@ -34,6 +34,27 @@ expect 0 "points: 1 ok" "$bristle" run "${quick[@]}" --force
 expect 0 "points: 1 ok" "$bristle" run "${quick[@]}" --set /model/k_r=11
 expect 0 "the experiment has no checks" "$bristle" check --claims-only "$folder/r.h5"
 
+# A point that cannot be computed becomes a status with a message, and costs no other point.
+part=(experiments/paper.json --set '/load={"z_0":0.05,"R_n":null,"path":null}' --set /model/beta=50
+  --set '/orientation={"sampling":"list","theta_0_deg":[10,100]}' --set '/sweep={"lambda_z":{"values":[0.001,0.05]}}')
+f=$folder/failing
+expect 0 "1 ok, 1 failed" "$bristle" run "${part[@]}" -o "$f.h5"
+expect 0 "lambda_z = 0.05: no static equilibrium" "$bristle" run "${part[@]}" -o "$f.h5" --force
+rm "$f.h5"
+expect 0 "2 computed before" "$bristle" run "${part[@]}" -o "$f.h5"
+expect 0 "point_1" "$bristle" info "$f.h5"
+expect 0 "1 ok" "$bristle" run "${part[@]}" --shard 1/2 -o "$f.1-of-2.h5"
+expect 3 "no point could be computed; lambda_z = 0.05: no static equilibrium" \
+  "$bristle" run "${part[@]}" --shard 2/2 -o "$f.2-of-2.h5" --force
+expect 0 "2 points of 2 parts" "$bristle" merge -o "$f.merged.h5" "$f".?-of-2.h5
+expect 0 "no static equilibrium of the bristle" "$bristle" info "$f.merged.h5"
+expect 0 "the same, bit for bit" "$bristle" diff "$f.h5" "$f.merged.h5"
+
+# validate names what an si block leaves as it is.
+si='/si={"m_kg":1e-4,"r0_m":0.017,"V0_m_per_s":10,"E_Pa":1e8,"nu":0.4,"R_m":0.001,"k_r_over_k_phi":10}'
+expect 0 "the same for any material: tau_f = 30000, R_c = 0.0588235, V_s = 0.01, alpha = 1, beta = 1" \
+  "$bristle" validate experiments/paper.json --set "$si"
+
 # A check that names a variable or an axis that the result will not have is reported before anything is computed.
 check='[{"claim":"1","statement":"s","predicate":"trend","variable":"gama_1","along":"k_r","is":"at_most","threshold":1}]'
 expect 2 'did you mean gamma_1?' "$bristle" validate experiments/fig4.json --set "/checks=$check"
