@@ -24,12 +24,14 @@ bool still_named(int descriptor, const std::string& path) {
          opened.st_ino == named.st_ino && opened.st_dev == named.st_dev;
 }
 
-void flush_to_disk(const std::string& path, int flags) {
+// file: the file whose data are flushed, for messages.
+void flush_to_disk(const std::string& file, const std::string& path, int flags) {
   const int descriptor = open(path.c_str(), flags | O_CLOEXEC);
   const bool done = descriptor >= 0 && fsync(descriptor) == 0;
   const int reason = errno;
   if (descriptor >= 0) ::close(descriptor);
-  if (!done) throw RunError(fmt::format("{}: {}", path, std::strerror(reason)));
+  if (!done)
+    throw RunError(fmt::format("{}: cannot be flushed to the disk: {}", file, std::strerror(reason)));
 }
 
 // What stands at path itself, not behind a symbolic link, if it is not a regular file; for messages.
@@ -128,12 +130,12 @@ int lock_file(const std::string& result, const std::string& path) {
 }
 
 void replace_file(const std::string& from, const std::string& to) {
-  flush_to_disk(from, O_RDONLY);
+  flush_to_disk(from, from, O_RDONLY);
   std::error_code error;
   fs::rename(from, to, error);
   if (error) throw RunError(fmt::format("{}: cannot be renamed to {}: {}", from, to, error.message()));
   const fs::path folder = fs::path(to).parent_path();
-  flush_to_disk(folder.empty() ? "." : folder.string(), O_RDONLY | O_DIRECTORY);
+  flush_to_disk(to, folder.empty() ? "." : folder.string(), O_RDONLY | O_DIRECTORY);
 }
 
 std::string read_file(const std::string& path, std::uintmax_t max_bytes) {
