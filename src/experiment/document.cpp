@@ -59,6 +59,12 @@ void collect(const std::string& path, const fs::path& root, std::vector<std::str
   out.push_back({path, std::make_shared<const Json>(std::move(content))});
 }
 
+std::vector<std::string> tokens_of(JsonPointer pointer) {
+  std::vector<std::string> tokens;
+  for (; !pointer.empty(); pointer.pop_back()) tokens.insert(tokens.begin(), pointer.back());
+  return tokens;
+}
+
 Document::Change parse_set(const std::string& argument) {
   const auto equals = argument.find('=');
   const auto fail = [&](const std::string& why) {
@@ -84,17 +90,11 @@ Document::Change parse_set(const std::string& argument) {
     if (pointer.empty()) fail("the JSON pointer is empty");
     if (argument.starts_with("/tiers"))
       fail("would have no effect, because the tier has been applied; set the value itself");
-    return {"--set " + argument, pointer, std::make_shared<const Json>(std::move(value))};
+    return {"--set " + argument, tokens_of(pointer), std::make_shared<const Json>(std::move(value))};
   } catch (const Json::exception& e) {
     fail(json_error(e.what()));
   }
-  return {"", JsonPointer(), nullptr};  // not reached: fail() throws
-}
-
-std::vector<std::string> tokens_of(JsonPointer pointer) {
-  std::vector<std::string> tokens;
-  for (; !pointer.empty(); pointer.pop_back()) tokens.insert(tokens.begin(), pointer.back());
-  return tokens;
+  return {"", {}, nullptr};  // not reached: fail() throws
 }
 
 // The element of an array for a token of a JSON pointer; "-" appends one. Throws InputError.
@@ -120,7 +120,7 @@ void remove_key(Json& object, const std::string& key, const std::string& change)
 
 // Assigns the value at its pointer; an object is merged into the one there, and null removes a key.
 void apply(Json& document, const Document::Change& change) {
-  const std::vector<std::string> tokens = tokens_of(change.pointer);
+  const std::vector<std::string>& tokens = change.tokens;
   Json* at = &document;
   for (std::size_t i = 0; i < tokens.size(); ++i) {
     const std::string& token = tokens[i];
@@ -143,7 +143,7 @@ void apply(Json& document, const Document::Change& change) {
 
 // Whether the change sets the value at this pointer, or a part of it.
 bool sets(const Document::Change& change, const JsonPointer& pointer) {
-  const auto changed = tokens_of(change.pointer), asked = tokens_of(pointer);
+  const auto &changed = change.tokens, asked = tokens_of(pointer);
   const std::size_t common = std::min(changed.size(), asked.size());
   if (!std::equal(changed.begin(), changed.begin() + long(common), asked.begin())) return false;
   JsonPointer rest;

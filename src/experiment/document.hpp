@@ -38,8 +38,8 @@ class Document {
     std::shared_ptr<const Json> content;
   };
   struct Change {
-    std::string name;  // "--set ..."
-    JsonPointer pointer;
+    std::string name;                 // "--set ..."
+    std::vector<std::string> tokens;  // of the JSON pointer
     std::shared_ptr<const Json> value;
   };
 

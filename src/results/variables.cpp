@@ -19,7 +19,7 @@ ResultVariable mean(const char* name, const char* long_name, const char* symbol,
 }
 
 ResultVariable derived(const char* name, const char* long_name, const char* symbol, const char* equation,
-                       std::function<Derived(const PointResult&)> of, bool has_load_error = false,
+                       const std::function<Derived(const PointResult&)>& of, bool has_load_error = false,
                        const char* units = "1") {
   Value load_error;
   if (has_load_error) load_error = [of](const PointResult& p) { return of(p).load_error; };

@@ -9,6 +9,7 @@
 #include "simd/tableau.hpp"
 
 // Without the compiler options of the instruction set, Highway would silently select a lower one.
+// NOLINTNEXTLINE(misc-redundant-expression)
 static_assert(HWY_TARGET == BRISTLE_TARGET,
               "the compiler options do not enable the instruction set BRISTLE_TARGET");
 
