@@ -1,5 +1,4 @@
 // Compiled once per instruction set, like src/simd/kernels.cpp.
-#define HWY_COMPILE_ONLY_STATIC
 #include "simd/explicit_kernel.hpp"
 #include "pairs.hpp"
 

@@ -1,7 +1,4 @@
 // Compiled once per instruction set (cmake/kernels.cmake).
-#ifndef HWY_COMPILE_ONLY_SCALAR
-#define HWY_COMPILE_ONLY_STATIC
-#endif
 #include "simd/kernels.hpp"
 
 #include "simd/explicit_kernel.hpp"
