@@ -183,6 +183,9 @@ TEST_CASE("a check that names a missing variable, axis or value is an error with
   refused(R"("predicate": "level", "compare": {})", "/checks/0/compare: {} is not allowed");
   refused(R"("predicate": "trend", "where": {"k_r": 2.5})",
           "2.5 is not a value of this axis; allowed: 1, 10");
+  refused(R"("predicate": "trend", "where": {"k_r": [2, 9]})",
+          "[2.0,9.0] contains no value of this axis; allowed: 1, 10");
+  refused(R"("predicate": "level", "compare": {"k_r": [1, [1, 10]]})", "two values of the axis are compared");
   refused(R"("predicate": "trend", "where": {"gama_1": [1, 2]})", "did you mean gamma_1?");
   refused(R"("predicate": "trend", "at": {"R_n": 1})", "is allowed for traced curves only");
   refused(R"("predicate": "trend", "compare": {"k_r": [1, 10, 3]})", "needs two values of the axis");
@@ -198,7 +201,8 @@ TEST_CASE("checks are stored beside the numbers without changing their digest") 
   write_checks(s.path("c.h5"), checks);
   write_checks(s.path("c.h5"), checks);
   CHECK(payload_sha256(h5::open_file(s.path("c.h5"), false)) == before);
-  CHECK(h5::scale_name(h5::open_dataset(h5::open_file(s.path("c.h5"), false), "checks/verdict"), 0) == "check");
+  CHECK(h5::scale_name(h5::open_dataset(h5::open_file(s.path("c.h5"), false), "checks/verdict"), 0) ==
+        "check");
   CHECK(checks_table(checks).find("supported") != std::string::npos);
 }
 

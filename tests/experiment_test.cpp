@@ -167,6 +167,9 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
       {with(
            R"("si": {"m_kg": 1, "r0_m": 1, "V0_m_per_s": 1, "E_Pa": 1e8, "R_m": 0.001, "k_r_over_k_phi": 10})"),
        "@/e.json: /si/nu: E_Pa needs either nu or E_star_Pa for the contact modulus"},
+      {with(R"("model": {"A": 1})"),
+       "@/e.json: /model/A: 1 has no maximum of chi at V_s; allowed: at least 1.001, or a number for C (0: "
+       "chi rises to 1)"},
       {with(R"("orientation": {"distribution": "von_mises", "mean_deg": 1e300, "sampling": "quadrature"})"),
        "@/e.json: /orientation/mean_deg: 1e+300 is not allowed; allowed: a number at least -360 and at "
        "most 360 (von Mises: mean of theta_0, degrees)"},

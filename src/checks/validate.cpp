@@ -36,12 +36,17 @@ class CheckValidator {
       fail("at", "is allowed for traced curves only (/load/trace)");
     for (const auto& [name, value] : check_.where) selects("where/" + name, name, value);
     if (const auto& pair = check_.compare) {
-      selects("compare/" + pair->axis, pair->axis, pair->first);
-      selects("compare/" + pair->axis, pair->axis, pair->second);
+      for (const experiment::Selection& value : {pair->first, pair->second}) {
+        selects("compare/" + pair->axis, pair->axis, value);
+        if (std::holds_alternative<Range>(value))
+          fail("compare/" + pair->axis, "two values of the axis are compared, not ranges");
+      }
     }
   }
 
  private:
+  using Range = std::array<double, 2>;
+
   [[noreturn]] void fail(const std::string& key, const std::string& what) const {
     throw InputError(fmt::format("{}: /checks/{}/{}: {}", experiment_.path, index_, key, what));
   }
@@ -66,7 +71,7 @@ class CheckValidator {
 
   // The selection must be a word of a choice, a value of an axis, or a range of an axis or a variable.
   void selects(const std::string& key, const std::string& name, const experiment::Selection& value) const {
-    const bool range = std::holds_alternative<std::array<double, 2>>(value);
+    const bool range = std::holds_alternative<Range>(value);
     const auto axis =
         std::find_if(experiment_.axes.begin(), experiment_.axes.end(),
                      [&](const experiment::Axis& a) { return results::axis_variable(a.name) == name; });
@@ -77,14 +82,16 @@ class CheckValidator {
       if (!range) fail(key, "a variable needs a range of two numbers, [from, to]");
       return;
     }
-    if (!range && !on_axis(*axis, value))
-      fail(key, fmt::format("{} is not a value of this axis; allowed: {}", experiment::selection_text(value),
-                            axis_text(*axis)));
+    if (!on_axis(*axis, value))
+      fail(key, fmt::format("{} {} this axis; allowed: {}", experiment::selection_text(value),
+                            range ? "contains no value of" : "is not a value of", axis_text(*axis)));
   }
 
   static bool on_axis(const experiment::Axis& axis, const experiment::Selection& value) {
     const experiment::Sweepable& sweepable = *experiment::find_sweepable(axis.name);
     return std::any_of(axis.values.begin(), axis.values.end(), [&](double x) {
+      if (const Range* range = std::get_if<Range>(&value))
+        return x >= (*range)[0] - 1e-9 * std::abs(x) && x <= (*range)[1] + 1e-9 * std::abs(x);
       if (!sweepable.options.empty()) return value == experiment::Selection(sweepable.text(x));
       const double* number = std::get_if<double>(&value);
       return number && std::abs(x - *number) <= 1e-9 * std::abs(x);

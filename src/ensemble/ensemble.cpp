@@ -34,12 +34,13 @@ std::vector<double> initial_edges(const Orientation& o, bool half_circle) {
   return {-M_PI, -M_PI + head_on, 0, M_PI - head_on, M_PI};
 }
 
-// A tip that is moved across the pole leaves it if the bristle is exactly head-on, at a node of the quadrature,
-// but may become pinned if it passes the pole within its range. These azimuths get a panel of their own.
+// A tip that is moved across the pole leaves it if the bristle is exactly head-on, at a node of the
+// quadrature, but may become pinned if it passes the pole within its range. These azimuths get panels of
+// their own.
 std::vector<double> with_pole_panels(std::vector<double> edges, const Parameters& p) {
-  constexpr double ranges = 10;
   if (p.pole_rule != PoleRule::cross) return edges;
-  for (const double edge : {-M_PI + ranges * p.lambda, M_PI - ranges * p.lambda})
+  const double near = 16 * p.lambda, far = 40 * p.lambda;
+  for (const double edge : {-M_PI + near, -M_PI + far, M_PI - far, M_PI - near})
     if (edges.front() < edge && edge < edges.back())
       edges.insert(std::upper_bound(edges.begin(), edges.end(), edge), edge);
   return edges;

@@ -128,6 +128,18 @@ void check_gap(const Document& d, const Experiment& e) {
   }
 }
 
+// chi has a maximum at V_s for A > 1 only; near 1 it would be a step at u = 0, which no integrator resolves.
+void check_chi(const Document& d, const Experiment& e) {
+  constexpr double least = 1.001;
+  if (!e.C_peaks_at_V_s) return;
+  for (std::size_t i = 0; i < e.points(); ++i)
+    if (const double A = e.point(i).setup.parameters.A; A < least)
+      d.fail(e.swept("A") ? "/sweep/A" : "/model/A",
+             fmt::format("{} has no maximum of chi at V_s; allowed: at least {}, or a number for C (0: chi "
+                         "rises to 1)",
+                         A, least));
+}
+
 // Checks at every point that the slab is a whole number of lattice spacings wide and that rows still enter
 // after t_1.
 void check_lattice(const Document& d, const Experiment& e) {
@@ -183,6 +195,7 @@ Experiment read(const Document& d) {
   check_lattice(d, e);
   e.checks = read_checks(json, d.path());
   check_gap(d, e);
+  check_chi(d, e);
   return e;
 }
 

@@ -59,8 +59,7 @@ def experiment(seed):
         "tau_f": r.or_default(3e4, r.log(3e2, 1e5)),
         "R_c": r.or_default(1 / 17, r.log(0.01, 0.3), 0.3),
         "E_star": r.or_default(5.849e4, r.log(1e3, 1e6), 0.3),
-        "A": r.or_default(1.2, r.choice([1, r.uniform(1, 2)]), 0.3),
-        "C": "peak_at_V_s",
+        "A": r.or_default(1.2, r.uniform(1.01, 2), 0.3), "C": "peak_at_V_s",
         "V_s": r.or_default(0.01, r.log(1e-3, 0.1), 0.3),
         "lambda": lam,
         "lambda_z": r.or_default(1e-3, r.log(3e-4, 2e-2), 0.3),
@@ -72,6 +71,8 @@ def experiment(seed):
         "s_min": r.or_default(1e-4, lam * r.log(0.01, 0.5), 0.3),
         "L_x": r.or_default(5, r.log(0.5, 15), 0.3), "L_y": 5, "spacing": 0.2,
     }
+    if r.chance(0.1):
+        model.update(A=r.choice([1, r.uniform(1, 2)]), C=r.choice([0, r.uniform(-20, 1)]))
     contact = math.sin(math.radians(phi_0))
     if r.chance(0.6):
         load = {"z_0": max(0.01, r.uniform(0.05, 1) * contact)}
