@@ -73,7 +73,8 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
        "@/e.json: /model/lambda: 0 is not allowed; allowed: a number greater than 0 (range of the pole "
        "repulsion in units of r0)"},
       {with(R"("model": {"C": "peak"})"),
-       "@/e.json: /model/C: \"peak\" is not allowed; allowed: a number at most 1 or \"peak_at_V_s\" (shape "
+       "@/e.json: /model/C: \"peak\" is not allowed; allowed: a number at least -1000 and at most 1 or "
+       "\"peak_at_V_s\" (shape "
        "of chi, "
        "Eq. (7))"},
       {with(R"("model": {"friction": "columb"})"),
