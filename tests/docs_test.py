@@ -35,7 +35,7 @@ INSTEAD = [
     (r"make (build|build-tests|test|test-all)$", r"make -n \1"),  # this test is part of them
     (r"ctest (.*)$", r"ctest --show-only \1"),  # the log of the tests in progress must stay
     (r"make (archive|verify\b.*|release\b.*)$", r"make -n \1"),  # tests/archive_test.sh, tests/release_test.sh
-    (r"make (sanitize|tidy|coverage|fuzz)\b(.*)$", r"make -n \1\2"),  # take hours, or have their own tests
+    (r"make (sanitize|tidy|coverage|fuzz|stress)\b(.*)$", r"make -n \1\2"),  # take hours, or have their own tests
     (r"(build/bristle run experiments/fig4.json --shard \S+)$", r"\1 --tier smoke"),
     (r"scripts/slurm/.*", "test -x scripts/slurm/array.sh"),  # tests/slurm_test.sh
 ]

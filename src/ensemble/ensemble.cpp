@@ -34,15 +34,15 @@ std::vector<double> initial_edges(const Orientation& o, bool half_circle) {
   return {-M_PI, -M_PI + head_on, 0, M_PI - head_on, M_PI};
 }
 
-// A tip that is moved across the pole leaves it if the bristle is exactly head-on, at a node of the
-// quadrature, but may become pinned if it passes the pole within its range. These azimuths get panels of
-// their own.
+// Where the tip crosses the pole, bristles that are nearly head-on differ from the one that is exactly
+// head-on, at a node of the quadrature: they may become pinned as they pass the pole within its range, or
+// cross it and stay. These azimuths get panels of their own, of 1, 16 and 40 ranges lambda.
 std::vector<double> with_pole_panels(std::vector<double> edges, const Parameters& p) {
   if (p.pole_rule != PoleRule::cross) return edges;
-  const double near = 16 * p.lambda, far = 40 * p.lambda;
-  for (const double edge : {-M_PI + near, -M_PI + far, M_PI - far, M_PI - near})
-    if (edges.front() < edge && edge < edges.back())
-      edges.insert(std::upper_bound(edges.begin(), edges.end(), edge), edge);
+  for (const double ranges : {1., 16., 40.})
+    for (const double edge : {-M_PI + ranges * p.lambda, M_PI - ranges * p.lambda})
+      if (edges.front() < edge && edge < edges.back())
+        edges.insert(std::upper_bound(edges.begin(), edges.end(), edge), edge);
   return edges;
 }
 
