@@ -39,9 +39,10 @@ struct Setup {
 
 struct Ensemble {
   double z_0 = 0;
-  ObservableArray mean{}, error{};     // error: estimate of the quadrature, which is 0 for a list, ..
-  ObservableArray integrator_error{};  // .. plus this one, if requested
-  bool converged = true;               // error of the quadrature within rtol
+  // error: estimate of the quadrature (0 for a list). with_integrator_error() adds integrator_error to it,
+  // which is 0 otherwise.
+  ObservableArray mean{}, error{}, integrator_error{};
+  bool converged = true;  // error of the quadrature within rtol
   long passages = 0;
   long incomplete = 0;            // passages that reached no exit; if > 0, mean and error are invalid
   double incomplete_theta_0 = 0;  // azimuth of the first of them, rad

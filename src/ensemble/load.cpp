@@ -100,8 +100,8 @@ class CrossingSearch {
     return load_at(std::clamp(beyond(z_0, search_.step), search_.ground, search_.first_contact), accuracy);
   }
 
-  // If the load hardly reaches the target at this gap of the scan and is smaller beyond it, whether it
-  // reaches the target depends on the top between.
+  // The load at this gap of the scan is above the target. If it equals the target within its error, and is
+  // below it at the next gap, looks for the top of the hump between the neighbouring gaps.
   void examine_top(double before, const GapLoad& at) {
     if (!near_target(at)) return;
     const GapLoad next = next_of_scan(at.z_0, Accuracy::rough);
@@ -280,7 +280,7 @@ class CrossingSearch {
   const LoadCurve& curve_;
   const LoadSearch& search_;
   std::vector<GapLoad> computed_;
-  bool reaches_by_noise_ = false;  // whether a maximum of the load reaches the target is within the errors
+  bool reaches_by_noise_ = false;  // a maximum of the load equals the target within its error
 };
 
 }  // namespace

@@ -48,8 +48,8 @@ struct LoadPoint {
   double z_0_far = 0;
   double jump_z_0 = 0;  // last gap before a jump, and its R_n
   double jump_R_n = 0;
-  // Whether the crossing is the first one is within the errors: a maximum of R_n(z_0) at this crossing or
-  // before it equals the target (a minimum on the unloading path).
+  // The errors do not decide whether this crossing is the first: R_n(z_0) has a maximum here, or before, that
+  // equals the target within its error (a minimum on the unloading path).
   bool ambiguous = false;
 };
 
