@@ -194,6 +194,15 @@ TEST_CASE("points without friction have the status undefined, and a bounded ener
   CHECK(r.value[ENERGY_RESIDUAL] < 1e-3);
 }
 
+TEST_CASE("a point whose error is undefined is not ok") {
+  Ensemble ensemble;
+  ensemble.mean.fill(0.5);
+  ensemble.mean[ENERGY_RESIDUAL] = 0;
+  CHECK(values_of(Parameters{}, ensemble).status == PointStatus::ok);
+  ensemble.error[GAMMA_3] = std::nan("");
+  CHECK(values_of(Parameters{}, ensemble).status == PointStatus::undefined);
+}
+
 TEST_CASE("a list of azimuths is averaged with equal weights") {
   Setup i = paper(10);
   i.orientation.sampling = Sampling::list;

@@ -44,8 +44,10 @@ void normalise(PointResult& out, const Parameters& p) {
 PointStatus quality(const Parameters& p, const PointResult& out) {
   if (p.azimuth_rate == AzimuthRate::kinematic && out.value[ENERGY_RESIDUAL] > kMaxEnergyResidual)
     return PointStatus::inaccurate;
-  return std::isfinite(out.R_x_norm) && std::isfinite(out.value[GAMMA_3]) ? PointStatus::ok
-                                                                          : PointStatus::undefined;
+  const auto finite = [](double value) { return std::isfinite(value); };
+  const bool defined = std::isfinite(out.R_x_norm) && std::ranges::all_of(out.value, finite) &&
+                       std::ranges::all_of(out.error, finite);
+  return defined ? PointStatus::ok : PointStatus::undefined;
 }
 
 struct WorkLimitReached {};

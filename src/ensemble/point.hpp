@@ -35,7 +35,7 @@ enum class PointStatus {
   work_limit,     // integrator.max_evaluations_per_point was reached: no values
   ambiguous,      // there are values, but within the errors another crossing of the target may be the first
   inaccurate,     // there are values, but the energy residual exceeds kMaxEnergyResidual
-  undefined       // there are values, but some are NaN: without load or friction, ratios to them do not exist
+  undefined       // there are values, but some or their errors are NaN: ratios to a load or friction of zero
 };
 // Bound on the energy residual of a trustworthy point with the exact closing equation
 // (AzimuthRate::kinematic).
