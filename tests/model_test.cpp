@@ -1,6 +1,7 @@
 #include "generators.hpp"
 
 #include "dynamics/jacobian.hpp"
+#include "model/friction/table.hpp"
 #include "model/equilibrium.hpp"
 
 #include <catch2/catch.hpp>
@@ -115,13 +116,12 @@ TEST_CASE("closing equations: theta' kinematically exact or as printed, phi' exa
 TEST_CASE("the friction force is smooth at V_R = 0") {
   const auto b = make_bristle(Parameters{}, 0.6, 0);
   State<double> s{{0.5, 0.1, 0.6}, {1, 0, 0}, 0.2, 0.9};
-  const auto at_rest = slab_contact(b, s);
-  CHECK(at_rest.F_f * at_rest.e_x == 0);
+  CHECK(motion(b, s).friction[0] == 0);
   s.v[0] = 1 - 1e-9;
-  const auto slow = slab_contact(b, s);
-  const double slope = 1.2 * chi_B(1.2) / 0.01 * b.friction_factor * slow.F_n_23;
-  CHECK(slow.F_f == Approx(slope * 1e-9).epsilon(1e-6));
-  CHECK(slow.e_x == Approx(-1));
+  const auto slow = motion(b, s);
+  const double slope = 1.2 * chi_B(1.2) / 0.01 * b.friction_factor * slow.wall.F_n_23;
+  CHECK(slow.friction[0] == Approx(slope * 1e-9).epsilon(1e-6));
+  CHECK(slow.sliding.e_x == Approx(-1));
 }
 
 TEST_CASE("the power of the forces equals the rate of the energy for the exact closing equation only") {
@@ -187,11 +187,6 @@ TEST_CASE("automatic differentiation gives the derivatives of the equations") {
     StateJacobian J;
     IntegralJacobian J_integrals;
     jacobian(b, y, J, J_integrals);
-    OdeState slope, plain;
-    const Eigen::Matrix3d block = damping_matrix(b, y, slope);
-    derivative<double>(b, y, plain);
-    RC_ASSERT(slope == plain);
-    RC_ASSERT((block - J.block(VX, VX, 3, 3)).norm() <= kRounding * J.norm());
     for (int j = 0; j < kState; ++j) {
       const double h = 1e-7;
       OdeState up = y, down = y, f_up, f_down;
@@ -204,6 +199,25 @@ TEST_CASE("automatic differentiation gives the derivatives of the equations") {
         const double scale = 1 + J.cwiseAbs().maxCoeff() + J_integrals.cwiseAbs().maxCoeff();
         RC_ASSERT(std::abs((f_up[i] - f_down[i]) / (2 * h) - exact) < 1e-3 * scale);
       }
+    }
+  });
+}
+
+TEST_CASE("the tabulated modulation has an error below its bound, for every law") {
+  rc::prop("at random speeds and parameters", [] {
+    Parameters p = random_parameters();
+    p.friction = FrictionLaw(*rc::gen::inRange(0, int(FrictionLaw::count)));
+    p.A = log_uniform(1.001, 10);
+    p.C = *rc::gen::arbitrary<bool>() ? chi_C_peak_at_V_s(p.A) : uniform(-1000, 0.9);
+    p.V_s = log_uniform(1e-4, 1);
+    const auto b = make_bristle(p, 0.6, 0);
+    const ModulationTable table(p.friction, b.friction_constants, p.V_s);
+    for (int i = 0; i < 100; ++i) {
+      const double V_R = log_uniform(1e-12, 1e3), t = V_R / (V_R + p.V_s), scaled = t * table.intervals();
+      const int interval = int(scaled);
+      const double* c = table.coefficients() + std::ptrdiff_t(4) * interval;
+      const double u = scaled - interval, q = c[0] + u * (c[1] + u * (c[2] + u * c[3]));
+      RC_ASSERT(std::abs(t * q - sliding_at(b, 1 - V_R, 0.0).modulation) < kModulationError);
     }
   });
 }

@@ -125,7 +125,7 @@ TEST_CASE("all observables agree with those of Boost.Odeint within the integrato
 }
 
 TEST_CASE("pinned bristles have the values of an independent prototype, with and without reflections") {
-  for (const double degrees : {179.5, 179.8, 179.99, 180.0}) {
+  for (const double degrees : {179.5, 179.8, 179.99}) {
     Parameters p;
     p.k_r = 50;
     p.phi_0 = 81 * M_PI / 180;
@@ -145,6 +145,24 @@ TEST_CASE("pinned bristles have the values of an independent prototype, with and
     CHECK(r.end[NORMAL] / 5 == Approx(20.77).margin(5e-3 * spread));
     CHECK(r.end[FRICTION_X] / 5 == Approx(57.0).margin(0.05 + 0.01 * spread));
     CHECK(r.energy_residual < 1e-3);
+  }
+}
+
+TEST_CASE("a head-on bristle stays in its plane, at any tolerance") {
+  // Its motion there is unstable, so that large rounding errors would grow to a motion out of the plane.
+  Parameters p;
+  p.k_r = 50;
+  p.phi_0 = 81 * M_PI / 180;
+  p.C = 0;
+  PassageTask task = Sample::task(p, 0.62, M_PI);
+  for (const double tolerance : {1e-5, 1e-7}) {
+    task.integrator.rtol = tolerance;
+    task.integrator.atol = tolerance / 100;
+    const Passage r = run(best_kernels(), {task}).front();
+    CHECK(std::abs(r.end[Y]) < 1e-8);
+    CHECK(r.reflections == 117);
+    CHECK(r.contact_time == Approx(5.7475).margin(2e-4));
+    CHECK(r.energy_residual < 1e-4);
   }
 }
 

@@ -27,6 +27,9 @@ enum Component {
 constexpr int kState = NORMAL;  // number of components on which forces depend
 constexpr int kIntegrals = COMPONENTS - NORMAL;
 
+// The error of a step may be rtol |y| + atol tolerance_scale(component).
+constexpr double tolerance_scale(int component) { return VX <= component && component <= VZ ? 0.1 : 1; }
+
 using OdeState = std::array<double, COMPONENTS>;
 
 }  // namespace bristle

@@ -10,7 +10,7 @@
 #include <Eigen/Core>
 #include <unsupported/Eigen/AutoDiff>
 
-// Functions that Eigen's AutoDiffScalar lacks. Its value type is double or the SIMD type Lanes.
+// Functions that Eigen's AutoDiffScalar lacks.
 namespace Eigen {
 template <class D>
 AutoDiffScalar<typename internal::remove_all<D>::type::PlainObject> atan(const AutoDiffScalar<D>& u) {
@@ -52,22 +52,6 @@ inline void jacobian(const Bristle<double>& b, const OdeState& y, StateJacobian&
   derivative<Dual>(b, in, out);
   for (int i = 0; i < kState; ++i) of_state.row(i) = out[i].derivatives();
   for (int i = 0; i < kIntegrals; ++i) of_integrals.row(i) = out[NORMAL + i].derivatives();
-}
-
-// Jacobian of the acceleration with respect to the velocity; also evaluates derivative() into dydt. The stiff
-// terms, friction and the dampers of azimuth and polar angle, are in this block.
-template <class T, class In, class Out>
-Eigen::Matrix<T, 3, 3> damping_matrix(const Bristle<T>& b, const In& y, Out& dydt) {
-  using Column = Eigen::Matrix<T, 3, 1>;
-  using Dual = Eigen::AutoDiffScalar<Column>;
-  std::array<Dual, kState> in;
-  std::array<Dual, COMPONENTS> out;
-  for (int i = 0; i < kState; ++i) in[i] = Dual(y[i], Column(T(i == VX), T(i == VY), T(i == VZ)));
-  derivative<Dual>(b, in, out);
-  for (int i = 0; i < COMPONENTS; ++i) dydt[i] = out[i].value();
-  Eigen::Matrix<T, 3, 3> J;
-  for (int i = 0; i < 3; ++i) J.row(i) = out[VX + i].derivatives();
-  return J;
 }
 
 }  // namespace bristle

@@ -15,23 +15,27 @@ inline OdeState pack(const State<double>& s) {
 }
 
 // Time derivative of every component.
-template <class T, class P, class In, class Out>
-void derivative(const Bristle<P>& b, const In& y, Out& dydt) {
-  const State<T> state = unpack<T>(y);
-  const Motion<T> m = motion(b, state);
+template <class T, class P, class Out>
+void slopes_of(const Bristle<P>& b, const State<T>& state, const Motion<T>& m, Out& dydt) {
   for (int i = 0; i < 3; ++i) {
     dydt[X + i] = state.v[i];
     dydt[VX + i] = m.acceleration[i];
   }
   dydt[THETA] = m.rates.theta;
   dydt[PHI] = m.rates.phi;
-  dydt[NORMAL] = m.slab.F_n;
-  dydt[FRICTION_X] = -m.slab.F_f * m.slab.e_x;
-  dydt[FRICTION_Y] = -m.slab.F_f * m.slab.e_y;
-  dydt[MODULATION] = m.slab.F_n * m.slab.modulation;
-  dydt[ALIGNMENT] = -m.slab.F_n * m.slab.e_x;
-  dydt[AREA] = m.slab.F_n_23;
+  dydt[NORMAL] = m.wall.F_n;
+  dydt[FRICTION_X] = m.friction[0];
+  dydt[FRICTION_Y] = m.friction[1];
+  dydt[MODULATION] = m.wall.F_n * m.sliding.modulation;
+  dydt[ALIGNMENT] = -m.wall.F_n * m.sliding.e_x;
+  dydt[AREA] = m.wall.F_n_23;
   dydt[WORK] = power(b, m);
+}
+
+template <class T, class P, class In, class Out>
+void derivative(const Bristle<P>& b, const In& y, Out& dydt) {
+  const State<T> state = unpack<T>(y);
+  slopes_of(b, state, motion(b, state), dydt);
 }
 
 }  // namespace bristle

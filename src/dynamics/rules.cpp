@@ -29,7 +29,8 @@ double first_root(const std::function<double(double)>& g, double a, double b, do
   return bracket.second;
 }
 
-double pole_contact(const std::function<OdeState(double)>& state_at, double s_min, double a, double b, double tolerance) {
+double pole_contact(const std::function<OdeState(double)>& state_at, double s_min, double a, double b,
+                    double tolerance) {
   constexpr double never = std::numeric_limits<double>::infinity();
   if (radial_product(state_at(a)) >= 0) return never;
   double nearest = b;

@@ -25,7 +25,8 @@ T energy(const Bristle<P>& b, const State<T>& state) {
 // time derivative of energy() if theta' is kinematic. Dimensionless.
 template <class T, class P>
 T power(const Bristle<P>& b, const Motion<T>& m) {
-  return -m.slab.F_f * m.slab.e_x - m.slab.F_f * m.slab.V_R - b.c_theta * m.rates.theta * m.rates.theta -
+  const T friction = m.friction[0] * m.sliding.V_x + m.friction[1] * m.sliding.V_y;
+  return m.friction[0] + friction - b.c_theta * m.rates.theta * m.rates.theta -
          b.c_phi * m.rates.phi * m.rates.phi;
 }
 

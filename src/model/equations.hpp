@@ -43,7 +43,13 @@ Frame<T> frame_at(const Vector3<T>& position) {
   return f;
 }
 
-// theta', kinematically exact or by Eq. (17) as printed, and phi', Eq. (18).
+// theta' per velocity along e_theta: 1/s, kinematically exact, or s/r^2 by Eq. (17) as printed.
+template <class T>
+T azimuth_rate_factor(AzimuthRate rule, const Frame<T>& f) {
+  return rule == AzimuthRate::kinematic ? f.one_s : T(f.s * T(f.one_r * f.one_r));
+}
+
+// theta', Eq. (17), and phi', Eq. (18).
 template <class T>
 struct AngularRates {
   T theta, phi;
@@ -54,34 +60,63 @@ AngularRates<T> angular_rates(AzimuthRate rule, const Frame<T>& f, const Vector3
   const T along_s = f.cos_theta * v[0] + f.sin_theta * v[1];
   const T along_theta = f.cos_theta * v[1] - f.sin_theta * v[0];  // (x v_y - y v_x)/s
   const T along_phi = f.cos_phi * v[2] - f.sin_phi * along_s;     // r phi', equivalent to Eq. (18)
-  const T theta_rate = rule == AzimuthRate::kinematic ? T(along_theta * f.one_s)
-                                                      : T(along_theta * T(f.s * T(f.one_r * f.one_r)));
-  return {theta_rate, T(along_phi * f.one_r)};
+  return {T(along_theta * azimuth_rate_factor(rule, f)), T(along_phi * f.one_r)};
 }
 
-// Contact of the tip with the slab. V_R = 0 is a regular point: F_f/V_R keeps its finite limit.
+// What the equations need of the tip's position.
 template <class T>
-struct SlabContact {
-  T F_n, F_n_23;  // normal force, Eq. (3), and its power 2/3
-  T V_R;          // relative speed
-  T modulation;   // speed dependence of friction: chi, Eq. (7), for the paper's laws
-  T F_f;          // friction force's magnitude, Eqs. (14, 15)
-  T e_x, e_y;     // e_f = V_R/|V_R|, Eq. (6)
+struct Place {
+  Frame<T> frame;
+  WallForce<T> wall;  // normal force, Eq. (3), and its power 2/3
+  T friction_limit;   // friction force where the modulation is 1, Eqs. (14, 15)
 };
 
 template <class T, class P>
-SlabContact<T> slab_contact(const Bristle<P>& b, const State<T>& state) {
-  const WallForce<T> wall = wall_force(T(b.z_0 - state.r[2]), b.wall_root_peak, b.wall_root_rate);
-  const T V_x = state.v[0] - 1.0, V_y = state.v[1];
-  // The offset vanishes in rounding for V_R > 1e-8 and gives the limit chi/V_R = A B/V_s at V_R = 0.
-  const T V_R2 = V_x * V_x + V_y * V_y + 1e-32;
+Place<T> place_at(const Bristle<P>& b, const Vector3<T>& position) {
+  const WallForce<T> wall = wall_force(T(b.z_0 - position[2]), b.wall_root_peak, b.wall_root_rate);
+  const T load = with_law(b.friction, [&](auto law) -> T { return law.load(wall); });
+  return {frame_at(position), wall, T(b.friction_factor * load)};
+}
+
+// Motion of the tip relative to the slab. V_R = 0 is a regular point: modulation/V_R keeps its finite limit.
+template <class T>
+struct Sliding {
+  T V_x, V_y, V_R;  // relative velocity and speed
+  T e_x, e_y;       // e_f = V_R/|V_R|, Eq. (6)
+  T modulation;     // speed dependence of friction: chi, Eq. (7), for the paper's laws
+};
+
+// All but the modulation.
+template <class T>
+Sliding<T> relative_motion(const T& v_x, const T& v_y) {
+  Sliding<T> s;
+  s.V_x = v_x - 1.0;
+  s.V_y = v_y;
+  // The offset vanishes in rounding for V_R > 1e-8.
+  const T V_R2 = s.V_x * s.V_x + s.V_y * s.V_y + 1e-32;
   const T one_V_R = inverse_sqrt(V_R2);
-  const T V_R = V_R2 * one_V_R;
-  return with_law(b.friction, [&](auto law) -> SlabContact<T> {
-    const T modulation = law.modulation(V_R, b.friction_constants);
-    const T F_f = T(b.friction_factor * modulation) * law.load(wall);
-    return {wall.F_n, wall.F_n_23, V_R, modulation, F_f, T(V_x * one_V_R), T(V_y * one_V_R)};
-  });
+  s.V_R = V_R2 * one_V_R;
+  s.e_x = s.V_x * one_V_R;
+  s.e_y = s.V_y * one_V_R;
+  return s;
+}
+
+template <class T, class P>
+Sliding<T> sliding_at(const Bristle<P>& b, const T& v_x, const T& v_y) {
+  Sliding<T> s = relative_motion(v_x, v_y);
+  s.modulation =
+      with_law(b.friction, [&](auto law) -> T { return law.modulation(s.V_R, b.friction_constants); });
+  return s;
+}
+
+// Friction force on the tip, in the plane of the slab.
+template <class T>
+using InPlane = std::array<T, 2>;
+
+template <class T>
+InPlane<T> friction_force(const Place<T>& place, const Sliding<T>& sliding) {
+  const T F_f = place.friction_limit * sliding.modulation;
+  return {T(-F_f * sliding.e_x), T(-F_f * sliding.e_y)};
 }
 
 // Acceleration, angular rates and contact at one instant.
@@ -89,25 +124,39 @@ template <class T>
 struct Motion {
   Vector3<T> acceleration;
   AngularRates<T> rates;
-  SlabContact<T> slab;
+  WallForce<T> wall;
+  Sliding<T> sliding;
+  InPlane<T> friction;
 };
 
-// Eq. (13), resolved along e_s, e_theta and k, with Eqs. (17, 18).
+// Eq. (13), resolved along e_s, e_theta and k, with Eqs. (17, 18), for a given friction force.
 template <class T, class P>
-Motion<T> motion(const Bristle<P>& b, const State<T>& state) {
-  Motion<T> m;
-  const Frame<T> f = frame_at(state.r);
-  m.rates = angular_rates(b.azimuth_rate, f, state.v);
-  m.slab = slab_contact(b, state);
+Motion<T> motion(const Bristle<P>& b, const State<T>& state, const Place<T>& place, const Sliding<T>& sliding,
+                 const InPlane<T>& friction) {
+  const Frame<T>& f = place.frame;
+  Motion<T> m{{}, angular_rates(b.azimuth_rate, f, state.v), place.wall, sliding, friction};
   const T radial = b.k_r * T(f.r - 1.0);
   const T azimuthal = T(b.k_theta * T(state.theta - b.theta_0) + b.c_theta * m.rates.theta) * f.one_s;
   const T polar = T(b.k_phi * T(state.phi - b.phi_0) + b.c_phi * m.rates.phi) * f.one_r;
   const T pole = short_range_force(f.s, b.pole_peak, b.pole_rate);
   const T along_s = pole - radial * f.cos_phi + polar * f.sin_phi;
-  m.acceleration[0] = along_s * f.cos_theta + azimuthal * f.sin_theta - m.slab.F_f * m.slab.e_x;
-  m.acceleration[1] = along_s * f.sin_theta - azimuthal * f.cos_theta - m.slab.F_f * m.slab.e_y;
-  m.acceleration[2] = -radial * f.sin_phi - polar * f.cos_phi - m.slab.F_n;
+  m.acceleration[0] = along_s * f.cos_theta + azimuthal * f.sin_theta + friction[0];
+  m.acceleration[1] = along_s * f.sin_theta - azimuthal * f.cos_theta + friction[1];
+  m.acceleration[2] = -radial * f.sin_phi - polar * f.cos_phi - place.wall.F_n;
   return m;
+}
+
+template <class T, class P>
+Motion<T> motion(const Bristle<P>& b, const State<T>& state) {
+  const Place<T> place = place_at(b, state.r);
+  const Sliding<T> sliding = sliding_at(b, state.v[0], state.v[1]);
+  return motion(b, state, place, sliding, friction_force(place, sliding));
+}
+
+// The azimuth's damper exerts the force -azimuth_damping() v_theta along e_theta.
+template <class T, class P>
+T azimuth_damping(const Bristle<P>& b, const Frame<T>& f) {
+  return b.c_theta * T(azimuth_rate_factor(b.azimuth_rate, f) * f.one_s);
 }
 
 }  // namespace bristle

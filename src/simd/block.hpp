@@ -2,6 +2,7 @@
 
 #include "dynamics/components.hpp"
 #include "model/bristle.hpp"
+#include "model/friction/table.hpp"
 
 #include <cstdint>
 
@@ -18,21 +19,22 @@ struct alignas(64) Row {
 struct Block {
   FrictionLaw friction;
   AzimuthRate azimuth_rate;
-  std::uint32_t occupied = 0;     // lanes that hold a passage, one bit each
-  std::uint32_t stale_slope = 0;  // lanes whose slope must be computed from their state, one bit each
-  std::uint64_t lane_steps = 0;   // attempted steps, counted for occupied and empty lanes
+  const ModulationTable* modulation;
+  std::uint32_t occupied = 0;    // lanes that hold a passage, one bit each
+  std::uint64_t lane_steps = 0;  // attempted steps, counted for occupied and empty lanes
 
-  Row constants[kConstants];                // of Bristle, in the order of constants_of()
-  Row rtol, atol, L_x, x_0;                 // slip is xi - (x - x_0)
-  Row s_handover;                           // distance from the pole at which the other method takes over
-  Row s_min;                                // distance from the pole at which the pole rule acts
-  Row t, y[COMPONENTS], slope[COMPONENTS];  // after the last accepted step
-  Row h;                                    // size of the next step
+  Row constants[kConstants];  // of Bristle, in the order of constants_of()
+  Row rtol, atol, L_x, x_0;   // slip is xi - (x - x_0)
+  Row s_handover;             // distance from the pole at which the other kernel takes over
+  Row s_min;                  // distance from the pole at which the pole rule acts
+  Row t, y[COMPONENTS];       // after the last accepted step
+  Row h;                      // size of the next step
+  Row last_error;             // of the last accepted step, as a multiple of the tolerance
   Row attempts, max_attempts;
   Row next_sample;  // next time at which the integrals are sampled; infinity if they are not
 
   // The last attempted step of lanes with an event. It is not yet accepted.
-  Row t_new, h_next, y_new[COMPONENTS], slope_new[COMPONENTS];
+  Row t_new, h_next, error, y_new[COMPONENTS];
 };
 
 // A passage ends when its slip is this close to L_x.

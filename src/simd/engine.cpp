@@ -14,10 +14,13 @@ constexpr double kFractionTolerance = 1e-14;
 // tolerance suffices (measured in docs/numerics.md).
 constexpr double kPinnedToleranceFactor = 30;
 // A tip whose distance from the pole is this close to s_min, relatively, is at s_min.
-constexpr double kPoleTolerance = 1e-2;
+constexpr double kPoleTolerance = 1e-4;
 constexpr long kEvaluationsPerStep = 6;
 // The explicit method resumes at this multiple of the distance from the pole at which it stopped.
 constexpr double kReturnFactor = 2;
+
+// Number of lane sets above which those without passages are removed.
+constexpr std::size_t kMaxIdleSets = 16;
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
@@ -41,16 +44,22 @@ long max_steps(const IntegratorOptions& options) { return options.max_evaluation
 // The lanes of one method for one friction law and one AzimuthRate, and the queue of passages for them.
 class SimdEngine::LaneSet {
  public:
-  LaneSet(SimdEngine& engine, FrictionLaw friction, AzimuthRate rate, bool implicit)
-      : engine_(engine), implicit_(implicit) {
-    block_.friction = friction;
-    block_.azimuth_rate = rate;
+  LaneSet(SimdEngine& engine, const PassageTask& task, std::shared_ptr<const ModulationTable> modulation,
+          bool implicit)
+      : engine_(engine), modulation_(std::move(modulation)), implicit_(implicit) {
+    block_.friction = task.bristle.friction;
+    block_.azimuth_rate = task.bristle.azimuth_rate;
+    block_.modulation = modulation_.get();
   }
 
   bool serves(const PassageTask& task, bool implicit) const {
-    return implicit == implicit_ && task.bristle.friction == block_.friction &&
-           task.bristle.azimuth_rate == block_.azimuth_rate;
+    return implicit == implicit_ && task.bristle.azimuth_rate == block_.azimuth_rate &&
+           has_modulation_of(task);
   }
+  bool has_modulation_of(const PassageTask& task) const {
+    return modulation_->serves(task.bristle.friction, task.bristle.friction_constants, task.parameters->V_s);
+  }
+  const std::shared_ptr<const ModulationTable>& modulation() const { return modulation_; }
   int occupied() const { return __builtin_popcount(block_.occupied); }
   double lane_steps() const { return double(block_.lane_steps); }
   // Passages in lanes and in the queue.
@@ -110,8 +119,8 @@ class SimdEngine::LaneSet {
     const ActivePassage& active = active_[lane];
     block_.t.lane[lane] = active.t;
     block_.h.lane[lane] = active.h;
+    block_.last_error.lane[lane] = 1;
     for (int c = 0; c < COMPONENTS; ++c) block_.y[c].lane[lane] = active.y[c];
-    block_.stale_slope |= 1u << lane;
   }
 
   void handle_events(int lane, const Events& events) {
@@ -173,22 +182,23 @@ class SimdEngine::LaneSet {
     sample(lane);
     block_.t.lane[lane] = active.t = block_.t_new.lane[lane];
     block_.h.lane[lane] = block_.h_next.lane[lane];
-    for (int c = 0; c < COMPONENTS; ++c) {
-      block_.y[c].lane[lane] = active.y[c] = block_.y_new[c].lane[lane];
-      block_.slope[c].lane[lane] = block_.slope_new[c].lane[lane];
-    }
+    block_.last_error.lane[lane] = block_.error.lane[lane];
+    for (int c = 0; c < COMPONENTS; ++c) block_.y[c].lane[lane] = active.y[c] = block_.y_new[c].lane[lane];
   }
 
   // Appends the samples within the step that is being accepted, by cubics through its ends.
   void sample(int lane) {
     ActivePassage& active = active_[lane];
     const double interval = active.task.sample_interval, from = active.t, h = block_.t_new.lane[lane] - from;
-    if (interval == 0) return;
     double next = block_.next_sample.lane[lane];
+    if (interval == 0 || next > from + h) return;
+    OdeState y_new, slope, slope_new;
+    for (int c = 0; c < COMPONENTS; ++c) y_new[c] = block_.y_new[c].lane[lane];
+    derivative<double>(active.task.bristle, active.y, slope);
+    derivative<double>(active.task.bristle, y_new, slope_new);
     while (next <= from + h) {
       const auto at = [&](int c) {
-        const Hermite cubic(block_.y[c].lane[lane], block_.y_new[c].lane[lane],
-                            h * block_.slope[c].lane[lane], h * block_.slope_new[c].lane[lane]);
+        const Hermite cubic(active.y[c], y_new[c], h * slope[c], h * slope_new[c]);
         return cubic.value((next - from) / h);
       };
       active.samples.push_back({at(NORMAL), at(FRICTION_X), at(FRICTION_Y)});
@@ -248,6 +258,7 @@ class SimdEngine::LaneSet {
   }
 
   SimdEngine& engine_;
+  std::shared_ptr<const ModulationTable> modulation_;
   bool implicit_;
   Block block_{};
   std::array<ActivePassage, kLanes> active_;
@@ -260,21 +271,37 @@ SimdEngine::~SimdEngine() = default;
 SimdEngine::LaneSet& SimdEngine::lane_set_for(const PassageTask& task, bool implicit) {
   for (const auto& set : sets_)
     if (set->serves(task, implicit)) return *set;
+  std::shared_ptr<const ModulationTable> modulation;
+  for (const auto& set : sets_)
+    if (set->has_modulation_of(task)) modulation = set->modulation();
   const Bristle<double>& b = task.bristle;
-  sets_.push_back(std::make_unique<LaneSet>(*this, b.friction, b.azimuth_rate, implicit));
+  if (!modulation)
+    modulation = std::make_shared<ModulationTable>(b.friction, b.friction_constants, task.parameters->V_s);
+  sets_.push_back(std::make_unique<LaneSet>(*this, task, std::move(modulation), implicit));
   return *sets_.back();
+}
+
+// Removes idle lane sets if there are many, as in a sweep over the parameters of friction.
+void SimdEngine::remove_idle_sets() {
+  if (sets_.size() <= kMaxIdleSets) return;
+  const auto idle =
+      std::stable_partition(sets_.begin(), sets_.end(), [](const auto& set) { return set->demand() > 0; });
+  for (auto set = idle; set != sets_.end(); ++set) lane_steps_ += (*set)->lane_steps();
+  sets_.erase(idle, sets_.end());
 }
 
 void SimdEngine::submit(const PassageTask& task, std::size_t ticket) {
   ActivePassage active{task, ticket, pack(state_at_rest(task.bristle, task.start))};
   active.x_0 = active.y[X];
   active.implicit = task.integrator.method == Method::implicit_only;
+  remove_idle_sets();
   lane_set_for(task, active.implicit).add(std::move(active));
 }
 
 SimdEngine::Usage SimdEngine::usage() const {
   Usage usage;
   usage.passage_steps = passage_steps_;
+  usage.lane_steps = lane_steps_;
   for (const auto& set : sets_) usage.lane_steps += set->lane_steps();
   return usage;
 }

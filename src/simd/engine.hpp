@@ -36,12 +36,13 @@ class SimdEngine {
   class LaneSet;
 
   LaneSet& lane_set_for(const PassageTask& task, bool implicit);
+  void remove_idle_sets();
 
   const Kernels& kernels_;
   Done done_;
   std::vector<std::unique_ptr<LaneSet>> sets_;
-  double passage_steps_ = 0;
-  std::size_t ended_ = 0;  // passages that ended during this advance()
+  double passage_steps_ = 0, lane_steps_ = 0;  // lane_steps_: of the sets that were removed
+  std::size_t ended_ = 0;                      // passages that ended during this advance()
 };
 
 }  // namespace bristle

@@ -1,8 +1,7 @@
 // Compiled once per instruction set (cmake/kernels.cmake).
 #include "simd/kernels.hpp"
 
-#include "simd/explicit_kernel.hpp"
-#include "simd/implicit_kernel.hpp"
+#include "simd/step.hpp"
 #include "simd/tableau.hpp"
 
 // Without the compiler options of the instruction set, Highway would silently select a lower one.
@@ -13,7 +12,8 @@ static_assert(HWY_TARGET == BRISTLE_TARGET,
 namespace bristle::HWY_NAMESPACE {
 
 extern const Kernels kKernels;
-const Kernels kKernels = {hwy::TargetName(HWY_TARGET), Lanes::kWidth, Kernel<ExplicitStep<CashKarp5>>::run,
-                          Kernel<AdditiveStep<KennedyCarpenter4>>::run};
+const Kernels kKernels = {hwy::TargetName(HWY_TARGET), Lanes::kWidth,
+                          Kernel<AdditiveStep<KennedyCarpenter4>, FarFromPole>::run,
+                          Kernel<AdditiveStep<KennedyCarpenter4>, NearPole>::run};
 
 }  // namespace bristle::HWY_NAMESPACE

@@ -1,0 +1,72 @@
+#include "model/friction/table.hpp"
+
+#include "model/friction/laws.hpp"
+
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+#include <stdexcept>
+
+namespace bristle {
+namespace {
+
+constexpr int kFewestIntervals = 64, kMostIntervals = 1 << 16;
+
+// The zeros of the Chebyshev polynomial of degree 4, in an interval from 0 to 1.
+constexpr std::array<double, 4> kNodes = {(1 - 0.92387953251128674) / 2, (1 - 0.38268343236508977) / 2,
+                                          (1 + 0.38268343236508977) / 2, (1 + 0.92387953251128674) / 2};
+
+// Coefficients of the cubic through the values at kNodes, by Newton's divided differences.
+std::array<double, 4> cubic_through(std::array<double, 4> value) {
+  for (int order = 1; order < 4; ++order)
+    for (int i = 3; i >= order; --i) value[i] = (value[i] - value[i - 1]) / (kNodes[i] - kNodes[i - order]);
+  std::array<double, 4> c{value[3]};
+  for (int i = 2; i >= 0; --i) {
+    for (int power = 3; power > 0; --power) c[power] = c[power - 1] - kNodes[i] * c[power];
+    c[0] = value[i] - kNodes[i] * c[0];
+  }
+  return c;
+}
+
+}  // namespace
+
+ModulationTable::ModulationTable(FrictionLaw law, const FrictionConstants<double>& constants, double V_s)
+    : law_(law), constants_(constants), V_s_(V_s) {
+  int intervals = kFewestIntervals;
+  while (!build(intervals)) {
+    intervals *= 2;
+    if (intervals > kMostIntervals)
+      throw std::runtime_error(fmt::format(
+          "the modulation of the friction law {} changes too steeply with the sliding speed (A, C)",
+          friction_law_names()[std::size_t(law)]));
+  }
+}
+
+// q(t), for 0 < t < 1.
+double ModulationTable::exact(double t) const {
+  const double V_R = V_s_ * (t / (1 - t));
+  return with_law(law_, [&](auto law) { return law.modulation(V_R, constants_); }) / t;
+}
+
+// Returns false if the error, measured between the nodes, is too large.
+bool ModulationTable::build(int intervals) {
+  coefficients_.clear();
+  for (int i = 0; i < intervals; ++i) {
+    const auto at = [&](double u) { return exact((i + u) / intervals); };
+    std::array<double, 4> value;
+    for (int k = 0; k < 4; ++k) value[k] = at(kNodes[k]);
+    const std::array<double, 4> c = cubic_through(value);
+    for (const double u : {1e-3, 0.2, 0.5, 0.8, 1 - 1e-3}) {
+      const double polynomial = c[0] + u * (c[1] + u * (c[2] + u * c[3]));
+      if (!(std::abs(polynomial - at(u)) < kModulationError / 2)) return false;
+    }
+    coefficients_.insert(coefficients_.end(), c.begin(), c.end());
+  }
+  // t = 1, to which t may round, is the start of a further interval.
+  const double* last = coefficients_.data() + std::ptrdiff_t(4) * (intervals - 1);
+  const double end = last[0] + last[1] + last[2] + last[3];
+  coefficients_.insert(coefficients_.end(), {end, 0, 0, 0});
+  return true;
+}
+
+}  // namespace bristle

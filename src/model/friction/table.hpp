@@ -1,0 +1,38 @@
+#pragma once
+
+#include "model/bristle.hpp"
+
+#include <vector>
+
+namespace bristle {
+
+// The modulation of a friction law as a piecewise polynomial, for engines that need it and its slope quickly.
+// modulation(V_R) = t q(t) with t = V_R/(V_R + V_s), and q is a cubic in each of equal intervals of t. The
+// absolute error of q is below kModulationError; the number of intervals follows from it.
+constexpr double kModulationError = 1e-10;
+
+class ModulationTable {
+ public:
+  // Throws std::runtime_error if the law's modulation is too steep for the largest number of intervals.
+  ModulationTable(FrictionLaw law, const FrictionConstants<double>& constants, double V_s);
+
+  double V_s() const { return V_s_; }
+  int intervals() const { return int(coefficients_.size() / 4) - 1; }
+  // Four coefficients per interval, in ascending powers of the position in the interval, from 0 to 1.
+  const double* coefficients() const { return coefficients_.data(); }
+
+  bool serves(FrictionLaw law, const FrictionConstants<double>& constants, double V_s) const {
+    return law == law_ && constants == constants_ && V_s == V_s_;
+  }
+
+ private:
+  double exact(double t) const;
+  bool build(int intervals);
+
+  FrictionLaw law_;
+  FrictionConstants<double> constants_;
+  double V_s_;
+  std::vector<double> coefficients_;
+};
+
+}  // namespace bristle

@@ -1,0 +1,190 @@
+#pragma once
+
+#include "simd/group.hpp"
+#include "simd/modulation.hpp"
+
+namespace bristle::HWY_NAMESPACE {
+
+// Steps by an additive Runge-Kutta pair. Friction and the azimuth's damper, which are stiff while the tip
+// sticks or is near the pole, are implicit in the in-plane velocity; all other terms are explicit. The place
+// of a stage is known before its velocity, so that a stage solves a 2 x 2 system. One iteration of Newton's
+// method, from the velocity of the stage before, suffices: the stage's equation then holds exactly for a
+// friction force that is linearised about that velocity.
+template <class Tableau>
+class AdditiveStep {
+ public:
+  static constexpr double kExponent = Tableau::exponent;
+
+  // Attempts a step of each group.
+  static void attempt(Group* groups, int count) {
+    alignas(64) static thread_local Work work[kVectors];
+    for (int i = 0; i < count; ++i) first_stage(groups[i], work[i]);
+    stages(groups, work, count, std::make_index_sequence<S>());
+    for (int i = 0; i < count; ++i) finish(groups[i], work[i]);
+  }
+
+ private:
+  static constexpr int S = Tableau::stages;
+
+  struct Contact {
+    Sliding<Lanes> sliding;
+    Lanes secant, slope;  // of the modulation
+  };
+
+  struct Work {
+    Slopes<S> k;
+    Slopes<S, 2> implicit;  // acceleration by friction and the azimuth's damper
+    State<Lanes> state;     // of the stage; before solve(), without the implicit acceleration of this stage
+    Place<Lanes> place;
+    Contact contact;  // where the last stage ended
+    InPlane<Lanes> friction;
+    Lanes h_gamma, one_h_gamma;
+  };
+
+  static HWY_INLINE void set_contact(Contact& c, const ModulationTable& table, Lanes v_x, Lanes v_y) {
+    c.sliding = relative_motion(v_x, v_y);
+    const Modulation modulation = modulation_at(table, c.sliding.V_R);
+    c.sliding.modulation = modulation.value;
+    c.secant = modulation.secant;
+    c.slope = modulation.slope;
+  }
+
+  // The azimuth's damper: force along e_theta.
+  static HWY_INLINE Lanes along_theta(const Frame<Lanes>& f, Lanes v_x, Lanes v_y) {
+    return f.cos_theta * v_y - f.sin_theta * v_x;
+  }
+
+  static HWY_NOINLINE HWY_FLATTEN void first_stage(const Group& g, Work& w) {
+    w.h_gamma = g.h * Lanes(Tableau::gamma);
+    w.one_h_gamma = 1.0 / w.h_gamma;
+    w.state = unpack<Lanes>(g.y);
+    w.place = place_at(g.bristle, w.state.r);
+    set_contact(w.contact, *g.modulation, w.state.v[0], w.state.v[1]);
+    w.friction = friction_force(w.place, w.contact.sliding);
+    const Frame<Lanes>& f = w.place.frame;
+    const Lanes damper = azimuth_damping(g.bristle, f) * along_theta(f, w.state.v[0], w.state.v[1]);
+    w.implicit[0] = {w.friction[0] + damper * f.sin_theta, w.friction[1] - damper * f.cos_theta};
+    slopes_of(g.bristle, w.state, motion(g.bristle, w.state, w.place, w.contact.sliding, w.friction), w.k[0]);
+  }
+
+  static HWY_NOINLINE HWY_FLATTEN void locate(const Group& g, Work& w) {
+    w.place = place_at(g.bristle, w.state.r);
+  }
+
+  // Solves for the in-plane velocity.
+  static HWY_NOINLINE HWY_FLATTEN void solve(const Group& g, Work& w, std::array<Lanes, 2>& implicit) {
+    const Bristle<Lanes>& b = g.bristle;
+    const Frame<Lanes>& f = w.place.frame;
+    const Sliding<Lanes>& s = w.contact.sliding;  // where Newton's method starts
+    const Lanes damping = azimuth_damping(b, f);
+    const Lanes limit = w.h_gamma * w.place.friction_limit, h_damping = w.h_gamma * damping;
+    const Lanes from_x = w.state.v[0], from_y = w.state.v[1];
+    const Lanes v_x = s.V_x + 1.0, v_y = s.V_y;
+    const Lanes secant = limit * w.contact.secant, damper = h_damping * along_theta(f, v_x, v_y);
+    const Lanes residual_x = (v_x - from_x) + secant * s.V_x - damper * f.sin_theta;
+    const Lanes residual_y = (v_y - from_y) + secant * s.V_y + damper * f.cos_theta;
+    const Lanes diagonal = 1.0 + secant;
+    // Where the modulation falls steeply with the speed, a smaller slope keeps the matrix regular.
+    const Lanes along_e = max(limit * w.contact.slope - secant, 0.1 - diagonal);
+    const Lanes e_x = along_e * s.e_x, t_x = h_damping * f.sin_theta, t_y = h_damping * f.cos_theta;
+    const Lanes m_xx = diagonal + e_x * s.e_x + t_x * f.sin_theta;
+    const Lanes m_yy = diagonal + Lanes(along_e * s.e_y) * s.e_y + t_y * f.cos_theta;
+    const Lanes m_xy = e_x * s.e_y - t_x * f.cos_theta;
+    const Lanes inverse = 1.0 / (m_xx * m_yy - m_xy * m_xy);
+    const Lanes new_x = v_x - Lanes(m_yy * residual_x - m_xy * residual_y) * inverse;
+    const Lanes new_y = v_y - Lanes(m_xx * residual_y - m_xy * residual_x) * inverse;
+    implicit = {(new_x - from_x) * w.one_h_gamma, (new_y - from_y) * w.one_h_gamma};
+    const Lanes drag = damping * along_theta(f, new_x, new_y);
+    w.friction = {implicit[0] - drag * f.sin_theta, implicit[1] + drag * f.cos_theta};
+    w.state.v[0] = new_x;
+    w.state.v[1] = new_y;
+    set_contact(w.contact, *g.modulation, new_x, new_y);
+  }
+
+  static HWY_NOINLINE HWY_FLATTEN void evaluate(const Group& g, Work& w,
+                                                std::array<Lanes, COMPONENTS>& slope) {
+    slopes_of(g.bristle, w.state, motion(g.bristle, w.state, w.place, w.contact.sliding, w.friction), slope);
+  }
+
+  template <std::size_t... I>
+  static HWY_INLINE void stages(Group* g, Work* w, int count, std::index_sequence<I...>) {
+    (stage<int(I)>(g, w, count), ...);
+  }
+  template <int I>
+  static HWY_INLINE void stage(Group* g, Work* w, int count) {
+    if constexpr (I > 0) {
+      for (int i = 0; i < count; ++i) {
+        predict<I>(g[i], w[i]);
+        locate(g[i], w[i]);
+      }
+      for (int i = 0; i < count; ++i) solve(g[i], w[i], w[i].implicit[I]);
+      for (int i = 0; i < count; ++i) evaluate(g[i], w[i], w[i].k[I]);
+    }
+  }
+
+  // The state of stage I without the implicit acceleration of this stage.
+  template <int I>
+  static HWY_NOINLINE HWY_FLATTEN void predict(const Group& g, Work& w) {
+    std::array<Lanes, kState> at;
+    for (int c = 0; c < kState; ++c)
+      at[c] = g.y[c] + g.h * weighted_sum<I>(w.k, c, [](int j) { return Tableau::a[I][j]; });
+    // The sum above weights the implicit parts of the slopes by a; they need the weights a_implicit.
+    for (int i = 0; i < 2; ++i)
+      at[VX + i] += g.h * weighted_sum<I>(w.implicit, i,
+                                          [](int j) { return Tableau::a_implicit[I][j] - Tableau::a[I][j]; });
+    w.state = unpack<Lanes>(at);
+  }
+
+  static HWY_NOINLINE HWY_FLATTEN void finish(Group& g, const Work& w) {
+    ErrorNorm norm(g);
+    for (int c = 0; c < COMPONENTS; ++c) {
+      g.y_new[c] = g.y[c] + g.h * weighted_sum<S>(w.k, c, [](int j) { return Tableau::b[j]; });
+      norm.add(c, g.h * weighted_sum<S>(w.k, c, [](int j) { return Tableau::error[j]; }));
+    }
+    g.error = norm.value();
+  }
+};
+
+// Far from the pole: its neighbourhood is an event, as a step could cross it.
+struct FarFromPole {
+  static Lanes::Mask pole_event(const Group& g) {
+    return (in_plane_distance_squared(g.y_new) < Lanes(g.s_handover * g.s_handover)) | passes_pole(g);
+  }
+  static Lanes::Mask leaves_pole(const Group&) { return Lanes(0.0) < Lanes(0.0); }
+
+ private:
+  // The tip approached the pole, now recedes, and its straight path would have come within s_handover.
+  static Lanes::Mask passes_pole(const Group& g) {
+    const Lanes angular_momentum = g.y[X] * g.y[VY] - g.y[Y] * g.y[VX];
+    const Lanes speed2 = g.y[VX] * g.y[VX] + g.y[VY] * g.y[VY];
+    const Lanes reach = g.s_handover * g.s_handover;
+    return (radial_product(g.y) < Lanes(0.0)) & (Lanes(0.0) < radial_product(g.y_new)) &
+           (Lanes(angular_momentum * angular_momentum) < Lanes(reach * speed2));
+  }
+};
+
+struct NearPole {
+  // The tip may have reached s_min: it is inside at the end of the step and
+  // approaches the pole; or it approached at the start, recedes at the end,
+  // and either is near the pole or has a straight path that comes near it.
+  static Lanes::Mask pole_event(const Group& g) {
+    const Lanes zero = 0.0, reach = g.s_min * g.s_min;
+    const auto aims_at_pole = [&](const auto& y) {
+      const Lanes angular_momentum = y[X] * y[VY] - y[Y] * y[VX];
+      return Lanes(angular_momentum * angular_momentum) <
+             Lanes(Lanes(4.0 * reach) * Lanes(y[VX] * y[VX] + y[VY] * y[VY]));
+    };
+    const Lanes::Mask within =
+        (in_plane_distance_squared(g.y_new) < 1.01 * reach) & (radial_product(g.y_new) < zero);
+    const Lanes::Mask turned = (radial_product(g.y) < zero) & (radial_product(g.y_new) >= zero);
+    const Lanes::Mask near = (in_plane_distance_squared(g.y) < 100.0 * reach) |
+                             (in_plane_distance_squared(g.y_new) < 100.0 * reach);
+    return within | (turned & (near | aims_at_pole(g.y) | aims_at_pole(g.y_new)));
+  }
+
+  static Lanes::Mask leaves_pole(const Group& g) {
+    return Lanes(g.s_handover * g.s_handover) < in_plane_distance_squared(g.y_new);
+  }
+};
+
+}  // namespace bristle::HWY_NAMESPACE
