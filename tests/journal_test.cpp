@@ -30,6 +30,12 @@ bool holds(const Journal& journal, const Experiment& e, std::size_t i) {
   return journal.has(key) && differences(journal.read(key).record, small_record(e, i)).empty();
 }
 
+std::set<std::string> keys_of(const Experiment& e, const std::vector<std::size_t>& points) {
+  std::set<std::string> keys;
+  for (const std::size_t i : points) keys.insert(point_key(e, i));
+  return keys;
+}
+
 std::size_t points_in(const Journal& journal, const Experiment& e) {
   std::size_t n = 0;
   for (std::size_t i = 0; i < e.points(); ++i) n += journal.has(point_key(e, i));
@@ -125,7 +131,7 @@ TEST_CASE("points computed by a program with uncommitted changes are used by suc
   CHECK(!has("4567def", 0));
   for (const char* commit : {"4567def", "0123abc-dirty", "unknown"}) CHECK(has(commit, 1));
   Journal other(s.path("other.h5"), "4567def", false);
-  other.adopt(e, {0, 1});
+  other.adopt(e, keys_of(e, {0, 1}));
   CHECK(points_in(other, e) == 1);
 }
 
@@ -162,13 +168,13 @@ TEST_CASE("points of this experiment in other journals of the folder are copied"
   const Experiment e = small_experiment(s);
   write_journal(s.path("other.h5"), e, 4);
   Journal journal(s.path("r.h5"), "0123abc", false);
-  journal.adopt(e, {0, 2, 5});
+  journal.adopt(e, keys_of(e, {0, 2, 5}));
   CHECK(holds(journal, e, 0));
   CHECK(!journal.has(point_key(e, 1)));
   CHECK(holds(journal, e, 2));
   CHECK(!journal.has(point_key(e, 5)));
   const Experiment recorded = small_experiment(s, R"(, "record": ["observables", "bristles"])");
-  journal.adopt(recorded, {0, 1, 2, 3});
+  journal.adopt(recorded, keys_of(recorded, {0, 1, 2, 3}));
   CHECK(points_in(journal, recorded) == 0);
 }
 

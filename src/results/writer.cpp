@@ -47,7 +47,7 @@ void ResultWriter::create() {
   }
   create_variables();
   if (shard_) create_part();
-  for (const std::string& name : table_names(experiment_)) tables_.emplace(name, create_table(file_, name));
+  for (const std::string& name : RecordFormat(experiment_).tables) tables_.emplace(name, create_table(file_, name));
 }
 
 void ResultWriter::create_part() {
