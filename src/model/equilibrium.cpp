@@ -20,21 +20,21 @@ struct Tangent {
 // bisection where a step of Newton's method leaves the bracket or is longer than the one before.
 template <class Function>
 double bracketed_root(Function function, double lower, double upper, double guess) {
-  constexpr double converged = 1e-12;  // a step of this relative size doubles the number of correct digits
+  constexpr double converged = 1e-12;  // a Newton step of this relative size is correct to rounding
   constexpr double rounding = 4e-16;
   constexpr int most_steps = 60;  // of Newton's method, which may be slow far away from the root
   double x = guess > lower && guess < upper ? guess : lower + (upper - lower) / 2;
   double last = upper - lower;
   for (int i = 0;; ++i) {
     const Tangent t = function(x);
-    if (t.value == 0) return x;
     (t.value < 0 ? lower : upper) = x;
-    double next = x - t.value / t.slope;
-    const bool newton = i < most_steps && next > lower && next < upper && std::abs(next - x) <= last;
-    if (!newton) next = lower + (upper - lower) / 2;
+    const double step = -t.value / t.slope;
+    if (std::abs(step) <= converged * std::abs(x)) return x + step;
+    const bool newton = i < most_steps && x + step > lower && x + step < upper && std::abs(step) <= last;
+    const double next = newton ? x + step : lower + (upper - lower) / 2;
     last = std::abs(next - x);
     x = next;
-    if (last <= (newton ? converged : rounding) * std::abs(x)) return x;
+    if (last <= rounding * std::abs(x)) return x;
   }
 }
 
