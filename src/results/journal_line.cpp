@@ -26,38 +26,25 @@ void put(Buffer& out, double x) {
   else fmt::format_to(std::back_inserter(out), "{}", x);
 }
 
-void put(Buffer& out, const std::vector<double>& numbers) {
-  const char* before = "[";
-  for (const double x : numbers) {
-    put(out, std::string_view(before));
-    put(out, x);
-    before = ",";
+template <class Item>
+void put(Buffer& out, const std::vector<Item>& items) {
+  put(out, "[");
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (i > 0) put(out, ",");
+    put(out, items[i]);
   }
-  put(out, numbers.empty() ? "[]" : "]");
+  put(out, "]");
 }
 
-void put(Buffer& out, const Rows& rows) {
-  const char* before = "[";
-  for (const auto& column : rows) {
-    put(out, std::string_view(before));
-    put(out, column);
-    before = ",";
-  }
-  put(out, rows.empty() ? "[]" : "]");
-}
-
-// An object of numbers by name.
-template <class Map>
-void put_members(Buffer& out, const Map& map) {
-  const char* before = R"({")";
-  for (const auto& [name, value] : map) {
-    put(out, std::string_view(before));
-    put(out, std::string_view(name));
-    put(out, R"(":)");
+template <class Value>
+void put(Buffer& out, const std::map<std::string, Value>& members) {
+  const char* before = "{";
+  for (const auto& [name, value] : members) {
+    fmt::format_to(std::back_inserter(out), R"({}"{}":)", before, name);
     put(out, value);
-    before = R"(,")";
+    before = ",";
   }
-  put(out, map.empty() ? "{}" : "}");
+  put(out, members.empty() ? "{}" : "}");
 }
 
 // Reads the JSON that encode() writes: its keys in their order, without blanks. Throws MalformedError for
@@ -192,9 +179,9 @@ std::string encode(const JournalLine& line) {
   Buffer json;
   fmt::format_to(std::back_inserter(json), R"({{"schema":"{}","key":"{}","commit":"{}","values":)",
                  kJournalSchema, line.key, line.commit);
-  put_members(json, line.record.values);
+  put(json, line.record.values);
   put(json, R"(,"tables":)");
-  put_members(json, line.record.tables);
+  put(json, line.record.tables);
   if (!line.record.failure.empty()) put(json, R"(,"failure":)" + Json(line.record.failure).dump());
   put(json, "}");
   const std::string_view text(json.data(), json.size());
