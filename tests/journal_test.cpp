@@ -62,6 +62,27 @@ TEST_CASE("a journal line reads back bit for bit with arbitrary numbers") {
   });
 }
 
+TEST_CASE("a line with a correct checksum that the program cannot have written is no point") {
+  const auto line_of = [](const std::string& json) { return sha256_of(json) + " " + json; };
+  const std::string head = R"({"schema":"bristle-journal/1","key":"k","commit":"c")";
+  const std::string whole =
+      head + R"(,"values":{"x":[1,-0.0,"nan"]},"tables":{"t":[[1],[]]},"failure":"a \"b\"\n"})";
+  REQUIRE(decode(line_of(whole)));
+  CHECK(decode(line_of(whole))->record.failure == "a \"b\"\n");
+  for (std::size_t size = 0; size < whole.size(); ++size)
+    if (decode(line_of(whole.substr(0, size)))) FAIL(size);
+  for (const char* rest :
+       {R"(,"values":{"x":[1]},"tables":{}} )", R"(,"values":{"x":[1e999]},"tables":{}})",
+        R"(,"values":{"x":[inf]},"tables":{}})", R"(,"values":{"x":["one"]},"tables":{}})",
+        R"(,"values":{"x":1},"tables":{}})", R"(,"values":{"x":[1]},"tables":{"t":[1]}})",
+        R"(,"values":{"x":[1]},"tables":{},"failure":1})", R"(,"tables":{},"values":{}})"}) {
+    CAPTURE(rest);
+    CHECK_FALSE(decode(line_of(head + rest)));
+    CHECK(head_of(line_of(head + rest)));
+  }
+  CHECK_FALSE(head_of(line_of(R"({"key":"k","schema":"bristle-journal/1","commit":"c"})")));
+}
+
 TEST_CASE("a journal truncated at any byte of its last record keeps the others and accepts new ones") {
   const Scratch s;
   const Experiment e = small_experiment(s);
