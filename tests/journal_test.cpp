@@ -30,6 +30,12 @@ bool holds(const Journal& journal, const Experiment& e, std::size_t i) {
   return journal.has(key) && differences(journal.read(key).record, small_record(e, i)).empty();
 }
 
+std::set<std::string> keys_of(const Experiment& e, const std::vector<std::size_t>& points) {
+  std::set<std::string> keys;
+  for (const std::size_t i : points) keys.insert(point_key(e, i));
+  return keys;
+}
+
 std::size_t points_in(const Journal& journal, const Experiment& e) {
   std::size_t n = 0;
   for (std::size_t i = 0; i < e.points(); ++i) n += journal.has(point_key(e, i));
@@ -54,6 +60,27 @@ TEST_CASE("a journal line reads back bit for bit with arbitrary numbers") {
     const auto head = head_of(text.substr(0, text.size() - 1));
     RC_ASSERT(head && head->key == std::string(64, 'a') && head->commit == "c");
   });
+}
+
+TEST_CASE("a line with a correct checksum that the program cannot have written is no point") {
+  const auto line_of = [](const std::string& json) { return sha256_of(json) + " " + json; };
+  const std::string head = R"({"schema":"bristle-journal/1","key":"k","commit":"c")";
+  const std::string whole =
+      head + R"(,"values":{"x":[1,-0.0,"nan"]},"tables":{"t":[[1],[]]},"failure":"a \"b\"\n"})";
+  REQUIRE(decode(line_of(whole)));
+  CHECK(decode(line_of(whole))->record.failure == "a \"b\"\n");
+  for (std::size_t size = 0; size < whole.size(); ++size)
+    if (decode(line_of(whole.substr(0, size)))) FAIL(size);
+  for (const char* rest :
+       {R"(,"values":{"x":[1]},"tables":{}} )", R"(,"values":{"x":[1e999]},"tables":{}})",
+        R"(,"values":{"x":[inf]},"tables":{}})", R"(,"values":{"x":["one"]},"tables":{}})",
+        R"(,"values":{"x":1},"tables":{}})", R"(,"values":{"x":[1]},"tables":{"t":[1]}})",
+        R"(,"values":{"x":[1]},"tables":{},"failure":1})", R"(,"tables":{},"values":{}})"}) {
+    CAPTURE(rest);
+    CHECK_FALSE(decode(line_of(head + rest)));
+    CHECK(head_of(line_of(head + rest)));
+  }
+  CHECK_FALSE(head_of(line_of(R"({"key":"k","schema":"bristle-journal/1","commit":"c"})")));
 }
 
 TEST_CASE("a journal truncated at any byte of its last record keeps the others and accepts new ones") {
@@ -125,7 +152,7 @@ TEST_CASE("points computed by a program with uncommitted changes are used by suc
   CHECK(!has("4567def", 0));
   for (const char* commit : {"4567def", "0123abc-dirty", "unknown"}) CHECK(has(commit, 1));
   Journal other(s.path("other.h5"), "4567def", false);
-  other.adopt(e, {0, 1});
+  other.adopt(e, keys_of(e, {0, 1}));
   CHECK(points_in(other, e) == 1);
 }
 
@@ -162,13 +189,13 @@ TEST_CASE("points of this experiment in other journals of the folder are copied"
   const Experiment e = small_experiment(s);
   write_journal(s.path("other.h5"), e, 4);
   Journal journal(s.path("r.h5"), "0123abc", false);
-  journal.adopt(e, {0, 2, 5});
+  journal.adopt(e, keys_of(e, {0, 2, 5}));
   CHECK(holds(journal, e, 0));
   CHECK(!journal.has(point_key(e, 1)));
   CHECK(holds(journal, e, 2));
   CHECK(!journal.has(point_key(e, 5)));
   const Experiment recorded = small_experiment(s, R"(, "record": ["observables", "bristles"])");
-  journal.adopt(recorded, {0, 1, 2, 3});
+  journal.adopt(recorded, keys_of(recorded, {0, 1, 2, 3}));
   CHECK(points_in(journal, recorded) == 0);
 }
 

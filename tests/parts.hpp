@@ -47,8 +47,9 @@ inline PointRecord invented_record(const Experiment& e, std::size_t index) {
   PointRecord record;
   const auto& trace = e.base.loading.trace;
   const std::size_t nodes = trace ? random() % (std::size_t(trace->nodes) + 1) : 1;
-  for (const std::string& name : value_names(e)) fill(record.values[name], name, nodes);
-  for (const std::string& table : table_names(e)) {
+  const RecordFormat format(e);
+  for (const auto& dataset : format.datasets) fill(record.values[dataset.name], dataset.name, nodes);
+  for (const std::string& table : format.tables) {
     const std::size_t rows = random() % 6;
     for (const std::string& column : table_columns(table))
       fill(record.tables[table].emplace_back(), column, rows);

@@ -1,4 +1,6 @@
 #include "checks/checks.hpp"
+#include "results/block_writer.hpp"
+#include "results/datasets.hpp"
 #include "results/reader.hpp"
 #include "results/variables.hpp"
 #include "results/writer.hpp"
@@ -10,6 +12,8 @@
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <cmath>
+#include <numeric>
+#include <random>
 #include <thread>
 
 namespace bristle::results_test {
@@ -176,6 +180,32 @@ TEST_CASE("files that are not results are refused with their name and the reason
   run_to(quick(s), s.path("r.h5"), 1);
   CHECK_THROWS_WITH(ResultReader(s.path("r.h5")).variable("R_x_nrom"),
                     Catch::Contains("did you mean R_x_norm?"));
+}
+
+TEST_CASE("values written in blocks are at their places, and the others are missing") {
+  const Scratch s;
+  const std::vector<h5::Shape> shapes = {{},         {70000},    {3, 20011},   {20011, 3},
+                                         {40000, 1}, {1, 40000}, {7, 50, 200}, {5, 1, 8191}};
+  std::mt19937 random(1);
+  for (const h5::Shape& shape : shapes)
+    for (const unsigned most : {300u, 30000u}) {  // values and places left out at a time
+      std::size_t size = 1;
+      for (const hsize_t n : shape) size *= std::size_t(n);
+      const h5::Handle file = h5::create_file(s.path("blocks.h5"));
+      BlockWriter writer(h5::create_dataset(file, "x", H5T_NATIVE_DOUBLE, shape), shape, NAN);
+      std::vector<double> expected(size, NAN), found(size, 0);
+      for (std::size_t place = 0; place < size; place += random() % most) {
+        std::vector<double> values(std::min(size - place, std::size_t(random() % most)));
+        std::iota(values.begin(), values.end(), double(place));
+        std::copy(values.begin(), values.end(), expected.begin() + long(place));
+        writer.add(place, values);
+        place += values.size();
+      }
+      writer.flush();
+      const h5::Handle dataset = h5::open_dataset(file, "x");
+      h5::read_part(dataset, H5T_NATIVE_DOUBLE, h5::Shape(shape.size(), 0), shape, found.data());
+      CHECK(std::equal(found.begin(), found.end(), expected.begin(), same_bits));
+    }
 }
 
 TEST_CASE("an experiment of more than 64 KiB is stored completely") {

@@ -4,14 +4,15 @@
 #include "experiment/si_units.hpp"
 #include "experiment/words.hpp"
 
-#include <nlohmann/json.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <iterator>
+#include <string_view>
 
 namespace bristle::experiment {
 namespace {
 
-using Object = nlohmann::json;  // sorted keys; numbers in the shortest form that reads back exactly
-
-// These fail when a member is added: without the member in canonical(), different points would be treated as
+// These fail when a member is added: without the member in the text, different points would be treated as
 // equal.
 static_assert(sizeof(Parameters) == 24 * sizeof(double));
 static_assert(sizeof(Orientation) == 11 * sizeof(double));
@@ -21,55 +22,95 @@ static_assert(sizeof(Setup) ==
 static_assert(sizeof(Loading) == 8 * sizeof(double));
 static_assert(sizeof(Recording) == 4 * sizeof(double));
 
-Object canonical(const Parameters& p) {
-  Object out;
-  for (const ParameterEntry& entry : parameters_table()) out[entry.name] = p.*entry.member;
+// Names and values in the order in which they are added, written like JSON but with a comma after each.
+// Numbers are in the shortest form that reads back exactly.
+class Text {
+ public:
+  // The name of an object, and its members, which add() appends.
+  template <class Add>
+  void object(const char* name, Add add) {
+    append(R"("{}":{{)", name);
+    add();
+    text_.append(std::string_view("},"));
+  }
+  void add(const char* name, const std::string& word) { append(R"("{}":"{}",)", name, word); }
+  void add(const char* name, const std::vector<double>& numbers) {
+    append(R"("{}":[{}],)", name, fmt::join(numbers, ","));
+  }
+  template <class Number>
+  void add(const char* name, Number number) {
+    append(R"("{}":{},)", name, number);
+  }
+  std::string text() const { return fmt::to_string(text_); }
+
+ private:
+  template <class... Values>
+  void append(fmt::format_string<Values...> format, Values&&... values) {
+    fmt::format_to(std::back_inserter(text_), format, std::forward<Values>(values)...);
+  }
+
+  fmt::memory_buffer text_;
+};
+
+void add_parameters(Text& out, const Parameters& p) {
+  for (const ParameterEntry& entry : parameters_table()) out.add(entry.name, p.*entry.member);
   for (const Choice& choice : choices_table())
-    out[choice.name] = choice.options.at(std::size_t(choice.get(p)));
-  return out;
+    out.add(choice.name, choice.options.at(std::size_t(choice.get(p))));
 }
 
-Object canonical(const Orientation& o) {
-  return {{"distribution", word(o.distribution)},
-          {"mean", o.mean},
-          {"concentration", o.concentration},
-          {"sampling", word(o.sampling)},
-          {"full_circle", o.full_circle},
-          {"rtol", o.rtol},
-          {"theta_0", o.theta_0},
-          {"seed", o.seed},
-          {"rows", o.rows},
-          {"t_1", o.t_1}};
+void add_orientation(Text& out, const Orientation& o) {
+  out.add("distribution", word(o.distribution));
+  out.add("mean", o.mean);
+  out.add("concentration", o.concentration);
+  out.add("sampling", word(o.sampling));
+  out.add("full_circle", o.full_circle);
+  out.add("rtol", o.rtol);
+  out.add("theta_0", o.theta_0);
+  out.add("seed", o.seed);
+  out.add("rows", o.rows);
+  out.add("t_1", o.t_1);
 }
 
-Object canonical(const IntegratorOptions& i) {
-  return {
-      {"rtol", i.rtol}, {"atol", i.atol}, {"method", word(i.method)}, {"max_evaluations", i.max_evaluations}};
+void add_integrator(Text& out, const IntegratorOptions& i) {
+  out.add("rtol", i.rtol);
+  out.add("atol", i.atol);
+  out.add("method", word(i.method));
+  out.add("max_evaluations", i.max_evaluations);
 }
 
-Object canonical(const Loading& l) {
-  if (l.z_0) return {{"z_0", *l.z_0}};
-  if (l.trace) return {{"to", l.trace->to}, {"resolution", l.trace->resolution}, {"nodes", l.trace->nodes}};
-  return {{"R_n", l.R_n}, {"path", word(l.path)}};
+void add_loading(Text& out, const Loading& l) {
+  if (l.z_0) {
+    out.add("z_0", *l.z_0);
+  } else if (l.trace) {
+    out.add("to", l.trace->to);
+    out.add("resolution", l.trace->resolution);
+    out.add("nodes", l.trace->nodes);
+  } else {
+    out.add("R_n", l.R_n);
+    out.add("path", word(l.path));
+  }
 }
 
-Object canonical(const Recording& r) {
-  return {{"bristles", r.bristles}, {"slab_force", r.slab_force}, {"trajectories", r.trajectories}};
+void add_recording(Text& out, const Recording& r) {
+  out.add("bristles", r.bristles);
+  out.add("slab_force", r.slab_force);
+  out.add("trajectories", r.trajectories);
 }
 
 }  // namespace
 
 std::string canonical_point(const Experiment& experiment, std::size_t index) {
   const PointInput point = experiment.point(index);
-  Object out = {{"model", canonical(point.setup.parameters)},
-                {"orientation", canonical(point.setup.orientation)},
-                {"integrator", canonical(point.setup.integrator)},
-                {"engine", word(experiment.engine)},
-                {"max_evaluations_per_point", point.setup.max_evaluations_per_point},
-                {"load", canonical(point.loading)},
-                {"record", canonical(experiment.record)}};
-  if (!point.si.empty()) out["force_unit"] = force_unit(point);
-  return out.dump();
+  Text out;
+  out.object("model", [&] { add_parameters(out, point.setup.parameters); });
+  out.object("orientation", [&] { add_orientation(out, point.setup.orientation); });
+  out.object("integrator", [&] { add_integrator(out, point.setup.integrator); });
+  out.object("load", [&] { add_loading(out, point.loading); });
+  out.object("record", [&] { add_recording(out, experiment.record); });
+  out.add("engine", word(experiment.engine));
+  out.add("max_evaluations_per_point", point.setup.max_evaluations_per_point);
+  if (!point.si.empty()) out.add("force_unit", force_unit(point));
+  return out.text();
 }
 
 }  // namespace bristle::experiment

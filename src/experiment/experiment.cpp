@@ -116,7 +116,16 @@ Loading read_loading(const Document& d, const std::vector<Axis>& axes) {
   return loading;
 }
 
-void check_gap(const Document& d, const Experiment& e) {
+// The experiment with the first value only of every axis but these.
+Experiment along(const Experiment& e, const std::vector<std::string>& axes) {
+  Experiment out = e;
+  for (Axis& axis : out.axes)
+    if (std::ranges::find(axes, axis.name) == axes.end()) axis.values.resize(1);
+  return out;
+}
+
+void check_gap(const Document& d, const Experiment& experiment) {
+  const Experiment e = along(experiment, {"z_0", "phi_0_deg"});
   for (std::size_t i = 0; i < e.points(); ++i) {
     const PointInput point = e.point(i);
     const double highest = sin(point.setup.parameters.phi_0);
@@ -129,8 +138,9 @@ void check_gap(const Document& d, const Experiment& e) {
 }
 
 // chi has a maximum at V_s for A > 1 only; near 1 it would be a step at u = 0, which no integrator resolves.
-void check_chi(const Document& d, const Experiment& e) {
+void check_chi(const Document& d, const Experiment& experiment) {
   constexpr double least = 1.001;
+  const Experiment e = along(experiment, {"A"});
   if (!e.C_peaks_at_V_s) return;
   for (std::size_t i = 0; i < e.points(); ++i)
     if (const double A = e.point(i).setup.parameters.A; A < least)

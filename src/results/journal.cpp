@@ -13,7 +13,6 @@
 #include <ctime>
 #include <filesystem>
 #include <fstream>
-#include <set>
 #include <unistd.h>
 
 namespace bristle::results {
@@ -76,21 +75,21 @@ Journal::~Journal() { ::close(file_); }
 void Journal::scan() {
   bool known = false;
   end_ = each_line(path_, [&](const std::string& line, std::uint64_t offset) {
-    const auto schema = schema_of(line);
-    if (schema && *schema != kJournalSchema)
+    const auto head = head_of(line);
+    if (!head) return;
+    if (head->schema != kJournalSchema)
       throw InputError(fmt::format(
           "{}: schema {}, but this program writes {}; move the file, or use the program that wrote it", path_,
-          *schema, kJournalSchema));
-    const auto head = head_of(line);
-    if (head && accepts(*head)) entries_[head->key] = {offset, line.size()};
-    known = known || head;
+          head->schema, kJournalSchema));
+    if (accepts(*head)) entries_[head->key] = {offset, line.size()};
+    known = true;
   });
   if (!known && !may_be_truncated_journal(path_))
     throw InputError(fmt::format(
         "{}: not a journal of bristle; move the file: the run writes its journal to this path", path_));
 }
 
-bool Journal::accepts(const JournalLine& head) const { return is_dirty(commit_) || !is_dirty(head.commit); }
+bool Journal::accepts(const LineHead& head) const { return is_dirty(commit_) || !is_dirty(head.commit); }
 
 JournalLine Journal::read(const std::string& key) const {
   const Entry& entry = entries_.at(key);
@@ -119,9 +118,7 @@ void Journal::sync() {
   synced_ = std::time(nullptr);
 }
 
-void Journal::adopt(const Experiment& experiment, const std::vector<std::size_t>& points) {
-  std::set<std::string> wanted;
-  for (const std::size_t index : points) wanted.insert(point_key(experiment, index));
+void Journal::adopt(const RecordFormat& format, std::set<std::string> keys) {
   fs::path folder = fs::path(path_).parent_path();
   if (folder.empty()) folder = ".";
   for (const auto& other : fs::directory_iterator(folder)) {
@@ -130,13 +127,13 @@ void Journal::adopt(const Experiment& experiment, const std::vector<std::size_t>
       continue;
     each_line(name, [&](const std::string& text, std::uint64_t) {
       const auto head = head_of(text);
-      if (!head || !wanted.contains(head->key) || !accepts(*head)) return;
-      if (const auto line = decode(text); line && fits(line->record, experiment)) {
+      if (!head || !keys.contains(head->key) || !accepts(*head)) return;
+      if (const auto line = decode(text); line && fits(line->record, format)) {
         append(*line);
-        wanted.erase(line->key);
+        keys.erase(line->key);
       }
     });
-    if (wanted.empty()) return;
+    if (keys.empty()) return;
   }
 }
 

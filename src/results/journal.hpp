@@ -3,6 +3,7 @@
 #include "results/journal_line.hpp"
 
 #include <cstdint>
+#include <set>
 #include <string>
 #include <unordered_map>
 
@@ -37,11 +38,12 @@ class Journal {
 
   // Hands the record to the operating system; it is on the disk some seconds later, or after sync(). Throws
   // RunError, for instance if the disk is full; the earlier points remain.
-  void append(const std::string& key, const PointRecord& record) { append({key, commit_, record}); }
+  void append(const std::string& key, PointRecord record) { append({key, commit_, std::move(record)}); }
   void sync();
 
-  // Copies those of the given points that journals of other results in the same folder contain.
-  void adopt(const Experiment& experiment, const std::vector<std::size_t>& points);
+  // Copies the points with these keys, as far as journals of other results in the same folder contain them in
+  // this format.
+  void adopt(const RecordFormat& format, std::set<std::string> keys);
 
  private:
   struct Entry {
@@ -49,7 +51,7 @@ class Journal {
   };
 
   void scan();
-  bool accepts(const JournalLine& head) const;
+  bool accepts(const LineHead& head) const;
   void append(const JournalLine& line);
 
   std::string path_, commit_;

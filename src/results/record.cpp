@@ -24,19 +24,9 @@ PointRecord with_unified_nan(PointRecord record) {
   return record;
 }
 
-bool searched(const Experiment& e) { return !e.base.loading.z_0 && !e.base.loading.trace; }
-
-// Calls put(dataset, value) for every number of a result.
-template <class Put>
-void each_value(const Experiment& experiment, const std::vector<ResultVariable>& variables,
-                const PointResult& result, Put put) {
-  for (const ResultVariable& v : variables) {
-    put(v.name, v.value(result));
-    if (v.error) put(v.name + "_err", v.error(result));
-    if (searched(experiment) && v.load_error) put("load_error/" + v.name, v.load_error(result));
-  }
-  put("passages", double(result.passages));
-  put("status", double(result.status));
+// Adds numbers whose name follows those that the record has.
+void add(PointRecord& record, const std::string& name, std::vector<double> numbers) {
+  record.values.emplace_hint(record.values.end(), name, std::move(numbers));
 }
 
 void append(Rows& rows, const Rows& more) {
@@ -95,11 +85,28 @@ void add_differences(const Map& a, const Map& b, std::vector<std::string>& out) 
 
 }  // namespace
 
-PointRecord record_of(const Experiment& experiment, const PointResult& result, const Recorded& recorded) {
+RecordFormat::RecordFormat(const Experiment& experiment) {
+  const Loading& loading = experiment.base.loading;
+  const bool searched = !loading.z_0 && !loading.trace;
+  for (const ResultVariable& v : result_variables(experiment)) {
+    datasets.push_back({v.name, v.value});
+    if (v.error) datasets.push_back({v.name + "_err", v.error});
+    if (searched && v.load_error) datasets.push_back({"load_error/" + v.name, v.load_error});
+  }
+  datasets.push_back({"passages", [](const PointResult& p) { return double(p.passages); }});
+  datasets.push_back({"status", [](const PointResult& p) { return double(p.status); }});
+  if (loading.trace) datasets.push_back({"branch", {}});
+  std::ranges::sort(datasets, {}, &Dataset::name);
+  if (experiment.record.bristles) tables.emplace_back("bristles");
+  if (!experiment.record.trajectories.empty()) tables.emplace_back("trajectories");
+  if (experiment.record.slab_force) tables.emplace_back("slab_force");
+  if (loading.trace) nodes = std::size_t(loading.trace->nodes);
+}
+
+PointRecord record_of(const RecordFormat& format, const PointResult& result, const Recorded& recorded) {
   PointRecord record;
-  each_value(experiment, result_variables(experiment), result,
-             [&](const std::string& name, double value) { record.values[name] = {value}; });
-  for (const std::string& table : table_names(experiment)) {
+  for (const auto& dataset : format.datasets) add(record, dataset.name, {dataset.value(result)});
+  for (const std::string& table : format.tables) {
     Rows& rows = record.tables[table];
     if (table == "bristles") rows = bristle_rows(recorded.bristles);
     if (table == "slab_force") rows = slab_force_rows(recorded.slab_force);
@@ -110,46 +117,44 @@ PointRecord record_of(const Experiment& experiment, const PointResult& result, c
   return with_unified_nan(std::move(record));
 }
 
-PointRecord record_of(const Experiment& experiment, const std::vector<CurveNode>& curve) {
+PointRecord record_of(const RecordFormat& format, const std::vector<CurveNode>& curve) {
   PointRecord record;
-  for (const std::string& name : value_names(experiment)) record.values[name];
-  const auto variables = result_variables(experiment);
-  for (const CurveNode& node : curve) {
-    each_value(experiment, variables, node.result,
-               [&](const std::string& name, double value) { record.values[name].push_back(value); });
-    record.values["branch"].push_back(double(node.branch));
+  for (const auto& dataset : format.datasets) {
+    std::vector<double> numbers;
+    for (const CurveNode& node : curve)
+      numbers.push_back(dataset.value ? dataset.value(node.result) : double(node.branch));
+    add(record, dataset.name, std::move(numbers));
   }
   return with_unified_nan(std::move(record));
 }
 
-PointRecord failed_record(const Experiment& experiment, const std::string& error) {
+PointRecord failed_record(const RecordFormat& format, const std::string& error) {
   const PointResult result = without_values(PointStatus::failed);
-  PointRecord record = experiment.base.loading.trace ? record_of(experiment, {{result, Branch::unstable}})
-                                                     : record_of(experiment, result, {});
+  PointRecord record =
+      format.nodes ? record_of(format, {{result, Branch::unstable}}) : record_of(format, result, {});
   record.failure = error;
   return record;
 }
 
 PointRecord read_record(hid_t file, const Experiment& experiment, std::size_t index) {
+  const RecordFormat format(experiment);
   PointRecord record;
-  const bool curve = experiment.base.loading.trace.has_value();
   h5::Shape at = h5::position(experiment.shape(), index), count(at.size(), 1);
-  if (curve) {
+  if (format.nodes) {
     at.push_back(0);
-    count.push_back(hsize_t(experiment.base.loading.trace->nodes));
+    count.push_back(hsize_t(*format.nodes));
   }
   const auto read = [&](const std::string& name) {
-    std::vector<double> out(curve ? count.back() : 1);
+    std::vector<double> out(format.nodes ? count.back() : 1);
     h5::read_part(h5::open_dataset(file, name), H5T_NATIVE_DOUBLE, at, count, out.data());
     return out;
   };
-  if (curve) {
+  if (format.nodes) {
     const auto branch = read("branch");
     count.back() = hsize_t(std::find(branch.begin(), branch.end(), double(Branch::absent)) - branch.begin());
   }
-  for (const std::string& name : value_names(experiment)) record.values[name] = read(name);
-  for (const std::string& table : table_names(experiment))
-    record.tables[table] = read_rows(file, table, index);
+  for (const auto& dataset : format.datasets) add(record, dataset.name, read(dataset.name));
+  for (const std::string& table : format.tables) record.tables[table] = read_rows(file, table, index);
   if (h5::exists(file, kFailures)) {
     const h5::Handle failures = h5::open_group(file, kFailures);
     if (const std::string name = failure_name(index); h5::has_attribute(failures, name))
@@ -160,33 +165,17 @@ PointRecord read_record(hid_t file, const Experiment& experiment, std::size_t in
 
 std::string failure_name(std::size_t index) { return fmt::format("point_{}", index); }
 
-std::vector<std::string> value_names(const Experiment& experiment) {
-  std::vector<std::string> names;
-  each_value(experiment, result_variables(experiment), {},
-             [&](const std::string& name, double) { names.push_back(name); });
-  if (experiment.base.loading.trace) names.emplace_back("branch");
-  return names;
-}
-
-std::vector<std::string> table_names(const Experiment& experiment) {
-  std::vector<std::string> names;
-  if (experiment.record.bristles) names.emplace_back("bristles");
-  if (!experiment.record.trajectories.empty()) names.emplace_back("trajectories");
-  if (experiment.record.slab_force) names.emplace_back("slab_force");
-  return names;
-}
-
-bool fits(const PointRecord& record, const Experiment& experiment) {
-  const auto has = [](const auto& map, const std::vector<std::string>& names) {
-    return map.size() == names.size() &&
-           std::all_of(names.begin(), names.end(),
-                       [&](const std::string& name) { return map.contains(name); });
-  };
-  if (!has(record.values, value_names(experiment)) || !has(record.tables, table_names(experiment)))
-    return false;
+bool fits(const PointRecord& record, const RecordFormat& format) {
+  const bool complete =
+      std::ranges::equal(
+          record.values, format.datasets, {}, [](const auto& v) -> const std::string& { return v.first; },
+          &RecordFormat::Dataset::name) &&
+      record.tables.size() == format.tables.size() &&
+      std::ranges::all_of(format.tables,
+                          [&](const std::string& name) { return record.tables.contains(name); });
+  if (!complete) return false;
   const std::size_t nodes = record.values.begin()->second.size();
-  const bool curve = experiment.base.loading.trace.has_value();
-  const bool nodes_valid = curve ? nodes <= std::size_t(experiment.base.loading.trace->nodes) : nodes == 1;
+  const bool nodes_valid = format.nodes ? nodes <= *format.nodes : nodes == 1;
   const bool equal_lengths = std::all_of(record.values.begin(), record.values.end(),
                                          [&](const auto& v) { return v.second.size() == nodes; });
   const bool tables_valid = std::all_of(record.tables.begin(), record.tables.end(), [](const auto& t) {

@@ -5,6 +5,7 @@
 #include "results/variables.hpp"
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,10 +19,23 @@ struct PointRecord {
   std::string failure;                                // the error of a point with the status failed
 };
 
-PointRecord record_of(const Experiment& experiment, const PointResult& result, const Recorded& recorded);
-PointRecord record_of(const Experiment& experiment, const std::vector<CurveNode>& curve);
+// The datasets and tables that a result of an experiment has. Make one for all points of a sweep.
+struct RecordFormat {
+  RecordFormat(const Experiment& experiment);
+
+  struct Dataset {
+    std::string name;
+    ResultVariable::Value value;  // empty for the branch of a curve's nodes
+  };
+  std::vector<Dataset> datasets;  // over the sweep, ascending by name
+  std::vector<std::string> tables;
+  std::optional<std::size_t> nodes;  // largest number, of a curve
+};
+
+PointRecord record_of(const RecordFormat& format, const PointResult& result, const Recorded& recorded);
+PointRecord record_of(const RecordFormat& format, const std::vector<CurveNode>& curve);
 // A point that an error ended: status failed, no values, a curve with one node.
-PointRecord failed_record(const Experiment& experiment, const std::string& error);
+PointRecord failed_record(const RecordFormat& format, const std::string& error);
 
 // Reads a point from a result file of this experiment or from a part. Throws RunError if it cannot be read.
 PointRecord read_record(hid_t file, const Experiment& experiment, std::size_t index);
@@ -29,11 +43,8 @@ PointRecord read_record(hid_t file, const Experiment& experiment, std::size_t in
 // Name of the attribute of the group kFailures that has the error of a point.
 std::string failure_name(std::size_t index);
 
-// Names of the datasets over the sweep and of the tables that a result of this experiment has.
-std::vector<std::string> value_names(const Experiment& experiment);
-std::vector<std::string> table_names(const Experiment& experiment);
 // Whether the record has exactly these datasets and tables, with consistent lengths and valid status codes.
-bool fits(const PointRecord& record, const Experiment& experiment);
+bool fits(const PointRecord& record, const RecordFormat& format);
 
 // Datasets and tables whose bits differ, or which only one of the records has.
 std::vector<std::string> differences(const PointRecord& a, const PointRecord& b);

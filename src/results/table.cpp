@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <numeric>
 
 namespace bristle::results {
 
@@ -23,34 +24,34 @@ void describe_flags(hid_t dataset, const std::vector<std::string>& names) {
 Table::Table(hid_t file, const std::string& group, const std::string& row, const std::vector<Column>& columns)
     : name_(group), group_(h5::create_group(file, group)) {
   const h5::Shape open{H5S_UNLIMITED};
-  rows_ = h5::create_dataset(group_, row, H5T_NATIVE_LONG, open);
-  describe(rows_, "row number", "", "");
-  h5::make_scale(rows_, row);
+  h5::Handle rows = h5::create_dataset(group_, row, H5T_NATIVE_LONG, open);
+  describe(rows, "row number", "", "");
+  h5::make_scale(rows, row);
   for (const Column& column : columns) {
     h5::Handle dataset = h5::create_dataset(group_, column.name, column.type, open);
     describe(dataset, column.long_name, column.symbol, column.equation, column.units);
     if (!column.flags.empty()) describe_flags(dataset, column.flags);
     for (const auto& [name, value] : column.constants) h5::write_attribute(dataset, name, value);
-    h5::attach_scale(dataset, rows_, 0);
-    columns_.push_back(std::move(dataset));
+    h5::attach_scale(dataset, rows, 0);
+    columns_.emplace_back(std::move(dataset), open, 0);
   }
+  columns_.emplace(columns_.begin(), std::move(rows), open, 0);
 }
 
 void Table::append(const std::vector<std::vector<double>>& columns) {
-  const h5::Shape from{length_}, count{columns.front().size()};
-  if (count[0] == 0) return;
-  std::vector<double> number;
-  for (hsize_t i = 0; i < count[0]; ++i) number.push_back(double(length_ + i));
-  // HDF5 converts to the columns' types.
-  h5::write_part(rows_, H5T_NATIVE_DOUBLE, from, count, number.data());
-  for (std::size_t i = 0; i < columns.size(); ++i)
-    h5::write_part(columns_[i], H5T_NATIVE_DOUBLE, from, count, columns[i].data());
-  length_ += count[0];
+  std::vector<double> numbers(columns.front().size());
+  std::iota(numbers.begin(), numbers.end(), double(length_));
+  columns_[0].add(length_, numbers);
+  for (std::size_t i = 0; i < columns.size(); ++i) columns_[i + 1].add(length_, columns[i]);
+  length_ += numbers.size();
+}
+
+void Table::flush() {
+  for (BlockWriter& column : columns_) column.flush();
 }
 
 void Table::close() {
-  for (h5::Handle& column : columns_) column.close("closing a column of /" + name_);
-  rows_.close("closing the rows of /" + name_);
+  for (BlockWriter& column : columns_) column.close("closing a column of /" + name_);
   group_.close("closing /" + name_);
 }
 

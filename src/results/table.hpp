@@ -1,6 +1,6 @@
 #pragma once
 
-#include "results/hdf5.hpp"
+#include "results/block_writer.hpp"
 
 #include <string>
 #include <utility>
@@ -22,15 +22,17 @@ class Table {
  public:
   Table(hid_t file, const std::string& group, const std::string& row, const std::vector<Column>& columns);
 
-  // Appends rows. columns: in the order of the constructor, of equal length.
+  // Appends rows, which are in the file after flush(). columns: in the order of the constructor, of equal
+  // length.
   void append(const std::vector<std::vector<double>>& columns);
+  void flush();
   void close();
 
  private:
   std::string name_;
-  h5::Handle group_, rows_;
-  std::vector<h5::Handle> columns_;
-  hsize_t length_ = 0;
+  h5::Handle group_;
+  std::vector<BlockWriter> columns_;  // after the row numbers
+  std::size_t length_ = 0;
 };
 
 // Writes the attributes that every dataset has.

@@ -11,11 +11,17 @@
 #include <fmt/ranges.h>
 #include <fcntl.h>
 #include <filesystem>
+#include <limits>
 #include <numeric>
 #include <unistd.h>
 
 namespace bristle::results {
 namespace fs = std::filesystem;
+namespace {
+
+constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace
 
 ResultWriter::ResultWriter(const Experiment& experiment, const std::string& path,
                            const std::optional<Shard>& shard)
@@ -47,7 +53,8 @@ void ResultWriter::create() {
   }
   create_variables();
   if (shard_) create_part();
-  for (const std::string& name : table_names(experiment_)) tables_.emplace(name, create_table(file_, name));
+  for (const std::string& name : RecordFormat(experiment_).tables)
+    tables_.emplace(name, create_table(file_, name));
 }
 
 void ResultWriter::create_part() {
@@ -98,24 +105,34 @@ h5::Handle ResultWriter::create_variable(hid_t parent, const std::string& name, 
   return dataset;
 }
 
+void ResultWriter::add_variable(const std::string& name, h5::Handle dataset, double missing) {
+  variables_.try_emplace(name, std::move(dataset), shape_, missing);
+}
+
 void ResultWriter::create_variables() {
   if (searched_) load_error_ = h5::create_group(file_, "load_error");
   for (const ResultVariable& v : result_variables(experiment_)) {
-    variables_[v.name] =
-        create_variable(file_, v.name, H5T_NATIVE_DOUBLE, v.long_name, v.symbol, v.equation, v.units);
+    add_variable(
+        v.name, create_variable(file_, v.name, H5T_NATIVE_DOUBLE, v.long_name, v.symbol, v.equation, v.units),
+        kMissing);
     const std::string symbol = R"(\delta )" + v.symbol;
     if (v.error)
-      variables_[v.name + "_err"] =
-          create_variable(file_, v.name + "_err", H5T_NATIVE_DOUBLE, "estimated numerical error of " + v.name,
-                          symbol, v.equation, v.units);
+      add_variable(v.name + "_err",
+                   create_variable(file_, v.name + "_err", H5T_NATIVE_DOUBLE,
+                                   "estimated numerical error of " + v.name, symbol, v.equation, v.units),
+                   kMissing);
     if (searched_ && v.load_error)
-      variables_["load_error/" + v.name] =
+      add_variable(
+          "load_error/" + v.name,
           create_variable(load_error_, v.name, H5T_NATIVE_DOUBLE,
                           "part of " + v.name + "_err due to the deviation of the load from its target",
-                          symbol, v.equation, v.units);
+                          symbol, v.equation, v.units),
+          kMissing);
   }
-  variables_["passages"] = create_variable(file_, "passages", H5T_NATIVE_LONG,
-                                           "number of passages computed for the point", "N", "");
+  add_variable("passages",
+               create_variable(file_, "passages", H5T_NATIVE_LONG,
+                               "number of passages computed for the point", "N", ""),
+               0);
   create_flags("status", "outcome of the point", kPointStatusNames, int(PointStatus::absent));
   if (curves_)
     create_flags("branch", "paths of the slab on which the node lies", kBranchNames, int(Branch::absent));
@@ -124,12 +141,13 @@ void ResultWriter::create_variables() {
 // Creates a flag variable that is filled with the code absent.
 void ResultWriter::create_flags(const std::string& name, const std::string& long_name,
                                 const std::vector<std::string>& meanings, int absent) {
-  h5::Handle& flags = variables_[name] = create_variable(file_, name, H5T_NATIVE_SCHAR, long_name, "", "");
+  h5::Handle flags = create_variable(file_, name, H5T_NATIVE_SCHAR, long_name, "", "");
   describe_flags(flags, meanings);
   std::size_t size = 1;
   for (const hsize_t n : shape_) size *= std::size_t(n);
   const std::vector<signed char> fill(size, static_cast<signed char>(absent));
   h5::write_part(flags, H5T_NATIVE_SCHAR, h5::Shape(shape_.size(), 0), shape_, fill.data());
+  add_variable(name, std::move(flags), absent);
 }
 
 void ResultWriter::write(std::size_t index, const PointRecord& record) {
@@ -137,14 +155,8 @@ void ResultWriter::write(std::size_t index, const PointRecord& record) {
 }
 
 void ResultWriter::write_values(std::size_t index, const PointRecord& record) {
-  h5::Shape at = h5::position(experiment_.shape(), index), count(at.size(), 1);
-  if (curves_) {
-    at.push_back(0);
-    count.push_back(record.values.at("branch").size());
-    if (count.back() == 0) return;
-  }
-  for (const auto& [name, dataset] : variables_)
-    h5::write_part(dataset, H5T_NATIVE_DOUBLE, at, count, record.values.at(name).data());
+  const std::size_t place = curves_ ? index * std::size_t(shape_.back()) : index;
+  for (auto& [name, variable] : variables_) variable.add(place, record.values.at(name));
   if (!record.failure.empty()) failures_[index] = record.failure;
   for (auto& [name, table] : tables_) {
     const Rows& rows = record.tables.at(name);
@@ -166,9 +178,11 @@ void ResultWriter::finish(const std::map<std::string, std::string>& provenance) 
     const h5::Handle failures = h5::create_group(file_, kFailures);
     for (const auto& [index, error] : failures_) h5::write_attribute(failures, failure_name(index), error);
   }
+  for (auto& [name, variable] : variables_) variable.flush();
+  for (auto& [name, table] : tables_) table.flush();
   const std::string digest = payload_sha256(file_);
   h5::write_attribute(file_, "payload_sha256", digest);
-  for (auto& [name, handle] : variables_) handle.close("closing " + name);
+  for (auto& [name, variable] : variables_) variable.close("closing " + name);
   for (h5::Handle& axis : axes_) axis.close("closing an axis");
   for (auto& [name, table] : tables_) table.close();
   load_error_.close("closing /load_error");

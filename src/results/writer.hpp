@@ -42,6 +42,7 @@ class ResultWriter {
   h5::Handle create_variable(hid_t parent, const std::string& name, hid_t type, const std::string& long_name,
                              const std::string& symbol, const std::string& equation,
                              const std::string& units = "1");
+  void add_variable(const std::string& name, h5::Handle dataset, double missing);
   void create_flags(const std::string& name, const std::string& long_name,
                     const std::vector<std::string>& meanings, int absent);
 
@@ -54,7 +55,7 @@ class ResultWriter {
   h5::Handle file_, load_error_;
   h5::Shape shape_;
   std::vector<h5::Handle> axes_;
-  std::map<std::string, h5::Handle> variables_;
+  std::map<std::string, BlockWriter> variables_;
   std::map<std::string, Table> tables_;
   std::map<std::size_t, std::string> failures_;  // errors of failed points, by index
   bool published_ = false;

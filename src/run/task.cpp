@@ -14,6 +14,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -45,10 +46,11 @@ void refresh_description(const Task& task) {
 // Number of points with each status, and the errors of failed points, for the closing message.
 class Summary {
  public:
-  void add(const results::PointRecord& record, const std::string& place) {
+  void add(const results::PointRecord& record, const Experiment& experiment, std::size_t index) {
     for (const double status : record.values.at("status")) ++counts_[std::size_t(status)];
     ++points_;
-    if (!record.failure.empty()) failures_.push_back(fmt::format("{}: {}", place, record.failure));
+    if (!record.failure.empty())
+      failures_.push_back(fmt::format("{}: {}", experiment.place(index), record.failure));
   }
   bool all_failed() const { return points_ > 0 && failures_.size() == points_; }
   const std::vector<std::string>& failures() const { return failures_; }
@@ -78,22 +80,37 @@ void report_failures(const Task& task, const Summary& summary) {
     fmt::print(stderr, "... and {} more; `bristle info {}` names all\n", failures.size() - most, task.path);
 }
 
-std::vector<std::size_t> missing_points(const Task& task, const results::Journal& journal) {
-  std::vector<std::size_t> missing;
-  for (const std::size_t i : task.points())
-    if (!journal.has(results::point_key(task.experiment, i))) missing.push_back(i);
-  return missing;
-}
+// The points of a task and their keys in journals.
+class KeyedPoints {
+ public:
+  explicit KeyedPoints(const Task& task) : points_(task.points()) {
+    for (const std::size_t i : points_) keys_.push_back(results::point_key(task.experiment, i));
+  }
+  const std::vector<std::size_t>& points() const { return points_; }
+  const std::string& key(std::size_t point) const {
+    return keys_[std::size_t(std::ranges::lower_bound(points_, point) - points_.begin())];
+  }
+  std::vector<std::size_t> missing_in(const results::Journal& journal) const {
+    std::vector<std::size_t> missing;
+    for (std::size_t k = 0; k < points_.size(); ++k)
+      if (!journal.has(keys_[k])) missing.push_back(points_[k]);
+    return missing;
+  }
+
+ private:
+  std::vector<std::size_t> points_;  // ascending
+  std::vector<std::string> keys_;
+};
 
 // Computes the missing points and appends each to the journal when it is solved.
-void fill_journal(const Task& task, const std::vector<std::size_t>& missing, int threads,
-                  results::Journal& journal, bool quiet) {
-  const Experiment& experiment = task.experiment;
-  const std::size_t all = task.points().size();
+void fill_journal(const Experiment& experiment, const KeyedPoints& points,
+                  const std::vector<std::size_t>& missing, int threads, results::Journal& journal,
+                  bool quiet) {
+  const std::size_t all = points.points().size();
   Progress progress(experiment.name, missing.size(), quiet);
   std::size_t saved = all - missing.size();
   const auto sink = [&](PointReport&& report) {
-    journal.append(results::point_key(experiment, report.index), report.record);
+    journal.append(points.key(report.index), std::move(report.record));
     ++saved;
     progress.step();
   };
@@ -115,19 +132,20 @@ void fill_journal(const Task& task, const std::vector<std::size_t>& missing, int
 }
 
 // Writes the result file from the journal, in the order of the points.
-Summary write_result(const Task& task, const results::Journal& journal,
+Summary write_result(const Task& task, const KeyedPoints& points, const results::Journal& journal,
                      std::map<std::string, std::string> entries) {
+  const results::RecordFormat format(task.experiment);
   Summary summary;
   std::set<std::string> commits;
   results::ResultWriter writer(task.experiment, task.path, task.shard);
-  for (const std::size_t i : task.points()) {
-    const results::JournalLine line = journal.read(results::point_key(task.experiment, i));
-    if (!results::fits(line.record, task.experiment))
+  for (const std::size_t i : points.points()) {
+    const results::JournalLine line = journal.read(points.key(i));
+    if (!results::fits(line.record, format))
       throw RunError(fmt::format(
           "{}: its variables differ from those of this program; --force computes all points again",
           journal.path()));
     writer.write(i, line.record);
-    summary.add(line.record, task.experiment.place(i));
+    summary.add(line.record, task.experiment, i);
     commits.insert(line.commit);
   }
   entries["points_commits"] = fmt::format("{}", fmt::join(commits, ", "));
@@ -143,17 +161,20 @@ void compute(const Task& task, int threads, const TaskOptions& options) {
   auto entries = provenance(options.command_line, threads);
   entries["started"] = utc_now();
   results::Journal journal(task.path, kCommit, options.force);
-  std::vector<std::size_t> missing = missing_points(task, journal);
+  const KeyedPoints points(task);
+  std::vector<std::size_t> missing = points.missing_in(journal);
   if (!options.force && !missing.empty()) {
-    journal.adopt(task.experiment, missing);
-    missing = missing_points(task, journal);
+    std::set<std::string> keys;
+    for (const std::size_t i : missing) keys.insert(points.key(i));
+    journal.adopt(task.experiment, std::move(keys));
+    missing = points.missing_in(journal);
   }
-  const std::size_t all = task.points().size(), found = all - missing.size();
+  const std::size_t all = points.points().size(), found = all - missing.size();
   entries["points_computed"] = fmt::format("{} of {}", missing.size(), all);
-  fill_journal(task, missing, threads, journal, options.quiet);
+  fill_journal(task.experiment, points, missing, threads, journal, options.quiet);
   const Summary summary = [&] {
     try {
-      return write_result(task, journal, entries);
+      return write_result(task, points, journal, entries);
     } catch (const RunError& e) {
       throw RunError(fmt::format("{}; all points are saved in {}: the same command writes the result",
                                  e.what(), journal.path()));

@@ -15,33 +15,35 @@ namespace {
 // Enough points to keep the lanes full while most of the points wait for the last passages of a batch.
 constexpr std::size_t kMaxActivePoints = 24;
 
-results::PointRecord solve(const Experiment& experiment, std::size_t index, const PassageRunner& run) {
+results::PointRecord solve(const Experiment& experiment, const results::RecordFormat& format,
+                           std::size_t index, const PassageRunner& run) {
   const experiment::PointInput input = experiment.point(index);
   if (input.loading.trace)
-    return results::record_of(experiment, trace_curve(input.setup, *input.loading.trace, run));
+    return results::record_of(format, trace_curve(input.setup, *input.loading.trace, run));
   Recorded recorded;
   PointResult result = solve_point(input.setup, input.loading, run, experiment.record, &recorded);
   result.force_unit = experiment::force_unit(input);
-  return results::record_of(experiment, result, recorded);
+  return results::record_of(format, result, recorded);
 }
 
 // An error within a point becomes its status, so that it does not cost the other points.
-PointReport report_of(const Experiment& experiment, std::size_t index, const PassageRunner& run) {
+PointReport report_of(const Experiment& experiment, const results::RecordFormat& format, std::size_t index,
+                      const PassageRunner& run) {
   try {
-    return {index, solve(experiment, index, run)};
+    return {index, solve(experiment, format, index, run)};
   } catch (const std::bad_alloc&) {
     throw;  // the other points may be the cause
   } catch (const std::exception& e) {
-    return {index, results::failed_record(experiment, e.what())};
+    return {index, results::failed_record(format, e.what())};
   }
 }
 
 // A point that is being solved, suspended until the requested passages have been computed.
 class SuspendedPoint {
  public:
-  SuspendedPoint(const Experiment& experiment, std::size_t index)
-      : job_([this, &experiment, index](const PassageRunner& run) {
-          report_ = report_of(experiment, index, run);
+  SuspendedPoint(const Experiment& experiment, const results::RecordFormat& format, std::size_t index)
+      : job_([this, &experiment, &format, index](const PassageRunner& run) {
+          report_ = report_of(experiment, format, index, run);
         }) {
     prepare();
   }
@@ -76,6 +78,7 @@ class FastWorker {
  public:
   FastWorker(const Experiment& experiment, PointQueue& queue, std::size_t share)
       : experiment_(experiment),
+        format_(experiment),
         queue_(queue),
         max_active_(std::min(kMaxActivePoints, share)),
         engine_(best_kernels(),
@@ -105,7 +108,7 @@ class FastWorker {
     while (points_.size() < max_active_) {
       const auto index = queue_.next();
       if (!index) break;
-      points_.emplace_back(experiment_, *index);
+      points_.emplace_back(experiment_, format_, *index);
       submit_or_deliver(std::prev(points_.end()));
     }
     return !points_.empty();
@@ -138,6 +141,7 @@ class FastWorker {
   }
 
   const Experiment& experiment_;
+  const results::RecordFormat format_;
   PointQueue& queue_;
   const std::size_t max_active_;
   SimdEngine engine_;
@@ -149,12 +153,13 @@ class FastWorker {
 struct Stopped {};
 
 void solve_sequentially(const Experiment& experiment, PointQueue& queue, Engine engine) {
+  const results::RecordFormat format(experiment);
   const PassageRunner run = [&queue, runner = make_runner(engine)](const std::vector<PassageTask>& tasks) {
     if (queue.stopped()) throw Stopped{};
     return runner(tasks);
   };
   try {
-    while (const auto index = queue.next()) queue.deliver(report_of(experiment, *index, run));
+    while (const auto index = queue.next()) queue.deliver(report_of(experiment, format, *index, run));
   } catch (const Stopped&) {
   }
 }

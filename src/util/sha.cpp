@@ -2,7 +2,6 @@
 
 #include "util/error.hpp"
 
-#include <fmt/format.h>
 #include <openssl/evp.h>
 
 namespace bristle {
@@ -31,14 +30,19 @@ std::string Digest::hex() {
   unsigned char digest[EVP_MAX_MD_SIZE];
   unsigned length = 0;
   State::check(EVP_DigestFinal_ex(state_->context, digest, &length));
+  constexpr const char* digits = "0123456789abcdef";
   std::string text;
-  for (unsigned i = 0; i < length; ++i) text += fmt::format("{:02x}", digest[i]);
+  text.reserve(2 * std::size_t(length));
+  for (unsigned i = 0; i < length; ++i) {
+    text += digits[digest[i] / 16];
+    text += digits[digest[i] % 16];
+  }
   return text;
 }
 
 namespace {
 
-std::string hex_of(Sha algorithm, const std::string& text) {
+std::string hex_of(Sha algorithm, std::string_view text) {
   Digest digest(algorithm);
   digest.add(text);
   return digest.hex();
@@ -46,7 +50,7 @@ std::string hex_of(Sha algorithm, const std::string& text) {
 
 }  // namespace
 
-std::string sha256_of(const std::string& text) { return hex_of(Sha::bits_256, text); }
-std::string sha512_of(const std::string& text) { return hex_of(Sha::bits_512, text); }
+std::string sha256_of(std::string_view text) { return hex_of(Sha::bits_256, text); }
+std::string sha512_of(std::string_view text) { return hex_of(Sha::bits_512, text); }
 
 }  // namespace bristle

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 
 namespace bristle {
 
@@ -16,7 +17,7 @@ class Digest {
   explicit Digest(Sha algorithm);
   ~Digest();
   void add(const void* data, std::size_t bytes);
-  void add(const std::string& text) { add(text.data(), text.size()); }
+  void add(std::string_view text) { add(text.data(), text.size()); }
   std::string hex();  // call once, after the last add()
 
  private:
@@ -24,7 +25,7 @@ class Digest {
   std::unique_ptr<State> state_;
 };
 
-std::string sha256_of(const std::string& text);
-std::string sha512_of(const std::string& text);
+std::string sha256_of(std::string_view text);
+std::string sha512_of(std::string_view text);
 
 }  // namespace bristle
