@@ -1,6 +1,7 @@
 // Compares the speed of the SIMD engine with other solvers at equal measured error. Writes JSON to standard
 // output, from which scripts/performance.py generates the document. --quick is a test: it measures only the
 // ratio to Boost.Odeint and fails if the ratio is below --per-lane times the number of SIMD lanes.
+#include "odeint_peers.hpp"
 #include "sample.hpp"
 #ifdef BRISTLE_SUNDIALS
 #include "sundials_peers.hpp"
@@ -98,19 +99,17 @@ std::vector<Peer> make_peers(const Bristles& bristles) {
   const Steps* steps = wide ? N_AVX3::kOtherPairs : N_AVX2::kOtherPairs;
   for (int i = 0; i < 3; ++i) {
     Kernels other = best_kernels();
-    other.explicit_steps = steps[i];
-    const char* name[] = {"Dormand-Prince 5", "Tsitouras 5", "Dormand-Prince 8"};
+    other.far_steps = steps[i];
+    const char* name[] = {"ARK3(2)4L[2]SA", "ARK4(3)7L[2]SA", "ARK5(4)8L[2]SA_b"};
     peers.push_back({fmt::format("lanes, {}, {}", other.target, name[i]),
                      [&bristles, other](double rtol) { return run_lanes(other, bristles.at(rtol)); }, usual});
   }
 #endif
-  Kernels additive = best_kernels();
-  peers.push_back({"lanes, additive method throughout",
-                   [&bristles, additive](double rtol) {
-                     return run_lanes(additive, bristles.at(rtol, Method::implicit_only));
-                   },
-                   {1e-5, 1e-6, 1e-7, 1e-8}});
-  peers.push_back({"Boost.Odeint dopri5",
+  peers.push_back({"Boost.Odeint dopri5, native code, C library",
+                   [&bristles](double rtol) { return run_odeint_dopri5(bristles.at(rtol)); }, usual});
+  peers.push_back({"Boost.Odeint Cash-Karp, native code, C library",
+                   [&bristles](double rtol) { return run_odeint_cash_karp(bristles.at(rtol)); }, usual});
+  peers.push_back({"Boost.Odeint dopri5, the reference engine",
                    [&bristles](double rtol) { return run_odeint(bristles.at(rtol, Method::explicit_only)); },
                    usual});
 #ifdef BRISTLE_SUNDIALS

@@ -1,13 +1,13 @@
 // Compiled once per instruction set, like src/simd/kernels.cpp.
-#include "simd/explicit_kernel.hpp"
+#include "simd/step.hpp"
 #include "pairs.hpp"
 
 namespace bristle::HWY_NAMESPACE {
 
 using Steps = Events (*)(Block&);
 extern const Steps kOtherPairs[3];
-const Steps kOtherPairs[3] = {Kernel<ExplicitStep<DormandPrince5>>::run,
-                              Kernel<ExplicitStep<Tsitouras5>>::run,
-                              Kernel<ExplicitStep<DormandPrince8>>::run};
+const Steps kOtherPairs[3] = {Kernel<AdditiveStep<KennedyCarpenter3>, FarFromPole>::run,
+                              Kernel<AdditiveStep<KennedyCarpenter4Later>, FarFromPole>::run,
+                              Kernel<AdditiveStep<KennedyCarpenter5>, FarFromPole>::run};
 
 }  // namespace bristle::HWY_NAMESPACE

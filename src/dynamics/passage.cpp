@@ -16,6 +16,9 @@ namespace {
 // looser tolerance suffices (measured in docs/numerics.md).
 constexpr double kImplicitToleranceFactor = 10;
 
+// The implicit method also takes over after this many explicit steps, more than an ordinary passage needs.
+constexpr long kExplicitSteps = 6000;
+
 constexpr double kTimeTolerance = 1e-13;
 
 struct EvaluationLimit {};

@@ -26,7 +26,9 @@ enum class Method {
 struct IntegratorOptions {
   double rtol = 1e-6;
   double atol = 1e-8;
-  Method method = Method::automatic;  // automatic: explicit until the bristle is stiff, then implicit
+  // automatic: explicit until the bristle is stiff, then implicit. In the fast engine, whose only method is
+  // implicit in the stiff terms, these are the lanes far from the pole and near it.
+  Method method = Method::automatic;
   long max_evaluations = 2'000'000;   // of derivative() per passage, including rejected steps
 };
 
@@ -45,7 +47,7 @@ struct Passage {
   double energy_residual = 0;  // |E(T) - E(0) - work| over the larger of dissipated energy and E(0)
   long steps = 0, evaluations = 0;
   int reflections = 0;              // number of applications of the pole rule, at s = s_min
-  bool implicit = false;            // the implicit method was used
+  bool implicit = false;            // the implicit method, or the lanes near the pole, were used
   std::vector<PathSample> samples;  // at k sample_interval, k = 1, 2, .., before the exit
 
   bool complete() const { return outcome == Outcome::left || outcome == Outcome::pinned; }

@@ -11,9 +11,8 @@ namespace bristle {
 
 // A tip whose distance from the pole at the exit is less than this many repulsion ranges lambda is pinned.
 constexpr double kPinnedRanges = 20;
-// The implicit method takes over after this many explicit steps, more than an ordinary passage needs, or at
-// this distance from the pole in repulsion ranges lambda, where c_theta/s^2 makes the equations stiff.
-constexpr long kExplicitSteps = 6000;
+// Distance from the pole in repulsion ranges lambda at which c_theta/s^2 makes the equations stiff: there the
+// reference engine's implicit method, or the fast engine's lanes near the pole, take over.
 constexpr double kStiffRanges = 4;
 
 constexpr double kFirstStep = 1e-5;

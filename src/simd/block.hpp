@@ -44,9 +44,9 @@ constexpr double kSmallestStep = 1e-15;
 // Why a kernel stopped. One bit per lane in each. "good": the error of the step is within the tolerance.
 struct Events {
   std::uint32_t exit = 0;       // the step is good, and the slip reaches L_x within it
-  std::uint32_t pole = 0;       // the step is good, and reaches s_handover (explicit) or s_min (implicit)
+  std::uint32_t pole = 0;       // the step is good, and reaches s_handover (far) or s_min (near)
   std::uint32_t sample = 0;     // the step is good, and reaches next_sample
-  std::uint32_t pole_left = 0;  // implicit: the step was good, and its end is farther than s_handover
+  std::uint32_t pole_left = 0;  // near: the step was good, and its end is farther than s_handover
   std::uint32_t exhausted = 0;  // max_attempts is reached
   std::uint32_t failed = 0;     // the step size is below kSmallestStep, or the state is not finite
   std::uint32_t any() const { return exit | pole | sample | pole_left | exhausted | failed; }

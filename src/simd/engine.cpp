@@ -16,7 +16,7 @@ constexpr double kPinnedToleranceFactor = 30;
 // A tip whose distance from the pole is this close to s_min, relatively, is at s_min.
 constexpr double kPoleTolerance = 1e-4;
 constexpr long kEvaluationsPerStep = 6;
-// The explicit method resumes at this multiple of the distance from the pole at which it stopped.
+// A passage leaves the neighbourhood of the pole at this multiple of the distance at which it entered.
 constexpr double kReturnFactor = 2;
 
 // Number of lane sets above which those without passages are removed.
@@ -33,27 +33,27 @@ struct ActivePassage {
   long steps = 0;
   int reflections = 0;
   std::vector<PathSample> samples{};
-  bool implicit = false;                // the implicit method was used
-  bool explicit_limit_reached = false;  // the explicit method used up kExplicitSteps
+  bool near_pole = false;  // it came near the pole
 };
 
 long max_steps(const IntegratorOptions& options) { return options.max_evaluations / kEvaluationsPerStep; }
 
 }  // namespace
 
-// The lanes of one method for one friction law and one AzimuthRate, and the queue of passages for them.
+// The lanes for one friction law with its parameters and one AzimuthRate, near the pole or far from it, and
+// the queue of passages for them.
 class SimdEngine::LaneSet {
  public:
   LaneSet(SimdEngine& engine, const PassageTask& task, std::shared_ptr<const ModulationTable> modulation,
-          bool implicit)
-      : engine_(engine), modulation_(std::move(modulation)), implicit_(implicit) {
+          bool near_pole)
+      : engine_(engine), modulation_(std::move(modulation)), near_pole_(near_pole) {
     block_.friction = task.bristle.friction;
     block_.azimuth_rate = task.bristle.azimuth_rate;
     block_.modulation = modulation_.get();
   }
 
-  bool serves(const PassageTask& task, bool implicit) const {
-    return implicit == implicit_ && task.bristle.azimuth_rate == block_.azimuth_rate &&
+  bool serves(const PassageTask& task, bool near_pole) const {
+    return near_pole == near_pole_ && task.bristle.azimuth_rate == block_.azimuth_rate &&
            has_modulation_of(task);
   }
   bool has_modulation_of(const PassageTask& task) const {
@@ -74,7 +74,7 @@ class SimdEngine::LaneSet {
       start(lane, std::move(waiting_.front()));
       waiting_.pop_front();
     }
-    const auto steps = implicit_ ? engine_.kernels_.implicit_steps : engine_.kernels_.explicit_steps;
+    const auto steps = near_pole_ ? engine_.kernels_.near_steps : engine_.kernels_.far_steps;
     const Events events = steps(block_);
     for (int lane = 0; lane < kLanes; ++lane)
       if (events.any() >> lane & 1) handle_events(lane, events);
@@ -83,7 +83,7 @@ class SimdEngine::LaneSet {
  private:
   void start(int lane, ActivePassage&& active) {
     const PassageTask& task = active.task;
-    const double factor = implicit_ && !active.explicit_limit_reached ? kPinnedToleranceFactor : 1;
+    const double factor = near_pole_ ? kPinnedToleranceFactor : 1;
     const auto set = [lane](Row& row, double value) { row.lane[lane] = value; };
     int i = 0;
     for (const double* constant : constants_of(task.bristle)) set(block_.constants[i++], *constant);
@@ -96,22 +96,19 @@ class SimdEngine::LaneSet {
     set(block_.attempts, 0);
     const double interval = task.sample_interval;
     set(block_.next_sample, interval > 0 ? double(active.samples.size() + 1) * interval : kNever);
-    long limit = max_steps(task.integrator) - active.steps;
-    if (!implicit_ && task.integrator.method == Method::automatic) limit = std::min(limit, kExplicitSteps);
-    set(block_.max_attempts, double(limit));
+    set(block_.max_attempts, double(max_steps(task.integrator) - active.steps));
     block_.occupied |= 1u << lane;
     active_[lane] = std::move(active);
     restart(lane);
   }
 
-  // Distance from the pole at which the other method takes over.
+  // Distance from the pole at which the other lane set takes over.
   double handover_distance(const ActivePassage& active) const {
     const PassageTask& task = active.task;
     const bool automatic = task.integrator.method == Method::automatic;
-    const double stiff = kStiffRanges * task.parameters->lambda;
-    if (!implicit_) return automatic ? stiff : task.parameters->s_min;
-    return automatic && !active.explicit_limit_reached ? kReturnFactor * stiff
-                                                       : std::numeric_limits<double>::infinity();
+    const double near = kStiffRanges * task.parameters->lambda;
+    if (!near_pole_) return automatic ? near : task.parameters->s_min;
+    return automatic ? kReturnFactor * near : std::numeric_limits<double>::infinity();
   }
 
   // Copies time, step size and state of the passage to its lane.
@@ -129,18 +126,13 @@ class SimdEngine::LaneSet {
     for (int c = 0; c < COMPONENTS; ++c) active.y[c] = block_.y[c].lane[lane];
     active.t = block_.t.lane[lane];
     if (has(events.failed)) return end(lane, Outcome::not_finite);
-    if (has(events.pole) && !implicit_) return hand_over(lane);
+    if (has(events.pole) && !near_pole_) return hand_over(lane);
     if (has(events.sample)) accept_sampled_step(lane);
     if (has(events.pole_left)) return hand_over(lane);
     if (has(events.pole | events.exit)) {
       if (resolve_pole_or_exit(lane, has(events.pole), has(events.exit))) return;
     }
-    if (!has(events.exhausted)) return;
-    const bool limit_reached = active.steps + attempts(lane) >= max_steps(active.task.integrator);
-    if (implicit_ || limit_reached || active.task.integrator.method != Method::automatic)
-      return end(lane, Outcome::step_limit);
-    active.explicit_limit_reached = true;
-    hand_over(lane);
+    if (has(events.exhausted)) end(lane, Outcome::step_limit);
   }
 
   // For a step in which the tip may reach s_min or the exit. Accepts the step if it ends there; otherwise
@@ -235,8 +227,8 @@ class SimdEngine::LaneSet {
     release(lane);
     ActivePassage active = std::move(active_[lane]);
     active.h = std::min(block_.h.lane[lane], kFirstStep);
-    active.implicit = true;
-    engine_.lane_set_for(active.task, !implicit_).add(std::move(active));
+    active.near_pole = true;
+    engine_.lane_set_for(active.task, !near_pole_).add(std::move(active));
   }
 
   void end(int lane, Outcome outcome) {
@@ -250,7 +242,7 @@ class SimdEngine::LaneSet {
     out.steps = active.steps;
     out.evaluations = kEvaluationsPerStep * active.steps;
     out.reflections = active.reflections;
-    out.implicit = active.implicit;
+    out.implicit = active.near_pole;
     out.samples = std::move(active_[lane].samples);
     if (out.complete()) evaluate_exit(active.task, out);
     ++engine_.ended_;
@@ -259,7 +251,7 @@ class SimdEngine::LaneSet {
 
   SimdEngine& engine_;
   std::shared_ptr<const ModulationTable> modulation_;
-  bool implicit_;
+  bool near_pole_;
   Block block_{};
   std::array<ActivePassage, kLanes> active_;
   std::deque<ActivePassage> waiting_;
@@ -268,16 +260,16 @@ class SimdEngine::LaneSet {
 SimdEngine::SimdEngine(const Kernels& kernels, Done done) : kernels_(kernels), done_(std::move(done)) {}
 SimdEngine::~SimdEngine() = default;
 
-SimdEngine::LaneSet& SimdEngine::lane_set_for(const PassageTask& task, bool implicit) {
+SimdEngine::LaneSet& SimdEngine::lane_set_for(const PassageTask& task, bool near_pole) {
   for (const auto& set : sets_)
-    if (set->serves(task, implicit)) return *set;
+    if (set->serves(task, near_pole)) return *set;
   std::shared_ptr<const ModulationTable> modulation;
   for (const auto& set : sets_)
     if (set->has_modulation_of(task)) modulation = set->modulation();
   const Bristle<double>& b = task.bristle;
   if (!modulation)
     modulation = std::make_shared<ModulationTable>(b.friction, b.friction_constants, task.parameters->V_s);
-  sets_.push_back(std::make_unique<LaneSet>(*this, task, std::move(modulation), implicit));
+  sets_.push_back(std::make_unique<LaneSet>(*this, task, std::move(modulation), near_pole));
   return *sets_.back();
 }
 
@@ -293,9 +285,9 @@ void SimdEngine::remove_idle_sets() {
 void SimdEngine::submit(const PassageTask& task, std::size_t ticket) {
   ActivePassage active{task, ticket, pack(state_at_rest(task.bristle, task.start))};
   active.x_0 = active.y[X];
-  active.implicit = task.integrator.method == Method::implicit_only;
+  active.near_pole = task.integrator.method == Method::implicit_only;
   remove_idle_sets();
-  lane_set_for(task, active.implicit).add(std::move(active));
+  lane_set_for(task, active.near_pole).add(std::move(active));
 }
 
 SimdEngine::Usage SimdEngine::usage() const {

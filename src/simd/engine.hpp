@@ -11,8 +11,8 @@
 namespace bristle {
 
 // Integrates passages, one per SIMD lane. A lane whose passage has ended takes the next one from the queue.
-// Stiff bristles move to a second set of lanes with an implicit method. The numbers of a passage do not
-// depend on other passages, on the lane or on the instruction set. One engine per thread.
+// Bristles near the pole move to a second set of lanes, with other events and tolerances. The numbers of a
+// passage do not depend on other passages, on the lane or on the instruction set. One engine per thread.
 class SimdEngine {
  public:
   using Done = std::function<void(std::size_t ticket, Passage&&)>;
@@ -26,7 +26,7 @@ class SimdEngine {
   bool advance();
 
   // Utilisation of the lanes: steps attempted in all lanes, including empty ones, and those of them that
-  // belong to passages that have ended or changed their method.
+  // belong to passages that have ended or changed their lane set.
   struct Usage {
     double lane_steps = 0, passage_steps = 0;
   };
@@ -35,7 +35,7 @@ class SimdEngine {
  private:
   class LaneSet;
 
-  LaneSet& lane_set_for(const PassageTask& task, bool implicit);
+  LaneSet& lane_set_for(const PassageTask& task, bool near_pole);
   void remove_idle_sets();
 
   const Kernels& kernels_;

@@ -2,29 +2,11 @@
 
 namespace bristle {
 
-// Embedded explicit Runge-Kutta pairs. k_i, the slope of stage i, is evaluated at y + h sum_j a[i][j] k_j.
-// The step is y + h sum b_i k_i and its error h sum error_i k_i. The last entry of error belongs to the slope
-// after the step, which is also the first slope of the next step. exponent is -1/(order of the error).
-
-// J. R. Cash, A. H. Karp, ACM Trans. Math. Softw. 16 (1990) 201, 5(4).
-struct CashKarp5 {
-  static constexpr int stages = 6;
-  static constexpr double exponent = -1.0 / 5;
-  static constexpr double a[6][5] = {{},
-                                     {1. / 5},
-                                     {3. / 40, 9. / 40},
-                                     {3. / 10, -9. / 10, 6. / 5},
-                                     {-11. / 54, 5. / 2, -70. / 27, 35. / 27},
-                                     {1631. / 55296, 175. / 512, 575. / 13824, 44275. / 110592, 253. / 4096}};
-  static constexpr double b[6] = {37. / 378, 0, 250. / 621, 125. / 594, 0, 512. / 1771};
-  static constexpr double error[7] = {
-      37. / 378 - 2825. / 27648, 0, 250. / 621 - 18575. / 48384, 125. / 594 - 13525. / 55296, -277. / 14336,
-      512. / 1771 - 1. / 4,      0};
-};
+// Additive embedded Runge-Kutta pairs, for slopes k_i = e_i + f_i of an explicit and an implicit part. Stage
+// i is at y + h sum_j<i (a[i][j] e_j + a_implicit[i][j] f_j) + h gamma f_i, where f_0 is explicit. The step
+// is y + h sum b_i k_i and its error h sum error_i k_i. exponent is -1/(order of the error).
 
 // ARK4(3)6L[2]SA: C. A. Kennedy, M. H. Carpenter, Appl. Numer. Math. 44 (2003) 139.
-// Additive: slopes are split into an explicit part with the coefficients a and an
-// implicit part with the coefficients a_implicit, and gamma for the stage itself.
 struct KennedyCarpenter4 {
   static constexpr int stages = 6;
   static constexpr double exponent = -1.0 / 4;
