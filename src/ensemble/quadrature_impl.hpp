@@ -265,8 +265,8 @@ double Quadrature<N>::unmet_severity(const Panel& panel) const {
   return change ? std::max(own, unmet_severity(uncertainty(*change))) : own;
 }
 
-// The panels and jumps with the largest unmet severities: as many as have to be refined in any case, because
-// the errors of the others alone meet the goal but one more would not.
+// The panels and jumps with the largest unmet severities: the fewest without whose errors the goal is met,
+// and at least one. None if no error can be reduced.
 template <std::size_t N>
 typename Quadrature<N>::Selection Quadrature<N>::largest() const {
   struct Part {
@@ -292,7 +292,8 @@ typename Quadrature<N>::Selection Quadrature<N>::largest() const {
   };
   Selection chosen;
   for (const Part& part : parts) {
-    if (part.severity == 0 || met()) break;
+    const bool none = chosen.panels.empty() && chosen.jumps.empty();
+    if (part.severity == 0 || (met() && !none)) break;
     (part.is_jump ? chosen.jumps : chosen.panels).push_back(part.index);
     for (std::size_t k = 0; k < N; ++k) left[k] -= part.squares[k];
   }
@@ -303,7 +304,7 @@ typename Quadrature<N>::Selection Quadrature<N>::largest() const {
 // Refines the panels and narrows the jumps with the largest errors. Initial panels first get all their nodes.
 template <std::size_t N>
 void Quadrature<N>::refine_largest() {
-  Selection chosen = largest();
+  const Selection chosen = largest();
   if (chosen.panels.empty() && chosen.jumps.empty()) {
     result_.status = QuadratureStatus::not_converged;
     return;
