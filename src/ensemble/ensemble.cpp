@@ -125,10 +125,10 @@ const Ensemble& EnsembleMean::rough_load(double R_n_target) {
   return refine(rough);
 }
 
-const Ensemble& EnsembleMean::precise_load() {
+const Ensemble& EnsembleMean::precise_load(double R_n_target) {
   Goal precise = goal();
-  precise.max_panel_width = kMaxPanelWidth;
   precise.rtol[R_N] = setup_.orientation.rtol / 2;
+  precise.threshold = R_n_target;
   return refine(precise);
 }
 
@@ -141,6 +141,7 @@ const Ensemble& EnsembleMean::full() {
 }
 
 const Ensemble& EnsembleMean::refine(const Goal& goal) {
+  if (checked_) return *checked_;
   if (!quadrature_) {
     if (passages_.empty()) average_list();
     return out_;

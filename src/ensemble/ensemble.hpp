@@ -56,8 +56,9 @@ struct WeightedPassage {
 };
 
 // Ensemble mean, by quadrature or over a list, of single passages at the gap z_0 (docs/model.md, section "The
-// slab"). Each call refines the result of the calls before it and reuses all passages. A numerical failure is
-// reported in the result. The setup must outlive the object.
+// slab"). Each call refines the result of the calls before it and reuses all passages; after
+// with_integrator_error() nothing is refined any more. A numerical failure is reported in the result. The
+// setup must outlive the object.
 class EnsembleMean {
  public:
   EnsembleMean(const Setup& setup, double z_0, PassageRunner run);
@@ -67,8 +68,11 @@ class EnsembleMean {
   // R_n with an error of at most a quarter of its distance from R_n_target, or 4 orientation.rtol if that is
   // larger. Far from the target this takes few bristles.
   const Ensemble& rough_load(double R_n_target);
-  // R_n to half of orientation.rtol, for a root-finder near the target.
-  const Ensemble& precise_load();
+  // R_n with an error of at most a quarter of its distance from R_n_target, or half of orientation.rtol if
+  // that is larger, for a root-finder.
+  const Ensemble& precise_load(double R_n_target);
+  // The result of the calls before.
+  const Ensemble& known() const { return checked_ ? *checked_ : out_; }
   // R_n, R_x, N_c and gamma_1..3 to orientation.rtol.
   const Ensemble& full();
   // The values of full(); errors include an estimate of the error of the integrator, see

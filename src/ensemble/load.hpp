@@ -11,7 +11,7 @@ struct Load {
 // Requested accuracy of R_n(z_0).
 enum class Accuracy {
   rough,    // suffices to decide on which side of a distant target R_n lies
-  precise,  // near the target, that of the reported values
+  precise,  // the same, and near the target that of the reported values
   reported  // that of the reported values, and the error includes the integrator's
 };
 using LoadCurve = std::function<Load(double z_0, Accuracy accuracy)>;

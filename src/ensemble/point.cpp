@@ -93,7 +93,7 @@ class PointSolver {
   void add_load_errors(PointResult& out, const LoadPoint& found) {
     const double distance = std::abs(out.value[R_N] - loading_.R_n), deviation = distance + out.error[R_N];
     for (const double z_0 : {found.z_0_near, found.z_0_far})
-      add_load_error(out, mean_at(z_0).precise_load(), deviation);
+      add_load_error(out, mean_at(z_0).known(), deviation);
     add_nearest(out, std::make_reverse_iterator(means_.find(out.z_0)), means_.rend(), deviation);
     add_nearest(out, std::next(means_.find(out.z_0)), means_.end(), deviation);
     for (std::size_t k = 0; k < OBSERVABLES; ++k) out.error[k] += out.load_error[k];
@@ -106,7 +106,7 @@ class PointSolver {
   template <class Iterator>
   void add_nearest(PointResult& out, Iterator from, Iterator to, double deviation) {
     for (; from != to; ++from) {
-      const Ensemble& other = from->second.precise_load();
+      const Ensemble& other = from->second.known();
       if (!(std::abs(other.mean[R_N] - out.value[R_N]) >= deviation)) continue;
       add_load_error(out, other, deviation);
       return;
@@ -130,7 +130,7 @@ class PointSolver {
     const Ensemble* e = &mean.rough_load(loading_.R_n);
     const auto distance = [&] { return std::abs(e->mean[R_N] - loading_.R_n); };
     const bool decided = distance() > kDecided * e->error[R_N];
-    if (e->incomplete == 0 && (accuracy != Accuracy::rough || !decided)) e = &mean.precise_load();
+    if (e->incomplete == 0 && (accuracy != Accuracy::rough || !decided)) e = &mean.precise_load(loading_.R_n);
     if (e->incomplete == 0 && distance() <= 2 * setup_.orientation.rtol * loading_.R_n) e = &mean.full();
     if (e->incomplete == 0 && accuracy == Accuracy::reported) e = &mean.with_integrator_error();
     if (e->incomplete == 0) return {e->mean[R_N], e->error[R_N]};

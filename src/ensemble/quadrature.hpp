@@ -11,7 +11,8 @@ namespace bristle {
 // expensive to evaluate. Samples are requested in batches and all of them are kept. A panel has 2, 3, 5 or 9
 // equidistant nodes, including its ends. It is refined by nodes in the middle between its nodes; a panel of
 // 17 nodes becomes two of 9. Each sample has a label. A difference between the labels of neighbours is a jump
-// of the integrand, which is located by bisection on the label (one sample per step).
+// of the integrand, which is located by bisection on the label (one sample per step). Each batch refines all
+// panels and jumps without which the goal cannot be met.
 template <std::size_t N>
 struct Sample {
   std::array<double, N> value{};
@@ -77,6 +78,7 @@ class Quadrature {
   struct Panel {
     std::vector<Node> nodes;  // 2^k + 1, equidistant
     Values integral{}, error{};
+    bool initial = false;  // with half of the nodes only
     double width() const { return nodes.back().at - nodes.front().at; }
   };
   // Neighbouring nodes with different labels. For a located jump: panels end at left and continue at right.
@@ -84,24 +86,31 @@ class Quadrature {
     Node left, right;
   };
 
+  struct Selection {
+    std::vector<std::size_t> panels, jumps;  // indices, those of the panels ascending
+  };
+
   std::vector<Node> evaluate(const std::vector<double>& at);
   void sample_initial_panels();
   void evaluate_panel(Panel& panel) const;
   Values rule(const Panel& panel, std::size_t stride) const;
   Panel make_panel(std::vector<Node> nodes) const;
-  void halve_spacing(std::size_t panel);
-  void replace(std::size_t panel, const std::vector<Panel>& panels);
-  void refine_worst();
-  void locate_jump(std::size_t panel);
-  void narrow_jump(LabelChange& jump);
-  void bisect(LabelChange& change, std::vector<Node>& left_trail, std::vector<Node>& right_trail);
+  void refine_in_batch(const std::vector<std::size_t>& panels, const std::vector<std::size_t>& jumps);
+  void split_at_changes(const std::vector<std::size_t>& panels);
+  void sort_panels();
+  Selection largest() const;
+  std::vector<std::size_t> wider_than(double width) const;
+  void refine_largest();
   void append_panels(std::vector<Panel>& out, const std::vector<Node>& nodes, bool from_right) const;
   std::optional<LabelChange> change_in(const Panel& panel) const;
   static Values uncertainty(const LabelChange& change);
+  static Values squares(const Values& error);
+  static Values squares(const Panel& panel);
   void sum();
   double tolerance(std::size_t component) const;
   double severity(const Values& error) const;
   double unmet_severity(Values error) const;
+  double unmet_severity(const Panel& panel) const;
 
   Function f_;
   std::vector<double> edges_;

@@ -9,8 +9,7 @@ namespace bristle {
 
 // Jumps closer than this are not resolved.
 constexpr double kSmallestPanel = 1e-7;
-// Share of the tolerance that the uncertain position of one jump may use.
-constexpr double kJumpShare = 0.2;
+constexpr double kRounding = 1e-15;  // of the sum over the panels, relative
 constexpr std::size_t kMaxNodes = 9;
 // Panels whose estimate is small by accident are not refined further, which biases the total error. The
 // estimates of rough panels are therefore multiplied by this factor (calibrated in docs/numerics.md).
@@ -28,18 +27,20 @@ std::vector<typename Quadrature<N>::Node> Quadrature<N>::evaluate(const std::vec
   return nodes;
 }
 
-// Samples all initial panels in one batch.
+// Samples the initial panels, of 5 nodes, in one batch.
 template <std::size_t N>
 void Quadrature<N>::sample_initial_panels() {
-  constexpr std::size_t steps = kMaxNodes - 1;
+  constexpr std::size_t steps = kMaxNodes / 2;
   std::vector<double> at;
   for (std::size_t e = 1; e < edges_.size(); ++e)
     for (std::size_t i = 0; i < steps; ++i)
       at.push_back(edges_[e - 1] + (edges_[e] - edges_[e - 1]) * double(i) / steps);
   at.push_back(edges_.back());
   const std::vector<Node> nodes = evaluate(at);
-  for (std::size_t first = 0; first + steps < nodes.size(); first += steps)
-    panels_.push_back(make_panel({nodes.begin() + first, nodes.begin() + first + kMaxNodes}));
+  for (std::size_t first = 0; first + steps < nodes.size(); first += steps) {
+    panels_.push_back(make_panel({nodes.begin() + first, nodes.begin() + first + steps + 1}));
+    panels_.back().initial = true;
+  }
 }
 
 // The rule of every stride-th node of the panel.
@@ -83,32 +84,52 @@ void Quadrature<N>::evaluate_panel(Panel& panel) const {
 
 template <std::size_t N>
 typename Quadrature<N>::Panel Quadrature<N>::make_panel(std::vector<Node> nodes) const {
-  Panel panel{std::move(nodes), {}, {}};
+  Panel panel{std::move(nodes), {}, {}, false};
   evaluate_panel(panel);
   return panel;
 }
 
-// Adds a node in the middle between any two nodes; splits the panel if it then has too many.
+// Evaluates, in one batch, the middles between the nodes of these panels and of these jumps. A panel that
+// then has too many nodes is split.
 template <std::size_t N>
-void Quadrature<N>::halve_spacing(std::size_t index) {
-  const std::vector<Node> old = panels_[index].nodes;
+void Quadrature<N>::refine_in_batch(const std::vector<std::size_t>& panels,
+                                    const std::vector<std::size_t>& jumps) {
+  const auto middle = [](const Node& left, const Node& right) { return left.at + (right.at - left.at) / 2; };
   std::vector<double> at;
-  for (std::size_t i = 1; i < old.size(); ++i) at.push_back(old[i - 1].at + (old[i].at - old[i - 1].at) / 2);
+  for (const std::size_t i : panels)
+    for (std::size_t k = 1; k < panels_[i].nodes.size(); ++k)
+      at.push_back(middle(panels_[i].nodes[k - 1], panels_[i].nodes[k]));
+  for (const std::size_t i : jumps) at.push_back(middle(jumps_[i].left, jumps_[i].right));
   const std::vector<Node> added = evaluate(at);
-  std::vector<Node> nodes{old.front()};
-  for (std::size_t i = 0; i < added.size(); ++i) {
-    nodes.push_back(added[i]);
-    nodes.push_back(old[i + 1]);
+
+  auto next = added.begin();
+  std::vector<Panel> kept;
+  for (std::size_t i = 0; i < panels_.size(); ++i) {
+    if (!std::binary_search(panels.begin(), panels.end(), i)) {
+      kept.push_back(std::move(panels_[i]));
+      continue;
+    }
+    std::vector<Node> nodes{panels_[i].nodes.front()};
+    for (std::size_t k = 1; k < panels_[i].nodes.size(); ++k) {
+      nodes.push_back(*next++);
+      nodes.push_back(panels_[i].nodes[k]);
+    }
+    append_panels(kept, nodes, false);
   }
-  std::vector<Panel> panels;
-  append_panels(panels, nodes, false);
-  replace(index, panels);
+  for (const std::size_t i : jumps) {
+    LabelChange& jump = jumps_[i];
+    const bool on_left = next->sample.label == jump.left.sample.label;
+    kept.push_back(on_left ? make_panel({jump.left, *next}) : make_panel({*next, jump.right}));
+    (on_left ? jump.left : jump.right) = *next++;
+  }
+  panels_ = std::move(kept);
+  sort_panels();
 }
 
 template <std::size_t N>
-void Quadrature<N>::replace(std::size_t index, const std::vector<Panel>& panels) {
-  const auto place = panels_.erase(panels_.begin() + std::ptrdiff_t(index));
-  panels_.insert(place, panels.begin(), panels.end());
+void Quadrature<N>::sort_panels() {
+  std::sort(panels_.begin(), panels_.end(),
+            [](const Panel& a, const Panel& b) { return a.nodes.front().at < b.nodes.front().at; });
 }
 
 template <std::size_t N>
@@ -135,22 +156,6 @@ typename Quadrature<N>::Values Quadrature<N>::uncertainty(const LabelChange& cha
   return error;
 }
 
-// Bisects the change until the error due to its uncertain position is small compared with the tolerance. The
-// trails are the nodes to the left and right of the jump, ascending, including those of the change.
-template <std::size_t N>
-void Quadrature<N>::bisect(LabelChange& change, std::vector<Node>& left_trail,
-                           std::vector<Node>& right_trail) {
-  left_trail = {change.left};
-  right_trail = {change.right};
-  // At least one step: a jump is narrowed again if it has the largest error.
-  do {
-    if (change.right.at - change.left.at <= kSmallestPanel) break;
-    const Node middle = evaluate({change.left.at + (change.right.at - change.left.at) / 2}).front();
-    if (middle.sample.label == change.left.sample.label) left_trail.push_back(change.left = middle);
-    else right_trail.insert(right_trail.begin(), change.right = middle);
-  } while (result_.status != QuadratureStatus::invalid && severity(uncertainty(change)) > kJumpShare);
-}
-
 // Appends panels for equidistant nodes, each as large as possible, starting from the left or from the right.
 template <std::size_t N>
 void Quadrature<N>::append_panels(std::vector<Panel>& out, const std::vector<Node>& nodes,
@@ -169,63 +174,62 @@ void Quadrature<N>::append_panels(std::vector<Panel>& out, const std::vector<Nod
   out.insert(out.end(), panels.begin(), panels.end());
 }
 
-// Replaces the panel by panels on both sides of the jump in it.
+// Replaces these panels by panels on both sides of the largest change in each, which becomes a jump.
 template <std::size_t N>
-void Quadrature<N>::locate_jump(std::size_t index) {
-  const std::vector<Node> nodes = panels_[index].nodes;
-  LabelChange jump = *change_in(panels_[index]);
-  const auto right =
-      std::find_if(nodes.begin(), nodes.end(), [&](const Node& n) { return n.at == jump.right.at; });
-  std::vector<Node> left_trail, right_trail;
-  bisect(jump, left_trail, right_trail);
-  std::vector<Panel> panels;
-  append_panels(panels, {nodes.begin(), right}, false);
-  for (std::size_t i = 1; i < left_trail.size(); ++i)
-    panels.push_back(make_panel({left_trail[i - 1], left_trail[i]}));
-  for (std::size_t i = 1; i < right_trail.size(); ++i)
-    panels.push_back(make_panel({right_trail[i - 1], right_trail[i]}));
-  append_panels(panels, {right, nodes.end()}, true);
-  jumps_.push_back(jump);
-  replace(index, panels);
+void Quadrature<N>::split_at_changes(const std::vector<std::size_t>& panels) {
+  std::vector<Panel> sides;
+  for (const std::size_t i : panels) {
+    const std::vector<Node>& nodes = panels_[i].nodes;
+    const LabelChange jump = *change_in(panels_[i]);
+    const auto right =
+        std::find_if(nodes.begin(), nodes.end(), [&](const Node& n) { return n.at == jump.right.at; });
+    append_panels(sides, {nodes.begin(), right}, false);
+    append_panels(sides, {right, nodes.end()}, true);
+    jumps_.push_back(jump);
+  }
+  for (auto i = panels.rbegin(); i != panels.rend(); ++i) panels_.erase(panels_.begin() + std::ptrdiff_t(*i));
+  panels_.insert(panels_.end(), sides.begin(), sides.end());
+  sort_panels();
 }
 
-// Narrows a located jump further.
 template <std::size_t N>
-void Quadrature<N>::narrow_jump(LabelChange& jump) {
-  std::vector<Node> left_trail, right_trail;
-  bisect(jump, left_trail, right_trail);
-  std::vector<Panel> panels;
-  for (const auto* trail : {&left_trail, &right_trail})
-    for (std::size_t i = 1; i < trail->size(); ++i)
-      panels.push_back(make_panel({(*trail)[i - 1], (*trail)[i]}));
-  const auto next = std::find_if(panels_.begin(), panels_.end(),
-                                 [&](const Panel& p) { return p.nodes.front().at >= jump.right.at; });
-  panels_.insert(next, panels.begin(), panels.end());
-  std::sort(panels_.begin(), panels_.end(),
-            [](const Panel& a, const Panel& b) { return a.nodes.front().at < b.nodes.front().at; });
+typename Quadrature<N>::Values Quadrature<N>::squares(const Values& error) {
+  Values out;
+  for (std::size_t k = 0; k < N; ++k) out[k] = error[k] * error[k];
+  return out;
+}
+
+// Squares of the errors of a panel, including the uncertain positions of the changes in it.
+template <std::size_t N>
+typename Quadrature<N>::Values Quadrature<N>::squares(const Panel& panel) {
+  Values out = squares(panel.error);
+  for (std::size_t i = 1; i < panel.nodes.size(); ++i) {
+    if (panel.nodes[i - 1].sample.label == panel.nodes[i].sample.label) continue;
+    const Values more = squares(uncertainty({panel.nodes[i - 1], panel.nodes[i]}));
+    for (std::size_t k = 0; k < N; ++k) out[k] += more[k];
+  }
+  return out;
 }
 
 template <std::size_t N>
 void Quadrature<N>::sum() {
   result_.integral = {};
-  Values squares{};
-  const auto add_error = [&squares](const Values& error) {
-    for (std::size_t k = 0; k < N; ++k) squares[k] += error[k] * error[k];
+  Values total{};
+  const auto add = [](Values& to, const Values& part) {
+    for (std::size_t k = 0; k < N; ++k) to[k] += part[k];
   };
   for (const Panel& panel : panels_) {
-    for (std::size_t k = 0; k < N; ++k) result_.integral[k] += panel.integral[k];
-    add_error(panel.error);
-    for (std::size_t i = 1; i < panel.nodes.size(); ++i)
-      if (panel.nodes[i - 1].sample.label != panel.nodes[i].sample.label)
-        add_error(uncertainty({panel.nodes[i - 1], panel.nodes[i]}));
+    add(result_.integral, panel.integral);
+    add(total, squares(panel));
   }
   for (const LabelChange& jump : jumps_) {
     const double width = jump.right.at - jump.left.at;
     for (std::size_t k = 0; k < N; ++k)
       result_.integral[k] += width * (jump.left.sample.value[k] + jump.right.sample.value[k]) / 2;
-    add_error(uncertainty(jump));
+    add(total, squares(uncertainty(jump)));
   }
-  for (std::size_t k = 0; k < N; ++k) result_.error[k] = std::sqrt(squares[k]);
+  for (std::size_t k = 0; k < N; ++k)
+    result_.error[k] = std::sqrt(total[k]) + kRounding * std::abs(result_.integral[k]);
 }
 
 template <std::size_t N>
@@ -254,29 +258,71 @@ double Quadrature<N>::unmet_severity(Values error) const {
   return severity(error);
 }
 
-// Refines the panel, or narrows the jump, with the largest unmet severity.
 template <std::size_t N>
-void Quadrature<N>::refine_worst() {
-  double largest = -1;
-  std::size_t worst = 0;
-  for (std::size_t i = 0; i < panels_.size(); ++i) {
-    double s = unmet_severity(panels_[i].error);
-    if (const auto change = change_in(panels_[i])) s = std::max(s, unmet_severity(uncertainty(*change)));
-    if (s > largest) {
-      largest = s;
-      worst = i;
-    }
+double Quadrature<N>::unmet_severity(const Panel& panel) const {
+  const double own = unmet_severity(panel.error);
+  const auto change = change_in(panel);
+  return change ? std::max(own, unmet_severity(uncertainty(*change))) : own;
+}
+
+// The panels and jumps with the largest unmet severities: the fewest without whose errors the goal is met,
+// and at least one. None if no error can be reduced.
+template <std::size_t N>
+typename Quadrature<N>::Selection Quadrature<N>::largest() const {
+  struct Part {
+    double severity;
+    Values squares;
+    std::size_t index;
+    bool is_jump;
+  };
+  std::vector<Part> parts;
+  for (std::size_t i = 0; i < panels_.size(); ++i)
+    parts.push_back({unmet_severity(panels_[i]), squares(panels_[i]), i, false});
+  for (std::size_t i = 0; i < jumps_.size(); ++i)
+    if (jumps_[i].right.at - jumps_[i].left.at > kSmallestPanel)
+      parts.push_back({unmet_severity(uncertainty(jumps_[i])), squares(uncertainty(jumps_[i])), i, true});
+  std::stable_sort(parts.begin(), parts.end(),
+                   [](const Part& a, const Part& b) { return a.severity > b.severity; });
+
+  Values left = squares(result_.error);
+  const auto met = [&] {
+    for (std::size_t k = 0; k < N; ++k)
+      if (goal_.rtol[k] > 0 && left[k] > tolerance(k) * tolerance(k)) return false;
+    return true;
+  };
+  Selection chosen;
+  for (const Part& part : parts) {
+    const bool none = chosen.panels.empty() && chosen.jumps.empty();
+    if (part.severity == 0 || (met() && !none)) break;
+    (part.is_jump ? chosen.jumps : chosen.panels).push_back(part.index);
+    for (std::size_t k = 0; k < N; ++k) left[k] -= part.squares[k];
   }
-  LabelChange* jump = nullptr;
-  for (LabelChange& j : jumps_)
-    if (const double s = unmet_severity(uncertainty(j));
-        s > largest && j.right.at - j.left.at > kSmallestPanel) {
-      largest = s;
-      jump = &j;
-    }
-  if (jump) return narrow_jump(*jump);
-  if (change_in(panels_[worst])) return locate_jump(worst);
-  halve_spacing(worst);
+  std::sort(chosen.panels.begin(), chosen.panels.end());
+  return chosen;
+}
+
+// Refines the panels and narrows the jumps with the largest errors. Initial panels first get all their nodes.
+template <std::size_t N>
+void Quadrature<N>::refine_largest() {
+  const Selection chosen = largest();
+  if (chosen.panels.empty() && chosen.jumps.empty()) {
+    result_.status = QuadratureStatus::not_converged;
+    return;
+  }
+  std::vector<std::size_t> initial, changing, others;
+  for (const std::size_t i : chosen.panels)
+    (panels_[i].initial ? initial : change_in(panels_[i]) ? changing : others).push_back(i);
+  if (!initial.empty()) return refine_in_batch(initial, {});
+  if (!changing.empty()) return split_at_changes(changing);
+  refine_in_batch(others, chosen.jumps);
+}
+
+template <std::size_t N>
+std::vector<std::size_t> Quadrature<N>::wider_than(double width) const {
+  std::vector<std::size_t> wide;
+  for (std::size_t i = 0; i < panels_.size(); ++i)
+    if (panels_[i].width() > width) wide.push_back(i);
+  return wide;
 }
 
 template <std::size_t N>
@@ -285,16 +331,15 @@ const QuadratureResult<N>& Quadrature<N>::refine(const QuadratureGoal<N>& goal) 
   if (result_.status == QuadratureStatus::invalid) return result_;
   result_.status = QuadratureStatus::converged;
   if (panels_.empty()) sample_initial_panels();
-  for (std::size_t i = 0; i < panels_.size();)
-    if (panels_[i].width() > goal.max_panel_width) halve_spacing(i);
-    else ++i;
+  for (auto wide = wider_than(goal.max_panel_width); !wide.empty(); wide = wider_than(goal.max_panel_width))
+    refine_in_batch(wide, {});
   sum();
   while (result_.status == QuadratureStatus::converged && severity(result_.error) > 1) {
     if (result_.samples >= max_samples_) {
       result_.status = QuadratureStatus::not_converged;
       break;
     }
-    refine_worst();
+    refine_largest();
     sum();
   }
   result_.jumps.clear();
