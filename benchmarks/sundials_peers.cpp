@@ -1,5 +1,7 @@
 #include "sundials_peers.hpp"
 
+#include "dynamics/ode.hpp"
+
 #include <arkode/arkode_arkstep.h>
 #include <cvode/cvode.h>
 #include <nvector/nvector_serial.h>

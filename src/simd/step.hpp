@@ -76,8 +76,8 @@ class AdditiveStep {
     const Bristle<Lanes>& b = g.bristle;
     const Frame<Lanes>& f = w.place.frame;
     const Sliding<Lanes>& s = w.contact.sliding;  // where Newton's method starts
-    const Lanes damping = azimuth_damping(b, f);
-    const Lanes limit = w.h_gamma * w.place.friction_limit, h_damping = w.h_gamma * damping;
+    const Lanes limit = w.h_gamma * w.place.friction_limit;
+    const Lanes h_damping = w.h_gamma * azimuth_damping(b, f);
     const Lanes from_x = w.state.v[0], from_y = w.state.v[1];
     const Lanes v_x = s.V_x + 1.0, v_y = s.V_y;
     const Lanes secant = limit * w.contact.secant, damper = h_damping * along_theta(f, v_x, v_y);
@@ -91,11 +91,13 @@ class AdditiveStep {
     const Lanes m_yy = diagonal + Lanes(along_e * s.e_y) * s.e_y + t_y * f.cos_theta;
     const Lanes m_xy = e_x * s.e_y - t_x * f.cos_theta;
     const Lanes inverse = 1.0 / (m_xx * m_yy - m_xy * m_xy);
-    const Lanes new_x = v_x - Lanes(m_yy * residual_x - m_xy * residual_y) * inverse;
-    const Lanes new_y = v_y - Lanes(m_xx * residual_y - m_xy * residual_x) * inverse;
+    const Lanes change_x = Lanes(m_xy * residual_y - m_yy * residual_x) * inverse;
+    const Lanes change_y = Lanes(m_xy * residual_x - m_xx * residual_y) * inverse;
+    const Lanes new_x = v_x + change_x, new_y = v_y + change_y;
     implicit = {(new_x - from_x) * w.one_h_gamma, (new_y - from_y) * w.one_h_gamma};
-    const Lanes drag = damping * along_theta(f, new_x, new_y);
-    w.friction = {implicit[0] - drag * f.sin_theta, implicit[1] + drag * f.cos_theta};
+    const Lanes steeper = along_e * Lanes(s.e_x * change_x + s.e_y * change_y);
+    w.friction = {-w.one_h_gamma * Lanes(secant * (new_x - 1.0) + steeper * s.e_x),
+                  -w.one_h_gamma * Lanes(secant * new_y + steeper * s.e_y)};
     w.state.v[0] = new_x;
     w.state.v[1] = new_y;
     set_contact(w.contact, *g.modulation, new_x, new_y);
