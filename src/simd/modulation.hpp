@@ -7,31 +7,43 @@
 
 namespace bristle::HWY_NAMESPACE {
 
-// The modulation of friction at the speed V_R, by a table.
+// The modulation of friction at one speed V_R, by a table.
 struct Modulation {
   Lanes value, secant, slope;  // secant: value/V_R, also at V_R = 0; slope: derivative by V_R
 };
 
-inline Modulation modulation_at(const ModulationTable& table, const Lanes& V_R) {
+// The interval of the table at one speed. Loading what has just been stored in other portions is slow:
+// computations between look_up() and modulation_of() hide that.
+struct TableEntry {
+  Lanes t, inverse, u;  // inverse is 1/(V_R + V_s), u the position in the interval
+  alignas(64) double coefficients[4 * Lanes::kWidth];  // those of one lane after the other
+};
+
+inline void look_up(const ModulationTable& table, Lanes V_R, TableEntry& out) {
   const hn::RebindToSigned<Lanes::D> integers;
-  const Lanes intervals = double(table.intervals()), V_s = table.V_s();
-  const Lanes inverse = 1.0 / (V_R + V_s);
-  const Lanes t = V_R * inverse, scaled = t * intervals;
+  const Lanes intervals = table.intervals();
+  out.inverse = 1.0 / (V_R + table.V_s());
+  out.t = V_R * out.inverse;
+  const Lanes scaled = out.t * intervals;
   // A state that is not finite uses the first interval; its step is rejected.
   const auto index = hn::ConvertTo(integers, hn::IfThenElseZero(hn::Le(scaled.v, intervals.v), scaled.v));
-  const Lanes u = scaled - Lanes(hn::ConvertTo(Lanes::tag, index));
-  // Copying and transposing the coefficients is faster than gathering them.
+  out.u = scaled - Lanes(hn::ConvertTo(Lanes::tag, index));
   alignas(64) std::int64_t interval[Lanes::kWidth];
-  alignas(64) double copied[4 * Lanes::kWidth];
   hn::Store(index, integers, interval);
+  // Copying and transposing the coefficients is faster than gathering them.
   for (int i = 0; i < Lanes::kWidth; ++i)
-    std::memcpy(copied + std::ptrdiff_t(4) * i, table.coefficients() + 4 * interval[i], 4 * sizeof(double));
+    std::memcpy(out.coefficients + std::ptrdiff_t(4) * i, table.coefficients() + 4 * interval[i],
+                4 * sizeof(double));
+}
+
+inline Modulation modulation_of(const ModulationTable& table, const TableEntry& at) {
   hn::Vec<Lanes::D> c_0, c_1, c_2, c_3;
-  hn::LoadInterleaved4(Lanes::tag, copied, c_0, c_1, c_2, c_3);
-  const Lanes c[4] = {c_0, c_1, c_2, c_3};
-  const Lanes q = c[0] + u * Lanes(c[1] + u * Lanes(c[2] + u * c[3]));
-  const Lanes dq = intervals * Lanes(c[1] + u * Lanes(2.0 * c[2] + u * Lanes(3.0 * c[3])));
-  return {t * q, q * inverse, Lanes(q + t * dq) * Lanes(V_s * Lanes(inverse * inverse))};
+  hn::LoadInterleaved4(Lanes::tag, at.coefficients, c_0, c_1, c_2, c_3);
+  const Lanes u = at.u, c0 = c_0, c1 = c_1, c2 = c_2, c3 = c_3;
+  const Lanes q = c0 + u * Lanes(c1 + u * Lanes(c2 + u * c3));
+  const Lanes dq = table.intervals() * Lanes(c1 + u * Lanes(2.0 * c2 + u * Lanes(3.0 * c3)));
+  return {at.t * q, q * at.inverse,
+          Lanes(q + at.t * dq) * Lanes(table.V_s() * Lanes(at.inverse * at.inverse))};
 }
 
 }  // namespace bristle::HWY_NAMESPACE

@@ -26,27 +26,28 @@ class AdditiveStep {
  private:
   static constexpr int S = Tableau::stages;
 
-  struct Contact {
-    Sliding<Lanes> sliding;
-    Lanes secant, slope;  // of the modulation
-  };
-
   struct Work {
     Slopes<S> k;
     Slopes<S, 2> implicit;  // acceleration by friction and the azimuth's damper
     State<Lanes> state;     // of the stage; before solve(), without the implicit acceleration of this stage
     Place<Lanes> place;
-    Contact contact;  // where the last stage ended
+    // At the velocity of the last stage; secant and slope are those of the modulation.
+    Sliding<Lanes> sliding;
+    TableEntry entry;
+    Lanes secant, slope;
     InPlane<Lanes> friction;
     Lanes h_gamma, one_h_gamma;
   };
 
-  static HWY_INLINE void set_contact(Contact& c, const ModulationTable& table, Lanes v_x, Lanes v_y) {
-    c.sliding = relative_motion(v_x, v_y);
-    const Modulation modulation = modulation_at(table, c.sliding.V_R);
-    c.sliding.modulation = modulation.value;
-    c.secant = modulation.secant;
-    c.slope = modulation.slope;
+  static HWY_INLINE void set_sliding(const Group& g, Work& w) {
+    w.sliding = relative_motion(w.state.v[0], w.state.v[1]);
+    look_up(*g.modulation, w.sliding.V_R, w.entry);
+  }
+  static HWY_INLINE void set_modulation(const Group& g, Work& w) {
+    const Modulation modulation = modulation_of(*g.modulation, w.entry);
+    w.sliding.modulation = modulation.value;
+    w.secant = modulation.secant;
+    w.slope = modulation.slope;
   }
 
   // The azimuth's damper: force along e_theta.
@@ -58,13 +59,14 @@ class AdditiveStep {
     w.h_gamma = g.h * Lanes(Tableau::gamma);
     w.one_h_gamma = 1.0 / w.h_gamma;
     w.state = unpack<Lanes>(g.y);
+    set_sliding(g, w);
     w.place = place_at(g.bristle, w.state.r);
-    set_contact(w.contact, *g.modulation, w.state.v[0], w.state.v[1]);
-    w.friction = friction_force(w.place, w.contact.sliding);
+    set_modulation(g, w);
+    w.friction = friction_force(w.place, w.sliding);
     const Frame<Lanes>& f = w.place.frame;
     const Lanes damper = azimuth_damping(g.bristle, f) * along_theta(f, w.state.v[0], w.state.v[1]);
     w.implicit[0] = {w.friction[0] + damper * f.sin_theta, w.friction[1] - damper * f.cos_theta};
-    slopes_of(g.bristle, w.state, motion(g.bristle, w.state, w.place, w.contact.sliding, w.friction), w.k[0]);
+    slopes_of(g.bristle, w.state, motion(g.bristle, w.state, w.place, w.sliding, w.friction), w.k[0]);
   }
 
   static HWY_NOINLINE HWY_FLATTEN void locate(const Group& g, Work& w) {
@@ -75,17 +77,17 @@ class AdditiveStep {
   static HWY_NOINLINE HWY_FLATTEN void solve(const Group& g, Work& w, std::array<Lanes, 2>& implicit) {
     const Bristle<Lanes>& b = g.bristle;
     const Frame<Lanes>& f = w.place.frame;
-    const Sliding<Lanes>& s = w.contact.sliding;  // where Newton's method starts
+    const Sliding<Lanes>& s = w.sliding;  // where Newton's method starts
     const Lanes limit = w.h_gamma * w.place.friction_limit;
     const Lanes h_damping = w.h_gamma * azimuth_damping(b, f);
     const Lanes from_x = w.state.v[0], from_y = w.state.v[1];
     const Lanes v_x = s.V_x + 1.0, v_y = s.V_y;
-    const Lanes secant = limit * w.contact.secant, damper = h_damping * along_theta(f, v_x, v_y);
+    const Lanes secant = limit * w.secant, damper = h_damping * along_theta(f, v_x, v_y);
     const Lanes residual_x = (v_x - from_x) + secant * s.V_x - damper * f.sin_theta;
     const Lanes residual_y = (v_y - from_y) + secant * s.V_y + damper * f.cos_theta;
     const Lanes diagonal = 1.0 + secant;
     // Where the modulation falls steeply with the speed, a smaller slope keeps the matrix regular.
-    const Lanes along_e = max(limit * w.contact.slope - secant, 0.1 - diagonal);
+    const Lanes along_e = max(limit * w.slope - secant, 0.1 - diagonal);
     const Lanes e_x = along_e * s.e_x, t_x = h_damping * f.sin_theta, t_y = h_damping * f.cos_theta;
     const Lanes m_xx = diagonal + e_x * s.e_x + t_x * f.sin_theta;
     const Lanes m_yy = diagonal + Lanes(along_e * s.e_y) * s.e_y + t_y * f.cos_theta;
@@ -100,12 +102,13 @@ class AdditiveStep {
                   -w.one_h_gamma * Lanes(secant * new_y + steeper * s.e_y)};
     w.state.v[0] = new_x;
     w.state.v[1] = new_y;
-    set_contact(w.contact, *g.modulation, new_x, new_y);
+    set_sliding(g, w);
   }
 
   static HWY_NOINLINE HWY_FLATTEN void evaluate(const Group& g, Work& w,
                                                 std::array<Lanes, COMPONENTS>& slope) {
-    slopes_of(g.bristle, w.state, motion(g.bristle, w.state, w.place, w.contact.sliding, w.friction), slope);
+    set_modulation(g, w);
+    slopes_of(g.bristle, w.state, motion(g.bristle, w.state, w.place, w.sliding, w.friction), slope);
   }
 
   template <std::size_t... I>

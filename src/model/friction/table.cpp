@@ -50,6 +50,7 @@ double ModulationTable::exact(double t) const {
 
 // Returns false if the error, measured between the nodes, is too large.
 bool ModulationTable::build(int intervals) {
+  intervals_ = intervals;
   coefficients_.clear();
   for (int i = 0; i < intervals; ++i) {
     const auto at = [&](double u) { return exact((i + u) / intervals); };

@@ -17,7 +17,7 @@ class ModulationTable {
   ModulationTable(FrictionLaw law, const FrictionConstants<double>& constants, double V_s);
 
   double V_s() const { return V_s_; }
-  int intervals() const { return int(coefficients_.size() / 4) - 1; }
+  double intervals() const { return intervals_; }
   // Four coefficients per interval, in ascending powers of the position in the interval, from 0 to 1.
   const double* coefficients() const { return coefficients_.data(); }
 
@@ -31,7 +31,7 @@ class ModulationTable {
 
   FrictionLaw law_;
   FrictionConstants<double> constants_;
-  double V_s_;
+  double V_s_, intervals_ = 0;
   std::vector<double> coefficients_;
 };
 
