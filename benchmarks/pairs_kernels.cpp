@@ -6,8 +6,8 @@ namespace bristle::HWY_NAMESPACE {
 
 using Steps = Events (*)(Block&);
 extern const Steps kOtherPairs[3];
-const Steps kOtherPairs[3] = {Kernel<AdditiveStep<KennedyCarpenter3>, FarFromPole>::run,
-                              Kernel<AdditiveStep<KennedyCarpenter4Later>, FarFromPole>::run,
-                              Kernel<AdditiveStep<KennedyCarpenter5>, FarFromPole>::run};
+const Steps kOtherPairs[3] = {AdditiveKernel<KennedyCarpenter3, FarFromPole>::run,
+                              AdditiveKernel<KennedyCarpenter4Later, FarFromPole>::run,
+                              AdditiveKernel<KennedyCarpenter5, FarFromPole>::run};
 
 }  // namespace bristle::HWY_NAMESPACE

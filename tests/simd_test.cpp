@@ -148,6 +148,15 @@ TEST_CASE("pinned bristles have the values of an independent prototype, with and
   }
 }
 
+TEST_CASE("a tip that is pushed to the base, where its dampers are stiff, takes a bounded number of steps") {
+  Parameters p;
+  p.k_phi = 3.8;
+  p.C = chi_C_peak_at_V_s(p.A);
+  PassageTask task = Sample::task(p, 0.01, M_PI);
+  task.integrator = {1e-5, 2e-5, Method::automatic, 400'000};
+  CHECK(run(best_kernels(), {task}).front().outcome == Outcome::pinned);
+}
+
 TEST_CASE("a head-on bristle stays in its plane, at any tolerance") {
   // Its motion there is unstable, so that large rounding errors would grow to a motion out of the plane.
   Parameters p;

@@ -153,10 +153,15 @@ Motion<T> motion(const Bristle<P>& b, const State<T>& state) {
   return motion(b, state, place, sliding, friction_force(place, sliding));
 }
 
-// The azimuth's damper exerts the force -azimuth_damping() v_theta along e_theta.
+// The azimuth's damper exerts the force -azimuth_damping() v_theta along e_theta, that of the polar angle
+// -polar_damping() v_phi along e_phi.
 template <class T, class P>
 T azimuth_damping(const Bristle<P>& b, const Frame<T>& f) {
   return b.c_theta * T(azimuth_rate_factor(b.azimuth_rate, f) * f.one_s);
+}
+template <class T, class P>
+T polar_damping(const Bristle<P>& b, const Frame<T>& f) {
+  return b.c_phi * T(f.one_r * f.one_r);
 }
 
 }  // namespace bristle

@@ -85,8 +85,9 @@ inline Lanes next_size(Lanes h, Lanes error, Lanes last_error, double exponent) 
 }
 
 // Attempts steps of all lanes until one of them has an event.
-// Attempts steps of all lanes until one of them has an event. Region tells which steps are events because of
-// the pole. The processor overlaps the computations of different vectors, as their phases alternate.
+// Attempts steps of all lanes until one of them has an event, by a Step for the Region, which tells which
+// steps are events because of the pole. The processor overlaps the computations of different vectors, as
+// their phases alternate.
 template <class Step, class Region>
 class Kernel {
  public:

@@ -13,7 +13,7 @@ namespace bristle::HWY_NAMESPACE {
 
 extern const Kernels kKernels;
 const Kernels kKernels = {hwy::TargetName(HWY_TARGET), Lanes::kWidth,
-                          Kernel<AdditiveStep<KennedyCarpenter4>, FarFromPole>::run,
-                          Kernel<AdditiveStep<KennedyCarpenter4>, NearPole>::run};
+                          AdditiveKernel<KennedyCarpenter4, FarFromPole>::run,
+                          AdditiveKernel<KennedyCarpenter4, NearPole>::run};
 
 }  // namespace bristle::HWY_NAMESPACE

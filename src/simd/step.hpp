@@ -9,8 +9,9 @@ namespace bristle::HWY_NAMESPACE {
 // sticks or is near the pole, are implicit in the in-plane velocity; all other terms are explicit. The place
 // of a stage is known before its velocity, so that a stage solves a 2 x 2 system. One iteration of Newton's
 // method, from the velocity of the stage before, suffices: the stage's equation then holds exactly for a
-// friction force that is linearised about that velocity.
-template <class Tableau>
+// friction force that is linearised about that velocity. If ImplicitPolarDamper, the damper of the polar
+// angle is implicit, too, in all of the velocity: with c_phi/r^2 it is stiff for a tip near the base.
+template <class Tableau, bool ImplicitPolarDamper>
 class AdditiveStep {
  public:
   static constexpr double kExponent = Tableau::exponent;
@@ -25,11 +26,12 @@ class AdditiveStep {
 
  private:
   static constexpr int S = Tableau::stages;
+  static constexpr int kImplicit = ImplicitPolarDamper ? 3 : 2;  // components of the velocity
 
   struct Work {
     Slopes<S> k;
-    Slopes<S, 2> implicit;  // acceleration by friction and the azimuth's damper
-    State<Lanes> state;     // of the stage; before solve(), without the implicit acceleration of this stage
+    Slopes<S, kImplicit> implicit;  // acceleration by friction and the implicit dampers
+    State<Lanes> state;  // of the stage; before solve(), without the implicit acceleration of this stage
     Place<Lanes> place;
     // At the velocity of the last stage; secant and slope are those of the modulation.
     Sliding<Lanes> sliding;
@@ -55,6 +57,13 @@ class AdditiveStep {
     return f.cos_theta * v_y - f.sin_theta * v_x;
   }
 
+  static HWY_INLINE Vector3<Lanes> e_phi_of(const Frame<Lanes>& f) {
+    return {-f.sin_phi * f.cos_theta, -f.sin_phi * f.sin_theta, f.cos_phi};
+  }
+  static HWY_INLINE Lanes dot(const Vector3<Lanes>& a, const Vector3<Lanes>& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  }
+
   static HWY_NOINLINE HWY_FLATTEN void first_stage(const Group& g, Work& w) {
     w.h_gamma = g.h * Lanes(Tableau::gamma);
     w.one_h_gamma = 1.0 / w.h_gamma;
@@ -66,6 +75,11 @@ class AdditiveStep {
     const Frame<Lanes>& f = w.place.frame;
     const Lanes damper = azimuth_damping(g.bristle, f) * along_theta(f, w.state.v[0], w.state.v[1]);
     w.implicit[0] = {w.friction[0] + damper * f.sin_theta, w.friction[1] - damper * f.cos_theta};
+    if constexpr (ImplicitPolarDamper) {
+      const Vector3<Lanes> e_phi = e_phi_of(f);
+      const Lanes force = -polar_damping(g.bristle, f) * dot(e_phi, w.state.v);
+      for (int i = 0; i < 3; ++i) w.implicit[0][i] += force * e_phi[i];
+    }
     slopes_of(g.bristle, w.state, motion(g.bristle, w.state, w.place, w.sliding, w.friction), w.k[0]);
   }
 
@@ -73,8 +87,9 @@ class AdditiveStep {
     w.place = place_at(g.bristle, w.state.r);
   }
 
-  // Solves for the in-plane velocity.
-  static HWY_NOINLINE HWY_FLATTEN void solve(const Group& g, Work& w, std::array<Lanes, 2>& implicit) {
+  // Solves for the velocity.
+  static HWY_NOINLINE HWY_FLATTEN void solve(const Group& g, Work& w,
+                                             std::array<Lanes, kImplicit>& implicit) {
     const Bristle<Lanes>& b = g.bristle;
     const Frame<Lanes>& f = w.place.frame;
     const Sliding<Lanes>& s = w.sliding;  // where Newton's method starts
@@ -93,10 +108,24 @@ class AdditiveStep {
     const Lanes m_yy = diagonal + Lanes(along_e * s.e_y) * s.e_y + t_y * f.cos_theta;
     const Lanes m_xy = e_x * s.e_y - t_x * f.cos_theta;
     const Lanes inverse = 1.0 / (m_xx * m_yy - m_xy * m_xy);
-    const Lanes change_x = Lanes(m_xy * residual_y - m_yy * residual_x) * inverse;
-    const Lanes change_y = Lanes(m_xy * residual_x - m_xx * residual_y) * inverse;
+    Lanes change_x = Lanes(m_xy * residual_y - m_yy * residual_x) * inverse;
+    Lanes change_y = Lanes(m_xy * residual_x - m_xx * residual_y) * inverse;
+    if constexpr (ImplicitPolarDamper) {  // adds a matrix of rank one, by the formula of Sherman and Morrison
+      const Vector3<Lanes> e = e_phi_of(f);
+      const Lanes damping = w.h_gamma * polar_damping(b, f);
+      const Vector3<Lanes> across = {Lanes(m_yy * e[0] - m_xy * e[1]) * inverse,
+                                     Lanes(m_xx * e[1] - m_xy * e[0]) * inverse, e[2]};
+      const Lanes v_phi = dot(e, {v_x + change_x, v_y + change_y, w.state.v[2]});
+      const Lanes force = damping * v_phi / (1.0 + damping * dot(e, across));
+      change_x -= force * across[0];
+      change_y -= force * across[1];
+      const Lanes change_z = -force * across[2];
+      implicit[2] = change_z * w.one_h_gamma;
+      w.state.v[2] += change_z;
+    }
     const Lanes new_x = v_x + change_x, new_y = v_y + change_y;
-    implicit = {(new_x - from_x) * w.one_h_gamma, (new_y - from_y) * w.one_h_gamma};
+    implicit[0] = (new_x - from_x) * w.one_h_gamma;
+    implicit[1] = (new_y - from_y) * w.one_h_gamma;
     const Lanes steeper = along_e * Lanes(s.e_x * change_x + s.e_y * change_y);
     w.friction = {-w.one_h_gamma * Lanes(secant * (new_x - 1.0) + steeper * s.e_x),
                   -w.one_h_gamma * Lanes(secant * new_y + steeper * s.e_y)};
@@ -134,7 +163,7 @@ class AdditiveStep {
     for (int c = 0; c < kState; ++c)
       at[c] = g.y[c] + g.h * weighted_sum<I>(w.k, c, [](int j) { return Tableau::a[I][j]; });
     // The sum above weights the implicit parts of the slopes by a; they need the weights a_implicit.
-    for (int i = 0; i < 2; ++i)
+    for (int i = 0; i < kImplicit; ++i)
       at[VX + i] += g.h * weighted_sum<I>(w.implicit, i,
                                           [](int j) { return Tableau::a_implicit[I][j] - Tableau::a[I][j]; });
     w.state = unpack<Lanes>(at);
@@ -152,6 +181,7 @@ class AdditiveStep {
 
 // Far from the pole: its neighbourhood is an event, as a step could cross it.
 struct FarFromPole {
+  static constexpr bool kImplicitPolarDamper = false;
   static Lanes::Mask pole_event(const Group& g) {
     return (in_plane_distance_squared(g.y_new) < Lanes(g.s_handover * g.s_handover)) | passes_pole(g);
   }
@@ -169,6 +199,8 @@ struct FarFromPole {
 };
 
 struct NearPole {
+  static constexpr bool kImplicitPolarDamper = true;
+
   // The tip may have reached s_min: it is inside at the end of the step and
   // approaches the pole; or it approached at the start, recedes at the end,
   // and either is near the pole or has a straight path that comes near it.
@@ -191,5 +223,8 @@ struct NearPole {
     return Lanes(g.s_handover * g.s_handover) < in_plane_distance_squared(g.y_new);
   }
 };
+
+template <class Tableau, class Region>
+using AdditiveKernel = Kernel<AdditiveStep<Tableau, Region::kImplicitPolarDamper>, Region>;
 
 }  // namespace bristle::HWY_NAMESPACE
