@@ -106,17 +106,19 @@ std::vector<Peer> make_peers(const Bristles& bristles) {
   }
 #endif
   peers.push_back({"Boost.Odeint dopri5, native code, C library",
-                   [&bristles](double rtol) { return run_odeint_dopri5(bristles.at(rtol)); }, usual});
+                   [&bristles](double rtol) { return run_odeint_dopri5(bristles.for_peers(rtol)); }, usual});
   peers.push_back({"Boost.Odeint Cash-Karp, native code, C library",
-                   [&bristles](double rtol) { return run_odeint_cash_karp(bristles.at(rtol)); }, usual});
-  peers.push_back({"Boost.Odeint dopri5, the reference engine",
-                   [&bristles](double rtol) { return run_odeint(bristles.at(rtol, Method::explicit_only)); },
+                   [&bristles](double rtol) { return run_odeint_cash_karp(bristles.for_peers(rtol)); },
                    usual});
+  peers.push_back(
+      {"Boost.Odeint dopri5, the reference engine",
+       [&bristles](double rtol) { return run_odeint(bristles.for_peers(rtol, Method::explicit_only)); },
+       usual});
 #ifdef BRISTLE_SUNDIALS
   peers.push_back({"SUNDIALS ARKODE, Dormand-Prince 5",
-                   [&bristles](double rtol) { return run_arkode(bristles.at(rtol)); }, usual});
-  peers.push_back(
-      {"SUNDIALS CVODE, BDF", [&bristles](double rtol) { return run_cvode(bristles.at(rtol)); }, tight});
+                   [&bristles](double rtol) { return run_arkode(bristles.for_peers(rtol)); }, usual});
+  peers.push_back({"SUNDIALS CVODE, BDF",
+                   [&bristles](double rtol) { return run_cvode(bristles.for_peers(rtol)); }, tight});
 #endif
   return peers;
 }
@@ -146,7 +148,7 @@ Json all_kinds(int count, double rtol, double odeint_rtol) {
   const auto exact = run_lanes(best_kernels(), bristles.at(1e-9));
   std::vector<Passage> ours, odeint;
   SimdEngine::Usage usage;
-  const double ratio = paired_ratio([&] { odeint = run_odeint(bristles.at(odeint_rtol)); },
+  const double ratio = paired_ratio([&] { odeint = run_odeint(bristles.for_peers(odeint_rtol)); },
                                     [&] { ours = run_lanes(best_kernels(), bristles.at(rtol), &usage); });
   const double own = seconds([&] { run_lanes(best_kernels(), bristles.at(rtol)); });
   return {{"bristles", count},
@@ -195,10 +197,10 @@ int main(int argc, char** argv) {
   app.add_option("--per-lane", per_lane,
                  "with --quick: fail if the ratio is below this times the number of SIMD lanes");
   CLI11_PARSE(app, argc, argv);
-  // On this sample both engines have about equal errors at this tolerance.
-  constexpr double rtol = 1e-5;
+  // On this sample the fast engine and Odeint have about equal errors at these tolerances.
+  constexpr double rtol = 1e-5, odeint_rtol = 1e-4;
   if (quick) {
-    const Json result = all_kinds(1024, rtol, rtol);
+    const Json result = all_kinds(1024, rtol, odeint_rtol);
     const double ratio = result["ratio"], least = per_lane * best_kernels().width;
     fmt::print(
         "{}, {}: the fast engine is {:.1f} times as fast as Boost.Odeint (required: {:.1f}), at errors of "
@@ -211,7 +213,7 @@ int main(int argc, char** argv) {
   out["processor"] = processor();
   out["instruction_set"] = best_kernels().target;
   out["ordinary"] = ordinary();
-  out["all_kinds"] = all_kinds(1984, rtol, rtol);
+  out["all_kinds"] = all_kinds(1984, rtol, odeint_rtol);
   out["scaling"] = scaling();
   fmt::print("{}\n", out.dump(1));
 }

@@ -39,13 +39,21 @@ class Bristles {
     }
   }
 
+  // With the ratio of tolerances that suits the SIMD engine, and with one that suits other solvers.
   std::vector<PassageTask> at(double rtol, Method method = Method::automatic) const {
-    std::vector<PassageTask> tasks = tasks_;
-    for (PassageTask& task : tasks) task.integrator = {rtol, rtol / 100, method, 200'000'000};
-    return tasks;
+    return with({rtol, 2 * rtol, method, 200'000'000});
+  }
+  std::vector<PassageTask> for_peers(double rtol, Method method = Method::automatic) const {
+    return with({rtol, rtol / 100, method, 200'000'000});
   }
 
  private:
+  std::vector<PassageTask> with(const IntegratorOptions& options) const {
+    std::vector<PassageTask> tasks = tasks_;
+    for (PassageTask& task : tasks) task.integrator = options;
+    return tasks;
+  }
+
   std::deque<Parameters> parameters_;
   std::vector<PassageTask> tasks_;
 };

@@ -53,13 +53,13 @@ page.
 
 Relative errors of the means over 200 equidistant azimuths, compared with Boost.Odeint at a tolerance of
 1e-9: the largest of three points (k_r of 10, 25 and 50, each near its gap at R_n = 2). The absolute
-tolerance is a hundredth of the relative one.
+tolerance is twice the relative one.
 
 {integration(m["integration"])}
 
 Single bristles of both friction laws over the paper's ranges, fast engine at 1e-5: 90 in 100 have
-impulses of normal force and friction with errors below {explicit} ({bristles["explicit"]} that explicit
-steps completed) and {implicit} ({bristles["implicit"]} that came near the pole).
+impulses of normal force and friction with errors below {explicit} ({bristles["explicit"]} that stayed
+far from the pole) and {implicit} ({bristles["implicit"]} that came near the pole).
 
 A bristle that points exactly against the motion is reflected at the pole up to
 {head_on["reflections"]["fast"]} times, which amplifies errors: over tolerances of 1e-5 to 1e-8 its
