@@ -38,6 +38,11 @@ class SweepQueue : public PointQueue {
     return points_[started_++];
   }
 
+  bool all_started() override {
+    const std::lock_guard lock(mutex_);
+    return started_ == points_.size();
+  }
+
   void deliver(PointReport&& report) override {
     const std::lock_guard lock(mutex_);
     if (error_) return;
@@ -101,10 +106,11 @@ bool run_sweep(const Experiment& experiment, const std::vector<std::size_t>& poi
                const std::function<void(PointReport&&)>& sink, const std::function<bool()>& stop,
                const std::function<void(std::size_t, double)>& slow) {
   SweepQueue queue(points, sink, stop, slow);
+  PassagePool pool(threads);
   const std::size_t share = (points.size() + std::size_t(threads) - 1) / std::size_t(threads);
   const auto run_thread = [&] {
     try {
-      run_worker(experiment, queue, share);
+      run_worker(experiment, queue, pool, share);
     } catch (const std::bad_alloc&) {
       queue.fail(std::make_exception_ptr(
           RunError(fmt::format("not enough memory for {} threads; give fewer with --threads", threads))));
