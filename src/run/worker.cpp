@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <list>
 #include <new>
+#include <utility>
 
 namespace bristle::run {
 namespace {
@@ -85,14 +86,16 @@ class FastWorker {
 
   void run() {
     bool joined = true;
-    while (!queue_.stopped()) {
+    while (true) {
       if (joined && !start_points()) {
         pool_.leave();
         joined = false;
       }
       while (const auto chunk = pool_.take(submitted()))
         submit(*chunk->tasks, chunk->first, chunk->last, *chunk->request);
-      if (!engine_.advance() && !pool_.wait([this] { return any_ready(); })) return;
+      const bool advanced = engine_.advance();
+      if (queue_.stopped(std::exchange(computed_, 0))) return;
+      if (!advanced && !pool_.wait([this] { return any_ready(); })) return;
       for (auto it = points_->begin(); it != points_->end();) {
         const auto point = it++;
         if (!point->ready()) continue;
@@ -154,6 +157,7 @@ class FastWorker {
   void receive(std::size_t ticket, Passage&& passage) {
     const auto [request, index] = tickets_[ticket];
     free_.push_back(ticket);
+    ++computed_;
     if (request->deliver(index, std::move(passage)) && pool_.threads() > 1) pool_.notify();
   }
 
@@ -168,6 +172,7 @@ class FastWorker {
   SimdEngine engine_;
   std::vector<Ticket> tickets_;
   std::vector<std::size_t> free_;  // tickets to reuse
+  std::size_t computed_ = 0;       // passages that the queue has not counted
 };
 
 struct Stopped {};
@@ -175,8 +180,9 @@ struct Stopped {};
 void solve_sequentially(const Experiment& experiment, PointQueue& queue, Engine engine) {
   const results::RecordFormat format(experiment);
   const PassageRunner run = [&queue, runner = make_runner(engine)](const std::vector<PassageTask>& tasks) {
-    if (queue.stopped()) throw Stopped{};
-    return runner(tasks);
+    std::vector<Passage> passages = runner(tasks);
+    if (queue.stopped(tasks.size())) throw Stopped{};
+    return passages;
   };
   try {
     while (const auto index = queue.next()) queue.deliver(report_of(experiment, format, *index, run));

@@ -15,7 +15,8 @@ class PointQueue {
   virtual std::optional<std::size_t> next() = 0;
   virtual bool all_started() = 0;
   virtual void deliver(PointReport&& report) = 0;
-  virtual bool stopped() = 0;
+  // Counts passages that have been computed. Returns true if the thread must end.
+  virtual bool stopped(std::size_t passages) = 0;
 };
 
 // Solves points on this thread until the queue is empty. With the SIMD engine several points, at most share,
