@@ -6,6 +6,7 @@
 #include <boost/numeric/odeint/stepper/generation.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_cash_karp54.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
+#include <algorithm>
 #include <cmath>
 
 namespace bristle::bench {
@@ -47,8 +48,8 @@ Passage run(const PassageTask& task) {
     double t_new = t;
     if (stepper.try_step(system, y_new, t_new, h) != odeint::success) continue;
     const double from = slip(y, t, x_0), to = slip(y_new, t_new, x_0);
-    if (to > L_x + 1e-10) {
-      h = (t_new - t) * (L_x - from) / (to - from);
+    if (!(to <= L_x + 1e-10)) {  // repeats the step so that it ends at the exit; Odeint accepts NaN
+      h = (t_new - t) * std::max(0.01, (L_x - from) / (to - from));
       if constexpr (requires { stepper.reset(); }) stepper.reset();
       continue;
     }

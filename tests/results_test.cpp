@@ -66,6 +66,23 @@ TEST_CASE("1 and 2 threads give the same digest with quadrature and load control
   CHECK(run_to(e, s.path("one.h5"), 1) == run_to(e, s.path("two.h5"), 2));
 }
 
+TEST_CASE("a sweep ends when it is stopped while threads share the passages of one point") {
+  const Scratch s;
+  s.write("paper.json", bytes_of(std::string(BRISTLE_EXPERIMENTS) + "/paper.json"));
+  const Experiment e = load_experiment(
+      s.write("one.json", R"({"extends": "paper.json", "name": "one", "load": {"R_n": null, "z_0": 0.5},
+        "orientation": {"sampling": "lattice", "seed": 0, "rows": 2000}})"),
+      {});
+  std::size_t computed = 0, points = 0;
+  SweepObserver observer;
+  observer.passages = [&](std::size_t passages) { computed += passages; };
+  const auto sink = [&](PointReport&&) { ++points; };
+  CHECK_FALSE(run_sweep(
+      e, {0}, 3, sink, [&] { return computed >= 300; }, observer));
+  CHECK(computed >= 300);
+  CHECK(points == 0);
+}
+
 TEST_CASE("equal runs with equal provenance give equal files byte for byte, as objects have no time stamps") {
   const Scratch s;
   const Experiment e = quick(s);

@@ -8,7 +8,7 @@
 namespace bristle::run {
 namespace {
 
-constexpr double kTerminalSeconds = 0.2, kPlainSeconds = 30;
+constexpr double kTerminalSeconds = 0.2, kFirstPlainSeconds = 3, kPlainSeconds = 30;
 
 }  // namespace
 
@@ -19,19 +19,33 @@ std::string duration_text(double seconds) {
   return fmt::format("{} h {} min", s / 3600, s / 60 % 60);
 }
 
+std::string count_text(std::size_t count) {
+  std::string out = std::to_string(count);
+  for (std::size_t i = out.size(); i > 3; i -= 3) out.insert(i - 3, ",");
+  return out;
+}
+
 Progress::Progress(std::string what, std::size_t total, bool quiet)
     : what_(std::move(what)), total_(total), quiet_(quiet), terminal_(isatty(STDERR_FILENO)) {
-  shown_ = start_;
+  due_ = terminal_ ? kTerminalSeconds : kFirstPlainSeconds;
 }
 
 void Progress::step() {
   ++done_;
+  show_if_due();
+}
+
+void Progress::add_passages(std::size_t count) {
+  passages_ += count;
+  if (done_ < total_) show_if_due();
+}
+
+void Progress::show_if_due() {
   if (quiet_) return;
-  const auto now = Clock::now();
-  const double since = std::chrono::duration<double>(now - shown_).count();
-  if (since < (terminal_ ? kTerminalSeconds : kPlainSeconds) && done_ < total_) return;
-  shown_ = now;
-  show(std::chrono::duration<double>(now - start_).count());
+  const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+  if (seconds < due_ && done_ < total_) return;
+  due_ = seconds + (terminal_ ? kTerminalSeconds : kPlainSeconds);
+  show(seconds);
 }
 
 void Progress::note(const std::string& text) {
@@ -40,10 +54,11 @@ void Progress::note(const std::string& text) {
 
 void Progress::show(double seconds) {
   const double rate = double(done_) / seconds;
-  const double left = double(total_ - done_) / rate;
-  const std::string text =
-      fmt::format("{} {}/{} points, {:.2g}/s, {}", what_, done_, total_, rate,
-                  done_ < total_ ? duration_text(left) + " left" : "took " + duration_text(seconds));
+  std::string text = fmt::format("{} {}/{} points", what_, done_, total_);
+  if (passages_ > 0) text += fmt::format(", {} passages", count_text(passages_));
+  if (done_ > 0) text += fmt::format(", {:.2g}/s", rate);
+  if (done_ == total_) text += ", took " + duration_text(seconds);
+  else if (done_ > 0) text += fmt::format(", {} left", duration_text(double(total_ - done_) / rate));
   if (!terminal_) {
     fmt::print(stderr, "{}\n", text);
     return;

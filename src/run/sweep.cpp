@@ -26,16 +26,20 @@ constexpr double kSlowSeconds = 60, kSlowFactor = 10;
 class SweepQueue : public PointQueue {
  public:
   using Sink = std::function<void(PointReport&&)>;
-  using Slow = std::function<void(std::size_t, double)>;
   SweepQueue(const std::vector<std::size_t>& points, const Sink& sink, const std::function<bool()>& stop,
-             const Slow& slow)
-      : points_(points), sink_(sink), stop_(stop), slow_(slow) {}
+             const SweepObserver& observer)
+      : points_(points), sink_(sink), stop_(stop), observer_(observer) {}
 
   std::optional<std::size_t> next() override {
     const std::lock_guard lock(mutex_);
     if (update_stopped() || started_ == points_.size()) return {};
     active_[points_[started_]] = Clock::now();
     return points_[started_++];
+  }
+
+  bool all_started() override {
+    const std::lock_guard lock(mutex_);
+    return started_ == points_.size();
   }
 
   void deliver(PointReport&& report) override {
@@ -46,9 +50,10 @@ class SweepQueue : public PointQueue {
     ++delivered_;
   }
 
-  bool stopped() override {
+  bool stopped(std::size_t passages) override {
     const std::lock_guard lock(mutex_);
-    if (slow_) report_slow_points();
+    observer_.passages(passages);
+    report_slow_points();
     return update_stopped();
   }
 
@@ -76,7 +81,7 @@ class SweepQueue : public PointQueue {
       if (const double seconds = seconds_since(start); seconds > kSlowSeconds &&
                                                        (delivered_ == 0 || seconds > kSlowFactor * mean) &&
                                                        named_.insert(index).second)
-        slow_(index, seconds);
+        observer_.slow(index, seconds);
   }
 
   bool update_stopped() { return stopped_ = stopped_ || error_ || stop_(); }
@@ -88,7 +93,7 @@ class SweepQueue : public PointQueue {
   std::size_t started_ = 0, delivered_ = 0;
   bool stopped_ = false;
   std::exception_ptr error_;
-  const Slow& slow_;
+  const SweepObserver& observer_;
   const Clock::time_point begin_ = Clock::now();
   std::map<std::size_t, Clock::time_point> active_;  // points by index, with their start
   std::size_t most_active_ = 1;                      // at the same time
@@ -99,12 +104,13 @@ class SweepQueue : public PointQueue {
 
 bool run_sweep(const Experiment& experiment, const std::vector<std::size_t>& points, int threads,
                const std::function<void(PointReport&&)>& sink, const std::function<bool()>& stop,
-               const std::function<void(std::size_t, double)>& slow) {
-  SweepQueue queue(points, sink, stop, slow);
+               const SweepObserver& observer) {
+  SweepQueue queue(points, sink, stop, observer);
+  PassagePool pool(threads);
   const std::size_t share = (points.size() + std::size_t(threads) - 1) / std::size_t(threads);
   const auto run_thread = [&] {
     try {
-      run_worker(experiment, queue, share);
+      run_worker(experiment, queue, pool, share);
     } catch (const std::bad_alloc&) {
       queue.fail(std::make_exception_ptr(
           RunError(fmt::format("not enough memory for {} threads; give fewer with --threads", threads))));

@@ -12,12 +12,20 @@ struct PointReport {
   results::PointRecord record;
 };
 
+// What a sweep reports while it computes; one call at a time.
+struct SweepObserver {
+  // The index of a point that takes unusually long, and the seconds so far.
+  std::function<void(std::size_t, double)> slow = [](std::size_t, double) {};
+  // The number of passages computed since the last call, which may be 0.
+  std::function<void(std::size_t)> passages = [](std::size_t) {};
+};
+
 // Solves these points of the sweep on this many threads. Passes each report to sink when its point is solved,
 // one at a time, in any order. The numbers depend neither on the threads nor on the other points. An error
-// within a point becomes its status. Returns false early when stop() becomes true. Calls slow, if given, with
-// the index of a point that takes unusually long and with the seconds so far. Throws the exceptions of sink.
+// within a point becomes its status. Returns false early when stop() becomes true. Throws the exceptions
+// of sink.
 bool run_sweep(const Experiment& experiment, const std::vector<std::size_t>& points, int threads,
                const std::function<void(PointReport&&)>& sink, const std::function<bool()>& stop,
-               const std::function<void(std::size_t, double)>& slow = {});
+               const SweepObserver& observer = {});
 
 }  // namespace bristle::run

@@ -118,9 +118,11 @@ void fill_journal(const Experiment& experiment, const KeyedPoints& points,
     progress.note(fmt::format("{}: {} takes unusually long: {} so far", experiment.name,
                               experiment.place(index), duration_text(seconds)));
   };
+  const auto passages = [&](std::size_t computed) { progress.add_passages(computed); };
   std::string failure;
   try {
-    if (!run_sweep(experiment, missing, threads, sink, interrupted, slow)) failure = "interrupted";
+    if (!run_sweep(experiment, missing, threads, sink, interrupted, {slow, passages}))
+      failure = "interrupted";
     journal.sync();
   } catch (const RunError& e) {
     failure = e.what();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "run/passage_pool.hpp"
 #include "run/sweep.hpp"
 
 #include <optional>
@@ -12,13 +13,15 @@ class PointQueue {
   virtual ~PointQueue() = default;
   // Index of the next point; none if there are no more.
   virtual std::optional<std::size_t> next() = 0;
+  virtual bool all_started() = 0;
   virtual void deliver(PointReport&& report) = 0;
-  virtual bool stopped() = 0;
+  // Counts passages that have been computed. Returns true if the thread must end.
+  virtual bool stopped(std::size_t passages) = 0;
 };
 
-// Solves points on this thread until the queue is empty. With the SIMD engine
-// several points, at most share, are active at a time, each with its own stack:
-// while a point waits for passages, the lanes compute those of other points.
-void run_worker(const Experiment& experiment, PointQueue& queue, std::size_t share);
+// Solves points on this thread until the queue is empty. With the SIMD engine several points, at most share,
+// are active at a time, each with its own stack: while a point waits for passages, the lanes compute those of
+// other points. Then it computes passages of the pool until all threads have solved their points.
+void run_worker(const Experiment& experiment, PointQueue& queue, PassagePool& pool, std::size_t share);
 
 }  // namespace bristle::run
