@@ -78,7 +78,8 @@ class AdditiveStep {
     if constexpr (ImplicitPolarDamper) {
       const Vector3<Lanes> e_phi = e_phi_of(f);
       const Lanes force = -polar_damping(g.bristle, f) * dot(e_phi, w.state.v);
-      for (int i = 0; i < 3; ++i) w.implicit[0][i] += force * e_phi[i];
+      w.implicit[0][2] = force * e_phi[2];
+      for (int i = 0; i < 2; ++i) w.implicit[0][i] += force * e_phi[i];
     }
     slopes_of(g.bristle, w.state, motion(g.bristle, w.state, w.place, w.sliding, w.friction), w.k[0]);
   }
