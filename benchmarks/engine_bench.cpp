@@ -1,7 +1,6 @@
 // Compares the speed of the SIMD engine with other solvers at equal measured error. Writes JSON to standard
 // output, from which scripts/performance.py generates the document. --quick is a test: it measures only the
 // ratio to Boost.Odeint and fails if the ratio is below --per-lane times the number of SIMD lanes.
-#include "odeint_peers.hpp"
 #include "sample.hpp"
 #ifdef BRISTLE_SUNDIALS
 #include "sundials_peers.hpp"
@@ -105,13 +104,8 @@ std::vector<Peer> make_peers(const Bristles& bristles) {
                      [&bristles, other](double rtol) { return run_lanes(other, bristles.at(rtol)); }, usual});
   }
 #endif
-  peers.push_back({"Boost.Odeint dopri5, native code, C library",
-                   [&bristles](double rtol) { return run_odeint_dopri5(bristles.for_peers(rtol)); }, usual});
-  peers.push_back({"Boost.Odeint Cash-Karp, native code, C library",
-                   [&bristles](double rtol) { return run_odeint_cash_karp(bristles.for_peers(rtol)); },
-                   usual});
   peers.push_back(
-      {"Boost.Odeint dopri5, the reference engine",
+      {"Boost.Odeint dopri5",
        [&bristles](double rtol) { return run_odeint(bristles.for_peers(rtol, Method::explicit_only)); },
        usual});
 #ifdef BRISTLE_SUNDIALS
