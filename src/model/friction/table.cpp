@@ -2,6 +2,7 @@
 
 #include "model/friction/laws.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
@@ -10,6 +11,8 @@
 namespace bristle {
 namespace {
 
+// Above this size of q its relative error is bounded: that of kModulationError at this size.
+constexpr double kLarge = 100;
 constexpr int kFewestIntervals = 64, kMostIntervals = 1 << 16;
 
 // The zeros of the Chebyshev polynomial of degree 4, in an interval from 0 to 1.
@@ -48,10 +51,12 @@ double ModulationTable::exact(double t) const {
   return with_law(law_, [&](auto law) { return law.modulation(V_R, constants_); }) / t;
 }
 
-// Returns false if the error, measured between the nodes, is too large.
+// Returns false if the error, measured between the nodes, is too large. A modulation that overflows has a
+// table that is not finite, and so are its passages.
 bool ModulationTable::build(int intervals) {
   intervals_ = intervals;
   coefficients_.clear();
+  double worst = 0, largest = 0;
   for (int i = 0; i < intervals; ++i) {
     const auto at = [&](double u) { return exact((i + u) / intervals); };
     std::array<double, 4> value;
@@ -59,15 +64,16 @@ bool ModulationTable::build(int intervals) {
     const std::array<double, 4> c = cubic_through(value);
     for (const double u : {1e-3, 0.2, 0.5, 0.8, 1 - 1e-3}) {
       const double polynomial = c[0] + u * (c[1] + u * (c[2] + u * c[3]));
-      if (!(std::abs(polynomial - at(u)) < kModulationError / 2)) return false;
+      worst = std::max(worst, std::abs(polynomial - at(u)));
     }
+    for (const double one : value) largest = std::max(largest, std::abs(one));
     coefficients_.insert(coefficients_.end(), c.begin(), c.end());
   }
   // t = 1, to which t may round, is the start of a further interval.
   const double* last = coefficients_.data() + std::ptrdiff_t(4) * (intervals - 1);
   const double end = last[0] + last[1] + last[2] + last[3];
   coefficients_.insert(coefficients_.end(), {end, 0, 0, 0});
-  return true;
+  return !std::isfinite(largest) || worst < kModulationError / 2 * std::max(1.0, largest / kLarge);
 }
 
 }  // namespace bristle

@@ -8,7 +8,8 @@ namespace bristle {
 
 // The modulation of a friction law as a piecewise polynomial, for engines that need it and its slope quickly.
 // modulation(V_R) = t q(t) with t = V_R/(V_R + V_s), and q is a cubic in each of equal intervals of t. The
-// absolute error of q is below kModulationError; the number of intervals follows from it.
+// absolute error of q is below kModulationError, or its relative error below 1e-12; the number of intervals
+// follows from it.
 constexpr double kModulationError = 1e-10;
 
 class ModulationTable {
