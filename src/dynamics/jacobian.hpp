@@ -14,9 +14,8 @@
 namespace Eigen {
 template <class D>
 AutoDiffScalar<typename internal::remove_all<D>::type::PlainObject> atan(const AutoDiffScalar<D>& u) {
-  using bristle::atan;
-  const auto x = u.value();
-  return {atan(x), u.derivatives() * decltype(x)(1.0 / (1.0 + x * x))};
+  const double x = u.value();
+  return {bristle::atan(x), u.derivatives() * (1.0 / (1.0 + x * x))};
 }
 // Overrides Eigen's own, which calls std::sin.
 template <int N>
@@ -25,14 +24,12 @@ AutoDiffScalar<Matrix<double, N, 1>> sin(const AutoDiffScalar<Matrix<double, N, 
 }
 template <class D>
 AutoDiffScalar<D> inverse_sqrt(const AutoDiffScalar<D>& u) {
-  using bristle::inverse_sqrt;
-  const auto y = inverse_sqrt(u.value());
-  return {y, u.derivatives() * decltype(y)(-0.5 * y * y * y)};
+  const double y = bristle::inverse_sqrt(u.value());
+  return {y, u.derivatives() * (-0.5 * y * y * y)};
 }
 template <class D>
 AutoDiffScalar<D> decay(const AutoDiffScalar<D>& u) {
-  using bristle::decay;
-  const auto y = decay(u.value());
+  const double y = bristle::decay(u.value());
   return {y, u.derivatives() * y};
 }
 }  // namespace Eigen

@@ -84,7 +84,6 @@ inline Lanes next_size(Lanes h, Lanes error, Lanes last_error, double exponent) 
   return h * select(error < 1e6, limited, 0.2);  // a NaN error is not less than 1e6
 }
 
-// Attempts steps of all lanes until one of them has an event.
 // Attempts steps of all lanes until one of them has an event, by a Step for the Region, which tells which
 // steps are events because of the pole. The processor overlaps the computations of different vectors, as
 // their phases alternate.

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "ensemble/load.hpp"
+
+#include <vector>
+
+namespace bristle {
+
+// The load is above or below the target beyond doubt if its distance from the target exceeds this multiple of
+// its error.
+constexpr double kDistinct = 2;
+
+// R_n at one gap. excess is R_n minus the target on the loading path, the target minus R_n on the unloading
+// path: negative before the crossing.
+struct GapLoad {
+  double z_0;
+  Load load;
+  double excess;
+};
+
+// Two gaps on the path. They enclose a crossing if the excess is negative at near and not negative at far.
+struct LoadBracket {
+  GapLoad near, far;
+  bool encloses() const { return near.excess < 0 && far.excess >= 0; }
+};
+
+// The loads that a search computes along its path.
+class LoadsOnPath {
+ public:
+  struct NotComputable {};
+
+  LoadsOnPath(const LoadCurve& curve, const LoadSearch& search) : search(search), curve_(curve) {}
+
+  // Throws NotComputable.
+  GapLoad at(double z_0, Accuracy accuracy);
+  LoadBracket between(double near, double far, Accuracy accuracy) {
+    return {at(near, accuracy), at(far, accuracy)};
+  }
+  GapLoad one_step_beyond(double z_0, Accuracy accuracy);  // a step of the scan, but within the path
+  const std::vector<GapLoad>& computed() const { return computed_; }
+
+  // The gap that lies beyond z_0 on the path by this distance, or before it if the distance is negative.
+  double beyond(double z_0, double distance) const {
+    return z_0 + (search.path == LoadPath::loading ? -distance : distance);
+  }
+  double allowed() const { return search.rtol * search.target; }
+  // Whether the load at this gap equals the target within its tolerance or its error.
+  bool near_target(const GapLoad& at);
+
+  const LoadSearch& search;
+  // A maximum of the load on the path equals the target within its error (a minimum on the unloading path).
+  bool reaches_by_noise = false;
+
+ private:
+  const LoadCurve& curve_;
+  std::vector<GapLoad> computed_;
+};
+
+}  // namespace bristle
