@@ -118,6 +118,52 @@ A few bristles do not fill the SIMD lanes; a sweep therefore works on several po
 """
 
 
+def methods_section(methods):
+    """The scalar comparison of classes of methods; the second one is the engine's method."""
+    def at(method, key, error, percentile="error"):
+        points = sorted((p[percentile], p[key]) for p in method["curve"])
+        x, y = (np.log([p[i] for p in points]) for i in (0, 1))
+        return float(np.exp(np.interp(np.log(error), x, y, left=np.nan, right=np.nan)))
+
+    def cell(value, digits=".0f"):
+        return "not reached" if np.isnan(value) else format(value, digits)
+
+    engine, own, *others = methods
+    rows = [[m["name"], cell(at(m, "evaluations", 1e-3)), cell(at(m, "evaluations", 1e-4)),
+             cell(at(m, "evaluations", 1e-4, "median_error")), cell(at(m, "steps", 1e-4)),
+             cell(at(m, "ms_per_bristle", 1e-4) / at(own, "ms_per_bristle", 1e-4), ".2f")] for m in (own, *others)]
+    # Variants of the engine's pair are no other class.
+    variants = [m for m in others if m["name"].startswith(own["name"])]
+    classes = [m for m in others if m not in variants]
+
+    def ratio(m, error, percentile="error"):
+        value = at(m, "evaluations", error, percentile) / at(own, "evaluations", error, percentile)
+        return np.inf if np.isnan(value) else value
+
+    def ratios(m):
+        return f"{m['name']} {ratio(m, 1e-3):.2f} and {ratio(m, 1e-4):.2f}"
+
+    classes.sort(key=lambda m: ratio(m, 1e-4))
+    return f"""
+## Other classes of methods
+
+The same bristles in scalar code, with one control of the step size, one norm of the error and one rule
+for the exit: right-hand sides evaluated per passage at equal error of 90 in 100 bristles (of half of
+them in the fourth column), steps attempted, and CPU time as a multiple of that of the engine's method.
+RKC2 is a stabilised explicit method; ROS34PW2 is linearly implicit in, and ETD4RK solves exactly,
+friction and the azimuth's damper, linearised at the start of the step ("all rows": their effect on all
+components, not on the velocity alone). `bench_methods --orders` measures the order of each.
+
+{table(["method", "evaluations at 1e-3", "at 1e-4", "at 1e-4, median", "steps at 1e-4", "CPU time at 1e-4"], *rows)}
+
+Of the other classes, {classes[0]["name"]} needs the fewest evaluations at an error of 1e-4:
+{ratio(classes[0], 1e-4):.2f} times those of {own["name"]}, {ratio(classes[0], 1e-3):.2f} times at 1e-3, and
+{ratio(classes[0], 1e-4, "median_error"):.2f} times at 1e-4 for the median bristle. The others need, in multiples
+at 1e-3 and 1e-4: {"; ".join(ratios(m) for m in classes[1:])}. The engine's pair
+itself, with its stages solved otherwise at no further evaluation, needs {"; ".join(ratios(m) for m in variants)}.
+"""
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("measured", help="directory with engine.json, quadrature.json, scipy.json, figures.json")
@@ -134,7 +180,8 @@ def main():
     save_figure(work_precision(peers), images, "work-precision", formats=("png",), bbox_inches="tight")
     save_figure(quadrature(cases), images, "quadrature", formats=("png",), bbox_inches="tight")
     path = os.path.join(arguments.output, "performance.md")
-    write_text(path, filled(document(engine, peers, cases, figures)))
+    methods = read_json(os.path.join(arguments.measured, "methods.json"), "`make bench` writes it")
+    write_text(path, filled(document(engine, peers, cases, figures) + methods_section(methods)))
     print(path)
 
 
