@@ -125,10 +125,12 @@ inline void combine(const OdeState& y, double h, const OdeState* slopes, const d
   for (int c = 0; c < kComponents; ++c) out[c] = y[c] + h * sum[c];
 }
 
-// How the engine's method, of simd/step.hpp, solves its stages: friction and the azimuth's damper are
-// implicit in the velocity, by a number of iterations of Newton's method. They start from the velocity of the
-// stage before or from one extrapolated from the two stages before. The rest of a stage depends on the place
-// only, so that a further iteration costs a look-up in the table of friction, but no evaluation.
+// How an additive pair solves its stages. As in simd/step.hpp, friction and the azimuth's damper are implicit
+// in the velocity, by iterations of Newton's method, and friction is that linearised about the velocity
+// before the last iteration. The error of the linear friction is quadratic in the change of the velocity. One
+// iteration from the velocity of the stage before therefore leaves order 2, where friction is not linear. A
+// start that is extrapolated from the two stages before, or a second iteration, restores the order. As the
+// rest of a stage depends on the place only, neither costs an evaluation, but a look-up in friction's table.
 struct Shipped {
   static constexpr const char* name = "";
   static constexpr int iterations = 1;

@@ -1,8 +1,7 @@
-// Compares classes of methods for the passage of one bristle, in scalar code: the engine's additive
-// Runge-Kutta pair, an explicit pair, a stabilised explicit method, a linearly implicit method and
-// exponential integrators. All of them have the equations, the step size control, the norm of the error and
-// the rule for the exit in common. Writes JSON to standard output, from which scripts/performance.py makes a
-// table.
+// Compares classes of methods for the passage of one bristle, in scalar code: additive Runge-Kutta pairs,
+// among them the engine's, an explicit pair, a stabilised explicit method, a linearly implicit method and an
+// exponential integrator. They have the equations, the step size control, the norm of the error and the rule
+// for the exit in common. Writes JSON to standard output, from which scripts/performance.py makes a table.
 // --orders instead prints the order of convergence of each method, which tests its coefficients.
 #include "methods.hpp"
 #include "sample.hpp"
@@ -157,8 +156,8 @@ Json curve(const std::string& name, const Bristles& bristles, const std::vector<
   return {{"name", name}, {"curve", points}};
 }
 
-// For a sequence of halved fixed steps: how often each halving halves the error of the state and integrals at
-// the end, and the sum of the estimates, on bristles under a soft wall with friction that changes slowly.
+// For fixed steps, halved again and again: the largest error of state and integrals at the end, the sum of
+// the estimated errors, and their orders, on bristles under a soft wall with friction that changes slowly.
 template <class M>
 void print_order(const std::vector<PassageTask>& tasks, Tables& tables) {
   constexpr double duration = 1;
