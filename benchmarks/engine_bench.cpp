@@ -3,6 +3,7 @@
 // ratio to the reference engine, which is based on Boost.Odeint, and fails if the ratio is below --per-lane
 // times the number of SIMD lanes.
 #include "dynamics/ode.hpp"
+#include "kernel_speed.hpp"
 #include "odeint_peers.hpp"
 #include "sample.hpp"
 #ifdef BRISTLE_SUNDIALS
@@ -26,10 +27,12 @@ using Steps = Events (*)(Block&);
 #if HWY_ARCH_X86
 namespace N_AVX3 {
 extern const Steps kOtherPairs[3];
-}
+extern const Rates kRates;
+}  // namespace N_AVX3
 namespace N_AVX2 {
 extern const Steps kOtherPairs[3];
-}
+extern const Rates kRates;
+}  // namespace N_AVX2
 #endif
 }  // namespace bristle
 
@@ -191,6 +194,15 @@ Json scaling() {
   return out;
 }
 
+Json kernel() {
+#if HWY_ARCH_X86
+  const std::string target = best_kernels().target;
+  if (target != "SCALAR")
+    return kernel_speed(best_kernels(), target == "AVX2" ? N_AVX2::kRates : N_AVX3::kRates);
+#endif
+  return nullptr;
+}
+
 std::string processor() {
   std::ifstream info("/proc/cpuinfo");
   for (std::string line; std::getline(info, line);)
@@ -202,11 +214,12 @@ std::string processor() {
 
 int main(int argc, char** argv) {
   CLI::App app("Speed of the SIMD engine compared with other solvers");
-  bool quick = false;
+  bool quick = false, kernel_only = false;
   double per_lane = 0;
   app.add_flag("--quick", quick, "measure only the ratio to the reference engine");
   app.add_option("--per-lane", per_lane,
                  "with --quick: fail if the ratio is below this times the number of SIMD lanes");
+  app.add_flag("--kernel", kernel_only, "measure only the kernel far from the pole");
   CLI11_PARSE(app, argc, argv);
   // On this sample the fast engine and Odeint have about equal errors at these tolerances.
   constexpr double rtol = 1e-5, odeint_rtol = 1e-4;
@@ -224,6 +237,11 @@ int main(int argc, char** argv) {
   Json out;
   out["processor"] = processor();
   out["instruction_set"] = best_kernels().target;
+  out["kernel"] = kernel();
+  if (kernel_only) {
+    fmt::print("{}\n", out.dump(1));
+    return 0;
+  }
   out["ordinary"] = ordinary();
   out["all_kinds"] = all_kinds(1984, rtol, odeint_rtol);
   out["scaling"] = scaling();
