@@ -44,7 +44,7 @@ constexpr int kPairs = 7;        // of measured times
 using Solver = std::function<std::vector<Passage>(double rtol)>;
 
 struct WorkPoint {
-  double rtol, error, ms;
+  double rtol, error, ms, evaluations;  // ms and evaluations per bristle; evaluations is 0 if not counted
 };
 
 std::vector<WorkPoint> work_precision(const Solver& solve, const std::vector<Passage>& exact,
@@ -54,7 +54,10 @@ std::vector<WorkPoint> work_precision(const Solver& solve, const std::vector<Pas
     std::vector<Passage> result;
     std::vector<double> times;
     for (int i = 0; i < 3; ++i) times.push_back(seconds([&] { result = solve(rtol); }));
-    curve.push_back({rtol, impulse_error(result, exact), 1e3 * median(times) / double(exact.size())});
+    double evaluations = 0;
+    for (const Passage& p : result) evaluations += double(p.evaluations) / double(result.size());
+    curve.push_back(
+        {rtol, impulse_error(result, exact), 1e3 * median(times) / double(exact.size()), evaluations});
   }
   return curve;
 }
@@ -81,7 +84,8 @@ double paired_ratio(const std::function<void()>& peer, const std::function<void(
 Json as_json(const std::vector<WorkPoint>& curve) {
   Json out = Json::array();
   for (const WorkPoint& p : curve)
-    out.push_back({{"rtol", p.rtol}, {"error", p.error}, {"ms_per_bristle", p.ms}});
+    out.push_back(
+        {{"rtol", p.rtol}, {"error", p.error}, {"ms_per_bristle", p.ms}, {"evaluations", p.evaluations}});
   return out;
 }
 
