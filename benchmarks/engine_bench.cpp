@@ -118,7 +118,9 @@ std::vector<Peer> make_peers(const Bristles& bristles) {
     std::vector<Passage> out(tasks.size());
     for (std::size_t i = 0; i < tasks.size(); ++i) {
       out[i].end = pack(state_at_rest(tasks[i].bristle, tasks[i].start));
-      out[i].contact_time = integrate(tasks[i], out[i].end);
+      const OdeintExit exit = integrate(tasks[i], out[i].end);
+      out[i].contact_time = exit.time;
+      out[i].evaluations = exit.evaluations;
     }
     return out;
   };

@@ -37,7 +37,9 @@ struct Libm {
 
 struct System {
   const Bristle<double>& bristle;
+  long& evaluations;
   void operator()(const OdeState& y, OdeState& dydt, double) const {
+    ++evaluations;
     std::array<Libm, COMPONENTS> slope;
     derivative<Libm>(bristle, y, slope);
     for (int c = 0; c < COMPONENTS; ++c) dydt[c] = slope[c].value;
@@ -52,7 +54,7 @@ class Integration {
 
  public:
   Integration(const PassageTask& task, OdeState& y)
-      : system_{task.bristle},
+      : system_{task.bristle, evaluations_},
         stepper_(typename Controlled::error_checker_type(task.integrator.atol, task.integrator.rtol)),
         y_(y) {
     const double x_0 = y[X], L_x = task.parameters->L_x;
@@ -72,7 +74,7 @@ class Integration {
     }
     throw std::runtime_error("Odeint found no exit");
   }
-  double exit_time() const { return t_; }
+  OdeintExit exit() const { return {t_, evaluations_}; }
 
  private:
   static constexpr bool kLastSlopeIsFirst =  // of the next step
@@ -112,6 +114,7 @@ class Integration {
     }
   }
 
+  long evaluations_ = 0;
   System system_;
   Controlled stepper_;
   OdeState &y_, y_new_, slope_, slope_new_;
@@ -120,11 +123,11 @@ class Integration {
 
 }  // namespace
 
-double odeint_dopri5(const PassageTask& task, OdeState& y) {
-  return Integration<odeint::runge_kutta_dopri5<OdeState>>(task, y).exit_time();
+OdeintExit odeint_dopri5(const PassageTask& task, OdeState& y) {
+  return Integration<odeint::runge_kutta_dopri5<OdeState>>(task, y).exit();
 }
-double odeint_cash_karp(const PassageTask& task, OdeState& y) {
-  return Integration<odeint::runge_kutta_cash_karp54<OdeState>>(task, y).exit_time();
+OdeintExit odeint_cash_karp(const PassageTask& task, OdeState& y) {
+  return Integration<odeint::runge_kutta_cash_karp54<OdeState>>(task, y).exit();
 }
 
 }  // namespace bristle::bench
