@@ -9,6 +9,7 @@
 
 #include <csignal>
 #include <map>
+#include <numeric>
 
 extern "C" const char __executable_start;  // defined by the linker
 
@@ -18,23 +19,25 @@ namespace {
 constexpr int kRepeats = 25;    // the shortest time counts: other programs only lengthen it
 constexpr int kKeptBlocks = 8;  // whose instructions are counted
 
-// Calls the kernel; adds up time and steps of the calls with full blocks, and keeps some of the blocks.
+// Calls the kernel, measures the calls with full blocks, and keeps some of the blocks. Every repetition makes
+// the same calls; the shortest time of each counts.
 struct FullBlocks {
   static inline Events (*steps)(Block&) = nullptr;
-  static inline double time = 0, lane_steps = 0;
-  static inline long calls = 0;
+  static inline std::size_t call = 0;
+  static inline std::vector<double> times, lane_steps;
   static inline std::vector<Block> kept;
 
   static Events run(Block& block) {
-    const bool full = block.occupied == (1u << kLanes) - 1;
-    if (full && ++calls % 32 == 0 && kept.size() < kKeptBlocks) kept.push_back(block);
+    if (block.occupied != (1u << kLanes) - 1) return steps(block);
+    if (call == times.size()) {
+      times.push_back(INFINITY);
+      lane_steps.push_back(0);
+      if (call % 32 == 0 && kept.size() < kKeptBlocks) kept.push_back(block);
+    }
     const auto before = block.lane_steps;
     Events events;
-    const double duration = seconds([&] { events = steps(block); });
-    if (full) {
-      time += duration;
-      lane_steps += double(block.lane_steps - before);
-    }
+    times[call] = std::min(times[call], seconds([&] { events = steps(block); }));
+    lane_steps[call++] = double(block.lane_steps - before);
     return events;
   }
 };
@@ -82,13 +85,14 @@ nlohmann::ordered_json kernel_speed(const Kernels& kernels, const Rates& rates) 
   Kernels timed = kernels;
   FullBlocks::steps = kernels.far_steps;
   timed.far_steps = FullBlocks::run;
-  double lane_step = INFINITY;
-  const double one_cycle = cycle();
+  double one_cycle = cycle();
   for (int i = 0; i < kRepeats; ++i) {
-    FullBlocks::time = FullBlocks::lane_steps = 0;
+    FullBlocks::call = 0;
     run_lanes(timed, bristles.at(1e-5));
-    lane_step = std::min(lane_step, FullBlocks::time / FullBlocks::lane_steps);
   }
+  one_cycle = std::min(one_cycle, cycle());
+  const auto sum = [](const std::vector<double>& v) { return std::accumulate(v.begin(), v.end(), 0.0); };
+  const double lane_step = sum(FullBlocks::times) / sum(FullBlocks::lane_steps);
   constexpr long kOperations = 100'000;
   const auto cycles_per = [&](double (*repeat)(long)) {
     volatile double used;
