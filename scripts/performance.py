@@ -135,7 +135,7 @@ def figure_table(figures, previous):
                      *([str(old["points"]), str(old["passages"]),
                         f"{old['seconds']:g}" + (f" ({old['note']})" if "note" in old else "")] if old else ["", "", ""])])
     return table(["figure", "points", "passages", "CPU, s", "wall, s",
-                  *(f"{previous['commit']}: {name}" for name in ("points", "passages", "wall, s"))], *rows)
+                  "points before", "passages before", "wall before, s"], *rows)
 
 
 def passage_table(cases):
@@ -199,8 +199,8 @@ A few bristles do not fill the SIMD lanes; a sweep therefore works on several po
 
 ## Figures, full tier
 
-Every point is computed anew, on {os.cpu_count()} cores. The columns of {previous['commit']} are the numbers of the previous
-release at that commit, on {previous['machine']}; they are from benchmarks/previous.json.
+Every point is computed anew, on {os.cpu_count()} cores. The columns "before" are the numbers of the previous
+release (commit {previous['commit']}), on {previous['machine']}; they are from benchmarks/previous.json.
 
 {figure_table(figures, previous)}
 """
