@@ -12,14 +12,28 @@ from bristle_plots.markdown import filled, table
 from bristle_plots.style import GREEN, apply_look
 
 AT = 1e-4  # error at which solvers are compared
+GOAL = 20  # times the speed of the fastest other solver at the error AT
 FAST_ENGINE = ("SIMD", "lanes")  # beginning of its peers' names, and the older one
+REFERENCE = "the reference engine"
+PREVIOUS = os.path.join(os.path.dirname(__file__), "..", "benchmarks", "previous.json")
+
+# Phases of a step, and their shares of the kernel's time in %: samples of `perf record build/benchmarks/bench_engine
+# --kernel`, taken by hand.
+SAMPLED = "22 November 2026 on an AMD EPYC with AVX-512"
+PHASES = {"first_stage": ("first stage of a step", 12.1),
+          "predict": ("state of a stage from the stages before", 5.6),
+          "locate": ("geometry and wall force of a stage", 19.2),
+          "solve": ("its velocity, by a 2 x 2 system; place in the friction table", 27.3),
+          "evaluate": ("friction from the table, slopes of the stage", 15.7),
+          "finish": ("new state and error of the step", 11.6),
+          "control": ("step size, acceptance, events", 8.6)}
 
 
-def ms_at_error(curve):
-    """Milliseconds per bristle at the error AT, between the curve's points on log axes."""
-    points = sorted((p["error"], p["ms_per_bristle"]) for p in curve)
-    error, ms = np.log([p[0] for p in points]), np.log([p[1] for p in points])
-    return float(np.exp(np.interp(np.log(AT), error, ms)))
+def at_error(curve, key):
+    """A quantity of the curve at the error AT, between its points on log axes."""
+    points = sorted((p["error"], p[key]) for p in curve)
+    error, value = np.log([p[0] for p in points]), np.log([p[1] for p in points])
+    return float(np.exp(np.interp(np.log(AT), error, value)))
 
 
 def work_precision(peers):
@@ -57,8 +71,71 @@ def quadrature(cases):
 
 
 def solver_table(peers):
-    rows = [[peer["name"], f"{ms_at_error(peer['curve']):.3g}", f"{peer['ratio']:.3g}"] for peer in peers]
+    rows = [[peer["name"], f"{at_error(peer['curve'], 'ms_per_bristle'):.3g}", f"{peer['ratio']:.3g}"] for peer in peers]
     return table(["solver", f"ms per bristle at {AT:g}", "ratio to the fast engine"], *rows)
+
+
+def kernel_text(kernel):
+    """What the processor's instructions allow; empty where it could not be measured."""
+    if not kernel:
+        return ""
+    total = sum(kernel["phases"].values())
+    rows = [[what, f"{kernel['phases'].get(phase, 0) / total:.0%}", f"{share:.0f}%"]
+            for phase, (what, share) in PHASES.items()]
+    return f"""One step of one vector of {kernel['width']} lanes executes {kernel['all_per_vector_step']:.0f} instructions.
+{kernel['arithmetic_per_vector_step']:.0f} of them are vector arithmetic, the rest mostly move data;
+{kernel['divisions_per_vector_step']:.0f} are divisions. The processor completes
+{1 / kernel['cycles_per_multiply_add']:.1f} independent multiply-adds per cycle, and one division of a vector in
+{kernel['cycles_per_division']:.1f} cycles (both measured in the same run). At these rates the arithmetic alone takes
+{kernel['limit_cycles_per_lane_step']:.0f} cycles per step of one lane. The kernel takes
+{kernel['cycles_per_lane_step']:.0f} cycles with all lanes full ({kernel['ns_per_lane_step']:.0f} ns at
+{kernel['clock_GHz']:.1f} GHz), {kernel['cycles_per_lane_step'] / kernel['limit_cycles_per_lane_step']:.2f} times this
+limit. The limit is not strict where a processor adds beside its multiply-adds.
+
+The phases of a step, with their shares of the vector arithmetic in this run, and of the time as sampled on {SAMPLED}:
+
+{table(["phase", "arithmetic", "time"], *rows)}
+
+"""
+
+
+def evaluations(peer):
+    """Evaluations of the equations per passage at the error AT, and ns per evaluation with its share of the step."""
+    count = at_error(peer["curve"], "evaluations")
+    return count, 1e6 * at_error(peer["curve"], "ms_per_bristle") / count
+
+
+def goal_text(peers, kernel):
+    """The distance to GOAL, and its reasons."""
+    best = min((p for p in peers if not p["name"].startswith((*FAST_ENGINE, REFERENCE))), key=lambda p: p["ratio"])
+    text = f"""The goal is {GOAL} times the speed of the fastest other solver at an error of {AT:g}. That solver is
+{best['name']}; it takes {best['ratio']:.1f} times as long as the fast engine"""
+    if best["ratio"] >= GOAL:
+        return text + ": the goal is reached."
+    text += f", so that a factor of {GOAL / best['ratio']:.1f} is missing. "
+    if kernel:
+        reach = best["ratio"] * kernel["cycles_per_lane_step"] / kernel["limit_cycles_per_lane_step"]
+        text += f"""A kernel at the limit above would be {reach:.0f} times as fast as that solver. """
+    if best["curve"][0].get("evaluations"):
+        (ours, our_ns), (theirs, their_ns) = evaluations(peers[0]), evaluations(best)
+        text += f"""Per passage the engine evaluates the equations {ours:.0f} times, that solver {theirs:.0f} times; an
+evaluation with its share of the step takes {our_ns:.1f} ns in one lane, and {their_ns:.1f} ns in that solver. """
+    return text + """What is missing has to come from fewer steps or from fewer instructions per step: the vectors
+are as wide as the processor has them, and nearly all of their lanes are in use. Moreover, a step solves an implicit
+system in each stage, which an explicit solver does not, and the slopes of its stages do not fit into the registers,
+so that much is stored and loaded again."""
+
+
+def figure_table(figures, previous):
+    before = {f["figure"]: f for f in previous["figures"]}
+    rows = []
+    for f in figures:
+        old = before.get(f["figure"])
+        rows.append([f["figure"], str(f["points"]), str(f["passages"]), f"{f['cpu_seconds']:.1f}", f"{f['seconds']:.1f}",
+                     *([str(old["points"]), str(old["passages"]),
+                        f"{old['seconds']:g}" + (f" ({old['note']})" if "note" in old else "")] if old else ["", "", ""])])
+    return table(["figure", "points", "passages", "CPU, s", "wall, s",
+                  "points before", "passages before", "wall before, s"], *rows)
 
 
 def passage_table(cases):
@@ -73,10 +150,9 @@ def passage_table(cases):
     return table(["k_r", "z_0", "quadrature", "its error", "grid of", "its error", "lattice of", "its error"], *rows)
 
 
-def document(engine, peers, cases, figures):
+def document(engine, kernel, peers, cases, figures, previous):
     everything = engine["all_kinds"]
     scaling = [[str(s["bristles"]), str(s["threads"]), f"{s['ms_per_bristle']:.3f}"] for s in engine["scaling"]]
-    tiers = [[f["figure"], str(f["points"]), str(f["passages"]), f"{f['seconds']:.1f}"] for f in figures]
     return f"""# Performance
 
 Written by `make bench` from one run on one machine: {engine['processor']}, {os.cpu_count()} cores,
@@ -87,16 +163,25 @@ vector). Ratios are medians of pairs in that run; times are for orientation.
 
 256 bristles of both friction laws over the paper's ranges, none of them pinned; the tolerance of each
 solver is the one at which the impulses of normal force and friction of 90 in 100 bristles have errors
-below {AT:g}. All solvers integrate the same compiled equations; a Python solver calls them.
+below {AT:g}. All solvers integrate the same compiled equations; a Python solver calls them. The two rows
+of Boost.Odeint are compiled for this processor, take the elementary functions of the C library, and
+control their steps without dense output. The reference engine is Odeint with dense output, and with
+functions that give the same bits on every processor. GNU Octave has no row: its solvers call compiled
+equations only by means of its development package, and equations in its own language would measure
+its interpreter.
 
 {solver_table(peers)}
 
 ![Work and precision of the solvers](images/work-precision.png)
 
-With pinned and reflected bristles ({everything['bristles']} of all kinds, Odeint with its implicit
-method for the stiff), at errors of {everything['error']:.1e} and {everything['odeint_error']:.1e}: the
-fast engine takes {everything['ms_per_bristle']:.3f} ms per bristle and Odeint {everything['ratio']:.1f}
-times as long. {everything['lane_utilisation']:.0%} of the steps of its SIMD lanes advanced a passage.
+With pinned and reflected bristles ({everything['bristles']} of all kinds, the reference engine with its
+implicit method for the stiff), at errors of {everything['error']:.1e} and {everything['odeint_error']:.1e}: the
+fast engine takes {everything['ms_per_bristle']:.3f} ms per bristle and the reference
+engine {everything['ratio']:.1f} times as long. {everything['lane_utilisation']:.0%} of the steps of its SIMD lanes advanced a passage.
+
+## What limits the speed
+
+{kernel_text(kernel)}{goal_text(peers, kernel)}
 
 ## Passages for an ensemble mean
 
@@ -114,7 +199,10 @@ A few bristles do not fill the SIMD lanes; a sweep therefore works on several po
 
 ## Figures, full tier
 
-{table(["figure", "points", "passages", "wall time, s"], *tiers)}
+Every point is computed anew, on {os.cpu_count()} cores. The columns "before" are the numbers of the previous
+release (commit {previous['commit']}), on {previous['machine']}; they are from benchmarks/previous.json.
+
+{figure_table(figures, previous)}
 """
 
 
@@ -170,19 +258,20 @@ def main():
     parser.add_argument("measured", help="directory with the JSON files of the benchmarks")
     parser.add_argument("-o", "--output", default="docs", help="directory of performance.md and images/")
     arguments = parser.parse_args()
-    engine, cases, scipy, figures = (
+    engine, kernel, cases, scipy, figures = (
         read_json(os.path.join(arguments.measured, f"{name}.json"), "`make bench` writes it")
-        for name in ("engine", "quadrature", "scipy", "figures"))
+        for name in ("engine", "kernel", "quadrature", "scipy", "figures"))
+    previous = read_json(PREVIOUS, "it is part of the source")
     peers = [dict(p, ratio=p["ratio_at_1e-4"]) for p in engine["ordinary"]]
-    fastest = ms_at_error(peers[0]["curve"])
-    peers += [dict(p, ratio=ms_at_error(p["curve"]) / fastest) for p in scipy]
+    fastest = at_error(peers[0]["curve"], "ms_per_bristle")
+    peers += [dict(p, ratio=at_error(p["curve"], "ms_per_bristle") / fastest) for p in scipy]
     apply_look()
     images = os.path.join(arguments.output, "images")
     save_figure(work_precision(peers), images, "work-precision", formats=("png",), bbox_inches="tight")
     save_figure(quadrature(cases), images, "quadrature", formats=("png",), bbox_inches="tight")
     path = os.path.join(arguments.output, "performance.md")
     methods = read_json(os.path.join(arguments.measured, "methods.json"), "`make bench` writes it")
-    write_text(path, filled(document(engine, peers, cases, figures) + methods_section(methods)))
+    write_text(path, filled(document(engine, kernel, peers, cases, figures, previous) + methods_section(methods)))
     print(path)
 
 
