@@ -131,8 +131,9 @@ inline void combine(const OdeState& y, double h, const OdeState* slopes, const d
 // iteration from the velocity of the stage before therefore leaves order 2, where friction is not linear. A
 // start that is extrapolated from the two stages before, or a second iteration, restores the order. As the
 // rest of a stage depends on the place only, neither costs an evaluation, but a look-up in friction's table.
-struct Shipped {
-  static constexpr const char* name = "";
+// The engine extrapolates.
+struct FromStageBefore {
+  static constexpr const char* name = ", start at the stage before";
   static constexpr int iterations = 1;
   static constexpr bool extrapolated = false;
 };
@@ -142,7 +143,7 @@ struct TwoIterations {
   static constexpr bool extrapolated = false;
 };
 struct Extrapolated {
-  static constexpr const char* name = ", extrapolated start";
+  static constexpr const char* name = "";
   static constexpr int iterations = 1;
   static constexpr bool extrapolated = true;
 };

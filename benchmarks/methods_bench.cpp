@@ -197,9 +197,10 @@ void print_order(const std::vector<PassageTask>& tasks, Tables& tables) {
 
 template <class Do>
 void for_each_method(Do action) {
-  action(Additive<Shipped>(), Additive<TwoIterations>(), Additive<Extrapolated>(),
-         Additive<Shipped, KennedyCarpenter4Later>(), Additive<TwoIterations, KennedyCarpenter4Later>(),
-         Additive<Extrapolated, KennedyCarpenter4Later>(), DormandPrince(), Chebyshev(), Rosenbrock(),
+  action(Additive<Extrapolated>(), Additive<FromStageBefore>(), Additive<TwoIterations>(),
+         Additive<Extrapolated, KennedyCarpenter4Later>(),
+         Additive<FromStageBefore, KennedyCarpenter4Later>(),
+         Additive<TwoIterations, KennedyCarpenter4Later>(), DormandPrince(), Chebyshev(), Rosenbrock(),
          Exponential());
 }
 

@@ -240,8 +240,8 @@ def methods_section(methods):
 The same bristles in scalar code, with one control of the step size, one norm of the error and one rule
 for the exit: right-hand sides evaluated per passage at equal error of 90 in 100 bristles (in one column of
 half of them), steps attempted, and CPU time as a multiple of that of the engine's method, the first. Its
-variants solve the stages by a second iteration of Newton's method, or start it from an extrapolated
-velocity, neither of which costs an evaluation. RKC2 is a stabilised explicit method. ROS34PW2 is linearly
+variants start Newton's method at the velocity of the stage before, which leaves order 2, or iterate
+twice; neither costs an evaluation. RKC2 is a stabilised explicit method. ROS34PW2 is linearly
 implicit in friction and the azimuth's damper, and ETD4RK solves them exactly, both linearised at the start
 of the step. `bench_methods --orders` measures the order of each.
 

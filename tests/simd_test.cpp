@@ -157,6 +157,25 @@ TEST_CASE("a tip that is pushed to the base, where its dampers are stiff, takes 
   CHECK(run(best_kernels(), {task}).front().outcome == Outcome::pinned);
 }
 
+TEST_CASE("errors of the fast engine are proportional to the tolerance, as those of a pair of order four") {
+  // Sticking and slipping are smooth here. A pair of order two would gain the root of the tolerance's factor.
+  for (const FrictionLaw law : {FrictionLaw::nss, FrictionLaw::coulomb}) {
+    Parameters p;
+    p.friction = law;
+    p.V_s = 0.5;
+    p.lambda_z = 0.05;
+    p.C = chi_C_peak_at_V_s(p.A);
+    PassageTask task = Sample::task(p, 0.6, 1);
+    const auto at = [&](double rtol) {
+      task.integrator = {rtol, rtol, Method::automatic, 10'000'000};
+      return run(best_kernels(), {task}).front().end[FRICTION_X];
+    };
+    const double exact = at(1e-13), loose = std::abs(at(1e-5) - exact), tight = std::abs(at(1e-9) - exact);
+    CAPTURE(loose, tight);
+    CHECK(tight < loose / 1000);
+  }
+}
+
 TEST_CASE("a head-on bristle stays in its plane, at any tolerance") {
   // Its motion there is unstable, so that large rounding errors would grow to a motion out of the plane.
   Parameters p;

@@ -10,6 +10,6 @@ constexpr const char* kPartSchema = "bristle-part/1";
 // The group whose text attributes are the errors of failed points.
 constexpr const char* kFailures = "failures";
 // Version of physics and numerics. Increase it when results may change.
-constexpr long kNumericsVersion = 6;
+constexpr long kNumericsVersion = 7;
 
 }  // namespace bristle::results

@@ -3,14 +3,18 @@
 #include "simd/group.hpp"
 #include "simd/modulation.hpp"
 
+#include <numeric>
+
 namespace bristle::HWY_NAMESPACE {
 
 // Steps by an additive Runge-Kutta pair. Friction and the azimuth's damper, which are stiff while the tip
 // sticks or is near the pole, are implicit in the in-plane velocity; all other terms are explicit. The place
 // of a stage is known before its velocity, so that a stage solves a 2 x 2 system. One iteration of Newton's
-// method, from the velocity of the stage before, suffices: the stage's equation then holds exactly for a
-// friction force that is linearised about that velocity. If ImplicitPolarDamper, the damper of the polar
-// angle is implicit, too, in all of the velocity: with c_phi/r^2 it is stiff for a tip near the base.
+// method suffices, from the velocity that the two stages before extrapolate to: the stage's equation then
+// holds exactly for a friction force that is linearised about that velocity. From the velocity of one stage
+// before, the error of the linearisation would reduce the order of the pair to 2. If ImplicitPolarDamper, the
+// damper of the polar angle is implicit, too, in all of the velocity: with c_phi/r^2 it is stiff for a tip
+// near the base.
 template <class Tableau, bool ImplicitPolarDamper>
 class AdditiveStep {
  public:
@@ -33,7 +37,9 @@ class AdditiveStep {
     Slopes<S, kImplicit> implicit;  // acceleration by friction and the implicit dampers
     State<Lanes> state;  // of the stage; before solve(), without the implicit acceleration of this stage
     Place<Lanes> place;
-    // At the velocity of the last stage; secant and slope are those of the modulation.
+    InPlane<Lanes> velocity, velocity_before;  // of the last stage and of the one before it
+    // Where Newton's method starts, then at the velocity of the stage; the modulation's secant and slope
+    // are those of the start.
     Sliding<Lanes> sliding;
     TableEntry entry;
     Lanes secant, slope;
@@ -41,8 +47,8 @@ class AdditiveStep {
     Lanes h_gamma, one_h_gamma;
   };
 
-  static HWY_INLINE void set_sliding(const Group& g, Work& w) {
-    w.sliding = relative_motion(w.state.v[0], w.state.v[1]);
+  static HWY_INLINE void set_sliding(const Group& g, Work& w, Lanes v_x, Lanes v_y) {
+    w.sliding = relative_motion(v_x, v_y);
     look_up(*g.modulation, w.sliding.V_R, w.entry);
   }
   static HWY_INLINE void set_modulation(const Group& g, Work& w) {
@@ -68,7 +74,8 @@ class AdditiveStep {
     w.h_gamma = g.h * Lanes(Tableau::gamma);
     w.one_h_gamma = 1.0 / w.h_gamma;
     w.state = unpack<Lanes>(g.y);
-    set_sliding(g, w);
+    w.velocity = {w.state.v[0], w.state.v[1]};
+    set_sliding(g, w, w.velocity[0], w.velocity[1]);
     w.place = place_at(g.bristle, w.state.r);
     set_modulation(g, w);
     w.friction = friction_force(w.place, w.sliding);
@@ -84,8 +91,23 @@ class AdditiveStep {
     slopes_of(g.bristle, w.state, motion(g.bristle, w.state, w.place, w.sliding, w.friction), w.k[0]);
   }
 
+  // Time of stage i within the step, as a share of it.
+  static constexpr double time(int i) {
+    return std::accumulate(std::begin(Tableau::a[i]), std::end(Tableau::a[i]), 0.0);
+  }
+
+  // Sets the place and where Newton's method starts: for the first implicit stage, the velocity before.
+  template <int I>
   static HWY_NOINLINE HWY_FLATTEN void locate(const Group& g, Work& w) {
+    if constexpr (I > 1) {
+      constexpr double ahead = (time(I) - time(I - 1)) / (time(I - 1) - time(I - 2));
+      const auto extrapolated = [&](int i) {
+        return Lanes(w.velocity[i] + Lanes(ahead) * (w.velocity[i] - w.velocity_before[i]));
+      };
+      set_sliding(g, w, extrapolated(0), extrapolated(1));
+    }
     w.place = place_at(g.bristle, w.state.r);
+    if constexpr (I > 1) set_modulation(g, w);
   }
 
   // Solves for the velocity.
@@ -93,7 +115,7 @@ class AdditiveStep {
                                              std::array<Lanes, kImplicit>& implicit) {
     const Bristle<Lanes>& b = g.bristle;
     const Frame<Lanes>& f = w.place.frame;
-    const Sliding<Lanes>& s = w.sliding;  // where Newton's method starts
+    const Sliding<Lanes>& s = w.sliding;
     const Lanes limit = w.h_gamma * w.place.friction_limit;
     const Lanes h_damping = w.h_gamma * azimuth_damping(b, f);
     const Lanes from_x = w.state.v[0], from_y = w.state.v[1];
@@ -132,12 +154,15 @@ class AdditiveStep {
                   -w.one_h_gamma * Lanes(secant * new_y + steeper * s.e_y)};
     w.state.v[0] = new_x;
     w.state.v[1] = new_y;
-    set_sliding(g, w);
+    w.velocity_before = w.velocity;
+    w.velocity = {new_x, new_y};
+    const Sliding<Lanes> start = s;
+    w.sliding = relative_motion(new_x, new_y);
+    w.sliding.modulation = start.modulation + w.slope * (w.sliding.V_R - start.V_R);
   }
 
   static HWY_NOINLINE HWY_FLATTEN void evaluate(const Group& g, Work& w,
                                                 std::array<Lanes, COMPONENTS>& slope) {
-    set_modulation(g, w);
     slopes_of(g.bristle, w.state, motion(g.bristle, w.state, w.place, w.sliding, w.friction), slope);
   }
 
@@ -150,7 +175,7 @@ class AdditiveStep {
     if constexpr (I > 0) {
       for (int i = 0; i < count; ++i) {
         predict<I>(g[i], w[i]);
-        locate(g[i], w[i]);
+        locate<I>(g[i], w[i]);
       }
       for (int i = 0; i < count; ++i) solve(g[i], w[i], w[i].implicit[I]);
       for (int i = 0; i < count; ++i) evaluate(g[i], w[i], w[i].k[I]);
