@@ -55,9 +55,9 @@ TEST_CASE("reference: its content and the parts of its tolerances") {
   CHECK(R_x.load_control[0] == 4e-4);
   CHECK(R_x.quadrature[0] == Approx(6e-4));
   CHECK(R_x.quadrature[1] == 0);  // the load's part is larger than the whole
-  CHECK(R_x.integrator[0] == Approx(10 * 1e-5 * scale));
+  CHECK(R_x.integrator[0] == Approx(10 * 3e-5 * scale));
   CHECK(R_x.libm[0] == Approx(1e-3 + 1e-8 * scale));
-  CHECK(R_x.tolerance(0) == Approx(2e-3 + (1e-4 + 1e-8) * scale));
+  CHECK(R_x.tolerance(0) == Approx(2e-3 + (3e-4 + 1e-8) * scale));
   const ReferenceVariable &R_n = named(r.variables, "R_n"), &pinned = named(r.variables, "pinned_fraction");
   CHECK(R_n.load_control[0] == Approx(1e-3 * 2));  // orientation.rtol of the target
   CHECK(pinned.libm[0] == Approx(3 * pinned.quadrature[0]).margin(1e-7));

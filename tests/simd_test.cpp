@@ -189,7 +189,7 @@ TEST_CASE("a head-on bristle stays in its plane, at any tolerance") {
     const Passage r = run(best_kernels(), {task}).front();
     CHECK(std::abs(r.end[Y]) < 1e-8);
     CHECK(r.reflections == 117);
-    CHECK(r.contact_time == Approx(5.7475).margin(2e-4));
+    CHECK(r.contact_time == Approx(5.74756).margin(1e-4 + 50 * tolerance));
     CHECK(r.energy_residual < 1e-4);
   }
 }
