@@ -51,6 +51,7 @@ Json result_facts(const results::ResultReader& result) {
   facts["checks"] = Json::array();
   for (const checks::CheckResult& check : checks::evaluate_checks(result))
     facts["checks"].push_back({{"claim", check.check.claim},
+                               {"reading", check.check.reading},
                                {"statement", check.check.statement},
                                {"verdict", checks::to_string(check.verdict)}});
   return facts;

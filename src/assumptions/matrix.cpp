@@ -18,9 +18,10 @@ bool reversed(checks::Verdict a, checks::Verdict b) {
 
 Json check_json(const Matrix::Row& row) {
   const experiment::Check& c = row.cells.front().result.check;
-  return {{"experiment", row.experiment}, {"claim", c.claim},
-          {"statement", c.statement},     {"is", checks::to_string(c.criterion)},
-          {"threshold", c.threshold},     {"band", number(c.band.value_or(NAN))}};
+  return {{"experiment", row.experiment},         {"claim", c.claim},
+          {"role", c.main ? "main" : "further"},  {"statement", c.statement},
+          {"is", checks::to_string(c.criterion)}, {"threshold", c.threshold},
+          {"band", number(c.band.value_or(NAN))}};
 }
 
 Json cell_json(std::size_t check, std::size_t alternative, const Cell& cell) {

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 #include <cmath>
+#include <map>
 
 namespace bristle::checks {
 namespace {
@@ -30,6 +31,27 @@ Verdict decide(const Measurement& m, double margin) {
   if (margin < -m.uncertainty) return Verdict::refuted;
   if (m.significance > kSignificanceLevel) return Verdict::undecided;
   return margin >= m.uncertainty ? Verdict::supported : Verdict::undecided;
+}
+
+// The worse of two verdicts: refuted, undecided, supported.
+Verdict worse(Verdict a, Verdict b) {
+  if (a == Verdict::refuted || b == Verdict::refuted) return Verdict::refuted;
+  return a == Verdict::supported ? b : a;
+}
+
+// The verdict on a claim under one reading (CheckResult::claim_verdict).
+Verdict verdict_on_claim(const std::vector<CheckResult>& checks, const std::string& claim,
+                         const std::string& reading) {
+  std::map<std::string, Verdict> interpretations;
+  for (const CheckResult& c : checks) {
+    if (!c.check.main || c.check.claim != claim || c.check.reading != reading) continue;
+    const auto [known, first] = interpretations.emplace(c.check.interpretation, c.verdict);
+    if (!first) known->second = worse(known->second, c.verdict);
+  }
+  Verdict best = Verdict::refuted;
+  for (const auto& [interpretation, verdict] : interpretations)
+    if (worse(best, verdict) == best) best = verdict;
+  return best;
 }
 
 }  // namespace
@@ -58,31 +80,24 @@ std::vector<CheckResult> evaluate_checks(const results::ResultReader& result) {
   const Experiment experiment = experiment::stored_experiment(result.experiment(), "full", result.path());
   validate_checks(experiment);
   for (const experiment::Check& check : experiment.checks) {
-    CheckResult r{check, measure(result, check), 0, Verdict::undecided};
+    CheckResult r{check, measure(result, check), 0, Verdict::undecided, Verdict::undecided};
     r.margin = margin_of(check, r.measured.value);
     r.verdict = decide(r.measured, r.margin);
     out.push_back(std::move(r));
   }
+  for (CheckResult& r : out) r.claim_verdict = verdict_on_claim(out, r.check.claim, r.check.reading);
   return out;
 }
 
-std::string checks_table(const std::vector<CheckResult>& checks) {
-  std::string text = fmt::format("{:<5} {:<10} {:>18} {:>14} {:>9}  {}\n", "claim", "verdict", "measured",
-                                 "claimed", "margin", "statement");
+std::vector<ClaimVerdict> claim_verdicts(const std::vector<CheckResult>& checks) {
+  std::vector<ClaimVerdict> out;
   for (const CheckResult& c : checks) {
-    const std::string measured = fmt::format("{:.3f} +- {:.3f}", c.measured.value, c.measured.uncertainty);
-    const std::string claimed =
-        c.check.criterion == experiment::Criterion::near
-            ? fmt::format("{:.3g} +- {:.3g}", c.check.threshold, *c.check.band)
-            : fmt::format("{} {:.3g}",
-                          c.check.criterion == experiment::Criterion::at_most ? "at most" : "at least",
-                          c.check.threshold);
-    text += fmt::format(
-        "{:<5} {:<10} {:>18} {:>14} {:>9.3f}  {}{}\n", c.check.claim, to_string(c.verdict), measured, claimed,
-        c.margin, c.check.statement,
-        c.measured.missing ? fmt::format(" [{} points without a value]", c.measured.missing) : "");
+    const bool known = std::ranges::any_of(out, [&](const ClaimVerdict& one) {
+      return one.claim == c.check.claim && one.reading == c.check.reading;
+    });
+    if (!known) out.push_back({c.check.claim, c.check.reading, c.claim_verdict});
   }
-  return text;
+  return out;
 }
 
 }  // namespace bristle::checks

@@ -22,13 +22,27 @@ struct CheckResult {
   Measurement measured;
   double margin;  // distance from the threshold or from the end of the band; positive if the claim holds
   Verdict verdict;
+  // On the claim under this check's reading, by the main checks of the claim. An interpretation is supported
+  // if all its main checks are, and refuted if one of them is; the claim is supported if one of its
+  // interpretations is, and refuted if all are.
+  Verdict claim_verdict;
 };
+
+// The verdict on a claim under one reading.
+struct ClaimVerdict {
+  std::string claim, reading;
+  Verdict verdict;
+};
+
+// The verdicts on the claims, in the order of their first checks.
+std::vector<ClaimVerdict> claim_verdicts(const std::vector<CheckResult>& checks);
 
 // Evaluates the checks of the experiment that is stored in the result. Throws InputError if a check names a
 // variable, an axis or a value that the result does not have.
 std::vector<CheckResult> evaluate_checks(const results::ResultReader& result);
 
-// A human-readable table with one line per check.
+// A human-readable table with one line per check of the experiment, and a column of verdicts for each
+// reading.
 std::string checks_table(const std::vector<CheckResult>& checks);
 
 }  // namespace bristle::checks

@@ -92,6 +92,11 @@ void compare_flags(const ReferenceFlags& r, const ReferenceFlags& n, const std::
   }
 }
 
+std::string described(const ReferenceClaim& c) {
+  const std::string reading = c.reading.empty() ? "" : fmt::format(" ({})", c.reading);
+  return fmt::format("claim {}{} \"{}\"", c.claim, reading, c.statement);
+}
+
 // Requires equal sets of points, because verdicts may depend on them.
 void compare_claims(const Reference& reference, const Reference& now, DeviationReport& report) {
   if (reference.claims.size() != now.claims.size())
@@ -100,12 +105,11 @@ void compare_claims(const Reference& reference, const Reference& now, DeviationR
                     now.claims.size(), reference.claims.size()));
   for (std::size_t i = 0; i < std::min(reference.claims.size(), now.claims.size()); ++i) {
     const ReferenceClaim &r = reference.claims[i], &n = now.claims[i];
-    if (r.claim != n.claim || r.statement != n.statement)
-      report.failures.push_back(fmt::format("check {}: claim {} \"{}\", in the reference claim {} \"{}\"", i,
-                                            n.claim, n.statement, r.claim, r.statement));
-    else if (r.verdict != n.verdict)
+    if (r.claim != n.claim || r.reading != n.reading || r.statement != n.statement)
       report.failures.push_back(
-          fmt::format("claim {} \"{}\": {}, was {}", n.claim, n.statement, n.verdict, r.verdict));
+          fmt::format("check {}: {}, in the reference {}", i, described(n), described(r)));
+    else if (r.verdict != n.verdict)
+      report.failures.push_back(fmt::format("{}: {}, was {}", described(n), n.verdict, r.verdict));
   }
 }
 

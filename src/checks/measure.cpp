@@ -38,10 +38,16 @@ Predicate of_curves(const char* name) {
 
 std::vector<Predicate> make_predicates() {
   std::vector<Predicate> table = {
-      of_curves<trend>("trend"),           of_curves<end_ratio>("end_ratio"),
-      of_curves<plateau>("plateau"),       of_curves<level>("level"),
-      of_curves<steepness>("steepness"),   of_curves<steepest_fall>("steepest_fall"),
-      of_curves<fall_width>("fall_width"), of_curves<fold>("fold"),
+      of_curves<trend>("trend"),
+      of_curves<end_ratio>("end_ratio"),
+      of_curves<plateau>("plateau"),
+      of_curves<level>("level"),
+      of_curves<steepness>("steepness"),
+      of_curves<steepest_fall>("steepest_fall"),
+      of_curves<fall_width>("fall_width"),
+      of_curves<fold>("fold"),
+      of_curves<rise>("rise"),
+      of_curves<top_ratio>("top_ratio"),
   };
   const Predicate::Need along = table.front().needs.front();
   table.push_back({"range_ratio",

@@ -48,6 +48,17 @@ struct Estimate {
   double value, uncertainty;
 };
 
+// ln of the ratio of two values.
+Estimate log_ratio(const CurvePoint& a, const CurvePoint& b) {
+  return {log(a.value / b.value), relative_error(a) + relative_error(b)};
+}
+
+Measurement exponential(Measurement m) {
+  m.value = exp(m.value);
+  m.uncertainty *= m.value;
+  return m;
+}
+
 Measurement mean_log_range(const Curves& in) {
   return mean_over(in, [](const Curve& curve) {
     const auto less = [](const CurvePoint& a, const CurvePoint& b) { return a.value < b.value; };
@@ -140,14 +151,16 @@ Measurement concordance(const Curve& first, const Curve& second) {
   return trend(joint);
 }
 
-Measurement end_ratio(const Curves& in) {
-  Measurement m = mean_over(in, [](const Curve& curve) {
-    return Estimate{log(curve.back().value / curve.front().value),
-                    relative_error(curve.front()) + relative_error(curve.back())};
-  });
-  m.value = exp(m.value);
-  m.uncertainty *= m.value;
-  return m;
+Measurement rise(const Curves& in) {
+  return mean_over(in, [](const Curve& curve) { return log_ratio(curve.back(), curve.front()); });
+}
+
+Measurement end_ratio(const Curves& in) { return exponential(rise(in)); }
+
+Measurement top_ratio(const Curves& in) {
+  return exponential(mean_over(in, [](const Curve& curve) {
+    return log_ratio(*std::ranges::max_element(curve, {}, &CurvePoint::value), curve.front());
+  }));
 }
 
 Measurement range_ratio(const Curves& along, const Curves& against) {

@@ -27,6 +27,13 @@ Measurement concordance(const Curve& first, const Curve& second);
 // Ratio of the last to the first value along the axis; geometric mean over the curves.
 Measurement end_ratio(const Curves& curves);
 
+// ln of the ratio of the last to the first value along the axis, positive if the values rise; mean over the
+// curves.
+Measurement rise(const Curves& curves);
+
+// Ratio of the largest to the first value along the axis; geometric mean over the curves.
+Measurement top_ratio(const Curves& curves);
+
 // Ratio of the mean range of ln(variable) along one axis to that along another.
 Measurement range_ratio(const Curves& along, const Curves& against);
 

@@ -146,7 +146,7 @@ Reference make_reference(const results::ResultReader& result, const std::vector<
     else out.flags.push_back({name, std::vector<long>(v.values.begin(), v.values.end()), wrong});
   }
   for (const CheckResult& c : checks)
-    out.claims.push_back({c.check.claim, c.check.statement, to_string(c.verdict)});
+    out.claims.push_back({c.check.claim, c.check.reading, c.check.statement, to_string(c.verdict)});
   return out;
 }
 

@@ -36,7 +36,7 @@ struct ReferenceFlags {
 };
 
 struct ReferenceClaim {
-  std::string claim, statement, verdict;
+  std::string claim, reading, statement, verdict;
 };
 
 // The numbers and verdicts of an experiment that later results are compared with.

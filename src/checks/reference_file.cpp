@@ -50,6 +50,8 @@ class Node {
     return *this / key;
   }
 
+  bool has(const std::string& key) const { return object().contains(key); }
+
   // Requires an object with no other keys than these.
   const Node& only(const std::vector<std::string>& keys) const {
     for (const auto& [key, value] : object().items())
@@ -169,13 +171,14 @@ experiment::Axis read_axis(const std::string& name, const Node& node) {
 }
 
 ReferenceClaim read_claim(const Node& node) {
-  node.only({"claim", "statement", "verdict"});
+  node.only({"claim", "reading", "statement", "verdict"});
   const std::string verdict = node["verdict"].text();
   const std::vector<std::string> known = {"supported", "refuted", "undecided"};
   if (std::find(known.begin(), known.end(), verdict) == known.end())
     node["verdict"].fail(fmt::format("\"{}\" is not a verdict{}; allowed: {}", verdict,
                                      did_you_mean(verdict, known), fmt::join(known, ", ")));
-  return {node["claim"].text(), node["statement"].text(), verdict};
+  const std::string reading = node.has("reading") ? node["reading"].text() : "";
+  return {node["claim"].text(), reading, node["statement"].text(), verdict};
 }
 
 Json parse(const std::string& path) {
@@ -199,8 +202,12 @@ std::string reference_text(const Reference& reference) {
   out["payload_sha256"] = reference.payload_sha256;
   out["commit"] = reference.commit;
   out["claims"] = Json::array();
-  for (const ReferenceClaim& c : reference.claims)
-    out["claims"].push_back({{"claim", c.claim}, {"verdict", c.verdict}, {"statement", c.statement}});
+  for (const ReferenceClaim& c : reference.claims) {
+    Json claim = {
+        {"claim", c.claim}, {"reading", c.reading}, {"verdict", c.verdict}, {"statement", c.statement}};
+    if (c.reading.empty()) claim.erase("reading");
+    out["claims"].push_back(claim);
+  }
   out["axes"] = Json::object();
   for (const experiment::Axis& axis : reference.axes) out["axes"][axis.name] = axis.values;
   out["flags"] = Json::object();

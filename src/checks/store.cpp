@@ -20,12 +20,18 @@ using C = const CheckResult&;
 const Column<std::string> kTexts[] = {
     {"claim", "identifier of the claim", [](C c) { return c.check.claim; }},
     {"statement", "text of the claim", [](C c) { return c.check.statement; }},
+    {"reading", "value of the choice at which the check is evaluated", [](C c) { return c.check.reading; }},
+    {"role", "main checks decide the verdict on the claim",
+     [](C c) { return std::string(c.check.main ? "main" : "further"); }},
     {"is", "required relation of the measured number to the threshold",
      [](C c) { return std::string(to_string(c.check.criterion)); }},
-    {"verdict", "verdict on the claim", [](C c) { return std::string(to_string(c.verdict)); }},
+    {"verdict", "verdict of the check", [](C c) { return std::string(to_string(c.verdict)); }},
+    {"claim_verdict", "verdict on the claim under this reading, by its main checks",
+     [](C c) { return std::string(to_string(c.claim_verdict)); }},
 };
 
 const Column<double> kNumbers[] = {
+    {"declared", "number of the check in the experiment", [](C c) { return double(c.check.number); }},
     {"measured", "measured number", [](C c) { return c.measured.value; }},
     {"uncertainty", "uncertainty of the measured number", [](C c) { return c.measured.uncertainty; }},
     {"threshold", "required number", [](C c) { return c.check.threshold; }},

@@ -16,8 +16,8 @@ namespace {
 
 class CheckValidator {
  public:
-  CheckValidator(const Experiment& experiment, std::size_t index)
-      : experiment_(experiment), index_(index), check_(experiment.checks[index]) {
+  CheckValidator(const Experiment& experiment, const experiment::Check& check)
+      : experiment_(experiment), check_(check) {
     for (const results::ResultVariable& v : results::result_variables(experiment))
       variables_.push_back(v.name);
     for (const experiment::Axis& axis : experiment.axes) axes_.push_back(results::axis_variable(axis.name));
@@ -26,6 +26,7 @@ class CheckValidator {
 
   void validate() const {
     require_keys();
+    require_main_check();
     known("variable", check_.variable, variables_);
     if (!check_.along.empty()) known("along", check_.along, axes_);
     if (!check_.against.empty()) known("against", check_.against, axes_);
@@ -48,7 +49,7 @@ class CheckValidator {
   using Range = std::array<double, 2>;
 
   [[noreturn]] void fail(const std::string& key, const std::string& what) const {
-    throw InputError(fmt::format("{}: /checks/{}/{}: {}", experiment_.path, index_, key, what));
+    throw InputError(fmt::format("{}: /checks/{}/{}: {}", experiment_.path, check_.number, key, what));
   }
 
   void known(const std::string& key, const std::string& name, const std::vector<std::string>& names) const {
@@ -67,6 +68,14 @@ class CheckValidator {
                        predicate.name));
     if (check_.criterion == experiment::Criterion::near && !check_.band)
       fail("band", "is missing; \"near\" needs the largest allowed distance");
+  }
+
+  void require_main_check() const {
+    const bool any = std::ranges::any_of(experiment_.checks, [this](const experiment::Check& other) {
+      return other.main && other.claim == check_.claim;
+    });
+    if (!any)
+      fail("role", fmt::format("every check of claim {} is \"further\"; one must be \"main\"", check_.claim));
   }
 
   // The selection must be a word of a choice, a value of an axis, or a range of an axis or a variable.
@@ -105,7 +114,6 @@ class CheckValidator {
   }
 
   const Experiment& experiment_;
-  std::size_t index_;
   const experiment::Check& check_;
   std::vector<std::string> variables_, axes_;
 };
@@ -113,7 +121,7 @@ class CheckValidator {
 }  // namespace
 
 void validate_checks(const Experiment& experiment) {
-  for (std::size_t i = 0; i < experiment.checks.size(); ++i) CheckValidator(experiment, i).validate();
+  for (const experiment::Check& check : experiment.checks) CheckValidator(experiment, check).validate();
 }
 
 }  // namespace bristle::checks

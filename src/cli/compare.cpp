@@ -11,10 +11,16 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 
 namespace bristle::cli {
 namespace {
+
+bool all_supported(const std::vector<checks::CheckResult>& checks) {
+  return std::ranges::all_of(
+      checks, [](const checks::CheckResult& c) { return c.claim_verdict == checks::Verdict::supported; });
+}
 
 // Prints the verdicts of the claims; returns whether all are supported.
 bool report_claims(const CheckOptions& options, const std::vector<checks::CheckResult>& checks) {
@@ -23,13 +29,14 @@ bool report_claims(const CheckOptions& options, const std::vector<checks::CheckR
     return true;
   }
   fmt::print("{}", checks::checks_table(checks));
-  const auto count = [&](checks::Verdict verdict) {
-    return std::count_if(checks.begin(), checks.end(),
-                         [=](const checks::CheckResult& c) { return c.verdict == verdict; });
-  };
-  fmt::print("{} supported, {} refuted, {} undecided\n", count(checks::Verdict::supported),
-             count(checks::Verdict::refuted), count(checks::Verdict::undecided));
-  return count(checks::Verdict::supported) == long(checks.size());
+  std::map<std::string, std::map<checks::Verdict, int>> counts;  // by reading
+  const auto verdicts = checks::claim_verdicts(checks);
+  for (const checks::ClaimVerdict& c : verdicts) ++counts[c.reading][c.verdict];
+  for (auto& [reading, count] : counts)
+    fmt::print("{}: {} supported, {} refuted, {} undecided\n",
+               reading.empty() ? "claims" : "claims, " + reading, count[checks::Verdict::supported],
+               count[checks::Verdict::refuted], count[checks::Verdict::undecided]);
+  return all_supported(checks);
 }
 
 // Prints deviations from the stored reference; returns whether all are within the tolerances.
@@ -60,11 +67,8 @@ bool print_json(const CheckOptions& options, const results::ResultReader& result
         checks::compare_with_reference(checks::read_reference(path), checks::make_reference(result, checks)),
         result, path);
   fmt::print("{}\n", out.dump(1));
-  const bool claims_supported = std::all_of(checks.begin(), checks.end(), [](const checks::CheckResult& c) {
-    return c.verdict == checks::Verdict::supported;
-  });
   const bool reference_failed = out["deviation"].is_null() || out["deviation"]["failed"].get<bool>();
-  return (claims_supported || options.report_only) && (!reference_failed || options.claims_only);
+  return (all_supported(checks) || options.report_only) && (!reference_failed || options.claims_only);
 }
 
 }  // namespace

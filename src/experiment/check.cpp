@@ -16,6 +16,7 @@ class CheckReader {
     Check check;
     for (const auto& [key, member] : {std::pair{"claim", &Check::claim},
                                       {"statement", &Check::statement},
+                                      {"interpretation", &Check::interpretation},
                                       {"predicate", &Check::predicate},
                                       {"variable", &Check::variable},
                                       {"along", &Check::along},
@@ -40,6 +41,7 @@ class CheckReader {
       check.compare =
           AxisPair{name, selection("compare/" + name, values[0]), selection("compare/" + name, values[1])};
     });
+    check.main = json_.value("role", "main") == "main";
     check.difference = json_.value("by", "ratio") == "difference";
     check.logarithmic = json_.value("scale", "log") == "log";
     check.independent_errors = json_.value("errors", "") == "independent";
@@ -79,9 +81,24 @@ class CheckReader {
 std::vector<Check> read_checks(const Json& document, const std::string& source) {
   std::vector<Check> checks;
   if (!document.contains("checks")) return checks;
-  for (const Json& json : document["checks"])
-    checks.push_back(CheckReader(json, fmt::format("{}: /checks/{}", source, checks.size())).read());
+  for (const Json& json : document["checks"]) {
+    const std::size_t number = checks.size();
+    checks.push_back(CheckReader(json, fmt::format("{}: /checks/{}", source, number)).read());
+    checks.back().number = number;
+  }
   return checks;
+}
+
+std::vector<Check> for_each_reading(const std::vector<Check>& checks, const std::string& axis,
+                                    const std::vector<std::string>& words) {
+  std::vector<Check> out;
+  for (const Check& check : checks)
+    for (const std::string& word : words) {
+      out.push_back(check);
+      out.back().reading = word;
+      out.back().where.emplace_back(axis, word);
+    }
+  return out;
 }
 
 std::string selection_text(const Selection& selection) {

@@ -31,7 +31,13 @@ enum class Criterion {
 // variable of the result, which is compared with a threshold (docs/claims.md). A string is empty if its key
 // is absent.
 struct Check {
+  std::size_t number = 0;  // in the experiment's document
   std::string claim, statement;
+  // A main check decides the verdict on its claim, together with the others of the same interpretation of the
+  // paper's sentence; a further one does not.
+  bool main = true;
+  std::string interpretation;
+  std::string reading;            // value of the axis "checks_for_each" at which it is evaluated
   std::string predicate;          // a name in checks/measure.hpp
   std::string variable;           // of the result file
   std::string along, x, against;  // dimension of the curves, abscissa, second dimension
@@ -54,6 +60,10 @@ struct Check {
 // The checks of an experiment's document, which must match the schema. source names the document in messages.
 // Throws InputError for a selection that is not a word, a number or a range of two numbers.
 std::vector<Check> read_checks(const Json& document, const std::string& source);
+
+// Every check once for each word of this axis, limited to its points.
+std::vector<Check> for_each_reading(const std::vector<Check>& checks, const std::string& axis,
+                                    const std::vector<std::string>& words);
 
 // The JSON text of a selection, for messages.
 std::string selection_text(const Selection& selection);

@@ -178,6 +178,20 @@ void check_lattice(const Document& d, const Experiment& e) {
   }
 }
 
+std::vector<Check> read_all_checks(const Document& d, const Experiment& e) {
+  const Json& json = d.json();
+  const std::vector<Check> checks = read_checks(json, d.path());
+  if (!json.contains("checks_for_each")) return checks;
+  const std::string name = json["checks_for_each"];
+  const auto axis = std::ranges::find(e.axes, name, &Axis::name);
+  if (axis == e.axes.end() || find_sweepable(name)->options.empty())
+    d.fail("/checks_for_each",
+           fmt::format("\"{}\" is not a choice that the sweep varies; allowed: a choice in /sweep", name));
+  std::vector<std::string> words;
+  for (const double value : axis->values) words.push_back(find_sweepable(name)->text(value));
+  return for_each_reading(checks, name, words);
+}
+
 Experiment read(const Document& d) {
   check_schema(d);
   const Json& json = d.json();
@@ -203,7 +217,7 @@ Experiment read(const Document& d) {
   apply_si_units(e.base);
   e.record = read_recording(d, e.base.setup.orientation, e.base.loading);
   check_lattice(d, e);
-  e.checks = read_checks(json, d.path());
+  e.checks = read_all_checks(d, e);
   check_gap(d, e);
   check_chi(d, e);
   return e;
