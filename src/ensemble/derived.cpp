@@ -18,6 +18,19 @@ Derived share_of(const PointResult& p, Observable part, Observable total) {
           (p.load_error[part] + value * p.load_error[total]) / p.value[total]};
 }
 
+Derived mean_of_passing(const PointResult& p, Observable contribution) {
+  const double passing = 1 - p.value[PINNED_FRACTION], value = p.value[contribution] / passing;
+  return {value, (p.error[contribution] + value * p.error[PINNED_FRACTION]) / passing,
+          (p.load_error[contribution] + value * p.load_error[PINNED_FRACTION]) / passing};
+}
+
+Derived friction_of_passing(const PointResult& p) {
+  const double R_rigid = p.value[R_X] / p.R_x_norm, share = p.value[PASSING_R_X] / p.value[R_X];
+  const double of_load = p.R_x_norm_error - p.error[R_X] / R_rigid;  // error by that of R_n in R_rigid
+  return {share * p.R_x_norm, p.error[PASSING_R_X] / R_rigid + share * of_load,
+          p.load_error[PASSING_R_X] / R_rigid};
+}
+
 Derived friction_coefficient(const PointResult& p) {
   const double value = p.value[R_X] / p.value[R_N];
   return {value, (p.error[R_X] + std::abs(value) * p.error[R_N]) / p.value[R_N], kUnknown};

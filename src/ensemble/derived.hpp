@@ -13,6 +13,12 @@ struct Derived {
 // Share of the total that the pinned bristles carry: part over total. Dimensionless.
 Derived share_of(const PointResult& p, Observable part, Observable total);
 
+// Mean over the bristles that pass, from their contribution to the mean over all. Dimensionless.
+Derived mean_of_passing(const PointResult& p, Observable contribution);
+
+// Friction force of the bristles that pass over that of rigid bristles under the whole load.
+Derived friction_of_passing(const PointResult& p);
+
 // R_x/R_n, Eq. (19). Dimensionless.
 Derived friction_coefficient(const PointResult& p);
 

@@ -49,22 +49,30 @@ std::vector<double> with_pole_panels(std::vector<double> edges, const Parameters
 }  // namespace
 
 ObservableArray observables(const Passage& passage, double L_x) {
-  const bool pinned = passage.outcome == Outcome::pinned;
-  const double R_n = passage.end[NORMAL] / L_x, R_x = passage.end[FRICTION_X] / L_x;
   ObservableArray o{};
   o[N_C_RATIO] = passage.contact_time / L_x;
-  o[R_N] = R_n;
-  o[R_X] = R_x;
+  o[R_N] = passage.end[NORMAL] / L_x;
+  o[R_X] = passage.end[FRICTION_X] / L_x;
   o[R_Y] = passage.end[FRICTION_Y] / L_x;
   o[GAMMA_1] = passage.gamma_1;
   o[GAMMA_2] = passage.gamma_2;
   o[GAMMA_3] = passage.gamma_3;
-  o[PINNED_FRACTION] = pinned ? 1 : 0;
-  o[PINNED_R_N] = pinned ? R_n : 0;
-  o[PINNED_R_X] = pinned ? R_x : 0;
   o[ENERGY_RESIDUAL] = passage.energy_residual;
   o[WEIGHT] = 1;
+  split_by_outcome(o, passage.outcome);
   return o;
+}
+
+void split_by_outcome(ObservableArray& o, Outcome outcome) {
+  const double pinned = outcome == Outcome::pinned ? 1 : 0, passing = 1 - pinned;
+  o[PINNED_FRACTION] = pinned;
+  o[PINNED_R_N] = pinned * o[R_N];
+  o[PINNED_R_X] = pinned * o[R_X];
+  o[PASSING_R_N] = passing * o[R_N];
+  o[PASSING_R_X] = passing * o[R_X];
+  o[PASSING_GAMMA_1] = passing * o[GAMMA_1];
+  o[PASSING_GAMMA_2] = passing * o[GAMMA_2];
+  o[PASSING_GAMMA_3] = passing * o[GAMMA_3];
 }
 
 EnsembleMean::EnsembleMean(const Setup& setup, double z_0, PassageRunner run)

@@ -22,6 +22,11 @@ enum Observable {
   PINNED_FRACTION,
   PINNED_R_N,  // contribution of the pinned bristles to R_n and R_x
   PINNED_R_X,
+  PASSING_R_N,  // contributions of the other bristles, those that pass
+  PASSING_R_X,
+  PASSING_GAMMA_1,
+  PASSING_GAMMA_2,
+  PASSING_GAMMA_3,
   ENERGY_RESIDUAL,
   WEIGHT,  // integral of the density of theta_0: 1 up to the error of the quadrature
   OBSERVABLES
@@ -110,6 +115,8 @@ class EnsembleMean {
 
 // Contribution of one passage to the means, for a slab of length L_x.
 ObservableArray observables(const Passage& passage, double L_x);
+// Sets the contributions of pinned and of passing bristles according to those of the passage.
+void split_by_outcome(ObservableArray& contribution, Outcome outcome);
 
 // R_rigid of Eqs. (22, 23) per N_c0, for the normal load R_n per N_c0. Dimensionless.
 double rigid_friction(const Parameters& p, double R_n);

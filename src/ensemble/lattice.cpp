@@ -8,6 +8,9 @@ namespace bristle {
 namespace {
 
 constexpr long kIntervalsPerRow = 4;
+// Means over passages; the others are means over time.
+constexpr Observable kPerPassage[] = {GAMMA_1,         GAMMA_2,         GAMMA_3,         PINNED_FRACTION,
+                                      ENERGY_RESIDUAL, PASSING_GAMMA_1, PASSING_GAMMA_2, PASSING_GAMMA_3};
 constexpr long kBatch = 4096;  // passages whose samples are held at the same time
 
 // Integrals over an interval of the forces on the slab and of the number of bristles in contact, before
@@ -125,13 +128,11 @@ class Lattice {
   void add_contribution(const Passage& passage, const Impulse& in_window) {
     if (!passage.complete() && out_.incomplete++ == 0) out_.incomplete_theta_0 = passage.theta_0;
     ObservableArray value = observables(passage, p_.L_x);
-    const bool pinned = passage.outcome == Outcome::pinned;
     value[R_N] = in_window.R_n;
     value[R_X] = in_window.R_x;
     value[R_Y] = in_window.R_y;
     value[N_C_RATIO] = in_window.time;
-    value[PINNED_R_N] = pinned ? in_window.R_n : 0;
-    value[PINNED_R_X] = pinned ? in_window.R_x : 0;
+    split_by_outcome(value, passage.outcome);
     for (std::size_t k = 0; k < OBSERVABLES; ++k) contributions_[k].add(value[k]);
     out_.passages.push_back(passage);
   }
@@ -139,9 +140,8 @@ class Lattice {
   void finish() {
     const double window = double(series_.size() - window_start_) * interval_;
     for (std::size_t k = 0; k < OBSERVABLES; ++k) {
-      const bool of_passages =
-          k == GAMMA_1 || k == GAMMA_2 || k == GAMMA_3 || k == PINNED_FRACTION || k == ENERGY_RESIDUAL;
-      const double divisor = !of_passages ? window * N_c0() : double(contributions_[k].count());
+      const double divisor =
+          std::ranges::count(kPerPassage, k) > 0 ? double(contributions_[k].count()) : window * N_c0();
       out_.mean[k] = contributions_[k].sum() / divisor;
       out_.error[k] = contributions_[k].error() / divisor;
     }

@@ -39,6 +39,13 @@ ResultVariable pinned_share(const char* name, const char* long_name, const char*
       name, long_name, symbol, "", [=](const PointResult& p) { return share_of(p, part, total); }, true);
 }
 
+ResultVariable mean_unpinned(const char* name, const char* long_name, const char* symbol,
+                             Observable contribution) {
+  return derived(
+      name, long_name, symbol, "", [=](const PointResult& p) { return mean_of_passing(p, contribution); },
+      true);
+}
+
 ResultVariable field(const char* name, const char* long_name, const char* symbol, const char* equation,
                      double PointResult::*value, double PointResult::*error = nullptr,
                      double PointResult::*load_error = nullptr) {
@@ -134,6 +141,18 @@ std::vector<ResultVariable> result_variables(const Experiment& experiment) {
                    PINNED_R_N, R_N),
       pinned_share("pinned_share_R_x", "share of pinned bristles in R_x", R"(R_{x,\mathrm{pinned}}/R_x)",
                    PINNED_R_X, R_X),
+      mean("R_n_unpinned", "normal load of the bristles that pass, per bristle",
+           R"(\tilde{R}_{n,\mathrm{unpinned}}/N_{c,0})", "", PASSING_R_N),
+      mean("R_x_unpinned", "friction force of the bristles that pass, per bristle",
+           R"(\tilde{R}_{x,\mathrm{unpinned}}/N_{c,0})", "", PASSING_R_X),
+      derived("R_x_norm_unpinned", "friction of the bristles that pass over that of rigid bristles under R_n",
+              R"(\check{R}_{x,\mathrm{unpinned}})", "", friction_of_passing, true),
+      mean_unpinned("gamma_1_unpinned", "gamma_1 of the bristles that pass",
+                    R"(\tilde{\gamma}_{1,\mathrm{unpinned}})", PASSING_GAMMA_1),
+      mean_unpinned("gamma_2_unpinned", "gamma_2 of the bristles that pass",
+                    R"(\tilde{\gamma}_{2,\mathrm{unpinned}})", PASSING_GAMMA_2),
+      mean_unpinned("gamma_3_unpinned", "gamma_3 of the bristles that pass",
+                    R"(\tilde{\gamma}_{3,\mathrm{unpinned}})", PASSING_GAMMA_3),
       mean("energy_residual", "mean error of the energy budget over the dissipated or initial energy",
            R"(\epsilon_E)", "Eqs. (13, 17, 18)", ENERGY_RESIDUAL),
       field("incomplete_theta_0", "undeformed azimuth of the first passage without an exit", R"(\theta_0)",
