@@ -19,17 +19,12 @@ Curve curve(const std::vector<double>& values, double error, double first_x = 1)
 
 Curves one(const Curve& c) { return {{c}, 0}; }
 
-// The evaluated checks of a result with the given values of R_x_norm over k_r.
-std::vector<CheckResult> verdicts(const Scratch& s, const std::vector<double>& values, double error,
-                                  const std::string& check) {
+// The evaluated checks of a result with the given values of R_x_norm.
+std::vector<CheckResult> evaluated(const Scratch& s, const std::vector<double>& values, double error,
+                                   const std::string& sweep_and_checks) {
   s.write("paper.json", bytes_of(std::string(BRISTLE_EXPERIMENTS) + "/paper.json"));
   const Experiment e = load_experiment(
-      s.write("c.json", R"({"extends": "paper.json", "name": "c", "sweep": {"k_r": {"linspace": [1, 10, )" +
-                            std::to_string(values.size()) +
-                            R"(]}}, "checks": [{"claim": "x", "statement": "y",
-        "variable": "R_x_norm", "along": "k_r", )" +
-                            check + "}]}"),
-      {});
+      s.write("c.json", R"({"extends": "paper.json", "name": "c", )" + sweep_and_checks + "}"), {});
   validate_checks(e);
   ResultWriter writer(e, s.path("c.h5"));
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -41,6 +36,16 @@ std::vector<CheckResult> verdicts(const Scratch& s, const std::vector<double>& v
   writer.close({});
   writer.publish();
   return evaluate_checks(ResultReader(s.path("c.h5")));
+}
+
+// The same with one check of values over k_r.
+std::vector<CheckResult> verdicts(const Scratch& s, const std::vector<double>& values, double error,
+                                  const std::string& check) {
+  return evaluated(s, values, error,
+                   R"("sweep": {"k_r": {"linspace": [1, 10, )" + std::to_string(values.size()) +
+                       R"(]}}, "checks": [{"claim": "x", "statement": "y",
+        "variable": "R_x_norm", "along": "k_r", )" +
+                       check + "}]");
 }
 
 Verdict verdict(const std::vector<double>& values, double error, const std::string& check) {
@@ -124,6 +129,11 @@ TEST_CASE("end_ratio and range_ratio, with their uncertainties") {
   const Measurement ratio = end_ratio({{curve({4, 7, 1}, 0.01)}, 0});
   CHECK(ratio.value == Approx(0.25));
   CHECK(ratio.uncertainty == Approx(0.25 * (0.01 / 4 + 0.01)));
+  CHECK(rise({{curve({4, 7, 1}, 0.01)}, 0}).value == Approx(std::log(0.25)));
+  CHECK(rise({{curve({4, 7, 1}, 0.01)}, 0}).uncertainty == Approx(0.01 / 4 + 0.01));
+  const Measurement top = top_ratio({{curve({4, 8, 1}, 0.1), curve({1, 1}, 0.1)}, 0});
+  CHECK(top.value == Approx(std::sqrt(2)));
+  CHECK(top.uncertainty == Approx(std::sqrt(2) * (0.1 / 8 + 0.1 / 4 + 0.2) / 2));
   const Curves narrow{{curve({1, 2}, 0)}, 0}, wide{{curve({1, 4, 8}, 0)}, 0};
   CHECK(range_ratio(narrow, wide).value == Approx(1.0 / 3));
 }
@@ -158,6 +168,61 @@ TEST_CASE("verdicts: near, selections, comparisons, and trends of too few points
   CHECK(verdict({2, 7, 1}, 0.01, falls + R"(-0.8, "by": "difference")") == Verdict::supported);
   CHECK(verdict({2, 7, 1}, 0.01, falls + R"(0.6, "divide_by": {"R_n": -1})") ==
         Verdict::undecided);  // R_n is 0
+}
+
+namespace {
+
+// A check of values 1 to 4 over k_r that is supported or refuted.
+std::string level(bool supported, const std::string& keys) {
+  return std::string(R"({"claim": "x", "statement": "y", "variable": "R_x_norm", "along": "k_r",
+    "predicate": "level", "is": "at_most", "threshold": )") +
+         (supported ? "9" : "1") + keys + "}";
+}
+
+Verdict claim_verdict(const std::vector<std::string>& checks) {
+  const Scratch s;
+  std::string list;
+  for (const std::string& check : checks) list += (list.empty() ? "" : ", ") + check;
+  const auto results = evaluated(s, {1, 2, 3, 4}, 0.1,
+                                 R"("sweep": {"k_r": {"linspace": [1, 10, 4]}}, "checks": [)" + list + "]");
+  CHECK(claim_verdicts(results).size() == 1);
+  return results.front().claim_verdict;
+}
+
+}  // namespace
+
+TEST_CASE("the main checks of one interpretation decide the verdict on a claim; further checks do not") {
+  const std::string further = R"(, "role": "further")", one = R"(, "interpretation": "one")",
+                    other = R"(, "interpretation": "other")";
+  CHECK(claim_verdict({level(true, ""), level(true, "")}) == Verdict::supported);
+  CHECK(claim_verdict({level(true, ""), level(false, "")}) == Verdict::refuted);
+  CHECK(claim_verdict({level(true, ""), level(false, further)}) == Verdict::supported);
+  CHECK(claim_verdict({level(false, ""), level(true, further)}) == Verdict::refuted);
+  CHECK(claim_verdict({level(false, one), level(true, one), level(true, other)}) == Verdict::supported);
+  CHECK(claim_verdict({level(false, one), level(false, other)}) == Verdict::refuted);
+  CHECK_THROWS_WITH(claim_verdict({level(true, further)}),
+                    Catch::Contains("/checks/0/role: every check of claim x is \"further\""));
+}
+
+TEST_CASE("with checks_for_each, every check has a verdict at each value of the choice") {
+  const Scratch s;
+  const std::string both = R"("sweep": {"azimuth_rate": {"values": ["kinematic", "as_printed"]},
+    "k_r": {"values": [1, 2, 3]}}, "checks": [)" +
+                           level(true, R"(, "where": {"k_r": [1, 2]})") + R"(], "checks_for_each": )";
+  const auto results = evaluated(s, {1, 2, 90, 10, 20, 90}, 0.1, both + R"("azimuth_rate")");
+  REQUIRE(results.size() == 2);
+  CHECK(results[0].check.reading == "kinematic");
+  CHECK(results[0].measured.value == Approx(1.5));
+  CHECK(results[0].claim_verdict == Verdict::supported);
+  CHECK(results[1].check.reading == "as_printed");
+  CHECK(results[1].measured.value == Approx(15));
+  CHECK(results[1].claim_verdict == Verdict::refuted);
+  CHECK(results[1].check.number == 0);
+  const std::string table = checks_table(results);
+  CHECK(table.find("kinematic") < table.find("as_printed"));
+  CHECK(std::count(table.begin(), table.end(), '\n') == 2);  // one line for both verdicts
+  CHECK_THROWS_WITH(evaluated(s, {}, 0, both + R"("k_r")"), Catch::Contains("is not a choice"));
+  CHECK_THROWS_WITH(evaluated(s, {}, 0, both + R"("friction")"), Catch::Contains("is not a choice"));
 }
 
 TEST_CASE("points without values are omitted and counted, and without any value the claim is undecided") {

@@ -57,7 +57,7 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
        "this format)"},
       {with(R"("modle": {})"),
        "@/e.json: /modle: unknown key (did you mean model?); allowed: schema, name, title, notes, figure, "
-       "model, si, load, orientation, integrator, sweep, record, trajectories, tiers, checks"},
+       "model, si, load, orientation, integrator, sweep, record, trajectories, tiers, checks, checks_for_each"},
       {with(R"("model": {"k_tehta": 1})"),
        "@/e.json: /model/k_tehta: unknown key (did you mean k_theta?); allowed: friction, k_r, k_theta, "
        "k_phi, "
@@ -277,14 +277,14 @@ TEST_CASE(
     "axes: requested values, exact ends, and a smoke tier that is a subset of the full tier bit for bit") {
   const Experiment full = load_experiment(kExperiments + "/fig4.json", {});
   const Experiment smoke = load_experiment(kExperiments + "/fig4.json", {{}, "smoke"});
-  REQUIRE(full.axes.size() == 2);
-  CHECK(full.axes[0].name == "k_r");
-  CHECK(full.points() == 325);
-  CHECK(full.axes[0].values.front() == 2);
-  CHECK(full.axes[0].values.back() == 100);
-  for (std::size_t i = 1; i < 25; ++i)
-    CHECK(full.axes[0].values[i] / full.axes[0].values[i - 1] == Approx(std::pow(50.0, 1.0 / 24)));
-  for (std::size_t d = 0; d < 2; ++d)
+  REQUIRE(full.axes.size() == 3);
+  CHECK(full.axes[0].name == "azimuth_rate");
+  CHECK(full.points() == 1600);
+  const std::vector<double>& k_r = full.axes[1].values;
+  CHECK(k_r.front() == 3);
+  CHECK(k_r.back() == 100);
+  for (std::size_t i = 1; i < 40; ++i) CHECK(k_r[i] / k_r[i - 1] == Approx(std::pow(100.0 / 3, 1.0 / 39)));
+  for (std::size_t d = 0; d < 3; ++d)
     for (const double value : smoke.axes[d].values)
       CHECK(std::count(full.axes[d].values.begin(), full.axes[d].values.end(), value) == 1);
 }

@@ -184,7 +184,7 @@ TEST_CASE("deviations: missing and extra variables and different shapes, status 
     expected = "claim x \"falls\": supported, was refuted";
   }
   SECTION("fewer claims") {
-    p.reference.claims.push_back({"y", "rises", "supported"});
+    p.reference.claims.push_back({"y", "", "rises", "supported"});
     expected = "different checks";
   }
   CHECK(p.report().failed());
