@@ -191,7 +191,7 @@ Verdict claim_verdict(const std::vector<std::string>& checks) {
 
 }  // namespace
 
-TEST_CASE("the main checks of one interpretation decide the verdict on a claim; further checks do not") {
+TEST_CASE("the main checks of one interpretation decide the verdict on a claim, and further checks do not") {
   const std::string further = R"(, "role": "further")", one = R"(, "interpretation": "one")",
                     other = R"(, "interpretation": "other")";
   CHECK(claim_verdict({level(true, ""), level(true, "")}) == Verdict::supported);

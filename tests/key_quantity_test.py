@@ -1,0 +1,42 @@
+"""A key quantity of the paper under one reading of Eq. (17): its verdicts and its numbers are the reference's.
+
+Arguments: result of the smoke tier, reference, reading, claim, variable.
+"""
+
+import json
+import sys
+
+import h5py
+import numpy as np
+
+path, reference_path, reading, claim, variable = sys.argv[1:]
+with open(reference_path, encoding="utf-8") as stream:
+    reference = json.load(stream)
+file = h5py.File(path)
+
+
+def texts(name):
+    return [text.decode() for text in file["checks"][name][...]]
+
+
+now = [(statement, verdict, measured)
+       for name, word, statement, verdict, measured in zip(texts("claim"), texts("reading"), texts("statement"),
+                                                           texts("verdict"), file["checks/measured"])
+       if (name, word) == (claim, reading)]
+before = [(c["statement"], c["verdict"]) for c in reference["claims"] if (c["claim"], c["reading"]) == (claim, reading)]
+assert now, f"{path} has no check of claim {claim} under {reading}"
+for statement, verdict, measured in now:
+    print(f"{claim} ({reading}), {verdict}: {statement}: {measured:.4g}")
+assert [check[:2] for check in now] == before, f"the verdicts of the reference are {before}"
+
+shape = [len(values) for values in reference["axes"].values()]
+stored = reference["variables"][variable]
+values = np.array(stored["values"], float).reshape(shape)
+tolerance = sum(np.broadcast_to(np.reshape(stored[part], shape if np.ndim(stored[part]) else []), shape)
+                for part in ("quadrature", "load_control", "integrator", "libm"))
+words = file["azimuth_rate"].attrs["flag_meanings"].decode().split()
+first = list(file["azimuth_rate"][...]).index(words.index(reading))  # azimuth_rate is the first axis
+deviation = np.abs(file[variable][first] - values[first]) / tolerance[first]
+print(f"{variable}: {deviation.size} values, at most {np.nanmax(deviation):.2g} tolerances from the reference")
+assert (np.isfinite(values[first]) == np.isfinite(file[variable][first])).all()
+assert np.nanmax(deviation) <= 1, f"{variable} deviates from {reference_path}"
