@@ -141,7 +141,7 @@ TEST_CASE("the declared assumptions are valid, and cover every open choice") {
   std::vector<std::string> files;
   for (const auto& entry : std::filesystem::directory_iterator(kExperiments + "/assumptions"))
     files.push_back(entry.path().string());
-  const auto alternatives = read_alternatives(files);
+  const auto alternatives = read_declarations(files).alternatives;
   for (const char* choice : {"phi_0", "A", "C", "V_s", "lambda", "alpha", "initial state",
                              "closure of theta'", "pole rule", "damping", "swept ranges", "together"}) {
     CAPTURE(choice);

@@ -171,6 +171,11 @@ TEST_CASE("the initial states: tip at the gap, at rest, and with minimum energy 
   const Equilibrium upright = initial_state(p, z_0);
   CHECK(upright.phi == p.phi_0);
   CHECK(upright.r * std::sin(upright.phi) == Approx(z_0));
+  p.initial_state = InitialState::unstretched;
+  const Equilibrium unstretched = initial_state(p, z_0);
+  CHECK(unstretched.r == 1);
+  CHECK(std::sin(unstretched.phi) == Approx(z_0 - 5 * p.lambda_z));
+  CHECK(initial_state(p, 1.2).phi == p.phi_0);
   p.initial_state = InitialState::at_slab;
   const Equilibrium bent = initial_state(p, z_0);
   CHECK(bent.r * std::sin(bent.phi) == Approx(z_0));

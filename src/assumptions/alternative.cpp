@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <algorithm>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 namespace bristle::assumptions {
@@ -32,17 +33,46 @@ const Alternative& find(const std::vector<Alternative>& alternatives, const std:
   return *found;
 }
 
-Alternative combine(const std::vector<Alternative>& all, const std::string& file, const Json& pair) {
+Alternative combine(const std::vector<const Alternative*>& members, const std::string& description) {
   Alternative out;
   out.choice = "together";
-  out.description = pair["description"];
-  for (const std::string name : pair["members"]) {
-    const Alternative& member = find(all, name, file);
-    out.members.push_back(name);
-    out.declarations.insert(out.declarations.end(), member.declarations.begin(), member.declarations.end());
+  for (const Alternative* member : members) {
+    out.members.push_back(member->name);
+    out.declarations.insert(out.declarations.end(), member->declarations.begin(), member->declarations.end());
   }
   out.name = fmt::format("{}", fmt::join(out.members, " + "));
+  out.description = description;
   return out;
+}
+
+// Calls visit for each joint set of two or more alternatives to these choices, with at most one of each.
+void joint_sets(const std::vector<Alternative>& all, const Json& choices, std::size_t first,
+                std::vector<const Alternative*>& chosen,
+                const std::function<void(const std::vector<const Alternative*>&)>& visit) {
+  if (first == choices.size()) {
+    if (chosen.size() >= 2) visit(chosen);
+    return;
+  }
+  joint_sets(all, choices, first + 1, chosen, visit);
+  for (const Alternative& one : all) {
+    if (one.choice != choices[first]) continue;
+    chosen.push_back(&one);
+    joint_sets(all, choices, first + 1, chosen, visit);
+    chosen.pop_back();
+  }
+}
+
+void require_choices(const std::vector<Alternative>& all, const Json& choices, const std::string& file) {
+  for (const std::string name : choices)
+    if (std::ranges::find(all, name, &Alternative::choice) == all.end())
+      throw InputError(fmt::format("{}: /combinations: there is no choice {}", file, name));
+}
+
+Window read_window(const Json& json) {
+  Window window{json["name"], {}, json["experiments"]};
+  for (const auto& [axis, range] : json["where"].items())
+    window.where.emplace_back(axis, range.get<std::array<double, 2>>());
+  return window;
 }
 
 void check_unique(const std::vector<Alternative>& alternatives) {
@@ -74,21 +104,43 @@ Json Alternative::apply(const std::string& experiment, Json document) const {
   return document;
 }
 
-std::vector<Alternative> read_alternatives(const std::vector<std::string>& files) {
-  std::vector<Alternative> out;
-  std::vector<std::pair<std::string, Json>> pairs;
+Declarations read_declarations(const std::vector<std::string>& files) {
+  Declarations out{{"baseline", "", "every open choice as in docs/model.md", {}, {}}, {}, {}};
+  std::vector<std::pair<std::string, Json>> documents;
   for (const std::string& file : files) {
     const experiment::Document document = experiment::Document::stored(read_json_file(file), file);
     experiment::check_schema(document, assumption_schema());
-    const Json& json = document.json();
+    const Json& json = documents.emplace_back(file, document.json()).second;
+    if (json.contains("base"))
+      out.baseline.declarations.push_back(std::make_shared<const Json>(json["base"]));
+    for (const Json& window : json.value("windows", Json::array()))
+      out.windows.push_back(read_window(window));
     for (const Json& one : json.value("alternatives", Json::array()))
-      out.push_back(
+      out.alternatives.push_back(
           {one["name"], json["choice"], one["description"], {}, {std::make_shared<const Json>(one)}});
-    for (const Json& pair : json.value("pairs", Json::array())) pairs.emplace_back(file, pair);
   }
-  const std::vector<Alternative> single = out;
-  for (const auto& [file, pair] : pairs) out.push_back(combine(single, file, pair));
-  check_unique(out);
+  const std::vector<Alternative> single = out.alternatives;
+  for (const auto& [file, json] : documents) {
+    for (const Json& pair : json.value("pairs", Json::array())) {
+      std::vector<const Alternative*> members;
+      for (const std::string name : pair["members"]) members.push_back(&find(single, name, file));
+      out.alternatives.push_back(combine(members, pair["description"]));
+    }
+    for (const Json& choices : json.value("combinations", Json::array())) {
+      require_choices(single, choices, file);
+      std::vector<const Alternative*> chosen;
+      joint_sets(single, choices, 0, chosen, [&](const auto& members) {
+        Alternative set = combine(members, json["question"]);
+        if (std::ranges::find(out.alternatives, set.name, &Alternative::name) == out.alternatives.end())
+          out.alternatives.push_back(std::move(set));  // an earlier list may have the same choices
+      });
+    }
+  }
+  check_unique(out.alternatives);
+  if (out.windows.empty()) out.windows.emplace_back();
+  for (Alternative& a : out.alternatives)
+    a.declarations.insert(a.declarations.begin(), out.baseline.declarations.begin(),
+                          out.baseline.declarations.end());
   return out;
 }
 

@@ -2,8 +2,10 @@
 
 #include "util/json.hpp"
 
+#include <array>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace bristle::assumptions {
@@ -19,8 +21,21 @@ struct Alternative {
   Json apply(const std::string& experiment, Json document) const;
 };
 
-// Reads the alternatives of these files in their order, then the combinations. Throws InputError for a file
-// that does not match the schema, for duplicate names, and for unknown members of a combination.
-std::vector<Alternative> read_alternatives(const std::vector<std::string>& files);
+// Ranges [from, to] of axes, within which these experiments are checked.
+struct Window {
+  std::string name;
+  std::vector<std::pair<std::string, std::array<double, 2>>> where;
+  std::vector<std::string> experiments;
+};
+
+struct Declarations {
+  Alternative baseline;                   // its changes apply under every alternative
+  std::vector<Alternative> alternatives;  // in the files' order, then the combinations
+  std::vector<Window> windows;            // one without ranges if the files have none
+};
+
+// Reads these files. Throws InputError for a file that does not match the schema, for duplicate names, and
+// for unknown members of a combination.
+Declarations read_declarations(const std::vector<std::string>& files);
 
 }  // namespace bristle::assumptions

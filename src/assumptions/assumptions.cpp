@@ -30,7 +30,8 @@ std::vector<Experiment> experiments_with_claims(const AssumptionsOptions& option
   std::vector<Experiment> out;
   for (const std::string& file : files) {
     Experiment e = experiment::load_experiment(file, {{}, options.tier});
-    if (!e.figure.empty() && !e.checks.empty()) out.push_back(std::move(e));
+    const bool wanted = options.only.empty() || std::ranges::count(options.only, e.name) > 0;
+    if (wanted && !e.figure.empty() && !e.checks.empty()) out.push_back(std::move(e));
   }
   if (out.empty())
     throw InputError(fmt::format("--experiments {}: no experiment in this folder has a figure with checks",
@@ -51,8 +52,10 @@ class AssumptionsRun {
   explicit AssumptionsRun(const AssumptionsOptions& options)
       : options_(options), baseline_(experiments_with_claims(options)) {
     matrix_.tier = options.tier;
-    matrix_.alternatives = {{"baseline", "", "every open choice as in docs/model.md", {}, {}}};
-    std::ranges::copy(read_alternatives(options.files), std::back_inserter(matrix_.alternatives));
+    Declarations declared = read_declarations(options.files);
+    matrix_.alternatives = {std::move(declared.baseline)};
+    std::ranges::move(declared.alternatives, std::back_inserter(matrix_.alternatives));
+    matrix_.windows = std::move(declared.windows);
   }
 
   Matrix run() {
@@ -89,16 +92,25 @@ class AssumptionsRun {
   // row is the row of the first check; it is advanced past the last one.
   void add_cells(const Alternative& a, const Experiment& baseline, std::size_t& row) {
     const Experiment experiment = experiment_under(a, baseline);
+    const Alternative& of_baseline = matrix_.alternatives.front();
+    const Experiment compared = experiment_under(of_baseline, baseline);
     const bool affected =
-        a.declarations.empty() ||
-        results::inputs_sha256(*experiment.document) != results::inputs_sha256(*baseline.document) ||
-        experiment.checks != baseline.checks;
-    const std::string path = result_path(affected ? a : matrix_.alternatives.front(), baseline);
+        &a == &of_baseline ||
+        results::inputs_sha256(*experiment.document) != results::inputs_sha256(*compared.document) ||
+        experiment.checks != compared.checks;
+    const std::string path = result_path(affected ? a : of_baseline, baseline);
     if (affected)
       run::run_task({experiment, {}, path}, {options_.threads, false, true, options_.command_line});
-    for (checks::CheckResult& result : checks::evaluate_checks(results::ResultReader(path))) {
-      if (matrix_.rows.size() == row) matrix_.rows.push_back({baseline.name, {}});
-      matrix_.rows[row++].cells.push_back({std::move(result), affected});
+    const results::ResultReader result(path);
+    const std::size_t first = row;
+    for (const Window& window : matrix_.windows) {
+      row = first;
+      const bool limited = std::ranges::count(window.experiments, baseline.name) > 0;
+      for (checks::CheckResult& one :
+           checks::evaluate_checks(result, limited ? window.where : decltype(window.where)())) {
+        if (matrix_.rows.size() == row) matrix_.rows.push_back({baseline.name, {}});
+        matrix_.rows[row++].cells.push_back({std::move(one), affected});
+      }
     }
   }
 

@@ -7,6 +7,7 @@ namespace bristle::assumptions {
 struct AssumptionsOptions {
   std::vector<std::string> files;  // declarations of alternatives, see alternative.hpp
   std::string experiments = "experiments";
+  std::vector<std::string> only;  // names of experiments; all if empty
   // File of the matrix. The results of the runs go to a folder of that name without .json.
   std::string output = "results/assumptions.json";
   std::string tier = "study";

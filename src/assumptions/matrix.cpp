@@ -24,10 +24,12 @@ Json check_json(const Matrix::Row& row) {
           {"band", number(c.band.value_or(NAN))}};
 }
 
-Json cell_json(std::size_t check, std::size_t alternative, const Cell& cell) {
+Json cell_json(std::size_t check, std::size_t alternative, const std::string& window, const Cell& cell) {
   const checks::CheckResult& c = cell.result;
   return {{"check", check},
           {"alternative", alternative},
+          {"window", window},
+          {"claim_verdict", checks::to_string(c.claim_verdict)},
           {"verdict", checks::to_string(c.verdict)},
           {"measured", number(c.measured.value)},
           {"uncertainty", number(c.measured.uncertainty)},
@@ -41,8 +43,8 @@ Json conclusion_json(const Matrix& matrix, std::size_t index) {
   const Matrix::Row& row = matrix.rows[index];
   const checks::Verdict baseline = row.cells.front().result.verdict;
   Json reversing = Json::array(), undecided = Json::array(), choices = Json::array();
-  for (std::size_t a = 1; a < row.cells.size(); ++a) {
-    const checks::Verdict verdict = row.cells[a].result.verdict;
+  for (std::size_t a = 1; a < matrix.alternatives.size(); ++a) {
+    const checks::Verdict verdict = row.cells[a * matrix.windows.size()].result.verdict;
     if (verdict == baseline) continue;
     const Alternative& alternative = matrix.alternatives[a];
     (verdict == checks::Verdict::undecided ? undecided : reversing).push_back(alternative.name);
@@ -85,8 +87,10 @@ Json matrix_json(const Matrix& matrix) {
         {{"name", a.name}, {"choice", a.choice}, {"description", a.description}, {"members", a.members}});
   for (std::size_t i = 0; i < matrix.rows.size(); ++i) {
     out["checks"].push_back(check_json(matrix.rows[i]));
-    for (std::size_t a = 0; a < matrix.rows[i].cells.size(); ++a)
-      out["cells"].push_back(cell_json(i, a, matrix.rows[i].cells[a]));
+    const std::size_t windows = matrix.windows.size();
+    for (std::size_t c = 0; c < matrix.rows[i].cells.size(); ++c)
+      out["cells"].push_back(
+          cell_json(i, c / windows, matrix.windows[c % windows].name, matrix.rows[i].cells[c]));
     out["conclusions"].push_back(conclusion_json(matrix, i));
   }
   return out;

@@ -22,10 +22,11 @@ struct Cell {
 struct Matrix {
   struct Row {
     std::string experiment;
-    std::vector<Cell> cells;  // one for each alternative
+    std::vector<Cell> cells;  // by alternative, then by window
   };
   std::string tier;
   std::vector<Alternative> alternatives;
+  std::vector<Window> windows;
   std::vector<Row> rows;
 };
 

@@ -33,6 +33,12 @@ Verdict decide(const Measurement& m, double margin) {
   return margin >= m.uncertainty ? Verdict::supported : Verdict::undecided;
 }
 
+// Whether the check selects or compares values of this axis.
+bool selects(const experiment::Check& check, const std::string& axis) {
+  const auto same = [&](const auto& selection) { return selection.first == axis; };
+  return std::ranges::any_of(check.where, same) || (check.compare && check.compare->axis == axis);
+}
+
 // The worse of two verdicts: refuted, undecided, supported.
 Verdict worse(Verdict a, Verdict b) {
   if (a == Verdict::refuted || b == Verdict::refuted) return Verdict::refuted;
@@ -74,10 +80,15 @@ const char* to_string(experiment::Criterion criterion) {
   return "?";
 }
 
-std::vector<CheckResult> evaluate_checks(const results::ResultReader& result) {
+std::vector<CheckResult> evaluate_checks(
+    const results::ResultReader& result,
+    const std::vector<std::pair<std::string, std::array<double, 2>>>& within) {
   std::vector<CheckResult> out;
   // The checks of a file are untrusted, and the predicates rely on the validation.
-  const Experiment experiment = experiment::stored_experiment(result.experiment(), "full", result.path());
+  Experiment experiment = experiment::stored_experiment(result.experiment(), "full", result.path());
+  for (experiment::Check& check : experiment.checks)
+    for (const auto& [axis, range] : within)
+      if (experiment.swept(axis) && !selects(check, axis)) check.where.emplace_back(axis, range);
   validate_checks(experiment);
   for (const experiment::Check& check : experiment.checks) {
     CheckResult r{check, measure(result, check), 0, Verdict::undecided, Verdict::undecided};

@@ -98,6 +98,7 @@ CLI::App* add_assumptions(CLI::App& app, assumptions::AssumptionsOptions& option
   command->add_option("FILES", options.files, "files of assumptions [all in <experiments>/assumptions]");
   command->add_option("--experiments", options.experiments, "folder of the experiments")
       ->capture_default_str();
+  command->add_option("--only", options.only, "names of experiments [all with claims]")->delimiter(',');
   command
       ->add_option("-o,--output", options.output,
                    "file of the matrix; the results go to a folder of the same name")

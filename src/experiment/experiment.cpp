@@ -10,6 +10,7 @@
 #include "model/friction/chi.hpp"
 #include "util/error.hpp"
 #include "util/grid.hpp"
+#include "util/random.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -36,6 +37,19 @@ Parameters read_model(const Document& d) {
   return p;
 }
 
+// A list in degrees, or a number of azimuths drawn uniformly from the circle; rad.
+std::vector<double> read_azimuths(const Json& json) {
+  std::vector<double> out;
+  if (json.is_array()) {
+    for (const double degrees : json) out.push_back(degrees * kDegree);
+    return out;
+  }
+  const std::uint64_t seed = json["seed"];
+  for (std::uint64_t i = 0; i < json["random"]; ++i)
+    out.push_back(2 * M_PI * double(split_mix(seed + i * kSplitMixStep) >> 11) * 0x1p-53);
+  return out;
+}
+
 Orientation read_orientation(const Document& d) {
   const Json& json = d.json()["orientation"];
   Orientation o;
@@ -54,7 +68,7 @@ Orientation read_orientation(const Document& d) {
   if (o.sampling == Sampling::list) {
     if (!json.contains("theta_0_deg"))
       d.fail("/orientation/theta_0_deg", "is missing; sampling by list needs the azimuths in degrees");
-    for (const double degrees : json["theta_0_deg"]) o.theta_0.push_back(degrees * kDegree);
+    o.theta_0 = read_azimuths(json["theta_0_deg"]);
   } else if (json.contains("theta_0_deg")) {
     d.fail("/orientation/theta_0_deg", "is allowed with \"sampling\": \"list\" only");
   }

@@ -51,7 +51,7 @@ const std::vector<Choice>& choices_table() {
       choice("friction", "local friction law", &P::friction, friction_law_names()),
       choice("azimuth_rate", "closing equation for theta'", &P::azimuth_rate, {"kinematic", "as_printed"}),
       choice("initial_state", "state at the leading edge", &P::initial_state,
-             {"static_equilibrium", "at_slab", "upright"}),
+             {"static_equilibrium", "at_slab", "unstretched", "upright"}),
       choice("pole_rule", "rule for a tip that reaches s = s_min", &P::pole_rule, {"reflect", "cross"}),
   };
   return table;

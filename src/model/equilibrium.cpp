@@ -138,10 +138,17 @@ Equilibrium static_equilibrium(const Bristle<double>& b) {
   return best;
 }
 
+// Undeformed radius, and a tip just out of the wall's reach: the springs' only energy is that of bending.
+Equilibrium unstretched(const Parameters& p, double z_0) {
+  constexpr double clearance = 5;  // in wall ranges lambda_z
+  return {1, std::min(asin(std::clamp(z_0 - clearance * p.lambda_z, 0.0, 1.0)), p.phi_0)};
+}
+
 Equilibrium initial_state(const Parameters& p, double z_0) {
   const Bristle<double> b = make_bristle(p, z_0, 0);
   switch (p.initial_state) {
     case InitialState::at_slab: return equilibrium_at_slab(b);
+    case InitialState::unstretched: return unstretched(p, z_0);
     case InitialState::upright: return {z_0 / sin(p.phi_0), p.phi_0};
     case InitialState::static_equilibrium: break;
   }

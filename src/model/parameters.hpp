@@ -13,10 +13,12 @@ enum class AzimuthRate {
 // State of the bristle at the slab's leading edge, at rest in the vertical plane theta = theta_0:
 // static_equilibrium: frictionless equilibrium of springs, pole repulsion and wall force;
 // at_slab: tip at z = z_0, at the polar angle of least energy of springs and pole repulsion;
+// unstretched: r = 1, tip 5 lambda_z below z_0;
 // upright: tip at z = z_0, at the undeformed polar angle phi_0.
 enum class InitialState {
   static_equilibrium,
   at_slab,
+  unstretched,
   upright
 };
 

@@ -66,7 +66,7 @@ def experiment(seed):
         "alpha": r.or_default(1, r.choice([0, r.uniform(0, 10)]), 0.3),
         "beta": r.or_default(1, r.log(0.3, 100), 0.3),
         "azimuth_rate": r.choice(["kinematic", "kinematic", "as_printed"]),
-        "initial_state": r.choice(["static_equilibrium", "static_equilibrium", "at_slab", "upright"]),
+        "initial_state": r.choice(["static_equilibrium", "static_equilibrium", "at_slab", "unstretched", "upright"]),
         "pole_rule": r.choice(["reflect", "reflect", "cross"]),
         "s_min": r.or_default(1e-4, lam * r.log(0.01, 0.5), 0.3),
         "L_x": r.or_default(5, r.log(0.5, 15), 0.3), "L_y": 5, "spacing": 0.2,
