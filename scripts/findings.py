@@ -1,57 +1,116 @@
-"""docs/findings.md from result files: every claim with its verdict and the numbers behind it."""
+"""docs/findings.md from result files: every claim with its verdict and the numbers behind it; the summary in README.md."""
 
 import argparse
+import re
 
 import numpy as np
 
 from bristle_plots.command_line import run
+from bristle_plots.errors import BristleError
+from bristle_plots.explanations import (READINGS, ends, explain_claim, explain_further, listed, percent, periodic_part,
+                                        short, where_saturated)
 from bristle_plots.files import write_text
 from bristle_plots.markdown import filled, table
-from bristle_plots.results import as_text, experiment, open_result, read, status_counts
-from bristle_plots.verdicts import declared_checks, p_text, quantity, threshold_text
+from bristle_plots.results import as_text, axis_values, dataset, experiment, open_result, read, select, status_counts
+from bristle_plots.verdicts import declared_checks, number, p_text, quantity, threshold_text, with_uncertainty
 
 INTRODUCTION = """\
 # Findings
 
 The claims of the paper in the order of its figures, and the verdicts of the computations:
-**supported**, **refuted**, or undecided within the uncertainty. docs/claims.md describes how claims
-are checked, docs/model.md the baseline: the choices for what the paper leaves open. `make findings`
-writes this page from the result files; no number in it is typed.
+supported, **refuted**, or undecided within the uncertainty. Every claim is checked under two
+readings of Eq. (17): **exact**, the kinematic relation, and **as printed** in the paper
+(docs/model.md). docs/claims.md describes how claims are checked, docs/model.md the baseline: the
+choices for what the paper leaves open. `make findings` writes this page and the summary in
+README.md from the result files; no number in them is typed.
 """
+
+# The claims in short, for the first table. Their checks quote the paper.
+CLAIMS = {
+    "3a": "first contact is stiff, governed by k_r",
+    "3b": "near the ground R_n is proportional to k_phi",
+    "3c": "R_n(z_0) folds: hysteresis",
+    "3d": "z_0 rises with k_r, with the order reversed at another load",
+    "4a": "R_x falls with k_r",
+    "4b": "gamma_3 drops sharply with k_r",
+    "4c": "a long sticky phase near the ground: low gamma_1",
+    "4d": "k_r eventually reduces gamma_2",
+    "4e": "reducing k_theta reduces friction",
+    "4f": "k_theta matters less than k_r",
+    "5a": "N_c falls with k_r",
+    "5b": "reducing k_phi shifts the curve to higher k_r",
+    "5c": "a lower N_c entails lower friction",
+    "6a": "Coulomb friction: trends as under NSS",
+    "6b": "Coulomb friction: a smoother fall with k_r",
+    "7a": "NSS falls steeply, Coulomb over a broader range",
+    "7b": "a larger z_0 entails a lower R_x",
+    "8a": "low k_r: slightly below rigid bristles",
+    "8b": "high k_r: R_x saturates as mu_c grows",
+    "A1": "isotropy: R_y = 0",
+    "A2": "the lattice's mean is the ensemble's; fluctuations vanish",
+    "A3": "more bristles in contact than N_0",
+}
+
+BEGIN, END = "<!-- summary: written by `make findings` -->", "<!-- end of summary -->"
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("results", metavar="RESULT.h5", nargs="+", help="result files in the figures' order")
     parser.add_argument("-o", dest="output", metavar="FILE", default="docs/findings.md")
+    parser.add_argument("--readme", metavar="FILE", help="document whose summary is replaced")
     arguments = parser.parse_args()
     files = [open_result(path) for path in arguments.results]
-    write_text(arguments.output, filled("\n".join([INTRODUCTION, overview(files), *map(section, files)])))
-    checks = sum(len(declared_checks(file)) for file in files)
+    found = {file: claims_of(file) for file in files}
+    summary = f"{BEGIN}\n\n{filled(in_short(found))}\n{END}"
+    page = filled("\n".join([INTRODUCTION, "@summary@\n", overview(found), *(section(file, found[file]) for file in files)]))
+    write_text(arguments.output, page.replace("@summary@", summary))
+    if arguments.readme:
+        replace_summary(arguments.readme, summary)
+    checks = sum(len(checks) for claims in found.values() for checks in claims.values())
     print(f"{arguments.output}: {checks} checks of {len(files)} results")
 
 
-def overview(files):
-    """A row for each claim: the verdicts of its checks."""
-    verdicts = {}
-    for file in files:
-        for check, claim in declared_checks(file):
-            verdicts.setdefault(check["claim"], []).append(claim.verdict)
-    rows = [[name, ", ".join(map(emphasised, found))] for name, found in verdicts.items()]
-    return table(["claim", "verdict"], *rows) + "\n"
+def claims_of(file):
+    """By claim, in the order of the experiment's checks: (check, its rows, one for each reading)."""
+    claims = {}
+    for check, row in declared_checks(file):
+        claims.setdefault(check["claim"], {}).setdefault(row.declared, (check, []))[1].append(row)
+    return {claim: list(checks.values()) for claim, checks in claims.items()}
+
+
+def verdicts_of(checks):
+    """The verdict on a claim by reading."""
+    return {row.reading: row.claim_verdict for row in checks[0][1]}
+
+
+def all_verdicts(found):
+    """By claim of any figure, the verdict by reading."""
+    return {claim: verdicts_of(checks) for claims in found.values() for claim, checks in claims.items()}
+
+
+def readings_of(found):
+    return list(dict.fromkeys(reading for verdicts in all_verdicts(found).values() for reading in verdicts))
+
+
+def overview(found):
+    """A row for each claim: what the paper states in short, and the verdict under each reading."""
+    readings = readings_of(found)
+    rows = [[claim, CLAIMS.get(claim, ""), *(emphasised(verdicts.get(reading, "")) for reading in readings)]
+            for claim, verdicts in all_verdicts(found).items()]
+    return table(["claim", "the paper, in short", *(READINGS.get(one, one or "verdict") for one in readings)], *rows) + "\n"
 
 
 def emphasised(verdict):
     return f"**{verdict}**" if verdict == "refuted" else verdict
 
 
-def section(file):
+def section(file, claims):
     lines = [f"## {as_text(file.attrs['title'])}", "", provenance(file), ""]
-    checks = declared_checks(file)
-    if checks:
-        lines += ["\n".join(item(check, claim) for check, claim in checks), ""]
+    for claim, checks in claims.items():
+        lines += claim_lines(file, claim, checks)
     left_open = {}
-    for check, _ in checks:
+    for check, _ in (pair for checks in claims.values() for pair in checks):
         if "leaves_open" in check:
             left_open.setdefault(check["leaves_open"], []).append(check["claim"])
     if left_open:
@@ -73,12 +132,125 @@ def provenance(file):
             f"{contact:.2f} L_x/V_0. Payload SHA-256 `{digest[:16]}`.")
 
 
-def item(check, claim):
-    """An item of a list: the statement, and below it the verdict with its numbers."""
-    measured = f"{quantity(check)} {claim.measured:.3f} ± {claim.uncertainty:.3f}{p_text(claim)}"
-    threshold = threshold_text(claim.relation, claim.threshold, claim.band).strip()
-    return (f"- **{claim.claim}**: {claim.statement}\n"
-            f"  - {emphasised(claim.verdict)}: {measured}; threshold {threshold}")
+def claim_lines(file, claim, checks):
+    """Heading with the verdicts, the paper's sentence, main and further checks, and why a verdict is not "supported"."""
+    verdicts = verdicts_of(checks)
+    words = ", ".join(f"{verdict} {READINGS.get(reading, reading)}".strip() for reading, verdict in verdicts.items())
+    lines = [f"### {claim}: {words}", ""]
+    lines += [f"The paper: \u201c{check['quote']}\u201d" for check, _ in checks if "quote" in check]
+    lines.append("")
+    main = [pair for pair in checks if pair[1][0].role == "main"]
+    further = [pair for pair in checks if pair[1][0].role != "main"]
+    for meaning in dict.fromkeys(check.get("interpretation") for check, _ in main):
+        if meaning:
+            lines += [f"If {meaning}:", ""]
+        lines += [item(file, *pair) for pair in main if pair[0].get("interpretation") == meaning]
+        lines.append("")
+    if further:
+        lines += ["Further checks, which do not decide the verdict:", "", *(item(file, *pair) for pair in further), ""]
+    for reading, verdict in verdicts.items():
+        if verdict != "supported":
+            rows = [(check, row) for check, rows in checks for row in rows if row.reading == reading]
+            lines += [f"Why {verdict} {READINGS.get(reading, reading)}: {explain_claim(file, rows)}", ""]
+    return lines
+
+
+def item(file, check, rows):
+    """An item of a list: the statement, and below it the verdict of each reading with its numbers."""
+    what = f"{quantity(check)} {threshold_text(rows[0].relation, rows[0].threshold, rows[0].band).strip()}"
+    lines = [f"- {check['statement']} ({what})"]
+    for row in rows:
+        reading = f"{READINGS.get(row.reading, row.reading)}: " if row.reading else ""
+        measured = f"{number(row.measured, '.3f')} ± {number(row.uncertainty, '.3f')}{p_text(row)}"
+        why = f"; {explain_further(file, check, row)}" if row.role != "main" and row.verdict == "refuted" else ""
+        lines.append(f"  - {reading}{emphasised(row.verdict)}, {measured}{why}")
+    return "\n".join(lines)
+
+
+def in_short(found):
+    """The findings that a reader should know first, as a list; those whose results are there."""
+    verdicts, readings = all_verdicts(found), readings_of(found)
+    files = {as_text(file.attrs["name"]): file for file in found}
+    needed = [(("fig6",), fall_with_stiffness), (("fig8",), saturation), (("figA1",), isotropy),
+              (("fig3", "figA2"), failures)]
+    lines = [f"- {counts(verdicts, readings)}"]
+    if readings == list(READINGS):
+        lines += [f"- {sentence(*(files[name] for name in names))}" for names, sentence in needed
+                  if all(name in files for name in names)]
+    return "\n".join(lines)
+
+
+def counts(verdicts, readings):
+    """How many claims are supported under each reading, and which are not."""
+    parts = []
+    for reading in readings:
+        by_verdict = {}
+        for claim, found in verdicts.items():
+            by_verdict.setdefault(found.get(reading), []).append(claim)
+        others = [f"{verdict}: {', '.join(by_verdict[verdict])}" for verdict in ("refuted", "undecided") if verdict in by_verdict]
+        under = {"kinematic": " under the exact equations", "as_printed": " with Eq. (17) as printed"}.get(reading, "")
+        parts.append(f"{len(by_verdict.get('supported', []))}{under}" + (f" ({'; '.join(others)})" if others else ""))
+    return f"Of the paper's {len(verdicts)} claims, these are supported: {', and '.join(parts)}."
+
+
+def of_both(sentence):
+    """The text for each reading, the first as it is and the second in brackets."""
+    exact, printed = (sentence(reading) for reading in READINGS)
+    return f"{exact} (as printed {printed})"
+
+
+def fall_with_stiffness(file):
+    k_r = axis_values(file, "k_r")
+    def factor(name, law):
+        return of_both(lambda reading: short(1 / ends(file, name, azimuth_rate=reading, friction=law)))
+    return (f"From k_r = {short(k_r[0])} to {short(k_r[-1])} the normalised friction R_x_norm falls by a factor of "
+            f"{factor('R_x_norm', 'nss')} under nominal shear stress, and the contact area, gamma_3, by "
+            f"{factor('gamma_3', 'nss')}; under Coulomb friction R_x_norm falls by {factor('R_x_norm', 'coulomb')}.")
+
+
+def saturation(file):
+    exact, printed = (where_saturated(file, reading) for reading in READINGS)
+    return (f"Stiff bristles (k_r = {exact['k_r']:g}) at mu_c = {listed(exact['mu_c'])}: R_x of those that pass saturates, "
+            f"{listed(exact['R_x_unpinned'])}. R_x of all does not, {listed(exact['R_x'])}: "
+            f"{listed(map(percent, exact['pinned_fraction']))} of the bristles are pinned head-on at the pole and carry "
+            f"{listed(map(percent, exact['pinned_share_R_x']))} of it. As printed {percent(max(printed['pinned_fraction']))} "
+            f"are pinned, and R_x of all saturates: {listed(printed['R_x'])} (8b).")
+
+
+def isotropy(file):
+    def largest(reading):
+        values = select(dataset(file, "R_y_norm"), ["k_r", "seed"], azimuth_rate=reading, sampling="quadrature")
+        return number(np.abs(values).max(), ".1g")
+    return f"R_y is 0: for uniform azimuths |R_y_norm| of the ensemble mean is at most {of_both(largest)} (A1)."
+
+
+def failures(file_3, file_A2):
+    """The claims that no reading supports."""
+    def gaps(reading):
+        return listed(number(row.measured, ".2f") for _, row in declared_checks(file_3)
+                      if row.claim == "3d" and row.declared in declared_3d[:2] and row.reading == reading)
+    declared_3d = sorted({row.declared for _, row in declared_checks(file_3) if row.claim == "3d"})
+    loads = listed(check["at"]["R_n"] for check, row in declared_checks(file_3)
+                   if row.declared in declared_3d[:2] and row.reading == "kinematic")
+    widths = axis_values(file_A2, "L_y")
+    def part(reading):
+        return percent(periodic_part(file_A2, reading)[1][-1])
+    def slope(reading):
+        return next(with_uncertainty(row.measured, row.uncertainty) for check, row in declared_checks(file_A2)
+                    if check["variable"] == "R_n_fluctuation_of_rows" and row.reading == reading)
+    return (f"No reading supports 3d and A2. 3d: the order of z_0 over k_r is not reversed between low and high load; tau at "
+            f"R_n = {loads} is {of_both(gaps)}. A2: R_n(t) has a part with the period of a row, "
+            f"{of_both(part)} of its mean at L_y = {short(widths[-1])}, that no number of bristles removes; the rest does "
+            f"vanish like the inverse square root, with the exponent {of_both(slope)}.")
+
+
+def replace_summary(path, summary):
+    with open(path, encoding="utf-8") as file:
+        text = file.read()
+    pattern = re.escape(BEGIN) + ".*?" + re.escape(END)
+    if not re.search(pattern, text, re.S):
+        raise BristleError(f"{path}: has no summary to replace; it begins with {BEGIN}")
+    write_text(path, re.sub(pattern, lambda _: summary, text, flags=re.S))
 
 
 if __name__ == "__main__":

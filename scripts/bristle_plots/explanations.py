@@ -1,0 +1,295 @@
+"""Why a claim is not supported: texts with the numbers behind them, read from the result files.
+
+A function takes the file of the claim's figure and (check, claim as measured) for the checks of one reading.
+"""
+
+import numpy as np
+
+from .results import axis_names, axis_values, dataset, read, select, select_flags, setting
+from .verdicts import number, p_text, with_uncertainty
+
+READINGS = {"kinematic": "exact", "as_printed": "as printed"}  # of Eq. (17)
+
+CHANCE = 0.05  # significance that a trend needs (docs/claims.md)
+NEAR_GROUND = 0.02  # the gap z_0 of claim 3b
+
+
+def short(value):
+    return number(value, ".3g")
+
+
+def listed(values):
+    *first, last = [value if isinstance(value, str) else short(value) for value in values]
+    return f"{', '.join(first)} and {last}" if first else last
+
+
+def percent(share):
+    return f"{number(100 * share, '.2g')} %"
+
+
+def span(values):
+    """The smallest and the largest value."""
+    low, high = short(np.nanmin(values)), short(np.nanmax(values))
+    return low if low == high else f"{low} to {high}"
+
+
+def turns(x, y, share=0.15):
+    """The first value, those at which a rise or fall of more than a share of the range ends, and the last."""
+    found, step = [0], share * np.ptp(y)
+    last = 0
+    for i in range(1, len(y)):
+        turned = len(found) > 1 or abs(y[last] - y[0]) > step
+        rising = y[last] > y[found[-1]]
+        if (y[i] > y[last]) == rising or not turned:
+            last = i if turned or abs(y[i] - y[0]) >= abs(y[last] - y[0]) else last
+        elif abs(y[i] - y[last]) > step:
+            found.append(last)
+            last = i
+    ends = dict.fromkeys([*found, last, len(y) - 1])
+    return ", ".join(f"{short(y[i])} (k_r = {short(x[i])})" for i in ends)
+
+
+def geometric_mean(file, name, **chosen):
+    """Over k_theta, for each k_r."""
+    return np.exp(np.log(select(dataset(file, name), ["k_r", "k_theta"], **chosen)).mean(axis=1))
+
+
+def interpolated(file, variable, abscissa, target, **chosen):
+    """The variable where the abscissa first has this value on a traced curve; R_n on the loading path."""
+    x, y = (select(dataset(file, name), ["node"], **chosen) for name in (abscissa, variable))
+    words, branch = select_flags(file, "branch", ["node"], **chosen)
+    on = np.isfinite(y) & (np.isin(np.array(words)[branch], ["loading", "both"]) | (abscissa != "R_n"))
+    x, y = x[on], y[on]
+    crossed = np.flatnonzero((x[:-1] - target) * (x[1:] - target) <= 0)
+    if not len(crossed):
+        return np.nan
+    i = crossed[0]
+    return y[i] + (y[i + 1] - y[i]) * (target - x[i]) / (x[i + 1] - x[i])
+
+
+def over_k_r(file, stiffness, *arguments, reading):
+    """interpolated() for each k_r at the paper's k_phi."""
+    k_phi = setting(file, "model", "k_phi")
+    return np.array([interpolated(file, *arguments, azimuth_rate=reading, k_phi=k_phi, k_r=k_r) for k_r in stiffness])
+
+
+def nearest(values, wanted):
+    """Indices of the values that are nearest to the wanted ones."""
+    return [int(np.argmin(abs(values - one))) for one in wanted]
+
+
+def failing(pairs):
+    return [(check, row) for check, row in pairs if row.verdict != "supported"]
+
+
+def stiff_first_contact(file, pairs):
+    check, row = failing(pairs)[0]
+    gap, (low, high) = check["at"]["z_0"], check["where"]["k_r"]
+    k_r = np.array([one for one in axis_values(file, "k_r") if low <= one <= high])
+    load = over_k_r(file, k_r, "R_n", "z_0", gap, reading=row.reading)
+    falls = [f"from k_r = {short(k_r[i])} to {short(k_r[i + 1])}" for i in range(len(k_r) - 1) if load[i + 1] < load[i]]
+    text = f"At z_0 = {gap}, R_n is {listed(load)} for k_r = {listed(k_r)}"
+    text += f": it falls {listed(falls)}." if falls else "."
+    if row.significance > CHANCE:
+        text += (f" The trend of {row.measured:.2f} meets the threshold of {row.threshold:g}, but so few points can show "
+                 f"it by chance{p_text(row)}; {CHANCE} is required.")
+    return text
+
+
+def slope_at_contact(file, pairs):
+    check, row = pairs[0]
+    top = check["where"]["z_0"][1]
+    k_r = check["compare"]["k_r"]
+    load = over_k_r(file, k_r, "R_n", "z_0", top, reading=row.reading)
+    return (f"the stiffer bristles take up their load above the range of this check: at its upper end, z_0 = {top}, R_n is "
+            f"{listed(load)} for k_r = {listed(k_r)}.")
+
+
+def order_of_gaps(file, pairs):
+    reading, k_r = pairs[0][1].reading, axis_values(file, "k_r")
+    trends = {check["at"]["R_n"]: row.measured for check, row in pairs}
+    parts = []
+    for load, tau in trends.items():
+        word = "rises with k_r" if tau >= 0.5 else "falls with k_r" if tau <= -0.5 else "has no clear order"
+        gaps = [short(gap) if np.isfinite(gap) else "(no gap)"
+                for gap in over_k_r(file, k_r, "z_0", "R_n", load, reading=reading)]
+        parts.append(f"At R_n = {load} z_0 {word} (tau = {number(tau, '.2f')}): {listed(gaps)} for k_r = {listed(k_r)}.")
+    ground = over_k_r(file, k_r, "R_n", "z_0", NEAR_GROUND, reading=reading)
+    time = over_k_r(file, k_r, "N_c_ratio", "z_0", NEAR_GROUND, reading=reading)
+    parts.append(f"Near the ground softer bristles are longer, stay in contact for longer and carry less; the softest, which "
+                 f"are compressed most, do not. At z_0 = {NEAR_GROUND} R_n is {listed(ground)}, and N_c/N_c0 is "
+                 f"{listed(time)}. So under a growing load the slab reaches the ground on soft bristles first, and z_0 stays "
+                 "larger on stiff ones. These are the curves of the paper's k_phi; tau is over all k_phi.")
+    return " ".join(parts)
+
+
+def row_period(file, pairs):
+    reading = pairs[0][1].reading
+    slopes = {check["variable"]: row for check, row in pairs if check["predicate"] == "slope"}
+    widths, part, whole = periodic_part(file, reading)
+    raw, of_rows = (slopes[name] for name in ("R_n_fluctuation", "R_n_fluctuation_of_rows"))
+    return (f"All bristles of a row enter at the same time, so R_n(t) has a part with the period of a row that does not depend "
+            f"on the number of bristles: its standard deviation is {listed(map(percent, part))} of the mean for L_y = "
+            f"{listed(widths)}, of {listed(map(percent, whole))} in all. The slope over L_y is therefore "
+            f"{with_uncertainty(raw.measured, raw.uncertainty)}; that of means over a row's time, which are free of this "
+            f"part, is {with_uncertainty(of_rows.measured, of_rows.uncertainty)}.")
+
+
+def periodic_part(file, reading):
+    """L_y, and for each the standard deviations of R_n(t), the periodic part and all of it, over the mean; mean over
+    the seeds."""
+    force = file["slab_force"]
+    point, t, load = (read(force, name) for name in ("point", "t", "R_n"))
+    later = t >= force["t"].attrs["t_1"]
+    status = dataset(file, "status")
+    intervals = round(setting(file, "model", "spacing") / (t[1] - t[0]))  # of a row; V_0 = 1
+    axes = {name: axis_values(file, name) for name in axis_names(status)}
+    part, whole = [], []
+    for width in range(len(axes["L_y"])):
+        found = []
+        for seed in range(len(axes["seed"])):
+            here = dict(azimuth_rate=list(axes["azimuth_rate"]).index(reading), L_y=width, seed=seed,
+                        sampling=list(axes["sampling"]).index("lattice"))
+            series = load[later & (point == np.ravel_multi_index([here[name] for name in axes], status.shape))]
+            phases = [series[i::intervals].mean() for i in range(intervals)]
+            found.append((np.std(phases) / series.mean(), series.std() / series.mean()))
+        part.append(np.mean([one for one, _ in found]))
+        whole.append(np.mean([one for _, one in found]))
+    return axes["L_y"], part, whole
+
+
+def pinned_bristles(file, pairs):
+    reading = pairs[0][1].reading
+    at = where_saturated(file, reading)
+    measured = {check["variable"]: row for check, row in pairs}
+    plateau = measured["R_x_unpinned"]
+    text = (f"At k_r = {at['k_r']:g} and mu_c = {listed(at['mu_c'])}, {listed(map(percent, at['pinned_fraction']))} of the "
+            f"bristles are pinned upright at the pole and carry {listed(map(percent, at['pinned_share_R_x']))} of R_x. They "
+            f"slide at the slab's velocity, so their friction grows with mu_c: R_x is {listed(at['R_x_pinned'])} per pinned "
+            f"bristle. R_x of all bristles is {listed(at['R_x'])}; that of the bristles that pass is "
+            f"{listed(at['R_x_unpinned'])}. The latter is constant within {percent(plateau.measured)} "
+            f"({plateau.verdict} as a further check): the bristles that pass do saturate.")
+    other = [one for one in axis_values(file, "azimuth_rate") if one != reading]
+    for one in other:
+        there = where_saturated(file, one)
+        text += (f" With Eq. (17) {READINGS.get(one, one)} the pinned fraction there is at most "
+                 f"{percent(max(there['pinned_fraction']))}, and R_x of all bristles is {listed(there['R_x'])}.")
+    return text
+
+
+def where_saturated(file, reading):
+    """Variables of the stiffer bristles at mu_c of about 2.5, 5 and 10."""
+    k_r, mu_c = max(axis_values(file, "k_r")), axis_values(file, "mu_c")
+    at = nearest(mu_c, [2.5, 5, 10])
+    names = ("pinned_fraction", "pinned_share_R_x", "R_x", "R_x_unpinned")
+    found = {name: select(dataset(file, name), ["mu_c"], azimuth_rate=reading, k_r=k_r)[at] for name in names}
+    with np.errstate(invalid="ignore"):
+        per_bristle = found["pinned_share_R_x"] * found["R_x"] / found["pinned_fraction"]
+    return {**found, "R_x_pinned": per_bristle, "k_r": k_r, "mu_c": mu_c[at]}
+
+
+def order_within_branches(file, pairs):
+    """A trend over k_r that holds across the fall of R_x_norm, but not before and behind it."""
+    check, row = failing(pairs)[0]
+    chosen = {"azimuth_rate": row.reading, **check.get("where", {})}
+    other = [name for name in axis_names(dataset(file, "R_x_norm")) if name not in ("k_r", *chosen)]
+    curves = [{}] if not other else [{other[0]: value} for value in axis_values(file, other[0])]
+    taus, falls, first, top = [], [], [], []
+    for curve in curves:
+        x, y = (select(dataset(file, name), ["k_r"], **chosen, **curve) for name in (check["x"], check["variable"]))
+        there = np.isfinite(x) & np.isfinite(y)
+        k_r, x, y = axis_values(file, "k_r")[there], x[there], y[there]
+        fall = int(np.argmin(np.diff(np.log(y)))) + 1
+        falls += [k_r[fall - 1], k_r[fall]]
+        first.append(y[0])
+        top.append(max(y[:fall]))
+        taus.append(tau_by_side(x, y, np.arange(len(y)) >= fall))
+    across, before, behind = np.nanmean(taus, axis=0)
+    return (f"The trend, {with_uncertainty(row.measured, row.uncertainty)}, and the threshold, {number(row.threshold, 'g')}, "
+            f"differ by less than the uncertainty. R_x_norm falls most steeply at k_r = {span(falls)}. For pairs of points "
+            f"on either side of the fall tau is {number(across, '.2f')}; for pairs before it {number(before, '.2f')}, and for "
+            f"pairs behind it {number(behind, '.2f')}. Before the fall R_x_norm rises with k_r, from {span(first)} at the "
+            f"lowest k_r to at most {span(top)}.")
+
+
+def tau_by_side(x, y, behind):
+    """Kendall's tau between x and y for pairs across a border, before it and behind it."""
+    agrees = np.sign(x[:, None] - x) * np.sign(y[:, None] - y)
+    pairs = np.triu(np.ones(agrees.shape, bool), 1)
+    first, second = behind[:, None], behind[None, :]
+    kinds = (first != second, ~first & ~second, first & second)
+    return [agrees[pairs & kind].mean() if (pairs & kind).any() else np.nan for kind in kinds]
+
+
+def sticking_at_low_stiffness(file, pairs):
+    chosen = {"azimuth_rate": pairs[0][1].reading}
+    k_r = axis_values(file, "k_r")
+    every, passing = (geometric_mean(file, name, **chosen)[0] for name in ("gamma_1", "gamma_1_unpinned"))
+    pinned = select(dataset(file, "pinned_fraction"), ["k_r", "k_theta"], **chosen).mean(axis=1)[0]
+    return (f"gamma_1 rises on the branch of thin gaps, drops with the gap's jump and does not come back: "
+            f"{turns(k_r, geometric_mean(file, 'gamma_1', **chosen))}. At the lowest k_r {percent(pinned)} of the bristles "
+            f"are pinned, which raises it: {short(passing)} for the bristles that pass, {short(every)} for all.")
+
+
+def alignment_over_stiffness(file, pairs):
+    mean = geometric_mean(file, "gamma_2", azimuth_rate=pairs[0][1].reading)
+    return f"gamma_2 falls between rises: {turns(axis_values(file, 'k_r'), mean)}."
+
+
+def ends(file, name, **chosen):
+    """Last over first value along k_r, geometric mean over the curves."""
+    other = [axis for axis in axis_names(dataset(file, name)) if axis not in ("k_r", *chosen)]
+    y = select(dataset(file, name), ["k_r", *other], **chosen)
+    return float(np.exp(np.mean(np.log(y[-1] / y[0]))))
+
+
+def estimate_of_friction(file, pairs):
+    chosen = {"azimuth_rate": pairs[0][1].reading}
+    friction, count, area = (ends(file, name, **chosen) for name in ("R_x_norm", "N_c_ratio", "gamma_3"))
+    return (f"over the range of k_r R_x_norm falls by a factor of {short(1 / friction)} and N_c/N_c0 by "
+            f"{short(1 / count)}, whose cube root is {short(count ** (-1 / 3))}; the fall is that of gamma_3, "
+            f"{short(1 / area)}.")
+
+
+def product_of_gammas(file, pairs):
+    check, row = pairs[0]
+    names = {check["variable"]: 1, **{name: -power for name, power in check["divide_by"].items()}}
+    product = 1
+    for name, power in names.items():
+        product = product * select(dataset(file, name), ["k_r", "k_phi"], azimuth_rate=row.reading) ** power
+    return (f"the quotient is {span(product[0])} at the lowest k_r and {span(product[-1])} at the highest, over all k_phi: "
+            "the mean over the bristles of a product is not the product of the means.")
+
+
+def jump_of_one_law(file, pairs):
+    check, row = pairs[0]
+    chosen = {"azimuth_rate": row.reading}
+    nss, coulomb = (select(dataset(file, check["variable"]), ["k_r", "k_theta"], friction=law, **chosen)
+                    for law in ("nss", "coulomb"))
+    friction = select(dataset(file, "R_x_norm"), ["k_r", "k_theta"], friction="nss", **chosen)
+    fall = np.argmin(np.diff(np.log(friction), axis=0), axis=0) + 1
+    behind = np.arange(len(friction))[:, None] >= fall
+    across, before, after = tau_by_side(nss.ravel(), coulomb.ravel(), behind.ravel())
+    return (f"under NSS the gap jumps along k_r, under Coulomb friction it does not: tau is {number(across, '.2f')} for pairs "
+            f"of points across the jump, {number(before, '.2f')} before and {number(after, '.2f')} behind it.")
+
+
+# By claim; and of further checks by claim and predicate, a sentence.
+CLAIMS = {"3a": stiff_first_contact, "3d": order_of_gaps, "5c": order_within_branches, "7b": order_within_branches,
+          "8b": pinned_bristles, "A2": row_period}
+FURTHER = {("3a", "slope"): slope_at_contact, ("4c", "end_ratio"): sticking_at_low_stiffness,
+           ("4d", "trend"): alignment_over_stiffness, ("5c", "slope"): estimate_of_friction,
+           ("5c", "plateau"): product_of_gammas, ("6a", "concordance"): jump_of_one_law}
+NOT_YET = "not explained yet."
+
+
+def explain_claim(file, pairs):
+    """Why the claim is refuted or undecided under the reading of these checks."""
+    check = pairs[0][0]
+    return CLAIMS[check["claim"]](file, pairs) if check["claim"] in CLAIMS else NOT_YET.capitalize()
+
+
+def explain_further(file, check, row):
+    """Why a further check is refuted."""
+    explanation = FURTHER.get((check["claim"], check["predicate"]))
+    return explanation(file, [(check, row)]) if explanation else NOT_YET
