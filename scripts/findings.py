@@ -1,22 +1,21 @@
 """docs/findings.md from result files: every claim with its verdict and the numbers behind it; the summary in README.md."""
 
 import argparse
+import os
 import re
 
 import numpy as np
 
 from bristle_plots.command_line import run
 from bristle_plots.errors import BristleError
-from bristle_plots.explanations import (READINGS, ends, explain_claim, explain_further, listed, percent, periodic_part,
-                                        short, where_saturated)
+from bristle_plots.explanations import (READINGS, at_most, ends, explain_claim, explain_further, listed, percent, periodic_part,
+                                        chosen_at, short, span, where_saturated)
 from bristle_plots.files import write_text
 from bristle_plots.markdown import filled, table
 from bristle_plots.results import as_text, axis_values, dataset, experiment, open_result, read, select, status_counts
 from bristle_plots.verdicts import declared_checks, number, p_text, quantity, threshold_text, with_uncertainty
 
 INTRODUCTION = """\
-# Findings
-
 The claims of the paper in the order of its figures, and the verdicts of the computations:
 supported, **refuted**, or undecided within the uncertainty. Every claim is checked under two
 readings of Eq. (17): **exact**, the kinematic relation, and **as printed** in the paper
@@ -61,9 +60,10 @@ def main():
     parser.add_argument("--readme", metavar="FILE", help="document whose summary is replaced")
     arguments = parser.parse_args()
     files = [open_result(path) for path in arguments.results]
+    images = os.path.join(os.path.dirname(arguments.output), "images")
     found = {file: claims_of(file) for file in files}
     summary = f"{BEGIN}\n\n{filled(in_short(found))}\n{END}"
-    page = filled("\n".join([INTRODUCTION, "@summary@\n", overview(found), *(section(file, found[file]) for file in files)]))
+    page = filled("\n".join(["# Findings\n\n@summary@\n", INTRODUCTION, overview(found), *(section(file, found[file], images) for file in files)]))
     write_text(arguments.output, page.replace("@summary@", summary))
     if arguments.readme:
         replace_summary(arguments.readme, summary)
@@ -105,8 +105,11 @@ def emphasised(verdict):
     return f"**{verdict}**" if verdict == "refuted" else verdict
 
 
-def section(file, claims):
+def section(file, claims, images):
+    name, figure = (as_text(file.attrs[key]) for key in ("name", "figure"))
     lines = [f"## {as_text(file.attrs['title'])}", "", provenance(file), ""]
+    if os.path.exists(os.path.join(images, f"{name}.png")):
+        lines += [f"![Figure {figure}](images/{name}.png)", ""]
     for claim, checks in claims.items():
         lines += claim_lines(file, claim, checks)
     left_open = {}
@@ -135,10 +138,13 @@ def provenance(file):
 def claim_lines(file, claim, checks):
     """Heading with the verdicts, the paper's sentence, main and further checks, and why a verdict is not "supported"."""
     verdicts = verdicts_of(checks)
-    words = ", ".join(f"{verdict} {READINGS.get(reading, reading)}".strip() for reading, verdict in verdicts.items())
+    words = ", ".join(f"{READINGS.get(reading, reading)} {verdict}".strip() for reading, verdict in verdicts.items())
+    if len(verdicts) > 1 and len(set(verdicts.values())) == 1:
+        words = f"{next(iter(verdicts.values()))} under both readings"
     lines = [f"### {claim}: {words}", ""]
-    lines += [f"The paper: \u201c{check['quote']}\u201d" for check, _ in checks if "quote" in check]
-    lines.append("")
+    for check, _ in checks:
+        if "quote" in check:
+            lines += [f"The paper: \u201c{check['quote']}\u201d", ""]
     main = [pair for pair in checks if pair[1][0].role == "main"]
     further = [pair for pair in checks if pair[1][0].role != "main"]
     for meaning in dict.fromkeys(check.get("interpretation") for check, _ in main):
@@ -171,13 +177,11 @@ def in_short(found):
     """The findings that a reader should know first, as a list; those whose results are there."""
     verdicts, readings = all_verdicts(found), readings_of(found)
     files = {as_text(file.attrs["name"]): file for file in found}
-    needed = [(("fig6",), fall_with_stiffness), (("fig8",), saturation), (("figA1",), isotropy),
-              (("fig3", "figA2"), failures)]
-    lines = [f"- {counts(verdicts, readings)}"]
+    headlines = {"fig6": fall_with_stiffness, "fig8": saturation, "figA1": isotropy, "fig3": order_of_gaps, "figA2": row_period}
+    lines = [counts(verdicts, readings)]
     if readings == list(READINGS):
-        lines += [f"- {sentence(*(files[name] for name in names))}" for names, sentence in needed
-                  if all(name in files for name in names)]
-    return "\n".join(lines)
+        lines += [headline(files[name], verdicts) for name, headline in headlines.items() if name in files]
+    return "\n".join(f"- {line}" for line in lines if line)
 
 
 def counts(verdicts, readings):
@@ -187,61 +191,74 @@ def counts(verdicts, readings):
         by_verdict = {}
         for claim, found in verdicts.items():
             by_verdict.setdefault(found.get(reading), []).append(claim)
-        others = [f"{verdict}: {', '.join(by_verdict[verdict])}" for verdict in ("refuted", "undecided") if verdict in by_verdict]
+        rest = [f"{verdict}: {', '.join(by_verdict[verdict])}" for verdict in ("refuted", "undecided") if verdict in by_verdict]
         under = {"kinematic": " under the exact equations", "as_printed": " with Eq. (17) as printed"}.get(reading, "")
-        parts.append(f"{len(by_verdict.get('supported', []))}{under}" + (f" ({'; '.join(others)})" if others else ""))
-    return f"Of the paper's {len(verdicts)} claims, these are supported: {', and '.join(parts)}."
+        parts.append(f"{len(by_verdict.get('supported', []))} are supported{under}" + (f" ({'; '.join(rest)})" if rest else ""))
+    return f"Of the paper's {len(verdicts)} claims, {', and '.join(parts)}."
 
 
 def of_both(sentence):
-    """The text for each reading, the first as it is and the second in brackets."""
+    """The text for each reading, the second in brackets."""
     exact, printed = (sentence(reading) for reading in READINGS)
     return f"{exact} (as printed {printed})"
 
 
-def fall_with_stiffness(file):
+def on_claim(what, claim, verdicts):
+    exact, printed = (verdicts[claim][reading] for reading in READINGS)
+    under = f"{exact} under both readings" if exact == printed else f"{exact} (as printed {printed})"
+    return f"{what} ({claim}) is {under}"
+
+
+def fall_with_stiffness(file, _):
     k_r = axis_values(file, "k_r")
     def factor(name, law):
         return of_both(lambda reading: short(1 / ends(file, name, azimuth_rate=reading, friction=law)))
-    return (f"From k_r = {short(k_r[0])} to {short(k_r[-1])} the normalised friction R_x_norm falls by a factor of "
+    return (f"From k_r = {chosen_at(k_r[0])} to {chosen_at(k_r[-1])} the normalised friction R_x_norm falls by a factor of "
             f"{factor('R_x_norm', 'nss')} under nominal shear stress, and the contact area, gamma_3, by "
             f"{factor('gamma_3', 'nss')}; under Coulomb friction R_x_norm falls by {factor('R_x_norm', 'coulomb')}.")
 
 
-def saturation(file):
+def saturation(file, verdicts):
     exact, printed = (where_saturated(file, reading) for reading in READINGS)
-    return (f"Stiff bristles (k_r = {exact['k_r']:g}) at mu_c = {listed(exact['mu_c'])}: R_x of those that pass saturates, "
-            f"{listed(exact['R_x_unpinned'])}. R_x of all does not, {listed(exact['R_x'])}: "
-            f"{listed(map(percent, exact['pinned_fraction']))} of the bristles are pinned head-on at the pole and carry "
-            f"{listed(map(percent, exact['pinned_share_R_x']))} of it. As printed {percent(max(printed['pinned_fraction']))} "
-            f"are pinned, and R_x of all saturates: {listed(printed['R_x'])} (8b).")
+    return (f"{on_claim('The saturation of R_x with mu_c', '8b', verdicts)}. For stiff bristles (k_r = "
+            f"{exact['k_r']:g}) at mu_c = {listed(exact['mu_c'], chosen_at)} R_x is {listed(exact['R_x'])} for all bristles and {listed(exact['R_x_unpinned'])} for those that pass. "
+            f"{listed(exact['pinned_fraction'], percent)} of the bristles are pinned head-on at the pole, carry "
+            f"{listed(exact['pinned_share_R_x'], percent)} of R_x, and do not saturate. As printed "
+            f"{at_most(printed['pinned_fraction'])} are pinned, and R_x is {listed(printed['R_x'])}.")
 
 
-def isotropy(file):
+def isotropy(file, verdicts):
     def largest(reading):
         values = select(dataset(file, "R_y_norm"), ["k_r", "seed"], azimuth_rate=reading, sampling="quadrature")
         return number(np.abs(values).max(), ".1g")
-    return f"R_y is 0: for uniform azimuths |R_y_norm| of the ensemble mean is at most {of_both(largest)} (A1)."
+    return (f"{on_claim('Isotropy, R_y = 0 for uniform azimuths', 'A1', verdicts)}: |R_y_norm| of the ensemble mean is at most "
+            f"{of_both(largest)}.")
 
 
-def failures(file_3, file_A2):
-    """The claims that no reading supports."""
-    def gaps(reading):
-        return listed(number(row.measured, ".2f") for _, row in declared_checks(file_3)
-                      if row.claim == "3d" and row.declared in declared_3d[:2] and row.reading == reading)
-    declared_3d = sorted({row.declared for _, row in declared_checks(file_3) if row.claim == "3d"})
-    loads = listed(check["at"]["R_n"] for check, row in declared_checks(file_3)
-                   if row.declared in declared_3d[:2] and row.reading == "kinematic")
-    widths = axis_values(file_A2, "L_y")
-    def part(reading):
-        return percent(periodic_part(file_A2, reading)[1][-1])
+def order_of_gaps(file, verdicts):
+    """Claim 3d, if a reading does not support it."""
+    if set(verdicts["3d"].values()) == {"supported"}:
+        return ""
+    trends = {}
+    for check, row in declared_checks(file):
+        if row.claim == "3d":
+            trends.setdefault(row.reading, {})[check["at"]["R_n"]] = number(row.measured, ".2f")
+    loads = listed(next(iter(trends.values())), chosen_at)
+    return (f"{on_claim('The reversed order of z_0 over k_r between low and high load', '3d', verdicts)}: Kendall's tau is "
+            f" {of_both(lambda reading: listed(trends[reading].values(), str))} at R_n = {loads}.")
+
+
+def row_period(file, verdicts):
+    """Claim A2, if a reading does not support it."""
+    if set(verdicts["A2"].values()) == {"supported"}:
+        return ""
     def slope(reading):
-        return next(with_uncertainty(row.measured, row.uncertainty) for check, row in declared_checks(file_A2)
+        return next(with_uncertainty(row.measured, row.uncertainty) for check, row in declared_checks(file)
                     if check["variable"] == "R_n_fluctuation_of_rows" and row.reading == reading)
-    return (f"No reading supports 3d and A2. 3d: the order of z_0 over k_r is not reversed between low and high load; tau at "
-            f"R_n = {loads} is {of_both(gaps)}. A2: R_n(t) has a part with the period of a row, "
-            f"{of_both(part)} of its mean at L_y = {short(widths[-1])}, that no number of bristles removes; the rest does "
-            f"vanish like the inverse square root, with the exponent {of_both(slope)}.")
+    def part(reading):
+        return span(periodic_part(file, reading)[1], percent)
+    return (f"{on_claim('The vanishing fluctuation of large lattices', 'A2', verdicts)}. Bristles enter in rows, so "
+            f"R_n(t) has a part with the period of a row, {of_both(part)} of its mean, in a lattice of any width. The rest falls with the width to the power of {of_both(slope)}.")
 
 
 def replace_summary(path, summary):

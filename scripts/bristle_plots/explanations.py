@@ -15,11 +15,17 @@ NEAR_GROUND = 0.02  # the gap z_0 of claim 3b
 
 
 def short(value):
+    """A computed value, with three digits."""
+    return number(value, "#.3g").rstrip(".")
+
+
+def chosen_at(value):
+    """A value of an axis."""
     return number(value, ".3g")
 
 
-def listed(values):
-    *first, last = [value if isinstance(value, str) else short(value) for value in values]
+def listed(values, text=short):
+    *first, last = map(text, values)
     return f"{', '.join(first)} and {last}" if first else last
 
 
@@ -27,9 +33,13 @@ def percent(share):
     return f"{number(100 * share, '.2g')} %"
 
 
-def span(values):
+def at_most(shares):
+    return f"at most {percent(max(shares))}" if max(shares) > 0 else "none"
+
+
+def span(values, text=short):
     """The smallest and the largest value."""
-    low, high = short(np.nanmin(values)), short(np.nanmax(values))
+    low, high = text(np.nanmin(values)), text(np.nanmax(values))
     return low if low == high else f"{low} to {high}"
 
 
@@ -46,7 +56,7 @@ def turns(x, y, share=0.15):
             found.append(last)
             last = i
     ends = dict.fromkeys([*found, last, len(y) - 1])
-    return ", ".join(f"{short(y[i])} (k_r = {short(x[i])})" for i in ends)
+    return ", ".join(f"{short(y[i])} (k_r = {chosen_at(x[i])})" for i in ends)
 
 
 def geometric_mean(file, name, **chosen):
@@ -82,27 +92,34 @@ def failing(pairs):
     return [(check, row) for check, row in pairs if row.verdict != "supported"]
 
 
+def others(file, reading):
+    return [one for one in axis_values(file, "azimuth_rate") if one != reading]
+
+
 def stiff_first_contact(file, pairs):
     check, row = failing(pairs)[0]
     gap, (low, high) = check["at"]["z_0"], check["where"]["k_r"]
     k_r = np.array([one for one in axis_values(file, "k_r") if low <= one <= high])
     load = over_k_r(file, k_r, "R_n", "z_0", gap, reading=row.reading)
-    falls = [f"from k_r = {short(k_r[i])} to {short(k_r[i + 1])}" for i in range(len(k_r) - 1) if load[i + 1] < load[i]]
-    text = f"At z_0 = {gap}, R_n is {listed(load)} for k_r = {listed(k_r)}"
-    text += f": it falls {listed(falls)}." if falls else "."
+    falls = [f"from k_r = {chosen_at(k_r[i])} to {chosen_at(k_r[i + 1])}" for i in range(len(k_r) - 1)
+             if load[i + 1] < load[i]]
+    text = f"At z_0 = {gap}, R_n is {listed(load)} for k_r = {listed(k_r, chosen_at)}"
+    text += f": it falls {listed(falls, str)}." if falls else "."
     if row.significance > CHANCE:
         text += (f" The trend of {row.measured:.2f} meets the threshold of {row.threshold:g}, but so few points can show "
                  f"it by chance{p_text(row)}; {CHANCE} is required.")
+    for one in others(file, row.reading):
+        text += f" ({READINGS[one].capitalize()}: {listed(over_k_r(file, k_r, 'R_n', 'z_0', gap, reading=one))}.)"
     return text
 
 
 def slope_at_contact(file, pairs):
     check, row = pairs[0]
-    top = check["where"]["z_0"][1]
+    chosen = {"azimuth_rate": row.reading, "k_phi": setting(file, "model", "k_phi")}
     k_r = check["compare"]["k_r"]
-    load = over_k_r(file, k_r, "R_n", "z_0", top, reading=row.reading)
-    return (f"the stiffer bristles take up their load above the range of this check: at its upper end, z_0 = {top}, R_n is "
-            f"{listed(load)} for k_r = {listed(k_r)}.")
+    load = [select(dataset(file, "R_n"), ["node"], k_r=one, **chosen)[0] for one in k_r]
+    return (f"at first contact, where the range of this check begins, R_n is {listed(load)} for k_r = "
+            f"{listed(k_r, chosen_at)} already, and the curve of the stiffer bristles flattens below it.")
 
 
 def order_of_gaps(file, pairs):
@@ -111,15 +128,16 @@ def order_of_gaps(file, pairs):
     parts = []
     for load, tau in trends.items():
         word = "rises with k_r" if tau >= 0.5 else "falls with k_r" if tau <= -0.5 else "has no clear order"
-        gaps = [short(gap) if np.isfinite(gap) else "(no gap)"
-                for gap in over_k_r(file, k_r, "z_0", "R_n", load, reading=reading)]
-        parts.append(f"At R_n = {load} z_0 {word} (tau = {number(tau, '.2f')}): {listed(gaps)} for k_r = {listed(k_r)}.")
+        gaps = over_k_r(file, k_r, "z_0", "R_n", load, reading=reading)
+        missing = " (\u2013: the load is not carried)" if np.isnan(gaps).any() else ""
+        parts.append(f"At R_n = {load} z_0 {word} (tau = {number(tau, '.2f')}): {listed(gaps)} for k_r = "
+                     f"{listed(k_r, chosen_at)}{missing}.")
     ground = over_k_r(file, k_r, "R_n", "z_0", NEAR_GROUND, reading=reading)
     time = over_k_r(file, k_r, "N_c_ratio", "z_0", NEAR_GROUND, reading=reading)
-    parts.append(f"Near the ground softer bristles are longer, stay in contact for longer and carry less; the softest, which "
-                 f"are compressed most, do not. At z_0 = {NEAR_GROUND} R_n is {listed(ground)}, and N_c/N_c0 is "
-                 f"{listed(time)}. So under a growing load the slab reaches the ground on soft bristles first, and z_0 stays "
-                 "larger on stiff ones. These are the curves of the paper's k_phi; tau is over all k_phi.")
+    parts.append(f"Near the ground, at z_0 = {NEAR_GROUND}, R_n is {listed(ground)} and N_c/N_c0 is {listed(time)}: from "
+                 f"k_r = {chosen_at(k_r[np.argmin(ground)])} on, the softer a bristle is, the longer it becomes, the longer it "
+                 "stays in contact and the less it carries. So under a growing load soft bristles let the slab down to the "
+                 "ground first. (The curves are those of the paper's k_phi; tau is over all k_phi.)")
     return " ".join(parts)
 
 
@@ -129,8 +147,9 @@ def row_period(file, pairs):
     widths, part, whole = periodic_part(file, reading)
     raw, of_rows = (slopes[name] for name in ("R_n_fluctuation", "R_n_fluctuation_of_rows"))
     return (f"All bristles of a row enter at the same time, so R_n(t) has a part with the period of a row that does not depend "
-            f"on the number of bristles: its standard deviation is {listed(map(percent, part))} of the mean for L_y = "
-            f"{listed(widths)}, of {listed(map(percent, whole))} in all. The slope over L_y is therefore "
+            f"on the number of bristles: its standard deviation is {span(part, percent)} of the mean for every L_y from "
+            f"{chosen_at(widths[0])} to {chosen_at(widths[-1])}, while that of R_n(t) falls from {percent(whole[0])} to "
+            f"{percent(whole[-1])}. The slope over L_y is therefore "
             f"{with_uncertainty(raw.measured, raw.uncertainty)}; that of means over a row's time, which are free of this "
             f"part, is {with_uncertainty(of_rows.measured, of_rows.uncertainty)}.")
 
@@ -163,17 +182,16 @@ def pinned_bristles(file, pairs):
     at = where_saturated(file, reading)
     measured = {check["variable"]: row for check, row in pairs}
     plateau = measured["R_x_unpinned"]
-    text = (f"At k_r = {at['k_r']:g} and mu_c = {listed(at['mu_c'])}, {listed(map(percent, at['pinned_fraction']))} of the "
-            f"bristles are pinned upright at the pole and carry {listed(map(percent, at['pinned_share_R_x']))} of R_x. They "
-            f"slide at the slab's velocity, so their friction grows with mu_c: R_x is {listed(at['R_x_pinned'])} per pinned "
+    text = (f"At k_r = {at['k_r']:g} and mu_c = {listed(at['mu_c'], chosen_at)}, {listed(at['pinned_fraction'], percent)} of "
+            f"the bristles are pinned upright at the pole and carry {listed(at['pinned_share_R_x'], percent)} of R_x. The "
+            f"slab slides over them at V_0, so their friction grows with mu_c: R_x is {listed(at['R_x_pinned'])} per pinned "
             f"bristle. R_x of all bristles is {listed(at['R_x'])}; that of the bristles that pass is "
             f"{listed(at['R_x_unpinned'])}. The latter is constant within {percent(plateau.measured)} "
             f"({plateau.verdict} as a further check): the bristles that pass do saturate.")
-    other = [one for one in axis_values(file, "azimuth_rate") if one != reading]
-    for one in other:
+    for one in others(file, reading):
         there = where_saturated(file, one)
-        text += (f" With Eq. (17) {READINGS.get(one, one)} the pinned fraction there is at most "
-                 f"{percent(max(there['pinned_fraction']))}, and R_x of all bristles is {listed(there['R_x'])}.")
+        text += (f" With Eq. (17) {READINGS.get(one, one)} {at_most(there['pinned_fraction'])} of the bristles are pinned "
+                 f"there, and R_x of all is {listed(there['R_x'])}.")
     return text
 
 
@@ -194,7 +212,7 @@ def order_within_branches(file, pairs):
     chosen = {"azimuth_rate": row.reading, **check.get("where", {})}
     other = [name for name in axis_names(dataset(file, "R_x_norm")) if name not in ("k_r", *chosen)]
     curves = [{}] if not other else [{other[0]: value} for value in axis_values(file, other[0])]
-    taus, falls, first, top = [], [], [], []
+    taus, falls, first, top, elsewhere = [], [], [], [], {}
     for curve in curves:
         x, y = (select(dataset(file, name), ["k_r"], **chosen, **curve) for name in (check["x"], check["variable"]))
         there = np.isfinite(x) & np.isfinite(y)
@@ -203,13 +221,17 @@ def order_within_branches(file, pairs):
         falls += [k_r[fall - 1], k_r[fall]]
         first.append(y[0])
         top.append(max(y[:fall]))
+        for one in others(file, row.reading):
+            there = select(dataset(file, check["variable"]), ["k_r"], **{**chosen, "azimuth_rate": one}, **curve)
+            elsewhere.setdefault(READINGS[one], []).append(there[0])
         taus.append(tau_by_side(x, y, np.arange(len(y)) >= fall))
     across, before, behind = np.nanmean(taus, axis=0)
+    apart = "less" if row.verdict == "undecided" else "more"
     return (f"The trend, {with_uncertainty(row.measured, row.uncertainty)}, and the threshold, {number(row.threshold, 'g')}, "
-            f"differ by less than the uncertainty. R_x_norm falls most steeply at k_r = {span(falls)}. For pairs of points "
+            f"differ by {apart} than the uncertainty. R_x_norm falls most steeply at k_r = {span(falls, chosen_at)}. For pairs of points "
             f"on either side of the fall tau is {number(across, '.2f')}; for pairs before it {number(before, '.2f')}, and for "
             f"pairs behind it {number(behind, '.2f')}. Before the fall R_x_norm rises with k_r, from {span(first)} at the "
-            f"lowest k_r to at most {span(top)}.")
+            f"lowest k_r{''.join(f' ({one}: {span(there)})' for one, there in elsewhere.items())} to at most {span(top)}.")
 
 
 def tau_by_side(x, y, behind):
@@ -226,14 +248,14 @@ def sticking_at_low_stiffness(file, pairs):
     k_r = axis_values(file, "k_r")
     every, passing = (geometric_mean(file, name, **chosen)[0] for name in ("gamma_1", "gamma_1_unpinned"))
     pinned = select(dataset(file, "pinned_fraction"), ["k_r", "k_theta"], **chosen).mean(axis=1)[0]
-    return (f"gamma_1 rises on the branch of thin gaps, drops with the gap's jump and does not come back: "
+    return (f"gamma_1 has its maximum on the branch of thin gaps, before the gap jumps: "
             f"{turns(k_r, geometric_mean(file, 'gamma_1', **chosen))}. At the lowest k_r {percent(pinned)} of the bristles "
             f"are pinned, which raises it: {short(passing)} for the bristles that pass, {short(every)} for all.")
 
 
 def alignment_over_stiffness(file, pairs):
     mean = geometric_mean(file, "gamma_2", azimuth_rate=pairs[0][1].reading)
-    return f"gamma_2 falls between rises: {turns(axis_values(file, 'k_r'), mean)}."
+    return f"along k_r gamma_2 falls and rises more than once: {turns(axis_values(file, 'k_r'), mean)}."
 
 
 def ends(file, name, **chosen):
@@ -247,8 +269,8 @@ def estimate_of_friction(file, pairs):
     chosen = {"azimuth_rate": pairs[0][1].reading}
     friction, count, area = (ends(file, name, **chosen) for name in ("R_x_norm", "N_c_ratio", "gamma_3"))
     return (f"over the range of k_r R_x_norm falls by a factor of {short(1 / friction)} and N_c/N_c0 by "
-            f"{short(1 / count)}, whose cube root is {short(count ** (-1 / 3))}; the fall is that of gamma_3, "
-            f"{short(1 / area)}.")
+            f"{short(1 / count)}, whose cube root is {short(count ** (-1 / 3))}; gamma_3, the contact area under "
+            f"a fluctuating load, falls by {short(1 / area)}.")
 
 
 def product_of_gammas(file, pairs):
