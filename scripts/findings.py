@@ -8,8 +8,8 @@ import numpy as np
 
 from bristle_plots.command_line import run
 from bristle_plots.errors import BristleError
-from bristle_plots.explanations import (READINGS, at_most, ends, explain_claim, explain_further, listed, percent, periodic_part,
-                                        chosen_at, short, span, where_saturated)
+from bristle_plots.explanations import (READINGS, at_most, chosen_at, ends, explain_claim, explain_further, listed,
+                                        percent, periodic_part, short, span, where_saturated)
 from bristle_plots.files import write_text
 from bristle_plots.markdown import filled, table
 from bristle_plots.results import as_text, axis_values, dataset, experiment, open_result, read, select, status_counts
@@ -63,7 +63,8 @@ def main():
     images = os.path.join(os.path.dirname(arguments.output), "images")
     found = {file: claims_of(file) for file in files}
     summary = f"{BEGIN}\n\n{filled(in_short(found))}\n{END}"
-    page = filled("\n".join(["# Findings\n\n@summary@\n", INTRODUCTION, overview(found), *(section(file, found[file], images) for file in files)]))
+    sections = [section(file, claims, images) for file, claims in found.items()]
+    page = filled("\n".join(["# Findings\n\n@summary@\n", INTRODUCTION, overview(found), *sections]))
     write_text(arguments.output, page.replace("@summary@", summary))
     if arguments.readme:
         replace_summary(arguments.readme, summary)
@@ -221,7 +222,8 @@ def fall_with_stiffness(file, _):
 def saturation(file, verdicts):
     exact, printed = (where_saturated(file, reading) for reading in READINGS)
     return (f"{on_claim('The saturation of R_x with mu_c', '8b', verdicts)}. For stiff bristles (k_r = "
-            f"{exact['k_r']:g}) at mu_c = {listed(exact['mu_c'], chosen_at)} R_x is {listed(exact['R_x'])} for all bristles and {listed(exact['R_x_unpinned'])} for those that pass. "
+            f"{exact['k_r']:g}) at mu_c = {listed(exact['mu_c'], chosen_at)} R_x is {listed(exact['R_x'])} for all "
+            f"bristles and {listed(exact['R_x_unpinned'])} for those that pass. "
             f"{listed(exact['pinned_fraction'], percent)} of the bristles are pinned head-on at the pole, carry "
             f"{listed(exact['pinned_share_R_x'], percent)} of R_x, and do not saturate. As printed "
             f"{at_most(printed['pinned_fraction'])} are pinned, and R_x is {listed(printed['R_x'])}.")
@@ -244,7 +246,7 @@ def order_of_gaps(file, verdicts):
         if row.claim == "3d":
             trends.setdefault(row.reading, {})[check["at"]["R_n"]] = number(row.measured, ".2f")
     loads = listed(next(iter(trends.values())), chosen_at)
-    return (f"{on_claim('The reversed order of z_0 over k_r between low and high load', '3d', verdicts)}: Kendall's tau is "
+    return (f"{on_claim('The reversed order of z_0 over k_r between low and high load', '3d', verdicts)}: Kendall's tau is"
             f" {of_both(lambda reading: listed(trends[reading].values(), str))} at R_n = {loads}.")
 
 
@@ -258,7 +260,8 @@ def row_period(file, verdicts):
     def part(reading):
         return span(periodic_part(file, reading)[1], percent)
     return (f"{on_claim('The vanishing fluctuation of large lattices', 'A2', verdicts)}. Bristles enter in rows, so "
-            f"R_n(t) has a part with the period of a row, {of_both(part)} of its mean, in a lattice of any width. The rest falls with the width to the power of {of_both(slope)}.")
+            f"R_n(t) has a part with the period of a row, {of_both(part)} of its mean, in a lattice of any width. "
+            f"The rest falls with the width to the power of {of_both(slope)}.")
 
 
 def replace_summary(path, summary):

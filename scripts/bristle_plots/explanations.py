@@ -225,13 +225,14 @@ def order_within_branches(file, pairs):
             there = select(dataset(file, check["variable"]), ["k_r"], **{**chosen, "azimuth_rate": one}, **curve)
             elsewhere.setdefault(READINGS[one], []).append(there[0])
         taus.append(tau_by_side(x, y, np.arange(len(y)) >= fall))
-    across, before, behind = np.nanmean(taus, axis=0)
+    across, before, behind = (number(tau, ".2f") for tau in np.nanmean(taus, axis=0))
     apart = "less" if row.verdict == "undecided" else "more"
-    return (f"The trend, {with_uncertainty(row.measured, row.uncertainty)}, and the threshold, {number(row.threshold, 'g')}, "
-            f"differ by {apart} than the uncertainty. R_x_norm falls most steeply at k_r = {span(falls, chosen_at)}. For pairs of points "
-            f"on either side of the fall tau is {number(across, '.2f')}; for pairs before it {number(before, '.2f')}, and for "
-            f"pairs behind it {number(behind, '.2f')}. Before the fall R_x_norm rises with k_r, from {span(first)} at the "
-            f"lowest k_r{''.join(f' ({one}: {span(there)})' for one, there in elsewhere.items())} to at most {span(top)}.")
+    other_readings = "".join(f" ({one}: {span(there)})" for one, there in elsewhere.items())
+    return (f"The trend, {with_uncertainty(row.measured, row.uncertainty)}, and the threshold, "
+            f"{number(row.threshold, 'g')}, differ by {apart} than the uncertainty. R_x_norm falls most steeply at k_r = "
+            f"{span(falls, chosen_at)}. For pairs of points on either side of the fall tau is {across}; for pairs before it "
+            f"{before}, and for pairs behind it {behind}. Before the fall R_x_norm rises with k_r, from {span(first)} at "
+            f"the lowest k_r{other_readings} to at most {span(top)}.")
 
 
 def tau_by_side(x, y, behind):
