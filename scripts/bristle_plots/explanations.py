@@ -44,19 +44,16 @@ def span(values, text=short):
 
 
 def turns(x, y, share=0.15):
-    """The first value, those at which a rise or fall of more than a share of the range ends, and the last."""
-    found, step = [0], share * np.ptp(y)
-    last = 0
-    for i in range(1, len(y)):
-        turned = len(found) > 1 or abs(y[last] - y[0]) > step
-        rising = y[last] > y[found[-1]]
-        if (y[i] > y[last]) == rising or not turned:
-            last = i if turned or abs(y[i] - y[0]) >= abs(y[last] - y[0]) else last
-        elif abs(y[i] - y[last]) > step:
-            found.append(last)
-            last = i
-    ends = dict.fromkeys([*found, last, len(y) - 1])
-    return ", ".join(f"{short(y[i])} (k_r = {chosen_at(x[i])})" for i in ends)
+    """The first and the last value, and between them those at which y turns, without swings below a share of its range."""
+    step = np.diff(y)
+    kept = [0, *(np.flatnonzero(step[1:] * step[:-1] < 0) + 1), len(y) - 1]
+    while len(kept) > 2:
+        swings = abs(np.diff(y[kept]))
+        i = int(np.argmin(swings))
+        if swings[i] >= share * np.ptp(y):
+            break
+        del kept[max(i, 1):min(i + 2, len(kept) - 1)]
+    return ", ".join(f"{short(y[i])} (k_r = {chosen_at(x[i])})" for i in kept)
 
 
 def geometric_mean(file, name, **chosen):
