@@ -131,10 +131,12 @@ def order_of_gaps(file, pairs):
                      f"{listed(k_r, chosen_at)}{missing}.")
     ground = over_k_r(file, k_r, "R_n", "z_0", NEAR_GROUND, reading=reading)
     time = over_k_r(file, k_r, "N_c_ratio", "z_0", NEAR_GROUND, reading=reading)
-    parts.append(f"Near the ground, at z_0 = {NEAR_GROUND}, R_n is {listed(ground)} and N_c/N_c0 is {listed(time)}: from "
-                 f"k_r = {chosen_at(k_r[np.argmin(ground)])} on, the softer a bristle is, the longer it becomes, the longer it "
-                 "stays in contact and the less it carries. So under a growing load soft bristles let the slab down to the "
-                 "ground first. (The curves are those of the paper's k_phi; tau is over all k_phi.)")
+    moved = (time - 1) * setting(file, "model", "L_x")  # the slip of a passage is L_x, Eq. (A2)
+    parts.append(f"Near the ground, at z_0 = {NEAR_GROUND}, R_n is {listed(ground)}, and when the slab leaves them the tips "
+                 f"have been dragged by {listed(moved)} bristle lengths, (N_c/N_c0 - 1) L_x: from k_r = "
+                 f"{chosen_at(k_r[np.argmin(ground)])} on, the softer a bristle is, the longer it becomes and the less it "
+                 "carries. So under a growing load soft bristles let the slab down to the ground first. (The curves are "
+                 "those of the paper's k_phi; tau is over all k_phi.)")
     return " ".join(parts)
 
 
