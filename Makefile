@@ -39,8 +39,8 @@ $(FIGURES) $(STUDIES): %: build
 
 figures: $(FIGURES) ## make all figures
 
-findings: figures ## all figures, and docs/findings.md: every claim with its verdict and numbers
-	@$$($(PLOT_PYTHON)) scripts/findings.py $(FIGURES:%=results/%$(SUFFIX).h5) -o $(if $(SUFFIX),results/findings$(SUFFIX).md,docs/findings.md)
+findings: figures ## all figures; docs/findings.md, each claim with its verdict and numbers; README's summary
+	@$$($(PLOT_PYTHON)) scripts/findings.py $(FIGURES:%=results/%$(SUFFIX).h5) $(if $(SUFFIX),-o results/findings$(SUFFIX).md,--readme README.md)
 
 assumptions: build ## every claim under every alternative to what the paper leaves open: docs/assumptions.md
 	$(BUILD)/bristle assumptions

@@ -1,57 +1,120 @@
-"""docs/findings.md from result files: every claim with its verdict and the numbers behind it."""
+"""docs/findings.md from result files: every claim with its verdict and the numbers behind it; the summary in README.md."""
 
 import argparse
+import os
+import re
 
 import numpy as np
 
 from bristle_plots.command_line import run
+from bristle_plots.errors import BristleError
+from bristle_plots.explanations import (READINGS, at_most, chosen_at, ends, explain_claim, explain_further, listed,
+                                        percent, periodic_part, short, span, where_saturated)
 from bristle_plots.files import write_text
 from bristle_plots.markdown import filled, table
-from bristle_plots.results import as_text, experiment, open_result, read, status_counts
-from bristle_plots.verdicts import declared_checks, p_text, quantity, threshold_text
+from bristle_plots.results import as_text, axis_values, dataset, experiment, open_result, read, select, status_counts
+from bristle_plots.verdicts import declared_checks, number, p_text, quantity, threshold_text, with_uncertainty
 
 INTRODUCTION = """\
-# Findings
-
 The claims of the paper in the order of its figures, and the verdicts of the computations:
-**supported**, **refuted**, or undecided within the uncertainty. docs/claims.md describes how claims
-are checked, docs/model.md the baseline: the choices for what the paper leaves open. `make findings`
-writes this page from the result files; no number in it is typed.
+supported, **refuted**, or undecided within the uncertainty. Every claim is checked under two
+readings of Eq. (17): **exact**, the kinematic relation, and **as printed** in the paper
+(docs/model.md). docs/claims.md describes how claims are checked, docs/model.md the baseline: the
+choices for what the paper leaves open. `make findings` writes this page and the summary in
+README.md from the result files; no number in them is typed.
 """
+
+# The claims in short, for the first table. Their checks quote the paper.
+CLAIMS = {
+    "3a": "first contact is stiff, governed by k_r",
+    "3b": "near the ground R_n is proportional to k_phi",
+    "3c": "R_n(z_0) folds: hysteresis",
+    "3d": "z_0 rises with k_r, with the order reversed at another load",
+    "4a": "R_x falls with k_r",
+    "4b": "gamma_3 drops sharply with k_r",
+    "4c": "a long sticky phase near the ground: low gamma_1",
+    "4d": "k_r eventually reduces gamma_2",
+    "4e": "reducing k_theta reduces friction",
+    "4f": "k_theta matters less than k_r",
+    "5a": "N_c falls with k_r",
+    "5b": "reducing k_phi shifts the curve to higher k_r",
+    "5c": "a lower N_c entails lower friction",
+    "6a": "Coulomb friction: trends as under NSS",
+    "6b": "Coulomb friction: a smoother fall with k_r",
+    "7a": "NSS falls steeply, Coulomb over a broader range",
+    "7b": "a larger z_0 entails a lower R_x",
+    "8a": "low k_r: slightly below rigid bristles",
+    "8b": "high k_r: R_x saturates as mu_c grows",
+    "A1": "isotropy: R_y = 0",
+    "A2": "the lattice's mean is the ensemble's; fluctuations vanish",
+    "A3": "more bristles in contact than N_0",
+}
+
+BEGIN, END = "<!-- summary: written by `make findings` -->", "<!-- end of summary -->"
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("results", metavar="RESULT.h5", nargs="+", help="result files in the figures' order")
     parser.add_argument("-o", dest="output", metavar="FILE", default="docs/findings.md")
+    parser.add_argument("--readme", metavar="FILE", help="document whose summary is replaced")
     arguments = parser.parse_args()
     files = [open_result(path) for path in arguments.results]
-    write_text(arguments.output, filled("\n".join([INTRODUCTION, overview(files), *map(section, files)])))
-    checks = sum(len(declared_checks(file)) for file in files)
+    images = os.path.join(os.path.dirname(arguments.output), "images")
+    found = {file: claims_of(file) for file in files}
+    summary = f"{BEGIN}\n\n{filled(in_short(found))}\n{END}"
+    sections = [section(file, claims, images) for file, claims in found.items()]
+    page = filled("\n".join(["# Findings\n\n@summary@\n", INTRODUCTION, overview(found), *sections]))
+    write_text(arguments.output, page.replace("@summary@", summary))
+    if arguments.readme:
+        replace_summary(arguments.readme, summary)
+    checks = sum(len(checks) for claims in found.values() for checks in claims.values())
     print(f"{arguments.output}: {checks} checks of {len(files)} results")
 
 
-def overview(files):
-    """A row for each claim: the verdicts of its checks."""
-    verdicts = {}
-    for file in files:
-        for check, claim in declared_checks(file):
-            verdicts.setdefault(check["claim"], []).append(claim.verdict)
-    rows = [[name, ", ".join(map(emphasised, found))] for name, found in verdicts.items()]
-    return table(["claim", "verdict"], *rows) + "\n"
+def claims_of(file):
+    """By claim, in the order of the experiment's checks: (check, its rows, one for each reading)."""
+    claims = {}
+    for check, row in declared_checks(file):
+        claims.setdefault(check["claim"], {}).setdefault(row.declared, (check, []))[1].append(row)
+    return {claim: list(checks.values()) for claim, checks in claims.items()}
+
+
+def verdicts_of(checks):
+    """The verdict on a claim by reading."""
+    return {row.reading: row.claim_verdict for row in checks[0][1]}
+
+
+def all_verdicts(found):
+    """By claim of any figure, the verdict by reading."""
+    return {claim: verdicts_of(checks) for claims in found.values() for claim, checks in claims.items()}
+
+
+def readings_of(found):
+    return list(dict.fromkeys(reading for verdicts in all_verdicts(found).values() for reading in verdicts))
+
+
+def overview(found):
+    """A row for each claim: what the paper states in short, and the verdict under each reading."""
+    readings = readings_of(found)
+    rows = [[claim, CLAIMS.get(claim, ""), *(emphasised(verdicts.get(reading, "")) for reading in readings)]
+            for claim, verdicts in all_verdicts(found).items()]
+    return table(["claim", "the paper, in short", *(READINGS.get(one, one or "verdict") for one in readings)], *rows) + "\n"
 
 
 def emphasised(verdict):
     return f"**{verdict}**" if verdict == "refuted" else verdict
 
 
-def section(file):
+def section(file, claims, images):
+    name, figure = (as_text(file.attrs[key]) for key in ("name", "figure"))
     lines = [f"## {as_text(file.attrs['title'])}", "", provenance(file), ""]
-    checks = declared_checks(file)
-    if checks:
-        lines += ["\n".join(item(check, claim) for check, claim in checks), ""]
+    if os.path.exists(os.path.join(images, f"{name}.png")):
+        lines += [f"![Figure {figure}](images/{name}.png)", ""]
+    for claim, checks in claims.items():
+        lines += claim_lines(file, claim, checks)
     left_open = {}
-    for check, _ in checks:
+    for check, _ in (pair for checks in claims.values() for pair in checks):
         if "leaves_open" in check:
             left_open.setdefault(check["leaves_open"], []).append(check["claim"])
     if left_open:
@@ -73,12 +136,141 @@ def provenance(file):
             f"{contact:.2f} L_x/V_0. Payload SHA-256 `{digest[:16]}`.")
 
 
-def item(check, claim):
-    """An item of a list: the statement, and below it the verdict with its numbers."""
-    measured = f"{quantity(check)} {claim.measured:.3f} ± {claim.uncertainty:.3f}{p_text(claim)}"
-    threshold = threshold_text(claim.relation, claim.threshold, claim.band).strip()
-    return (f"- **{claim.claim}**: {claim.statement}\n"
-            f"  - {emphasised(claim.verdict)}: {measured}; threshold {threshold}")
+def claim_lines(file, claim, checks):
+    """Heading with the verdicts, the paper's sentence, main and further checks, and why a verdict is not "supported"."""
+    verdicts = verdicts_of(checks)
+    words = ", ".join(f"{READINGS.get(reading, reading)} {verdict}".strip() for reading, verdict in verdicts.items())
+    if len(verdicts) > 1 and len(set(verdicts.values())) == 1:
+        words = f"{next(iter(verdicts.values()))} under both readings"
+    lines = [f"### {claim}: {words}", ""]
+    for check, _ in checks:
+        if "quote" in check:
+            lines += [f"The paper: \u201c{check['quote']}\u201d", ""]
+    main = [pair for pair in checks if pair[1][0].role == "main"]
+    further = [pair for pair in checks if pair[1][0].role != "main"]
+    for meaning in dict.fromkeys(check.get("interpretation") for check, _ in main):
+        if meaning:
+            lines += [f"If {meaning}:", ""]
+        lines += [item(file, *pair) for pair in main if pair[0].get("interpretation") == meaning]
+        lines.append("")
+    if further:
+        lines += ["Further checks, which do not decide the verdict:", "", *(item(file, *pair) for pair in further), ""]
+    for reading, verdict in verdicts.items():
+        if verdict != "supported":
+            rows = [(check, row) for check, rows in checks for row in rows if row.reading == reading]
+            lines += [f"Why {verdict} {READINGS.get(reading, reading)}: {explain_claim(file, rows)}", ""]
+    return lines
+
+
+def item(file, check, rows):
+    """An item of a list: the statement, and below it the verdict of each reading with its numbers."""
+    what = f"{quantity(check)} {threshold_text(rows[0].relation, rows[0].threshold, rows[0].band).strip()}"
+    lines = [f"- {check['statement']} ({what})"]
+    for row in rows:
+        reading = f"{READINGS.get(row.reading, row.reading)}: " if row.reading else ""
+        measured = f"{number(row.measured, '.3f')} ± {number(row.uncertainty, '.3f')}{p_text(row)}"
+        why = f"; {explain_further(file, check, row)}" if row.role != "main" and row.verdict == "refuted" else ""
+        lines.append(f"  - {reading}{emphasised(row.verdict)}, {measured}{why}")
+    return "\n".join(lines)
+
+
+def in_short(found):
+    """The findings that a reader should know first, as a list; those whose results are there."""
+    verdicts, readings = all_verdicts(found), readings_of(found)
+    files = {as_text(file.attrs["name"]): file for file in found}
+    headlines = {"fig6": fall_with_stiffness, "fig8": saturation, "figA1": isotropy, "fig3": order_of_gaps, "figA2": row_period}
+    lines = [counts(verdicts, readings)]
+    if readings == list(READINGS):
+        lines += [headline(files[name], verdicts) for name, headline in headlines.items() if name in files]
+    return "\n".join(f"- {line}" for line in lines if line)
+
+
+def counts(verdicts, readings):
+    """How many claims are supported under each reading, and which are not."""
+    parts = []
+    for reading in readings:
+        by_verdict = {}
+        for claim, found in verdicts.items():
+            by_verdict.setdefault(found.get(reading), []).append(claim)
+        rest = [f"{verdict}: {', '.join(by_verdict[verdict])}" for verdict in ("refuted", "undecided") if verdict in by_verdict]
+        under = {"kinematic": " under the exact equations", "as_printed": " with Eq. (17) as printed"}.get(reading, "")
+        parts.append(f"{len(by_verdict.get('supported', []))} are supported{under}" + (f" ({'; '.join(rest)})" if rest else ""))
+    return f"Of the paper's {len(verdicts)} claims, {', and '.join(parts)}."
+
+
+def of_both(sentence):
+    """The text for each reading, the second in brackets."""
+    exact, printed = (sentence(reading) for reading in READINGS)
+    return f"{exact} (as printed {printed})"
+
+
+def on_claim(what, claim, verdicts):
+    exact, printed = (verdicts[claim][reading] for reading in READINGS)
+    under = f"{exact} under both readings" if exact == printed else f"{exact} (as printed {printed})"
+    return f"{what} ({claim}) is {under}"
+
+
+def fall_with_stiffness(file, _):
+    k_r = axis_values(file, "k_r")
+    def factor(name, law):
+        return of_both(lambda reading: short(1 / ends(file, name, azimuth_rate=reading, friction=law)))
+    return (f"From k_r = {chosen_at(k_r[0])} to {chosen_at(k_r[-1])} the normalised friction R_x_norm falls by a factor of "
+            f"{factor('R_x_norm', 'nss')} under nominal shear stress, and the contact area, gamma_3, by "
+            f"{factor('gamma_3', 'nss')}; under Coulomb friction R_x_norm falls by {factor('R_x_norm', 'coulomb')}.")
+
+
+def saturation(file, verdicts):
+    exact, printed = (where_saturated(file, reading) for reading in READINGS)
+    return (f"{on_claim('The saturation of R_x with mu_c', '8b', verdicts)}. For stiff bristles (k_r = "
+            f"{exact['k_r']:g}) at mu_c = {listed(exact['mu_c'], chosen_at)} R_x is {listed(exact['R_x'])} for all "
+            f"bristles and {listed(exact['R_x_unpinned'])} for those that pass. "
+            f"{listed(exact['pinned_fraction'], percent)} of the bristles are pinned head-on at the pole, carry "
+            f"{listed(exact['pinned_share_R_x'], percent)} of R_x, and do not saturate. As printed "
+            f"{at_most(printed['pinned_fraction'])} are pinned, and R_x is {listed(printed['R_x'])}.")
+
+
+def isotropy(file, verdicts):
+    def largest(reading):
+        values = select(dataset(file, "R_y_norm"), ["k_r", "seed"], azimuth_rate=reading, sampling="quadrature")
+        return number(np.abs(values).max(), ".1g")
+    return (f"{on_claim('Isotropy, R_y = 0 for uniform azimuths', 'A1', verdicts)}: |R_y_norm| of the ensemble mean is at most "
+            f"{of_both(largest)}.")
+
+
+def order_of_gaps(file, verdicts):
+    """Claim 3d, if a reading does not support it."""
+    if set(verdicts["3d"].values()) == {"supported"}:
+        return ""
+    trends = {}
+    for check, row in declared_checks(file):
+        if row.claim == "3d":
+            trends.setdefault(row.reading, {})[check["at"]["R_n"]] = number(row.measured, ".2f")
+    loads = listed(next(iter(trends.values())), chosen_at)
+    return (f"{on_claim('The reversed order of z_0 over k_r between low and high load', '3d', verdicts)}: Kendall's tau is"
+            f" {of_both(lambda reading: listed(trends[reading].values(), str))} at R_n = {loads}.")
+
+
+def row_period(file, verdicts):
+    """Claim A2, if a reading does not support it."""
+    if set(verdicts["A2"].values()) == {"supported"}:
+        return ""
+    def slope(reading):
+        return next(with_uncertainty(row.measured, row.uncertainty) for check, row in declared_checks(file)
+                    if check["variable"] == "R_n_fluctuation_of_rows" and row.reading == reading)
+    def part(reading):
+        return span(periodic_part(file, reading)[1], percent)
+    return (f"{on_claim('The vanishing fluctuation of large lattices', 'A2', verdicts)}. Bristles enter in rows, so "
+            f"R_n(t) has a part with the period of a row, {of_both(part)} of its mean, in a lattice of any width. "
+            f"The rest falls with the width to the power of {of_both(slope)}.")
+
+
+def replace_summary(path, summary):
+    with open(path, encoding="utf-8") as file:
+        text = file.read()
+    pattern = re.escape(BEGIN) + ".*?" + re.escape(END)
+    if not re.search(pattern, text, re.S):
+        raise BristleError(f"{path}: has no summary to replace; it begins with {BEGIN}")
+    write_text(path, re.sub(pattern, lambda _: summary, text, flags=re.S))
 
 
 if __name__ == "__main__":

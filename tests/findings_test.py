@@ -1,5 +1,5 @@
-"""docs/findings.md has an item with a verdict for every check of the experiments, the experiments check every claim of the
-paper, and other documents repeat the numbers correctly."""
+"""docs/findings.md has an item for every check of the experiments with a verdict under every reading, the experiments check
+every claim of the paper, README.md has the page's summary, and other documents repeat the numbers correctly."""
 import json
 import pathlib
 import re
@@ -7,30 +7,57 @@ import sys
 
 root = pathlib.Path(sys.argv[1])
 page = (root / "docs" / "findings.md").read_text(encoding="utf-8")
-lines = re.sub(r"\n +(?! |- )", " ", page).splitlines()  # list items are wrapped
-# (claim, statement, verdict): an item and the item below it.
-checks = [(*item.groups(), verdict.group(1)) for item, verdict in
-          ((re.match(r"- \*\*(\w+)\*\*: (.*)", line), re.match(r"  - \**(supported|refuted|undecided)\**: ", below))
-           for line, below in zip(lines, lines[1:])) if item and verdict]
+READINGS = {"kinematic": "exact", "as_printed": "as printed"}
+VERDICT = r"\**(supported|refuted|undecided)\**"
+
+# (claim, statement with what is measured, readings below it)
+checks = []
+for line in re.sub(r"\n +(?! |- )", " ", page).splitlines():  # list items are wrapped
+    if heading := re.match(r"### (\w+): ", line):
+        claim = heading.group(1)
+    elif line.startswith("#"):
+        claim = None
+    elif item := re.match(r"- (.*)", line):
+        checks.append((claim, item.group(1), []))
+    elif verdict := re.match(rf"  - (?:([\w ]+): )?{VERDICT}, ", line):
+        checks[-1][2].append(verdict.group(1))
 claims = set()
 for path in sorted((root / "experiments").glob("fig*.json")):
-    for check in json.loads(path.read_text())["checks"] if "checks" in path.read_text() else []:
-        found = [one for one in checks if one[:2] == (check["claim"], check["statement"])]
-        assert len(found) == 1, f"{path.name}: claim {check['claim']} is missing in docs/findings.md: `make findings`"
+    experiment = json.loads(path.read_text(encoding="utf-8"))
+    axis = experiment.get("sweep", {}).get(experiment.get("checks_for_each"), {"values": [None]})
+    readings = [READINGS.get(word, word) for word in axis["values"]]
+    for check in experiment.get("checks", []):
+        found = [of for claim, text, of in checks if claim == check["claim"] and text.startswith(f"{check['statement']} (")]
+        assert found == [readings], f"{path.name}: claim {check['claim']}: docs/findings.md lacks a check: `make findings`"
         claims.add(check["claim"])
+    for quote in [check["quote"] for check in experiment.get("checks", []) if "quote" in check]:
+        assert quote in " ".join(page.split()), f"docs/findings.md lacks the paper's \"{quote}\": `make findings`"
 paper = {"3a", "3b", "3c", "3d", "4a", "4b", "4c", "4d", "4e", "4f", "5a", "5b", "5c", "6a", "6b", "7a", "7b", "8a", "8b",
          "A1", "A2", "A3"}
 assert claims == paper, f"not checked: {sorted(paper - claims)}; not in the paper: {sorted(claims - paper)}"
 
+# The table of claims, and the explanations below them.
+rows = {row.group(1): row.groups()[2:] for row in re.finditer(rf"^\| (\w+) \| (.+) \| {VERDICT} \| {VERDICT} \|$", page, re.M)}
+assert set(rows) == paper, f"the table of docs/findings.md lacks {sorted(paper - set(rows))}"
+unsupported = sum(verdict != "supported" for verdicts in rows.values() for verdict in verdicts)
+explained = len(re.findall(r"^Why (?:refuted|undecided) ", page, re.M))
+assert explained == unsupported, f"{unsupported} verdicts are not \"supported\", {explained} are explained"
+assert "ot explained yet" not in page, "docs/findings.md has a claim or a check without an explanation " \
+    "(scripts/bristle_plots/explanations.py)"
+
 # The summary in README.md.
-verdicts = [verdict for _, _, verdict in checks]
-conclusions = json.loads((root / "reference" / "assumptions.json").read_text())["conclusions"]
+readme = (root / "README.md").read_text(encoding="utf-8")
+summary, in_readme = (re.search("<!-- summary: .*?<!-- end of summary -->", text, re.S).group() for text in (page, readme))
+assert in_readme == summary, "README.md's summary is not that of docs/findings.md: `make findings`"
+said = re.search(r"the paper's (\d+) claims, (\d+) are supported under .*? and (\d+) are supported with",
+                 " ".join(summary.split())).groups()
+found = [len(rows), *([verdicts[i] for verdicts in rows.values()].count("supported") for i in range(2))]
+assert [int(number) for number in said] == found, f"the summary's numbers are {said}, those of the table {found}"
+conclusions = json.loads((root / "reference" / "assumptions.json").read_text(encoding="utf-8"))["conclusions"]
 reversed_by_some = sum(bool(one["other"]) for one in conclusions if one["conclusion"] != "open")
-summary = re.search(r"(\d+) claims are tested by (\d+) checks: (\d+) are supported, (\d+) refuted and (\d+) undecided"
-                    r".*reverses (\d+) of the (\d+) verdicts",
-                    " ".join((root / "README.md").read_text(encoding="utf-8").split()))
-found = [len(claims), len(verdicts), *map(verdicts.count, ("supported", "refuted", "undecided")), reversed_by_some, len(conclusions)]
-assert [int(number) for number in summary.groups()] == found, f"README.md's summary is {summary.group()}, the findings are {found}"
+said = re.search(r"reverses (\d+) of the (\d+) verdicts", " ".join(readme.split())).groups()
+assert [int(number) for number in said] == [reversed_by_some, len(conclusions)], \
+    f"README.md: alternatives reverse {said}, not {reversed_by_some} of {len(conclusions)} verdicts"
 
 # Numbers that other documents quote rounded.
 figure_4 = page.split("## Figure 4")[1]

@@ -13,9 +13,12 @@ from .style import BLUE, GREEN, GREY, VERMILION, wrapped
 NUMBERS = ("measured", "uncertainty", "threshold", "band", "margin", "significance")
 TEXTS = ("claim", "statement", "is", "verdict")
 OPTIONAL = ("band", "margin", "significance")  # older files are without them
+# Of files whose claims have several readings or checks: the value of the choice "checks_for_each", whether the
+# check is one of those that decide the claim, the verdict on the claim, the number of the check in the experiment.
+LATER = ("reading", "role", "claim_verdict", "declared")
 
 # relation: how the measured value must compare with the threshold: at_most, at_least or near.
-Claim = namedtuple("Claim", "claim statement relation verdict " + " ".join(NUMBERS))
+Claim = namedtuple("Claim", "claim statement relation verdict " + " ".join(NUMBERS + LATER))
 
 VERDICT_SIGNS = {"supported": ("\u2714", GREEN), "refuted": ("\u2718", VERMILION), "undecided": ("?", BLUE)}
 RELATION_SIGNS = {"at_most": "\u2264", "at_least": "\u2265", "near": "near"}
@@ -37,15 +40,27 @@ def read_claims(file):
     columns += [missing if name in OPTIONAL and name not in group else read(group, name) for name in NUMBERS]
     if len({len(column) for column in columns}) > 1:
         raise BristleError(f"{file.filename}: the datasets of /checks differ in length")
-    return [Claim(*map(as_text, row[:len(TEXTS)]), *map(float, row[len(TEXTS):])) for row in zip(*columns)]
+    texts, end = len(TEXTS), len(TEXTS) + len(NUMBERS)
+    return [Claim(*map(as_text, row[:texts]), *map(float, row[texts:end]), *later)
+            for row, later in zip(zip(*columns), later_columns(group, columns[TEXTS.index("verdict")]))]
+
+
+def later_columns(group, verdicts):
+    """The values of LATER for each row; in older files every check decides its own claim."""
+    if "declared" not in group:
+        return [("", "main", as_text(verdict), i) for i, verdict in enumerate(verdicts)]
+    reading, role, verdict, declared = (read(group, name) for name in LATER)
+    return [(*map(as_text, row), int(number)) for *row, number in zip(reading, role, verdict, declared)]
 
 
 def declared_checks(file):
-    """The experiment's checks, each with its claim as measured."""
+    """(check, claim as measured) for each check of the experiment and each reading."""
     declared, measured = experiment(file).get("checks", []), read_claims(file)
-    if [check["claim"] for check in declared] != [claim.claim for claim in measured]:
+    pairs = [(declared[claim.declared], claim) for claim in measured if claim.declared < len(declared)]
+    if (len(pairs) < len(measured) or {claim.declared for claim in measured} != set(range(len(declared)))
+            or any(check["claim"] != claim.claim for check, claim in pairs)):
         raise BristleError(f"{file.filename}: /checks is not that of the experiment; run `bristle run` again")
-    return list(zip(declared, measured))
+    return pairs
 
 
 def quantity(check):
