@@ -4,7 +4,7 @@
 FIGURES := fig2 fig3 fig4 fig5 fig6 fig7 fig8 figA1 figA2 figA3
 # Research of one's own, made as the figures are.
 STUDIES := ski orientation stribeck
-.PHONY: help packages build test bench accuracy clean figures findings assumptions report archive verify release \
+.PHONY: help packages build test bench accuracy clean figures findings assumptions inference report archive verify release \
   sanitize fuzz tidy coverage $(FIGURES) $(STUDIES)
 JOBS ?= $(shell nproc 2>/dev/null || echo 1)
 BUILD := build
@@ -46,6 +46,11 @@ assumptions: build ## every claim under every alternative to what the paper leav
 	$(BUILD)/bristle assumptions
 	@$$($(PLOT_PYTHON)) scripts/assumptions.py results/assumptions.json -o figures --text docs/assumptions.md
 	@cp figures/assumptions.png docs/images/
+
+# The same machinery on joint sets of choices.
+inference: build ## joint sets of choices ranked by the claims they support: docs/inference.md
+	$(BUILD)/bristle assumptions experiments/inference/*.json --only fig3,fig4,fig5,fig6,fig7,fig8 -o results/inference.json
+	@$$($(PLOT_PYTHON)) scripts/inference.py results/inference.json
 
 report: figures $(STUDIES) report-packages ## one page of all figures, claims, points and sources: report/index.html
 	@$$($(PLOT_PYTHON) jinja2 yaml) scripts/report/report.py $(patsubst %,results/%$(SUFFIX).h5,$(FIGURES) $(STUDIES)) -o report$(SUFFIX)/index.html

@@ -28,6 +28,17 @@ Experiment load_checked(const RunOptions& options) {
   return experiment;
 }
 
+// The words of a choice; otherwise the number of values and the ends of their range.
+std::string range_text(const experiment::Axis& axis) {
+  const experiment::Sweepable& sweepable = *experiment::find_sweepable(axis.name);
+  if (sweepable.options.empty())
+    return fmt::format("{} from {:.6g} to {:.6g}", axis.values.size(), axis.values.front(),
+                       axis.values.back());
+  std::vector<std::string> words;
+  for (const double value : axis.values) words.push_back(sweepable.text(value));
+  return fmt::format("{}", fmt::join(words, ", "));
+}
+
 }  // namespace
 
 int run_command(const RunOptions& options) {
@@ -46,11 +57,10 @@ int validate_command(const RunOptions& options) {
   const Experiment e = load_checked(options);
   std::string sweep;
   for (const experiment::Axis& axis : e.axes)
-    sweep += fmt::format("{}{} ({} from {:.6g} to {:.6g})", sweep.empty() ? "" : " x ", axis.name,
-                         axis.values.size(), axis.values.front(), axis.values.back());
+    sweep += fmt::format("{}{} ({})", sweep.empty() ? "" : " x ", axis.name, range_text(axis));
+  const std::size_t checks = e.checks.empty() ? 0 : e.checks.back().number + 1;
   fmt::print("{}: valid. {}: {} point{}{}{}, {} check{}\n", options.experiment, e.name, e.points(),
-             e.points() == 1 ? "" : "s", sweep.empty() ? "" : ", ", sweep, e.checks.size(),
-             e.checks.size() == 1 ? "" : "s");
+             e.points() == 1 ? "" : "s", sweep.empty() ? "" : ", ", sweep, checks, checks == 1 ? "" : "s");
   if (const auto kept = experiment::values_not_in_si(e.point(0)); !e.base.si.empty() && !kept.empty())
     fmt::print("not given in the si block, so dimensionless and the same for any material: {}\n",
                fmt::join(kept, ", "));
