@@ -5,17 +5,17 @@ import numpy as np
 import xarray
 
 data = xarray.open_dataset(sys.argv[1])
-assert data["R_x_norm"].dims == ("k_r", "k_theta"), data["R_x_norm"].dims
+assert data["R_x_norm"].dims == ("azimuth_rate", "k_r", "k_theta"), data["R_x_norm"].dims
 assert data["k_r"].shape == (5,) and data["k_r"].attrs["units"] == "1"
-assert np.isclose(data["k_r"][0], 2) and np.isclose(data["k_r"][-1], 100)
+assert np.isclose(data["k_r"][0], 3) and np.isclose(data["k_r"][-1], 100)
 names = ["z_0", "R_n", "R_x", "R_y", "R_x_norm", "R_y_norm", "N_c_ratio", "gamma_1", "gamma_2", "gamma_3",
          "pinned_fraction", "pinned_share_R_n", "pinned_share_R_x", "energy_residual"]
 for name in names:
     for variable in (name, name + "_err"):
-        assert data[variable].dims == ("k_r", "k_theta"), variable
+        assert data[variable].dims == ("azimuth_rate", "k_r", "k_theta"), variable
         for attribute in ("long_name", "units", "symbol", "equation"):
             assert attribute in data[variable].attrs, (variable, attribute)
-point = data.sel(k_r=2, method="nearest").isel(k_theta=0)
+point = data.isel(azimuth_rate=0, k_theta=0).sel(k_r=3, method="nearest")
 assert abs(float(point["R_n"]) - 2) < 0.005, float(point["R_n"])
 assert (data["R_x_norm_err"] < 0.02 * data["R_x_norm"]).all()
 meanings = data["status"].attrs["flag_meanings"].split()

@@ -29,9 +29,12 @@ bool report_claims(const CheckOptions& options, const std::vector<checks::CheckR
     return true;
   }
   fmt::print("{}", checks::checks_table(checks));
-  std::map<std::string, std::map<checks::Verdict, int>> counts;  // by reading
-  const auto verdicts = checks::claim_verdicts(checks);
-  for (const checks::ClaimVerdict& c : verdicts) ++counts[c.reading][c.verdict];
+  std::vector<std::pair<std::string, std::map<checks::Verdict, int>>> counts;  // by reading
+  for (const checks::ClaimVerdict& c : checks::claim_verdicts(checks)) {
+    auto of_reading = std::ranges::find(counts, c.reading, [](const auto& one) { return one.first; });
+    if (of_reading == counts.end()) of_reading = counts.insert(counts.end(), {c.reading, {}});
+    ++of_reading->second[c.verdict];
+  }
   for (auto& [reading, count] : counts)
     fmt::print("{}: {} supported, {} refuted, {} undecided\n",
                reading.empty() ? "claims" : "claims, " + reading, count[checks::Verdict::supported],
