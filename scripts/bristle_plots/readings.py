@@ -4,10 +4,9 @@ from functools import wraps
 
 import numpy as np
 
-from .results import axis_index, axis_names, axis_values, dataset, readable
+from .results import CHOICE_NAMES, axis_index, axis_names, axis_values, dataset, readable
 
 AXIS = "azimuth_rate"
-NAMES = {"kinematic": "Eq. (17) exact", "as_printed": "Eq. (17) as printed"}
 
 
 def readings(file):
@@ -19,7 +18,7 @@ def readings(file):
 
 def reading_name(reading):
     """A choice of `readings` in words."""
-    return "".join(NAMES.get(word, readable(word)) for word in reading.values())
+    return "".join(CHOICE_NAMES.get(word, readable(word)) for word in reading.values())
 
 
 def points_of(file, reading):

@@ -16,9 +16,10 @@ OPTIONAL = ("band", "margin", "significance", "reading", "role", "claim_verdict"
 
 # relation: how the measured value must compare with the threshold: at_most, at_least or near.
 # reading: the reading of Eq. (17), if the experiment has several; declared: number of the check in the experiment.
+# interpretation: of an ambiguous sentence of the paper, under which the check belongs to the claim.
 # role: the claim's verdict under a reading rests on its main checks, not on further ones.
 Claim = namedtuple("Claim", "claim statement relation verdict reading role claim_verdict " + " ".join(NUMBERS) +
-                   " declared")
+                   " declared interpretation")
 
 VERDICT_SIGNS = {"supported": ("\u2714", GREEN), "refuted": ("\u2718", VERMILION), "undecided": ("?", BLUE)}
 RELATION_SIGNS = {"at_most": "\u2264", "at_least": "\u2265", "near": "near"}
@@ -29,6 +30,7 @@ PAIRED_PREDICATES = ("ordering", "concordance", "equality")
 VERDICT_HEADINGS = {"kinematic": "verdict, exact Eq. (17)", "as_printed": "verdict, Eq. (17) as printed"}
 
 LINE_INCHES = 0.2
+STRIP = "strip"  # gid of the strip's axes
 LETTERS_PER_INCH = 13.5  # of a statement
 LEAST_STATEMENT = 3.4  # inches; in figures with less room the numbers are below the statement
 
@@ -53,7 +55,9 @@ def read_claims(file):
     if len({len(column) for column in columns}) > 1:
         raise BristleError(f"{file.filename}: the datasets of /checks differ in length")
     texts = len(TEXTS)
-    return [Claim(*map(as_text, row[:texts]), *map(float, row[texts:-1]), int(row[-1])) for row in zip(*columns)]
+    declared = dict(enumerate(experiment(file).get("checks", [])))
+    return [Claim(*map(as_text, row[:texts]), *map(float, row[texts:-1]), int(row[-1]),
+                  declared.get(int(row[-1]), {}).get("interpretation", "")) for row in zip(*columns)]
 
 
 def declared_checks(file):
@@ -147,9 +151,16 @@ def strip_rows(claims, width):
     room = statement_inches(readings, width) or width - 1.2
     out = []
     for checks in by_claim(claims):
-        for i, check in enumerate(checks):
+        name, interpretation = first(checks[0]).claim, ""
+        for check in checks:
+            if first(check).interpretation not in ("", interpretation):
+                interpretation = first(check).interpretation
+                empty = {word: ("", "") for word in check}
+                out.append(Row(name, wrapped(f"if {interpretation}:", int(LETTERS_PER_INCH * room)), "", "", empty, {}))
+                name = ""
             further = first(check).role != "main"
-            out.append(check_row(check, "" if i else first(check).claim, further, int(LETTERS_PER_INCH * room)))
+            out.append(check_row(check, name, further, int(LETTERS_PER_INCH * room)))
+            name = ""
         if sum(first(check).role == "main" for check in checks) > 1:
             whole = {word: (claim.claim_verdict, claim.claim_verdict) for word, claim in checks[0].items()}
             out.append(Row("", f"claim {first(checks[0]).claim}, by its main checks", "", "", whole, {}))
@@ -186,6 +197,7 @@ def draw_strip(figure, claims):
     tall = strip_height(claims, width)
     strip = figure.add_axes((0, 0, 1, tall / height), xlim=(0, width), ylim=(0, tall))
     strip.axis("off")
+    strip.set_gid(STRIP)
     readings, rows = reading_words(claims), strip_rows(claims, width)
     places = {"claim": 0.3, "statement": 0.85, **columns(readings, width)}
     line = tall - LINE_INCHES / 2
@@ -218,5 +230,7 @@ def draw_row(strip, row, readings, places, top, narrow):
         strip.text(x, below, cell, **text, **row.look)
     for x, word in zip(places[2 + len(numbers):], readings):
         verdict, cell = row.verdicts.get(word, ("", "\u2013"))
+        if not cell:
+            continue
         sign, colour = VERDICT_SIGNS.get(verdict, ("\u2022", GREY))
         strip.text(x, below, f"{sign} {cell}", color=colour, weight="normal" if row.look else "bold", **text)
