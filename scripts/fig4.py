@@ -18,7 +18,8 @@ def draw(file, reading):
 def draw_energy(file):
     """The defect of the energy budget under the last reading, which is Eq. (17) as printed if it was computed."""
     *others, shown = readings(file)
-    found = [f"{reading_name(reading)}: the budget closes to within {largest_defect(file, reading):.1g}." for reading in others]
+    found = [f"{reading_name(reading)}: the budget closes to within {largest_defect(file, reading):.1g}."
+             for reading in others]
     note = ("Defect of the energy budget, relative to the energy dissipated or the initial one. "
             "Where the budget closes, only the error of the integration is left.")
     return draw_log_map(file, "energy_residual", shown, "\n".join([note, *found]))

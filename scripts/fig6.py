@@ -9,7 +9,8 @@ VARIABLES = ["R_x_norm", "gamma_1", "gamma_2"]
 
 @page_for_each_reading
 def draw(file, reading):
-    return draw_maps(file, VARIABLES, reading, {"friction": "coulomb"}, "The maps are for Amontons\u2013Coulomb friction.")
+    return draw_maps(file, VARIABLES, reading, {"friction": "coulomb"},
+                     "The maps are for Amontons\u2013Coulomb friction.")
 
 
 if __name__ == "__main__":

@@ -17,11 +17,9 @@ VARIABLES = ["R_x_norm", "z_0"]
 # its fluctuation (gamma_3) nor the number of bristles that share it changes the force of a given load.
 FACTORS = {"gamma_1": 1, "gamma_2": 1, "gamma_3": 1, "N_c_ratio": 1 / 3}
 IN_COULOMB = ["gamma_1", "gamma_2"]
-REST = "rest"
-PARTS_NOTE = """\
-Black: the sum of the other lines. Rest: the friction is a mean of products, not the product of these means.
-Amontons\u2013Coulomb friction is linear in the load; its load fluctuations (third factor) and the number of \
-bristles that share the load are no terms of it."""
+REST = "the rest"
+PARTS_NOTE = r"""Black: the sum of the other lines. The rest: the friction is a mean of products, not the product of means.
+Coulomb's friction is linear in the load: neither $\tilde{\gamma}_3$ nor $N_c$ is a factor of it."""
 
 
 def draw(file):

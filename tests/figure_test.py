@@ -31,7 +31,8 @@ for run in ("first", "second"):
     assert done.returncode == 0, done.stderr
     made = sorted((folder / run).iterdir())
     name = pathlib.Path(script).stem
-    assert {f"{name}.pdf", f"{name}.png"} <= {p.name for p in made} and {p.suffix for p in made} == {".pdf", ".png"}, made
+    assert {f"{name}.pdf", f"{name}.png"} <= {p.name for p in made}, made
+    assert {p.suffix for p in made} == {".pdf", ".png"}, made
     for pdf in folder.glob(f"{run}/*.pdf"):
         pngs = [pdf.with_suffix(".png"), pdf.with_name(f"{pdf.stem}-as-printed.png")]
         pages = re.search(rb"/Count (\d+)", pdf.read_bytes()).group(1)

@@ -8,7 +8,7 @@ from matplotlib import ticker
 from matplotlib.lines import Line2D
 
 from .errors import BristleError
-from .jumps import read_jumps
+from .jumps import LEAST_CHANGE, WIDEST_STEP, read_jumps
 from .layout import heading, place, row_title, sheet
 from .readings import reading_name, readings
 from .results import (attribute, axis_values, dataset, place_of, readable, select, select_errors, select_flags,
@@ -20,7 +20,8 @@ from .style import COLOURS, GREY, label, log_ticks, status_marker
 Curve = namedtuple("Curve", "x y error status meanings jumps")
 
 BANDS = "Bands, often thinner than the lines, are the estimated errors of the values."
-JUMPS = "Lines are broken where the loading path jumps from one gap to another."
+JUMPS = (f"Lines are broken where $z_0$ jumps by more than {LEAST_CHANGE:g} between points less than {WIDEST_STEP:g} "
+         "decades apart.")
 BARS = "Bars are the standard errors of the lattices' time means."
 PANEL_INCHES = (4.1, 3.3)
 ROW_TITLE_INCHES = 0.4  # above the panels of each reading
@@ -164,9 +165,10 @@ def draw_panels(file, names, along, curves, markers="o", x_axis=log_axis, finish
     finish(axes, name) is called for each panel, if given.
     """
     shown = readings(file)
-    titled = ROW_TITLE_INCHES if len(shown) > 1 else 0
+    titled = ROW_TITLE_INCHES if reading_name(shown[0]) else 0
     row_inches = PANEL_INCHES[1] + 0.95 + titled
-    figure, bottom = sheet(file, 5.3 * len(names), row_inches * len(shown) + (0.25 if titled else 0.5), f"{BANDS} {JUMPS}")
+    height = row_inches * len(shown) + (0.25 if titled else 0.5)
+    figure, bottom = sheet(file, 5.3 * len(names), height, f"{BANDS} {JUMPS}")
     entries, letters = {}, iter("abcdefghijkl")
     for row, reading in enumerate(shown):
         y = bottom + 1 + row_inches * (len(shown) - 1 - row)
@@ -193,13 +195,12 @@ def panels_by_reading(file, panel, alone, note):
     panel: width and height (inches) of several panels; alone: of a single one.
     """
     shown = readings(file)
-    (width, height), several = (panel, True) if len(shown) > 1 else (alone, False)
-    figure, bottom = sheet(file, (width + 1.1) * len(shown) + 0.1, height + (1.1 if several else 0.8), note)
+    width, height = panel if len(shown) > 1 else alone
+    figure, bottom = sheet(file, (width + 1.1) * len(shown) + 0.1, height + 1.05, note)
     out = []
     for i, reading in enumerate(shown):
         axes = place(figure, 0.95 + (width + 1.1) * i, bottom + 0.65, width, height,
                      sharey=out[0][0] if out else None)
-        if several:
-            heading(axes, "abcdef"[i], reading_name(reading))
+        heading(axes, "abcdef"[i] if len(shown) > 1 else "", reading_name(reading))
         out.append((axes, reading))
     return figure, out

@@ -27,7 +27,7 @@ HATCHES = ["....", "----", "////", "xxxx", "\\\\\\\\", "||||", "++++"]
 Grid = namedtuple("Grid", "x y status meanings axes chosen jumps")
 
 JUMP_LOOK = dict(color=VERMILION, linewidth=1.4, solid_capstyle="round")
-JUMP_TEXT = f"jump of the loading path: $z_0$ changes by more than {LEAST_CHANGE:g}"
+JUMP_TEXT = f"jump of the loading path: $z_0$ of neighbours differs by more than {LEAST_CHANGE:g}"
 
 
 def read_grid(file, x_name, y_name, chosen):

@@ -146,22 +146,24 @@ def statement_inches(readings, width):
 
 
 def strip_rows(claims, width):
-    """The rows of the strip: the checks of each claim; a claim with several main checks gets a row of its own."""
+    """The rows of the strip: the checks of each claim. With readings, a claim of several main checks has its own row, too."""
     readings = reading_words(claims)
     room = statement_inches(readings, width) or width - 1.2
     out = []
     for checks in by_claim(claims):
         name, interpretation = first(checks[0]).claim, ""
+        repeated = name if readings == [""] else ""
         for check in checks:
             if first(check).interpretation not in ("", interpretation):
                 interpretation = first(check).interpretation
                 empty = {word: ("", "") for word in check}
-                out.append(Row(name, wrapped(f"if {interpretation}:", int(LETTERS_PER_INCH * room)), "", "", empty, {}))
-                name = ""
+                statement = wrapped(f"if {interpretation}:", int(LETTERS_PER_INCH * room))
+                out.append(Row(name, statement, "", "", empty, {}))
+                name = repeated
             further = first(check).role != "main"
             out.append(check_row(check, name, further, int(LETTERS_PER_INCH * room)))
-            name = ""
-        if sum(first(check).role == "main" for check in checks) > 1:
+            name = repeated
+        if readings != [""] and sum(first(check).role == "main" for check in checks) > 1:
             whole = {word: (claim.claim_verdict, claim.claim_verdict) for word, claim in checks[0].items()}
             out.append(Row("", f"claim {first(checks[0]).claim}, by its main checks", "", "", whole, {}))
     return out

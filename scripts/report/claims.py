@@ -63,8 +63,8 @@ def by_claim(rows):
     """For each reading, the claims with their verdicts."""
     found = {}
     for row in rows:
-        found.setdefault(row["reading"], {})[row["claim"]] = row["claim_verdict"]
-    return [{"reading": reading, "claims": [(claim, verdict, sign(verdict)) for claim, verdict in claims.items()]}
+        found.setdefault(row["reading"], {})[row["claim"], row["claim_verdict"]] = None
+    return [{"reading": reading, "claims": [(claim, verdict, sign(verdict)) for claim, verdict in claims]}
             for reading, claims in found.items()]
 
 
