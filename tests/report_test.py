@@ -186,7 +186,7 @@ def check_map(driver, keys):
     done = subprocess.run([program, "check", named["fig6"], "--json", "--report-only"], capture_output=True,
                           text=True, cwd=root)
     replay = json.loads(done.stdout)["replay"]
-    for selector, value in (("#choose-figure", "fig6"), ("#choose-variable", "gamma_1"), ("#slices select", "0")):
+    for selector, value in (("#choose-figure", "fig6"), ("#choose-variable", "gamma_1"), ("#slices [data-axis=friction]", "0")):
         select(driver, selector, value)
     with h5py.File(named["fig6"]) as file:
         readings, laws, k_r, k_theta = file["status"].shape
