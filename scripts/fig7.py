@@ -18,7 +18,7 @@ VARIABLES = ["R_x_norm", "z_0"]
 FACTORS = {"gamma_1": 1, "gamma_2": 1, "gamma_3": 1, "N_c_ratio": 1 / 3}
 IN_COULOMB = ["gamma_1", "gamma_2"]
 REST = "the rest"
-PARTS_NOTE = r"""Black: the sum of the other lines. The rest: the friction is a mean of products, not the product of means.
+PARTS_NOTE = r"""Black: the sum of the others. The rest: the friction is a mean of products, not the product of means.
 Coulomb's friction is linear in the load: neither $\tilde{\gamma}_3$ nor $N_c$ is a factor of it."""
 
 

@@ -146,7 +146,7 @@ def statement_inches(readings, width):
 
 
 def strip_rows(claims, width):
-    """The rows of the strip: the checks of each claim. With readings, a claim of several main checks has its own row, too."""
+    """The rows of the strip: the checks of each claim, and with readings a row for a claim of several main checks."""
     readings = reading_words(claims)
     room = statement_inches(readings, width) or width - 1.2
     out = []
@@ -208,7 +208,8 @@ def draw_strip(figure, claims):
     strip.axhline(line - LINE_INCHES / 2, 0.3 / width, 1 - 0.3 / width, color=GREY, linewidth=0.6)
     line -= 1.3 * LINE_INCHES
     for row in rows:
-        draw_row(strip, row, readings, list(places.values()), line + LINE_INCHES / 2, not statement_inches(readings, width))
+        narrow = not statement_inches(readings, width)
+        draw_row(strip, row, readings, list(places.values()), line + LINE_INCHES / 2, narrow)
         line -= line_count(row, width) * LINE_INCHES
     strip.text(places["statement"], line, key_of_signs(claims), color=GREY, va="center", fontsize=9)
 
