@@ -13,6 +13,7 @@ from bristle_plots.contour_labels import HALO
 from bristle_plots.curves import true_runs
 from bristle_plots.errors import BristleError
 from bristle_plots.layout import place, sheet
+from bristle_plots.readings import page_for_each_reading, points_of
 from bristle_plots.results import attribute, constant, dataset, flags, read, setting
 from bristle_plots.style import BLACK, BLUE, GREY, ORANGE, PURPLE, VERMILION, label
 from bristle_plots.tip_path import draw_space
@@ -34,11 +35,12 @@ LEAST_SPEED, LEAST_FORCE = 1e-4, 0.03  # lower ends of the logarithmic plots
 Passage = namedtuple("Passage", "theta_0 phi_0 numbers phase")
 
 
-def draw(file):
-    passages = read_passages(file)
+@page_for_each_reading
+def draw(file, reading):
+    passages, point = read_passages(file, points_of(file, reading))
     width = LEFT_INCHES + len(passages) * (COLUMN_INCHES + GAP_INCHES) + 0.1
-    figure, bottom = sheet(file, width, 10.9, note(file))
-    gap, load = (float(np.ravel(read(file, name))[0]) for name in ("z_0", "R_n"))
+    figure, bottom = sheet(file, width, 10.9, note(file), reading)
+    gap, load = (float(np.ravel(read(file, name))[point]) for name in ("z_0", "R_n"))
     symbol = attribute(dataset(file, f"{TABLE}/theta_0"), "symbol")
     for i, passage in enumerate(passages):
         x = LEFT_INCHES + i * (COLUMN_INCHES + GAP_INCHES)
@@ -63,8 +65,8 @@ def note(file):
     return re.sub("|".join(numbers), lambda found: f"{numbers[found.group()]:g}", NOTE)
 
 
-def read_passages(file):
-    """The passages of the first point, in the order of the file."""
+def read_passages(file, points):
+    """The passages of the first of these points, in the order of the file; and the point's index."""
     columns = {name: read(file, f"{TABLE}/{name}") for name in [*COLUMNS, "theta_0", "point"]}
     words, numbers = flags(dataset(file, f"{TABLE}/phase"))
     if unknown := set(words) - set(PHASES):
@@ -75,7 +77,10 @@ def read_passages(file):
     for name, column in columns.items():
         if not np.isfinite(column).all():
             raise BristleError(f"{file.filename}: dataset '/{TABLE}/{name}' has values that are not finite")
-    first = columns["point"] == columns["point"][0]
+    here = columns["point"][np.isin(columns["point"], points)]
+    if not here.size:
+        raise BristleError(f"{file.filename}: the table /{TABLE} has no rows of this reading")
+    first = columns["point"] == here[0]
     azimuths = dict.fromkeys(columns["theta_0"][first])
     phi_0 = np.radians(setting(file, "model", "phi_0_deg"))
     out = []
@@ -83,7 +88,7 @@ def read_passages(file):
         rows = first & (columns["theta_0"] == azimuth)
         out.append(Passage(azimuth, phi_0, {name: columns[name][rows] for name in COLUMNS},
                            np.array(words)[numbers[rows]]))
-    return out
+    return out, int(here[0])
 
 
 def spells(passage, phase):

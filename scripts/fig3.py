@@ -9,6 +9,7 @@ from bristle_plots.command_line import run_figure
 from bristle_plots.contour_labels import HALO
 from bristle_plots.curves import coloured, log_range, positive, title_axis, true_runs, with_symbol
 from bristle_plots.layout import heading, place, sheet
+from bristle_plots.readings import page_for_each_reading
 from bristle_plots.results import axis_values, dataset, read, readable, select, select_flags, setting
 from bristle_plots.style import BLACK, COLOURS, GREY, status_marker
 
@@ -25,15 +26,16 @@ STYLES = {"loading path": LOADING, "stable when unloading only": UNLOADING, "uns
 JUMPS = {"jump under growing load": "-", "jump under falling load": (0, (2.5, 1.5))}
 
 
-def draw(file):
+@page_for_each_reading
+def draw(file, reading):
     polar, radial = axis_values(file, "k_phi"), axis_values(file, "k_r")
     paper = setting(file, "model", "k_phi")  # the experiment's value outside its sweep
     main = int(np.argmin(abs(polar - paper))) if paper in polar else len(polar) // 2
-    traces = {i: [read_trace(file, k_phi=value, k_r=stiffness) for stiffness in radial]
+    traces = {i: [read_trace(file, k_phi=value, k_r=stiffness, **reading) for stiffness in radial]
               for i, value in enumerate(polar)}
     order = [main] + [i for i in traces if i != main][:SIDE_PANELS]
     width = 11.2 if len(order) > 1 else 7.2
-    figure, bottom = sheet(file, width, 6.25, note(file))
+    figure, bottom = sheet(file, width, 6.25, note(file), reading)
     side = [(7.65, 1.35, 3.3, 4.6)] if len(order) == 2 else [(7.65, 4.1, 3.3, 1.85), (7.65, 1.35, 3.3, 1.85)]
     boxes = [(0.8, 1.35, 5.9, 4.6), *side]
     for letter, i, (x, y, *size) in zip("abc", order, boxes):

@@ -1,14 +1,36 @@
 """Fig. 4: friction and its three causes over the radial and azimuthal stiffness (NSS law)."""
 
+import numpy as np
+
 from bristle_plots.command_line import run_figure
-from bristle_plots.maps import draw_maps
+from bristle_plots.maps import draw_log_map, draw_maps
+from bristle_plots.readings import page_for_each_reading, reading_name, readings
+from bristle_plots.results import dataset, select
 
 VARIABLES = ["R_x_norm", "gamma_1", "gamma_2", "gamma_3"]
 
 
-def draw(file):
-    return draw_maps(file, VARIABLES)
+@page_for_each_reading
+def draw(file, reading):
+    return draw_maps(file, VARIABLES, reading)
+
+
+def draw_energy(file):
+    """The defect of the energy budget under the last reading, which is Eq. (17) as printed if it was computed."""
+    *others, shown = readings(file)
+    found = [f"{reading_name(reading)}: the budget closes to within {largest_defect(file, reading):.1g}."
+             for reading in others]
+    note = ("Defect of the energy budget, relative to the energy dissipated or the initial one. "
+            "Where the budget closes, only the error of the integration is left.")
+    return draw_log_map(file, "energy_residual", shown, "\n".join([note, *found]))
+
+
+def largest_defect(file, reading):
+    return np.nanmax(np.abs(select(dataset(file, "energy_residual"), ["k_r", "k_theta"], **reading)))
+
+
+FURTHER = {"energy": draw_energy}
 
 
 if __name__ == "__main__":
-    run_figure(__file__, __doc__, draw)
+    run_figure(__file__, __doc__, draw, **FURTHER)

@@ -2,12 +2,15 @@
 
 from bristle_plots.command_line import run_figure
 from bristle_plots.maps import draw_maps
+from bristle_plots.readings import page_for_each_reading
 
 VARIABLES = ["R_x_norm", "gamma_1", "gamma_2"]
 
 
-def draw(file):
-    return draw_maps(file, VARIABLES, {"friction": "coulomb"}, "The maps are for Amontons\u2013Coulomb friction.")
+@page_for_each_reading
+def draw(file, reading):
+    return draw_maps(file, VARIABLES, reading, {"friction": "coulomb"},
+                     "The maps are for Amontons\u2013Coulomb friction.")
 
 
 if __name__ == "__main__":

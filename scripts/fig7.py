@@ -1,10 +1,25 @@
 """Fig. 7: friction and gap over the radial stiffness, under both local friction laws."""
 
+import numpy as np
+
 from bristle_plots.command_line import run_figure
-from bristle_plots.curves import draw_panels
-from bristle_plots.results import CHOICE_NAMES, axis_values
+from bristle_plots.curves import (BANDS, JUMPS, coloured, draw_curve, draw_panels, legend_below, log_axis,
+                                  read_curve, without_remarks)
+from bristle_plots.layout import heading, place, sheet
+from bristle_plots.readings import page_for_each_reading
+from bristle_plots.results import CHOICE_NAMES, attribute, axis_values, dataset
+from bristle_plots.style import BLACK, GREY
+from bristle_plots.verdicts import number
 
 VARIABLES = ["R_x_norm", "z_0"]
+
+# Of the factors of R_x_norm, the power with which each enters. Coulomb's friction is linear in the load: neither
+# its fluctuation (gamma_3) nor the number of bristles that share it changes the force of a given load.
+FACTORS = {"gamma_1": 1, "gamma_2": 1, "gamma_3": 1, "N_c_ratio": 1 / 3}
+IN_COULOMB = ["gamma_1", "gamma_2"]
+REST = "the rest"
+PARTS_NOTE = r"""Black: the sum of the others. The rest: the friction is a mean of products, not the product of means.
+Coulomb's friction is linear in the load: neither $\tilde{\gamma}_3$ nor $N_c$ is a factor of it."""
 
 
 def draw(file):
@@ -13,5 +28,75 @@ def draw(file):
                        finish=lambda axes, name: axes.set_ylim(0, 1))
 
 
+@page_for_each_reading
+def draw_parts(file, reading):
+    """ln R_x_norm as the sum of the logarithms of its factors, a panel for each law."""
+    laws = axis_values(file, "friction")
+    parts = {law: parts_of(file, law, reading) for law in laws}
+    falls = "\n".join(fall(file, law, *parts[law]) for law in laws)
+    note = f"{falls}\n{PARTS_NOTE}\n{BANDS} {JUMPS}"
+    figure, bottom = sheet(file, 5.6 * len(laws), 5.5, note, reading, verdicts=False)
+    entries, panels = {}, []
+    for i, law in enumerate(laws):
+        axes = place(figure, 0.95 + 5.6 * i, bottom + 1.15, 4.4, 3.9)
+        panels.append(axes)
+        total, terms = parts[law]
+        entries |= draw_curve(axes, total, BLACK, f"$\\ln$ {symbol(file, VARIABLES[0])}", marker="")
+        for (name, term), colour in coloured(terms.items()):
+            rest = name == REST
+            entries |= draw_curve(axes, term, GREY if rest else colour, term_text(file, name),
+                                  "--" if rest else "-", "" if rest else "o", 1.2)
+        axes.axhline(0, color=GREY, linewidth=0.6, zorder=0)
+        log_axis(axes, "x", dataset(file, "k_r"))
+        axes.set_ylabel("terms of $\\ln$ " + symbol(file, VARIABLES[0]))
+        heading(axes, "abcdef"[i], CHOICE_NAMES.get(law, law))
+    most = max(panels, key=lambda axes: len(axes.get_legend_handles_labels()[0]))
+    legend_below(most, entries, bottom + 0.15)
+    return figure
+
+
+def parts_of(file, law, reading):
+    """ln R_x_norm and its terms by name, as curves over k_r."""
+    def logarithm(name, power=1):
+        curve = read_curve(file, name, "k_r", friction=law, **reading)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            return curve._replace(y=power * np.log(curve.y), error=power * curve.error / curve.y)
+
+    total = logarithm(VARIABLES[0])
+    terms = {name: without_remarks(logarithm(name, power))
+             for name, power in FACTORS.items() if law != "coulomb" or name in IN_COULOMB}
+    error = np.sqrt(sum(curve.error ** 2 for curve in (total, *terms.values())))
+    rest = total._replace(y=total.y - sum(term.y for term in terms.values()), error=error)
+    return total, {**terms, REST: without_remarks(rest)}
+
+
+def symbol(file, name):
+    return f"${attribute(dataset(file, name), 'symbol')}$".replace(r"\check", r"\breve")
+
+
+def term_text(file, name):
+    if name == REST:
+        return REST
+    power = "" if FACTORS[name] == 1 else r"$\frac{1}{3}$ "
+    return f"{power}$\\ln$ {symbol(file, name)}"
+
+
+def fall(file, law, total, terms):
+    """A sentence: the change of ln R_x_norm from the first to the last k_r with values, and its largest term."""
+    there = np.flatnonzero(np.isfinite(total.y) & np.all([np.isfinite(term.y) for term in terms.values()], axis=0))
+    name = CHOICE_NAMES.get(law, law)
+    if there.size < 2:
+        return f"{name}: no change can be stated."
+    first, last = there[[0, -1]]
+    change = total.y[last] - total.y[first]
+    changes = {key: term.y[last] - term.y[first] for key, term in terms.items()}
+    largest = max(changes, key=lambda key: changes[key] * np.sign(change))
+    return (f"{name}: from {symbol(file, 'k_r')} = {total.x[first]:.3g} to {total.x[last]:.3g} "
+            f"$\\ln$ {symbol(file, VARIABLES[0])} changes by {number(change, '+.2f')}, the largest part of it by "
+            f"{term_text(file, largest)}: {number(changes[largest], '+.2f')}.")
+
+
+FURTHER = {"parts": draw_parts}
+
 if __name__ == "__main__":
-    run_figure(__file__, __doc__, draw)
+    run_figure(__file__, __doc__, draw, **FURTHER)

@@ -3,30 +3,37 @@
 import numpy as np
 
 from bristle_plots.command_line import run_figure
-from bristle_plots.curves import (BANDS, coloured, draw_curve, label_line, legend, log_axis, log_range, positive,
-                                  read_curve, title_axis, with_symbol)
-from bristle_plots.layout import place, sheet
+from bristle_plots.curves import (BANDS, JUMPS, coloured, draw_curve, label_line, legend, log_axis, log_range,
+                                  panels_by_reading, positive, read_curve, title_axis, with_symbol, without_remarks)
 from bristle_plots.results import axis_values, dataset
 from bristle_plots.style import GREY
 
 VARIABLES = ["R_x_norm"]
+PASSING = "R_x_norm_unpinned"
+NOTE = f"{BANDS} {JUMPS}"
+NOTE_PASSING = " Thin: friction of the bristles that pass, without those that stay pinned at the pole."
 HIGHEST = 1.5  # upper end of the plot
 
 
 def draw(file):
-    data = dataset(file, VARIABLES[0])
-    figure, bottom = sheet(file, 7.2, 4.9, BANDS)
-    axes = place(figure, 0.9, bottom + 0.65, 5.9, 4.1)
-    curves, entries, stiffnesses = [], {}, axis_values(file, "k_r")
-    for stiffness, colour in coloured(stiffnesses):
-        curves.append(read_curve(file, VARIABLES[0], "mu_c", k_r=stiffness))
-        entries |= draw_curve(axes, curves[-1], colour, with_symbol(dataset(file, "k_r"), stiffness))
-    least = positive(data, np.concatenate([curve.y for curve in curves])).min()
-    log_axis(axes, "x", dataset(file, "mu_c"), room=0)
-    log_range(axes, "y", np.log10(0.8 * least), np.log10(HIGHEST))
-    title_axis(axes, "y", data)
-    draw_limits(axes, curves[int(np.argmax(stiffnesses))])
-    legend(axes, entries, loc="lower left")
+    data, passing = dataset(file, VARIABLES[0]), PASSING in file
+    figure, panels = panels_by_reading(file, (4.7, 4.1), (5.9, 4.1), NOTE + NOTE_PASSING * passing)
+    stiffnesses, least = axis_values(file, "k_r"), []
+    for axes, reading in panels:
+        curves, entries = [], {}
+        for stiffness, colour in coloured(stiffnesses):
+            chosen = dict(k_r=stiffness, **reading)
+            curves.append(read_curve(file, VARIABLES[0], "mu_c", **chosen))
+            entries |= draw_curve(axes, curves[-1], colour, with_symbol(dataset(file, "k_r"), stiffness))
+            if passing:
+                thin = read_curve(file, PASSING, "mu_c", **chosen)
+                draw_curve(axes, without_remarks(thin), colour, marker="", width=0.8)
+        log_axis(axes, "x", dataset(file, "mu_c"), room=0)
+        title_axis(axes, "y", data)
+        draw_limits(axes, curves[int(np.argmax(stiffnesses))])
+        legend(axes, entries, loc="lower left")
+        least.append(positive(data, np.concatenate([curve.y for curve in curves])).min())
+    log_range(axes, "y", np.log10(0.6 * min(least)), np.log10(HIGHEST))
     return figure
 
 

@@ -3,8 +3,8 @@
 import numpy as np
 
 from bristle_plots.command_line import run_figure
-from bristle_plots.curves import BARS, draw_statuses, legend, read_curve, title_axis, with_symbol
-from bristle_plots.layout import place, sheet
+from bristle_plots.curves import (BARS, draw_statuses, legend, panels_by_reading, read_curve, title_axis,
+                                  with_symbol)
 from bristle_plots.results import axis_values, dataset
 from bristle_plots.style import COLOURS, GREY
 
@@ -15,28 +15,32 @@ OFFSET = 0.12  # between the stiffnesses of one seed
 
 
 def draw(file):
-    figure, bottom = sheet(file, 8.2, 4.6, BARS + NOTE)
-    axes = place(figure, 1.05, bottom + 0.65, 6.9, 3.8)
+    figure, panels = panels_by_reading(file, (5.4, 3.6), (6.9, 3.8), BARS + NOTE)
+    for axes, reading in panels:
+        draw_panel(axes, file, reading)
+    widest = max(np.nanmax(np.abs(axes.dataLim.intervaly)) for axes, _ in panels)
+    axes.set_ylim(-1.1 * widest, 1.35 * widest)
+    return figure
+
+
+def draw_panel(axes, file, reading):
     axes.axhline(0, color=GREY, linewidth=1, zorder=0)
     entries = {}
     stiffnesses = axis_values(file, "k_r")
     offsets = OFFSET * (np.arange(len(stiffnesses)) - (len(stiffnesses) - 1) / 2)
     for colour, k_r, offset in zip(COLOURS, stiffnesses, offsets):
-        lattice = read_curve(file, VARIABLES[0], "seed", sampling="lattice", k_r=k_r)
+        lattice = read_curve(file, VARIABLES[0], "seed", sampling="lattice", k_r=k_r, **reading)
         lattice = lattice._replace(x=lattice.x + offset)
         axes.errorbar(lattice.x, lattice.y, lattice.error, linestyle="", marker="o", markersize=4.5, capsize=2,
                       linewidth=1.1, color=colour, label=with_symbol(dataset(file, "k_r"), k_r))
         entries |= draw_statuses(axes, lattice, colour)
-        mean = read_curve(file, VARIABLES[0], "seed", sampling="quadrature", k_r=k_r)
+        mean = read_curve(file, VARIABLES[0], "seed", sampling="quadrature", k_r=k_r, **reading)
         axes.axhspan(mean.y[0] - mean.error[0], mean.y[0] + mean.error[0], color=colour, alpha=0.3, linewidth=0)
         axes.axhline(mean.y[0], color=colour, linewidth=0.8)
     axes.set_xticks(axis_values(file, "seed"))
-    widest = np.nanmax(np.abs(axes.dataLim.intervaly))
-    axes.set_ylim(-1.1 * widest, 1.35 * widest)
     axes.set_xlabel("seed")
     title_axis(axes, "y", dataset(file, VARIABLES[0]))
     legend(axes, entries, loc="upper right", ncol=3)
-    return figure
 
 
 if __name__ == "__main__":

@@ -7,6 +7,7 @@ from bristle_plots.curves import (draw_points, label_line, legend, log_range, po
                                   with_symbol)
 from bristle_plots.errors import BristleError
 from bristle_plots.layout import heading, place, sheet
+from bristle_plots.readings import page_for_each_reading
 from bristle_plots.results import (attribute, axis_values, constant, dataset, point_index, read, select,
                                    select_errors)
 from bristle_plots.style import BLUE, COLOURS, GREY, ORANGE, VERMILION, label
@@ -20,21 +21,22 @@ FLUCTUATIONS = (("R_n_fluctuation", "as it is", BLUE, "o"),
                 ("R_n_fluctuation_of_rows", "means over a row's time", VERMILION, "s"))
 
 
-def draw(file):
-    figure, bottom = sheet(file, 10.6, 6.3, NOTE)
-    draw_history(place(figure, 0.9, bottom + 4.0, 9.3, 1.95), file)
-    draw_deviations(place(figure, 0.9, bottom + 0.6, 4.1, 2.35), file)
-    draw_fluctuation(place(figure, 6.1, bottom + 0.6, 4.1, 2.35), file)
+@page_for_each_reading
+def draw(file, reading):
+    figure, bottom = sheet(file, 10.6, 6.3, NOTE, reading)
+    draw_history(place(figure, 0.9, bottom + 4.0, 9.3, 1.95), file, reading)
+    draw_deviations(place(figure, 0.9, bottom + 0.6, 4.1, 2.35), file, reading)
+    draw_fluctuation(place(figure, 6.1, bottom + 0.6, 4.1, 2.35), file, reading)
     return figure
 
 
-def draw_history(axes, file):
+def draw_history(axes, file, reading):
     """R_n(t) of the smallest and the largest lattice with the first seed."""
     sizes, seed = axis_values(file, "L_y"), axis_values(file, "seed")[0]
     begin = constant(dataset(file, f"{FORCE}/t"), "t_1")
     point = read(file, f"{FORCE}/point")
     for size, colour, level in ((sizes[0], ORANGE, 2), (sizes[-1], BLUE, 3)):
-        here = dict(sampling="lattice", L_y=size, seed=seed)
+        here = dict(sampling="lattice", L_y=size, seed=seed, **reading)
         rows = point == point_index(file, **here)
         if not rows.any():
             raise BristleError(f"{file.filename}: table '/{FORCE}' has no rows of the lattice with "
@@ -53,16 +55,16 @@ def draw_history(axes, file):
     heading(axes, "a", attribute(dataset(file, f"{FORCE}/R_n"), "long_name"))
 
 
-def draw_deviations(axes, file):
+def draw_deviations(axes, file, reading):
     """Lattice minus quadrature, in standard errors of the lattice."""
     sizes = np.arange(len(axis_values(file, "L_y")))
     seeds = axis_values(file, "seed")
     axes.axhspan(-2, 2, color="#e4e4e4", zorder=0)
     axes.axhline(0, color=GREY, linewidth=0.8, zorder=0)
     for name, marker, colour, side in (("R_n", "o", COLOURS[0], -0.17), ("R_x", "s", COLOURS[1], 0.17)):
-        lattice, means = (select(dataset(file, name), ["L_y", "seed"], sampling=sampling)
+        lattice, means = (select(dataset(file, name), ["L_y", "seed"], sampling=sampling, **reading)
                           for sampling in ("lattice", "quadrature"))
-        off = (lattice - means) / select_errors(file, name, ["L_y", "seed"], sampling="lattice")
+        off = (lattice - means) / select_errors(file, name, ["L_y", "seed"], sampling="lattice", **reading)
         x = np.add.outer(sizes + side, np.linspace(-0.12, 0.12, len(seeds)))
         axes.plot(x.ravel(), off.ravel(), marker, color=colour, markersize=3.8,
                   label=label(dataset(file, name)))
@@ -77,7 +79,7 @@ def draw_deviations(axes, file):
     heading(axes, "b", "lattices' means less the quadrature's")
 
 
-def draw_fluctuation(axes, file):
+def draw_fluctuation(axes, file, reading):
     """R_n's relative fluctuation over the number of bristles, with the slope for independent bristles."""
     per_width = constant(dataset(file, f"{FORCE}/R_n"), "N_c0_per_L_y")
     seeds = axis_values(file, "seed")
@@ -86,7 +88,7 @@ def draw_fluctuation(axes, file):
     ends = number[[0, -1]] * [0.8, 1.25]
     entries, found = {}, []
     for name, title, colour, marker in FLUCTUATIONS:
-        curves = [read_curve(file, name, "L_y", sampling="lattice", seed=seed) for seed in seeds]
+        curves = [read_curve(file, name, "L_y", sampling="lattice", seed=seed, **reading) for seed in seeds]
         for curve, shift in zip(curves, shifts):
             entries |= draw_points(axes, curve._replace(x=curve.x * per_width), colour, title, marker, shift)
             title = None  # one entry for all seeds

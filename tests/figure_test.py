@@ -1,10 +1,11 @@
-"""A plotting script writes PDF and PNG with the same bytes each time, and explains why it cannot use a file.
+"""A plotting script writes PDF and PNG with the same bytes each time, a PNG for each page, and explains why it cannot use a file.
 
 figure_test.py SCRIPT RESULT FOLDER DATASET: a dataset that the script needs, such as trajectories/V_R.
 """
 import hashlib
 import importlib
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -29,7 +30,13 @@ for run in ("first", "second"):
     done = plot(result, folder / run)
     assert done.returncode == 0, done.stderr
     made = sorted((folder / run).iterdir())
-    assert [p.suffix for p in made] == [".pdf", ".png"], made
+    name = pathlib.Path(script).stem
+    assert {f"{name}.pdf", f"{name}.png"} <= {p.name for p in made}, made
+    assert {p.suffix for p in made} == {".pdf", ".png"}, made
+    for pdf in folder.glob(f"{run}/*.pdf"):
+        pngs = [pdf.with_suffix(".png"), pdf.with_name(f"{pdf.stem}-as-printed.png")]
+        pages = re.search(rb"/Count (\d+)", pdf.read_bytes()).group(1)
+        assert int(pages) == sum(p in made for p in pngs), pdf
     assert all(p.stat().st_size > 15_000 for p in made)
     digests.append([hashlib.sha256(p.read_bytes()).hexdigest() for p in made])
 assert digests[0] == digests[1], "two runs gave different bytes"

@@ -149,7 +149,7 @@ def check_claims(driver, keys):
     assert driver.execute_script(values) == margins[::-1]
     words = one(driver, "[data-table=all-claims] input[type=search]")
     words.send_keys("4a steeply")
-    assert texts(driver, "#all-claims tbody tr th") == ["4a"]
+    assert texts(driver, "#all-claims tbody tr th") == ["4a", "4a"]  # under both readings of Eq. (17)
     words.send_keys(" nowhere")
     assert texts(driver, verdicts) == []
     words.send_keys(keys.CONTROL, "a")
@@ -186,11 +186,11 @@ def check_map(driver, keys):
     done = subprocess.run([program, "check", named["fig6"], "--json", "--report-only"], capture_output=True,
                           text=True, cwd=root)
     replay = json.loads(done.stdout)["replay"]
-    for selector, value in (("#choose-figure", "fig6"), ("#choose-variable", "gamma_1"), ("#slices select", "0")):
+    for selector, value in (("#choose-figure", "fig6"), ("#choose-variable", "gamma_1"), ("#slices [data-axis=friction]", "0")):
         select(driver, selector, value)
     with h5py.File(named["fig6"]) as file:
-        laws, k_r, k_theta = file["status"].shape
-    assert laws == 2
+        readings, laws, k_r, k_theta = file["status"].shape
+    assert (readings, laws) == (2, 2)
     cells = driver.find_elements("css selector", "#map [role=gridcell]")
     assert len(cells) == k_r * k_theta
     one(driver, '#map [data-point="4"]').click()
@@ -205,7 +205,8 @@ def check_map(driver, keys):
     driver.implicitly_wait(5)
     one(driver, f'#points tr[data-point="{k_r * k_theta + 1}"]').send_keys(keys.ENTER)
     check_point(driver, "fig6", k_r * k_theta + 1, replay)
-    assert one(driver, "#slices select").get_attribute("value") == "1"
+    slices = driver.find_elements("css selector", "#slices select")
+    assert [found.get_attribute("value") for found in slices] == ["0", "1"]
     one(driver, "#point button.copy").click()
     driver.implicitly_wait(0)
     said = "The command: copied."

@@ -8,31 +8,45 @@ from matplotlib import ticker
 from matplotlib.lines import Line2D
 
 from .errors import BristleError
-from .layout import heading, place, sheet
+from .jumps import LEAST_CHANGE, WIDEST_STEP, read_jumps
+from .layout import heading, place, row_title, sheet
+from .readings import reading_name, readings
 from .results import (attribute, axis_values, dataset, place_of, readable, select, select_errors, select_flags,
                       values)
 from .style import COLOURS, GREY, label, log_ticks, status_marker
 
 # status: index of each point's status into `meanings`; 0 is a point without remark.
-Curve = namedtuple("Curve", "x y error status meanings")
+# jumps: whether the loading path jumps between each point and the next.
+Curve = namedtuple("Curve", "x y error status meanings jumps")
 
 BANDS = "Bands, often thinner than the lines, are the estimated errors of the values."
+JUMPS = (f"Lines are broken where $z_0$ jumps by more than {LEAST_CHANGE:g} between points less than {WIDEST_STEP:g} "
+         "decades apart.")
 BARS = "Bars are the standard errors of the lattices' time means."
 PANEL_INCHES = (4.1, 3.3)
+ROW_TITLE_INCHES = 0.4  # above the panels of each reading
 
 
 def read_curve(file, name, along, **chosen):
     """A variable along one axis, at the chosen values of the others."""
     y = select(dataset(file, name), [along], **chosen)
     meanings, status = select_flags(file, "status", [along], **chosen)
-    return Curve(axis_values(file, along), y, select_errors(file, name, [along], **chosen), status, meanings)
+    return Curve(axis_values(file, along), y, select_errors(file, name, [along], **chosen), status, meanings,
+                 read_jumps(file, [along], **chosen)[0])
 
 
-def draw_curve(axes, curve, colour, text=None, line="-", marker="o"):
-    """A line, interrupted where there is no value; returns legend entries for the statuses by text."""
-    axes.plot(curve.x, curve.y, line, color=colour, linewidth=1.6, marker=marker, markersize=3.2, label=text)
-    axes.fill_between(curve.x, curve.y - curve.error, curve.y + curve.error, color=colour, alpha=0.3,
-                      linewidth=0)
+def broken(curve):
+    """x, y and error of a line with a gap at each jump."""
+    places = np.flatnonzero(curve.jumps) + 1
+    return [np.insert(np.asarray(numbers, dtype=float), places, np.nan)
+            for numbers in (curve.x, curve.y, curve.error)]
+
+
+def draw_curve(axes, curve, colour, text=None, line="-", marker="o", width=1.6):
+    """A line, interrupted where there is no value or a jump; returns legend entries for the statuses by text."""
+    x, y, error = broken(curve)
+    axes.plot(x, y, line, color=colour, linewidth=width, marker=marker, markersize=2 * width, label=text)
+    axes.fill_between(x, y - error, y + error, color=colour, alpha=0.3, linewidth=0)
     return draw_statuses(axes, curve, colour)
 
 
@@ -45,6 +59,11 @@ def draw_points(axes, curve, colour, text=None, marker="o", shift=1.0, filled=Tr
                   marker=marker, markersize=4.5, markerfacecolor=colour if filled else "white", capsize=2,
                   linewidth=1.1)
     return draw_statuses(axes, shifted, colour)
+
+
+def without_remarks(curve):
+    """The curve, for which no statuses are drawn: another curve of the same points has them."""
+    return curve._replace(status=np.zeros_like(curve.status))
 
 
 def draw_statuses(axes, curve, colour):
@@ -140,21 +159,48 @@ def label_line(axes, x, y, power, string, colour=GREY, **look):
 
 
 def draw_panels(file, names, along, curves, markers="o", x_axis=log_axis, finish=None):
-    """A figure with one panel for each variable, side by side, and one legend below.
+    """A figure with one panel for each variable, side by side, a row for each reading, and one legend below.
 
     curves: the values of the axes beside `along` for each curve, by its text in the legend.
     finish(axes, name) is called for each panel, if given.
     """
-    figure, bottom = sheet(file, 5.3 * len(names), PANEL_INCHES[1] + 1.45, BANDS)
-    for i, name in enumerate(names):
-        axes, entries = place(figure, 0.8 + 5.3 * i, bottom + 1, *PANEL_INCHES), {}
-        for ((text, chosen), colour), marker in zip(coloured(curves.items()), cycle(markers)):
-            curve = read_curve(file, name, along, **chosen)
-            entries |= draw_curve(axes, curve, colour, text, marker=marker)
-        x_axis(axes, "x", dataset(file, along))
-        title_axis(axes, "y", dataset(file, name))
-        heading(axes, "abcd"[i], attribute(dataset(file, name), "long_name"))
-        if finish:
-            finish(axes, name)
+    shown = readings(file)
+    titled = ROW_TITLE_INCHES if reading_name(shown[0]) else 0
+    row_inches = PANEL_INCHES[1] + 0.95 + titled
+    height = row_inches * len(shown) + (0.25 if titled else 0.5)
+    figure, bottom = sheet(file, 5.3 * len(names), height, f"{BANDS} {JUMPS}")
+    entries, letters = {}, iter("abcdefghijkl")
+    for row, reading in enumerate(shown):
+        y = bottom + 1 + row_inches * (len(shown) - 1 - row)
+        if titled:
+            row_title(figure, 5.3 * len(names) / 2, y + PANEL_INCHES[1] + 0.5, reading_name(reading))
+        for i, name in enumerate(names):
+            axes = place(figure, 0.8 + 5.3 * i, y, *PANEL_INCHES,
+                         sharey=figure.axes[-len(names)] if row else None)
+            for ((text, chosen), colour), marker in zip(coloured(curves.items()), cycle(markers)):
+                entries |= draw_curve(axes, read_curve(file, name, along, **chosen, **reading), colour, text,
+                                      marker=marker)
+            x_axis(axes, "x", dataset(file, along))
+            title_axis(axes, "y", dataset(file, name))
+            heading(axes, next(letters), attribute(dataset(file, name), "long_name"))
+            if finish:
+                finish(axes, name)
     legend_below(axes, entries, bottom + 0.15)
     return figure
+
+
+def panels_by_reading(file, panel, alone, note):
+    """A figure with a panel for each reading, side by side; returns it with (axes, reading) of each.
+
+    panel: width and height (inches) of several panels; alone: of a single one.
+    """
+    shown = readings(file)
+    width, height = panel if len(shown) > 1 else alone
+    figure, bottom = sheet(file, (width + 1.1) * len(shown) + 0.1, height + 1.05, note)
+    out = []
+    for i, reading in enumerate(shown):
+        axes = place(figure, 0.95 + (width + 1.1) * i, bottom + 0.65, width, height,
+                     sharey=out[0][0] if out else None)
+        heading(axes, "abcdef"[i] if len(shown) > 1 else "", reading_name(reading))
+        out.append((axes, reading))
+    return figure, out

@@ -5,6 +5,8 @@ import io
 import json
 import os
 
+from matplotlib.backends.backend_pdf import PdfPages
+
 from .errors import NOT_WRITTEN, BristleError
 from .style import METADATA
 
@@ -66,3 +68,14 @@ def save_figure(figure, directory, name, formats=FIGURE_FORMATS, **options):
         buffer = io.BytesIO()
         figure.savefig(buffer, format=kind, metadata=METADATA[kind], **options)
         write_whole(os.path.join(directory, f"{name}.{kind}"), buffer.getbuffer())
+
+
+def save_pages(pages, directory, name):
+    """Writes all pages (ending, reading, figure) as name.pdf, and each as a PNG with its ending."""
+    buffer = io.BytesIO()
+    with PdfPages(buffer, metadata=METADATA["pdf"]) as pdf:
+        for _, _, figure in pages:
+            pdf.savefig(figure)
+    write_whole(os.path.join(directory, f"{name}.pdf"), buffer.getbuffer())
+    for ending, _, figure in pages:
+        save_figure(figure, directory, name + ending, ["png"])

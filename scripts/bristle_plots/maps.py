@@ -10,9 +10,10 @@ from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
 from .contour_labels import label_contours
 from .errors import BristleError
-from .layout import place, sheet
+from .jumps import LEAST_CHANGE, read_jumps
+from .layout import heading, place, sheet
 from .results import attribute, dataset, place_of, readable, select, select_flags, values
-from .style import COLORMAP, label, log_ticks, status_marker, wrapped
+from .style import COLORMAP, VERMILION, label, log_ticks, status_marker, wrapped
 
 COLUMN_INCHES = (3.2, 5.9)
 LEGEND_INCHES = 0.4
@@ -22,13 +23,17 @@ HATCHES = ["....", "----", "////", "xxxx", "\\\\\\\\", "||||", "++++"]
 
 # log10 of the axes x and y by name, and the index of each point's status into `meanings`.
 # chosen: the values of further axes at which the quantities are drawn.
-Grid = namedtuple("Grid", "x y status meanings axes chosen")
+# jumps: whether the loading path jumps between neighbours along y, and along x.
+Grid = namedtuple("Grid", "x y status meanings axes chosen jumps")
+
+JUMP_LOOK = dict(color=VERMILION, linewidth=1.4, solid_capstyle="round")
+JUMP_TEXT = f"jump of the loading path: $z_0$ of neighbours differs by more than {LEAST_CHANGE:g}"
 
 
 def read_grid(file, x_name, y_name, chosen):
     x, y = (log_axis_values(dataset(file, name)) for name in (x_name, y_name))
     meanings, status = select_flags(file, "status", [y_name, x_name], **chosen)
-    return Grid(x, y, status, meanings, (x_name, y_name), chosen)
+    return Grid(x, y, status, meanings, (x_name, y_name), chosen, read_jumps(file, [y_name, x_name], **chosen))
 
 
 def log_axis_values(data):
@@ -45,19 +50,55 @@ def value_ticks(bins=5):
     return ticker.MaxNLocator(bins, steps=[1, 2, 2.5, 5, 10], min_n_ticks=3)
 
 
-def draw_maps(file, names, chosen=None, note=""):
-    """A figure with one column for each quantity; chosen: values of the axes beside the stiffnesses."""
-    grid = read_grid(file, "k_r", "k_theta", chosen or {})
+def draw_maps(file, names, reading, chosen=None, note=""):
+    """A figure with one column for each quantity; chosen: values of the axes beside reading and stiffnesses."""
+    grid = read_grid(file, "k_r", "k_theta", {**reading, **(chosen or {})})
     width, height = COLUMN_INCHES[0] * len(names) + 0.1, LEGEND_INCHES + COLUMN_INCHES[1]
-    figure, bottom = sheet(file, width, height, note)
+    figure, bottom = sheet(file, width, height, " ".join(filter(None, [note, pinned_note(file, grid)])), reading)
     entries = {}
     for i, name in enumerate(names):
         entries |= draw_column(figure, file, grid, name, "abcdefg"[i],
                                (i * COLUMN_INCHES[0], bottom + LEGEND_INCHES))
+    draw_legend(figure, entries, bottom)
+    return figure
+
+
+def draw_legend(figure, entries, bottom):
     if entries:
         figure.legend(entries.values(), entries.keys(), loc="lower center", ncol=len(entries),
                       bbox_to_anchor=(0.5, (bottom + 0.2 * LEGEND_INCHES) / figure.get_figheight()),
                       borderaxespad=0)
+
+
+def pinned_note(file, grid):
+    """How much of the friction the pinned bristles carry."""
+    if "pinned_share_R_x" not in file:
+        return ""
+    share = select(dataset(file, "pinned_share_R_x"), grid.axes[::-1], **grid.chosen)
+    if not np.isfinite(share).any():
+        return ""
+    if np.nanmax(share) == 0:
+        return "No bristle stays pinned at the pole."
+    return (f"Bristles that stay pinned at the pole carry up to {100 * np.nanmax(share):.2g} % of the friction, "
+            f"{100 * np.nanmedian(share):.2g} % in the median of the points.")
+
+
+def draw_log_map(file, name, reading, note):
+    """A map of one quantity of wide range, with a logarithmic colour scale."""
+    grid = read_grid(file, "k_r", "k_theta", reading)
+    data = dataset(file, name)
+    field = np.ma.masked_less_equal(np.ma.masked_invalid(select(data, grid.axes[::-1], **grid.chosen)), 0)
+    if not field.count():
+        raise BristleError(f"{place_of(data)} has no positive values to draw")
+    figure, bottom = sheet(file, 7.6, LEGEND_INCHES + 4.6, note, reading, verdicts=False)
+    flat = place(figure, 0.8, bottom + LEGEND_INCHES + 0.5, 5.4, 3.6)
+    norm = colors.LogNorm(field.min(), max(field.max(), 1.001 * field.min()))
+    image = flat.pcolormesh(cell_edges(grid.x), cell_edges(grid.y), field, norm=norm, rasterized=True)
+    label_map(flat, grid, [label(dataset(file, axis)) for axis in grid.axes])
+    heading(flat, "", attribute(data, "long_name"))
+    bar = figure.colorbar(image, cax=place(figure, 6.35, bottom + LEGEND_INCHES + 0.5, 0.15, 3.6))
+    bar.ax.set_ylabel(label(data))
+    draw_legend(figure, draw_jumps(flat, grid) | draw_status(flat, grid, field), bottom)
     return figure
 
 
@@ -85,11 +126,11 @@ def draw_column(figure, file, grid, name, letter, corner):
     bar.ax.xaxis.set_ticks_position("top")
     bar.ax.set_ylabel(label(data), rotation=0, ha="right", va="center")
 
-    heading = axes(0, height - 0.4, width, 0.4)
-    heading.axis("off")
-    heading.text(0.03, 1, letter, weight="bold", fontsize=13, va="top")
-    heading.text(0.12, 0.97, wrapped(attribute(data, "long_name"), 36), va="top")
-    return draw_status(flat, grid, field)
+    head = axes(0, height - 0.4, width, 0.4)
+    head.axis("off")
+    head.text(0.03, 1, letter, weight="bold", fontsize=13, va="top")
+    head.text(0.12, 0.97, wrapped(attribute(data, "long_name"), 36), va="top")
+    return draw_jumps(flat, grid) | draw_status(flat, grid, field)
 
 
 def colour_range(field):
@@ -102,12 +143,15 @@ def colour_range(field):
 
 
 def draw_surface(space, grid, field, norm):
-    """Faces between neighbouring points with values, coloured by their mean."""
+    """Faces between neighbouring points with values and without a jump, coloured by their mean."""
     x, y = np.meshgrid(grid.x, grid.y)
     points = np.stack([x, y, field.filled(np.nan)], axis=-1)
     faces = []
+    torn = torn_faces(grid)
     for j in range(len(grid.y) - 1):
         for i in range(len(grid.x) - 1):
+            if torn[j, i]:
+                continue
             corners = points[[j, j, j + 1, j + 1], [i, i + 1, i + 1, i]]
             corners = corners[np.isfinite(corners[:, 2])]
             if len(corners) >= 3:
@@ -116,6 +160,43 @@ def draw_surface(space, grid, field, norm):
         shades = colormaps[COLORMAP](norm([face[:, 2].mean() for face in faces]))
         space.add_collection3d(Poly3DCollection(faces, facecolors=shades, edgecolors="#00000070",
                                                 linewidths=0.35))
+
+
+def torn_faces(grid):
+    """Whether the loading path jumps along any edge of the face between four points."""
+    along_y, along_x = grid.jumps
+    return along_x[:-1] | along_x[1:] | along_y[:, :-1] | along_y[:, 1:]
+
+
+def torn_field(grid, field):
+    """x, y and the field with points between the grid's points, which are masked in the faces with a jump.
+
+    A contour that follows this field does not cross a jump.
+    """
+    along_y, along_x = grid.jumps
+    fine = np.ma.masked_all([2 * n - 1 for n in field.shape])
+    fine[::2, ::2] = field
+    fine[::2, 1::2] = np.ma.masked_where(along_x, (field[:, :-1] + field[:, 1:]) / 2)
+    fine[1::2, ::2] = np.ma.masked_where(along_y, (field[:-1] + field[1:]) / 2)
+    middle = (field[:-1, :-1] + field[:-1, 1:] + field[1:, :-1] + field[1:, 1:]) / 4
+    fine[1::2, 1::2] = np.ma.masked_where(torn_faces(grid), middle)
+    x, y = (np.sort(np.concatenate([line, (line[1:] + line[:-1]) / 2])) for line in (grid.x, grid.y))
+    return x, y, fine
+
+
+def draw_jumps(flat, grid, located=None):
+    """Lines where the loading path jumps, halfway between the points; returns a legend entry by text.
+
+    located: log10 of the x where each jump along x was found, in the shape of those jumps; NaN is halfway.
+    """
+    along_y, along_x = grid.jumps
+    x, y = cell_edges(grid.x), cell_edges(grid.y)
+    for j, i in np.argwhere(along_x):
+        place_x = x[i + 1] if located is None or np.isnan(located[j, i]) else located[j, i]
+        flat.plot([place_x, place_x], [y[j], y[j + 1]], **JUMP_LOOK)
+    for j, i in np.argwhere(along_y):
+        flat.plot([x[i], x[i + 1]], [y[j + 1], y[j + 1]], **JUMP_LOOK)
+    return {JUMP_TEXT: Line2D([], [], **JUMP_LOOK)} if along_x.any() or along_y.any() else {}
 
 
 def label_surface(space, grid, norm, titles, z_title):
@@ -152,7 +233,7 @@ def draw_map(flat, grid, field, norm):
     if field.count() and np.ptp(field.compressed()) > 0:
         levels = value_ticks(7).tick_values(norm.vmin, norm.vmax)
         levels = levels[(levels > norm.vmin) & (levels < norm.vmax)]
-        lines = flat.contour(grid.x, grid.y, field, levels, colors="black", linewidths=0.7)
+        lines = flat.contour(*torn_field(grid, field), levels, colors="black", linewidths=0.7, corner_mask=False)
         j, i = np.nonzero(remarked(grid, field))
         label_contours(flat, lines, np.column_stack([grid.x[i], grid.y[j]]))
     return image

@@ -18,6 +18,7 @@ RENAMED_FLAGS = {"jump": "load_jump"}  # words in files of older programs
 
 # Names of choices in figures.
 CHOICE_NAMES = {"nss": "NSS", "coulomb": "Amontons\u2013Coulomb", "stribeck": "exponential Stribeck"}
+CHOICE_NAMES |= {"kinematic": "Eq. (17) exact", "as_printed": "Eq. (17) as printed"}
 
 
 def open_result(path):

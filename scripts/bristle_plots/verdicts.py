@@ -7,18 +7,19 @@ import h5py
 import numpy as np
 
 from .errors import BristleError
-from .results import as_text, experiment, read
+from .results import as_text, experiment, read, readable
 from .style import BLUE, GREEN, GREY, VERMILION, wrapped
 
 NUMBERS = ("measured", "uncertainty", "threshold", "band", "margin", "significance")
-TEXTS = ("claim", "statement", "is", "verdict")
-OPTIONAL = ("band", "margin", "significance")  # older files are without them
-# Of files whose claims have several readings or checks: the value of the choice "checks_for_each", whether the
-# check is one of those that decide the claim, the verdict on the claim, the number of the check in the experiment.
-LATER = ("reading", "role", "claim_verdict", "declared")
+TEXTS = ("claim", "statement", "is", "verdict", "reading", "role", "claim_verdict")
+OPTIONAL = ("band", "margin", "significance", "reading", "role", "claim_verdict", "declared")  # not in older files
 
 # relation: how the measured value must compare with the threshold: at_most, at_least or near.
-Claim = namedtuple("Claim", "claim statement relation verdict " + " ".join(NUMBERS + LATER))
+# reading: the reading of Eq. (17), if the experiment has several; declared: number of the check in the experiment.
+# interpretation: of an ambiguous sentence of the paper, under which the check belongs to the claim.
+# role: the claim's verdict under a reading rests on its main checks, not on further ones.
+Claim = namedtuple("Claim", "claim statement relation verdict reading role claim_verdict " + " ".join(NUMBERS) +
+                   " declared interpretation")
 
 VERDICT_SIGNS = {"supported": ("\u2714", GREEN), "refuted": ("\u2718", VERMILION), "undecided": ("?", BLUE)}
 RELATION_SIGNS = {"at_most": "\u2264", "at_least": "\u2265", "near": "near"}
@@ -26,41 +27,72 @@ RELATION_SIGNS = {"at_most": "\u2264", "at_least": "\u2265", "near": "near"}
 # Predicates that compare both sides of "compare" in one number.
 PAIRED_PREDICATES = ("ordering", "concordance", "equality")
 
+VERDICT_HEADINGS = {"kinematic": "verdict, exact Eq. (17)", "as_printed": "verdict, Eq. (17) as printed"}
+
 LINE_INCHES = 0.2
-NARROW_INCHES = 9  # narrower figures have the numbers below the statement
+STRIP = "strip"  # gid of the strip's axes
+LETTERS_PER_INCH = 13.5  # of a statement
+LEAST_STATEMENT = 3.4  # inches; in figures with less room the numbers are below the statement
+
+# A row of the strip. verdicts: (verdict, text) by reading; look: of a further check's texts.
+Row = namedtuple("Row", "claim statement measured threshold verdicts look")
 
 
 def read_claims(file):
-    """The claims of the group /checks; none if there is no such group."""
+    """The claims of the group /checks, one for each check and reading; none if there is no such group."""
     group = file.get("checks")
     if not isinstance(group, h5py.Group):
         return []
-    missing = np.full(len(read(group, "threshold")), np.nan)
-    columns = [read(group, name) for name in TEXTS]
-    columns += [missing if name in OPTIONAL and name not in group else read(group, name) for name in NUMBERS]
+    length = len(read(group, "threshold"))
+    older = {"reading": [""] * length, "role": ["main"] * length, "declared": np.arange(length)}
+
+    def column(name):
+        if name in group or name not in OPTIONAL:
+            return read(group, name)
+        return column("verdict") if name == "claim_verdict" else older.get(name, np.full(length, np.nan))
+
+    columns = [column(name) for name in (*TEXTS, *NUMBERS, "declared")]
     if len({len(column) for column in columns}) > 1:
         raise BristleError(f"{file.filename}: the datasets of /checks differ in length")
-    texts, end = len(TEXTS), len(TEXTS) + len(NUMBERS)
-    return [Claim(*map(as_text, row[:texts]), *map(float, row[texts:end]), *later)
-            for row, later in zip(zip(*columns), later_columns(group, columns[TEXTS.index("verdict")]))]
-
-
-def later_columns(group, verdicts):
-    """The values of LATER for each row; in older files every check decides its own claim."""
-    if "declared" not in group:
-        return [("", "main", as_text(verdict), i) for i, verdict in enumerate(verdicts)]
-    reading, role, verdict, declared = (read(group, name) for name in LATER)
-    return [(*map(as_text, row), int(number)) for *row, number in zip(reading, role, verdict, declared)]
+    texts = len(TEXTS)
+    declared = dict(enumerate(experiment(file).get("checks", [])))
+    return [Claim(*map(as_text, row[:texts]), *map(float, row[texts:-1]), int(row[-1]),
+                  declared.get(int(row[-1]), {}).get("interpretation", "")) for row in zip(*columns)]
 
 
 def declared_checks(file):
-    """(check, claim as measured) for each check of the experiment and each reading."""
+    """The experiment's checks, each with its claim as measured; with several readings, once for each of them."""
     declared, measured = experiment(file).get("checks", []), read_claims(file)
-    pairs = [(declared[claim.declared], claim) for claim in measured if claim.declared < len(declared)]
-    if (len(pairs) < len(measured) or {claim.declared for claim in measured} != set(range(len(declared)))
-            or any(check["claim"] != claim.claim for check, claim in pairs)):
+    numbered = list(enumerate(check["claim"] for check in declared))
+    if sorted({(claim.declared, claim.claim) for claim in measured}) != numbered:
         raise BristleError(f"{file.filename}: /checks is not that of the experiment; run `bristle run` again")
-    return pairs
+    return [(declared[claim.declared], claim) for claim in measured]
+
+
+def by_check(claims):
+    """For each check of the experiment, in its order, its claims by reading."""
+    found = {}
+    for claim in sorted(claims, key=lambda claim: claim.declared):
+        found.setdefault(claim.declared, {})[claim.reading] = claim
+    return list(found.values())
+
+
+def by_claim(claims):
+    """For each claim of the paper, its checks as of `by_check`: the main ones, then the further ones."""
+    found = {}
+    for check in by_check(claims):
+        found.setdefault(first(check).claim, []).append(check)
+    return [sorted(checks, key=lambda check: first(check).role != "main") for checks in found.values()]
+
+
+def first(check):
+    """A check under its first reading: the claim, statement, role and threshold are those of all readings."""
+    return next(iter(check.values()))
+
+
+def reading_words(claims):
+    """The readings of the claims, in their order."""
+    return list(dict.fromkeys(claim.reading for claim in claims))
 
 
 def quantity(check):
@@ -81,7 +113,7 @@ def with_uncertainty(value, uncertainty):
         return number(value, ".4g")
     digits = max(0, 1 - floor(log10(uncertainty)))
     if digits > 5:
-        return f"{number(value, '.5g')} \u00b1 {number(uncertainty, '.1e')}"
+        return f"{number(value, '.5g' if abs(value) > uncertainty else '.1e')} \u00b1 {number(uncertainty, '.1e')}"
     return f"{number(value, f'.{digits}f')} \u00b1 {number(uncertainty, f'.{digits}f')}"
 
 
@@ -98,48 +130,110 @@ def p_text(claim):
     return f", p = {claim.significance:.1g}" if claim.significance >= 1e-4 else ", p < 0.0001"
 
 
-def wrapped_claims(claims, width):
-    """The claims with their statements wrapped to a figure of this width (inches)."""
-    room = width - (1.2 if width < NARROW_INCHES else 5.6)
-    return [claim._replace(statement=wrapped(claim.statement, int(14 * room))) for claim in claims]
+def columns(readings, width):
+    """Titles of the strip's columns after the statement, with their places (inches)."""
+    if readings == [""]:
+        return {"measured": width - 4.4, "threshold": width - 2.85, "verdict": width - 1.35}
+    verdicts = {VERDICT_HEADINGS.get(word, f"verdict, {readable(word)}"): width - 2.05 * (len(readings) - i)
+                for i, word in enumerate(readings)}
+    return {"threshold": width - 2.05 * len(readings) - 1.3, **verdicts}
 
 
-def line_count(claim, width):
-    return claim.statement.count("\n") + (2 if width < NARROW_INCHES else 1)
+def statement_inches(readings, width):
+    """Room for the statement beside the numbers, or 0 if they are below it."""
+    room = min(columns(readings, width).values()) - 1.2
+    return room if room >= LEAST_STATEMENT else 0
+
+
+def strip_rows(claims, width):
+    """The rows of the strip: the checks of each claim, and with readings a row for a claim of several main checks."""
+    readings = reading_words(claims)
+    room = statement_inches(readings, width) or width - 1.2
+    out = []
+    for checks in by_claim(claims):
+        name, interpretation = first(checks[0]).claim, ""
+        repeated = name if readings == [""] else ""
+        for check in checks:
+            if first(check).interpretation not in ("", interpretation):
+                interpretation = first(check).interpretation
+                empty = {word: ("", "") for word in check}
+                statement = wrapped(f"if {interpretation}:", int(LETTERS_PER_INCH * room))
+                out.append(Row(name, statement, "", "", empty, {}))
+                name = repeated
+            further = first(check).role != "main"
+            out.append(check_row(check, name, further, int(LETTERS_PER_INCH * room)))
+            name = repeated
+        if readings != [""] and sum(first(check).role == "main" for check in checks) > 1:
+            whole = {word: (claim.claim_verdict, claim.claim_verdict) for word, claim in checks[0].items()}
+            out.append(Row("", f"claim {first(checks[0]).claim}, by its main checks", "", "", whole, {}))
+    return out
+
+
+def check_row(check, claim, further, characters):
+    """One check. With several readings, the number measured takes the place of the verdict's word."""
+    one = first(check)
+    measured = {word: with_uncertainty(found.measured, found.uncertainty) for word, found in check.items()}
+    verdicts = {word: (found.verdict, measured[word] if word else found.verdict) for word, found in check.items()}
+    statement = wrapped(one.statement, characters - 3 * further)
+    return Row(claim, statement, measured.get("", ""), threshold_text(one.relation, one.threshold, one.band),
+               verdicts, dict(color=GREY) if further else {})
+
+
+def line_count(row, width):
+    return row.statement.count("\n") + (1 if statement_inches(list(row.verdicts), width) else 2)
 
 
 def strip_height(claims, width):
     """Height of the strip in inches."""
     if not claims:
         return 0
-    return (sum(line_count(claim, width) for claim in wrapped_claims(claims, width)) + 1) * LINE_INCHES + 0.2
+    lines = sum(line_count(row, width) for row in strip_rows(claims, width))
+    return (lines + 1 + bool(key_of_signs(claims))) * LINE_INCHES + 0.2
 
 
 def draw_strip(figure, claims):
-    """A row for each claim at the foot of the figure: statement, measured value, threshold, verdict."""
+    """A row for each check at the foot of the figure: statement, threshold, and the verdict under each reading."""
     if not claims:
         return
     width, height = figure.get_size_inches()
     tall = strip_height(claims, width)
     strip = figure.add_axes((0, 0, 1, tall / height), xlim=(0, width), ylim=(0, tall))
     strip.axis("off")
-    columns = {"claim": 0.3, "statement": 0.85, "measured": width - 4.4,
-               "threshold": width - 2.85, "verdict": width - 1.35}
+    strip.set_gid(STRIP)
+    readings, rows = reading_words(claims), strip_rows(claims, width)
+    places = {"claim": 0.3, "statement": 0.85, **columns(readings, width)}
     line = tall - LINE_INCHES / 2
-    for title, x in columns.items():
+    for title, x in places.items():
         strip.text(x, line, title, color=GREY, va="center", fontsize=9)
     strip.axhline(line - LINE_INCHES / 2, 0.3 / width, 1 - 0.3 / width, color=GREY, linewidth=0.6)
     line -= 1.3 * LINE_INCHES
-    for claim in wrapped_claims(claims, width):
-        draw_row(strip, claim, columns.values(), line + LINE_INCHES / 2, width < NARROW_INCHES)
-        line -= line_count(claim, width) * LINE_INCHES
+    for row in rows:
+        narrow = not statement_inches(readings, width)
+        draw_row(strip, row, readings, list(places.values()), line + LINE_INCHES / 2, narrow)
+        line -= line_count(row, width) * LINE_INCHES
+    strip.text(places["statement"], line, key_of_signs(claims), color=GREY, va="center", fontsize=9)
 
 
-def draw_row(strip, claim, columns, top, narrow):
-    sign, colour = VERDICT_SIGNS.get(claim.verdict, ("\u2022", GREY))
-    cells = (claim.claim, claim.statement, with_uncertainty(claim.measured, claim.uncertainty),
-             threshold_text(claim.relation, claim.threshold, claim.band), f"{sign} {claim.verdict}")
-    below = top - (claim.statement.count("\n") + 1) * LINE_INCHES if narrow else top
-    for i, (x, cell) in enumerate(zip(columns, cells)):
-        look = dict(color=colour, weight="bold") if i == len(cells) - 1 else {}
-        strip.text(x, top if i < 2 else below, cell, va="top", fontsize=9.5, linespacing=1.55, **look)
+def key_of_signs(claims):
+    """What signs and grey mean in a strip without the words of the verdicts."""
+    if reading_words(claims) == [""]:
+        return ""
+    signs = ", ".join(f"{sign} {verdict}" for verdict, (sign, _) in VERDICT_SIGNS.items())
+    further = any(claim.role != "main" for claim in claims)
+    return signs + "; grey: further checks, on which no claim's verdict rests" * further
+
+
+def draw_row(strip, row, readings, places, top, narrow):
+    text = dict(va="top", fontsize=9.5, linespacing=1.55)
+    strip.text(places[0], top, row.claim, **text)
+    strip.text(places[1] + (0.2 if row.look else 0), top, row.statement, **text, **row.look)
+    below = top - (row.statement.count("\n") + 1) * LINE_INCHES if narrow else top
+    numbers = [row.threshold] if readings != [""] else [row.measured, row.threshold]
+    for x, cell in zip(places[2:], numbers):
+        strip.text(x, below, cell, **text, **row.look)
+    for x, word in zip(places[2 + len(numbers):], readings):
+        verdict, cell = row.verdicts.get(word, ("", "\u2013"))
+        if not cell:
+            continue
+        sign, colour = VERDICT_SIGNS.get(verdict, ("\u2022", GREY))
+        strip.text(x, below, f"{sign} {cell}", color=colour, weight="normal" if row.look else "bold", **text)

@@ -1,10 +1,11 @@
-"""The checks of a result as rows of a table, in HTML."""
+"""The checks of a result under each reading of Eq. (17) as rows of a table, in HTML."""
 
 from collections import Counter
 
 import numpy as np
 
 import symbols
+from bristle_plots.results import CHOICE_NAMES, readable
 from bristle_plots.verdicts import (VERDICT_SIGNS, declared_checks, number, p_text, quantity, threshold_text,
                                     with_uncertainty)
 
@@ -12,7 +13,7 @@ ORDER = ["supported", "refuted", "undecided"]
 
 
 def read(figure, file):
-    """One row for each check of the experiment, in its order."""
+    """One row for each check of the experiment, in its order, and each reading."""
     if "checks" not in file:
         return []
     return [row(figure, check, claim) for check, claim in declared_checks(file)]
@@ -32,6 +33,12 @@ def row(figure, check, claim):
         "margin_value": sortable(claim.margin),
         "verdict": claim.verdict,
         "sign": sign(claim.verdict),
+        "declared": claim.declared,
+        "reading": CHOICE_NAMES.get(claim.reading, readable(claim.reading)),
+        "further": claim.role != "main",
+        "claim_verdict": claim.claim_verdict,
+        "quote": symbols.prose(check.get("quote", "")),
+        "interpretation": symbols.prose(check.get("interpretation", "")),
         "leaves_open": symbols.prose(check.get("leaves_open", "")),
     }
 
@@ -44,9 +51,32 @@ def sortable(value):
     return repr(float(value)) if np.isfinite(value) else ""
 
 
+def by_check(rows):
+    """The rows of each check of one result: one for each reading."""
+    found = {}
+    for row in rows:
+        found.setdefault(row["declared"], []).append(row)
+    return list(found.values())
+
+
+def by_claim(rows):
+    """For each reading, the claims with their verdicts."""
+    found = {}
+    for row in rows:
+        found.setdefault(row["reading"], {})[row["claim"], row["claim_verdict"]] = None
+    return [{"reading": reading, "claims": [(claim, verdict, sign(verdict)) for claim, verdict in claims]}
+            for reading, claims in found.items()]
+
+
 def count(rows):
-    """Numbers of checks, of claims, and of checks by verdict."""
-    found = Counter(row["verdict"] for row in rows)
-    verdicts = ORDER + sorted(set(found) - set(ORDER))
-    return {"checks": len(rows), "claims": len({row["claim"] for row in rows}),
-            "verdicts": [(verdict, found[verdict], sign(verdict)) for verdict in verdicts]}
+    """Numbers of checks and claims, of claims by verdict under each reading, and of rows by verdict."""
+    return {"checks": len({(row["figure"], row["declared"]) for row in rows}),
+            "claims": len({row["claim"] for row in rows}), "rows": counted(row["verdict"] for row in rows),
+            "readings": [(found["reading"], counted(verdict for _, verdict, _ in found["claims"]))
+                         for found in by_claim(rows)]}
+
+
+def counted(verdicts):
+    """(verdict, number, sign) of each verdict."""
+    found = Counter(verdicts)
+    return [(verdict, found[verdict], sign(verdict)) for verdict in ORDER + sorted(set(found) - set(ORDER))]

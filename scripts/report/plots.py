@@ -8,29 +8,50 @@ import numpy as np
 from markupsafe import Markup, escape
 from matplotlib.transforms import Bbox
 
-from bristle_plots.layout import header_height
+from bristle_plots.layout import CAPTION_INCHES, HEADER
+from bristle_plots.readings import pages
 from bristle_plots.results import as_text, axis_names, axis_values, dataset, read
 from bristle_plots.style import METADATA
-from bristle_plots.verdicts import read_claims, strip_height
+from bristle_plots.verdicts import STRIP, read_claims, strip_height
 from symbols import plain
+
+# Of the modules' further figures.
+FURTHER_NAMES = {"energy": "energy budget", "parts": "factors of the friction"}
 
 
 def draw(name, file, verdicts):
-    """The figure's SVG element; verdicts: (claim, verdict) of its checks, for the description."""
+    """The figure's drawings: SVG element, what it shows besides the figure's heading, and its width (inches).
+
+    verdicts: the claims with their verdicts under each reading, for the description.
+    """
     module = importlib.import_module(name)
-    figure = module.draw(file)
+    title, description = plain(as_text(file.attrs["title"])), describe(module, file, verdicts)
+    out = []
+    for ending, function in {"": module.draw, **getattr(module, "FURTHER", {})}.items():
+        for page, reading, figure in pages(function, file):
+            shown = ", ".join(filter(None, [FURTHER_NAMES.get(ending, ending), reading]))
+            identity = "-".join(filter(None, [name, ending])) + page
+            out.append({"shown": shown, "width": round(100 * figure.get_figwidth()),
+                        "svg": inline(content(figure, file), identity, f"{title}{shown and f' ({shown})'}",
+                                      description)})
+    return out
+
+
+def content(figure, file):
+    """The SVG of a figure without header and verdicts."""
     width, height = figure.get_size_inches()
-    claims = read_claims(file)
-    foot, head = strip_height(claims, width), header_height(file, width) - 0.15
+    top, foot = height, 0
     for artist in figure.texts:
-        artist.set_visible(artist.get_position()[1] * height < height - head)
-    if claims:
-        figure.axes[0].set_visible(False)  # the strip of verdicts is a sheet's first axes
+        if artist.get_gid() == HEADER:
+            artist.set_visible(False)
+            top = min(top, artist.get_position()[1] * height - CAPTION_INCHES)
+    for axes in figure.axes:
+        if axes.get_gid() == STRIP:
+            axes.set_visible(False)
+            foot = strip_height(read_claims(file), width)
     buffer = io.StringIO()
-    figure.savefig(buffer, format="svg", metadata=METADATA["svg"],
-                   bbox_inches=Bbox([[0, foot], [width, height - head]]))
-    title = plain(as_text(file.attrs["title"]))
-    return inline(buffer.getvalue(), name, title, describe(module, file, verdicts)), width
+    figure.savefig(buffer, format="svg", metadata=METADATA["svg"], bbox_inches=Bbox([[0, foot], [width, top]]))
+    return buffer.getvalue()
 
 
 def inline(svg, name, title, description):
@@ -59,8 +80,9 @@ def describe(module, file, verdicts):
     if ranges:
         sentences.append(f"Swept: {'; '.join(ranges)}.")
     sentences.append(f"Plotted: {'; '.join(value_range(file, name) for name in shown)}.")
-    if verdicts:
-        sentences.append(f"Verdicts: {', '.join(f'{claim} {verdict}' for claim, verdict in verdicts)}.")
+    for found in verdicts:
+        heading = ", ".join(filter(None, ["Verdicts", found["reading"]]))
+        sentences.append(f"{heading}: {', '.join(f'{claim} {verdict}' for claim, verdict, _ in found['claims'])}.")
     return " ".join(sentences)
 
 

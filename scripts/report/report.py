@@ -59,14 +59,15 @@ def figure(path, arguments):
         name = as_text(file.attrs["name"])
         rows = claims.read(name, file)
         deviation, replay = program.check(arguments.program, path, arguments.reference)
-        svg, width = plots.draw(name, file, [(row["claim"], row["verdict"]) for row in rows])
+        drawings = plots.draw(name, file, claims.by_claim(rows))
         return {
             "name": name, "path": path, "present": True, **labels(name, as_text(file.attrs.get("figure", ""))),
             "title": symbols.prose(heading(file)),
             "caption": symbols.prose(as_text(file.attrs.get("caption", ""))),
             "tier": as_text(file.attrs.get("tier", "full")),
             "notes": [symbols.prose(note) for note in experiment(file).get("notes", [])],
-            "svg": svg, "width": round(width * 100), "claims": rows,
+            "drawings": drawings, "claims": rows, "checks": claims.by_check(rows),
+            "verdicts": claims.by_claim(rows),
             "points": points.collect(file, replay),
             "deviation": deviation, "outcome": program.outcome(deviation),
             "diagnostics": diagnostics.read(file), "provenance": sources.provenance(file, path),

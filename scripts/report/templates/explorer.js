@@ -105,7 +105,7 @@ function showSlices() {
 // The first point with a value in the slice shown; Figure 6 starts with the Coulomb law, which its maps show.
 function start(data) {
   const values = data.variables[0].values;
-  const about = data.name === "fig6" ? data.axes.findIndex((axis) => axis.words) : -1;
+  const about = data.name === "fig6" ? data.axes.findIndex((axis) => axis.name === "friction") : -1;
   for (let point = 0; point < values.length; ++point) {
     const at = positionOf(data, point);
     if (values[point] !== null && (about < 0 || at[about] === data.axes[about].values.length - 1)) return at;
