@@ -27,6 +27,8 @@ ArchivedResult archived_result(const Files& payload, const std::string& file, co
     result.figures.push_back(fmt::format("figures/{}.{}", name, extension));
     file_of(payload, result.figures.back());
   }
+  for (const auto& [further, bytes] : payload)
+    if (further.starts_with(fmt::format("figures/{}-", name))) result.figures.push_back(further);
   return result;
 }
 

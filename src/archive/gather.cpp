@@ -118,6 +118,11 @@ class Gatherer {
     check_origin(path, facts["provenance"]);
     payload["results/" + experiment.name + ".h5"] = read_file(path);
     for (const char* suffix : {".pdf", ".png"}) add_figure(path, experiment.name + suffix, payload);
+    for (const auto& entry : fs::directory_iterator(options_.figures)) {  // further pages: NAME-*
+      const std::string figure = entry.path().filename().string();
+      if (figure.starts_with(experiment.name + "-") && (figure.ends_with(".pdf") || figure.ends_with(".png")))
+        add_figure(path, figure, payload);
+    }
     return facts;
   }
 
