@@ -140,9 +140,9 @@ expect 0 "refuted, was supported" \
 
 # A deviation is reported with the command that computes only its point, with the same bits.
 sed -i '/"R_x_norm"/,/"quadrature"/ s/"values": \[[0-9.]*,/"values": [0.1,/' "$reference/fig4.json"
-expect 1 "k_r = 3, k_theta = 0.3  FAILED" "$bristle" check --report-only "$result" --reference "$reference"
-expect 1 '"place": "k_r = 3, k_theta = 0.3"' "$bristle" check --json --report-only "$result" --reference "$reference"
-replay=$("$bristle" check "$result" --reference "$reference" | grep -A 1 "^To compute k_r = 3, k_theta = 0.3" | tail -n 1)
+expect 1 "azimuth_rate = kinematic, k_r = 3, k_theta = 0.3  FAILED" "$bristle" check --report-only "$result" --reference "$reference"
+expect 1 '"place": "azimuth_rate = kinematic, k_r = 3, k_theta = 0.3"' "$bristle" check --json --report-only "$result" --reference "$reference"
+replay=$("$bristle" check "$result" --reference "$reference" | grep -A 1 "^To compute azimuth_rate = kinematic, k_r = 3, k_theta = 0.3" | tail -n 1)
 replay=${replay/build\/bristle/$bristle}
 eval "${replay/results\/replay.h5/$folder/replay.h5 --quiet}"
 expect 0 "" "$(scripts/find-python)" -c 'import h5py, sys
