@@ -1,7 +1,7 @@
 // Error of the mean over theta_0 as a function of the number of passages, for the adaptive quadrature, an
 // equidistant grid and random azimuths as in the paper's lattice. Writes JSON to standard output, from which
 // scripts/performance.py draws the figure.
-#include "ensemble/ensemble.hpp"
+#include "ensemble/point.hpp"
 #include "model/friction/chi.hpp"
 
 #include <fmt/format.h>
@@ -73,13 +73,33 @@ Json compare(const Case& c) {
   return out;
 }
 
+// Passages by their purpose, over points of Figure 4.
+Json purposes() {
+  const PassageRunner run = make_runner(Engine::fast);
+  std::array<long, PURPOSES> sum{};
+  int points = 0;
+  for (const double k_r : {3., 5., 8., 13., 22., 36., 60., 100.})
+    for (const double k_theta : {0.3, 0.65, 1.4, 3.}) {
+      Setup setup;
+      setup.parameters.k_r = k_r;
+      setup.parameters.k_theta = k_theta;
+      setup.parameters.C = chi_C_peak_at_V_s(setup.parameters.A);
+      setup.integrator = {3e-5, 6e-5};
+      const PointResult point = solve_point(setup, {}, run);
+      for (int i = 0; i < PURPOSES; ++i) sum[i] += point.passages_for[i];
+      ++points;
+    }
+  return {{"points", points}, {"scan", sum[SCAN]}, {"crossing", sum[CROSSING]}, {"values", sum[VALUES]}};
+}
+
 }  // namespace
 
 int main() {
-  Json out = Json::array();
+  Json cases = Json::array();
   for (const Case c : {Case{10, 0.1}, {25, 0.5}, {50, 0.62}}) {
     fmt::print(stderr, "quadrature at k_r {}, z_0 {} ...\n", c.k_r, c.z_0);
-    out.push_back(compare(c));
+    cases.push_back(compare(c));
   }
+  const Json out = {{"cases", cases}, {"purposes", purposes()}};
   fmt::print("{}\n", out.dump(1));
 }

@@ -150,7 +150,17 @@ def passage_table(cases):
     return table(["k_r", "z_0", "quadrature", "its error", "grid of", "its error", "lattice of", "its error"], *rows)
 
 
-def document(engine, kernel, peers, cases, figures, previous):
+def purposes_text(purposes):
+    parts = {"to decide on which side of the load the mean at a gap lies": purposes["scan"],
+             "to locate the crossing, whose passages the values reuse": purposes["crossing"], "more for the values": purposes["values"]}
+    total = sum(parts.values())
+    shares = ", ".join(f"{part / total:.0%} {purpose}" for purpose, part in parts.items())
+    return (f"A point of Figure 4 takes {total / purposes['points']:.0f} passages in the mean over "
+            f"{purposes['points']} points of its map: {shares}, which includes those that are repeated with a tenth "
+            "of the tolerance for the error.")
+
+
+def document(engine, kernel, peers, cases, purposes, figures, previous):
     everything = engine["all_kinds"]
     scaling = [[str(s["bristles"]), str(s["threads"]), f"{s['ms_per_bristle']:.3f}"] for s in engine["scaling"]]
     return f"""# Performance
@@ -190,6 +200,8 @@ Relative error, the larger of R_n and R_x, compared with a mean of tolerance 3e-
 {passage_table(cases)}
 
 ![Error over number of passages](images/quadrature.png)
+
+{purposes_text(purposes)}
 
 ## Scaling
 
@@ -258,9 +270,10 @@ def main():
     parser.add_argument("measured", help="directory with the JSON files of the benchmarks")
     parser.add_argument("-o", "--output", default="docs", help="directory of performance.md and images/")
     arguments = parser.parse_args()
-    engine, kernel, cases, scipy, figures = (
+    engine, kernel, quadratures, scipy, figures = (
         read_json(os.path.join(arguments.measured, f"{name}.json"), "`make bench` writes it")
         for name in ("engine", "kernel", "quadrature", "scipy", "figures"))
+    cases = quadratures["cases"]
     previous = read_json(PREVIOUS, "it is part of the source")
     peers = [dict(p, ratio=p["ratio_at_1e-4"]) for p in engine["ordinary"]]
     fastest = at_error(peers[0]["curve"], "ms_per_bristle")
@@ -271,7 +284,7 @@ def main():
     save_figure(quadrature(cases), images, "quadrature", formats=("png",), bbox_inches="tight")
     path = os.path.join(arguments.output, "performance.md")
     methods = read_json(os.path.join(arguments.measured, "methods.json"), "`make bench` writes it")
-    write_text(path, filled(document(engine, kernel, peers, cases, figures, previous) + methods_section(methods)))
+    write_text(path, filled(document(engine, kernel, peers, cases, quadratures["purposes"], figures, previous) + methods_section(methods)))
     print(path)
 
 

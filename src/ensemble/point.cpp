@@ -69,6 +69,7 @@ class PointSolver {
     if (std::isfinite(out.z_0)) record_trajectories(out.z_0);
     out.passages = lattice_passages_;
     for (const auto& [z_0, mean] : means_) out.passages += mean.count();
+    out.passages_for = passages_for_;
     return out;
   }
 
@@ -127,11 +128,15 @@ class PointSolver {
   // lies. If R_n is at the target, as accurate as the reported values.
   Load load_at(double z_0, Accuracy accuracy) {
     EnsembleMean& mean = mean_at(z_0);
+    purpose_ = accuracy == Accuracy::rough ? SCAN : CROSSING;
     const Ensemble* e = &mean.rough_load(loading_.R_n);
     const auto distance = [&] { return std::abs(e->mean[R_N] - loading_.R_n); };
     const bool decided = distance() > kDecided * e->error[R_N];
     if (e->incomplete == 0 && (accuracy != Accuracy::rough || !decided)) e = &mean.precise_load(loading_.R_n);
-    if (e->incomplete == 0 && distance() <= 2 * setup_.orientation.rtol * loading_.R_n) e = &mean.full();
+    if (e->incomplete == 0 && distance() <= 2 * setup_.orientation.rtol * loading_.R_n) {
+      purpose_ = VALUES;
+      e = &mean.full();
+    }
     if (e->incomplete == 0 && accuracy == Accuracy::reported) e = &mean.with_integrator_error();
     if (e->incomplete == 0) return {e->mean[R_N], e->error[R_N]};
     incomplete_theta_0_ = e->incomplete_theta_0;
@@ -146,6 +151,7 @@ class PointSolver {
     if (evaluations_ > setup_.max_evaluations_per_point) throw WorkLimitReached{};
     std::vector<Passage> passages = run_(tasks);
     for (const Passage& one : passages) evaluations_ += one.evaluations;
+    passages_for_[purpose_] += long(passages.size());
     return passages;
   }
 
@@ -157,6 +163,7 @@ class PointSolver {
 
   PointResult at_gap(double z_0, LoadStatus status) {
     EnsembleMean& mean = mean_at(z_0);
+    purpose_ = VALUES;
     const Ensemble& ensemble = mean.with_integrator_error();
     if (record_.bristles) recorded_.bristles = mean.passages();
     PointResult out = values_of(setup_.parameters, ensemble);
@@ -202,6 +209,8 @@ class PointSolver {
   Recorded& recorded_;
   const PassageRunner limited_run_ = [this](const auto& tasks) { return run_within_limit(tasks); };
   long evaluations_ = 0;
+  Purpose purpose_ = VALUES;
+  std::array<long, PURPOSES> passages_for_{};
   std::map<double, EnsembleMean> means_;  // by gap
   long lattice_passages_ = 0;
   double incomplete_theta_0_ = kNone;  // of a passage without an exit, rad

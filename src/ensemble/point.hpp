@@ -5,6 +5,7 @@
 #include "ensemble/lattice.hpp"
 #include "ensemble/load.hpp"
 
+#include <array>
 #include <optional>
 
 namespace bristle {
@@ -41,6 +42,15 @@ enum class PointStatus {
 // (AzimuthRate::kinematic).
 constexpr double kMaxEnergyResidual = 1e-2;
 
+// What the mean of a passage is for: to decide on which side of the target R_n lies, to locate the crossing,
+// or for the values of the point.
+enum Purpose {
+  SCAN,
+  CROSSING,
+  VALUES,
+  PURPOSES
+};
+
 // Result of one sweep point. Values that the status excludes are NaN. Errors include the quadrature over
 // theta_0, the integrator and, after a load search, the deviation of the load from its target.
 struct PointResult {
@@ -52,10 +62,11 @@ struct PointResult {
   double R_x_norm = 0, R_x_norm_error = 0;       // Eqs. (20, 21), for the computed R_n
   double R_y_norm = 0, R_y_norm_error = 0;
   double R_x_norm_load_error = 0, R_y_norm_load_error = 0;
-  double jump_z_0 = 0, jump_R_n = 0;  // last gap before a jump, and its R_n; NaN without a jump
-  double incomplete_theta_0 = 0;      // rad; NaN if complete
-  long passages = 0;                  // number of passages computed for this point
-  double force_unit = 0;              // newtons per unit of dimensionless force; NaN without SI units
+  double jump_z_0 = 0, jump_R_n = 0;          // last gap before a jump, and its R_n; NaN without a jump
+  double incomplete_theta_0 = 0;              // rad; NaN if complete
+  long passages = 0;                          // number of passages computed for this point
+  std::array<long, PURPOSES> passages_for{};  // those of its means; the rest are of the lattice
+  double force_unit = 0;                      // newtons per unit of dimensionless force; NaN without SI units
 };
 
 // Data to record in addition to the values of a point.
