@@ -18,12 +18,18 @@ PRINTED = "printed"  # the alternative of the closing equation
 BEST = 15  # sets in the table
 
 
+def short(name):
+    for text, instead in (("40 random azimuths", "40 random"), ("18 azimuths", "18 fixed"), ("phi_0 = ", "")):
+        name = name.replace(text, instead)
+    return name
+
+
 class Scores:
     """verdicts[set, window, claim] as indices into VERDICTS; further[set, window]: supported further checks."""
 
     def __init__(self, matrix):
         checks = matrix["checks"]
-        self.sets = [alternative["name"] for alternative in matrix["alternatives"]]
+        self.sets = [short(alternative["name"]) for alternative in matrix["alternatives"]]
         self.members = [alternative["members"] or [alternative["name"]] for alternative in matrix["alternatives"]]
         self.windows = list(dict.fromkeys(cell["window"] for cell in matrix["cells"]))
         self.claims = list(dict.fromkeys(check["claim"] for check in checks))
@@ -88,7 +94,7 @@ def page(scores):
     rows = []
     for rank, i in enumerate(order[:BEST], 1):
         verdicts = scores.verdicts[i, windows[i]]
-        rows.append([str(rank), scores.sets[i], scores.windows[windows[i]], str(score[i][0]), str(score[i][1]),
+        rows.append([str(rank), scores.sets[i], scores.windows[windows[i]], f"{score[i][0]}, {score[i][1]}",
                      claims_with(scores, verdicts, "refuted"), claims_with(scores, verdicts, "undecided")])
     return f"""# Inference: what the authors may have computed
 
@@ -109,7 +115,9 @@ undecided than those of a continuous distribution: this favours the sets with 18
 
 ## Ranking
 
-{table(["rank", "set", "best window", "claims supported", "further checks", "refuted", "undecided"], *rows)}
+The best {BEST} sets, with the numbers of claims and of further checks that are supported.
+
+{table(["", "set", "best window", "supported", "refuted", "undecided"], *rows)}
 
 ![All sets and claims](images/inference.png)
 
@@ -149,7 +157,7 @@ def leave_one_out(scores):
         claims = [c for c in range(len(scores.claims)) if c != left_out]
         order, score = scores.ranking(claims)
         best = [scores.sets[i] for i in order if tuple(score[i]) == tuple(score[order[0]])]
-        rows.append([scores.claims[left_out], "; ".join(best[:3]) + (f" and {len(best) - 3} more" if len(best) > 3 else "")])
+        rows.append([scores.claims[left_out], "; ".join(best[:2]) + (f" and {len(best) - 2} more" if len(best) > 2 else "")])
     return rows
 
 
