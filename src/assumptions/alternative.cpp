@@ -126,11 +126,12 @@ Declarations read_declarations(const std::vector<std::string>& files) {
       for (const std::string name : pair["members"]) members.push_back(&find(single, name, file));
       out.alternatives.push_back(combine(members, pair["description"]));
     }
+    const std::string question = json["question"];
     for (const Json& choices : json.value("combinations", Json::array())) {
       require_choices(single, choices, file);
       std::vector<const Alternative*> chosen;
       joint_sets(single, choices, 0, chosen, [&](const auto& members) {
-        Alternative set = combine(members, json["question"]);
+        Alternative set = combine(members, question);
         if (std::ranges::find(out.alternatives, set.name, &Alternative::name) == out.alternatives.end())
           out.alternatives.push_back(std::move(set));  // an earlier list may have the same choices
       });
