@@ -71,7 +71,7 @@ scontrol show job "$merge" | grep -q 'JobState=CANCELLED' || fail "the merge was
 [ ! -e "$merged" ] || fail "there is a result although parts are missing"
 "$bristle" merge -o "$merged" "$folder"/parts/fig4.1-of-3.h5 >"$folder/log" 2>&1
 [ $? = 2 ] || fail "exit code of a merge without all parts"
-holds "$folder/log" "5 of 8 points are missing: 1 (k_r = 2, k_theta = 3)"
+holds "$folder/log" "10 of 16 points are missing: 1 (azimuth_rate = kinematic, k_r = 2, k_theta = 3)"
 holds "$folder/log" "--shard 2/3"
 
 # The same command computes what the tasks left: nothing, some points, all points.
