@@ -194,7 +194,7 @@ void check_lattice(const Document& d, const Experiment& e) {
 
 std::vector<Check> read_all_checks(const Document& d, const Experiment& e) {
   const Json& json = d.json();
-  const std::vector<Check> checks = read_checks(json, d.path());
+  std::vector<Check> checks = read_checks(json, d.path());
   if (!json.contains("checks_for_each")) return checks;
   const std::string name = json["checks_for_each"];
   const auto axis = std::ranges::find(e.axes, name, &Axis::name);
