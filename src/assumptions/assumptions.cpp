@@ -33,6 +33,10 @@ std::vector<Experiment> experiments_with_claims(const AssumptionsOptions& option
     const bool wanted = options.only.empty() || std::ranges::count(options.only, e.name) > 0;
     if (wanted && !e.figure.empty() && !e.checks.empty()) out.push_back(std::move(e));
   }
+  for (const std::string& name : options.only)
+    if (std::ranges::find(out, name, &Experiment::name) == out.end())
+      throw InputError(fmt::format("--only {}: {} has no experiment of this name with checks of a figure",
+                                   name, options.experiments));
   if (out.empty())
     throw InputError(fmt::format("--experiments {}: no experiment in this folder has a figure with checks",
                                  options.experiments));
