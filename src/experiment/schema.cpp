@@ -34,6 +34,10 @@ const Json& subschema(const Json& schema, const std::string& token) {
   const Json& here = resolve(schema);
   if (here.contains("properties") && here["properties"].contains(token))
     return resolve(here["properties"][token]);
+  if (here.contains("anyOf"))
+    for (const Json& option : here["anyOf"])
+      if (option.contains("properties") && option["properties"].contains(token))
+        return resolve(option["properties"][token]);
   if (here.contains("items")) return resolve(here["items"]);
   if (here.contains("additionalProperties") && here["additionalProperties"].is_object())
     return resolve(here["additionalProperties"]);
