@@ -3,8 +3,8 @@
 import numpy as np
 
 from bristle_plots.command_line import run_figure
-from bristle_plots.curves import (BANDS, JUMPS, coloured, draw_curve, draw_panels, legend_below, log_axis,
-                                  read_curve, without_remarks)
+from bristle_plots.curves import (BANDS, coloured, draw_curve, draw_panels, jump_note, legend_below,
+                                  log_axis, read_curve, without_remarks)
 from bristle_plots.layout import heading, place, sheet
 from bristle_plots.readings import page_for_each_reading
 from bristle_plots.results import CHOICE_NAMES, attribute, axis_values, dataset
@@ -34,7 +34,7 @@ def draw_parts(file, reading):
     laws = axis_values(file, "friction")
     parts = {law: parts_of(file, law, reading) for law in laws}
     falls = "\n".join(fall(file, law, *parts[law]) for law in laws)
-    note = f"{falls}\n{PARTS_NOTE}\n{BANDS} {JUMPS}"
+    note = f"{falls}\n{PARTS_NOTE}\n{BANDS} {jump_note(file, 'k_r')}"
     figure, bottom = sheet(file, 5.6 * len(laws), 5.5, note, reading, verdicts=False)
     entries, panels = {}, []
     for i, law in enumerate(laws):

@@ -57,8 +57,19 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
        "this format)"},
       {with(R"("modle": {})"),
        "@/e.json: /modle: unknown key (did you mean model?); allowed: schema, name, title, notes, figure, "
-       "model, si, load, orientation, integrator, sweep, record, trajectories, tiers, checks, "
+       "model, si, load, orientation, integrator, sweep, locate_jumps, record, trajectories, tiers, checks, "
        "checks_for_each"},
+      {with(R"("orientation": {"sampling": "list", "theta_0_deg": {"random": 0, "seed": 1}})"),
+       "@/e.json: /orientation/theta_0_deg/random: 0 is not allowed; allowed: an integer at least 1 and at "
+       "most 100000 (number of azimuths)"},
+      {with(R"("locate_jumps": "k_r")"),
+       "@/e.json: /locate_jumps: \"k_r\" is not a number that the sweep varies; allowed: a number in /sweep"},
+      {with(R"("locate_jumps": "friction", "sweep": {"friction": {"values": ["nss"]}})"),
+       "@/e.json: /locate_jumps: \"friction\" is not a number that the sweep varies; allowed: a number in "
+       "/sweep"},
+      {with(
+           R"("locate_jumps": "k_r", "sweep": {"k_r": {"values": [1, 2]}}, "load": {"R_n": null, "z_0": 0.5})"),
+       "@/e.json: /locate_jumps: needs a load R_n: at a given gap, and along a traced curve, no gap jumps"},
       {with(R"("model": {"k_tehta": 1})"),
        "@/e.json: /model/k_tehta: unknown key (did you mean k_theta?); allowed: friction, k_r, k_theta, "
        "k_phi, "

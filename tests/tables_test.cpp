@@ -7,6 +7,7 @@
 #include "experiment/si_units.hpp"
 #include "experiment/words.hpp"
 #include "model/friction/laws.hpp"
+#include "small_result.hpp"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>

@@ -8,7 +8,7 @@ from matplotlib import ticker
 from matplotlib.lines import Line2D
 
 from .errors import BristleError
-from .jumps import LEAST_CHANGE, WIDEST_STEP, read_jumps
+from .jumps import LEAST_CHANGE, WIDEST_STEP, located_axis, located_jumps, read_jumps
 from .layout import heading, place, row_title, sheet
 from .readings import reading_name, readings
 from .results import (attribute, axis_values, dataset, place_of, readable, select, select_errors, select_flags,
@@ -17,9 +17,11 @@ from .style import COLOURS, GREY, label, log_ticks, status_marker
 
 # status: index of each point's status into `meanings`; 0 is a point without remark.
 # jumps: whether the loading path jumps between each point and the next.
-Curve = namedtuple("Curve", "x y error status meanings jumps")
+# located: (index of the point before, x) of each jump that the run located.
+Curve = namedtuple("Curve", "x y error status meanings jumps located")
 
 BANDS = "Bands, often thinner than the lines, are the estimated errors of the values."
+LOCATED_JUMPS = "Lines are broken where the loading path jumps; dotted lines mark the places, located to 1 %."
 JUMPS = (f"Lines are broken where $z_0$ jumps by more than {LEAST_CHANGE:g} between points less than {WIDEST_STEP:g} "
          "decades apart.")
 BARS = "Bars are the standard errors of the lattices' time means."
@@ -31,8 +33,14 @@ def read_curve(file, name, along, **chosen):
     """A variable along one axis, at the chosen values of the others."""
     y = select(dataset(file, name), [along], **chosen)
     meanings, status = select_flags(file, "status", [along], **chosen)
+    located = located_jumps(file, [along], **chosen) if located_axis(file) == along else []
     return Curve(axis_values(file, along), y, select_errors(file, name, [along], **chosen), status, meanings,
-                 read_jumps(file, [along], **chosen)[0])
+                 read_jumps(file, [along], **chosen)[0], [(index, x) for (index,), x in located])
+
+
+def jump_note(file, along):
+    """What breaks the lines, for the figure's foot."""
+    return LOCATED_JUMPS if located_axis(file) == along else JUMPS
 
 
 def broken(curve):
@@ -47,6 +55,8 @@ def draw_curve(axes, curve, colour, text=None, line="-", marker="o", width=1.6):
     x, y, error = broken(curve)
     axes.plot(x, y, line, color=colour, linewidth=width, marker=marker, markersize=2 * width, label=text)
     axes.fill_between(x, y - error, y + error, color=colour, alpha=0.3, linewidth=0)
+    for index, place_x in curve.located:
+        axes.plot([place_x, place_x], curve.y[index:index + 2], ":", color=colour, linewidth=0.7 * width)
     return draw_statuses(axes, curve, colour)
 
 
@@ -168,7 +178,7 @@ def draw_panels(file, names, along, curves, markers="o", x_axis=log_axis, finish
     titled = ROW_TITLE_INCHES if reading_name(shown[0]) else 0
     row_inches = PANEL_INCHES[1] + 0.95 + titled
     height = row_inches * len(shown) + (0.25 if titled else 0.5)
-    figure, bottom = sheet(file, 5.3 * len(names), height, f"{BANDS} {JUMPS}")
+    figure, bottom = sheet(file, 5.3 * len(names), height, f"{BANDS} {jump_note(file, along)}")
     entries, letters = {}, iter("abcdefghijkl")
     for row, reading in enumerate(shown):
         y = bottom + 1 + row_inches * (len(shown) - 1 - row)

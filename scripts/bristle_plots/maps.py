@@ -10,7 +10,7 @@ from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
 from .contour_labels import label_contours
 from .errors import BristleError
-from .jumps import LEAST_CHANGE, read_jumps
+from .jumps import LEAST_CHANGE, located_axis, located_jumps, read_jumps
 from .layout import heading, place, sheet
 from .results import attribute, dataset, place_of, readable, select, select_flags, values
 from .style import COLORMAP, VERMILION, label, log_ticks, status_marker, wrapped
@@ -24,16 +24,22 @@ HATCHES = ["....", "----", "////", "xxxx", "\\\\\\\\", "||||", "++++"]
 # log10 of the axes x and y by name, and the index of each point's status into `meanings`.
 # chosen: the values of further axes at which the quantities are drawn.
 # jumps: whether the loading path jumps between neighbours along y, and along x.
-Grid = namedtuple("Grid", "x y status meanings axes chosen jumps")
+# located: (row, log10 x) of each jump along x that the run located; None if it located none.
+Grid = namedtuple("Grid", "x y status meanings axes chosen jumps located")
 
 JUMP_LOOK = dict(color=VERMILION, linewidth=1.4, solid_capstyle="round")
-JUMP_TEXT = f"jump of the loading path: $z_0$ of neighbours differs by more than {LEAST_CHANGE:g}"
+JUMP_TEXT = "jump of the loading path,"
 
 
 def read_grid(file, x_name, y_name, chosen):
     x, y = (log_axis_values(dataset(file, name)) for name in (x_name, y_name))
     meanings, status = select_flags(file, "status", [y_name, x_name], **chosen)
-    return Grid(x, y, status, meanings, (x_name, y_name), chosen, read_jumps(file, [y_name, x_name], **chosen))
+    located = None
+    if located_axis(file) == x_name:
+        located = [(row, np.log10(value))
+                   for (row, _), value in located_jumps(file, [y_name, x_name], **chosen)]
+    return Grid(x, y, status, meanings, (x_name, y_name), chosen, read_jumps(file, [y_name, x_name], **chosen),
+                located)
 
 
 def log_axis_values(data):
@@ -184,19 +190,20 @@ def torn_field(grid, field):
     return x, y, fine
 
 
-def draw_jumps(flat, grid, located=None):
-    """Lines where the loading path jumps, halfway between the points; returns a legend entry by text.
+def draw_jumps(flat, grid):
+    """Lines where the loading path jumps along x; returns a legend entry by text.
 
-    located: log10 of the x where each jump along x was found, in the shape of those jumps; NaN is halfway.
+    A jump that the run did not locate is drawn halfway between the points.
     """
-    along_y, along_x = grid.jumps
+    _, along_x = grid.jumps
     x, y = cell_edges(grid.x), cell_edges(grid.y)
-    for j, i in np.argwhere(along_x):
-        place_x = x[i + 1] if located is None or np.isnan(located[j, i]) else located[j, i]
+    places = [(j, x[i + 1]) for j, i in np.argwhere(along_x)] if grid.located is None else grid.located
+    for j, place_x in places:
         flat.plot([place_x, place_x], [y[j], y[j + 1]], **JUMP_LOOK)
-    for j, i in np.argwhere(along_y):
-        flat.plot([x[i], x[i + 1]], [y[j + 1], y[j + 1]], **JUMP_LOOK)
-    return {JUMP_TEXT: Line2D([], [], **JUMP_LOOK)} if along_x.any() or along_y.any() else {}
+    if not places:
+        return {}
+    how = f"$z_0$ of neighbours differs by more than {LEAST_CHANGE:g}" if grid.located is None else "located to 1 %"
+    return {f"{JUMP_TEXT} {how}": Line2D([], [], **JUMP_LOOK)}
 
 
 def label_surface(space, grid, norm, titles, z_title):

@@ -130,6 +130,18 @@ Loading read_loading(const Document& d, const std::vector<Axis>& axes) {
   return loading;
 }
 
+// The name of a swept number along which the gap of a load may jump; empty if none is given.
+std::string read_jump_axis(const Document& d, const Experiment& e) {
+  const std::string name = d.json().value("locate_jumps", "");
+  if (name.empty()) return name;
+  if (!e.swept(name) || !find_sweepable(name)->options.empty())
+    d.fail("/locate_jumps",
+           fmt::format("\"{}\" is not a number that the sweep varies; allowed: a number in /sweep", name));
+  if (e.base.loading.z_0 || e.base.loading.trace)
+    d.fail("/locate_jumps", "needs a load R_n: at a given gap, and along a traced curve, no gap jumps");
+  return name;
+}
+
 // The experiment with the first value only of every axis but these.
 Experiment along(const Experiment& e, const std::vector<std::string>& axes) {
   Experiment out = e;
@@ -231,6 +243,7 @@ Experiment read(const Document& d) {
   apply_si_units(e.base);
   e.record = read_recording(d, e.base.setup.orientation, e.base.loading);
   check_lattice(d, e);
+  e.locate_jumps = read_jump_axis(d, e);
   e.checks = read_all_checks(d, e);
   check_gap(d, e);
   check_chi(d, e);

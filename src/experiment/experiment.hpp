@@ -25,6 +25,7 @@ struct Experiment {
   PointInput base;             // before the sweep's values
   std::vector<Axis> axes;      // in the file's order; the last varies fastest
   bool C_peaks_at_V_s = true;  // C is computed from A at every point, so that chi peaks at V_R = V_s
+  std::string locate_jumps;    // axis along which jumps of z_0 are located; empty: none
   Recording record;
   Engine engine = Engine::fast;
   std::vector<Check> checks;

@@ -68,7 +68,8 @@ std::vector<std::string> payload_datasets(hid_t file) {
 
 std::string inputs_sha256(const Json& document) {
   nlohmann::json inputs = document;  // sorts the keys: their order in the file does not matter
-  for (const char* name : {"name", "title", "figure", "notes", "checks", "checks_for_each"}) inputs.erase(name);
+  for (const char* name : {"name", "title", "figure", "notes", "checks", "checks_for_each"})
+    inputs.erase(name);
   // The order of the axes matters: it is that of the dimensions.
   nlohmann::json axes = nlohmann::json::array();
   if (document.contains("sweep"))

@@ -113,6 +113,12 @@ const Layout& layout_of(const std::string& table) {
          {"R_x", "friction force per bristle along the motion", R"(\tilde{R}_x/N_{c,0})", "Eq. (A3)"},
          {"R_y", "friction force per bristle across the motion", R"(\tilde{R}_y/N_{c,0})", "Eq. (A3)"},
          {"N_c_ratio", "bristles in contact over those of rigid bristles", R"(N_c/N_{c,0})", "Eq. (A3)"}}}},
+      {"jumps",
+       {"jump",
+        {{"before", "value of the axis before the jump", "", ""},
+         {"after", "value of the axis after the jump", "", ""},
+         {"z_0_before", "gap before the jump; NaN: no gap carries the load", R"(\tilde{z}_0)", ""},
+         {"z_0_after", "gap after the jump; NaN: no gap carries the load", R"(\tilde{z}_0)", ""}}}},
   };
   return layouts.at(table);
 }

@@ -166,6 +166,13 @@ void ResultWriter::write_values(std::size_t index, const PointRecord& record) {
   }
 }
 
+void ResultWriter::write_jumps(const std::string& along, const Rows& rows) {
+  h5::in_file(partial_, [&] {
+    tables_.emplace("jumps", create_table(file_, "jumps")).first->second.append(rows);
+    h5::write_attribute(h5::open_group(file_, "jumps"), "along", axis_variable(along));
+  });
+}
+
 void ResultWriter::close(const std::map<std::string, std::string>& provenance) {
   h5::in_file(partial_, [&] { finish(provenance); });
 }

@@ -21,6 +21,9 @@ class ResultWriter {
   // Call in ascending order of index, because tables are appended to. Requires fits(record, experiment).
   void write(std::size_t index, const PointRecord& record);
 
+  // Call after write(). Adds the group /jumps. rows: as locate_jumps() returns them; along: name of the axis.
+  void write_jumps(const std::string& along, const Rows& rows);
+
   // Adds attributes, digest and provenance (name -> text), closes the file, and verifies it by reading it
   // back.
   void close(const std::map<std::string, std::string>& provenance);

@@ -3,7 +3,9 @@
 #include "checks/checks.hpp"
 #include "checks/store.hpp"
 #include "results/writer.hpp"
+#include "run/jumps.hpp"
 #include "run/provenance.hpp"
+#include "run/sweep.hpp"
 #include "util/error.hpp"
 #include "util/text.hpp"
 
@@ -36,6 +38,20 @@ std::string part_line(const Part& part) {
                      provenance_entry(part, "commit"), provenance_entry(part, "command_line"));
 }
 
+// The jumps between the points of all parts, which no part contains.
+results::Rows find_jumps(const Experiment& experiment, const std::vector<Gap>& gaps,
+                         const std::function<bool()>& stop) {
+  return locate_jumps(experiment, gaps, [&](const Experiment& between, const auto& indices) {
+    std::map<std::size_t, Gap> found;
+    const auto sink = [&](PointReport&& report) { found[report.index] = gap_of(report.record); };
+    const std::set<std::size_t> ascending(indices.begin(), indices.end());
+    run_sweep(between, {ascending.begin(), ascending.end()}, all_cores(), sink, stop);
+    std::vector<Gap> out;
+    for (const std::size_t index : indices) out.push_back(found[index]);  // not known if interrupted
+    return out;
+  });
+}
+
 }  // namespace
 
 std::map<std::string, std::string> merged_provenance(const std::vector<Part>& parts) {
@@ -63,10 +79,19 @@ void merge_parts(PartSet& parts, const std::string& output, const std::string& c
   parts.require_complete();
   const Experiment& experiment = parts.experiment();
   results::ResultWriter writer(experiment, output);
-  for (std::size_t i = 0; i < experiment.points(); ++i) {
+  std::vector<Gap> gaps;
+  const auto end_if_stopped = [&] {
     if (stop()) throw RunError(fmt::format("interrupted; {} was not changed", output));
-    writer.write(i, parts.record(i));
+  };
+  for (std::size_t i = 0; i < experiment.points(); ++i) {
+    end_if_stopped();
+    const results::PointRecord record = parts.record(i);
+    writer.write(i, record);
+    if (!experiment.locate_jumps.empty()) gaps.push_back(gap_of(record));
   }
+  const results::Rows jumps = find_jumps(experiment, gaps, stop);
+  end_if_stopped();
+  if (!jumps.empty()) writer.write_jumps(experiment.locate_jumps, jumps);
   auto entries = merged_provenance(parts.parts());
   entries["command_line"] = command_line;
   entries["merged"] = fmt::format("{} by bristle {} ({})", utc_now(), kVersion, kCommit);

@@ -102,6 +102,8 @@ class SweepQueue : public PointQueue {
 
 }  // namespace
 
+int all_cores() { return int(std::max(1u, std::thread::hardware_concurrency())); }
+
 bool run_sweep(const Experiment& experiment, const std::vector<std::size_t>& points, int threads,
                const std::function<void(PointReport&&)>& sink, const std::function<bool()>& stop,
                const SweepObserver& observer) {

@@ -20,6 +20,9 @@ struct SweepObserver {
   std::function<void(std::size_t)> passages = [](std::size_t) {};
 };
 
+// The number of cores of this machine.
+int all_cores();
+
 // Solves these points of the sweep on this many threads. Passes each report to sink when its point is solved,
 // one at a time, in any order. The numbers depend neither on the threads nor on the other points. An error
 // within a point becomes its status. Returns false early when stop() becomes true. Throws the exceptions

@@ -5,6 +5,7 @@
 #include "results/annotate.hpp"
 #include "results/journal.hpp"
 #include "results/writer.hpp"
+#include "run/jumps.hpp"
 #include "run/progress.hpp"
 #include "run/provenance.hpp"
 #include "run/signals.hpp"
@@ -18,7 +19,6 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <thread>
 
 namespace bristle::run {
 namespace {
@@ -80,11 +80,13 @@ void report_failures(const Task& task, const Summary& summary) {
     fmt::print(stderr, "... and {} more; `bristle info {}` names all\n", failures.size() - most, task.path);
 }
 
-// The points of a task and their keys in journals.
+// Points of an experiment and their keys in journals.
 class KeyedPoints {
  public:
-  explicit KeyedPoints(const Task& task) : points_(task.points()) {
-    for (const std::size_t i : points_) keys_.push_back(results::point_key(task.experiment, i));
+  explicit KeyedPoints(const Task& task) : KeyedPoints(task.experiment, task.points()) {}
+  // points: ascending
+  KeyedPoints(const Experiment& experiment, std::vector<std::size_t> points) : points_(std::move(points)) {
+    for (const std::size_t i : points_) keys_.push_back(results::point_key(experiment, i));
   }
   const std::vector<std::size_t>& points() const { return points_; }
   const std::string& key(std::size_t point) const {
@@ -101,6 +103,17 @@ class KeyedPoints {
   std::vector<std::size_t> points_;  // ascending
   std::vector<std::string> keys_;
 };
+
+// The points that no journal in the folder has. Unless force, copies those of other journals to this one.
+std::vector<std::size_t> missing_points(const Experiment& experiment, const KeyedPoints& points,
+                                        results::Journal& journal, bool force) {
+  const std::vector<std::size_t> missing = points.missing_in(journal);
+  if (force || missing.empty()) return missing;
+  std::set<std::string> keys;
+  for (const std::size_t i : missing) keys.insert(points.key(i));
+  journal.adopt(experiment, std::move(keys));
+  return points.missing_in(journal);
+}
 
 // Computes the missing points and appends each to the journal when it is solved.
 void fill_journal(const Experiment& experiment, const KeyedPoints& points,
@@ -133,9 +146,30 @@ void fill_journal(const Experiment& experiment, const KeyedPoints& points,
                                failure, saved, all, journal.path()));
 }
 
+std::vector<Gap> gaps_of(const std::vector<std::size_t>& indices, const KeyedPoints& points,
+                         const results::Journal& journal) {
+  std::vector<Gap> gaps;
+  for (const std::size_t index : indices) gaps.push_back(gap_of(journal.read(points.key(index)).record));
+  return gaps;
+}
+
+// The jumps of the gap between the points, which are all in the journal.
+results::Rows find_jumps(const Experiment& experiment, const KeyedPoints& points, results::Journal& journal,
+                         int threads, const TaskOptions& options) {
+  if (experiment.locate_jumps.empty()) return {};
+  const auto solve = [&](const Experiment& between, const std::vector<std::size_t>& indices) {
+    const std::set<std::size_t> ascending(indices.begin(), indices.end());
+    const KeyedPoints added(between, {ascending.begin(), ascending.end()});
+    fill_journal(between, added, missing_points(between, added, journal, options.force), threads, journal,
+                 options.quiet);
+    return gaps_of(indices, added, journal);
+  };
+  return locate_jumps(experiment, gaps_of(points.points(), points, journal), solve);
+}
+
 // Writes the result file from the journal, in the order of the points.
-Summary write_result(const Task& task, const KeyedPoints& points, const results::Journal& journal,
-                     std::map<std::string, std::string> entries) {
+Summary write_result(const Task& task, const KeyedPoints& points, const results::Rows& jumps,
+                     const results::Journal& journal, std::map<std::string, std::string> entries) {
   const results::RecordFormat format(task.experiment);
   Summary summary;
   std::set<std::string> commits;
@@ -150,6 +184,7 @@ Summary write_result(const Task& task, const KeyedPoints& points, const results:
     summary.add(line.record, task.experiment, i);
     commits.insert(line.commit);
   }
+  if (!jumps.empty()) writer.write_jumps(task.experiment.locate_jumps, jumps);
   entries["points_commits"] = fmt::format("{}", fmt::join(commits, ", "));
   entries["finished"] = utc_now();
   writer.close(entries);
@@ -164,19 +199,15 @@ void compute(const Task& task, int threads, const TaskOptions& options) {
   entries["started"] = utc_now();
   results::Journal journal(task.path, kCommit, options.force);
   const KeyedPoints points(task);
-  std::vector<std::size_t> missing = points.missing_in(journal);
-  if (!options.force && !missing.empty()) {
-    std::set<std::string> keys;
-    for (const std::size_t i : missing) keys.insert(points.key(i));
-    journal.adopt(task.experiment, std::move(keys));
-    missing = points.missing_in(journal);
-  }
+  const std::vector<std::size_t> missing = missing_points(task.experiment, points, journal, options.force);
   const std::size_t all = points.points().size(), found = all - missing.size();
   entries["points_computed"] = fmt::format("{} of {}", missing.size(), all);
   fill_journal(task.experiment, points, missing, threads, journal, options.quiet);
+  results::Rows jumps;
+  if (!task.shard) jumps = find_jumps(task.experiment, points, journal, threads, options);
   const Summary summary = [&] {
     try {
-      return write_result(task, points, journal, entries);
+      return write_result(task, points, jumps, journal, entries);
     } catch (const RunError& e) {
       throw RunError(fmt::format("{}; all points are saved in {}: the same command writes the result",
                                  e.what(), journal.path()));
@@ -202,8 +233,7 @@ void run_task(const Task& task, const TaskOptions& options) {
       fmt::print("{} is up to date: nothing to compute (--force computes it again)\n", task.path);
     return;
   }
-  const int cores = int(std::max(1u, std::thread::hardware_concurrency()));
-  compute(task, options.threads > 0 ? options.threads : cores, options);
+  compute(task, options.threads > 0 ? options.threads : all_cores(), options);
 }
 
 }  // namespace bristle::run

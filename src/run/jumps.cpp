@@ -1,0 +1,102 @@
+#include "run/jumps.hpp"
+
+#include "util/grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace bristle::run {
+namespace {
+
+constexpr double kLeastJump = 0.1;  // of z_0, in units of r0
+constexpr double kWidth = 0.02;     // of the interval that contains a located jump, relative
+
+bool jumps(const Gap& a, const Gap& b) {
+  if (!a.known || !b.known || (std::isnan(a.z_0) && std::isnan(b.z_0))) return false;
+  return !(std::abs(a.z_0 - b.z_0) <= kLeastJump);  // also if one of them is NaN
+}
+
+// Part of the axis across which the gap jumps.
+struct Interval {
+  std::size_t point;  // of the sweep, at or below low on the axis
+  double low, high;
+  Gap at_low, at_high;
+
+  bool wide() const { return high - low > kWidth * std::max(std::abs(low), std::abs(high)); }
+  double middle() const { return low > 0 ? std::sqrt(low * high) : (low + high) / 2; }
+};
+
+// The intervals between neighbouring points of the sweep.
+std::vector<Interval> intervals_of(const Experiment& experiment, std::size_t axis,
+                                   const std::vector<Gap>& gaps) {
+  const auto shape = experiment.shape();
+  const std::vector<double>& values = experiment.axes[axis].values;
+  std::vector<Interval> out;
+  for (std::size_t point = 0; point < gaps.size(); ++point) {
+    auto at = unravel(point, shape);
+    const std::size_t i = at[axis]++;
+    if (i + 1 == values.size()) continue;
+    const Interval interval{point, values[i], values[i + 1], gaps[point], gaps[ravel(at, shape)]};
+    if (jumps(interval.at_low, interval.at_high)) out.push_back(interval);
+  }
+  return out;
+}
+
+// Halves the intervals. Returns the halves across which the gap jumps.
+std::vector<Interval> halve(const Experiment& experiment, std::size_t axis,
+                            const std::vector<Interval>& intervals, const SolvePoints& solve) {
+  std::set<double> middles;
+  for (const Interval& interval : intervals) middles.insert(interval.middle());
+  Experiment between = experiment;
+  between.record = {};
+  between.name += ": jumps along " + experiment.locate_jumps;
+  between.axes[axis].values.assign(middles.begin(), middles.end());
+  std::vector<std::size_t> points;
+  for (const Interval& interval : intervals) {
+    auto at = unravel(interval.point, experiment.shape());
+    at[axis] = std::size_t(std::distance(middles.begin(), middles.find(interval.middle())));
+    points.push_back(ravel(at, between.shape()));
+  }
+  const std::vector<Gap> found = solve(between, points);
+  std::vector<Interval> out;
+  for (std::size_t i = 0; i < intervals.size(); ++i) {
+    const Interval& whole = intervals[i];
+    for (const Interval& half : {Interval{whole.point, whole.low, whole.middle(), whole.at_low, found[i]},
+                                 Interval{whole.point, whole.middle(), whole.high, found[i], whole.at_high}})
+      if (jumps(half.at_low, half.at_high)) out.push_back(half);
+  }
+  return out;
+}
+
+}  // namespace
+
+Gap gap_of(const results::PointRecord& record) {
+  const double z_0 = record.values.at("z_0").front();
+  const bool unreachable = PointStatus(int(record.values.at("status").front())) == PointStatus::unreachable;
+  return {unreachable || std::isfinite(z_0), z_0};
+}
+
+results::Rows locate_jumps(const Experiment& experiment, const std::vector<Gap>& gaps,
+                           const SolvePoints& solve) {
+  if (experiment.locate_jumps.empty()) return {};
+  const auto axis =
+      std::size_t(std::ranges::find(experiment.axes, experiment.locate_jumps, &experiment::Axis::name) -
+                  experiment.axes.begin());
+  std::vector<Interval> open = intervals_of(experiment, axis, gaps), located;
+  while (!open.empty()) {
+    const auto narrow = std::ranges::partition(open, &Interval::wide);
+    located.insert(located.end(), narrow.begin(), narrow.end());
+    open.erase(narrow.begin(), narrow.end());
+    if (!open.empty()) open = halve(experiment, axis, open, solve);
+  }
+  std::ranges::sort(located, {}, [](const Interval& i) { return std::pair(i.point, i.low); });
+  results::Rows rows(results::table_columns("jumps").size() + 1);
+  for (const Interval& i : located) {
+    const double row[] = {double(i.point), i.low, i.high, i.at_low.z_0, i.at_high.z_0};
+    for (std::size_t column = 0; column < rows.size(); ++column) rows[column].push_back(row[column]);
+  }
+  return rows;
+}
+
+}  // namespace bristle::run

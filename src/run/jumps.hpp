@@ -1,0 +1,27 @@
+#pragma once
+
+#include "experiment/experiment.hpp"
+#include "results/record.hpp"
+
+#include <functional>
+
+namespace bristle::run {
+
+// The gap of a point.
+struct Gap {
+  bool known;  // false if the computation did not find it
+  double z_0;  // in units of r0; NaN where no gap carries the load
+};
+Gap gap_of(const results::PointRecord& record);
+
+// Computes these points of an experiment, and returns their gaps in the same order.
+using SolvePoints = std::function<std::vector<Gap>(const Experiment&, const std::vector<std::size_t>&)>;
+
+// Where the gap z_0 of a load jumps along the axis experiment.locate_jumps, found by bisection: the rows of
+// the table "jumps", with their points in ascending order. A jump lies within an interval of 2 % of the axis
+// value, its middle is thus within 1 %, across which z_0 changes by more than 0.1 (in units of r0) or a load
+// becomes unreachable. Empty without experiment.locate_jumps. gaps: of all points of the experiment, in order.
+results::Rows locate_jumps(const Experiment& experiment, const std::vector<Gap>& gaps,
+                           const SolvePoints& solve);
+
+}  // namespace bristle::run
