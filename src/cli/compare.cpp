@@ -7,6 +7,7 @@
 #include "checks/replay.hpp"
 #include "cli/exit_code.hpp"
 #include "run/provenance.hpp"
+#include "util/data.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -42,10 +43,16 @@ bool report_claims(const CheckOptions& options, const std::vector<checks::CheckR
   return all_supported(checks);
 }
 
+std::string reference_of(const CheckOptions& options, const results::ResultReader& result) {
+  std::string folder = options.reference;
+  if (folder.empty() && !std::filesystem::exists("reference")) folder = data_path("reference").value_or("");
+  return checks::reference_path(folder.empty() ? "reference" : folder, result.text("name"));
+}
+
 // Prints deviations from the stored reference; returns whether all are within the tolerances.
 bool report_deviations(const CheckOptions& options, const results::ResultReader& result,
                        const std::vector<checks::CheckResult>& checks) {
-  const std::string path = checks::reference_path(options.reference, result.text("name"));
+  const std::string path = reference_of(options, result);
   if (!std::filesystem::exists(path)) {
     fmt::print(
         "FAILED: {}: no such reference; `bristle reference update {} --reason \"...\"` creates it from a "
@@ -63,7 +70,7 @@ bool report_deviations(const CheckOptions& options, const results::ResultReader&
 // null if there is no reference. Returns whether no check failed.
 bool print_json(const CheckOptions& options, const results::ResultReader& result,
                 const std::vector<checks::CheckResult>& checks) {
-  const std::string path = checks::reference_path(options.reference, result.text("name"));
+  const std::string path = reference_of(options, result);
   Json out = {{"file", options.file}, {"deviation", nullptr}, {"replay", checks::replay_json(result)}};
   if (std::filesystem::exists(path))
     out["deviation"] = checks::deviation_json(

@@ -1,5 +1,6 @@
 #include "experiment/document.hpp"
 
+#include "util/data.hpp"
 #include "util/error.hpp"
 #include "util/text.hpp"
 
@@ -32,6 +33,14 @@ bool inside(const fs::path& file, const fs::path& folder) {
   return !relative.empty() && *relative.begin() != "..";
 }
 
+// The file that `extends` names, relative to the file at path: without a folder and where there is no such
+// file, the one that comes with the program.
+std::string parent_of(const fs::path& path, const fs::path& extends) {
+  const fs::path beside = path.parent_path() / extends;
+  if (extends.has_parent_path() || fs::exists(fs::symlink_status(beside))) return beside.string();
+  return data_path((fs::path("experiments") / extends).string()).value_or(beside.string());
+}
+
 // Appends the file to out, after the files that it extends. chain: the files that led to this one.
 void collect(const std::string& path, const fs::path& root, std::vector<std::string>& chain,
              std::vector<Document::Source>& out) {
@@ -45,15 +54,18 @@ void collect(const std::string& path, const fs::path& root, std::vector<std::str
     if (!extends.is_string()) fail("is not a file name");
     const fs::path parent = fs::path(path).parent_path() / extends.get<std::string>();
     std::error_code error;  // for instance a name that is too long, or a loop of links
-    const fs::path there = fs::weakly_canonical(parent, error);
+    const fs::path there = fs::weakly_canonical(fs::absolute(parent), error);
     if (error) fail(fmt::format("is not a valid file name: {}", error.message()));
     if (!inside(there, root))
       fail(fmt::format("lies outside the experiments folder {}; copy it there", root.string()));
-    if (!fs::is_regular_file(parent, error))
+    const std::string found = parent_of(path, extends.get<std::string>());
+    if (!fs::is_regular_file(found, error))
       fail(fmt::format("does not exist (looked for {})", parent.string()));
-    if (std::count(chain.begin(), chain.end(), fs::canonical(parent).string()))
+    if (std::count(chain.begin(), chain.end(), fs::canonical(found).string()))
       fail("extends this file in turn; remove one of the two");
-    collect(parent.lexically_normal().string(), root, chain, out);
+    const bool supplied = !inside(fs::canonical(found), root);
+    collect(fs::path(found).lexically_normal().string(), supplied ? experiments_folder(found) : root, chain,
+            out);
   }
   content.erase("extends");
   out.push_back({path, std::make_shared<const Json>(std::move(content))});
