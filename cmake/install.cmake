@@ -1,0 +1,26 @@
+# cmake --install: the program, its experiments, schema and references, the Python package of the figures, the manual
+# page and the completion for bash. cpack makes a Debian package of the same.
+include(GNUInstallDirs)
+set(data ${CMAKE_INSTALL_DATADIR}/bristle)  # src/util/data.cpp finds it from the program
+
+install(TARGETS bristle RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(DIRECTORY experiments DESTINATION ${data} FILES_MATCHING PATTERN "*.json")
+install(DIRECTORY reference DESTINATION ${data} FILES_MATCHING PATTERN "*.json")
+install(FILES src/experiment/experiment.schema.json DESTINATION ${data})
+# The path that Debian's Python searches below /usr. Below another prefix, PYTHONPATH has to name it.
+install(DIRECTORY scripts/bristle_plots DESTINATION lib/python3/dist-packages FILES_MATCHING PATTERN "*.py")
+install(FILES share/bristle.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+install(FILES share/completion.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME bristle)
+install(FILES README.md LICENSE CITATION.cff CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_DIRECTORY ${PROJECT_SOURCE_DIR}/dist)
+set(CPACK_PACKAGE_CONTACT "the maintainers of bristle")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "friction of a bristle lattice under a sliding slab")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "python3, python3-h5py, python3-matplotlib, python3-xarray, python3-h5netcdf")
+include(CPack)
