@@ -11,7 +11,7 @@ BUILD := build
 # TIER=smoke computes a small subset of the points, in seconds.
 TIER ?= full
 SUFFIX := $(if $(filter full,$(TIER)),,-$(TIER))
-PLOT_PYTHON := scripts/find-python numpy h5py matplotlib
+PLOT_PYTHON := scripts/find-python numpy h5py matplotlib xarray h5netcdf
 
 help: ## list the targets
 	@echo "bristle: friction of a bristle lattice under a sliding slab"
@@ -33,7 +33,7 @@ build: packages $(BUILD)/build.ninja ## build the program: build/bristle
 $(FIGURES) $(STUDIES): %: build
 	@test -e results/$*$(SUFFIX).h5 || echo "Computing $*, $(if $(SUFFIX),some seconds,about a minute) on two cores ..."
 	$(BUILD)/bristle run experiments/$*.json --tier $(TIER) -o results/$*$(SUFFIX).h5
-	@$$($(PLOT_PYTHON)) scripts/$*.py results/$*$(SUFFIX).h5 -o figures$(SUFFIX)
+	@scripts/plot $* results/$*$(SUFFIX).h5 -o figures$(SUFFIX)
 	@echo "The paper's claims (docs/claims.md), and deviations from the reference (docs/reference.md):"
 	@$(BUILD)/bristle check --report-only results/$*$(SUFFIX).h5
 

@@ -76,7 +76,7 @@ assert not list(folder.rglob("*.part"))
 
 # The command line: the result as its own output.
 before = pathlib.Path(result).read_bytes()
-done = subprocess.run([sys.executable, scripts / "fig4.py", result, "-o", result], capture_output=True, text=True)
+done = subprocess.run([scripts / "plot", "fig4", result, "-o", result], capture_output=True, text=True)
 assert done.returncode != 0 and "Traceback" not in done.stderr, done.stderr
 assert pathlib.Path(result).read_bytes() == before
 
@@ -102,7 +102,7 @@ with open_result(folder / "older.h5") as file:
     assert [claim.declared for claim in older] == list(range(rows.sum())) == [check[""].declared for check in by_check(older)]
     assert all((one.reading, one.role, one.claim_verdict) == ("", "main", one.verdict) for one in older)
     assert len(declared_checks(file)) == len(older)
-done = subprocess.run([sys.executable, scripts / "fig4.py", folder / "older.h5", "-o", folder / "older"],
+done = subprocess.run([scripts / "plot", "fig4", folder / "older.h5", "-o", folder / "older"],
                       capture_output=True, text=True)
 assert done.returncode == 0, done.stderr
 

@@ -1,9 +1,11 @@
-"""Command lines of the scripts: the only place where an error ends the program."""
+"""Command lines: the only place where an error ends the program."""
 
 import argparse
+import importlib
 import os
 import sys
 
+from . import FIGURES
 from .errors import BristleError
 from .files import save_pages
 from .readings import pages
@@ -20,23 +22,17 @@ def run(main):
         raise SystemExit(error.exit_code) from None
 
 
-def run_figure(script, description, draw, **further):
-    """The command line of a figure's script: RESULT.h5 -o DIRECTORY, with draw(file) -> figure.
-
-    further: functions that draw more figures of the same result, by the ending of their files' names.
-    """
-    name = os.path.splitext(os.path.basename(script))[0]
-
-    def main():
-        parser = argparse.ArgumentParser(description=description)
-        parser.add_argument("result", metavar="RESULT.h5", help="result file of `bristle run`")
-        parser.add_argument("-o", dest="directory", metavar="DIRECTORY", default="figures",
-                            help=f"where to write {name}.pdf and {name}.png, and a PNG for each further page "
-                                 "(default: %(default)s)")
-        arguments = parser.parse_args()
-        apply_look()
-        with open_result(arguments.result) as file:
-            for ending, function in {"": draw, **further}.items():
-                save_pages(pages(function, file), arguments.directory, "-".join(filter(None, [name, ending])))
-
-    run(main)
+def draw_figure():
+    """FIGURE RESULT.h5 -o DIRECTORY: all pages of a figure, and its further figures."""
+    parser = argparse.ArgumentParser(prog="plot", description="Draws a figure from a result file.")
+    parser.add_argument("figure", metavar="FIGURE", choices=FIGURES, help=", ".join(FIGURES))
+    parser.add_argument("result", metavar="RESULT.h5", help="result file of `bristle run`")
+    parser.add_argument("-o", dest="directory", metavar="DIRECTORY", default="figures",
+                        help="where to write FIGURE.pdf and FIGURE.png, and a PNG for each further page "
+                             "(default: %(default)s)")
+    arguments = parser.parse_args()
+    apply_look()
+    module = importlib.import_module(f".figures.{arguments.figure}", __package__)
+    with open_result(arguments.result) as file:
+        for ending, function in {"": module.draw, **getattr(module, "FURTHER", {})}.items():
+            save_pages(pages(function, file), arguments.directory, "-".join(filter(None, [arguments.figure, ending])))

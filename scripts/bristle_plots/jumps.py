@@ -19,7 +19,7 @@ def jumps_between_neighbours(z_0, x, axis):
 def read_jumps(file, along, **chosen):
     """For each of the axes `along`, whether z_0 jumps between neighbours; never in a file without z_0 over them."""
     axes = [axis_values(file, name) for name in along]
-    if "z_0" in file and set(axis_names(dataset(file, "z_0"))) == {*along, *chosen}:
+    if "z_0" in file and set(along) <= set(axis_names(dataset(file, "z_0"))):
         z_0 = select(dataset(file, "z_0"), along, **chosen)
     else:
         z_0 = np.zeros([len(values) for values in axes])

@@ -2,9 +2,8 @@
 
 from functools import wraps
 
-import numpy as np
-
-from .results import CHOICE_NAMES, axis_index, axis_names, axis_values, dataset, readable
+from .results import CHOICE_NAMES, as_result, axis_names, axis_values, dataset, readable
+from .style import look
 
 AXIS = "azimuth_rate"
 
@@ -21,20 +20,23 @@ def reading_name(reading):
     return "".join(CHOICE_NAMES.get(word, readable(word)) for word in reading.values())
 
 
-def points_of(file, reading):
-    """Indices of the points of the sweep under this reading."""
-    status = dataset(file, "status")
-    points = np.arange(status.size).reshape(status.shape)
-    for name, word in reading.items():
-        points = np.take(points, axis_index(file, name, word), axis_names(status).index(name))
-    return np.ravel(points)
+def one_page(draw):
+    """Makes draw(file) a function of any Dataset of a result, whatever the state of matplotlib's parameters."""
+    @wraps(draw)
+    def drawn(ds):
+        with look():
+            return draw(as_result(ds))
+
+    return drawn
 
 
 def page_for_each_reading(draw):
-    """Makes draw(file, reading) a function of the file alone, too: it draws the first reading."""
+    """The same for draw(file, reading): without a reading it draws the first one."""
     @wraps(draw)
-    def drawn(file, reading=None):
-        return draw(file, readings(file)[0] if reading is None else reading)
+    def drawn(ds, reading=None):
+        with look():
+            file = as_result(ds)
+            return draw(file, readings(file)[0] if reading is None else reading)
 
     drawn.has_pages = True
     return drawn

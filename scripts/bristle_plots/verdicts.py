@@ -3,11 +3,10 @@
 from collections import namedtuple
 from math import floor, isfinite, log10
 
-import h5py
 import numpy as np
 
 from .errors import BristleError
-from .results import as_text, experiment, read, readable
+from .results import as_text, experiment, is_whole, place_of, read, readable, table
 from .style import BLUE, GREEN, GREY, VERMILION, wrapped
 
 NUMBERS = ("measured", "uncertainty", "threshold", "band", "margin", "significance")
@@ -39,9 +38,10 @@ Row = namedtuple("Row", "claim statement measured threshold verdicts look")
 
 
 def read_claims(file):
-    """The claims of the group /checks, one for each check and reading; none if there is no such group."""
-    group = file.get("checks")
-    if not isinstance(group, h5py.Group):
+    """The claims of the group /checks, one for each check and reading; none if there is no such group, and none for a
+    part of the result's points, or without its file."""
+    group = table(file, "checks")
+    if group is None or not is_whole(file):
         return []
     length = len(read(group, "threshold"))
     older = {"reading": [""] * length, "role": ["main"] * length, "declared": np.arange(length)}
@@ -53,7 +53,7 @@ def read_claims(file):
 
     columns = [column(name) for name in (*TEXTS, *NUMBERS, "declared")]
     if len({len(column) for column in columns}) > 1:
-        raise BristleError(f"{file.filename}: the datasets of /checks differ in length")
+        raise BristleError(f"{place_of(file)}: the datasets of /checks differ in length")
     texts = len(TEXTS)
     declared = dict(enumerate(experiment(file).get("checks", [])))
     return [Claim(*map(as_text, row[:texts]), *map(float, row[texts:-1]), int(row[-1]),
@@ -65,7 +65,7 @@ def declared_checks(file):
     declared, measured = experiment(file).get("checks", []), read_claims(file)
     numbered = list(enumerate(check["claim"] for check in declared))
     if sorted({(claim.declared, claim.claim) for claim in measured}) != numbered:
-        raise BristleError(f"{file.filename}: /checks is not that of the experiment; run `bristle run` again")
+        raise BristleError(f"{place_of(file)}: /checks is not that of the experiment; run `bristle run` again")
     return [(declared[claim.declared], claim) for claim in measured]
 
 

@@ -2,14 +2,13 @@
 
 import numpy as np
 
-from bristle_plots.command_line import run_figure
-from bristle_plots.curves import (BANDS, JUMPS, coloured, draw_curve, draw_panels, legend_below, log_axis,
-                                  read_curve, without_remarks)
-from bristle_plots.layout import heading, place, sheet
-from bristle_plots.readings import page_for_each_reading
-from bristle_plots.results import CHOICE_NAMES, attribute, axis_values, dataset
-from bristle_plots.style import BLACK, GREY
-from bristle_plots.verdicts import number
+from ..curves import (BANDS, JUMPS, coloured, draw_curve, draw_panels, legend_below, log_axis,
+                      read_curve, without_remarks)
+from ..layout import heading, place, sheet
+from ..readings import one_page, page_for_each_reading
+from ..results import CHOICE_NAMES, attribute, axis_values, dataset
+from ..style import BLACK, GREY
+from ..verdicts import number
 
 VARIABLES = ["R_x_norm", "z_0"]
 
@@ -22,6 +21,7 @@ PARTS_NOTE = r"""Black: the sum of the others. The rest: the friction is a mean 
 Coulomb's friction is linear in the load: neither $\tilde{\gamma}_3$ nor $N_c$ is a factor of it."""
 
 
+@one_page
 def draw(file):
     curves = {CHOICE_NAMES.get(law, law): {"friction": law} for law in axis_values(file, "friction")}
     return draw_panels(file, VARIABLES, "k_r", curves, markers="os^D",
@@ -45,7 +45,7 @@ def draw_parts(file, reading):
         for (name, term), colour in coloured(terms.items()):
             rest = name == REST
             entries |= draw_curve(axes, term, GREY if rest else colour, term_text(file, name),
-                                  "--" if rest else "-", "" if rest else "o", 1.2)
+                      "--" if rest else "-", "" if rest else "o", 1.2)
         axes.axhline(0, color=GREY, linewidth=0.6, zorder=0)
         log_axis(axes, "x", dataset(file, "k_r"))
         axes.set_ylabel("terms of $\\ln$ " + symbol(file, VARIABLES[0]))
@@ -97,6 +97,3 @@ def fall(file, law, total, terms):
 
 
 FURTHER = {"parts": draw_parts}
-
-if __name__ == "__main__":
-    run_figure(__file__, __doc__, draw, **FURTHER)

@@ -5,13 +5,12 @@ from collections import namedtuple
 import numpy as np
 from matplotlib.lines import Line2D
 
-from bristle_plots.command_line import run_figure
-from bristle_plots.contour_labels import HALO
-from bristle_plots.curves import coloured, log_range, positive, title_axis, true_runs, with_symbol
-from bristle_plots.layout import heading, place, sheet
-from bristle_plots.readings import page_for_each_reading
-from bristle_plots.results import axis_values, dataset, read, readable, select, select_flags, setting
-from bristle_plots.style import BLACK, COLOURS, GREY, status_marker
+from ..contour_labels import HALO
+from ..curves import coloured, log_range, positive, title_axis, true_runs, with_symbol
+from ..layout import heading, place, sheet
+from ..readings import page_for_each_reading
+from ..results import axis_values, dataset, read, readable, select, select_flags, setting
+from ..style import BLACK, COLOURS, GREY, status_marker
 
 SIDE_PANELS = 2
 LOW, HIGH = -0.04, 1.04  # range of the gap in the plots
@@ -146,7 +145,3 @@ def draw_legends(figure, bottom, colours, entries):
     for row, y in ((colours, 0.48), (styles | entries, 0.15)):
         figure.legend(row.values(), row.keys(), loc="lower center", ncol=len(row), borderaxespad=0,
                       handlelength=2.6, bbox_to_anchor=(0.5, (bottom + y) / figure.get_figheight()))
-
-
-if __name__ == "__main__":
-    run_figure(__file__, __doc__, draw)

@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from bristle_plots.command_line import run_figure
-from bristle_plots.curves import BANDS, coloured, draw_curve, legend, log_axis, read_curve, title_axis
-from bristle_plots.layout import heading, place, sheet
-from bristle_plots.results import CHOICE_NAMES, attribute, axis_values, dataset
+from ..curves import BANDS, coloured, draw_curve, legend, log_axis, read_curve, title_axis
+from ..layout import heading, place, sheet
+from ..readings import one_page
+from ..results import CHOICE_NAMES, attribute, axis_values, dataset
 
 # Of each column: the variable, the axis it is drawn over, and the axis that tells the curves apart.
 COLUMNS = [("friction_coefficient", "V0_m_per_s", "R_n_N"), ("R_x_in_N", "R_n_N", "V0_m_per_s")]
@@ -14,6 +14,7 @@ ROW_INCHES = 3.75
 SHOWN = 4  # curves in a panel at most
 
 
+@one_page
 def draw(file):
     laws = axis_values(file, "friction")
     figure, bottom = sheet(file, 10.6, ROW_INCHES * len(laws) + 0.25, BANDS)
@@ -49,7 +50,3 @@ def draw_panel(axes, file, law, name, along, other):
 
 def with_units(data, value):
     return f"${attribute(data, 'symbol')}$ = {value:.3g} {attribute(data, 'units')}"
-
-
-if __name__ == "__main__":
-    run_figure(__file__, __doc__, draw)

@@ -2,15 +2,14 @@
 
 import numpy as np
 
-from bristle_plots.command_line import run_figure
-from bristle_plots.curves import (draw_points, label_line, legend, log_range, positive, read_curve, title_axis,
-                                  with_symbol)
-from bristle_plots.errors import BristleError
-from bristle_plots.layout import heading, place, sheet
-from bristle_plots.readings import page_for_each_reading
-from bristle_plots.results import (attribute, axis_values, constant, dataset, point_index, read, select,
-                                   select_errors)
-from bristle_plots.style import BLUE, COLOURS, GREY, ORANGE, VERMILION, label
+from ..curves import (draw_points, label_line, legend, log_range, positive, read_curve, title_axis,
+                      with_symbol)
+from ..errors import BristleError
+from ..layout import heading, place, sheet
+from ..readings import page_for_each_reading
+from ..results import (attribute, axis_values, constant, dataset, place_of, point_numbers, read, select,
+                       select_errors)
+from ..style import BLUE, COLOURS, GREY, ORANGE, VERMILION, label
 
 FORCE = "slab_force"
 NOTE = """a: grey, the transient; dashed, the mean over $t_1$ to $t_2$, with its standard error as a band.
@@ -37,9 +36,9 @@ def draw_history(axes, file, reading):
     point = read(file, f"{FORCE}/point")
     for size, colour, level in ((sizes[0], ORANGE, 2), (sizes[-1], BLUE, 3)):
         here = dict(sampling="lattice", L_y=size, seed=seed, **reading)
-        rows = point == point_index(file, **here)
+        rows = point == select(point_numbers(file), [], **here)
         if not rows.any():
-            raise BristleError(f"{file.filename}: table '/{FORCE}' has no rows of the lattice with "
+            raise BristleError(f"{place_of(file)}: table '/{FORCE}' has no rows of the lattice with "
                                f"L_y = {size:g}, seed {seed:g}")
         t, load = (read(file, f"{FORCE}/{name}")[rows] for name in ("t", "R_n"))
         axes.plot(t, load, color=colour, linewidth=0.8, zorder=level,
@@ -105,7 +104,3 @@ def draw_fluctuation(axes, file, reading):
     title_axis(axes, "y", dataset(file, FLUCTUATIONS[0][0]))
     legend(axes, entries, loc="upper right")
     heading(axes, "c", "standard deviation of $R_n(t)$ over its mean")
-
-
-if __name__ == "__main__":
-    run_figure(__file__, __doc__, draw)

@@ -8,15 +8,14 @@ from matplotlib import patches
 from matplotlib.collections import LineCollection
 from matplotlib.lines import Line2D
 
-from bristle_plots.command_line import run_figure
-from bristle_plots.contour_labels import HALO
-from bristle_plots.curves import true_runs
-from bristle_plots.errors import BristleError
-from bristle_plots.layout import place, sheet
-from bristle_plots.readings import page_for_each_reading, points_of
-from bristle_plots.results import attribute, constant, dataset, flags, read, setting
-from bristle_plots.style import BLACK, BLUE, GREY, ORANGE, PURPLE, VERMILION, label
-from bristle_plots.tip_path import draw_space
+from ..contour_labels import HALO
+from ..curves import true_runs
+from ..errors import BristleError
+from ..layout import place, sheet
+from ..readings import page_for_each_reading
+from ..results import attribute, constant, dataset, flags, place_of, point_numbers, read, setting
+from ..style import BLACK, BLUE, GREY, ORANGE, PURPLE, VERMILION, label
+from ..tip_path import draw_space
 
 TABLE = "trajectories"
 COLUMNS = ["xi", "x", "y", "z", "F_n", "F_fx", "F_fy", "V_R"]
@@ -37,10 +36,11 @@ Passage = namedtuple("Passage", "theta_0 phi_0 numbers phase")
 
 @page_for_each_reading
 def draw(file, reading):
-    passages, point = read_passages(file, points_of(file, reading))
+    numbers = point_numbers(file)
+    passages, point = read_passages(file, numbers.sel(reading))
     width = LEFT_INCHES + len(passages) * (COLUMN_INCHES + GAP_INCHES) + 0.1
     figure, bottom = sheet(file, width, 10.9, note(file), reading)
-    gap, load = (float(np.ravel(read(file, name))[point]) for name in ("z_0", "R_n"))
+    gap, load = (float(dataset(file, name).where(numbers == point).max()) for name in ("z_0", "R_n"))
     symbol = attribute(dataset(file, f"{TABLE}/theta_0"), "symbol")
     for i, passage in enumerate(passages):
         x = LEFT_INCHES + i * (COLUMN_INCHES + GAP_INCHES)
@@ -70,16 +70,16 @@ def read_passages(file, points):
     columns = {name: read(file, f"{TABLE}/{name}") for name in [*COLUMNS, "theta_0", "point"]}
     words, numbers = flags(dataset(file, f"{TABLE}/phase"))
     if unknown := set(words) - set(PHASES):
-        raise BristleError(f"{file.filename}: dataset '/{TABLE}/phase' has unknown phases: "
+        raise BristleError(f"{place_of(file)}: dataset '/{TABLE}/phase' has unknown phases: "
                            f"{', '.join(sorted(unknown))}")
     if len({len(column) for column in [*columns.values(), numbers]}) > 1 or not numbers.size:
-        raise BristleError(f"{file.filename}: the datasets of /{TABLE} are empty or differ in length")
+        raise BristleError(f"{place_of(file)}: the datasets of /{TABLE} are empty or differ in length")
     for name, column in columns.items():
         if not np.isfinite(column).all():
-            raise BristleError(f"{file.filename}: dataset '/{TABLE}/{name}' has values that are not finite")
+            raise BristleError(f"{place_of(file)}: dataset '/{TABLE}/{name}' has values that are not finite")
     here = columns["point"][np.isin(columns["point"], points)]
     if not here.size:
-        raise BristleError(f"{file.filename}: the table /{TABLE} has no rows of this reading")
+        raise BristleError(f"{place_of(file)}: the table /{TABLE} has no rows of this reading")
     first = columns["point"] == here[0]
     azimuths = dict.fromkeys(columns["theta_0"][first])
     phi_0 = np.radians(setting(file, "model", "phi_0_deg"))
@@ -200,7 +200,3 @@ def draw_legend(figure, file, bottom):
         entries[label(dataset(file, f"{TABLE}/{name}"))] = Line2D([], [], color=colour, linewidth=1)
     figure.legend(entries.values(), entries.keys(), loc="lower center", ncol=len(entries), borderaxespad=0,
                   bbox_to_anchor=(0.5, (bottom + 0.1) / figure.get_figheight()))
-
-
-if __name__ == "__main__":
-    run_figure(__file__, __doc__, draw)
