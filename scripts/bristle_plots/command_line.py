@@ -8,9 +8,12 @@ import sys
 from . import FIGURES
 from .errors import BristleError
 from .files import save_pages
+from .page import LEAST_POINTS, inches
 from .readings import pages
 from .results import open_result
-from .style import apply_look
+from .style import METADATA, apply_look
+
+DPI_RANGE = 30, 2400
 
 
 def run(main):
@@ -23,16 +26,52 @@ def run(main):
 
 
 def draw_figure():
-    """FIGURE RESULT.h5 -o DIRECTORY: all pages of a figure, and its further figures."""
-    parser = argparse.ArgumentParser(prog="plot", description="Draws a figure from a result file.")
-    parser.add_argument("figure", metavar="FIGURE", choices=FIGURES, help=", ".join(FIGURES))
-    parser.add_argument("result", metavar="RESULT.h5", help="result file of `bristle run`")
-    parser.add_argument("-o", dest="directory", metavar="DIRECTORY", default="figures",
-                        help="where to write FIGURE.pdf and FIGURE.png, and a PNG for each further page "
-                             "(default: %(default)s)")
-    arguments = parser.parse_args()
+    """FIGURE RESULT.h5: all pages of a figure, and its further figures."""
+    arguments = figure_parser().parse_args()
+    for_paper = arguments.plain or arguments.width is not None
+    directory = arguments.directory or ("figures/paper" if for_paper else "figures")
     apply_look()
     module = importlib.import_module(f".figures.{arguments.figure}", __package__)
     with open_result(arguments.result) as file:
         for ending, function in {"": module.draw, **getattr(module, "FURTHER", {})}.items():
-            save_pages(pages(function, file), arguments.directory, "-".join(filter(None, [arguments.figure, ending])))
+            drawn = pages(function, file, plain=arguments.plain, width=arguments.width)
+            save_pages(drawn, directory, "-".join(filter(None, [arguments.figure, ending])), arguments.formats,
+                       arguments.dpi)
+
+
+def figure_parser():
+    parser = argparse.ArgumentParser(prog="plot", description="Draws a figure from a result file.")
+    parser.add_argument("figure", metavar="FIGURE", choices=FIGURES, help=", ".join(FIGURES))
+    parser.add_argument("result", metavar="RESULT.h5", help="result file of `bristle run`")
+    parser.add_argument("-o", dest="directory", metavar="DIRECTORY",
+                        help="where to write FIGURE.pdf and FIGURE.png, and a PNG for each further page (default: "
+                             "figures; with --plain or --width: figures/paper)")
+    parser.add_argument("--plain", action="store_true", help="without title, notes and verdicts")
+    parser.add_argument("--width", type=width, metavar="WIDTH",
+                        help="width of the page, such as 3.5in, 7in, 9cm or 180mm: panels are arranged for it and letters "
+                             f"have at least {LEAST_POINTS} points; implies --plain")
+    parser.add_argument("--format", dest="formats", type=formats, metavar="FORMAT,...", default=["pdf", "png"],
+                        help=f"of {', '.join(METADATA)} (default: pdf,png)")
+    parser.add_argument("--dpi", type=dpi, default=300, help="pixels per inch of a PNG (default: %(default)s)")
+    return parser
+
+
+def width(text):
+    try:
+        return inches(text)
+    except BristleError as error:
+        raise argparse.ArgumentTypeError(error) from error
+
+
+def dpi(text):
+    if not (text.isdecimal() and DPI_RANGE[0] <= int(text) <= DPI_RANGE[1]):
+        raise argparse.ArgumentTypeError(f"{text}: a whole number from {DPI_RANGE[0]} to {DPI_RANGE[1]} is needed")
+    return int(text)
+
+
+def formats(text):
+    found = list(dict.fromkeys(text.split(",")))
+    if unknown := [kind for kind in found if kind not in METADATA]:
+        raise argparse.ArgumentTypeError(f"{', '.join(unknown) or text}: allowed are {', '.join(METADATA)}, with commas "
+                                         "between them")
+    return found

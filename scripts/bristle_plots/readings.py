@@ -2,8 +2,8 @@
 
 from functools import wraps
 
+from .page import drawn_on
 from .results import CHOICE_NAMES, as_result, axis_names, axis_values, dataset, readable
-from .style import look
 
 AXIS = "azimuth_rate"
 
@@ -21,10 +21,10 @@ def reading_name(reading):
 
 
 def one_page(draw):
-    """Makes draw(file) a function of any Dataset of a result, whatever the state of matplotlib's parameters."""
+    """Makes draw(file) a function of any Dataset of a result, and of the options of `drawn_on`."""
     @wraps(draw)
-    def drawn(ds):
-        with look():
+    def drawn(ds, **options):
+        with drawn_on(**options):
             return draw(as_result(ds))
 
     return drawn
@@ -33,8 +33,8 @@ def one_page(draw):
 def page_for_each_reading(draw):
     """The same for draw(file, reading): without a reading it draws the first one."""
     @wraps(draw)
-    def drawn(ds, reading=None):
-        with look():
+    def drawn(ds, reading=None, **options):
+        with drawn_on(**options):
             file = as_result(ds)
             return draw(file, readings(file)[0] if reading is None else reading)
 
@@ -42,9 +42,9 @@ def page_for_each_reading(draw):
     return drawn
 
 
-def pages(draw, file):
+def pages(draw, file, **options):
     """(ending of the file's name, name of the reading, figure) of each page; the first page's ending is empty."""
     if not getattr(draw, "has_pages", False):
-        return [("", "", draw(file))]
-    return [("-" + reading[AXIS].replace("_", "-") if i else "", reading_name(reading), draw(file, reading))
+        return [("", "", draw(file, **options))]
+    return [("-" + reading[AXIS].replace("_", "-") if i else "", reading_name(reading), draw(file, reading, **options))
             for i, reading in enumerate(readings(file))]

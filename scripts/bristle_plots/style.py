@@ -2,7 +2,6 @@
 
 import re
 import textwrap
-from contextlib import contextmanager
 
 import matplotlib
 import numpy as np
@@ -54,14 +53,6 @@ def apply_look():
     """Sets matplotlib's parameters; a user's matplotlibrc must not change the figures."""
     matplotlib.rcdefaults()
     matplotlib.rcParams.update(LOOK)
-
-
-@contextmanager
-def look():
-    """Figures made within have the look, and matplotlib's parameters are afterwards as they were."""
-    with matplotlib.rc_context():
-        apply_look()
-        yield
 
 
 def status_marker(status):

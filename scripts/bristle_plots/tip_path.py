@@ -4,6 +4,7 @@ import numpy as np
 from matplotlib import ticker
 from mpl_toolkits.mplot3d.art3d import Line3DCollection, Poly3DCollection
 
+from .page import paper_width, points
 from .style import BLACK, GREY, SKY
 
 SNAPSHOTS = 9  # of the bristle, at equal intervals of time
@@ -30,7 +31,7 @@ def draw_space(space, passages, passage, gap, colours, titles):
 
 
 def label_axes(space, titles):
-    for name, title, pad in zip("xyz", titles, (3, -6, -9)):
+    for name, title, pad in zip("xyz", titles, (3, -6, -9) if paper_width() is None else (-14, -14, -14)):
         axis = getattr(space, f"{name}axis")
         axis.set_major_locator(ticker.MultipleLocator(0.5))
         axis.set_major_formatter(ticker.FormatStrFormatter("%g"))
@@ -38,7 +39,11 @@ def label_axes(space, titles):
         axis.set_rotate_label(False)
         axis.set_label_text(title)
         axis.labelpad = pad
-    space.tick_params(pad=-3, labelsize=8)
+    space.tick_params(pad=-3, labelsize=points(8))
+    if paper_width() is not None:  # too small for numbers; the view from above has them
+        space.tick_params(labelbottom=False, labelleft=False, labelright=False)
+        space.set(xticklabels=[], yticklabels=[], zticklabels=[])
+        space.patch.set_visible(False)
 
 
 def undeformed(passage):

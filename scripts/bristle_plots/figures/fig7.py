@@ -4,7 +4,8 @@ import numpy as np
 
 from ..curves import (BANDS, JUMPS, coloured, draw_curve, draw_panels, legend_below, log_axis,
                       read_curve, without_remarks)
-from ..layout import heading, place, sheet
+from ..layout import Cell, across, corners, heading, place_cell, sheet
+from ..page import paper_width
 from ..readings import one_page, page_for_each_reading
 from ..results import CHOICE_NAMES, attribute, axis_values, dataset
 from ..style import BLACK, GREY
@@ -35,10 +36,13 @@ def draw_parts(file, reading):
     parts = {law: parts_of(file, law, reading) for law in laws}
     falls = "\n".join(fall(file, law, *parts[law]) for law in laws)
     note = f"{falls}\n{PARTS_NOTE}\n{BANDS} {JUMPS}"
-    figure, bottom = sheet(file, 5.6 * len(laws), 5.5, note, reading, verdicts=False)
+    cell, columns = across(len(laws), Cell(5.6, 5.15, 0.95, 0.8, 4.4, 3.9), 0.8)
+    below = 0.35 if paper_width() is None else 0  # of the legend
+    figure, bottom = sheet(file, cell.width * columns, cell.height * -(-len(laws) // columns) + below, note, reading,
+                           verdicts=False)
     entries, panels = {}, []
-    for i, law in enumerate(laws):
-        axes = place(figure, 0.95 + 5.6 * i, bottom + 1.15, 4.4, 3.9)
+    for i, (law, corner) in enumerate(zip(laws, corners(len(laws), columns, cell, bottom + below))):
+        axes = place_cell(figure, corner, cell)
         panels.append(axes)
         total, terms = parts[law]
         entries |= draw_curve(axes, total, BLACK, f"$\\ln$ {symbol(file, VARIABLES[0])}", marker="")

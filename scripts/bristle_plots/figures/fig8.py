@@ -4,6 +4,7 @@ import numpy as np
 
 from ..curves import (BANDS, JUMPS, coloured, draw_curve, label_line, legend, log_axis, log_range,
                       panels_by_reading, positive, read_curve, title_axis, with_symbol, without_remarks)
+from ..page import paper_width
 from ..readings import one_page
 from ..results import axis_values, dataset
 from ..style import GREY
@@ -47,4 +48,5 @@ def draw_limits(axes, stiff):
         force = stiff.x[valued[-1]] * stiff.y[valued[-1]]
         x = np.geomspace(force / HIGHEST, stiff.x[-1])
         axes.plot(x, force / x, color=GREY, linewidth=1, zorder=0)
-        label_line(axes, 2.6 * force, 1.02 / 2.6, -1, r"constant force $R_x$")
+        start = 2.6 if paper_width() is None else 1.5
+        label_line(axes, start * force, 1.02 / start, -1, r"constant force $R_x$")

@@ -1,6 +1,7 @@
 """Fig. A1: isotropy of the lattice, its transverse force for several draws of the azimuths."""
 
 import numpy as np
+from matplotlib import ticker
 
 from ..curves import (BARS, draw_statuses, legend, panels_by_reading, read_curve, title_axis,
                       with_symbol)
@@ -40,5 +41,6 @@ def draw_panel(axes, file, reading):
         axes.axhline(mean.y[0], color=colour, linewidth=0.8)
     axes.set_xticks(axis_values(file, "seed"))
     axes.set_xlabel("seed")
+    axes.yaxis.set_major_locator(ticker.MaxNLocator(6, steps=[1, 2, 5, 10]))
     title_axis(axes, "y", dataset(file, VARIABLES[0]))
     legend(axes, entries, loc="upper right", ncol=3)

@@ -5,7 +5,8 @@ import numpy as np
 from ..curves import (draw_points, label_line, legend, log_range, positive, read_curve, title_axis,
                       with_symbol)
 from ..errors import BristleError
-from ..layout import heading, place, sheet
+from ..layout import Cell, across, corners, heading, place, place_cell, sheet
+from ..page import paper_width
 from ..readings import page_for_each_reading
 from ..results import (attribute, axis_values, constant, dataset, place_of, point_numbers, read, select,
                        select_errors)
@@ -22,10 +23,15 @@ FLUCTUATIONS = (("R_n_fluctuation", "as it is", BLUE, "o"),
 
 @page_for_each_reading
 def draw(file, reading):
-    figure, bottom = sheet(file, 10.6, 6.3, NOTE, reading)
-    draw_history(place(figure, 0.9, bottom + 4.0, 9.3, 1.95), file, reading)
-    draw_deviations(place(figure, 0.9, bottom + 0.6, 4.1, 2.35), file, reading)
-    draw_fluctuation(place(figure, 6.1, bottom + 0.6, 4.1, 2.35), file, reading)
+    cell, columns = across(2, Cell(5.2, 3.4, 0.9, 0.6, 4.1, 2.35), 0.6)
+    width = cell.width * columns + (0.2 if paper_width() is None else 0)
+    upper, lower = (2.9, 3.4) if paper_width() is None else (2.0, cell.height * (2 // columns))
+    figure, bottom = sheet(file, width, upper + lower, NOTE, reading)
+    history = cell.left, bottom + lower + cell.low, (columns - 1) * cell.width + cell.inner_width, upper - cell.low - 0.35
+    draw_history(place(figure, *history), file, reading)
+    boxes = corners(2, columns, cell, bottom)
+    draw_deviations(place_cell(figure, boxes[0], cell), file, reading)
+    draw_fluctuation(place_cell(figure, boxes[1], cell), file, reading)
     return figure
 
 

@@ -3,29 +3,43 @@
 import numpy as np
 
 from ..curves import BANDS, coloured, draw_curve, legend, log_axis, read_curve, title_axis
-from ..layout import heading, place, sheet
+from ..layout import Cell, across, corners, heading, place_cell, sheet
+from ..page import is_plain, points
 from ..readings import one_page
-from ..results import CHOICE_NAMES, attribute, axis_values, dataset
+from ..results import CHOICE_NAMES, attribute, axis_values, dataset, select
 
 # Of each column: the variable, the axis it is drawn over, and the axis that tells the curves apart.
 COLUMNS = [("friction_coefficient", "V0_m_per_s", "R_n_N"), ("R_x_in_N", "R_n_N", "V0_m_per_s")]
-PANEL_INCHES = (4.1, 2.9)
-ROW_INCHES = 3.75
 SHOWN = 4  # curves in a panel at most
 
 
 @one_page
 def draw(file):
     laws = axis_values(file, "friction")
-    figure, bottom = sheet(file, 10.6, ROW_INCHES * len(laws) + 0.25, BANDS)
-    for row, law in enumerate(laws):
-        low = bottom + 0.7 + ROW_INCHES * (len(laws) - 1 - row)
-        for column, (name, along, other) in enumerate(COLUMNS):
-            axes = place(figure, 0.8 + 5.3 * column, low, *PANEL_INCHES)
-            draw_panel(axes, file, law, name, along, other)
-            title = attribute(dataset(file, name), "long_name").split(" per")[0]
-            heading(axes, "abcdef"[2 * row + column], f"{CHOICE_NAMES.get(law, law)}: {title}")
+    panels = [(law, *column) for law in laws for column in COLUMNS]
+    cell, columns = across(len(COLUMNS), Cell(5.3, 3.75, 0.8, 0.7, 4.1, 2.9), 0.55)
+    rows = -(-len(panels) // columns)
+    figure, bottom = sheet(file, cell.width * columns, cell.height * rows + 0.25 * (not is_plain()), f"{BANDS}\n{above_one(file)}")
+    for letter, panel, corner in zip("abcdef", panels, corners(len(panels), columns, cell, bottom)):
+        law, name, along, other = panel
+        axes = place_cell(figure, corner, cell)
+        draw_panel(axes, file, law, name, along, other)
+        title = attribute(dataset(file, name), "long_name").split(" per")[0]
+        heading(axes, letter, f"{CHOICE_NAMES.get(law, law)}: {title}")
     return figure
+
+
+def above_one(file):
+    """Why the friction may exceed the load, with the ratio that rigid bristles would have."""
+    if "nss" not in axis_values(file, "friction") or "R_x_norm" not in file:
+        return ""
+    ratio, share = (select(dataset(file, name), ["R_n_N", "V0_m_per_s"], friction="nss")
+                    for name in (COLUMNS[0][0], "R_x_norm"))
+    rigid = np.nanmean(ratio / share, axis=1)
+    loads = axis_values(file, "R_n_N")
+    return (r"NSS: the friction is the shear stress $\tau_f$ on the area of contact, which grows less than the load does "
+            "(Hertz). It exceeds the load, $R_x/R_n > 1$, where the load is small for that area: rigid bristles "
+            f"would have {rigid[0]:.2g} at {loads[0]:g} N and {rigid[-1]:.2g} at {loads[-1]:g} N.")
 
 
 def draw_panel(axes, file, law, name, along, other):
@@ -45,7 +59,7 @@ def draw_panel(axes, file, law, name, along, other):
         axes.set_ylim(bottom=0)
     title_axis(axes, "y", dataset(file, name))
     loc, columns = ("upper left", 1) if along == "R_n_N" else ("best", 2)
-    legend(axes, entries, loc=loc, fontsize=8, ncol=columns)
+    legend(axes, entries, loc=loc, fontsize=points(8), ncol=columns)
 
 
 def with_units(data, value):
