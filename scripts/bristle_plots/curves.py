@@ -25,7 +25,7 @@ JUMPS = (f"Lines are broken where $z_0$ jumps by more than {LEAST_CHANGE:g} betw
          "decades apart.")
 BARS = "Bars are the standard errors of the lattices' time means."
 PANEL_INCHES = (4.1, 3.3)
-ROW_TITLE_INCHES = 0.3  # above the panels of each reading
+ROW_TITLE_INCHES = 0.36  # above the panels of each reading
 
 
 def read_curve(file, name, along, **chosen):
@@ -173,7 +173,7 @@ def draw_panels(file, names, along, curves, markers="o", x_axis=log_axis, finish
     for row, reading in enumerate(shown):
         y = bottom + below + group_inches * (len(shown) - 1 - row)
         if titled:
-            row_title(figure, cell.width * columns / 2, y + group_inches - titled / 2, reading_name(reading))
+            row_title(figure, cell.width * columns / 2, y + group_inches - 0.12, reading_name(reading))
         for name, corner in zip(names, corners(len(names), columns, cell, y)):
             axes = place_cell(figure, corner, cell, sharey=figure.axes[-len(names)] if row else None)
             for ((text, chosen), colour), marker in zip(coloured(curves.items()), cycle(markers)):

@@ -10,7 +10,7 @@ from .page import is_plain, paper_width, points
 from .readings import reading_name
 from .results import as_text
 from .style import GREY, wrapped
-from .verdicts import draw_strip, read_claims, strip_height
+from .verdicts import draw_strip, read_claims, strip_height, symbols
 
 HEADER = "header"  # gid of the header's texts
 TITLE_INCHES, CAPTION_INCHES, NOTE_INCHES = 0.32, 0.22, 0.18  # line heights
@@ -60,7 +60,7 @@ def sheet(file, width, body, note="", reading=None, verdicts=True):
     draw_header(figure, header)
     for i, line in enumerate(lines):
         figure.text(0.3 / width, (bottom - NOTE_INCHES * i) / height, line, va="top", fontsize=9, color=GREY)
-    draw_strip(figure, claims)
+    draw_strip(figure, claims, symbols(file))
     return figure, bottom
 
 

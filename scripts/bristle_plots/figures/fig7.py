@@ -7,8 +7,8 @@ from ..curves import (BANDS, JUMPS, coloured, draw_curve, draw_panels, legend_be
 from ..layout import Cell, across, corners, heading, place_cell, sheet
 from ..page import paper_width
 from ..readings import one_page, page_for_each_reading
-from ..results import CHOICE_NAMES, attribute, axis_values, dataset
-from ..style import BLACK, GREY
+from ..results import CHOICE_NAMES, axis_values, dataset
+from ..style import BLACK, GREY, symbol
 from ..verdicts import number
 
 VARIABLES = ["R_x_norm", "z_0"]
@@ -45,14 +45,14 @@ def draw_parts(file, reading):
         axes = place_cell(figure, corner, cell)
         panels.append(axes)
         total, terms = parts[law]
-        entries |= draw_curve(axes, total, BLACK, f"$\\ln$ {symbol(file, VARIABLES[0])}", marker="")
+        entries |= draw_curve(axes, total, BLACK, f"$\\ln$ {symbol(dataset(file, VARIABLES[0]))}", marker="")
         for (name, term), colour in coloured(terms.items()):
             rest = name == REST
             entries |= draw_curve(axes, term, GREY if rest else colour, term_text(file, name),
                       "--" if rest else "-", "" if rest else "o", 1.2)
         axes.axhline(0, color=GREY, linewidth=0.6, zorder=0)
         log_axis(axes, "x", dataset(file, "k_r"))
-        axes.set_ylabel("terms of $\\ln$ " + symbol(file, VARIABLES[0]))
+        axes.set_ylabel("terms of $\\ln$ " + symbol(dataset(file, VARIABLES[0])))
         heading(axes, "abcdef"[i], CHOICE_NAMES.get(law, law))
     most = max(panels, key=lambda axes: len(axes.get_legend_handles_labels()[0]))
     legend_below(most, entries, bottom + 0.15)
@@ -74,15 +74,11 @@ def parts_of(file, law, reading):
     return total, {**terms, REST: without_remarks(rest)}
 
 
-def symbol(file, name):
-    return f"${attribute(dataset(file, name), 'symbol')}$".replace(r"\check", r"\breve")
-
-
 def term_text(file, name):
     if name == REST:
         return REST
     power = "" if FACTORS[name] == 1 else r"$\frac{1}{3}$ "
-    return f"{power}$\\ln$ {symbol(file, name)}"
+    return f"{power}$\\ln$ {symbol(dataset(file, name))}"
 
 
 def fall(file, law, total, terms):
@@ -95,8 +91,8 @@ def fall(file, law, total, terms):
     change = total.y[last] - total.y[first]
     changes = {key: term.y[last] - term.y[first] for key, term in terms.items()}
     largest = max(changes, key=lambda key: changes[key] * np.sign(change))
-    return (f"{name}: from {symbol(file, 'k_r')} = {total.x[first]:.3g} to {total.x[last]:.3g} "
-            f"$\\ln$ {symbol(file, VARIABLES[0])} changes by {number(change, '+.2f')}, the largest part of it by "
+    return (f"{name}: from {symbol(dataset(file, 'k_r'))} = {total.x[first]:.3g} to {total.x[last]:.3g} "
+            f"$\\ln$ {symbol(dataset(file, VARIABLES[0]))} changes by {number(change, '+.2f')}, the largest part of it by "
             f"{term_text(file, largest)}: {number(changes[largest], '+.2f')}.")
 
 
