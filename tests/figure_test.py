@@ -79,6 +79,17 @@ with open_result(result) as ds:
 for engine in ("netcdf4", "h5netcdf"):
     with xarray.open_dataset(result, engine=engine) as ds:
         assert texts(ds) == expected, engine
+with xarray.open_dataset(result) as ds:
+    ds.encoding = {}  # as of a Dataset that was not opened from a file
+    if "/" in needed:
+        try:
+            figure.draw(ds)
+        except BristleError as error:
+            assert "open_result" in str(error), error
+        else:
+            raise AssertionError("a missing table caused no error")
+    else:
+        assert set(texts(ds)) <= set(expected)
 assert dict(matplotlib.rcParams) == before, "drawing changed matplotlib's parameters"
 try:
     with open_result(folder / "lacking.h5") as ds:

@@ -21,6 +21,8 @@ RENAMED_FLAGS = {"jump": "load_jump"}  # words in files of older programs
 # h5netcdf also reads the texts of older files, on which the netCDF library crashes, and datasets without dimensions.
 OPENING = dict(engine="h5netcdf", phony_dims="access")
 
+NUMBERS = "iuf"  # kinds of data; other variables are texts
+
 # Names of choices in figures.
 CHOICE_NAMES = {"nss": "NSS", "coulomb": "Amontons\u2013Coulomb", "stribeck": "exponential Stribeck"}
 CHOICE_NAMES |= {"kinematic": "Eq. (17) exact", "as_printed": "Eq. (17) as printed"}
@@ -57,8 +59,8 @@ def as_result(ds):
         if size == 0:
             raise BristleError(f"{place_of(ds)}: axis '{name}' has no values")
     ds = ds.expand_dims([name for name, line in ds.coords.items() if not line.dims and not is_codes(ds, name)])
-    return ds.assign_coords({name: with_words(ds[name]) for name in ds.dims
-                             if name in ds.coords and "flag_meanings" in ds[name].attrs})
+    return ds.assign_coords({name: with_words(ds[name]) for name in ds.dims if name in ds.coords
+                             and "flag_meanings" in ds[name].attrs and ds[name].dtype.kind in NUMBERS})
 
 
 def require_schema(ds):
@@ -204,7 +206,7 @@ def flags(data):
 def axis_values(file, name):
     """The values of an axis of the sweep: numbers, or the words of a choice."""
     line = np.atleast_1d(read(file, name))
-    return line if line.dtype.kind in "fiu" else list(map(as_text, line))
+    return line if line.dtype.kind in NUMBERS else list(map(as_text, line))
 
 
 def axis_names(data):
