@@ -39,6 +39,12 @@ $(FIGURES) $(STUDIES): %: build
 
 figures: $(FIGURES) ## make all figures
 
+# The images of the documents have fewer pixels than those in figures/.
+.PHONY: images
+images: fig4 fig8 stribeck ## docs/images: the figures in the documents
+	@for name in $^; do scripts/plot $$name results/$$name.h5 --format png --dpi 160 -o $(BUILD)/images && \
+	  cp $(BUILD)/images/$$name.png docs/images/ || exit; done
+
 findings: figures ## all figures; docs/findings.md, each claim with its verdict and numbers; README's summary
 	@$$($(PLOT_PYTHON)) scripts/findings.py $(FIGURES:%=results/%$(SUFFIX).h5) $(if $(SUFFIX),-o results/findings$(SUFFIX).md,--readme README.md)
 

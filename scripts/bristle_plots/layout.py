@@ -122,22 +122,29 @@ def legend_at_foot(figure, entries, y):
     if not entries:
         return
     if paper_width() is None:
-        draw_legend_at(figure, entries, y, len(entries))
+        wide = legend_size(figure, entries, len(entries))[0] > figure.get_figwidth() - 0.2
+        draw_legend_at(figure, entries, y, len(entries), columnspacing=0.8 if wide else None)
         return
     entries = {lines_of(text, paper_width() - 0.6): entry for text, entry in entries.items()}
     for columns in range(len(entries), 0, -1):
-        legend = draw_legend_at(figure, entries, 0.03, columns)
-        box = legend.get_window_extent(FigureCanvasAgg(figure).get_renderer())
-        legend.remove()
-        if box.width < (paper_width() - 0.1) * figure.dpi:
+        width, height = legend_size(figure, entries, columns)
+        if width < paper_width() - 0.1:
             break
-    make_room_below(figure, box.height / figure.dpi + 0.05)
+    make_room_below(figure, height + 0.05)
     draw_legend_at(figure, entries, 0.03, columns)
 
 
-def draw_legend_at(figure, entries, y, columns):
+def legend_size(figure, entries, columns):
+    """In inches."""
+    legend = draw_legend_at(figure, entries, 0, columns)
+    box = legend.get_window_extent(FigureCanvasAgg(figure).get_renderer())
+    legend.remove()
+    return box.width / figure.dpi, box.height / figure.dpi
+
+
+def draw_legend_at(figure, entries, y, columns, **options):
     return figure.legend(entries.values(), entries.keys(), loc="lower center", ncol=columns, borderaxespad=0,
-                         bbox_to_anchor=(0.5, y / figure.get_figheight()))
+                         bbox_to_anchor=(0.5, y / figure.get_figheight()), **options)
 
 
 def make_room_below(figure, room):

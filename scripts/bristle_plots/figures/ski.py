@@ -17,7 +17,7 @@ SHOWN = 4  # curves in a panel at most
 def draw(file):
     laws = axis_values(file, "friction")
     panels = [(law, *column) for law in laws for column in COLUMNS]
-    cell, columns = across(len(COLUMNS), Cell(5.3, 3.75, 0.8, 0.7, 4.1, 2.9), 0.55)
+    cell, columns = across(len(COLUMNS), Cell(5.3, 3.75, 0.8, 0.7, 4.1, 2.9), 0.5)
     height = cell.height * -(-len(panels) // columns) + (0 if is_plain() else 0.25)
     figure, bottom = sheet(file, cell.width * columns, height, f"{BANDS}\n{above_one(file)}")
     entries, statuses = {}, {}
