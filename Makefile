@@ -40,8 +40,9 @@ $(FIGURES) $(STUDIES): %: build
 figures: $(FIGURES) ## make all figures
 
 # The images of the documents have fewer pixels than those in figures/.
+IMAGES := $(filter $(FIGURES) $(STUDIES),$(basename $(notdir $(wildcard docs/images/*.png))))
 .PHONY: images
-images: fig4 fig8 stribeck ## docs/images: the figures in the documents
+images: $(IMAGES) ## docs/images: the figures in the documents
 	@for name in $^; do scripts/plot $$name results/$$name.h5 --format png --dpi 160 -o $(BUILD)/images && \
 	  cp $(BUILD)/images/$$name.png docs/images/ || exit; done
 

@@ -58,7 +58,7 @@ def as_result(ds):
     for name, size in ds.sizes.items():
         if size == 0:
             raise BristleError(f"{place_of(ds)}: axis '{name}' has no values")
-    ds = ds.expand_dims([name for name, line in ds.coords.items() if not line.dims and not is_codes(ds, name)])
+    ds = ds.expand_dims([name for name, line in ds.coords.items() if not line.dims])
     return ds.assign_coords({name: with_words(ds[name]) for name in ds.dims if name in ds.coords
                              and "flag_meanings" in ds[name].attrs and ds[name].dtype.kind in NUMBERS})
 
@@ -71,11 +71,6 @@ def require_schema(ds):
                            "bristle merge -o FILE.h5 PARTS...")
     if schema != SCHEMA:
         raise BristleError(f"{place_of(ds)}: schema version {schema or 'none'}; these figures read {SCHEMA}")
-
-
-def is_codes(ds, name):
-    """Whether the coordinate is the codes of a choice whose words are another coordinate."""
-    return name.endswith("_code") and name.removesuffix("_code") in ds.coords
 
 
 def with_words(line):
