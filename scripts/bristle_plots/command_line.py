@@ -13,21 +13,22 @@ from .readings import pages
 from .results import open_result
 from .style import METADATA, apply_look
 
+PROGRAM = "plot"
 DPI_RANGE = 30, 2400
 
 
-def run(main):
+def run(main, program=os.path.basename(sys.argv[0])):
     """Calls main(); an error becomes one line on stderr and the exit code (2: wrong input, 3: not written)."""
     try:
         main()
     except BristleError as error:
-        print(f"{os.path.basename(sys.argv[0])}: error: {error}", file=sys.stderr)
+        print(f"{program}: error: {error}", file=sys.stderr)
         raise SystemExit(error.exit_code) from None
 
 
 def draw_figure():
     """FIGURE RESULT.h5: all pages of a figure, and its further figures."""
-    arguments = figure_parser().parse_args()
+    arguments = figure_parser().parse_args(with_values(sys.argv[1:]))
     for_paper = arguments.plain or arguments.width is not None
     directory = arguments.directory or ("figures/paper" if for_paper else "figures")
     apply_look()
@@ -39,8 +40,19 @@ def draw_figure():
                        arguments.dpi)
 
 
+def with_values(words):
+    """The words of the command line, where --width -1in is --width=-1in: a wrong value, not a missing one."""
+    out = []
+    for word in words:
+        if out and out[-1] in ("--width", "--dpi") and word.startswith("-"):
+            out[-1] += f"={word}"
+        else:
+            out.append(word)
+    return out
+
+
 def figure_parser():
-    parser = argparse.ArgumentParser(prog="plot", description="Draws a figure from a result file.")
+    parser = argparse.ArgumentParser(prog=PROGRAM, description="Draws a figure from a result file.")
     parser.add_argument("figure", metavar="FIGURE", choices=FIGURES, help=", ".join(FIGURES))
     parser.add_argument("result", metavar="RESULT.h5", help="result file of `bristle run`")
     parser.add_argument("-o", dest="directory", metavar="DIRECTORY",
@@ -60,7 +72,7 @@ def width(text):
     try:
         return inches(text)
     except BristleError as error:
-        raise argparse.ArgumentTypeError(error) from error
+        raise argparse.ArgumentTypeError(str(error).removeprefix("width ")) from error
 
 
 def dpi(text):
