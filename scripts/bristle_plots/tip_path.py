@@ -31,7 +31,7 @@ def draw_space(space, passages, passage, gap, colours, titles):
 
 
 def label_axes(space, titles):
-    for name, title, pad in zip("xyz", titles, (3, -6, -9) if paper_width() is None else (-14, -14, -14)):
+    for name, title, pad in zip("xyz", titles, (3, -6, -9)):
         axis = getattr(space, f"{name}axis")
         axis.set_major_locator(ticker.MultipleLocator(0.5))
         axis.set_major_formatter(ticker.FormatStrFormatter("%g"))
@@ -40,9 +40,10 @@ def label_axes(space, titles):
         axis.set_label_text(title)
         axis.labelpad = pad
     space.tick_params(pad=-3, labelsize=points(8))
-    if paper_width() is not None:  # too small for numbers; the view from above has them
+    if paper_width() is not None:  # too small for numbers and names, which the view from above has
         space.tick_params(labelbottom=False, labelleft=False, labelright=False)
-        space.set(xticklabels=[], yticklabels=[], zticklabels=[])
+        for axis in (space.xaxis, space.yaxis, space.zaxis):
+            axis.label.set_visible(False)
         space.patch.set_visible(False)
 
 
