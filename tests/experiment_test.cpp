@@ -57,7 +57,7 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
        "this format)"},
       {with(R"("modle": {})"),
        "@/e.json: /modle: unknown key (did you mean model?); allowed: schema, name, title, notes, figure, "
-       "model, si, load, orientation, integrator, sweep, record, trajectories, tiers, checks, "
+       "institution, model, si, load, orientation, integrator, sweep, record, trajectories, tiers, checks, "
        "checks_for_each"},
       {with(R"("model": {"k_tehta": 1})"),
        "@/e.json: /model/k_tehta: unknown key (did you mean k_theta?); allowed: friction, k_r, k_theta, "

@@ -13,7 +13,7 @@ import numpy as np
 from .errors import BristleError
 from .integrity import require_intact
 
-SCHEMA = "bristle-result/1"
+SCHEMAS = ["bristle-result/1", "bristle-result/2"]  # in version 1 the axes of choices have codes
 RENAMED_FLAGS = {"jump": "load_jump"}  # words in files of older programs
 
 # Names of choices in figures.
@@ -43,8 +43,8 @@ def open_result(path):
         shard, name = (as_text(file.attrs.get(key, "?")) for key in ("shard", "name"))
         raise BristleError(f"{path}: a part ({shard}) of {name}; merge the parts first: "
                            "bristle merge -o FILE.h5 PARTS...")
-    if schema != SCHEMA:
-        raise BristleError(f"{path}: schema version {schema or 'none'}; this script reads {SCHEMA}")
+    if schema not in SCHEMAS:
+        raise BristleError(f"{path}: schema version {schema or 'none'}; this script reads {', '.join(SCHEMAS)}")
     return file
 
 
@@ -131,6 +131,8 @@ def axis_values(file, name):
     if "flag_meanings" in data.attrs:
         words, numbers = flags(data)
         return [words[i] for i in np.atleast_1d(numbers)]
+    if data.dtype.kind == "O":
+        return [as_text(word) for word in values(data)]
     return np.atleast_1d(values(data))
 
 

@@ -58,6 +58,7 @@ def shown(file, shape):
     found = [name for name, data in file.items()
              if hasattr(data, "shape") and data.shape == shape and not name.endswith(ERROR)
              and name not in (*axis_names(file["status"]), "status")
+             and name.removesuffix("_code") not in axis_names(file["status"])
              and ("flag_meanings" in data.attrs or np.isfinite(values(data)).any())]
     return sorted(found, key=lambda name: (first.index(name) if name in first else len(first), name))
 
