@@ -91,4 +91,17 @@ void write_checks(const std::string& path, const std::vector<CheckResult>& check
   });
 }
 
+std::vector<results::CsvColumn> csv_columns(const std::vector<CheckResult>& checks) {
+  std::vector<results::CsvColumn> columns;
+  for (const auto& text : kTexts) {
+    columns.push_back({text.name, "", text.long_name, {}});
+    for (const CheckResult& c : checks) columns.back().cells.push_back(text.value(c));
+  }
+  for (const auto& number : kNumbers) {
+    columns.push_back({number.name, "", number.long_name, {}});
+    for (const CheckResult& c : checks) columns.back().cells.push_back(results::csv_number(number.value(c)));
+  }
+  return columns;
+}
+
 }  // namespace bristle::checks

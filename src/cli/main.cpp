@@ -2,6 +2,7 @@
 #include "cli/assumptions.hpp"
 #include "cli/compare.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/export.hpp"
 #include "cli/inspect.hpp"
 #include "cli/merge.hpp"
 #include "cli/run.hpp"
@@ -57,9 +58,19 @@ CLI::App* add_validate(CLI::App& app, RunOptions& run) {
   return command;
 }
 
-CLI::App* add_info(CLI::App& app, std::string& file) {
+CLI::App* add_info(CLI::App& app, InfoOptions& info) {
   auto* command = app.add_subcommand("info", "print the contents and the provenance of a result file");
-  command->add_option("FILE", file, "result file")->required();
+  command->add_option("FILE", info.file, "result file")->required();
+  command->add_flag("--json", info.json, "print JSON");
+  return command;
+}
+
+CLI::App* add_export(CLI::App& app, ExportOptions& options) {
+  auto* command = app.add_subcommand("export", "write the numbers of a result as a table (CSV)");
+  command->add_option("FILE", options.file, "result file")->required();
+  command->add_option("-o,--output", options.output, "table [the name of FILE with .csv]");
+  command->add_option("--group", options.group,
+                      "checks, load_error or a recorded table in place of the variables");
   return command;
 }
 
@@ -155,7 +166,8 @@ class CommandLine {
         "3 the run could not finish.");
     set_action(add_run(app_, run_), [this] { return cli::run_command(run_); });
     set_action(add_validate(app_, run_), [this] { return cli::validate_command(run_); });
-    set_action(add_info(app_, info_file_), [this] { return cli::info_command(info_file_); });
+    set_action(add_info(app_, info_), [this] { return cli::info_command(info_); });
+    set_action(add_export(app_, export_), [this] { return cli::export_command(export_); });
     set_action(add_check(app_, check_), [this] { return cli::check_command(check_); });
     set_action(add_diff(app_, diff_), [this] { return cli::diff_command(diff_); });
     set_action(add_merge(app_, merge_), [this] { return cli::merge_command(merge_); });
@@ -186,8 +198,10 @@ class CommandLine {
 
   CLI::App app_{"bristle: dry friction of a lattice of elastic bristles under a sliding slab"};
   Command selected_;
-  std::string command_line_, info_file_;
+  std::string command_line_;
   RunOptions run_;
+  InfoOptions info_;
+  ExportOptions export_;
   CheckOptions check_;
   DiffOptions diff_;
   MergeOptions merge_;
