@@ -5,9 +5,12 @@
 #include "cli/export.hpp"
 #include "cli/inspect.hpp"
 #include "cli/merge.hpp"
+#include "cli/new.hpp"
 #include "cli/run.hpp"
+#include "cli/usage.hpp"
 #include "results/hdf5.hpp"
 #include "run/provenance.hpp"
+#include "run/signals.hpp"
 #include "util/error.hpp"
 #include "util/text.hpp"
 
@@ -35,6 +38,15 @@ void add_experiment(CLI::App& command, RunOptions& options) {
                   "smoke: a small subset of the points; study: the subset for `assumptions`; full: all")
       ->check(CLI::IsMember({"smoke", "study", "full"}))
       ->capture_default_str();
+}
+
+CLI::App* add_new(CLI::App& app, std::string& name) {
+  auto* command = app.add_subcommand("new", "write an experiment to start from");
+  command
+      ->add_option("NAME", name,
+                   "its name: letters, digits, _ . -; written to experiments/NAME.json, or NAME.json")
+      ->required();
+  return command;
 }
 
 CLI::App* add_run(CLI::App& app, RunOptions& run) {
@@ -163,7 +175,8 @@ class CommandLine {
     app_.require_subcommand(1);
     app_.footer(
         "Exit codes: 0 success; 1 a check failed; 2 wrong input or command line; "
-        "3 the run could not finish.");
+        "3 the run could not finish; 130 interrupted (Ctrl-C).");
+    set_action(add_new(app_, new_name_), [this] { return cli::new_command(new_name_); });
     set_action(add_run(app_, run_), [this] { return cli::run_command(run_); });
     set_action(add_validate(app_, run_), [this] { return cli::validate_command(run_); });
     set_action(add_info(app_, info_), [this] { return cli::info_command(info_); });
@@ -181,9 +194,16 @@ class CommandLine {
 
   // Runs the selected command; returns the exit code.
   int dispatch(int argc, char** argv) {
+    if (argc == 1) {
+      fmt::print(stderr, "{}\n\n{}", app_.get_description(), cli::first_steps());
+      return cli::kBadInput;
+    }
     try {
       app_.parse(argc, argv);
     } catch (const CLI::ParseError& e) {
+      const bool mistake = e.get_exit_code() != int(CLI::ExitCodes::Success);
+      if (const std::string unknown = cli::unknown_argument(app_); mistake && !unknown.empty())
+        throw InputError(unknown);
       return app_.exit(e) == 0 ? cli::kSuccess : cli::kBadInput;
     }
     return selected_();
@@ -198,7 +218,7 @@ class CommandLine {
 
   CLI::App app_{"bristle: dry friction of a lattice of elastic bristles under a sliding slab"};
   Command selected_;
-  std::string command_line_;
+  std::string command_line_, new_name_;
   RunOptions run_;
   InfoOptions info_;
   ExportOptions export_;
@@ -230,6 +250,9 @@ int main(int argc, char** argv) {
   } catch (const InputError& e) {
     fmt::print(stderr, "bristle: {}\n", e.what());
     return cli::kBadInput;
+  } catch (const Interrupted& e) {
+    fmt::print(stderr, "bristle: {}\n", e.what());
+    return cli::kInterrupted + run::received_signal();
   } catch (const std::exception& e) {
     fmt::print(stderr, "bristle: {}\n", e.what());
     return cli::kCouldNotFinish;

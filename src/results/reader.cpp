@@ -25,6 +25,8 @@ constexpr const char* kRemedy = "restore the file, or compute it again with `bri
 }  // namespace
 
 ResultReader::ResultReader(const std::string& path, Expected expected) : path_(path) {
+  if (const std::string what = not_a_file(path); !what.empty())
+    throw InputError(fmt::format("{}: {}", path, what));
   if (!std::filesystem::is_regular_file(path))
     throw InputError(fmt::format("{}: no such file; create it with `bristle run EXPERIMENT.json {}-o {}`",
                                  path, expected == Expected::part ? "--shard i/N " : "", path));

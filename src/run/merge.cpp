@@ -64,7 +64,7 @@ void merge_parts(PartSet& parts, const std::string& output, const std::string& c
   const Experiment& experiment = parts.experiment();
   results::ResultWriter writer(experiment, output);
   for (std::size_t i = 0; i < experiment.points(); ++i) {
-    if (stop()) throw RunError(fmt::format("interrupted; {} was not changed", output));
+    if (stop()) throw Interrupted(fmt::format("interrupted; {} was not changed", output));
     writer.write(i, parts.record(i));
   }
   auto entries = merged_provenance(parts.parts());
