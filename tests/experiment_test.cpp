@@ -119,7 +119,7 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
       {with(R"("sweep": {"friction": {"values": ["nss", "nss"]}})"),
        "@/e.json: /sweep/friction/values: \"nss\" appears twice"},
       {with(R"("sweep": {"friction": {"linspace": [0, 1, 2]}})"),
-       "@/e.json: /sweep/friction: friction needs \"values\", a list of words; allowed: " + laws()},
+       "@/e.json: /sweep/friction: friction needs \"values\" alone, a list of words; allowed: " + laws()},
       {with(R"("sweep": {"k_r": {"values": ["soft"]}})"),
        "@/e.json: /sweep/k_r/values: \"soft\" is not a number"},
       {with(R"("sweep": {"R_n": {"values": [0, 1]}})"),

@@ -179,6 +179,8 @@ class CommandLine {
     set_action(add_new(app_, new_name_), [this] { return cli::new_command(new_name_); });
     set_action(add_run(app_, run_), [this] { return cli::run_command(run_); });
     set_action(add_validate(app_, run_), [this] { return cli::validate_command(run_); });
+    set_action(app_.add_subcommand("schema", "print the JSON schema of experiment files, for editors"),
+               [] { return cli::schema_command(); });
     set_action(add_info(app_, info_), [this] { return cli::info_command(info_); });
     set_action(add_export(app_, export_), [this] { return cli::export_command(export_); });
     set_action(add_check(app_, check_), [this] { return cli::check_command(check_); });
