@@ -64,6 +64,13 @@ expect 0 "points: 1 ok" "$bristle" run "${quick[@]}" --force
 expect 0 "points: 1 ok" "$bristle" run "${quick[@]}" --set /model/k_r=11
 expect 0 "the experiment has no checks" "$bristle" check --claims-only "$folder/r.h5"
 
+# A result of an earlier layout is not up to date: it is written again from the journal, without computing.
+"$(scripts/find-python)" -c 'import h5py, sys
+h5py.File(sys.argv[1], "a").attrs.modify("schema_version", b"bristle-result/1")' "$folder/r.h5"
+expect 0 "schema bristle-result/1" "$bristle" info "$folder/r.h5"
+expect 0 "1 computed before" "$bristle" run "${quick[@]}" --set /model/k_r=11
+expect 0 "schema bristle-result/2" "$bristle" info "$folder/r.h5"
+
 # A point that cannot be computed becomes a status with a message, and costs no other point.
 part=(experiments/paper.json --set '/load={"z_0":0.05,"R_n":null,"path":null}' --set /model/beta=50
   --set '/orientation={"sampling":"list","theta_0_deg":[10,100]}' --set '/sweep={"lambda_z":{"values":[0.001,0.05]}}')

@@ -130,15 +130,15 @@ TEST_CASE("the defaults in the schema for editors are those of the program") {
                          const std::vector<std::string>& set) {
     for (const auto& [key, property] : properties.items()) {
       if (!property.contains("default") || key == "friction") continue;  // which must be stated
-      const auto with = [&, at = block / key](const Json& value) {
-        // The first value exists in any case, so that null removes it.
+      const Json standard = property["default"];
+      const auto with = [&set, &standard, at = (block / key).to_string()](const Json& value) {
+        // The key exists in any case, so that null removes it.
         experiment::DocumentOptions options{set, "full"};
-        options.set.push_back(at.to_string() + "=" + property["default"].dump());
-        options.set.push_back(at.to_string() + "=" + value.dump());
+        for (const Json& one : {standard, value}) options.set.push_back(at + "=" + one.dump());
         return canonical_point(experiment::load_experiment(kPaper, options), 0);
       };
       CAPTURE((block / key).to_string());
-      CHECK(with(nullptr) == with(property["default"]));
+      CHECK(with(nullptr) == with(standard));
       ++found;
     }
   };
