@@ -8,6 +8,7 @@
 #include "experiment/si_units.hpp"
 #include "experiment/words.hpp"
 #include "model/friction/laws.hpp"
+#include "scratch.hpp"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
