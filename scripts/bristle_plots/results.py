@@ -15,7 +15,7 @@ import xarray
 from .errors import BristleError
 from .integrity import require_intact
 
-SCHEMA = "bristle-result/1"
+SCHEMAS = ["bristle-result/1", "bristle-result/2"]  # in version 1 the axes of choices have codes
 RENAMED_FLAGS = {"jump": "load_jump"}  # words in files of older programs
 
 # h5netcdf also reads the texts of older files, on which the netCDF library crashes, and datasets without dimensions.
@@ -69,15 +69,6 @@ def require_schema(ds):
         shard, name = (as_text(ds.attrs.get(key, "?")) for key in ("shard", "name"))
         raise BristleError(f"{place_of(ds)}: a part ({shard}) of {name}; merge the parts first: "
                            "bristle merge -o FILE.h5 PARTS...")
-    if schema != SCHEMA:
-        raise BristleError(f"{place_of(ds)}: schema version {schema or 'none'}; these figures read {SCHEMA}")
-
-
-def with_words(line):
-    """The axis of a choice with its words instead of their codes."""
-    words, numbers = flags(line)
-    kept = {key: value for key, value in line.attrs.items() if not key.startswith("flag_")}
-    return xarray.DataArray([words[i] for i in numbers], dims=line.dims, attrs=kept)
 
 
 def place_of(data):

@@ -57,6 +57,7 @@ def shown(file, shape):
     first = ["R_x_norm", "gamma_1", "gamma_2", "gamma_3", "z_0", "R_n", "R_x", "N_c_ratio"]
     found = [name for name, data in file.data_vars.items()
              if data.shape == shape and not name.endswith(ERROR) and name != "status"
+             and name.removesuffix("_code") not in file.dims
              and ("flag_meanings" in data.attrs or np.isfinite(values(data)).any())]
     return sorted(found, key=lambda name: (first.index(name) if name in first else len(first), name))
 
