@@ -2,6 +2,7 @@
 
 plots_test.py SCRIPTS RESULT FOLDER
 """
+import hashlib
 import os
 import pathlib
 import shutil
@@ -9,6 +10,7 @@ import subprocess
 import sys
 
 import h5py
+import matplotlib.figure
 import matplotlib.image
 import matplotlib.text
 import numpy
@@ -18,8 +20,9 @@ scripts, result, folder = pathlib.Path(sys.argv[1]), sys.argv[2], pathlib.Path(s
 sys.path.insert(0, str(scripts))
 from bristle_plots import BristleError, fig4, open_result, pages  # noqa: E402
 from bristle_plots.files import read_json, write_text, write_whole  # noqa: E402
-from bristle_plots.jumps import jumps_between_neighbours  # noqa: E402
-from bristle_plots.maps import Grid, torn_faces  # noqa: E402
+from bristle_plots.integrity import read_group  # noqa: E402
+from bristle_plots.jumps import jumps_between_neighbours, located_jumps, read_jumps  # noqa: E402
+from bristle_plots.maps import Grid, draw_jumps, read_grid, torn_faces  # noqa: E402
 from bristle_plots.verdicts import STRIP, by_check, in_symbols, by_claim, declared_checks, read_claims, symbols  # noqa: E402
 
 shutil.rmtree(folder, ignore_errors=True)
@@ -117,7 +120,41 @@ assert not jumps_between_neighbours(gaps, [1, 2, 4], 1).any()
 
 # A surface has no face with a jump along an edge.
 jumps = [numpy.array([[True, False, False]]), numpy.array([[False, False], [False, True]])]
-assert torn_faces(Grid(None, None, None, None, None, None, jumps)).tolist() == [[True, True]]
+assert torn_faces(Grid(*[None] * 6, jumps, None)).tolist() == [[True, True]]
+
+# Jumps that the run located break the lines and faces, also those of a part of the result, and are drawn at their places.
+shutil.copy(result, folder / "jumps.h5")
+with h5py.File(folder / "jumps.h5", "a") as file:
+    k_r = file["k_r"][()]
+    shape = file["status"].shape  # azimuth_rate, k_r, k_theta
+    at = numpy.ravel_multi_index([[0, 0, 1], [1, 2, 1], [0, 2, 1]], shape)
+    group = file.create_group("jumps")
+    group.attrs["along"] = numpy.bytes_("k_r")
+    columns = {"point": at, "before": [1.2 * k_r[1], 1.1 * k_r[2], 1.2 * k_r[1]],
+               "after": [1.21 * k_r[1], 1.11 * k_r[2], 1.21 * k_r[1]], "z_0_before": [0.1, 0.1, 0.1],
+               "z_0_after": [0.6, numpy.nan, 0.6], "jump": [0, 1, 2]}
+    for name, column in columns.items():
+        group[name] = column
+    group["jump"].make_scale("jump")
+    for name in columns:
+        if name != "jump":
+            group[name].dims[0].attach_scale(group["jump"])
+    digest = hashlib.sha256()
+    read_group(file, "", 0, digest)
+    file.attrs["payload_sha256"] = numpy.bytes_(digest.hexdigest())
+with open_result(folder / "jumps.h5") as file:
+    found = located_jumps(file, ["k_theta", "k_r"], azimuth_rate="kinematic")
+    assert [index for index, _ in found] == [(0, 1)]  # the second has no gap on one side, the third another reading
+    assert abs(found[0][1] / k_r[1] - 1.205) < 1e-3
+    along_y, along_x = read_jumps(file, ["k_theta", "k_r"], azimuth_rate="kinematic")
+    assert numpy.argwhere(along_x).tolist() == [[0, 1]]
+    part = file.isel(k_r=[0, 2, 3], k_theta=[0, 1])
+    assert located_jumps(part, ["k_theta", "k_r"], azimuth_rate="kinematic")[0][0] == (0, 0)
+    grid = read_grid(file, "k_r", "k_theta", {"azimuth_rate": "kinematic"})
+    axes = matplotlib.figure.Figure().add_subplot()
+    assert ["located to 1 %" in text for text in draw_jumps(axes, grid)] == [True]
+    (line,) = axes.lines
+    assert numpy.allclose(line.get_xdata(), numpy.log10(found[0][1]))
 
 
 # In a notebook: a part of a result is drawn, without the verdicts, which are about the whole; choices by word or by code.
@@ -132,10 +169,10 @@ def has_verdicts(figure):
 with xarray.open_dataset(result) as ds:
     assert has_verdicts(fig4.draw(ds))
     floats = ds["status"].astype(float).assign_attrs(ds["status"].attrs)  # as xarray decodes with a _FillValue
-    words = ds.assign(status=floats).assign_coords(azimuth_rate=["kinematic", "as_printed"],
-                                                   azimuth_rate_code=("azimuth_rate", [0, 1]))
-    assert texts(fig4.draw(words)) == texts(fig4.draw(ds))
-    printed = [words.sel(azimuth_rate="as_printed"), ds.sel(azimuth_rate=1), ds.isel(azimuth_rate=[1]).transpose("k_theta", ...)]
+    flags = {"flag_values": numpy.array([0, 1]), "flag_meanings": "kinematic as_printed"}
+    codes = ds.assign(status=floats).assign_coords(azimuth_rate=("azimuth_rate", [0, 1], flags))  # as in older files
+    assert texts(fig4.draw(codes)) == texts(fig4.draw(ds))
+    printed = [ds.sel(azimuth_rate="as_printed"), codes.sel(azimuth_rate=1), ds.isel(azimuth_rate=[1]).transpose("k_theta", ...)]
     drawn = [texts(fig4.draw(part, plain=True)) for part in printed]
     assert drawn[0] == drawn[1] == drawn[2] == texts(pages(fig4.draw, open_result(result), plain=True)[1][2])
     assert not any(has_verdicts(fig4.draw(part)) for part in printed)

@@ -69,6 +69,15 @@ def require_schema(ds):
         shard, name = (as_text(ds.attrs.get(key, "?")) for key in ("shard", "name"))
         raise BristleError(f"{place_of(ds)}: a part ({shard}) of {name}; merge the parts first: "
                            "bristle merge -o FILE.h5 PARTS...")
+    if schema not in SCHEMAS:
+        raise BristleError(f"{place_of(ds)}: schema version {schema or 'none'}; these figures read {', '.join(SCHEMAS)}")
+
+
+def with_words(line):
+    """The axis of a choice with its words instead of their codes."""
+    words, numbers = flags(line)
+    kept = {key: value for key, value in line.attrs.items() if not key.startswith("flag_")}
+    return xarray.DataArray([words[i] for i in numbers], dims=line.dims, attrs=kept)
 
 
 def place_of(data):

@@ -2,6 +2,7 @@
 
 #include "cli/exit_code.hpp"
 #include "experiment/experiment.hpp"
+#include "util/data.hpp"
 #include "util/error.hpp"
 #include "util/file.hpp"
 #include "util/text.hpp"
@@ -12,8 +13,6 @@
 
 namespace bristle::cli {
 
-const char* paper_experiment();  // experiments/paper.json
-
 namespace {
 
 // JSON has no comments: the notes, which become part of the result, explain the file.
@@ -23,7 +22,7 @@ constexpr const char* kStart = R"({
  "name": "NAME",
  "title": "Friction over radial stiffness, for two friction laws",
  "notes": [
-  "This file states what differs from paper.json, the paper's parameters. `bristle schema` describes all keys.",
+  "This file states what differs from paper.json, the paper's parameters, which comes with bristle. `bristle schema` describes all keys.",
   "model: parameters of bristle, friction and slab, dimensionless. load: R_n is the normal load over N_c0.",
   "orientation: rtol is the requested relative error of each mean over theta_0; the figures of the paper have 0.001.",
   "sweep: the axes of the result. An axis has values, or linspace or logspace with from, to and count."
@@ -33,17 +32,6 @@ constexpr const char* kStart = R"({
  "orientation": {"rtol": 0.02},
  "sweep": {"friction": {"values": ["nss", "coulomb"]}, "k_r": {"logspace": [3, 30, 5]}}
 })";
-
-std::string new_experiment(const std::string& name, bool beside_paper) {
-  const std::string text = replace_all(kStart, "NAME", name) + "\n";
-  if (beside_paper) return text;
-  Json start = Json::parse(text);
-  start.erase("extends");
-  start["notes"][0] = "This file states every value; those not named below are the paper's.";
-  Json whole = Json::parse(paper_experiment());
-  whole.merge_patch(start);
-  return whole.dump(1) + "\n";
-}
 
 }  // namespace
 
@@ -61,9 +49,12 @@ int new_command(const std::string& given) {
   const std::string path = new_experiment_path(name);
   if (std::filesystem::exists(std::filesystem::symlink_status(path)))
     throw InputError(fmt::format("{}: exists; choose another name, or remove it first", path));
-  const bool beside_paper =
-      std::filesystem::exists(std::filesystem::path(path).replace_filename("paper.json"));
-  write_whole(path, new_experiment(name, beside_paper), {"an experiment", "{", {}});
+  if (!std::filesystem::exists(std::filesystem::path(path).replace_filename("paper.json")) &&
+      !data_path("experiments/paper.json"))
+    throw InputError(
+        "new: paper.json did not come with this program, and the new experiment extends it; "
+        "install bristle with `cmake --install`, or use the program of a checkout");
+  write_whole(path, replace_all(kStart, "NAME", name) + "\n", {"an experiment", "{", {}});
   experiment::load_experiment(path, {});
   fmt::print("{}: written; compute it with `bristle run {}`\n", path, path);
   return kSuccess;
