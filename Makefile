@@ -30,6 +30,17 @@ build: packages $(BUILD)/build.ninja ## build the program: build/bristle
 	@test -x $(BUILD)/bristle || echo "Building the program, about a minute on two cores ..."
 	@ninja -C $(BUILD) --quiet -j $(JOBS) bristle
 
+PREFIX ?= /usr/local
+.PHONY: install package
+install: build ## the program with all that it needs into PREFIX=/usr/local (docs/installing.md)
+	@scripts/quietly cmake --install $(BUILD) --prefix $(PREFIX) --strip
+	@echo "Installed $(PREFIX)/bin/bristle"
+
+package: build ## a Debian package of the program: dist/bristle_<version>_<architecture>.deb
+	@scripts/install-packages package
+	@cd $(BUILD) && ../scripts/quietly cpack -G DEB
+	@ls dist/bristle_*.deb
+
 $(FIGURES) $(STUDIES): %: build
 	@test -e results/$*$(SUFFIX).h5 || echo "Computing $*, $(if $(SUFFIX),some seconds,about a minute) on two cores ..."
 	$(BUILD)/bristle run experiments/$*.json --tier $(TIER) -o results/$*$(SUFFIX).h5
