@@ -4,7 +4,7 @@
 FIGURES := fig2 fig3 fig4 fig5 fig6 fig7 fig8 figA1 figA2 figA3
 # Research of one's own, made as the figures are.
 STUDIES := ski orientation stribeck
-.PHONY: help packages build test bench accuracy clean figures findings assumptions inference report archive verify release \
+.PHONY: help packages build test bench accuracy clean figures findings assumptions inference report archive verify citation release \
   sanitize fuzz tidy coverage $(FIGURES) $(STUDIES)
 JOBS ?= $(shell nproc 2>/dev/null || echo 1)
 BUILD := build
@@ -107,8 +107,12 @@ ARCHIVE ?= dist/bristle-$(shell sed -n 's/^version: //p' CITATION.cff).tar
 verify: build ## check the archive; RERUN=N also computes N points again and compares every bit
 	$(BUILD)/bristle verify $(ARCHIVE) $(if $(RERUN),--rerun $(RERUN))
 
-release: ## VERSION=x.y.z: write the new version everywhere, commit nothing
-	@scripts/release '$(VERSION)'
+# Zenodo reads .zenodo.json.
+citation: packages report-packages ## write .zenodo.json from CITATION.cff, after every change of that file
+	@$$(scripts/find-python yaml matplotlib) scripts/zenodo.py
+
+release: packages report-packages ## VERSION=x.y.z [DOI=10.x/y]: write the new version and its DOI everywhere, commit nothing
+	@scripts/release '$(VERSION)' '$(DOI)'
 
 # These have build folders of their own; docs/hardening.md describes what they look for.
 SANITIZER ?= address
