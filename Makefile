@@ -42,14 +42,22 @@ figures: $(FIGURES) ## make all figures
 findings: figures ## all figures; docs/findings.md, each claim with its verdict and numbers; README's summary
 	@$$($(PLOT_PYTHON)) scripts/findings.py $(FIGURES:%=results/%$(SUFFIX).h5) $(if $(SUFFIX),-o results/findings$(SUFFIX).md,--readme README.md)
 
-assumptions: build ## every claim under every alternative to what the paper leaves open: docs/assumptions.md
+# The matrices, of which the next two targets draw the pages.
+.PHONY: assumptions-matrix inference-matrix
+assumptions-matrix: build
+	@test -e results/assumptions.json || echo "Computing the claims under other assumptions, half an hour on two cores ..."
 	$(BUILD)/bristle assumptions
+
+# The same machinery on joint sets of choices.
+inference-matrix: build
+	@test -e results/inference.json || echo "Computing joint sets of choices, about 20 minutes on two cores ..."
+	$(BUILD)/bristle assumptions experiments/inference/*.json --only fig3,fig4,fig5,fig6,fig7,fig8 -o results/inference.json
+
+assumptions: assumptions-matrix ## every claim under every alternative to what the paper leaves open: docs/assumptions.md
 	@$$($(PLOT_PYTHON)) scripts/assumptions.py results/assumptions.json -o figures --text docs/assumptions.md
 	@cp figures/assumptions.png docs/images/
 
-# The same machinery on joint sets of choices.
-inference: build ## joint sets of choices ranked by the claims they support: docs/inference.md
-	$(BUILD)/bristle assumptions experiments/inference/*.json --only fig3,fig4,fig5,fig6,fig7,fig8 -o results/inference.json
+inference: inference-matrix ## joint sets of choices ranked by the claims they support: docs/inference.md
 	@$$($(PLOT_PYTHON)) scripts/inference.py results/inference.json
 
 report: figures $(STUDIES) report-packages ## one page of all figures, claims, points and sources: report/index.html
@@ -99,7 +107,8 @@ accuracy: build ## errors of the methods, measured: docs/accuracy.md
 	$(BUILD)/benchmarks/accuracy >$(BUILD)/bench/accuracy.json
 	@$$($(PLOT_PYTHON)) scripts/accuracy.py $(BUILD)/bench/accuracy.json
 
-archive: figures ## one citable file of all results: dist/bristle-<version>.tar
+# The report shows the matrix of assumptions, so it comes last.
+archive: figures $(STUDIES) assumptions-matrix inference-matrix report ## one citable file of all results: dist/bristle-<version>.tar
 	$(BUILD)/bristle archive
 
 # ARCHIVE=FILE is another archive, RERUN=N computes N of its points again.
