@@ -50,7 +50,7 @@ assumptions-matrix: build
 
 # The same machinery on joint sets of choices.
 inference-matrix: build
-	@test -e results/inference.json || echo "Computing joint sets of choices, about 20 minutes on two cores ..."
+	@test -e results/inference.json || echo "Computing joint sets of choices, about a quarter of an hour on two cores ..."
 	$(BUILD)/bristle assumptions experiments/inference/*.json --only fig3,fig4,fig5,fig6,fig7,fig8 -o results/inference.json
 
 assumptions: assumptions-matrix ## every claim under every alternative to what the paper leaves open: docs/assumptions.md

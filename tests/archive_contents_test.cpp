@@ -175,6 +175,18 @@ TEST_CASE("studies, matrices and the report are archived, and refused with the c
   CHECK(files.contains("data/report/index.html"));
   CHECK(files["data/results/assumptions.json"] == bytes_of(r.s.path(matrix)));
 
+  const auto with_page = [&](const std::string& digest) {
+    std::filesystem::remove(r.options.output);
+    r.s.write("docs/assumptions.md", "Payload digest of the matrix: " + digest);
+    r.commit();
+    r.options.commit = r.head();
+    return refusal(r);
+  };
+  CHECK_THAT(with_page("0123"), Contains("docs/assumptions.md does not describe ") &&
+                                    Contains("assumptions.json; run `make assumptions` and commit the page"));
+  const Json document = Json::parse(bytes_of(r.s.path(matrix)));
+  CHECK(with_page(document["payload_sha256"].get<std::string>().substr(0, 16)) == "(not refused)");
+
   std::filesystem::remove(r.options.output);
   r.s.write("experiments/assumptions/one.json",
             replace_all(bytes_of(r.s.path("experiments/assumptions/one.json")), "0.02", "0.03"));

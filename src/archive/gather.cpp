@@ -41,7 +41,7 @@ class Gatherer {
     const std::string commit = repository_.commit();
     payload[source_file(commit)] = repository_.source_archive(fmt::format("bristle-{}/", commit));
     const auto facts = add_results(payload);
-    check_findings(payload, facts);
+    check_page("docs/findings.md", payload, facts, "make findings");
     for (const char* name : {"assumptions", "inference"}) add_matrix(name, payload);
     add_report(payload);
     std::vector<std::string> reasons;
@@ -219,6 +219,7 @@ class Gatherer {
     check_commit(path, facts["program"].value("commit", ""),
                  fmt::format("remove it and run `make {}`", name));
     payload[fmt::format("results/{}.json", name)] = bytes;
+    check_page(fmt::format("docs/{}.md", name), payload, {{path, facts}}, fmt::format("make {}", name));
     if (name == "assumptions") drawn_from_.push_back(path);
   }
 
@@ -238,15 +239,15 @@ class Gatherer {
     payload[name] = read_file(path);
   }
 
-  // Each section of docs/findings.md states the payload digest of the result that it describes.
-  void check_findings(const Files& payload, const std::map<std::string, Json>& facts) {
-    const auto page = payload.find("docs/findings.md");
+  // A page of docs/ states the payload digests of the files that it describes.
+  void check_page(const std::string& name, const Files& payload, const std::map<std::string, Json>& facts,
+                  const std::string& command) {
+    const auto page = payload.find(name);
     if (page == payload.end()) return;
-    for (const auto& [file, of_result] : facts)
-      if (page->second.find(of_result["payload_sha256"].get<std::string>().substr(0, 16)) ==
-          std::string::npos)
-        return refuse_or_record("docs/findings.md", fmt::format("describes a different result than {}", file),
-                                "run `make findings` and commit the page");
+    for (const auto& [file, of_file] : facts)
+      if (page->second.find(of_file["payload_sha256"].get<std::string>().substr(0, 16)) == std::string::npos)
+        return refuse_or_record(name, fmt::format("does not describe {}", file),
+                                fmt::format("run `{}` and commit the page", command));
   }
 
   const ArchiveOptions& options_;
