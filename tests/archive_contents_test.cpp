@@ -85,7 +85,7 @@ TEST_CASE("the archive has the licence of the data, the DOI, the paper and its a
   Files files = read_tar(r.s.write("a.tar", r.build()));
   strip_folder(files);
   CHECK_THAT(files["data/README.md"],
-             Contains("DOI: <https://doi.org/10.5281/zenodo.12>. Licence: CC-BY-4.0") &&
+             Contains("DOI: <https://doi.org/10.5281/zenodo.12>. Licence of the data: CC-BY-4.0") &&
                  Contains("of the program: MIT (file LICENSE)"));
   const Json citation = parse_citation(files["data/CITATION.cff"]);
   CHECK(citation["license"] == "CC-BY-4.0");

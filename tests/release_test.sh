@@ -27,7 +27,9 @@ output=$(scripts/release 99.10.0 2>&1)
 [ $? = 2 ] && [ "$(sed 1d <<<"$output")" = "$(printf '  CITATION.cff:%s\n' '8: repository-code: write the address' \
   '11: given-names: write its value' '12: orcid: write the ORCID, or remove the line')" ] || failed "placeholders: $output"
 git diff --quiet || failed "a refused release changed files"
+[ "$(scripts/release --placeholders 2>&1)" = "$output" ] || failed "placeholders alone: $(scripts/release --placeholders 2>&1)"
 sed -i -e 's/FILL-IN  #.*/x/' -e 's/FILL-IN$/A./' -e '/orcid/d' CITATION.cff && commit
+scripts/release --placeholders || failed "there are no placeholders any more"
 
 version_of() { case $1 in
   CMakeLists.txt) sed -n 's/^project(bristle VERSION \([^ ]*\) .*/\1/p' "$1" ;;
