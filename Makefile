@@ -11,7 +11,7 @@ BUILD := build
 # TIER=smoke computes a small subset of the points, in seconds.
 TIER ?= full
 SUFFIX := $(if $(filter full,$(TIER)),,-$(TIER))
-PLOT_PYTHON := scripts/find-python numpy h5py matplotlib
+PLOT_PYTHON := scripts/find-python numpy h5py matplotlib xarray h5netcdf
 
 help: ## list the targets
 	@echo "bristle: friction of a bristle lattice under a sliding slab"
@@ -33,11 +33,18 @@ build: packages $(BUILD)/build.ninja ## build the program: build/bristle
 $(FIGURES) $(STUDIES): %: build
 	@test -e results/$*$(SUFFIX).h5 || echo "Computing $*, $(if $(SUFFIX),some seconds,about a minute) on two cores ..."
 	$(BUILD)/bristle run experiments/$*.json --tier $(TIER) -o results/$*$(SUFFIX).h5
-	@$$($(PLOT_PYTHON)) scripts/$*.py results/$*$(SUFFIX).h5 -o figures$(SUFFIX)
+	@scripts/plot $* results/$*$(SUFFIX).h5 -o figures$(SUFFIX)
 	@echo "The paper's claims (docs/claims.md), and deviations from the reference (docs/reference.md):"
 	@$(BUILD)/bristle check --report-only results/$*$(SUFFIX).h5
 
 figures: $(FIGURES) ## make all figures
+
+# The images of the documents have fewer pixels than those in figures/.
+IMAGES := $(filter $(FIGURES) $(STUDIES),$(basename $(notdir $(wildcard docs/images/*.png))))
+.PHONY: images
+images: $(IMAGES) ## docs/images: the figures in the documents
+	@for name in $^; do scripts/plot $$name results/$$name.h5 --format png --dpi 160 -o $(BUILD)/images && \
+	  cp $(BUILD)/images/$$name.png docs/images/ || exit; done
 
 findings: figures ## all figures; docs/findings.md, each claim with its verdict and numbers; README's summary
 	@$$($(PLOT_PYTHON)) scripts/findings.py $(FIGURES:%=results/%$(SUFFIX).h5) $(if $(SUFFIX),-o results/findings$(SUFFIX).md,--readme README.md)

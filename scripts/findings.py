@@ -61,14 +61,14 @@ def main():
     arguments = parser.parse_args()
     files = [open_result(path) for path in arguments.results]
     images = os.path.join(os.path.dirname(arguments.output), "images")
-    found = {file: claims_of(file) for file in files}
+    found = [(file, claims_of(file)) for file in files]
     summary = f"{BEGIN}\n\n{filled(in_short(found))}\n{END}"
-    sections = [section(file, claims, images) for file, claims in found.items()]
+    sections = [section(file, claims, images) for file, claims in found]
     page = filled("\n".join(["# Findings\n\n@summary@\n", INTRODUCTION, overview(found), *sections]))
     write_text(arguments.output, page.replace("@summary@", summary))
     if arguments.readme:
         replace_summary(arguments.readme, summary)
-    checks = sum(len(checks) for claims in found.values() for checks in claims.values())
+    checks = sum(len(checks) for _, claims in found for checks in claims.values())
     print(f"{arguments.output}: {checks} checks of {len(files)} results")
 
 
@@ -87,7 +87,7 @@ def verdicts_of(checks):
 
 def all_verdicts(found):
     """By claim of any figure, the verdict by reading."""
-    return {claim: verdicts_of(checks) for claims in found.values() for claim, checks in claims.items()}
+    return {claim: verdicts_of(checks) for _, claims in found for claim, checks in claims.items()}
 
 
 def readings_of(found):
@@ -177,7 +177,7 @@ def item(file, check, rows):
 def in_short(found):
     """The findings that a reader should know first, as a list; those whose results are there."""
     verdicts, readings = all_verdicts(found), readings_of(found)
-    files = {as_text(file.attrs["name"]): file for file in found}
+    files = {as_text(file.attrs["name"]): file for file, _ in found}
     headlines = {"fig6": fall_with_stiffness, "fig8": saturation, "figA1": isotropy, "fig3": order_of_gaps, "figA2": row_period}
     lines = [counts(verdicts, readings)]
     if readings == list(READINGS):

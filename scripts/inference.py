@@ -109,8 +109,8 @@ the start in static equilibrium or unstretched, r = 1 and phi = asin(z_0 - 5 lam
 18 fixed or 40 random; phi_0 of 80, 85 or 89 degrees; and for the exact equation a tip that is reflected
 at the pole or crosses it. Each was checked in {len(scores.windows)} windows of the ranges of k_r and k_theta,
 {len(scores.sets) * len(scores.windows)} scores in all, on the {len(scores.claims)} claims of Figures 3 to 8 and
-{scores.further_checks} further checks. The sweeps are coarse (12 values of k_r, 4 of k_theta, tolerance
-0.01). `baseline` is the choice of this project: exact, static equilibrium, continuous azimuths, 80
+{scores.further_checks} further checks. The sweeps are coarse (12 values of k_r, 4 of k_theta), of the
+experiments' `study` tier. `baseline` is the choice of this project: exact, static equilibrium, continuous azimuths, 80
 degrees, reflection. A mean over a list of azimuths has no error of quadrature, so fewer of its checks are
 undecided than those of a continuous distribution: this favours the sets with 18 or 40 azimuths.
 

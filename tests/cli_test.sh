@@ -7,8 +7,13 @@ bristle=$1 result=$2
 expect 0 "validate" "$bristle" --help
 expect 0 "--threads" "$bristle" run --help
 expect 0 "bristle " "$bristle" --version
-expect 2 "subcommand" "$bristle"
-expect 2 "not expected" "$bristle" run experiments/paper.json --tread 2
+expect 2 "bristle new mine" "$bristle"
+expect 2 "bristle: unknown command rnu (did you mean run?); known: new, run, " "$bristle" rnu experiments/paper.json
+expect 2 "reference: unknown command updat (did you mean update?)" "$bristle" reference updat
+expect 2 "run: unknown option --tread (did you mean --threads?)" "$bristle" run experiments/paper.json --tread 2
+expect 2 "run: unknown option --helpp (did you mean --help?)" "$bristle" run --helpp
+expect 2 "unknown option --versio (did you mean --version?)" "$bristle" --versio
+expect 2 "info: unexpected argument b" "$bristle" info a b
 expect 2 "EXPERIMENT is required" "$bristle" run
 expect 2 "--tier" "$bristle" run experiments/paper.json --tier medium
 expect 0 "1600 points" "$bristle" validate experiments/fig4.json
@@ -20,11 +25,36 @@ expect 0 "1 ok" "$bristle" run experiments/paper.json -o "$folder/e.h5" --set /i
   --set /orientation/rtol=0.1
 expect 2 "cannot be written" "$bristle" run experiments/paper.json -o /proc/nowhere/r.h5
 expect 2 "no such file" "$bristle" info nowhere.h5
+for command in info check validate run verify export "diff $result" "merge -o $folder/m.h5" "reference update --reason x"; do
+  expect 2 "experiments: " "$bristle" $command experiments
+  expect 2 "a folder; give the name of a file in it" "$bristle" $command experiments
+done
+expect 2 "/dev/null: a device, pipe or socket" "$bristle" info /dev/null
 expect 2 "not an HDF5 file" "$bristle" check CMakeLists.txt
 expect 0 "(verified)" "$bristle" info "$result"
 expect 0 "R_x_norm" "$bristle" info "$result"
 expect 0 "claims, kinematic: 6 supported" "$bristle" check --claims-only "$result"
 expect 0 "refuted" "$bristle" check --claims-only --report-only "$result"
+
+# A new experiment is valid at once, runs in seconds, with and without paper.json beside it, and replaces nothing.
+program=$(realpath "$bristle")
+in_folder() { (cd "$1" && shift && "$@"); }
+mkdir -p "$folder/alone" "$folder/project/experiments"
+cp experiments/paper.json "$folder/project/experiments"
+expect 0 "mine.json: written" in_folder "$folder/alone" "$program" new mine
+expect 0 "experiments/mine.json: written" in_folder "$folder/project" "$program" new mine.json
+expect 2 "experiments/mine.json: exists" in_folder "$folder/project" "$program" new mine
+expect 2 'NAME "a/b" is not allowed' in_folder "$folder/project" "$program" new a/b
+for place in alone/mine.json project/experiments/mine.json; do
+  expect 0 "10 points" "$bristle" validate "$folder/$place"
+  expect 0 "10 ok" timeout 60 "$bristle" run "$folder/$place" -o "$folder/${place%%/*}.h5"
+done
+# Progress on a terminal names the experiment and the stage.
+expect 0 "mine: computing 10/10 points" script -qec "$bristle run $folder/alone/mine.json --force -o $folder/alone.h5" /dev/null
+expect 0 "mine: writing $folder/alone.h5" script -qec "$bristle run $folder/alone/mine.json --force -o $folder/alone.h5" /dev/null
+expect 0 "fig4: evaluating the checks" script -qec "$bristle run experiments/fig4.json --tier smoke --force -o $folder/f.h5" /dev/null
+grep -q '"extends": "paper.json"' "$folder/project/experiments/mine.json" || failed "the new experiment does not extend paper.json"
+expect 0 "the same, bit for bit" "$bristle" diff "$folder/alone.h5" "$folder/project.h5"
 
 quick=(experiments/paper.json -o "$folder/r.h5" --set /load='{"z_0":0.5,"R_n":null}'
   --set /orientation='{"sampling":"list","theta_0_deg":[10,100]}')
@@ -33,6 +63,13 @@ expect 0 "is up to date" "$bristle" run "${quick[@]}"
 expect 0 "points: 1 ok" "$bristle" run "${quick[@]}" --force
 expect 0 "points: 1 ok" "$bristle" run "${quick[@]}" --set /model/k_r=11
 expect 0 "the experiment has no checks" "$bristle" check --claims-only "$folder/r.h5"
+
+# A result of an earlier layout is not up to date: it is written again from the journal, without computing.
+"$(scripts/find-python)" -c 'import h5py, sys
+h5py.File(sys.argv[1], "a").attrs.modify("schema_version", b"bristle-result/1")' "$folder/r.h5"
+expect 0 "schema bristle-result/1" "$bristle" info "$folder/r.h5"
+expect 0 "1 computed before" "$bristle" run "${quick[@]}" --set /model/k_r=11
+expect 0 "schema bristle-result/2" "$bristle" info "$folder/r.h5"
 
 # A point that cannot be computed becomes a status with a message, and costs no other point.
 part=(experiments/paper.json --set '/load={"z_0":0.05,"R_n":null,"path":null}' --set /model/beta=50
@@ -159,7 +196,7 @@ before=$(sha256sum "$result")
 sleep 1
 kill -INT $!
 wait $!
-[ $? = 3 ] || failed "exit code after an interrupt"
+[ $? = 130 ] || failed "exit code after an interrupt"
 grep -q "interrupted" "$folder/log" || failed "message after an interrupt"
 [ "$before" = "$(sha256sum "$result")" ] || failed "the result changed"
 exit $((failures > 0))

@@ -52,7 +52,7 @@ TEST_CASE("every reader refuses a file with cycles, links or sizes that have no 
       CHECK_THROWS_AS(ResultReader(path, expected), InputError);
       CHECK_THROWS_WITH(ResultReader(path, expected), Contains("r.h5: damaged, or not written by bristle: "));
     }
-    CHECK_THROWS_AS(info_command(path), InputError);
+    CHECK_THROWS_AS(info_command({path}), InputError);
   };
   refused([](hid_t file) {
     h5::check(H5Lcreate_hard(file, "/", file, "loop", H5P_DEFAULT, H5P_DEFAULT), "linking");
@@ -111,7 +111,7 @@ TEST_CASE("what is damaged is said before any verdict: numbers, experiment, /che
     const ResultReader result(path);
     CHECK_THROWS_AS(result.require_intact(), InputError);
     CHECK_THROWS_WITH(result.require_intact(), Contains("r.h5: damaged: ") && Contains("bristle run"));
-    CHECK(info_command(path) == 1);
+    CHECK(info_command({path}) == 1);
     return result.damage().front();
   };
   for (const double wrong : {7.0, kNone})
@@ -192,7 +192,7 @@ TEST_CASE("malformed: info of a part with indices beyond the sweep") {
   const Scratch s;
   const std::string path = write_part(s, sharded(s), {1, 2});
   put(path, "part/points", {2}, 1000);
-  CHECK_THROWS_WITH(info_command(path), Contains("are inconsistent"));
+  CHECK_THROWS_WITH(info_command({path}), Contains("are inconsistent"));
 }
 
 TEST_CASE("malformed: a result with an invalid experiment or invalid checks") {

@@ -3,7 +3,7 @@
 docs_test.py SOURCE BUILD [DOCUMENT.md...]
 
 Commands are the lines of ```sh blocks (a backslash continues a line). They run in order, in a separate copy of the source
-for each document.
+for each document, and after them its ```python blocks as one script.
 """
 import json
 import os
@@ -36,6 +36,7 @@ INSTEAD = [
     (r"ctest (.*)$", r"ctest --show-only \1"),  # the log of the tests in progress must stay
     (r"make (archive|verify\b.*|release\b.*)$", r"make -n \1"),  # tests/archive_test.sh, tests/release_test.sh
     (r"make (sanitize|tidy|coverage|fuzz|stress)\b(.*)$", r"make -n \1\2"),  # take hours, or have their own tests
+    (r"scripts/plot (\w+) results/\1\.h5(.*)$", r"scripts/plot \1 results/\1-smoke.h5\2"),
     (r"(build/bristle run experiments/fig4.json --shard \S+)$", r"\1 --tier smoke"),
     (r"scripts/slurm/.*", "test -x scripts/slurm/array.sh"),  # tests/slurm_test.sh
 ]
@@ -183,6 +184,14 @@ def run(path, folder):
         done = subprocess.run(command, shell=True, cwd=copy, capture_output=True, text=True)
         assert done.returncode == 0, f"{path.name}: {command}: exit {done.returncode}\n{done.stdout}{done.stderr}"
         print(f"{path.name}: {command}")
+
+
+    if code := "".join(re.findall(r"^```python\n(.*?)^```$", path.read_text(encoding="utf-8"), re.M | re.S)):
+        code = re.sub(r"results/(\w+)\.h5", r"results/\1-smoke.h5", code)
+        done = subprocess.run([sys.executable, "-c", code], cwd=copy, env={**os.environ, "PYTHONPATH": "scripts"},
+                              capture_output=True, text=True)
+        assert done.returncode == 0, f"{path.name}: python: {done.stderr}"
+        print(f"{path.name}: the blocks of Python")
 
 
 for document in documents:

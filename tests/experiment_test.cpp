@@ -57,7 +57,8 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
        "this format)"},
       {with(R"("modle": {})"),
        "@/e.json: /modle: unknown key (did you mean model?); allowed: schema, name, title, notes, figure, "
-       "model, si, load, orientation, integrator, sweep, locate_jumps, record, trajectories, tiers, checks, "
+       "institution, model, si, load, orientation, integrator, sweep, locate_jumps, record, trajectories, "
+       "tiers, checks, "
        "checks_for_each"},
       {with(R"("orientation": {"sampling": "list", "theta_0_deg": {"random": 0, "seed": 1}})"),
        "@/e.json: /orientation/theta_0_deg/random: 0 is not allowed; allowed: an integer at least 1 and at "
@@ -130,7 +131,7 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
       {with(R"("sweep": {"friction": {"values": ["nss", "nss"]}})"),
        "@/e.json: /sweep/friction/values: \"nss\" appears twice"},
       {with(R"("sweep": {"friction": {"linspace": [0, 1, 2]}})"),
-       "@/e.json: /sweep/friction: friction needs \"values\", a list of words; allowed: " + laws()},
+       "@/e.json: /sweep/friction: friction needs \"values\" alone, a list of words; allowed: " + laws()},
       {with(R"("sweep": {"k_r": {"values": ["soft"]}})"),
        "@/e.json: /sweep/k_r/values: \"soft\" is not a number"},
       {with(R"("sweep": {"R_n": {"values": [0, 1]}})"),

@@ -1,9 +1,8 @@
-"""A plotting script writes PDF and PNG with the same bytes each time, a PNG for each page, and explains why it cannot use a file.
+"""A figure's command writes PDF and PNG with the same bytes each time, a PNG for each page, and explains why it cannot use a file.
 
-figure_test.py SCRIPT RESULT FOLDER DATASET: a dataset that the script needs, such as trajectories/V_R.
+figure_test.py SCRIPTS FIGURE RESULT FOLDER DATASET: a dataset that the figure needs, such as trajectories/V_R.
 """
 import hashlib
-import importlib
 import pathlib
 import re
 import shutil
@@ -11,18 +10,21 @@ import subprocess
 import sys
 
 import h5py
+import matplotlib
 import numpy
+import xarray
 
-script, result, folder, needed = sys.argv[1], sys.argv[2], pathlib.Path(sys.argv[3]), sys.argv[4]
+scripts, name, result, folder, needed = pathlib.Path(sys.argv[1]), *sys.argv[2:4], pathlib.Path(sys.argv[4]), sys.argv[5]
 shutil.rmtree(folder, ignore_errors=True)
 
 
 def plot(source, target):
-    return subprocess.run([sys.executable, script, str(source), "-o", str(target)], capture_output=True, text=True)
+    return subprocess.run([scripts / "plot", name, str(source), "-o", str(target)], capture_output=True, text=True)
 
 
-sys.path.insert(0, str(pathlib.Path(script).parent))
-from bristle_plots import BristleError, apply_look, open_result  # noqa: E402
+sys.path.insert(0, str(scripts))
+import bristle_plots  # noqa: E402
+from bristle_plots import BristleError, open_result  # noqa: E402
 from bristle_plots.integrity import read_group  # noqa: E402
 
 digests = []
@@ -30,7 +32,6 @@ for run in ("first", "second"):
     done = plot(result, folder / run)
     assert done.returncode == 0, done.stderr
     made = sorted((folder / run).iterdir())
-    name = pathlib.Path(script).stem
     assert {f"{name}.pdf", f"{name}.png"} <= {p.name for p in made}, made
     assert {p.suffix for p in made} == {".pdf", ".png"}, made
     for pdf in folder.glob(f"{run}/*.pdf"):
@@ -46,6 +47,8 @@ assert plot(folder / "none.h5", folder).returncode == 2
 assert plot(folder / "text.h5", folder).returncode == 2
 shutil.copy(result, folder / "lacking.h5")
 with h5py.File(folder / "lacking.h5", "a") as f:
+    for dimension in f[needed].dims:
+        dimension.detach_scale(dimension[0])  # the scale would refer to what is no longer there
     del f[needed]
     digest = hashlib.sha256()
     read_group(f, "", 0, digest)
@@ -60,14 +63,37 @@ old = plot(folder / "old.h5", folder)
 assert old.returncode == 2 and "bristle-result/0" in old.stderr, old.stderr
 
 
-# Use in a notebook: draw() returns a figure, and errors are exceptions.
-figure = importlib.import_module(pathlib.Path(script).stem)
-apply_look()
-with open_result(result) as file:
-    assert figure.draw(file).axes
+# In a notebook, draw() returns a figure with the same content from a Dataset of either engine; errors are exceptions.
+figure = getattr(bristle_plots, name)
+
+
+def texts(ds):
+    drawn = figure.draw(ds)
+    assert isinstance(drawn, matplotlib.figure.Figure)
+    return [text.get_text() for text in drawn.findobj(matplotlib.text.Text)]
+
+
+before = dict(matplotlib.rcParams)
+with open_result(result) as ds:
+    expected = texts(ds)
+for engine in ("netcdf4", "h5netcdf"):
+    with xarray.open_dataset(result, engine=engine) as ds:
+        assert texts(ds) == expected, engine
+with xarray.open_dataset(result) as ds:
+    ds.encoding = {}  # as of a Dataset that was not opened from a file
+    if "/" in needed:
+        try:
+            figure.draw(ds)
+        except BristleError as error:
+            assert "open_result" in str(error), error
+        else:
+            raise AssertionError("a missing table caused no error")
+    else:
+        assert set(texts(ds)) <= set(expected)
+assert dict(matplotlib.rcParams) == before, "drawing changed matplotlib's parameters"
 try:
-    with open_result(folder / "lacking.h5") as file:
-        figure.draw(file)
+    with open_result(folder / "lacking.h5") as ds:
+        figure.draw(ds)
 except BristleError as error:
     assert needed in str(error), error
 else:

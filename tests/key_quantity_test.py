@@ -34,8 +34,7 @@ stored = reference["variables"][variable]
 values = np.array(stored["values"], float).reshape(shape)
 tolerance = sum(np.broadcast_to(np.reshape(stored[part], shape if np.ndim(stored[part]) else []), shape)
                 for part in ("quadrature", "load_control", "integrator", "libm"))
-words = file["azimuth_rate"].attrs["flag_meanings"].decode().split()
-first = list(file["azimuth_rate"][...]).index(words.index(reading))  # azimuth_rate is the first axis
+first = file["azimuth_rate"].asstr()[...].tolist().index(reading)  # azimuth_rate is the first axis
 deviation = np.abs(file[variable][first] - values[first]) / tolerance[first]
 print(f"{variable}: {deviation.size} values, at most {np.nanmax(deviation):.2g} tolerances from the reference")
 assert (np.isfinite(values[first]) == np.isfinite(file[variable][first])).all()

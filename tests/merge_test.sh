@@ -38,7 +38,7 @@ expect 0 "part_4" "$bristle" info "$folder/r.h5"
 first="merge the parts first: bristle merge -o $folder/r.h5 $folder/r.*-of-4.h5"
 expect 2 "$first" "$bristle" check "$(part 2 4)"
 expect 2 "$first" "$bristle" diff "$folder/r.h5" "$(part 2 4)"
-expect 2 "a part (2/4) of fig4" "$(scripts/find-python)" scripts/fig4.py "$(part 2 4)" -o "$folder"
+expect 2 "a part (2/4) of fig4" scripts/plot fig4 "$(part 2 4)" -o "$folder"
 expect 2 "is not a part of a result of bristle" "${run[@]}" --shard 1/4 -o "$folder/r.h5"
 expect 2 "is one of the parts" "$bristle" merge -o "$(part 1 4)" "$folder"/r.?-of-4.h5
 expect 2 "not a part of one" "$bristle" merge -o "$folder/x.h5" "$folder/r.h5"

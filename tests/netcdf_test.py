@@ -66,6 +66,9 @@ def check_xarray(path, groups):
         for group in groups:
             with xarray.open_dataset(path, group=group or None, engine=engine) as data:
                 data.load()
+                if data.data_vars:
+                    rows = (data if data.sizes else data.expand_dims("point")).to_dataframe()
+                    assert len(rows) == np.prod(list(data.sizes.values()), dtype=int), (path, group)
                 if group == "checks":
                     assert data.verdict.dims == ("check",), data
                     assert {*data.verdict.values} <= {"supported", "refuted", "undecided"}, data.verdict

@@ -2,6 +2,7 @@
 
 plots_test.py SCRIPTS RESULT FOLDER
 """
+import hashlib
 import os
 import pathlib
 import shutil
@@ -9,14 +10,20 @@ import subprocess
 import sys
 
 import h5py
+import matplotlib.figure
+import matplotlib.image
+import matplotlib.text
 import numpy
+import xarray
 
 scripts, result, folder = pathlib.Path(sys.argv[1]), sys.argv[2], pathlib.Path(sys.argv[3])
 sys.path.insert(0, str(scripts))
-from bristle_plots import BristleError, open_result  # noqa: E402
+from bristle_plots import BristleError, fig4, open_result, pages  # noqa: E402
 from bristle_plots.files import read_json, write_text, write_whole  # noqa: E402
-from bristle_plots.jumps import jumps_between_neighbours  # noqa: E402
-from bristle_plots.verdicts import by_check, by_claim, declared_checks, read_claims  # noqa: E402
+from bristle_plots.integrity import read_group  # noqa: E402
+from bristle_plots.jumps import jumps_between_neighbours, located_jumps, read_jumps  # noqa: E402
+from bristle_plots.maps import Grid, draw_jumps, read_grid, torn_faces  # noqa: E402
+from bristle_plots.verdicts import STRIP, by_check, in_symbols, by_claim, declared_checks, read_claims, symbols  # noqa: E402
 
 shutil.rmtree(folder, ignore_errors=True)
 folder.mkdir(parents=True)
@@ -76,7 +83,7 @@ assert not list(folder.rglob("*.part"))
 
 # The command line: the result as its own output.
 before = pathlib.Path(result).read_bytes()
-done = subprocess.run([sys.executable, scripts / "fig4.py", result, "-o", result], capture_output=True, text=True)
+done = subprocess.run([scripts / "plot", "fig4", result, "-o", result], capture_output=True, text=True)
 assert done.returncode != 0 and "Traceback" not in done.stderr, done.stderr
 assert pathlib.Path(result).read_bytes() == before
 
@@ -102,7 +109,7 @@ with open_result(folder / "older.h5") as file:
     assert [claim.declared for claim in older] == list(range(rows.sum())) == [check[""].declared for check in by_check(older)]
     assert all((one.reading, one.role, one.claim_verdict) == ("", "main", one.verdict) for one in older)
     assert len(declared_checks(file)) == len(older)
-done = subprocess.run([sys.executable, scripts / "fig4.py", folder / "older.h5", "-o", folder / "older"],
+done = subprocess.run([scripts / "plot", "fig4", folder / "older.h5", "-o", folder / "older"],
                       capture_output=True, text=True)
 assert done.returncode == 0, done.stderr
 
@@ -110,3 +117,91 @@ assert done.returncode == 0, done.stderr
 gaps = numpy.array([[0.1, 0.6, 0.61], [0.1, numpy.nan, 0.6]])
 assert jumps_between_neighbours(gaps, [1, 1.1, 1.2], 1).tolist() == [[True, False], [False, False]]
 assert not jumps_between_neighbours(gaps, [1, 2, 4], 1).any()
+
+# A surface has no face with a jump along an edge.
+jumps = [numpy.array([[True, False, False]]), numpy.array([[False, False], [False, True]])]
+assert torn_faces(Grid(*[None] * 6, jumps, None)).tolist() == [[True, True]]
+
+# Jumps that the run located break the lines and faces, also those of a part of the result, and are drawn at their places.
+shutil.copy(result, folder / "jumps.h5")
+with h5py.File(folder / "jumps.h5", "a") as file:
+    k_r = file["k_r"][()]
+    shape = file["status"].shape  # azimuth_rate, k_r, k_theta
+    at = numpy.ravel_multi_index([[0, 0, 1], [1, 2, 1], [0, 2, 1]], shape)
+    group = file.create_group("jumps")
+    group.attrs["along"] = numpy.bytes_("k_r")
+    columns = {"point": at, "before": [1.2 * k_r[1], 1.1 * k_r[2], 1.2 * k_r[1]],
+               "after": [1.21 * k_r[1], 1.11 * k_r[2], 1.21 * k_r[1]], "z_0_before": [0.1, 0.1, 0.1],
+               "z_0_after": [0.6, numpy.nan, 0.6], "jump": [0, 1, 2]}
+    for name, column in columns.items():
+        group[name] = column
+    group["jump"].make_scale("jump")
+    for name in columns:
+        if name != "jump":
+            group[name].dims[0].attach_scale(group["jump"])
+    digest = hashlib.sha256()
+    read_group(file, "", 0, digest)
+    file.attrs["payload_sha256"] = numpy.bytes_(digest.hexdigest())
+with open_result(folder / "jumps.h5") as file:
+    found = located_jumps(file, ["k_theta", "k_r"], azimuth_rate="kinematic")
+    assert [index for index, _ in found] == [(0, 1)]  # the second has no gap on one side, the third another reading
+    assert abs(found[0][1] / k_r[1] - 1.205) < 1e-3
+    along_y, along_x = read_jumps(file, ["k_theta", "k_r"], azimuth_rate="kinematic")
+    assert numpy.argwhere(along_x).tolist() == [[0, 1]]
+    part = file.isel(k_r=[0, 2, 3], k_theta=[0, 1])
+    assert located_jumps(part, ["k_theta", "k_r"], azimuth_rate="kinematic")[0][0] == (0, 0)
+    grid = read_grid(file, "k_r", "k_theta", {"azimuth_rate": "kinematic"})
+    axes = matplotlib.figure.Figure().add_subplot()
+    assert ["located to 1 %" in text for text in draw_jumps(axes, grid)] == [True]
+    (line,) = axes.lines
+    assert numpy.allclose(line.get_xdata(), numpy.log10(found[0][1]))
+
+
+# In a notebook: a part of a result is drawn, without the verdicts, which are about the whole; choices by word or by code.
+def texts(figure):
+    return [text.get_text() for text in figure.findobj(matplotlib.text.Text)]
+
+
+def has_verdicts(figure):
+    return any(axes.get_gid() == STRIP for axes in figure.axes)
+
+
+with xarray.open_dataset(result) as ds:
+    assert has_verdicts(fig4.draw(ds))
+    floats = ds["status"].astype(float).assign_attrs(ds["status"].attrs)  # as xarray decodes with a _FillValue
+    flags = {"flag_values": numpy.array([0, 1]), "flag_meanings": "kinematic as_printed"}
+    codes = ds.assign(status=floats).assign_coords(azimuth_rate=("azimuth_rate", [0, 1], flags))  # as in older files
+    assert texts(fig4.draw(codes)) == texts(fig4.draw(ds))
+    printed = [ds.sel(azimuth_rate="as_printed"), codes.sel(azimuth_rate=1), ds.isel(azimuth_rate=[1]).transpose("k_theta", ...)]
+    drawn = [texts(fig4.draw(part, plain=True)) for part in printed]
+    assert drawn[0] == drawn[1] == drawn[2] == texts(pages(fig4.draw, open_result(result), plain=True)[1][2])
+    assert not any(has_verdicts(fig4.draw(part)) for part in printed)
+    assert "k_theta" in refusal(fig4.draw, ds.isel(k_theta=0)) and "at least 2 values" in refusal(fig4.draw, ds.isel(k_theta=0))
+    assert "axis 'k_r' has no values" in refusal(fig4.draw, ds.sel(k_r=slice(200, 300)))
+    assert "gamma_2" in refusal(fig4.draw, ds.drop_vars("gamma_2"))
+    assert "DataArray" in refusal(fig4.draw, ds["R_x"])
+    assert "schema version none" in refusal(fig4.draw, ds.assign_attrs(schema_version=""))
+    table = symbols(ds)
+assert in_symbols("R_x_norm falls as k_r grows", table) == r"$\breve{R}_x$ falls as $\tilde{k}_r$ grows"
+assert in_symbols("R_n(z_0), N_c/N_c0", table) == r"$\tilde{R}_n$($\tilde{z}_0$), $N_c$/$N_{c,0}$"
+
+# Options of the command line.
+def plot(*options):
+    return subprocess.run([scripts / "plot", "fig4", result, "-o", folder / "paper", *options], capture_output=True, text=True)
+
+
+done = plot("--width", "89mm", "--format", "svg,png", "--dpi", "100")
+assert done.returncode == 0, done.stderr
+made = {path.name for path in (folder / "paper").iterdir()}
+assert made == {f"fig4{ending}.{kind}" for ending in ("", "-as-printed", "-energy") for kind in ("svg", "png")}, made
+pixels = matplotlib.image.imread(folder / "paper/fig4.png").shape[1]
+assert pixels == int(100 * 8.9 / 2.54), pixels
+svg = (folder / "paper/fig4.svg").read_text(encoding="utf-8")
+assert "<image" not in svg and f'width="{72 * 8.9 / 2.54:.6f}'.rstrip("0") in svg, svg[:500]
+for options, words in ((["--width", "3"], "a number with its unit"), (["--width", "-1in"], "from 3in to 20in"),
+                       (["--width", "2in"], "from 3in to 20in"), (["--width", "nanin"], "a number with its unit"),
+                       (["--dpi", "0"], "from 30 to 2400"), (["--dpi", "-1"], "from 30 to 2400"), (["--dpi", "1e3"], "from 30 to 2400"),
+                       (["--format", "jpg"], "allowed are pdf, png, svg")):
+    done = plot(*options)
+    assert done.returncode == 2 and words in done.stderr and options[-1] in done.stderr, done.stderr
+assert "width 3: " in refusal(lambda: fig4.draw(open_result(result), width="3"))

@@ -57,6 +57,11 @@ TEST_CASE("update: writes reference and change log, but nothing if the numbers a
   CHECK(bytes_of(r.json()) == before);
   CHECK(r.log() == log);
 
+  // The same values with another digest, because the number of passages belongs to the payload.
+  small_result(r.s, "r.h5", small_experiment(r.s), [](std::size_t, PointResult& p) { p.passages = 200; });
+  CHECK_THAT(update_reference(r.update), Contains("the same values, but different"));
+  CHECK_THAT(bytes_of(r.json()), Contains(ResultReader(r.file).text("payload_sha256")));
+
   small_result(r.s, "r.h5", small_experiment(r.s), [](std::size_t i, PointResult& p) {
     if (i == 3) p.value[bristle::R_X] += 0.5;
     if (i < 3) p.R_x_norm = 0.1;

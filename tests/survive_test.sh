@@ -76,14 +76,23 @@ for ((i = 0; 2 * i < wanted; ++i)); do
 done
 finish "kill -9 while writing"
 
-# Ctrl-C: reports the saved points, exit code 3, and the same command resumes.
+# Ctrl-C and SIGTERM: report the saved points, exit code 128 plus the signal, and the same command resumes.
+begin
+"${again[@]}" 2>"$folder/log" &
+pid=$!
+while [ "$(points)" -lt 3 ]; do sleep 0.01; done
+kill -TERM $pid
+wait $pid
+[ $? = 143 ] || failed "SIGTERM: exit code"
+whole "SIGTERM"
+finish "SIGTERM"
 begin
 "${again[@]}" 2>"$folder/log" &
 pid=$!
 while [ "$(points)" -lt 3 ]; do sleep 0.01; done
 kill -INT $pid
 wait $pid
-[ $? = 3 ] || failed "Ctrl-C: exit code"
+[ $? = 130 ] || failed "Ctrl-C: exit code"
 grep -q "interrupted; [0-9]* of 32 points are saved in $r.journal: the same command computes the rest" "$folder/log" ||
   failed "Ctrl-C: $(cat "$folder/log")"
 saved=$(sed -n 's/.*interrupted; \([0-9]*\) of.*/\1/p' "$folder/log")

@@ -1,13 +1,14 @@
 // The tables of parameters, choices, SI quantities, words and predicates agree with the experiment schema and
 // with experiments/paper.json.
 #include "checks/measure.hpp"
+#include "experiment/author_schema.hpp"
 #include "experiment/canonical.hpp"
 #include "experiment/parameters_table.hpp"
 #include "experiment/schema.hpp"
 #include "experiment/si_units.hpp"
 #include "experiment/words.hpp"
 #include "model/friction/laws.hpp"
-#include "small_result.hpp"
+#include "scratch.hpp"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
@@ -121,6 +122,32 @@ TEST_CASE("paper.json states every parameter and choice, with the default values
     CAPTURE(choice.name);
     CHECK(choice.get(stated) == choice.get(defaults));
   }
+}
+
+TEST_CASE("the defaults in the schema for editors are those of the program") {
+  const Json blocks = experiment::author_schema()["definitions"];
+  int found = 0;
+  const auto check = [&](const JsonPointer& block, const Json& properties,
+                         const std::vector<std::string>& set) {
+    for (const auto& [key, property] : properties.items()) {
+      if (!property.contains("default") || key == "friction") continue;  // which must be stated
+      const Json standard = property["default"];
+      const auto with = [&set, &standard, at = (block / key).to_string()](const Json& value) {
+        // The key exists in any case, so that null removes it.
+        experiment::DocumentOptions options{set, "full"};
+        for (const Json& one : {standard, value}) options.set.push_back(at + "=" + one.dump());
+        return canonical_point(experiment::load_experiment(kPaper, options), 0);
+      };
+      CAPTURE((block / key).to_string());
+      CHECK(with(nullptr) == with(standard));
+      ++found;
+    }
+  };
+  for (const char* block : {"model", "load", "orientation", "integrator"})
+    check(JsonPointer() / block, blocks[block]["properties"], {});
+  check(JsonPointer("/load/trace"), blocks["load"]["properties"]["trace"]["properties"],
+        {R"(/load={"R_n":null,"path":null,"trace":{"to":0.1}})"});
+  CHECK(found >= 31);
 }
 
 TEST_CASE("a point's canonical text, of which journals store the digest, holds words instead of positions") {

@@ -1,18 +1,29 @@
 """Figures and documents from result files of `bristle run`.
 
-The scripts beside this package are command lines around it. In a notebook, with scripts/ on the path:
+    from bristle_plots import fig4, open_result
+    figure = fig4.draw(open_result("results/fig4.h5"))  # a matplotlib Figure
+    figure.savefig("fig4.pdf")
 
-    import fig4
-    from bristle_plots import apply_look, open_result
-    apply_look()
-    with open_result("results/fig4.h5") as file:
-        figure = fig4.draw(file)
-
-Whatever is wrong with a file raises BristleError.
+draw() also takes the Dataset of `xarray.open_dataset(PATH)`, or a part of it: `ds.sel(...)`. Whatever is wrong with a
+file raises BristleError. `python3 -m bristle_plots fig4 RESULT.h5` is the same as a command.
 """
 
+import importlib
+import os
+
 from .errors import BristleError
+from .readings import pages
 from .results import open_result
 from .style import apply_look
 
-__all__ = ["BristleError", "apply_look", "open_result"]
+FIGURES = sorted(name.removesuffix(".py") for name in os.listdir(os.path.join(os.path.dirname(__file__), "figures"))
+                 if name.endswith(".py") and not name.startswith("_"))
+
+__all__ = ["BristleError", "FIGURES", "apply_look", "open_result", "pages", *FIGURES]
+
+
+def __getattr__(name):
+    """The module of a figure, imported when it is first used."""
+    if name in FIGURES:
+        return importlib.import_module(f".figures.{name}", __name__)
+    raise AttributeError(f"module {__name__} has no attribute {name}")

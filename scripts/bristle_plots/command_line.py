@@ -1,42 +1,89 @@
-"""Command lines of the scripts: the only place where an error ends the program."""
+"""Command lines: the only place where an error ends the program."""
 
 import argparse
+import importlib
 import os
 import sys
 
+from . import FIGURES
 from .errors import BristleError
 from .files import save_pages
+from .page import LEAST_POINTS, inches
 from .readings import pages
 from .results import open_result
-from .style import apply_look
+from .style import METADATA, apply_look
+
+PROGRAM = "plot"
+DPI_RANGE = 30, 2400
 
 
-def run(main):
+def run(main, program=os.path.basename(sys.argv[0])):
     """Calls main(); an error becomes one line on stderr and the exit code (2: wrong input, 3: not written)."""
     try:
         main()
     except BristleError as error:
-        print(f"{os.path.basename(sys.argv[0])}: error: {error}", file=sys.stderr)
+        print(f"{program}: error: {error}", file=sys.stderr)
         raise SystemExit(error.exit_code) from None
 
 
-def run_figure(script, description, draw, **further):
-    """The command line of a figure's script: RESULT.h5 -o DIRECTORY, with draw(file) -> figure.
+def draw_figure():
+    """FIGURE RESULT.h5: all pages of a figure, and its further figures."""
+    arguments = figure_parser().parse_args(with_values(sys.argv[1:]))
+    for_paper = arguments.plain or arguments.width is not None
+    directory = arguments.directory or ("figures/paper" if for_paper else "figures")
+    apply_look()
+    module = importlib.import_module(f".figures.{arguments.figure}", __package__)
+    with open_result(arguments.result) as file:
+        for ending, function in {"": module.draw, **getattr(module, "FURTHER", {})}.items():
+            drawn = pages(function, file, plain=arguments.plain, width=arguments.width)
+            save_pages(drawn, directory, "-".join(filter(None, [arguments.figure, ending])), arguments.formats,
+                       arguments.dpi)
 
-    further: functions that draw more figures of the same result, by the ending of their files' names.
-    """
-    name = os.path.splitext(os.path.basename(script))[0]
 
-    def main():
-        parser = argparse.ArgumentParser(description=description)
-        parser.add_argument("result", metavar="RESULT.h5", help="result file of `bristle run`")
-        parser.add_argument("-o", dest="directory", metavar="DIRECTORY", default="figures",
-                            help=f"where to write {name}.pdf and {name}.png, and a PNG for each further page "
-                                 "(default: %(default)s)")
-        arguments = parser.parse_args()
-        apply_look()
-        with open_result(arguments.result) as file:
-            for ending, function in {"": draw, **further}.items():
-                save_pages(pages(function, file), arguments.directory, "-".join(filter(None, [name, ending])))
+def with_values(words):
+    """The words of the command line, where --width -1in is --width=-1in: a wrong value, not a missing one."""
+    out = []
+    for word in words:
+        if out and out[-1] in ("--width", "--dpi") and word.startswith("-"):
+            out[-1] += f"={word}"
+        else:
+            out.append(word)
+    return out
 
-    run(main)
+
+def figure_parser():
+    parser = argparse.ArgumentParser(prog=PROGRAM, description="Draws a figure from a result file.")
+    parser.add_argument("figure", metavar="FIGURE", choices=FIGURES, help=", ".join(FIGURES))
+    parser.add_argument("result", metavar="RESULT.h5", help="result file of `bristle run`")
+    parser.add_argument("-o", dest="directory", metavar="DIRECTORY",
+                        help="where to write FIGURE.pdf and FIGURE.png, and a PNG for each further page (default: "
+                             "figures; with --plain or --width: figures/paper)")
+    parser.add_argument("--plain", action="store_true", help="without title, notes and verdicts")
+    parser.add_argument("--width", type=width, metavar="WIDTH",
+                        help="width of the page, such as 3.5in, 7in, 9cm or 180mm: panels are arranged for it and letters "
+                             f"have at least {LEAST_POINTS} points; implies --plain")
+    parser.add_argument("--format", dest="formats", type=formats, metavar="FORMAT,...", default=["pdf", "png"],
+                        help=f"of {', '.join(METADATA)} (default: pdf,png)")
+    parser.add_argument("--dpi", type=dpi, default=300, help="pixels per inch of a PNG (default: %(default)s)")
+    return parser
+
+
+def width(text):
+    try:
+        return inches(text)
+    except BristleError as error:
+        raise argparse.ArgumentTypeError(str(error).removeprefix("width ")) from error
+
+
+def dpi(text):
+    if not (text.isdecimal() and DPI_RANGE[0] <= int(text) <= DPI_RANGE[1]):
+        raise argparse.ArgumentTypeError(f"{text}: a whole number from {DPI_RANGE[0]} to {DPI_RANGE[1]} is needed")
+    return int(text)
+
+
+def formats(text):
+    found = list(dict.fromkeys(text.split(",")))
+    if unknown := [kind for kind in found if kind not in METADATA]:
+        raise argparse.ArgumentTypeError(f"{', '.join(unknown) or text}: allowed are {', '.join(METADATA)}, with commas "
+                                         "between them")
+    return found

@@ -6,6 +6,8 @@ matplotlib places its labels on the vertices of a line, which on a coarse grid a
 import numpy as np
 from matplotlib import patheffects
 
+from .page import points
+
 FONT_SIZE = 8
 MARKER_INCHES = 0.06
 HALO = [patheffects.withStroke(linewidth=2, foreground="white")]
@@ -29,12 +31,12 @@ def label_contours(axes, contours, markers):
             if place is not None:
                 taken.append((place, room))
                 axes.text(*place / size, f"{level:g}", transform=axes.transAxes, ha="center",
-                          va="center", fontsize=FONT_SIZE, path_effects=HALO)
+                          va="center", fontsize=points(FONT_SIZE), path_effects=HALO)
 
 
 def label_size(string):
     """Width and height in inches, with a margin."""
-    return np.array([0.68 * len(string) + 0.4, 1.6]) * FONT_SIZE / 72
+    return np.array([0.68 * len(string) + 0.4, 1.6]) * points(FONT_SIZE) / 72
 
 
 def free_place(path, room, size, taken):

@@ -9,7 +9,8 @@ from matplotlib.lines import Line2D
 
 from .errors import BristleError
 from .jumps import LEAST_CHANGE, WIDEST_STEP, located_axis, located_jumps, read_jumps
-from .layout import heading, place, row_title, sheet
+from .layout import Cell, across, corners, heading, legend_at_foot, place_cell, row_title, sheet
+from .page import paper_width, points
 from .readings import reading_name, readings
 from .results import (attribute, axis_values, dataset, place_of, readable, select, select_errors, select_flags,
                       values)
@@ -26,7 +27,7 @@ JUMPS = (f"Lines are broken where $z_0$ jumps by more than {LEAST_CHANGE:g} betw
          "decades apart.")
 BARS = "Bars are the standard errors of the lattices' time means."
 PANEL_INCHES = (4.1, 3.3)
-ROW_TITLE_INCHES = 0.4  # above the panels of each reading
+ROW_TITLE_INCHES = 0.36  # above the panels of each reading
 
 
 def read_curve(file, name, along, **chosen):
@@ -104,9 +105,7 @@ def legend(axes, entries, **options):
 def legend_below(axes, entries, bottom):
     """One legend for panels with equal lines, centred, at this height (inches)."""
     lines, texts = axes.get_legend_handles_labels()
-    anchor = 0.5, bottom / axes.figure.get_figheight()
-    axes.figure.legend([*lines, *entries.values()], [*texts, *entries], loc="lower center", borderaxespad=0,
-                       bbox_to_anchor=anchor, ncol=len(lines) + len(entries))
+    legend_at_foot(axes.figure, {**dict(zip(texts, lines)), **entries}, bottom)
 
 
 def with_symbol(data, value):
@@ -164,7 +163,7 @@ def log_range(axes, which, low, high):
 def label_line(axes, x, y, power, string, colour=GREY, **look):
     """A text along the line y ~ x^power, at a point of the plot."""
     angle = np.degrees(np.arctan2(power * y, x))
-    axes.text(x, y, string, color=colour, rotation=angle, rotation_mode="anchor", va="bottom", fontsize=9,
+    axes.text(x, y, string, color=colour, rotation=angle, rotation_mode="anchor", va="bottom", fontsize=points(9),
               transform_rotates_text=True, **look)
 
 
@@ -176,17 +175,17 @@ def draw_panels(file, names, along, curves, markers="o", x_axis=log_axis, finish
     """
     shown = readings(file)
     titled = ROW_TITLE_INCHES if reading_name(shown[0]) else 0
-    row_inches = PANEL_INCHES[1] + 0.95 + titled
-    height = row_inches * len(shown) + (0.25 if titled else 0.5)
-    figure, bottom = sheet(file, 5.3 * len(names), height, f"{BANDS} {jump_note(file, along)}")
+    cell, columns = across(len(names), Cell(5.3, PANEL_INCHES[1] + 0.95, 0.8, 0.7, *PANEL_INCHES))
+    group_inches = cell.height * -(-len(names) // columns) + titled
+    below = 0.3 if paper_width() is None else 0  # of the legend
+    figure, bottom = sheet(file, cell.width * columns, group_inches * len(shown) + below, f"{BANDS} {jump_note(file, along)}")
     entries, letters = {}, iter("abcdefghijkl")
     for row, reading in enumerate(shown):
-        y = bottom + 1 + row_inches * (len(shown) - 1 - row)
+        y = bottom + below + group_inches * (len(shown) - 1 - row)
         if titled:
-            row_title(figure, 5.3 * len(names) / 2, y + PANEL_INCHES[1] + 0.5, reading_name(reading))
-        for i, name in enumerate(names):
-            axes = place(figure, 0.8 + 5.3 * i, y, *PANEL_INCHES,
-                         sharey=figure.axes[-len(names)] if row else None)
+            row_title(figure, cell.width * columns / 2, y + group_inches - 0.12, reading_name(reading))
+        for name, corner in zip(names, corners(len(names), columns, cell, y)):
+            axes = place_cell(figure, corner, cell, sharey=figure.axes[-len(names)] if row else None)
             for ((text, chosen), colour), marker in zip(coloured(curves.items()), cycle(markers)):
                 entries |= draw_curve(axes, read_curve(file, name, along, **chosen, **reading), colour, text,
                                       marker=marker)
@@ -206,11 +205,12 @@ def panels_by_reading(file, panel, alone, note):
     """
     shown = readings(file)
     width, height = panel if len(shown) > 1 else alone
-    figure, bottom = sheet(file, (width + 1.1) * len(shown) + 0.1, height + 1.05, note)
+    cell, columns = across(len(shown), Cell(width + 1.1, height + 1.05, 0.95, 0.65, width, height), 0.62)
+    rows = -(-len(shown) // columns)
+    figure, bottom = sheet(file, cell.width * columns + 0.1, cell.height * rows, note)
     out = []
-    for i, reading in enumerate(shown):
-        axes = place(figure, 0.95 + (width + 1.1) * i, bottom + 0.65, width, height,
-                     sharey=out[0][0] if out else None)
+    for i, (reading, corner) in enumerate(zip(shown, corners(len(shown), columns, cell, bottom))):
+        axes = place_cell(figure, corner, cell, sharey=out[0][0] if out else None)
         heading(axes, "abcdef"[i] if len(shown) > 1 else "", reading_name(reading))
         out.append((axes, reading))
     return figure, out

@@ -5,7 +5,8 @@ A function takes the file of the claim's figure and (check, claim as measured) f
 
 import numpy as np
 
-from .results import axis_names, axis_values, dataset, read, select, select_flags, setting
+from .results import (axis_names, axis_values, constant, dataset, point_numbers, read, select, select_flags,
+                      setting)
 from .verdicts import number, p_text, with_uncertainty
 
 READINGS = {"kinematic": "exact", "as_printed": "as printed"}  # of Eq. (17)
@@ -156,24 +157,20 @@ def row_period(file, pairs):
 def periodic_part(file, reading):
     """L_y, and for each the standard deviations of R_n(t), the periodic part and all of it, over the mean; mean over
     the seeds."""
-    force = file["slab_force"]
-    point, t, load = (read(force, name) for name in ("point", "t", "R_n"))
-    later = t >= force["t"].attrs["t_1"]
-    status = dataset(file, "status")
+    point, t, load = (read(file, f"slab_force/{name}") for name in ("point", "t", "R_n"))
+    later = t >= constant(dataset(file, "slab_force/t"), "t_1")
+    numbers = point_numbers(file)
     intervals = round(setting(file, "model", "spacing") / (t[1] - t[0]))  # of a row; V_0 = 1
-    axes = {name: axis_values(file, name) for name in axis_names(status)}
-    part, whole = [], []
-    for width in range(len(axes["L_y"])):
+    widths, part, whole = axis_values(file, "L_y"), [], []
+    for width in widths:
         found = []
-        for seed in range(len(axes["seed"])):
-            here = dict(azimuth_rate=list(axes["azimuth_rate"]).index(reading), L_y=width, seed=seed,
-                        sampling=list(axes["sampling"]).index("lattice"))
-            series = load[later & (point == np.ravel_multi_index([here[name] for name in axes], status.shape))]
+        for number in select(numbers, ["seed"], azimuth_rate=reading, L_y=width, sampling="lattice"):
+            series = load[later & (point == number)]
             phases = [series[i::intervals].mean() for i in range(intervals)]
             found.append((np.std(phases) / series.mean(), series.std() / series.mean()))
         part.append(np.mean([one for one, _ in found]))
         whole.append(np.mean([one for _, one in found]))
-    return axes["L_y"], part, whole
+    return widths, part, whole
 
 
 def pinned_bristles(file, pairs):

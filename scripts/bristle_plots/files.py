@@ -70,12 +70,13 @@ def save_figure(figure, directory, name, formats=FIGURE_FORMATS, **options):
         write_whole(os.path.join(directory, f"{name}.{kind}"), buffer.getbuffer())
 
 
-def save_pages(pages, directory, name):
-    """Writes all pages (ending, reading, figure) as name.pdf, and each as a PNG with its ending."""
-    buffer = io.BytesIO()
-    with PdfPages(buffer, metadata=METADATA["pdf"]) as pdf:
-        for _, _, figure in pages:
-            pdf.savefig(figure)
-    write_whole(os.path.join(directory, f"{name}.pdf"), buffer.getbuffer())
+def save_pages(pages, directory, name, formats, dpi):
+    """Writes all pages (ending, reading, figure) as name.pdf, and each as a PNG and SVG with its ending."""
+    if "pdf" in formats:
+        buffer = io.BytesIO()
+        with PdfPages(buffer, metadata=METADATA["pdf"]) as pdf:
+            for _, _, figure in pages:
+                pdf.savefig(figure, dpi=dpi)
+        write_whole(os.path.join(directory, f"{name}.pdf"), buffer.getbuffer())
     for ending, _, figure in pages:
-        save_figure(figure, directory, name + ending, ["png"])
+        save_figure(figure, directory, name + ending, [kind for kind in formats if kind != "pdf"], dpi=dpi)

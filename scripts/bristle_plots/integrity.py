@@ -100,9 +100,10 @@ def read_dataset(data, path, digest):
         raise ValueError(f"/{path}: a dataset stored in another file")
     values = data[()]
     if digest is not None:
-        kind = "f" if data.dtype.kind == "f" else "i"
-        digest.update(" ".join([f"/{path} {kind}{data.dtype.itemsize}", *map(str, data.shape)]).encode() + b"\n")
-        digest.update(values.tobytes())
+        text_data = data.dtype.kind in "OS"
+        kind = "s" if text_data else f"{'f' if data.dtype.kind == 'f' else 'i'}{data.dtype.itemsize}"
+        digest.update(" ".join([f"/{path} {kind}", *map(str, data.shape)]).encode() + b"\n")
+        digest.update(b"".join(word + b"\0" for word in values) if text_data else values.tobytes())
 
 
 def read_attributes(found):

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from .results import as_text, axis_names, axis_values, dataset, read, select, select_index
+from .results import as_text, axis_names, axis_values, dataset, read, select, table, whole
 
 LEAST_CHANGE = 0.15  # of z_0 between neighbouring points
 WIDEST_STEP = 0.1  # decades between neighbours; a coarser grid cannot tell a jump from a slope
@@ -18,7 +18,8 @@ def jumps_between_neighbours(z_0, x, axis):
 
 def located_axis(file):
     """The axis along which the run located the jumps; None if it located none."""
-    return as_text(file["jumps"].attrs["along"]) if "jumps" in file else None
+    jumps = table(file, "jumps")
+    return None if jumps is None else as_text(jumps.attrs["along"])
 
 
 def located_jumps(file, along, **chosen):
@@ -27,22 +28,28 @@ def located_jumps(file, along, **chosen):
     index: that of the point before the jump, over the axes `along`. place: the value of the axis, within 1 %.
     Jumps to or from points without a gap are left out.
     """
-    status, jumps = dataset(file, "status"), file["jumps"]
-    order = axis_names(status)
-    at = np.unravel_index(read(jumps, "point").astype(int), status.shape)
-    wanted = [order.index(name) for name in along]
-    fixed = {order.index(name): i for name, i in zip(order, select_index(status, along, chosen)) if name in chosen}
-    here = np.isfinite(read(jumps, "z_0_before")) & np.isfinite(read(jumps, "z_0_after"))
-    for position, index in fixed.items():
-        here &= at[position] == index
-    middle = np.sqrt(read(jumps, "before") * read(jumps, "after"))
-    return [(tuple(int(at[position][row]) for position in wanted), float(middle[row])) for row in np.flatnonzero(here)]
+    jumping, everything = located_axis(file), whole(file)
+    lines = {name: axis_values(everything, name) for name in axis_names(dataset(everything, "status"))}
+    here = {name: np.asarray(axis_values(file, name)) for name in lines}
+    places = np.sqrt(read(file, "jumps/before") * read(file, "jumps/after"))
+    finite = np.isfinite(read(file, "jumps/z_0_before") + read(file, "jumps/z_0_after"))
+    found = []
+    for point, place in zip(read(file, "jumps/point")[finite].astype(int), places[finite]):
+        at = dict(zip(lines, np.unravel_index(point, [len(line) for line in lines.values()])))
+        at = {name: lines[name][i] for name, i in at.items()}
+        # The Dataset may be a part of the file: the jump may lie between points that are no neighbours there.
+        index = {name: np.flatnonzero(here[name] == value) for name, value in at.items()}
+        index[jumping] = np.flatnonzero(here[jumping] < place)[-1:]
+        inside = index[jumping].size and index[jumping][0] + 1 < len(here[jumping])
+        if inside and all(i.size for i in index.values()) and all(at[name] == value for name, value in chosen.items()):
+            found.append((tuple(int(index[name][0]) for name in along), float(place)))
+    return found
 
 
 def read_jumps(file, along, **chosen):
     """For each of the axes `along`, whether z_0 jumps between neighbours; never in a file without z_0 over them."""
     axes = [axis_values(file, name) for name in along]
-    if "z_0" not in file or set(axis_names(dataset(file, "z_0"))) != {*along, *chosen}:
+    if "z_0" not in file or not set(along) <= set(axis_names(dataset(file, "z_0"))):
         return [jumps_between_neighbours(np.zeros([len(line) for line in axes]), line, axis)
                 for axis, line in enumerate(axes)]
     z_0 = select(dataset(file, "z_0"), along, **chosen)

@@ -11,12 +11,14 @@ from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 from .contour_labels import label_contours
 from .errors import BristleError
 from .jumps import LEAST_CHANGE, located_axis, located_jumps, read_jumps
-from .layout import heading, place, sheet
+from .layout import Cell, across, corners, heading, legend_at_foot, place, sheet
+from .page import paper_width, points
 from .results import attribute, dataset, place_of, readable, select, select_flags, values
 from .style import COLORMAP, VERMILION, label, log_ticks, status_marker, wrapped
 
 COLUMN_INCHES = (3.2, 5.9)
 LEGEND_INCHES = 0.4
+MOST_CELLS = 10_000  # of a map that is drawn as vectors
 
 # By index of the status; 0 is a point without remark.
 HATCHES = ["....", "----", "////", "xxxx", "\\\\\\\\", "||||", "++++"]
@@ -59,21 +61,32 @@ def value_ticks(bins=5):
 def draw_maps(file, names, reading, chosen=None, note=""):
     """A figure with one column for each quantity; chosen: values of the axes beside reading and stiffnesses."""
     grid = read_grid(file, "k_r", "k_theta", {**reading, **(chosen or {})})
-    width, height = COLUMN_INCHES[0] * len(names) + 0.1, LEGEND_INCHES + COLUMN_INCHES[1]
-    figure, bottom = sheet(file, width, height, " ".join(filter(None, [note, pinned_note(file, grid)])), reading)
+    cell, columns = across(len(names), Cell(*COLUMN_INCHES, 0, 0, *COLUMN_INCHES), 0.48)
+    rows, below = -(-len(names) // columns), legend_inches()
+    note = " ".join(filter(None, [note, pinned_note(file, grid)]))
+    figure, bottom = sheet(file, cell.width * columns + 0.1, below + cell.height * rows, note, reading)
     entries = {}
-    for i, name in enumerate(names):
-        entries |= draw_column(figure, file, grid, name, "abcdefg"[i],
-                               (i * COLUMN_INCHES[0], bottom + LEGEND_INCHES))
-    draw_legend(figure, entries, bottom)
+    for name, letter, corner in zip(names, "abcdefg", corners(len(names), columns, cell, bottom + below)):
+        entries |= draw_column(figure, file, grid, name, letter, corner, cell)
+    legend_at_foot(figure, entries, bottom + 0.2 * LEGEND_INCHES)
     return figure
 
 
-def draw_legend(figure, entries, bottom):
-    if entries:
-        figure.legend(entries.values(), entries.keys(), loc="lower center", ncol=len(entries),
-                      bbox_to_anchor=(0.5, (bottom + 0.2 * LEGEND_INCHES) / figure.get_figheight()),
-                      borderaxespad=0)
+def legend_inches():
+    """Room below the maps; the figure of a paper grows by its legend."""
+    return LEGEND_INCHES if paper_width() is None else 0
+
+
+def boxes(cell):
+    """Within the cell of a quantity: corner and size of surface, map, colour bar and heading, and the heading's width in
+    letters. In the standard figure the map is below the surface, in a paper beside it."""
+    width, height = cell.width, cell.height
+    if paper_width() is None:
+        return ((0, 2.95, width, height - 3.3), (0.62, 0.5, width - 0.85, 1.8), (0.62, 2.4, width - 0.85, 0.1),
+                (0, height - 0.4, width, 0.4), 36)
+    left, right, tall = 0.5 * width + 0.56, 0.5 * width - 0.7, height - 1.07
+    return ((0, 0.08, 0.5 * width - 0.1, height - 0.28), (left, 0.42, right, tall), (left, tall + 0.5, right, 0.07),
+            (0, height - 0.25, width, 0.22), int(14 * width))
 
 
 def pinned_note(file, grid):
@@ -96,47 +109,63 @@ def draw_log_map(file, name, reading, note):
     field = np.ma.masked_less_equal(np.ma.masked_invalid(select(data, grid.axes[::-1], **grid.chosen)), 0)
     if not field.count():
         raise BristleError(f"{place_of(data)} has no positive values to draw")
-    figure, bottom = sheet(file, 7.6, LEGEND_INCHES + 4.6, note, reading, verdicts=False)
-    flat = place(figure, 0.8, bottom + LEGEND_INCHES + 0.5, 5.4, 3.6)
+    width, below = paper_width() or 7.6, legend_inches()
+    tall = 3.6 if paper_width() is None else 0.66 * (width - 1.8)
+    figure, bottom = sheet(file, width, below + tall + 1, note, reading, verdicts=False)
+    flat = place(figure, 0.8, bottom + below + 0.5, width - (2.2 if paper_width() is None else 1.8), tall)
     norm = colors.LogNorm(field.min(), max(field.max(), 1.001 * field.min()))
-    image = flat.pcolormesh(cell_edges(grid.x), cell_edges(grid.y), field, norm=norm, rasterized=True)
+    image = draw_cells(flat, grid, field, norm)
     label_map(flat, grid, [label(dataset(file, axis)) for axis in grid.axes])
     heading(flat, "", attribute(data, "long_name"))
-    bar = figure.colorbar(image, cax=place(figure, 6.35, bottom + LEGEND_INCHES + 0.5, 0.15, 3.6))
+    end = flat.get_position().x1 * figure.get_figwidth()
+    bar = colour_bar(figure, image, (end + 0.15, bottom + below + 0.5, 0.15, tall))
     bar.ax.set_ylabel(label(data))
-    draw_legend(figure, draw_jumps(flat, grid) | draw_status(flat, grid, field), bottom)
+    legend_at_foot(figure, draw_jumps(flat, grid) | draw_status(flat, grid, field), bottom + 0.2 * LEGEND_INCHES)
     return figure
 
 
-def draw_column(figure, file, grid, name, letter, corner):
-    """One quantity; corner: the lower left one (inches). Returns legend entries by text."""
-    def axes(x, y, width, height, **options):
-        return place(figure, corner[0] + x, corner[1] + y, width, height, **options)
+def draw_column(figure, file, grid, name, letter, corner, cell):
+    """One quantity; corner: the lower left one of its cell (inches). Returns legend entries by text."""
+    def axes(box, **options):
+        return place(figure, corner[0] + box[0], corner[1] + box[1], *box[2:], **options)
 
     data = dataset(file, name)
     field = np.ma.masked_invalid(select(data, grid.axes[::-1], **grid.chosen))
     norm = colour_range(field)
     titles = [label(dataset(file, axis)) for axis in grid.axes]
-    width, height = COLUMN_INCHES
+    of_surface, of_map, of_bar, of_head, letters = boxes(cell)
 
-    space = axes(0, 2.95, width, height - 3.3, projection="3d")
+    space = axes(of_surface, projection="3d")
     draw_surface(space, grid, field, norm)
     label_surface(space, grid, norm, titles, label(data))
 
-    flat = axes(0.62, 0.5, width - 0.85, 1.8)
+    flat = axes(of_map)
     image = draw_map(flat, grid, field, norm)
     label_map(flat, grid, titles)
 
-    bar = figure.colorbar(image, cax=axes(0.62, 2.4, width - 0.85, 0.1), orientation="horizontal",
-                          ticks=value_ticks())
+    bar = colour_bar(figure, image, (corner[0] + of_bar[0], corner[1] + of_bar[1], *of_bar[2:]),
+                     orientation="horizontal", ticks=value_ticks(5 if paper_width() is None else 3))
     bar.ax.xaxis.set_ticks_position("top")
     bar.ax.set_ylabel(label(data), rotation=0, ha="right", va="center")
 
-    head = axes(0, height - 0.4, width, 0.4)
+    head = axes(of_head)
     head.axis("off")
-    head.text(0.03, 1, letter, weight="bold", fontsize=13, va="top")
-    head.text(0.12, 0.97, wrapped(attribute(data, "long_name"), 36), va="top")
+    head.text(0.03, 1, letter, weight="bold", fontsize=points(13), va="top")
+    head.text(0.12, 0.97, wrapped(attribute(data, "long_name"), letters), va="top")
     return draw_jumps(flat, grid) | draw_status(flat, grid, field)
+
+
+def draw_cells(flat, grid, field, norm):
+    """The map's cells, as vectors unless they are many. Their edges have their colours: PDF viewers show seams else."""
+    return flat.pcolormesh(cell_edges(grid.x), cell_edges(grid.y), field, norm=norm, edgecolors="face", linewidth=0.3,
+                           rasterized=field.size > MOST_CELLS)
+
+
+def colour_bar(figure, image, box, **options):
+    """The bar in a box (inches), of vectors as the map."""
+    bar = figure.colorbar(image, cax=place(figure, *box), **options)
+    bar.solids.set(rasterized=image.get_rasterized(), edgecolor="face", linewidth=0.3)
+    return bar
 
 
 def colour_range(field):
@@ -214,12 +243,13 @@ def label_surface(space, grid, norm, titles, z_title):
         getattr(space, f"set_{axis}label")(title, labelpad=-3)
     space.set_zlim(norm.vmin, norm.vmax)
     space.zaxis.set_major_locator(value_ticks())
-    space.text2D(0.97, 0.83, z_title, transform=space.transAxes, ha="center", fontsize=11)
-    space.tick_params(pad=-3, labelsize=8)
+    space.text2D(0.97, 0.83, z_title, transform=space.transAxes, ha="center", fontsize=points(11))
+    space.tick_params(pad=-3, labelsize=points(8))
     space.tick_params(axis="z", pad=0)
     for axis in (space.xaxis, space.yaxis, space.zaxis):
         axis.set_pane_color((0.97, 0.97, 0.97, 1))
         axis.set_rotate_label(False)
+    space.patch.set_visible(False)  # it would hide what is beside the surface
     # Seen from large k_r and small k_theta: a decrease with k_r faces the reader.
     space.view_init(elev=24, azim=-52)
     space.set_box_aspect((1.15, 1.0, 0.95))
@@ -233,8 +263,7 @@ def cell_edges(line):
 
 def draw_map(flat, grid, field, norm):
     flat.set_facecolor("#dddddd")
-    image = flat.pcolormesh(cell_edges(grid.x), cell_edges(grid.y), field, norm=norm,
-                            rasterized=True)  # vector cells show seams in PDF viewers
+    image = draw_cells(flat, grid, field, norm)
     # The outer cells are cut in half: the map has the sweep's range.
     flat.set(xlim=grid.x[[0, -1]], ylim=grid.y[[0, -1]])
     if field.count() and np.ptp(field.compressed()) > 0:

@@ -2,9 +2,8 @@
 
 from functools import wraps
 
-import numpy as np
-
-from .results import CHOICE_NAMES, axis_index, axis_names, axis_values, dataset, readable
+from .page import drawn_on
+from .results import CHOICE_NAMES, as_result, axis_names, axis_values, dataset, readable
 
 AXIS = "azimuth_rate"
 
@@ -21,28 +20,31 @@ def reading_name(reading):
     return "".join(CHOICE_NAMES.get(word, readable(word)) for word in reading.values())
 
 
-def points_of(file, reading):
-    """Indices of the points of the sweep under this reading."""
-    status = dataset(file, "status")
-    points = np.arange(status.size).reshape(status.shape)
-    for name, word in reading.items():
-        points = np.take(points, axis_index(file, name, word), axis_names(status).index(name))
-    return np.ravel(points)
+def one_page(draw):
+    """Makes draw(file) a function of any Dataset of a result, and of the options of `drawn_on`."""
+    @wraps(draw)
+    def drawn(ds, **options):
+        with drawn_on(**options):
+            return draw(as_result(ds))
+
+    return drawn
 
 
 def page_for_each_reading(draw):
-    """Makes draw(file, reading) a function of the file alone, too: it draws the first reading."""
+    """The same for draw(file, reading): without a reading it draws the first one."""
     @wraps(draw)
-    def drawn(file, reading=None):
-        return draw(file, readings(file)[0] if reading is None else reading)
+    def drawn(ds, reading=None, **options):
+        with drawn_on(**options):
+            file = as_result(ds)
+            return draw(file, readings(file)[0] if reading is None else reading)
 
     drawn.has_pages = True
     return drawn
 
 
-def pages(draw, file):
+def pages(draw, file, **options):
     """(ending of the file's name, name of the reading, figure) of each page; the first page's ending is empty."""
     if not getattr(draw, "has_pages", False):
-        return [("", "", draw(file))]
-    return [("-" + reading[AXIS].replace("_", "-") if i else "", reading_name(reading), draw(file, reading))
+        return [("", "", draw(file, **options))]
+    return [("-" + reading[AXIS].replace("_", "-") if i else "", reading_name(reading), draw(file, reading, **options))
             for i, reading in enumerate(readings(file))]

@@ -1,20 +1,27 @@
-"""Reading result files: datasets and attributes, values at chosen points of a sweep, flags, the experiment.
+"""Result files as xarray Datasets: variables, values at chosen points of a sweep, flags, the experiment.
 
-This uses h5py alone. xarray would do the selection, but it adds 0.13 s to the 0.25 s that a figure's imports
-take, and `make fig4` would have to install xarray and pandas, 42 MB unpacked.
+`file` is a Dataset as `as_result` makes it of one that a user opened or selected from: every axis of the sweep is a
+dimension, and choices are words. The groups of the file are read from the file that the Dataset was opened from.
 """
 
 import json
 import os
+from functools import lru_cache
 
 import h5py
 import numpy as np
+import xarray
 
 from .errors import BristleError
 from .integrity import require_intact
 
-SCHEMA = "bristle-result/1"
+SCHEMAS = ["bristle-result/1", "bristle-result/2"]  # in version 1 the axes of choices have codes
 RENAMED_FLAGS = {"jump": "load_jump"}  # words in files of older programs
+
+# h5netcdf also reads the texts of older files, on which the netCDF library crashes, and datasets without dimensions.
+OPENING = dict(engine="h5netcdf", phony_dims="access")
+
+NUMBERS = "iuf"  # kinds of data; other variables are texts
 
 # Names of choices in figures.
 CHOICE_NAMES = {"nss": "NSS", "coulomb": "Amontons\u2013Coulomb", "stribeck": "exponential Stribeck"}
@@ -22,7 +29,8 @@ CHOICE_NAMES |= {"kinematic": "Eq. (17) exact", "as_printed": "Eq. (17) as print
 
 
 def open_result(path):
-    """The result file, open for reading: one that could be read and whose digests match."""
+    """The Dataset of a result file: one that could be read and whose digests match."""
+    path = os.fspath(path)
     if os.path.isdir(path):
         raise BristleError(f"{path}: a folder, not a result file")
     if not os.path.exists(path):
@@ -34,49 +42,114 @@ def open_result(path):
     if not h5py.is_hdf5(path):
         raise BristleError(f"{path}: not an HDF5 file")
     require_intact(path)
-    try:
-        file = h5py.File(path, "r")
-    except OSError as error:
-        raise BristleError(f"{path}: damaged HDF5 file ({error})") from error
-    schema = as_text(file.attrs.get("schema_version", ""))
+    file = opened(path)
+    result = as_result(file)
+    result.set_close(file.close)
+    return result
+
+
+def as_result(ds):
+    """The Dataset with a dimension for each axis of the sweep, also for one of which a value was selected, and with
+    the words of choices as coordinates."""
+    if not isinstance(ds, xarray.Dataset):
+        raise BristleError(f"a figure is drawn from an xarray Dataset, as open_result(PATH) returns, not from a "
+                           f"{type(ds).__name__}")
+    require_schema(ds)
+    for name, size in ds.sizes.items():
+        if size == 0:
+            raise BristleError(f"{place_of(ds)}: axis '{name}' has no values")
+    ds = ds.expand_dims([name for name, line in ds.coords.items() if not line.dims])
+    return ds.assign_coords({name: with_words(ds[name]) for name in ds.dims if name in ds.coords
+                             and "flag_meanings" in ds[name].attrs and ds[name].dtype.kind in NUMBERS})
+
+
+def require_schema(ds):
+    schema = as_text(ds.attrs.get("schema_version", ""))
     if schema.startswith("bristle-part/"):
-        shard, name = (as_text(file.attrs.get(key, "?")) for key in ("shard", "name"))
-        raise BristleError(f"{path}: a part ({shard}) of {name}; merge the parts first: "
+        shard, name = (as_text(ds.attrs.get(key, "?")) for key in ("shard", "name"))
+        raise BristleError(f"{place_of(ds)}: a part ({shard}) of {name}; merge the parts first: "
                            "bristle merge -o FILE.h5 PARTS...")
-    if schema != SCHEMA:
-        raise BristleError(f"{path}: schema version {schema or 'none'}; this script reads {SCHEMA}")
-    return file
+    if schema not in SCHEMAS:
+        raise BristleError(f"{place_of(ds)}: schema version {schema or 'none'}; these figures read {', '.join(SCHEMAS)}")
+
+
+def with_words(line):
+    """The axis of a choice with its words instead of their codes."""
+    words, numbers = flags(line)
+    kept = {key: value for key, value in line.attrs.items() if not key.startswith("flag_")}
+    return xarray.DataArray([words[i] for i in numbers], dims=line.dims, attrs=kept)
 
 
 def place_of(data):
-    """File and name of a dataset, for error messages."""
-    return f"{data.file.filename}: dataset '{data.name}'"
+    """Where the data are from, for error messages: the file, and the name of a variable."""
+    path = data.encoding.get("source", "the Dataset")
+    return f"{path}: dataset '/{data.name}'" if isinstance(data, xarray.DataArray) else path
 
 
-def dataset(group, name):
-    """The dataset `name` of the file or group."""
-    found = group.get(name)
-    if not isinstance(found, h5py.Dataset):
-        present = ", ".join(key for key in group if not key.endswith("_err"))
-        raise BristleError(f"{group.file.filename}: no dataset '{group.name.rstrip('/')}/{name}'; "
-                           f"{group.name} has: {present or 'none'}")
-    return found
+def table(file, name):
+    """A group of the file that the Dataset was opened from, such as checks or trajectories; None if there is none."""
+    path = file.encoding.get("source", "")
+    return read_group(path, os.stat(path).st_mtime_ns, name) if os.path.isfile(path) else None
 
 
-def read(group, name):
-    """The values of the dataset `name` of the file or group."""
-    return values(dataset(group, name))
+@lru_cache(maxsize=8)
+def read_group(path, _time, name):
+    """The values of a group of the file, "/" for the root; _time: of its last change."""
+    require_intact(path)
+    with h5py.File(path, "r") as file:
+        if name not in file:
+            return None
+    with opened(path, name) as group:
+        return group.load()
+
+
+def opened(path, group="/"):
+    """A group of a file that is intact, but may still not be what netCDF programs expect."""
+    try:
+        return xarray.open_dataset(path, group=group, **OPENING)
+    except (OSError, ValueError, KeyError, TypeError, RuntimeError) as error:
+        raise BristleError(f"{path}: its group {group} cannot be read as netCDF-4 ({error})") from error
+
+
+def whole(file):
+    """The Dataset with all points of the file that this one, perhaps a part of it, was opened from; None without it."""
+    found = table(file, "/")
+    return None if found is None else as_result(found)
+
+
+def is_whole(file):
+    """Whether the Dataset has all points of its file, so that the file's verdicts are about it."""
+    everything = whole(file)
+    return everything is not None and dict(everything.sizes) == dict(file.sizes)
+
+
+def dataset(file, name):
+    """The variable `name`, or `table/name`."""
+    group, _, column = name.rpartition("/")
+    holder = table(file, group) if group else file
+    if holder is None:
+        raise BristleError(f"{place_of(file)}: no dataset '/{name}'; the table {group} is read from the result file, so "
+                           "the Dataset must be from open_result(PATH) or xarray.open_dataset(PATH)")
+    if column not in holder.variables:
+        present = ", ".join(key for key in map(str, holder.variables) if not key.endswith("_err"))
+        raise BristleError(f"{place_of(file)}: no dataset '/{name}'; /{group} has: {present or 'none'}")
+    return holder[column]
+
+
+def read(file, name):
+    """The values of the variable `name`, or `table/name`."""
+    return values(dataset(file, name))
 
 
 def values(data):
     try:
-        return data[()]
+        return data.values
     except OSError as error:
         raise BristleError(f"{place_of(data)} is damaged ({error})") from error
 
 
 def as_text(value):
-    """A string from HDF5, where it may be bytes, str or an array of one of them."""
+    """A string of an attribute or variable, which may be bytes, str or an array of one of them."""
     if isinstance(value, np.ndarray):
         value = value.ravel()[0]
     return value.decode("utf-8", "replace") if isinstance(value, bytes) else str(value)
@@ -107,7 +180,7 @@ def setting(file, *path):
     value = experiment(file)
     for key in path:
         if not isinstance(value, dict) or key not in value:
-            raise BristleError(f"{file.filename}: attribute 'experiment' has no /{'/'.join(path)}")
+            raise BristleError(f"{place_of(file)}: attribute 'experiment' has no /{'/'.join(path)}")
         value = value[key]
     return value
 
@@ -127,57 +200,42 @@ def flags(data):
 
 def axis_values(file, name):
     """The values of an axis of the sweep: numbers, or the words of a choice."""
-    data = dataset(file, name)
-    if "flag_meanings" in data.attrs:
-        words, numbers = flags(data)
-        return [words[i] for i in np.atleast_1d(numbers)]
-    return np.atleast_1d(values(data))
+    line = np.atleast_1d(read(file, name))
+    return line if line.dtype.kind in NUMBERS else list(map(as_text, line))
 
 
 def axis_names(data):
-    return [scales[0].name.strip("/") if len(scales) else "(no scale)" for scales in data.dims]
+    return list(map(str, data.dims))
 
 
-def axis_index(file, name, value):
-    """Index of the value or word on the axis."""
-    found = [i for i, here in enumerate(axis_values(file, name)) if here == value]
-    if not found:
-        present = ", ".join(map(str, axis_values(file, name)))
-        raise BristleError(f"{file.filename}: axis '{name}' has no {value}; it has: {present}")
-    return found[0]
+def point_numbers(file):
+    """The number of each of the Dataset's points in the tables of the whole file."""
+    status = dataset(file if whole(file) is None else whole(file), "status")
+    numbers = xarray.DataArray(np.arange(status.size).reshape(status.shape), status.coords, status.dims)
+    return numbers.sel({name: dataset(file, name) for name in numbers.dims})
 
 
-def point_index(file, **chosen):
-    """Index of a point of the sweep (the last axis fastest) from its value on every axis."""
-    status = dataset(file, "status")
-    index = select_index(status, [], chosen)
-    return int(np.ravel_multi_index(index, status.shape)) if index else 0
-
-
-def select_index(data, along, chosen):
-    order = axis_names(data)
-    if sorted(order) != sorted([*along, *chosen]):
-        raise BristleError(f"{place_of(data)} is over ({', '.join(order)}); "
-                           f"this figure needs ({', '.join([*along, *chosen])})")
-    return tuple(axis_index(data.file, name, chosen[name]) if name in chosen else slice(None) for name in order)
-
-
-def select(data, along, numbers=None, **chosen):
+def select(data, along, **chosen):
     """The values over the axes `along`, in this order; chosen: the value or word on each other axis.
 
-    numbers: array of the dataset's shape to select from, if not the dataset's values.
+    Axes of one value that are not named are left out.
     """
-    numbers = values(data) if numbers is None else numbers
-    index = select_index(data, along, chosen)
-    left = [name for name in axis_names(data) if name not in chosen]
-    return numbers[index].transpose([left.index(name) for name in along])
+    single = {name: 0 for name, size in data.sizes.items() if size == 1 and name not in (*along, *chosen)}
+    data = data.isel(single)
+    if sorted(data.dims) != sorted([*along, *chosen]):
+        raise BristleError(f"{place_of(data)} is over ({', '.join(data.dims)}); "
+                           f"this figure needs ({', '.join([*along, *chosen])})")
+    for name, value in chosen.items():
+        if value not in (present := data[name].values.tolist()):
+            raise BristleError(f"{place_of(data)}: axis '{name}' has no {value}; it has: {', '.join(map(str, present))}")
+    return values(data.sel(chosen).transpose(*along))
 
 
 def select_flags(file, name, along, **chosen):
     """The words of a dataset of flags, and the index of each point's word."""
     data = dataset(file, name)
     words, numbers = flags(data)
-    return words, select(data, along, numbers, **chosen)
+    return words, select(data.copy(data=numbers), along, **chosen)
 
 
 def select_errors(file, name, along, **chosen):

@@ -61,12 +61,16 @@ def status_marker(status):
 
 def label(data):
     """Axis label of a dataset: its symbol, and its unit unless dimensionless."""
-    # mathtext knows the accent \breve but draws \check as a character of its own.
-    symbol = f"${attribute(data, 'symbol')}$".replace(r"\check", r"\breve")
-    if not is_math(symbol):
-        raise BristleError(f"{place_of(data)}: attribute 'symbol' is not mathtext: {symbol.strip('$')}")
     units = attribute(data, "units")
-    return symbol if units == "1" else f"{symbol} [{units}]"
+    return symbol(data) if units == "1" else f"{symbol(data)} [{units}]"
+
+
+def symbol(data):
+    """The dataset's symbol as mathtext, which knows the accent \\breve but draws \\check as a character of its own."""
+    found = f"${attribute(data, 'symbol')}$".replace(r"\check", r"\breve")
+    if not is_math(found):
+        raise BristleError(f"{place_of(data)}: attribute 'symbol' is not mathtext: {found.strip('$')}")
+    return found
 
 
 def is_math(string):

@@ -4,6 +4,7 @@ import numpy as np
 from matplotlib import ticker
 from mpl_toolkits.mplot3d.art3d import Line3DCollection, Poly3DCollection
 
+from .page import paper_width, points
 from .style import BLACK, GREY, SKY
 
 SNAPSHOTS = 9  # of the bristle, at equal intervals of time
@@ -38,7 +39,12 @@ def label_axes(space, titles):
         axis.set_rotate_label(False)
         axis.set_label_text(title)
         axis.labelpad = pad
-    space.tick_params(pad=-3, labelsize=8)
+    space.tick_params(pad=-3, labelsize=points(8))
+    if paper_width() is not None:  # too small for numbers and names, which the view from above has
+        space.tick_params(labelbottom=False, labelleft=False, labelright=False)
+        for axis in (space.xaxis, space.yaxis, space.zaxis):
+            axis.label.set_visible(False)
+        space.patch.set_visible(False)
 
 
 def undeformed(passage):

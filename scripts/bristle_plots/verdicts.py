@@ -1,13 +1,13 @@
 """The verdicts on the paper's claims: reading, numbers as text, the strip at the foot of a figure."""
 
+import re
 from collections import namedtuple
 from math import floor, isfinite, log10
 
-import h5py
 import numpy as np
 
 from .errors import BristleError
-from .results import as_text, experiment, read, readable
+from .results import as_text, attribute, experiment, is_whole, place_of, read, readable, table
 from .style import BLUE, GREEN, GREY, VERMILION, wrapped
 
 NUMBERS = ("measured", "uncertainty", "threshold", "band", "margin", "significance")
@@ -29,7 +29,12 @@ PAIRED_PREDICATES = ("ordering", "concordance", "equality")
 
 VERDICT_HEADINGS = {"kinematic": "verdict, exact Eq. (17)", "as_printed": "verdict, Eq. (17) as printed"}
 
+# Of quantities that a statement may name and the result may not have.
+FURTHER_SYMBOLS = {"k_r": r"\tilde{k}_r", "k_theta": r"\tilde{k}_\theta", "k_phi": r"\tilde{k}_\varphi", "N_c": "N_c",
+                   "N_0": "N_0", "N_c0": "N_{c,0}", "theta_0": r"\theta_0", "phi_0": r"\varphi_0", "mu_c": r"\mu_c"}
+
 LINE_INCHES = 0.2
+BASELINE_INCHES = 0.13  # below the top of a line
 STRIP = "strip"  # gid of the strip's axes
 LETTERS_PER_INCH = 13.5  # of a statement
 LEAST_STATEMENT = 3.4  # inches; in figures with less room the numbers are below the statement
@@ -39,9 +44,10 @@ Row = namedtuple("Row", "claim statement measured threshold verdicts look")
 
 
 def read_claims(file):
-    """The claims of the group /checks, one for each check and reading; none if there is no such group."""
-    group = file.get("checks")
-    if not isinstance(group, h5py.Group):
+    """The claims of the group /checks, one for each check and reading; none if there is no such group, and none for a
+    part of the result's points, or without its file."""
+    group = table(file, "checks")
+    if group is None or not is_whole(file):
         return []
     length = len(read(group, "threshold"))
     older = {"reading": [""] * length, "role": ["main"] * length, "declared": np.arange(length)}
@@ -53,7 +59,7 @@ def read_claims(file):
 
     columns = [column(name) for name in (*TEXTS, *NUMBERS, "declared")]
     if len({len(column) for column in columns}) > 1:
-        raise BristleError(f"{file.filename}: the datasets of /checks differ in length")
+        raise BristleError(f"{place_of(file)}: the datasets of /checks differ in length")
     texts = len(TEXTS)
     declared = dict(enumerate(experiment(file).get("checks", [])))
     return [Claim(*map(as_text, row[:texts]), *map(float, row[texts:-1]), int(row[-1]),
@@ -65,7 +71,7 @@ def declared_checks(file):
     declared, measured = experiment(file).get("checks", []), read_claims(file)
     numbered = list(enumerate(check["claim"] for check in declared))
     if sorted({(claim.declared, claim.claim) for claim in measured}) != numbered:
-        raise BristleError(f"{file.filename}: /checks is not that of the experiment; run `bristle run` again")
+        raise BristleError(f"{place_of(file)}: /checks is not that of the experiment; run `bristle run` again")
     return [(declared[claim.declared], claim) for claim in measured]
 
 
@@ -191,7 +197,24 @@ def strip_height(claims, width):
     return (lines + 1 + bool(key_of_signs(claims))) * LINE_INCHES + 0.2
 
 
-def draw_strip(figure, claims):
+def symbols(file):
+    """The symbols of quantities by their names in statements: those of the axes of the panels."""
+    found = {name: attribute(data, "symbol") for name, data in file.variables.items() if "symbol" in data.attrs}
+    return FURTHER_SYMBOLS | {name: symbol.replace(r"\check", r"\breve") for name, symbol in found.items()
+                              if symbol not in ("", name)}
+
+
+def in_symbols(text, symbols):
+    """A statement with mathtext for the names of quantities."""
+    def symbol(found):
+        before_bracket = found.end() < len(text) and text[found.end()] == "("
+        return f"${symbols[found.group()].partition('/')[0] if before_bracket else symbols[found.group()]}$"
+
+    names = "|".join(map(re.escape, sorted(symbols, key=len, reverse=True)))
+    return re.sub(rf"(?<!\w)(?:{names})(?!\w)", symbol, text)
+
+
+def draw_strip(figure, claims, symbols):
     """A row for each check at the foot of the figure: statement, threshold, and the verdict under each reading."""
     if not claims:
         return
@@ -209,6 +232,7 @@ def draw_strip(figure, claims):
     line -= 1.3 * LINE_INCHES
     for row in rows:
         narrow = not statement_inches(readings, width)
+        row = row._replace(statement=in_symbols(row.statement, symbols))
         draw_row(strip, row, readings, list(places.values()), line + LINE_INCHES / 2, narrow)
         line -= line_count(row, width) * LINE_INCHES
     strip.text(places["statement"], line, key_of_signs(claims), color=GREY, va="center", fontsize=9)
@@ -224,10 +248,13 @@ def key_of_signs(claims):
 
 
 def draw_row(strip, row, readings, places, top, narrow):
-    text = dict(va="top", fontsize=9.5, linespacing=1.55)
-    strip.text(places[0], top, row.claim, **text)
-    strip.text(places[1] + (0.2 if row.look else 0), top, row.statement, **text, **row.look)
-    below = top - (row.statement.count("\n") + 1) * LINE_INCHES if narrow else top
+    text = dict(va="baseline", fontsize=9.5)
+    lines = row.statement.split("\n")
+    line = top - BASELINE_INCHES
+    strip.text(places[0], line, row.claim, **text)
+    for i, part in enumerate(lines):
+        strip.text(places[1] + (0.2 if row.look else 0), line - i * LINE_INCHES, part, **text, **row.look)
+    below = line - len(lines) * LINE_INCHES if narrow else line
     numbers = [row.threshold] if readings != [""] else [row.measured, row.threshold]
     for x, cell in zip(places[2:], numbers):
         strip.text(x, below, cell, **text, **row.look)

@@ -5,7 +5,7 @@ from collections import Counter
 import numpy as np
 
 import symbols
-from bristle_plots.results import CHOICE_NAMES, readable
+from bristle_plots.results import CHOICE_NAMES, readable, table
 from bristle_plots.verdicts import (VERDICT_SIGNS, declared_checks, number, p_text, quantity, threshold_text,
                                     with_uncertainty)
 
@@ -14,7 +14,7 @@ ORDER = ["supported", "refuted", "undecided"]
 
 def read(figure, file):
     """One row for each check of the experiment, in its order, and each reading."""
-    if "checks" not in file:
+    if table(file, "checks") is None:
         return []
     return [row(figure, check, claim) for check, claim in declared_checks(file)]
 

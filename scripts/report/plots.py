@@ -1,4 +1,4 @@
-"""The figures of scripts/figN.py as inline SVG, without header and verdicts: the page has these as text."""
+"""The figures of bristle_plots as inline SVG, without header and verdicts: the page has these as text."""
 
 import importlib
 import io
@@ -24,7 +24,7 @@ def draw(name, file, verdicts):
 
     verdicts: the claims with their verdicts under each reading, for the description.
     """
-    module = importlib.import_module(name)
+    module = importlib.import_module(f"bristle_plots.figures.{name}")
     title, description = plain(as_text(file.attrs["title"])), describe(module, file, verdicts)
     out = []
     for ending, function in {"": module.draw, **getattr(module, "FURTHER", {})}.items():

@@ -8,7 +8,7 @@ from markupsafe import Markup
 import symbols
 from bristle_plots.errors import BristleError
 from bristle_plots.results import (CHOICE_NAMES, as_text, attribute, axis_names, axis_values, dataset, flags,
-                                   readable, values)
+                                   place_of, readable, values)
 
 # Ending of the datasets with a variable's errors.
 ERROR = "_err"
@@ -20,7 +20,7 @@ def collect(file, replay):
     shape = np.shape(values(status))
     points = int(np.prod(shape))
     if not replay or points % len(replay):
-        raise BristleError(f"{file.filename}: {points} points, but `bristle check --json` has {len(replay)} commands")
+        raise BristleError(f"{place_of(file)}: {points} points, but `bristle check --json` has {len(replay)} commands")
     axes = [read_axis(file, name) for name in axis_names(status)]
     return {
         "name": as_text(file.attrs["name"]),
@@ -55,9 +55,9 @@ def read_axis(file, name):
 def shown(file, shape):
     """Names of the variables over the sweep that have values; those of the figures first."""
     first = ["R_x_norm", "gamma_1", "gamma_2", "gamma_3", "z_0", "R_n", "R_x", "N_c_ratio"]
-    found = [name for name, data in file.items()
-             if hasattr(data, "shape") and data.shape == shape and not name.endswith(ERROR)
-             and name not in (*axis_names(file["status"]), "status")
+    found = [name for name, data in file.data_vars.items()
+             if data.shape == shape and not name.endswith(ERROR) and name != "status"
+             and name.removesuffix("_code") not in file.dims
              and ("flag_meanings" in data.attrs or np.isfinite(values(data)).any())]
     return sorted(found, key=lambda name: (first.index(name) if name in first else len(first), name))
 

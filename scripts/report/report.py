@@ -10,7 +10,7 @@ from markupsafe import Markup
 from matplotlib import colormaps, colors
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-sys.path.append(os.path.dirname(HERE))  # bristle_plots and the scripts of the figures
+sys.path.append(os.path.dirname(HERE))  # for bristle_plots
 
 import claims  # noqa: E402
 import diagnostics  # noqa: E402

@@ -7,7 +7,7 @@ from datetime import datetime
 import yaml
 
 from bristle_plots.errors import BristleError
-from bristle_plots.results import as_text
+from bristle_plots.results import as_text, table
 
 FIRST = ["version", "commit", "dirty", "compiler", "flags", "started", "finished", "cpu", "instruction_set",
          "threads", "system", "command_line", "points_computed", "points_commits"]
@@ -16,7 +16,7 @@ DIGESTS = ["payload_sha256", "experiment_sha256", "inputs_sha256", "numerics_ver
 
 def provenance(file, path):
     """Digests of the file, and all of /provenance with the entries of FIRST first."""
-    stored = file["provenance"].attrs if "provenance" in file else {}
+    stored = {} if table(file, "provenance") is None else table(file, "provenance").attrs
     found = defaultdict(str, {key: as_text(value) for key, value in stored.items()})
     names = [name for name in FIRST if name in found] + sorted(set(found) - set(FIRST))
     return {

@@ -68,7 +68,8 @@ class TarReader {
     std::error_code error;
     if (!fs::exists(path, error))
       throw InputError(fmt::format("{}: no such file; `make archive` makes one", path));
-    if (!fs::is_regular_file(path, error)) throw InputError(fmt::format("{}: not a file", path));
+    if (const std::string what = not_a_file(path); !what.empty())
+      throw InputError(fmt::format("{}: {}", path, what));
     size_ = fs::file_size(path, error);
     if (error || !std::ifstream(path)) throw InputError(fmt::format("{}: cannot be read", path));
     if (size_ == 0) throw MalformedError("the file is empty");

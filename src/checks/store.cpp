@@ -1,6 +1,7 @@
 #include "checks/store.hpp"
 
 #include "results/hdf5.hpp"
+#include "results/texts.hpp"
 
 #include <cmath>
 #include <numeric>
@@ -42,15 +43,10 @@ const Column<double> kNumbers[] = {
     {"significance", "two-sided p-value of a trend", [](C c) { return c.measured.significance; }},
 };
 
-h5::Handle create_column(hid_t group, const char* name, const char* long_name, hid_t type, hsize_t size) {
-  h5::Handle column = h5::create_dataset(group, name, type, {size});
-  h5::write_attribute(column, "long_name", long_name);
-  return column;
-}
-
 // The numbers of the checks, a dimension scale.
 h5::Handle write_rows(hid_t group, std::size_t size) {
-  h5::Handle rows = create_column(group, "check", "number of the check", H5T_NATIVE_LONG, size);
+  h5::Handle rows = h5::create_dataset(group, "check", H5T_NATIVE_LONG, {size});
+  h5::write_attribute(rows, "long_name", "number of the check");
   std::vector<double> numbers(size);
   std::iota(numbers.begin(), numbers.end(), 0.0);
   h5::write_part(rows, H5T_NATIVE_DOUBLE, {0}, {size}, numbers.data());
@@ -58,12 +54,14 @@ h5::Handle write_rows(hid_t group, std::size_t size) {
   return rows;
 }
 
-// The netCDF library reads strings of variable length, and crashes on arrays of strings of fixed length.
-h5::Handle text_type() {
-  h5::Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "creating a string type");
-  h5::check(H5Tset_size(type, H5T_VARIABLE), "sizing a string type");
-  h5::check(H5Tset_cset(type, H5T_CSET_UTF8), "choosing UTF-8");
-  return type;
+h5::Handle create_column(hid_t group, const std::string& name, const std::vector<std::string>& values) {
+  return results::create_texts(group, name, values);
+}
+
+h5::Handle create_column(hid_t group, const std::string& name, const std::vector<double>& values) {
+  h5::Handle dataset = h5::create_dataset(group, name, H5T_NATIVE_DOUBLE, {values.size()});
+  h5::write_part(dataset, H5T_NATIVE_DOUBLE, {0}, {values.size()}, values.data());
+  return dataset;
 }
 
 template <class Value>
@@ -71,18 +69,9 @@ void write_column(hid_t group, hid_t rows, const Column<Value>& column,
                   const std::vector<CheckResult>& checks) {
   std::vector<Value> values;
   for (const CheckResult& c : checks) values.push_back(column.value(c));
-  const auto write = [&](hid_t type, const void* data) {
-    const h5::Handle dataset = create_column(group, column.name, column.long_name, type, checks.size());
-    h5::attach_scale(dataset, rows, 0);
-    h5::write_part(dataset, type, {0}, {checks.size()}, data);
-  };
-  if constexpr (std::is_same_v<Value, std::string>) {
-    std::vector<const char*> texts;
-    for (const std::string& text : values) texts.push_back(text.c_str());
-    write(text_type(), texts.data());
-  } else {
-    write(H5T_NATIVE_DOUBLE, values.data());
-  }
+  const h5::Handle dataset = create_column(group, column.name, values);
+  h5::write_attribute(dataset, "long_name", column.long_name);
+  h5::attach_scale(dataset, rows, 0);
 }
 
 }  // namespace
@@ -100,6 +89,19 @@ void write_checks(const std::string& path, const std::vector<CheckResult>& check
     }
     file.close("closing the file");
   });
+}
+
+std::vector<results::CsvColumn> csv_columns(const std::vector<CheckResult>& checks) {
+  std::vector<results::CsvColumn> columns;
+  for (const auto& text : kTexts) {
+    columns.push_back({text.name, "", text.long_name, {}});
+    for (const CheckResult& c : checks) columns.back().cells.push_back(text.value(c));
+  }
+  for (const auto& number : kNumbers) {
+    columns.push_back({number.name, "", number.long_name, {}});
+    for (const CheckResult& c : checks) columns.back().cells.push_back(results::csv_number(number.value(c)));
+  }
+  return columns;
 }
 
 }  // namespace bristle::checks

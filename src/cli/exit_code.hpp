@@ -6,7 +6,8 @@ enum ExitCode {
   kSuccess = 0,
   kCheckFailed = 1,
   kBadInput = 2,
-  kCouldNotFinish = 3
+  kCouldNotFinish = 3,
+  kInterrupted = 128  // plus the number of the signal
 };
 
 }  // namespace bristle::cli

@@ -1,6 +1,7 @@
 #include "cli/inspect.hpp"
 
 #include "cli/exit_code.hpp"
+#include "results/datasets.hpp"
 #include "results/reader.hpp"
 #include "results/variables.hpp"
 #include "util/error.hpp"
@@ -10,53 +11,78 @@
 #include <fmt/ranges.h>
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 namespace bristle::cli {
 namespace {
 
-void print_variable(const results::ResultReader& result, const std::string& name) {
-  const results::Variable v = result.variable(name);
+// The values of a variable: words of a choice, or the range of its numbers.
+struct Contents {
+  std::vector<std::string> dimensions, words;  // words: of the axis of a choice, otherwise empty
+  std::vector<std::size_t> shape;
   double low = INFINITY, high = -INFINITY;
-  std::size_t values = 0;
-  for (const double x : v.values)
-    if (std::isfinite(x)) {
-      low = std::min(low, x);
-      high = std::max(high, x);
-      ++values;
-    }
-  const std::string where = v.dimensions.empty() ? "" : fmt::format("({})", fmt::join(v.dimensions, ", "));
-  if (values == 0) {
-    fmt::print("  {:<22} {:<20} no values\n", name, where);
-    return;
+  std::size_t values = 0, missing = 0;
+};
+
+Contents contents_of(const results::ResultReader& result, const std::string& name) {
+  const results::Variable v = result.variable(name);
+  Contents out{v.dimensions, {}, v.shape};
+  const bool axis = results::kind_of(result, name) == results::DatasetKind::coordinate;
+  const bool choice = axis && !result.flag_meanings(name).empty();
+  for (const double x : v.values) {
+    if (choice) out.words.push_back(results::value_text(result, name, x));
+    if (!std::isfinite(x)) continue;
+    out.low = std::min(out.low, x);
+    out.high = std::max(out.high, x);
+    ++out.values;
   }
-  fmt::print("  {:<22} {:<20} {:>12.6g} .. {:<12.6g}{}\n", name, where, low, high,
-             values < v.values.size() ? fmt::format(" {} without a value", v.values.size() - values) : "");
+  out.missing = v.values.size() - out.values;
+  return out;
 }
 
-// Prints which part of the sweep the file contains, and reduces status to its points.
-void restrict_to_part(const results::ResultReader& result, results::Variable& status) {
+void print_variable(const results::ResultReader& result, const std::string& name) {
+  const Contents c = contents_of(result, name);
+  const std::string where = c.dimensions.empty() ? "" : fmt::format("({})", fmt::join(c.dimensions, ", "));
+  if (!c.words.empty()) fmt::print("  {:<22} {:<20} {}\n", name, where, fmt::join(c.words, ", "));
+  else if (c.values == 0) fmt::print("  {:<22} {:<20} no values\n", name, where);
+  else
+    fmt::print("  {:<22} {:<20} {:>12.6g} .. {:<12.6g}{}\n", name, where, c.low, c.high,
+               c.missing > 0 ? fmt::format(" {} without a value", c.missing) : "");
+}
+
+// The status of each point; of a part, only of its own points.
+std::vector<double> statuses_of(const results::ResultReader& result) {
+  const std::vector<double> status = result.variable("status").values;
+  if (!result.shard()) return status;
   const std::size_t points = grid_size(result.sweep_shape());
   const auto own = result.part_points();
-  if (points == 0 || status.values.size() % points != 0 || (!own.empty() && own.back() >= points))
+  if (points == 0 || status.size() % points != 0 || (!own.empty() && own.back() >= points))
     throw InputError(
         fmt::format("{}: damaged: status, part/points and the sweep are inconsistent", result.path()));
-  const std::size_t nodes = status.values.size() / points;  // of a traced curve; otherwise 1
-  fmt::print("part {}: {} of {} points; {}\n", results::shard_text(*result.shard()), own.size(), points,
-             results::how_to_merge(result.path(), *result.shard()));
+  const std::size_t nodes = status.size() / points;  // of a traced curve; otherwise 1
   std::vector<double> kept;
   for (const std::size_t p : own)
-    kept.insert(kept.end(), status.values.begin() + long(p * nodes),
-                status.values.begin() + long((p + 1) * nodes));
-  status.values = std::move(kept);
+    kept.insert(kept.end(), status.begin() + long(p * nodes), status.begin() + long((p + 1) * nodes));
+  return kept;
+}
+
+// Number of points with each status that occurs.
+std::vector<std::pair<std::string, long>> status_counts(const results::ResultReader& result) {
+  const std::vector<double> status = statuses_of(result);
+  std::vector<std::pair<std::string, long>> counts;
+  for (std::size_t s = 0; s < results::kPointStatusNames.size(); ++s)
+    if (const auto n = std::count(status.begin(), status.end(), double(s)))
+      counts.emplace_back(results::kPointStatusNames[s], n);
+  return counts;
 }
 
 void print_statuses(const results::ResultReader& result) {
-  results::Variable status = result.variable("status");
-  if (result.shard()) restrict_to_part(result, status);
-  fmt::print("points:{}", status.values.empty() ? " none" : "");
-  for (std::size_t s = 0; s < results::kPointStatusNames.size(); ++s)
-    if (const auto n = std::count(status.values.begin(), status.values.end(), double(s)))
-      fmt::print(" {} {}", n, results::kPointStatusNames[s]);
+  const auto counts = status_counts(result);
+  if (const auto shard = result.shard())
+    fmt::print("part {}: {} of {} points; {}\n", results::shard_text(*shard), result.part_points().size(),
+               grid_size(result.sweep_shape()), results::how_to_merge(result.path(), *shard));
+  fmt::print("points:{}", counts.empty() ? " none" : "");
+  for (const auto& [name, n] : counts) fmt::print(" {} {}", n, name);
   fmt::print("\n");
 }
 
@@ -82,11 +108,50 @@ void print_provenance(const results::ResultReader& result) {
       fmt::print("  {:<22} {}\n", name, entry->second);
 }
 
+Json variable_json(const results::ResultReader& result, const std::string& name) {
+  const Contents c = contents_of(result, name);
+  const h5::Handle dataset = h5::open_dataset(result.file(), name);
+  Json out = {{"dimensions", c.dimensions}, {"shape", c.shape}};
+  for (const char* attribute : {"long_name", "units"})
+    if (h5::has_attribute(dataset, attribute)) out[attribute] = h5::read_text_attribute(dataset, attribute);
+  if (!c.words.empty()) out["words"] = c.words;
+  else if (c.values > 0) out.update({{"min", c.low}, {"max", c.high}});
+  out["missing"] = c.missing;
+  return out;
+}
+
+void print_json(const results::ResultReader& result) {
+  Json out = {{"file", result.path()}};
+  for (const char* name : {"name", "title", "tier", "schema_version", "payload_sha256"})
+    out[name] = result.text(name);
+  out["numerics_version"] = h5::read_integer_attribute(result.file(), "numerics_version");
+  out["damage"] = result.damage();
+  if (const auto shard = result.shard()) out["shard"] = results::shard_text(*shard);
+  out["axes"] = Json::object();
+  for (const std::string& axis : result.axes()) {
+    const Contents c = contents_of(result, axis);
+    out["axes"][axis] = c.words.empty() ? Json(result.variable(axis).values) : Json(c.words);
+  }
+  out["points"] = Json::object();
+  for (const auto& [name, n] : status_counts(result)) out["points"][name] = n;
+  out["variables"] = Json::object();
+  for (const std::string& name : result.variables()) out["variables"][name] = variable_json(result, name);
+  out["failures"] = result.failures();
+  out["provenance"] = result.provenance();
+  out["experiment"] = result.experiment();
+  fmt::print("{}\n", out.dump(1, ' ', false, Json::error_handler_t::replace));
+}
+
 }  // namespace
 
-int info_command(const std::string& file) {
+int info_command(const InfoOptions& options) {
+  const std::string& file = options.file;
   const results::ResultReader result(file, results::Expected::either);
   const bool intact = result.damage().empty();
+  if (options.json) {
+    print_json(result);
+    return intact ? kSuccess : kCheckFailed;
+  }
   fmt::print("{}: {}\n", file, result.text("title"));
   fmt::print("schema {}, experiment {}\npayload sha256 {}{}\n", result.text("schema_version"),
              result.text("name"), result.text("payload_sha256"), intact ? " (verified)" : "");

@@ -4,7 +4,12 @@
 
 namespace bristle::cli {
 
+struct InfoOptions {
+  std::string file;
+  bool json = false;
+};
+
 // The command `info`. Returns the exit code; throws InputError or RunError.
-int info_command(const std::string& file);
+int info_command(const InfoOptions& options);
 
 }  // namespace bristle::cli

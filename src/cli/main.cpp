@@ -2,11 +2,15 @@
 #include "cli/assumptions.hpp"
 #include "cli/compare.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/export.hpp"
 #include "cli/inspect.hpp"
 #include "cli/merge.hpp"
+#include "cli/new.hpp"
 #include "cli/run.hpp"
+#include "cli/usage.hpp"
 #include "results/hdf5.hpp"
 #include "run/provenance.hpp"
+#include "run/signals.hpp"
 #include "util/error.hpp"
 #include "util/text.hpp"
 
@@ -36,6 +40,15 @@ void add_experiment(CLI::App& command, RunOptions& options) {
       ->capture_default_str();
 }
 
+CLI::App* add_new(CLI::App& app, std::string& name) {
+  auto* command = app.add_subcommand("new", "write an experiment to start from");
+  command
+      ->add_option("NAME", name,
+                   "its name: letters, digits, _ . -; written to experiments/NAME.json, or NAME.json")
+      ->required();
+  return command;
+}
+
 CLI::App* add_run(CLI::App& app, RunOptions& run) {
   auto* command = app.add_subcommand("run", "compute an experiment into an HDF5 result file");
   add_experiment(*command, run);
@@ -57,9 +70,19 @@ CLI::App* add_validate(CLI::App& app, RunOptions& run) {
   return command;
 }
 
-CLI::App* add_info(CLI::App& app, std::string& file) {
+CLI::App* add_info(CLI::App& app, InfoOptions& info) {
   auto* command = app.add_subcommand("info", "print the contents and the provenance of a result file");
-  command->add_option("FILE", file, "result file")->required();
+  command->add_option("FILE", info.file, "result file")->required();
+  command->add_flag("--json", info.json, "print JSON");
+  return command;
+}
+
+CLI::App* add_export(CLI::App& app, ExportOptions& options) {
+  auto* command = app.add_subcommand("export", "write the numbers of a result as a table (CSV)");
+  command->add_option("FILE", options.file, "result file")->required();
+  command->add_option("-o,--output", options.output, "table [the name of FILE with .csv]");
+  command->add_option("--group", options.group,
+                      "checks, load_error or a recorded table in place of the variables");
   return command;
 }
 
@@ -155,10 +178,14 @@ class CommandLine {
     app_.require_subcommand(1);
     app_.footer(
         "Exit codes: 0 success; 1 a check failed; 2 wrong input or command line; "
-        "3 the run could not finish.");
+        "3 the run could not finish; 130 interrupted (Ctrl-C).");
+    set_action(add_new(app_, new_name_), [this] { return cli::new_command(new_name_); });
     set_action(add_run(app_, run_), [this] { return cli::run_command(run_); });
     set_action(add_validate(app_, run_), [this] { return cli::validate_command(run_); });
-    set_action(add_info(app_, info_file_), [this] { return cli::info_command(info_file_); });
+    set_action(app_.add_subcommand("schema", "print the JSON schema of experiment files, for editors"),
+               [] { return cli::schema_command(); });
+    set_action(add_info(app_, info_), [this] { return cli::info_command(info_); });
+    set_action(add_export(app_, export_), [this] { return cli::export_command(export_); });
     set_action(add_check(app_, check_), [this] { return cli::check_command(check_); });
     set_action(add_diff(app_, diff_), [this] { return cli::diff_command(diff_); });
     set_action(add_merge(app_, merge_), [this] { return cli::merge_command(merge_); });
@@ -172,9 +199,16 @@ class CommandLine {
 
   // Runs the selected command; returns the exit code.
   int dispatch(int argc, char** argv) {
+    if (argc == 1) {
+      fmt::print(stderr, "{}\n\n{}", app_.get_description(), cli::first_steps());
+      return cli::kBadInput;
+    }
     try {
       app_.parse(argc, argv);
     } catch (const CLI::ParseError& e) {
+      const bool mistake = e.get_exit_code() != int(CLI::ExitCodes::Success);
+      if (const std::string unknown = cli::unknown_argument(app_); mistake && !unknown.empty())
+        throw InputError(unknown);
       return app_.exit(e) == 0 ? cli::kSuccess : cli::kBadInput;
     }
     return selected_();
@@ -189,8 +223,10 @@ class CommandLine {
 
   CLI::App app_{"bristle: dry friction of a lattice of elastic bristles under a sliding slab"};
   Command selected_;
-  std::string command_line_, info_file_;
+  std::string command_line_, new_name_;
   RunOptions run_;
+  InfoOptions info_;
+  ExportOptions export_;
   CheckOptions check_;
   DiffOptions diff_;
   MergeOptions merge_;
@@ -219,6 +255,9 @@ int main(int argc, char** argv) {
   } catch (const InputError& e) {
     fmt::print(stderr, "bristle: {}\n", e.what());
     return cli::kBadInput;
+  } catch (const Interrupted& e) {
+    fmt::print(stderr, "bristle: {}\n", e.what());
+    return cli::kInterrupted + run::received_signal();
   } catch (const std::exception& e) {
     fmt::print(stderr, "bristle: {}\n", e.what());
     return cli::kCouldNotFinish;

@@ -2,6 +2,7 @@
 
 #include "checks/validate.hpp"
 #include "cli/exit_code.hpp"
+#include "experiment/author_schema.hpp"
 #include "experiment/experiment.hpp"
 #include "experiment/si_units.hpp"
 #include "run/task.hpp"
@@ -10,6 +11,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 
 namespace bristle::cli {
 namespace {
@@ -64,6 +66,11 @@ int validate_command(const RunOptions& options) {
   if (const auto kept = experiment::values_not_in_si(e.point(0)); !e.base.si.empty() && !kept.empty())
     fmt::print("not given in the si block, so dimensionless and the same for any material: {}\n",
                fmt::join(kept, ", "));
+  return kSuccess;
+}
+
+int schema_command() {
+  fmt::print("{}\n", experiment::author_schema().dump(1));
   return kSuccess;
 }
 

@@ -21,4 +21,7 @@ struct RunOptions {
 int run_command(const RunOptions& options);
 int validate_command(const RunOptions& options);
 
+// The command `schema`: prints the schema of experiment files for editors.
+int schema_command();
+
 }  // namespace bristle::cli

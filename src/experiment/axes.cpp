@@ -66,9 +66,9 @@ class AxisReader {
   // Indices of the given words in the choice's options.
   std::vector<double> choices() const {
     const auto& options = sweepable_->options;
-    if (!json_.contains("values"))
-      fail(at_,
-           fmt::format("{} needs \"values\", a list of words; allowed: {}", name_, fmt::join(options, ", ")));
+    if (!json_.contains("values") || json_.contains("linspace") || json_.contains("logspace"))
+      fail(at_, fmt::format("{} needs \"values\" alone, a list of words; allowed: {}", name_,
+                            fmt::join(options, ", ")));
     std::vector<double> indices;
     for (const Json& value : json_["values"]) {
       const std::string word = value.is_string() ? value.get<std::string>() : shown(value);

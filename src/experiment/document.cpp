@@ -68,6 +68,7 @@ void collect(const std::string& path, const fs::path& root, std::vector<std::str
             out);
   }
   content.erase("extends");
+  content.erase("$schema");  // for editors
   out.push_back({path, std::make_shared<const Json>(std::move(content))});
 }
 

@@ -107,16 +107,15 @@ bool matches(const Plain& schema_document, const Json& value,
   return fine;
 }
 
-// The schema of a sweepable number: in the model, load, orientation or si block.
-const Json& schema_of(const std::string& name) {
+}  // namespace
+
+const Json& parameter_schema(const std::string& name) {
   for (const char* place : {"/definitions/model/properties", "/properties/load/properties",
                             "/properties/orientation/properties", "/definitions/si/properties"})
     if (const Json& properties = schema_json()[JsonPointer(place)]; properties.contains(name))
       return properties[name];
   throw std::logic_error("no schema for " + name);
 }
-
-}  // namespace
 
 std::string allowed_by_schema(const Json& schema) {
   const Json& s = resolve(schema);
@@ -160,7 +159,7 @@ void check_schema(const Document& document, const char* text) {
 
 void check_parameter(const Document& document, const JsonPointer& at, const std::string& parameter,
                      double value) {
-  const Json& schema = schema_of(parameter);
+  const Json& schema = parameter_schema(parameter);
   const bool whole = value == std::floor(value) && std::abs(value) < 1e15;
   if (!matches(Plain(schema), whole ? Json(long(value)) : Json(value), nullptr))
     document.fail(at.to_string(), fmt::format("{} is out of range for {}; allowed: {}", value, parameter,

@@ -15,6 +15,9 @@ void check_schema(const Document& document, const char* schema);
 const char* experiment_schema();
 std::string allowed_by_schema(const Json& schema);
 
+// The schema of a sweepable number: in the model, load, orientation or si block.
+const Json& parameter_schema(const std::string& name);
+
 // Checks a value of a sweep against the schema of the parameter. Throws InputError if it is out of range.
 void check_parameter(const Document& document, const JsonPointer& at, const std::string& parameter,
                      double value);

@@ -16,6 +16,10 @@
 namespace bristle::results {
 namespace {
 
+constexpr const char* kPaper =
+    "N. Menga, F. Bottiglione, G. Carbone: Exploiting surface textures dynamics for dry friction control, "
+    "Nonlinear Dynamics (2022)";
+
 bool fixed(const Experiment& e, const std::string& name) { return !e.swept(name); }
 
 // A value with symbol and unit as mathtext, with powers of ten: "$m = 10^{-4}$ kg".
@@ -75,6 +79,24 @@ void annotate_slab_force(hid_t file, const Experiment& e) {
                       bristles_per_width(setup.parameters));
 }
 
+// The attributes of the CF conventions that tell where the numbers come from. They differ between equal runs.
+void annotate_origin(hid_t file, const Experiment& e) {
+  h5::write_attribute(file, "Conventions", "CF-1.10");
+  h5::write_attribute(file, "references", kPaper);
+  if (const auto institution = e.document->find("institution"); institution != e.document->end())
+    h5::write_attribute(file, "institution", institution->get<std::string>());
+  if (!h5::exists(file, "provenance")) return;
+  const h5::Handle provenance = h5::open_group(file, "provenance");
+  const auto entry = [&](const char* name) {
+    return h5::has_attribute(provenance, name) ? h5::read_text_attribute(provenance, name) : "unknown";
+  };
+  h5::write_attribute(file, "source",
+                      fmt::format("numerical model, bristle {} ({})", entry("version"), entry("commit")));
+  // Other programs add lines to the history, which remain.
+  if (!h5::has_attribute(file, "history"))
+    h5::write_attribute(file, "history", fmt::format("{}: {}", entry("finished"), entry("command_line")));
+}
+
 }  // namespace
 
 void annotate(const std::string& path, const Experiment& experiment, const std::optional<Shard>& shard) {
@@ -92,6 +114,7 @@ void annotate(const std::string& path, const Experiment& experiment, const std::
   h5::write_attribute(file, "experiment_sha256", sha256_of(document));
   h5::write_attribute(file, "inputs_sha256", inputs_sha256(*experiment.document));
   annotate_slab_force(file, experiment);
+  annotate_origin(file, experiment);
   file.close("closing " + path);
 }
 

@@ -1,6 +1,7 @@
 #include "results/datasets.hpp"
 
 #include "results/digest.hpp"
+#include "results/texts.hpp"
 #include "util/grid.hpp"
 
 #include <fmt/format.h>
@@ -35,10 +36,9 @@ std::string coordinate(const ResultReader& result, const std::string& folder, co
 
 std::vector<std::string> numeric_datasets(const ResultReader& result) {
   std::vector<std::string> names = payload_datasets(result.file());
-  std::erase_if(names, [&](const std::string& name) {
-    const H5T_class_t kind = class_of(h5::open_dataset(result.file(), name));
-    return kind != H5T_FLOAT && kind != H5T_INTEGER;
-  });
+  for (const std::string& name : std::vector(names))
+    if (is_text(h5::open_dataset(result.file(), name)) && std::erase(names, code_variable(name)) == 0)
+      std::erase(names, name);
   return names;
 }
 

@@ -16,7 +16,7 @@ enum class DatasetKind {
   real
 };
 
-// The numeric datasets of the payload.
+// The datasets of the payload. The axis of a choice stands for its words and codes.
 std::vector<std::string> numeric_datasets(const ResultReader& result);
 
 DatasetKind kind_of(const ResultReader& result, const std::string& name);

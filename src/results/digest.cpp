@@ -1,6 +1,7 @@
 #include "results/digest.hpp"
 
 #include "results/hdf5.hpp"
+#include "results/texts.hpp"
 #include "results/version.hpp"
 #include "util/sha.hpp"
 
@@ -45,11 +46,14 @@ void add_dataset(Digest& digest, hid_t file, const std::string& path) {
   const h5::Handle dataset = h5::open_dataset(file, path);
   const h5::Handle type(H5Dget_type(dataset), H5Tclose, "reading the type of " + path);
   const h5::Shape shape = h5::shape_of(dataset);
+  const bool text = is_text(dataset);
   std::string head =
-      fmt::format("/{} {}{}", path, H5Tget_class(type) == H5T_FLOAT ? "f" : "i", H5Tget_size(type));
+      text ? fmt::format("/{} s", path)
+           : fmt::format("/{} {}{}", path, H5Tget_class(type) == H5T_FLOAT ? "f" : "i", H5Tget_size(type));
   for (const hsize_t n : shape) head += fmt::format(" {}", n);
   digest.add(head + "\n");
-  add_values(digest, dataset, shape);
+  if (text) add_texts(digest, dataset);
+  else add_values(digest, dataset, shape);
 }
 
 }  // namespace
@@ -68,7 +72,7 @@ std::vector<std::string> payload_datasets(hid_t file) {
 
 std::string inputs_sha256(const Json& document) {
   nlohmann::json inputs = document;  // sorts the keys: their order in the file does not matter
-  for (const char* name : {"name", "title", "figure", "notes", "checks", "checks_for_each"})
+  for (const char* name : {"name", "title", "figure", "institution", "notes", "checks", "checks_for_each"})
     inputs.erase(name);
   // The order of the axes matters: it is that of the dimensions.
   nlohmann::json axes = nlohmann::json::array();

@@ -15,6 +15,8 @@
 namespace bristle::h5 {
 namespace {
 
+constexpr const char* kFillValue = "_FillValue";  // by the conventions of netCDF
+
 herr_t keep_innermost(unsigned, const H5E_error2_t* error, void* out) {
   if (error->desc) *static_cast<std::string*>(out) = error->desc;
   return 0;
@@ -174,8 +176,11 @@ Handle create_dataset(hid_t parent, const std::string& name, hid_t type, const S
   const Handle space = shape.empty() ? memory_space({})
                                      : Handle(H5Screate_simple(int(shape.size()), now.data(), shape.data()),
                                               H5Sclose, "creating the space of " + name);
-  return {H5Dcreate2(parent, name.c_str(), type, space, H5P_DEFAULT, creation, H5P_DEFAULT), H5Dclose,
-          "creating dataset " + name};
+  Handle dataset(H5Dcreate2(parent, name.c_str(), type, space, H5P_DEFAULT, creation, H5P_DEFAULT), H5Dclose,
+                 "creating dataset " + name);
+  if (H5Tequal(type, H5T_NATIVE_DOUBLE) > 0)
+    write_attribute(dataset, kFillValue, std::numeric_limits<double>::quiet_NaN());
+  return dataset;
 }
 
 Shape position(const std::vector<std::size_t>& shape, std::size_t index) {
@@ -291,6 +296,8 @@ bool is_group(hid_t parent, const std::string& name) {
 
 void make_scale(hid_t dataset, const std::string& name) {
   check(H5DSset_scale(dataset, name.c_str()), "making a dimension scale of " + name);
+  // Coordinates have no missing values.
+  if (has_attribute(dataset, kFillValue)) check(H5Adelete(dataset, kFillValue), "removing the fill value");
 }
 
 void attach_scale(hid_t dataset, hid_t scale, unsigned dimension) {

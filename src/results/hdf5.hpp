@@ -55,7 +55,7 @@ Handle open_dataset(hid_t parent, const std::string& name);
 bool exists(hid_t parent, const std::string& name);
 
 // Creates a dataset without time stamps. An empty shape creates a scalar, a first extent of H5S_UNLIMITED a
-// dataset that can grow. Doubles are filled with NaN.
+// dataset that can grow. Doubles are filled with NaN, which the attribute _FillValue states.
 Handle create_dataset(hid_t parent, const std::string& name, hid_t type, const Shape& shape);
 Shape shape_of(hid_t dataset);
 hsize_t length_of(hid_t dataset);  // throws RunError unless the dataset has one dimension

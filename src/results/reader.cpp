@@ -3,12 +3,14 @@
 #include "experiment/axes.hpp"
 #include "results/digest.hpp"
 #include "results/inspect.hpp"
+#include "results/texts.hpp"
 #include "results/version.hpp"
 #include "util/error.hpp"
 #include "util/text.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <cmath>
 #include <filesystem>
@@ -23,6 +25,8 @@ constexpr const char* kRemedy = "restore the file, or compute it again with `bri
 }  // namespace
 
 ResultReader::ResultReader(const std::string& path, Expected expected) : path_(path) {
+  if (const std::string what = not_a_file(path); !what.empty())
+    throw InputError(fmt::format("{}: {}", path, what));
   if (!std::filesystem::is_regular_file(path))
     throw InputError(fmt::format("{}: no such file; create it with `bristle run EXPERIMENT.json {}-o {}`",
                                  path, expected == Expected::part ? "--shard i/N " : "", path));
@@ -55,9 +59,10 @@ void ResultReader::require_intact() const {
 
 void ResultReader::require(Expected expected) const {
   const std::string version = text("schema_version");
-  if (version != kResultSchema && version != kPartSchema)
-    throw InputError(fmt::format("{}: schema version {}, but this program reads {} and {} only", path_,
-                                 version, kResultSchema, kPartSchema));
+  const std::vector<std::string> known = {kResultSchema, kOldResultSchema, kPartSchema, kOldPartSchema};
+  if (std::ranges::find(known, version) == known.end())
+    throw InputError(fmt::format("{}: schema version {}, but this program reads {} only", path_, version,
+                                 fmt::join(known, ", ")));
   const auto part = shard();
   if (part && expected == Expected::whole)
     throw InputError(fmt::format("{}: a part ({}) of {}, not a whole result; merge the parts first: {}",
@@ -69,7 +74,7 @@ void ResultReader::require(Expected expected) const {
 }
 
 std::optional<Shard> ResultReader::shard() const {
-  if (text("schema_version") != kPartSchema) return {};
+  if (!text("schema_version").starts_with("bristle-part/")) return {};
   return parse_shard(text("shard"));
 }
 
@@ -89,14 +94,22 @@ std::vector<std::string> ResultReader::variables() const {
   std::vector<std::string> names;
   for (const std::string& name : h5::children(file_))
     if (!h5::is_group(file_, name)) names.push_back(name);
+  for (const std::string& name : std::vector(names))
+    if (is_text(h5::open_dataset(file_, name))) std::erase(names, code_variable(name));
   return names;
+}
+
+// The dataset; for the axis of a choice, that of its codes.
+h5::Handle ResultReader::open_numbers(const std::string& name) const {
+  h5::Handle dataset = h5::open_dataset(file_, name);
+  return is_text(dataset) ? h5::open_dataset(file_, code_variable(name)) : std::move(dataset);
 }
 
 Variable ResultReader::variable(const std::string& name) const {
   if (!h5::exists(file_, name) || h5::is_group(file_, name))
     throw InputError(
         fmt::format("{}: there is no variable {}{}", path_, name, did_you_mean(name, variables())));
-  const h5::Handle dataset = h5::open_dataset(file_, name);
+  const h5::Handle dataset = open_numbers(name);
   Variable out;
   const h5::Shape shape = h5::shape_of(dataset);
   std::size_t size = 1;
@@ -111,7 +124,7 @@ Variable ResultReader::variable(const std::string& name) const {
 }
 
 std::vector<std::string> ResultReader::flag_meanings(const std::string& name) const {
-  const h5::Handle dataset = h5::open_dataset(file_, name);
+  const h5::Handle dataset = open_numbers(name);
   std::vector<std::string> words;
   if (!h5::has_attribute(dataset, "flag_meanings")) return words;
   std::istringstream text(h5::read_text_attribute(dataset, "flag_meanings"));
@@ -130,6 +143,7 @@ bool up_to_date(const std::string& path, const Experiment& experiment, const std
   try {
     const ResultReader file(path, shard ? Expected::part : Expected::whole);
     return file.damage().empty() && (!shard || file.text("shard") == shard_text(*shard)) &&
+           file.text("schema_version") == (shard ? kPartSchema : kResultSchema) &&
            h5::read_number_attribute(file.file(), "numerics_version") == double(kNumericsVersion) &&
            file.text("inputs_sha256") == inputs_sha256(*experiment.document);
   } catch (const InputError&) {
@@ -142,6 +156,8 @@ bool up_to_date(const std::string& path, const Experiment& experiment, const std
 std::string axis_variable(const std::string& name) {
   return name == "R_n" || name == "z_0" ? name + "_target" : name;
 }
+
+std::string code_variable(const std::string& choice) { return choice + "_code"; }
 
 FileKind replaceable_by(const std::optional<Shard>& shard) {
   const std::string signature = "\x89HDF\r\n\x1a\n";

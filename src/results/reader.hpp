@@ -43,7 +43,8 @@ class ResultReader {
   void require_intact() const;
   const std::string& path() const { return path_; }
   hid_t file() const { return file_; }
-  std::vector<std::string> variables() const;  // datasets of the root
+  std::vector<std::string> variables() const;  // datasets of the root, without the codes of axes
+  // For the axis of a choice, variable() and flag_meanings() give codes and words as for other flags.
   Variable variable(const std::string& name) const;
   // Meanings of the values 0, 1, ... of a flag variable; empty for other variables.
   std::vector<std::string> flag_meanings(const std::string& name) const;
@@ -60,6 +61,7 @@ class ResultReader {
 
  private:
   void require(Expected expected) const;
+  h5::Handle open_numbers(const std::string& name) const;
   std::map<std::string, std::string> text_attributes(const std::string& group) const;
 
   std::string path_;
@@ -77,5 +79,7 @@ bool up_to_date(const std::string& path, const Experiment& experiment,
 // The name of an axis in the file. A swept R_n or z_0 becomes R_n_target or z_0_target, because R_n and z_0
 // are the computed values.
 std::string axis_variable(const std::string& name);
+// The variable with the codes of a swept choice, whose axis contains the words.
+std::string code_variable(const std::string& choice);
 
 }  // namespace bristle::results

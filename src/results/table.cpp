@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <algorithm>
 #include <numeric>
 
 namespace bristle::results {
@@ -27,10 +28,12 @@ Table::Table(hid_t file, const std::string& group, const std::string& row, const
   h5::Handle rows = h5::create_dataset(group_, row, H5T_NATIVE_LONG, open);
   describe(rows, "row number", "", "");
   h5::make_scale(rows, row);
+  const bool has_status = std::ranges::find(columns, "status", &Column::name) != columns.end();
   for (const Column& column : columns) {
     h5::Handle dataset = h5::create_dataset(group_, column.name, column.type, open);
     describe(dataset, column.long_name, column.symbol, column.equation, column.units);
     if (!column.flags.empty()) describe_flags(dataset, column.flags);
+    else if (has_status) h5::write_attribute(dataset, "ancillary_variables", "status");
     for (const auto& [name, value] : column.constants) h5::write_attribute(dataset, name, value);
     h5::attach_scale(dataset, rows, 0);
     columns_.emplace_back(std::move(dataset), open, 0);

@@ -3,6 +3,7 @@
 #include "results/annotate.hpp"
 #include "results/digest.hpp"
 #include "results/reader.hpp"
+#include "results/texts.hpp"
 #include "results/version.hpp"
 #include "util/error.hpp"
 #include "util/file.hpp"
@@ -71,20 +72,38 @@ void ResultWriter::create_part() {
 
 void ResultWriter::create_axis(const experiment::Axis& axis) {
   const experiment::Sweepable& what = *experiment::find_sweepable(axis.name);
-  const bool choice = !what.options.empty();
-  create_scale(axis_variable(axis.name), choice ? H5T_NATIVE_SCHAR : H5T_NATIVE_DOUBLE, axis.values,
+  if (!what.options.empty()) return create_choice(axis, what);
+  create_scale(axis_variable(axis.name), H5T_NATIVE_DOUBLE, axis.values,
                {what.symbol, what.description, what.units});
-  if (choice) describe_flags(axes_.back(), what.options);
+}
+
+// The dimension scale contains the words, so that programs select by them. The codes are a variable over it.
+void ResultWriter::create_choice(const experiment::Axis& axis, const experiment::Sweepable& what) {
+  std::vector<std::string> words;
+  for (const double value : axis.values) words.push_back(what.text(value));
+  const hsize_t size = words.size();
+  add_scale(create_texts(file_, axis.name, words), axis.name, {what.symbol, what.description, what.units});
+  h5::Handle codes = h5::create_dataset(file_, code_variable(axis.name), H5T_NATIVE_SCHAR, {size});
+  h5::write_part(codes, H5T_NATIVE_DOUBLE, {0}, {size}, axis.values.data());
+  describe(codes, "code of " + axis.name, "", "");
+  describe_flags(codes, what.options);
+  h5::attach_scale(codes, axes_.back(), 0);
+  codes.close("closing " + code_variable(axis.name));
 }
 
 void ResultWriter::create_scale(const std::string& name, hid_t type, const std::vector<double>& values,
                                 const std::array<std::string, 3>& label) {
   h5::Handle scale = h5::create_dataset(file_, name, type, {values.size()});
   h5::write_part(scale, H5T_NATIVE_DOUBLE, {0}, {values.size()}, values.data());
-  h5::make_scale(scale, name);
-  describe(scale, label[1], label[0], "", label[2]);
-  shape_.push_back(values.size());
-  axes_.push_back(std::move(scale));
+  add_scale(std::move(scale), name, label);
+}
+
+void ResultWriter::add_scale(h5::Handle dataset, const std::string& name,
+                             const std::array<std::string, 3>& label) {
+  h5::make_scale(dataset, name);
+  describe(dataset, label[1], label[0], "", label[2]);
+  shape_.push_back(h5::length_of(dataset));
+  axes_.push_back(std::move(dataset));
 }
 
 ResultWriter::~ResultWriter() { discard(); }
@@ -98,9 +117,11 @@ void ResultWriter::discard() {
 
 h5::Handle ResultWriter::create_variable(hid_t parent, const std::string& name, hid_t type,
                                          const std::string& long_name, const std::string& symbol,
-                                         const std::string& equation, const std::string& units) {
+                                         const std::string& equation, const std::string& units,
+                                         const std::string& ancillary) {
   h5::Handle dataset = h5::create_dataset(parent, name, type, shape_);
   describe(dataset, long_name, symbol, equation, units);
+  if (!ancillary.empty()) h5::write_attribute(dataset, "ancillary_variables", ancillary);
   for (unsigned d = 0; d < axes_.size(); ++d) h5::attach_scale(dataset, axes_[d], d);
   return dataset;
 }
@@ -112,9 +133,10 @@ void ResultWriter::add_variable(const std::string& name, h5::Handle dataset, dou
 void ResultWriter::create_variables() {
   if (searched_) load_error_ = h5::create_group(file_, "load_error");
   for (const ResultVariable& v : result_variables(experiment_)) {
-    add_variable(
-        v.name, create_variable(file_, v.name, H5T_NATIVE_DOUBLE, v.long_name, v.symbol, v.equation, v.units),
-        kMissing);
+    add_variable(v.name,
+                 create_variable(file_, v.name, H5T_NATIVE_DOUBLE, v.long_name, v.symbol, v.equation, v.units,
+                                 v.error ? v.name + "_err status" : "status"),
+                 kMissing);
     const std::string symbol = R"(\delta )" + v.symbol;
     if (v.error)
       add_variable(v.name + "_err",

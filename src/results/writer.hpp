@@ -39,12 +39,14 @@ class ResultWriter {
   void write_values(std::size_t index, const PointRecord& record);
   void finish(const std::map<std::string, std::string>& provenance);
   void create_axis(const experiment::Axis& axis);
+  void create_choice(const experiment::Axis& axis, const experiment::Sweepable& what);
   void create_scale(const std::string& name, hid_t type, const std::vector<double>& values,
                     const std::array<std::string, 3>& label);  // symbol, description, units
+  void add_scale(h5::Handle dataset, const std::string& name, const std::array<std::string, 3>& label);
   void create_variables();
   h5::Handle create_variable(hid_t parent, const std::string& name, hid_t type, const std::string& long_name,
                              const std::string& symbol, const std::string& equation,
-                             const std::string& units = "1");
+                             const std::string& units = "1", const std::string& ancillary = "");
   void add_variable(const std::string& name, h5::Handle dataset, double missing);
   void create_flags(const std::string& name, const std::string& long_name,
                     const std::vector<std::string>& meanings, int absent);

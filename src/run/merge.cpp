@@ -81,7 +81,7 @@ void merge_parts(PartSet& parts, const std::string& output, const std::string& c
   results::ResultWriter writer(experiment, output);
   std::vector<Gap> gaps;
   const auto end_if_stopped = [&] {
-    if (stop()) throw RunError(fmt::format("interrupted; {} was not changed", output));
+    if (stop()) throw Interrupted(fmt::format("interrupted; {} was not changed", output));
   };
   for (std::size_t i = 0; i < experiment.points(); ++i) {
     end_if_stopped();

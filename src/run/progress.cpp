@@ -25,8 +25,8 @@ std::string count_text(std::size_t count) {
   return out;
 }
 
-Progress::Progress(std::string what, std::size_t total, bool quiet)
-    : what_(std::move(what)), total_(total), quiet_(quiet), terminal_(isatty(STDERR_FILENO)) {
+Progress::Progress(const std::string& name, std::size_t total, bool quiet)
+    : name_(name), total_(total), quiet_(quiet), terminal_(isatty(STDERR_FILENO)) {
   due_ = terminal_ ? kTerminalSeconds : kFirstPlainSeconds;
 }
 
@@ -53,8 +53,9 @@ void Progress::note(const std::string& text) {
 }
 
 void Progress::show(double seconds) {
+  shown_ = true;
   const double rate = double(done_) / seconds;
-  std::string text = fmt::format("{} {}/{} points", what_, done_, total_);
+  std::string text = fmt::format("{}: computing {}/{} points", name_, done_, total_);
   if (passages_ > 0) text += fmt::format(", {} passages", count_text(passages_));
   if (done_ > 0) text += fmt::format(", {:.2g}/s", rate);
   if (done_ == total_) text += ", took " + duration_text(seconds);
@@ -69,8 +70,17 @@ void Progress::show(double seconds) {
   std::fflush(stderr);
 }
 
+void Progress::stage(const std::string& text) {
+  if (quiet_) return;
+  finish();
+  bar_ = false;
+  if (terminal_) fmt::print(stderr, "{}: {}", name_, text);
+  else if (shown_) fmt::print(stderr, "{}: {}\n", name_, text);
+  std::fflush(stderr);
+}
+
 void Progress::finish() {
-  if (!quiet_ && terminal_) fmt::print(stderr, "\n");
+  if (!quiet_ && terminal_) fmt::print(stderr, "{}", bar_ ? shown_ ? "\n" : "" : "\r\033[K");
 }
 
 }  // namespace bristle::run

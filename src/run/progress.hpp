@@ -6,23 +6,26 @@
 namespace bristle::run {
 
 // Progress on standard error: on a terminal a bar with rate and time left, otherwise a line after 3 s and
-// then every 30 s, nothing if quiet.
+// then every 30 s, nothing if quiet. Each line begins with the name of what is done and the stage.
 class Progress {
  public:
-  Progress(std::string what, std::size_t total, bool quiet);
+  Progress(const std::string& name, std::size_t total, bool quiet);
+  // The next stage, which has no count: "writing results/fig4.h5". A line of its own after those of a long
+  // run.
+  void stage(const std::string& text);
   void step();                           // counts one completed item
   void add_passages(std::size_t count);  // of items that need not be completed
   void note(const std::string& text);    // a line of its own, also if quiet
-  void finish();                         // ends the line of the bar
+  void finish();                         // ends the line of the bar, or removes that of a stage
 
  private:
   using Clock = std::chrono::steady_clock;
   void show_if_due();
   void show(double seconds);
 
-  std::string what_;
+  std::string name_;
   std::size_t total_, done_ = 0, passages_ = 0;
-  bool quiet_, terminal_;
+  bool quiet_, terminal_, shown_ = false, bar_ = true;
   Clock::time_point start_ = Clock::now();
   double due_;  // seconds from the start at which the next line is due
 };

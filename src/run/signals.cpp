@@ -6,14 +6,14 @@
 namespace bristle::run {
 namespace {
 
-// Atomic because the handler runs on one thread and all
-// threads read; sig_atomic_t is safe within one thread only.
-std::atomic<bool> received = false;
-static_assert(std::atomic<bool>::is_always_lock_free);
+// The number of the signal; 0: none. Atomic because the handler runs on one thread and all threads read;
+// sig_atomic_t is safe within one thread only.
+std::atomic<int> received = 0;
+static_assert(std::atomic<int>::is_always_lock_free);
 
 // The first signal requests an end, the second terminates the process.
 void on_signal(int signal) {
-  received = true;
+  received = signal;
   std::signal(signal, SIG_DFL);
 }
 
@@ -25,6 +25,7 @@ void install_signal_handlers() {
   if (std::signal(SIGHUP, on_signal) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // set by nohup
 }
 
-bool interrupted() { return received; }
+bool interrupted() { return received != 0; }
+int received_signal() { return received; }
 
 }  // namespace bristle::run

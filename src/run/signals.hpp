@@ -6,5 +6,6 @@ namespace bristle::run {
 // makes interrupted() return true, the second terminates the process.
 void install_signal_handlers();
 bool interrupted();
+int received_signal();  // its number; 0: none
 
 }  // namespace bristle::run

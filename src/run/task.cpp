@@ -118,9 +118,8 @@ std::vector<std::size_t> missing_points(const Experiment& experiment, const Keye
 // Computes the missing points and appends each to the journal when it is solved.
 void fill_journal(const Experiment& experiment, const KeyedPoints& points,
                   const std::vector<std::size_t>& missing, int threads, results::Journal& journal,
-                  bool quiet) {
+                  Progress& progress) {
   const std::size_t all = points.points().size();
-  Progress progress(experiment.name, missing.size(), quiet);
   std::size_t saved = all - missing.size();
   const auto sink = [&](PointReport&& report) {
     journal.append(points.key(report.index), std::move(report.record));
@@ -132,18 +131,19 @@ void fill_journal(const Experiment& experiment, const KeyedPoints& points,
                               experiment.place(index), duration_text(seconds)));
   };
   const auto passages = [&](std::size_t computed) { progress.add_passages(computed); };
-  std::string failure;
+  const auto saved_text = [&](const std::string& failure) {
+    progress.finish();
+    return fmt::format("{}; {} of {} points are saved in {}: the same command computes the rest", failure,
+                       saved, all, journal.path());
+  };
+  bool complete = false;
   try {
-    if (!run_sweep(experiment, missing, threads, sink, interrupted, {slow, passages}))
-      failure = "interrupted";
+    complete = run_sweep(experiment, missing, threads, sink, interrupted, {slow, passages});
     journal.sync();
   } catch (const RunError& e) {
-    failure = e.what();
+    throw RunError(saved_text(e.what()));
   }
-  progress.finish();
-  if (!failure.empty())
-    throw RunError(fmt::format("{}; {} of {} points are saved in {}: the same command computes the rest",
-                               failure, saved, all, journal.path()));
+  if (!complete) throw Interrupted(saved_text("interrupted"));
 }
 
 std::vector<Gap> gaps_of(const std::vector<std::size_t>& indices, const KeyedPoints& points,
@@ -160,8 +160,10 @@ results::Rows find_jumps(const Experiment& experiment, const KeyedPoints& points
   const auto solve = [&](const Experiment& between, const std::vector<std::size_t>& indices) {
     const std::set<std::size_t> ascending(indices.begin(), indices.end());
     const KeyedPoints added(between, {ascending.begin(), ascending.end()});
-    fill_journal(between, added, missing_points(between, added, journal, options.force), threads, journal,
-                 options.quiet);
+    const auto missing = missing_points(between, added, journal, options.force);
+    Progress progress(between.name, missing.size(), options.quiet);
+    fill_journal(between, added, missing, threads, journal, progress);
+    progress.finish();
     return gaps_of(indices, added, journal);
   };
   return locate_jumps(experiment, gaps_of(points.points(), points, journal), solve);
@@ -169,7 +171,9 @@ results::Rows find_jumps(const Experiment& experiment, const KeyedPoints& points
 
 // Writes the result file from the journal, in the order of the points.
 Summary write_result(const Task& task, const KeyedPoints& points, const results::Rows& jumps,
-                     const results::Journal& journal, std::map<std::string, std::string> entries) {
+                     const results::Journal& journal, std::map<std::string, std::string> entries,
+                     Progress& progress) {
+  progress.stage("writing " + task.path);
   const results::RecordFormat format(task.experiment);
   Summary summary;
   std::set<std::string> commits;
@@ -188,8 +192,10 @@ Summary write_result(const Task& task, const KeyedPoints& points, const results:
   entries["points_commits"] = fmt::format("{}", fmt::join(commits, ", "));
   entries["finished"] = utc_now();
   writer.close(entries);
+  if (!task.shard && !task.experiment.checks.empty()) progress.stage("evaluating the checks");
   if (!task.shard) add_checks(writer.partial());
   writer.publish();
+  progress.finish();
   return summary;
 }
 
@@ -202,13 +208,15 @@ void compute(const Task& task, int threads, const TaskOptions& options) {
   const std::vector<std::size_t> missing = missing_points(task.experiment, points, journal, options.force);
   const std::size_t all = points.points().size(), found = all - missing.size();
   entries["points_computed"] = fmt::format("{} of {}", missing.size(), all);
-  fill_journal(task.experiment, points, missing, threads, journal, options.quiet);
+  Progress progress(task.experiment.name, missing.size(), options.quiet);
+  fill_journal(task.experiment, points, missing, threads, journal, progress);
   results::Rows jumps;
   if (!task.shard) jumps = find_jumps(task.experiment, points, journal, threads, options);
   const Summary summary = [&] {
     try {
-      return write_result(task, points, jumps, journal, entries);
+      return write_result(task, points, jumps, journal, entries, progress);
     } catch (const RunError& e) {
+      progress.finish();
       throw RunError(fmt::format("{}; all points are saved in {}: the same command writes the result",
                                  e.what(), journal.path()));
     }

@@ -18,6 +18,12 @@ class RunError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// A signal ended the run: exit code 128 plus its number, as shells give it.
+class Interrupted : public RunError {
+ public:
+  using RunError::RunError;
+};
+
 // Untrusted data (an archive, or a result file in one) is malformed or was modified: exit code 1. The message
 // names the place in the data.
 class MalformedError : public std::runtime_error {

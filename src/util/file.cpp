@@ -138,6 +138,14 @@ void replace_file(const std::string& from, const std::string& to) {
   flush_to_disk(to, folder.empty() ? "." : folder.string(), O_RDONLY | O_DIRECTORY);
 }
 
+std::string not_a_file(const std::string& path) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (!fs::exists(status) || fs::is_regular_file(status)) return "";
+  if (fs::is_directory(status)) return "a folder; give the name of a file in it";
+  return "a device, pipe or socket; write its contents to a file first";
+}
+
 std::string read_file(const std::string& path, std::uintmax_t max_bytes) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
@@ -146,8 +154,7 @@ std::string read_file(const std::string& path, std::uintmax_t max_bytes) {
   };
   if (status.type() == fs::file_type::unknown) fail(error.message());  // a folder without permission
   if (!fs::exists(status)) fail("no such file");
-  if (fs::is_directory(status)) fail("not a readable file");
-  if (!fs::is_regular_file(status)) fail("a device, pipe or socket; write its contents to a file first");
+  if (const std::string what = not_a_file(path); !what.empty()) fail(what);
   if (fs::file_size(path, error) > max_bytes) fail(fmt::format("more than {} bytes", max_bytes));
   std::ifstream in(path, std::ios::binary);
   if (!in) fail("not a readable file");

@@ -12,6 +12,10 @@ namespace bristle {
 // device may never end), or has more bytes than max_bytes.
 std::string read_file(const std::string& path, std::uintmax_t max_bytes = UINTMAX_MAX);
 
+// What an input is instead of a regular file: "a folder; give the name of a file in it"; empty if it is one
+// or does not exist.
+std::string not_a_file(const std::string& path);
+
 // A kind of file that the program writes. Every such file begins with start and, if there are marks,
 // contains one of them.
 struct FileKind {

@@ -1,14 +1,15 @@
 """Fig. A3: bristles in contact over the radial stiffness, lattice and quadrature, both friction laws."""
 
-from bristle_plots.command_line import run_figure
-from bristle_plots.curves import (BANDS, BARS, draw_curve, draw_points, label_line, legend, log_axis,
-                                  panels_by_reading, read_curve, title_axis)
-from bristle_plots.results import CHOICE_NAMES, axis_values, dataset
-from bristle_plots.style import COLOURS, GREY
+from ..curves import (BANDS, BARS, draw_curve, draw_points, label_line, legend, log_axis,
+                      panels_by_reading, read_curve, title_axis)
+from ..readings import one_page
+from ..results import CHOICE_NAMES, axis_values, dataset
+from ..style import COLOURS, GREY
 
 VARIABLES = ["N_c_ratio"]
 
 
+@one_page
 def draw(file):
     figure, panels = panels_by_reading(file, (5.2, 3.6), (6.9, 3.8), f"{BANDS} {BARS}")
     for axes, reading in panels:
@@ -30,7 +31,3 @@ def draw_panel(axes, file, reading):
     title_axis(axes, "y", dataset(file, VARIABLES[0]))
     label_line(axes, axis_values(file, "k_r")[0], 1.003, 0, r"$N_c = N_0$")
     legend(axes, entries, loc="upper right")
-
-
-if __name__ == "__main__":
-    run_figure(__file__, __doc__, draw)

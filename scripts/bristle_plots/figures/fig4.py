@@ -2,10 +2,9 @@
 
 import numpy as np
 
-from bristle_plots.command_line import run_figure
-from bristle_plots.maps import draw_log_map, draw_maps
-from bristle_plots.readings import page_for_each_reading, reading_name, readings
-from bristle_plots.results import dataset, select
+from ..maps import draw_log_map, draw_maps
+from ..readings import one_page, page_for_each_reading, reading_name, readings
+from ..results import dataset, select
 
 VARIABLES = ["R_x_norm", "gamma_1", "gamma_2", "gamma_3"]
 
@@ -15,6 +14,7 @@ def draw(file, reading):
     return draw_maps(file, VARIABLES, reading)
 
 
+@one_page
 def draw_energy(file):
     """The defect of the energy budget under the last reading, which is Eq. (17) as printed if it was computed."""
     *others, shown = readings(file)
@@ -30,7 +30,3 @@ def largest_defect(file, reading):
 
 
 FURTHER = {"energy": draw_energy}
-
-
-if __name__ == "__main__":
-    run_figure(__file__, __doc__, draw, **FURTHER)

@@ -5,13 +5,13 @@ from collections import namedtuple
 import numpy as np
 from matplotlib.lines import Line2D
 
-from bristle_plots.command_line import run_figure
-from bristle_plots.contour_labels import HALO
-from bristle_plots.curves import coloured, log_range, positive, title_axis, true_runs, with_symbol
-from bristle_plots.layout import heading, place, sheet
-from bristle_plots.readings import page_for_each_reading
-from bristle_plots.results import axis_values, dataset, read, readable, select, select_flags, setting
-from bristle_plots.style import BLACK, COLOURS, GREY, status_marker
+from ..contour_labels import HALO
+from ..curves import coloured, log_range, positive, title_axis, true_runs, with_symbol
+from ..layout import LEAST_CELL, heading, legend_at_foot, place, sheet
+from ..page import paper_width, points
+from ..readings import page_for_each_reading
+from ..results import axis_values, dataset, read, readable, select, select_flags, setting
+from ..style import BLACK, COLOURS, GREY, status_marker
 
 SIDE_PANELS = 2
 LOW, HIGH = -0.04, 1.04  # range of the gap in the plots
@@ -34,10 +34,8 @@ def draw(file, reading):
     traces = {i: [read_trace(file, k_phi=value, k_r=stiffness, **reading) for stiffness in radial]
               for i, value in enumerate(polar)}
     order = [main] + [i for i in traces if i != main][:SIDE_PANELS]
-    width = 11.2 if len(order) > 1 else 7.2
-    figure, bottom = sheet(file, width, 6.25, note(file), reading)
-    side = [(7.65, 1.35, 3.3, 4.6)] if len(order) == 2 else [(7.65, 4.1, 3.3, 1.85), (7.65, 1.35, 3.3, 1.85)]
-    boxes = [(0.8, 1.35, 5.9, 4.6), *side]
+    width, height, boxes = arrangement(len(order))
+    figure, bottom = sheet(file, width, height, note(file), reading)
     for letter, i, (x, y, *size) in zip("abc", order, boxes):
         axes = place(figure, x, bottom + y, *size)
         entries = draw_panel(axes, file, traces[i], small=letter != "a")
@@ -47,6 +45,23 @@ def draw(file, reading):
                for value, colour in coloured(radial)}
     draw_legends(figure, bottom, colours, entries)
     return figure
+
+
+def arrangement(panels):
+    """Width and height of the figure, and corner and size of its panels, the main one first; in inches."""
+    width = paper_width()
+    if width is None:
+        side = [(7.65, 1.35, 3.3, 4.6)] if panels == 2 else [(7.65, 4.1, 3.3, 1.85), (7.65, 1.35, 3.3, 1.85)]
+        return 11.2 if panels > 1 else 7.2, 6.25, [(0.8, 1.35, 5.9, 4.6), *side]
+    if width >= 2 * LEAST_CELL or panels == 1:
+        main = width - (0.7 if panels == 1 else 0.38 * width + 0.4)
+        tall, x = 0.8 * main, main + 1.15
+        low = 0.5 * (tall - 0.8) if panels == 3 else tall
+        return width, tall + 0.8, [(0.58, 0.47, main, tall), (x, 0.47 + tall - low, width - x - 0.12, low),
+                                    (x, 0.47, width - x - 0.12, low)]
+    small = 0.5 * width - 0.7
+    return width, 0.75 * width + 2.5, [(0.58, 2.45, width - 0.7, 0.75 * width - 0.25), (0.58, 0.47, small, 1.2),
+                                      (0.5 * width + 0.58, 0.47, small, 1.2)]
 
 
 def note(file):
@@ -135,7 +150,7 @@ def draw_letters(axes, traces):
                                  ("C", (load, end), (-9, -7)), ("D", (last, bottom), (11, 9))):
         axes.plot(*point, "o", color=COLOURS[i % len(COLOURS)], markeredgecolor=BLACK, markersize=4.5, zorder=6)
         axes.annotate(letter, point, shift, textcoords="offset points", ha="center", va="center", weight="bold",
-                      fontsize=11, path_effects=HALO, zorder=7)
+                      fontsize=points(11), path_effects=HALO, zorder=7)
 
 
 def draw_legends(figure, bottom, colours, entries):
@@ -143,10 +158,8 @@ def draw_legends(figure, bottom, colours, entries):
     styles = {text: Line2D([], [], color=GREY, **look) for text, look in STYLES.items()}
     styles |= {text: Line2D([], [], color=GREY, linewidth=1.1, linestyle=style, marker=marker, markevery=[1])
                for (text, style), marker in zip(JUMPS.items(), "v^")}
+    if paper_width() is not None:
+        legend_at_foot(figure, colours | styles | entries, bottom)
+        return
     for row, y in ((colours, 0.48), (styles | entries, 0.15)):
-        figure.legend(row.values(), row.keys(), loc="lower center", ncol=len(row), borderaxespad=0,
-                      handlelength=2.6, bbox_to_anchor=(0.5, (bottom + y) / figure.get_figheight()))
-
-
-if __name__ == "__main__":
-    run_figure(__file__, __doc__, draw)
+        legend_at_foot(figure, row, bottom + y)

@@ -2,11 +2,12 @@
 
 import numpy as np
 
-from bristle_plots.command_line import run_figure
-from bristle_plots.curves import (BANDS, JUMPS, coloured, draw_curve, label_line, legend, log_axis, log_range,
-                                  panels_by_reading, positive, read_curve, title_axis, with_symbol, without_remarks)
-from bristle_plots.results import axis_values, dataset
-from bristle_plots.style import GREY
+from ..curves import (BANDS, JUMPS, coloured, draw_curve, label_line, legend, log_axis, log_range,
+                      panels_by_reading, positive, read_curve, title_axis, with_symbol, without_remarks)
+from ..page import paper_width
+from ..readings import one_page
+from ..results import axis_values, dataset
+from ..style import GREY
 
 VARIABLES = ["R_x_norm"]
 PASSING = "R_x_norm_unpinned"
@@ -15,6 +16,7 @@ NOTE_PASSING = " Thin: friction of the bristles that pass, without those that st
 HIGHEST = 1.5  # upper end of the plot
 
 
+@one_page
 def draw(file):
     data, passing = dataset(file, VARIABLES[0]), PASSING in file
     figure, panels = panels_by_reading(file, (4.7, 4.1), (5.9, 4.1), NOTE + NOTE_PASSING * passing)
@@ -46,8 +48,5 @@ def draw_limits(axes, stiff):
         force = stiff.x[valued[-1]] * stiff.y[valued[-1]]
         x = np.geomspace(force / HIGHEST, stiff.x[-1])
         axes.plot(x, force / x, color=GREY, linewidth=1, zorder=0)
-        label_line(axes, 2.6 * force, 1.02 / 2.6, -1, r"constant force $R_x$")
-
-
-if __name__ == "__main__":
-    run_figure(__file__, __doc__, draw)
+        start = 2.6 if paper_width() is None else 1.5
+        label_line(axes, start * force, 1.02 / start, -1, r"constant force $R_x$")

@@ -1,12 +1,13 @@
 """Fig. A1: isotropy of the lattice, its transverse force for several draws of the azimuths."""
 
 import numpy as np
+from matplotlib import ticker
 
-from bristle_plots.command_line import run_figure
-from bristle_plots.curves import (BARS, draw_statuses, legend, panels_by_reading, read_curve, title_axis,
-                                  with_symbol)
-from bristle_plots.results import axis_values, dataset
-from bristle_plots.style import COLOURS, GREY
+from ..curves import (BARS, draw_statuses, legend, panels_by_reading, read_curve, title_axis,
+                      with_symbol)
+from ..readings import one_page
+from ..results import axis_values, dataset
+from ..style import COLOURS, GREY
 
 VARIABLES = ["R_y_norm"]
 NOTE = (" Lines: the mean over the whole circle by quadrature, with its estimated error as a band. "
@@ -14,6 +15,7 @@ NOTE = (" Lines: the mean over the whole circle by quadrature, with its estimate
 OFFSET = 0.12  # between the stiffnesses of one seed
 
 
+@one_page
 def draw(file):
     figure, panels = panels_by_reading(file, (5.4, 3.6), (6.9, 3.8), BARS + NOTE)
     for axes, reading in panels:
@@ -39,9 +41,6 @@ def draw_panel(axes, file, reading):
         axes.axhline(mean.y[0], color=colour, linewidth=0.8)
     axes.set_xticks(axis_values(file, "seed"))
     axes.set_xlabel("seed")
+    axes.yaxis.set_major_locator(ticker.MaxNLocator(6, steps=[1, 2, 5, 10]))
     title_axis(axes, "y", dataset(file, VARIABLES[0]))
     legend(axes, entries, loc="upper right", ncol=3)
-
-
-if __name__ == "__main__":
-    run_figure(__file__, __doc__, draw)

@@ -4,19 +4,19 @@ import re
 from collections import namedtuple
 
 import numpy as np
-from matplotlib import patches
+from matplotlib import patches, ticker
 from matplotlib.collections import LineCollection
 from matplotlib.lines import Line2D
 
-from bristle_plots.command_line import run_figure
-from bristle_plots.contour_labels import HALO
-from bristle_plots.curves import true_runs
-from bristle_plots.errors import BristleError
-from bristle_plots.layout import place, sheet
-from bristle_plots.readings import page_for_each_reading, points_of
-from bristle_plots.results import attribute, constant, dataset, flags, read, setting
-from bristle_plots.style import BLACK, BLUE, GREY, ORANGE, PURPLE, VERMILION, label
-from bristle_plots.tip_path import draw_space
+from ..contour_labels import HALO
+from ..curves import true_runs
+from ..errors import BristleError
+from ..layout import legend_at_foot, place, sheet
+from ..page import paper_width, points
+from ..readings import page_for_each_reading
+from ..results import attribute, constant, dataset, flags, place_of, point_numbers, read, setting
+from ..style import BLACK, BLUE, GREY, ORANGE, PURPLE, VERMILION, label
+from ..tip_path import draw_space
 
 TABLE = "trajectories"
 COLUMNS = ["xi", "x", "y", "z", "F_n", "F_fx", "F_fy", "V_R"]
@@ -28,7 +28,10 @@ sticking.
 $t_0$, $t_1$, $t_2$: where the longest spells of sticking begin. Above: grey, the bristle at equal intervals of \
 time; dashed, before the slab arrives; plane, the slab. Dotted: mean load per bristle, $\\tilde{R}_n/N_{c,0}$."""
 
-COLUMN_INCHES, LEFT_INCHES, GAP_INCHES = 3.65, 0.95, 0.35
+# In inches: the figure; the columns, one for each bristle; by how much the view in space is wider, lower end and height of
+# this view and of that from above; and of the histories lower end, height and distance.
+Arrangement = namedtuple("Arrangement", "width height left column gap wider space above rows")
+NARROW = 1.5  # inches of a column with fewer numbers and letters
 LEAST_SPEED, LEAST_FORCE = 1e-4, 0.03  # lower ends of the logarithmic plots
 
 # theta_0 and phi_0 in radians; numbers: the columns by name; phase: the word for each row.
@@ -37,24 +40,49 @@ Passage = namedtuple("Passage", "theta_0 phi_0 numbers phase")
 
 @page_for_each_reading
 def draw(file, reading):
-    passages, point = read_passages(file, points_of(file, reading))
-    width = LEFT_INCHES + len(passages) * (COLUMN_INCHES + GAP_INCHES) + 0.1
-    figure, bottom = sheet(file, width, 10.9, note(file), reading)
-    gap, load = (float(np.ravel(read(file, name))[point]) for name in ("z_0", "R_n"))
+    numbers = point_numbers(file)
+    passages, point = read_passages(file, numbers.sel(reading))
+    inches = arrangement(len(passages))
+    figure, bottom = sheet(file, inches.width, inches.height, note(file), reading)
+    gap, load = (float(dataset(file, name).where(numbers == point).max()) for name in ("z_0", "R_n"))
     symbol = attribute(dataset(file, f"{TABLE}/theta_0"), "symbol")
     for i, passage in enumerate(passages):
-        x = LEFT_INCHES + i * (COLUMN_INCHES + GAP_INCHES)
-        space = place(figure, x - 0.45, bottom + 7.75, COLUMN_INCHES + 0.75, 2.9, projection="3d")
+        x, column = inches.left + i * (inches.column + inches.gap), inches.column
+        space = place(figure, x - inches.wider / 2, bottom + inches.space[0], column + inches.wider, inches.space[1],
+                      projection="3d")
         draw_space(space, passages, passage, gap, path_colours(passage),
                    [label(dataset(file, f"{TABLE}/{name}")) for name in "xyz"])
-        figure.text((x + COLUMN_INCHES / 2) / figure.get_figwidth(), (bottom + 10.8) / figure.get_figheight(),
-                    f"${symbol}$ = {np.degrees(passage.theta_0):.0f}\u00b0", ha="center", va="top", fontsize=12)
-        above = place(figure, x, bottom + 6.05, COLUMN_INCHES, 1.55)
+        figure.text((x + column / 2) / figure.get_figwidth(), (bottom + inches.height - 0.1) / figure.get_figheight(),
+                    f"${symbol}$ = {np.degrees(passage.theta_0):.0f}\u00b0", ha="center", va="top", fontsize=points(12))
+        above = place(figure, x, bottom + inches.above[0], column, inches.above[1])
         draw_top_view(above, file, passages, passage, first=i == 0)
-        rows = [place(figure, x, bottom + y, COLUMN_INCHES, 1.45) for y in (4.0, 2.45, 0.9)]
+        low, tall, step = inches.rows
+        rows = [place(figure, x, bottom + low + row * step, column, tall) for row in (2, 1, 0)]
         draw_history(rows, file, passages, passage, load, first=i == 0)
     draw_legend(figure, file, bottom)
     return figure
+
+
+def arrangement(columns):
+    if paper_width() is None:
+        return Arrangement(1.05 + columns * 4, 10.9, 0.95, 3.65, 0.35, 0.8, (7.75, 2.9), (6.05, 1.55), (0.9, 1.45, 1.55))
+    left, gap = 0.62, 0.1
+    column = (paper_width() - left - 0.08) / columns - gap
+    tall, from_above = 0.35 * column + 0.5, 0.6 * column + 0.2
+    above = 0.4 + 3 * (tall + 0.08) + 0.4
+    space = above + from_above, 0.85 * column + 0.25
+    return Arrangement(paper_width(), sum(space) + 0.22, left, column, gap, 0, space, (above, from_above),
+                       (0.4, tall, tall + 0.08))
+
+
+def is_narrow(axes):
+    return axes.get_position().width * axes.figure.get_figwidth() < NARROW
+
+
+def few_numbers(axes, which, most):
+    """Fewer numbers at the axis of a narrow column."""
+    if is_narrow(axes):
+        getattr(axes, f"{which}axis").set_major_locator(ticker.MaxNLocator(most, steps=[1, 2, 5, 10]))
 
 
 def note(file):
@@ -70,16 +98,16 @@ def read_passages(file, points):
     columns = {name: read(file, f"{TABLE}/{name}") for name in [*COLUMNS, "theta_0", "point"]}
     words, numbers = flags(dataset(file, f"{TABLE}/phase"))
     if unknown := set(words) - set(PHASES):
-        raise BristleError(f"{file.filename}: dataset '/{TABLE}/phase' has unknown phases: "
+        raise BristleError(f"{place_of(file)}: dataset '/{TABLE}/phase' has unknown phases: "
                            f"{', '.join(sorted(unknown))}")
     if len({len(column) for column in [*columns.values(), numbers]}) > 1 or not numbers.size:
-        raise BristleError(f"{file.filename}: the datasets of /{TABLE} are empty or differ in length")
+        raise BristleError(f"{place_of(file)}: the datasets of /{TABLE} are empty or differ in length")
     for name, column in columns.items():
         if not np.isfinite(column).all():
-            raise BristleError(f"{file.filename}: dataset '/{TABLE}/{name}' has values that are not finite")
+            raise BristleError(f"{place_of(file)}: dataset '/{TABLE}/{name}' has values that are not finite")
     here = columns["point"][np.isin(columns["point"], points)]
     if not here.size:
-        raise BristleError(f"{file.filename}: the table /{TABLE} has no rows of this reading")
+        raise BristleError(f"{place_of(file)}: the table /{TABLE} has no rows of this reading")
     first = columns["point"] == here[0]
     azimuths = dict.fromkeys(columns["theta_0"][first])
     phi_0 = np.radians(setting(file, "model", "phi_0_deg"))
@@ -126,6 +154,7 @@ def draw_top_view(axes, file, passages, passage, first):
         axes.annotate(f"$t_{number}$", (x[row], y[row]), (3, (4, 4, -11)[number]), textcoords="offset points",
                       path_effects=HALO, zorder=6)
     equal_scales(axes, passages)
+    few_numbers(axes, "x", 3)
     axes.set_xlabel(label(dataset(file, f"{TABLE}/x")), labelpad=1)
     titles(axes, file, ["y"], first)
 
@@ -163,11 +192,14 @@ def draw_history(rows, file, passages, passage, load, first):
         titles(axes, file, names, first)
         axes.tick_params(labelbottom=axes is friction)
         shade(axes, passage)
+    few_numbers(friction, "x", 4)
     friction.set_xlabel(label(dataset(file, f"{TABLE}/xi")), labelpad=1)
     for number, row in enumerate(marked_times(passage)):
         for axes in rows:
             axes.axvline(xi[row], color=BLACK, linewidth=0.6, linestyle=(0, (4, 2)))
         side = -1 if number == 1 else 1  # the times may be close
+        if is_narrow(speed) and number == 1:
+            continue
         speed.annotate(f"$t_{number}$", (xi[row], 1), (2 * side, -10), xycoords=("data", "axes fraction"),
                        textcoords="offset points", path_effects=HALO, ha="right" if side < 0 else "left")
 
@@ -182,6 +214,8 @@ def scale_rows(rows, passages):
     low, high = extent(passages, ["F_fx", "F_fy"], 0.1)
     friction.set_yscale("symlog", linthresh=1)
     friction.set_ylim(min(low, -1), max(1.4 * high, 1))
+    if paper_width() is not None:
+        friction.yaxis.get_major_locator().set_params(numticks=5)
 
 
 def shade(axes, passage):
@@ -198,9 +232,4 @@ def draw_legend(figure, file, bottom):
                       Line2D([], [], color=colour, linewidth=2)) for phase, (text, colour) in PHASES.items()}
     for name, colour in (("F_fx", BLACK), ("F_fy", VERMILION)):
         entries[label(dataset(file, f"{TABLE}/{name}"))] = Line2D([], [], color=colour, linewidth=1)
-    figure.legend(entries.values(), entries.keys(), loc="lower center", ncol=len(entries), borderaxespad=0,
-                  bbox_to_anchor=(0.5, (bottom + 0.1) / figure.get_figheight()))
-
-
-if __name__ == "__main__":
-    run_figure(__file__, __doc__, draw)
+    legend_at_foot(figure, entries, bottom + 0.1)

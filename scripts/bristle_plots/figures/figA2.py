@@ -2,15 +2,15 @@
 
 import numpy as np
 
-from bristle_plots.command_line import run_figure
-from bristle_plots.curves import (draw_points, label_line, legend, log_range, positive, read_curve, title_axis,
-                                  with_symbol)
-from bristle_plots.errors import BristleError
-from bristle_plots.layout import heading, place, sheet
-from bristle_plots.readings import page_for_each_reading
-from bristle_plots.results import (attribute, axis_values, constant, dataset, point_index, read, select,
-                                   select_errors)
-from bristle_plots.style import BLUE, COLOURS, GREY, ORANGE, VERMILION, label
+from ..curves import (draw_points, label_line, legend, log_range, positive, read_curve, title_axis,
+                      with_symbol)
+from ..errors import BristleError
+from ..layout import Cell, across, corners, heading, place, place_cell, sheet
+from ..page import paper_width
+from ..readings import page_for_each_reading
+from ..results import (attribute, axis_values, constant, dataset, place_of, point_numbers, read, select,
+                       select_errors)
+from ..style import BLUE, COLOURS, GREY, ORANGE, VERMILION, label
 
 FORCE = "slab_force"
 NOTE = """a: grey, the transient; dashed, the mean over $t_1$ to $t_2$, with its standard error as a band.
@@ -23,10 +23,15 @@ FLUCTUATIONS = (("R_n_fluctuation", "as it is", BLUE, "o"),
 
 @page_for_each_reading
 def draw(file, reading):
-    figure, bottom = sheet(file, 10.6, 6.3, NOTE, reading)
-    draw_history(place(figure, 0.9, bottom + 4.0, 9.3, 1.95), file, reading)
-    draw_deviations(place(figure, 0.9, bottom + 0.6, 4.1, 2.35), file, reading)
-    draw_fluctuation(place(figure, 6.1, bottom + 0.6, 4.1, 2.35), file, reading)
+    cell, columns = across(2, Cell(5.2, 3.4, 0.9, 0.6, 4.1, 2.35), 0.6)
+    width = cell.width * columns + (0.2 if paper_width() is None else 0)
+    upper, lower = (2.9, 3.4) if paper_width() is None else (2.0, cell.height * (2 // columns))
+    figure, bottom = sheet(file, width, upper + lower, NOTE, reading)
+    history = cell.left, bottom + lower + cell.low, (columns - 1) * cell.width + cell.inner_width, upper - cell.low - 0.35
+    draw_history(place(figure, *history), file, reading)
+    boxes = corners(2, columns, cell, bottom)
+    draw_deviations(place_cell(figure, boxes[0], cell), file, reading)
+    draw_fluctuation(place_cell(figure, boxes[1], cell), file, reading)
     return figure
 
 
@@ -37,9 +42,9 @@ def draw_history(axes, file, reading):
     point = read(file, f"{FORCE}/point")
     for size, colour, level in ((sizes[0], ORANGE, 2), (sizes[-1], BLUE, 3)):
         here = dict(sampling="lattice", L_y=size, seed=seed, **reading)
-        rows = point == point_index(file, **here)
+        rows = point == select(point_numbers(file), [], **here)
         if not rows.any():
-            raise BristleError(f"{file.filename}: table '/{FORCE}' has no rows of the lattice with "
+            raise BristleError(f"{place_of(file)}: table '/{FORCE}' has no rows of the lattice with "
                                f"L_y = {size:g}, seed {seed:g}")
         t, load = (read(file, f"{FORCE}/{name}")[rows] for name in ("t", "R_n"))
         axes.plot(t, load, color=colour, linewidth=0.8, zorder=level,
@@ -105,7 +110,3 @@ def draw_fluctuation(axes, file, reading):
     title_axis(axes, "y", dataset(file, FLUCTUATIONS[0][0]))
     legend(axes, entries, loc="upper right")
     heading(axes, "c", "standard deviation of $R_n(t)$ over its mean")
-
-
-if __name__ == "__main__":
-    run_figure(__file__, __doc__, draw)

@@ -2,14 +2,14 @@
 
 import numpy as np
 
-from bristle_plots.command_line import run_figure
-from bristle_plots.curves import (BANDS, coloured, draw_curve, draw_panels, jump_note, legend_below,
-                                  log_axis, read_curve, without_remarks)
-from bristle_plots.layout import heading, place, sheet
-from bristle_plots.readings import page_for_each_reading
-from bristle_plots.results import CHOICE_NAMES, attribute, axis_values, dataset
-from bristle_plots.style import BLACK, GREY
-from bristle_plots.verdicts import number
+from ..curves import (BANDS, coloured, draw_curve, draw_panels, jump_note, legend_below, log_axis,
+                      read_curve, without_remarks)
+from ..layout import Cell, across, corners, heading, place_cell, sheet
+from ..page import paper_width
+from ..readings import one_page, page_for_each_reading
+from ..results import CHOICE_NAMES, axis_values, dataset
+from ..style import BLACK, GREY, symbol
+from ..verdicts import number
 
 VARIABLES = ["R_x_norm", "z_0"]
 
@@ -22,6 +22,7 @@ PARTS_NOTE = r"""Black: the sum of the others. The rest: the friction is a mean 
 Coulomb's friction is linear in the load: neither $\tilde{\gamma}_3$ nor $N_c$ is a factor of it."""
 
 
+@one_page
 def draw(file):
     curves = {CHOICE_NAMES.get(law, law): {"friction": law} for law in axis_values(file, "friction")}
     return draw_panels(file, VARIABLES, "k_r", curves, markers="os^D",
@@ -35,20 +36,23 @@ def draw_parts(file, reading):
     parts = {law: parts_of(file, law, reading) for law in laws}
     falls = "\n".join(fall(file, law, *parts[law]) for law in laws)
     note = f"{falls}\n{PARTS_NOTE}\n{BANDS} {jump_note(file, 'k_r')}"
-    figure, bottom = sheet(file, 5.6 * len(laws), 5.5, note, reading, verdicts=False)
+    cell, columns = across(len(laws), Cell(5.6, 5.15, 0.95, 0.8, 4.4, 3.9), 0.8)
+    below = 0.35 if paper_width() is None else 0  # of the legend
+    figure, bottom = sheet(file, cell.width * columns, cell.height * -(-len(laws) // columns) + below, note, reading,
+                           verdicts=False)
     entries, panels = {}, []
-    for i, law in enumerate(laws):
-        axes = place(figure, 0.95 + 5.6 * i, bottom + 1.15, 4.4, 3.9)
+    for i, (law, corner) in enumerate(zip(laws, corners(len(laws), columns, cell, bottom + below))):
+        axes = place_cell(figure, corner, cell)
         panels.append(axes)
         total, terms = parts[law]
-        entries |= draw_curve(axes, total, BLACK, f"$\\ln$ {symbol(file, VARIABLES[0])}", marker="")
+        entries |= draw_curve(axes, total, BLACK, f"$\\ln$ {symbol(dataset(file, VARIABLES[0]))}", marker="")
         for (name, term), colour in coloured(terms.items()):
             rest = name == REST
             entries |= draw_curve(axes, term, GREY if rest else colour, term_text(file, name),
-                                  "--" if rest else "-", "" if rest else "o", 1.2)
+                      "--" if rest else "-", "" if rest else "o", 1.2)
         axes.axhline(0, color=GREY, linewidth=0.6, zorder=0)
         log_axis(axes, "x", dataset(file, "k_r"))
-        axes.set_ylabel("terms of $\\ln$ " + symbol(file, VARIABLES[0]))
+        axes.set_ylabel("terms of $\\ln$ " + symbol(dataset(file, VARIABLES[0])))
         heading(axes, "abcdef"[i], CHOICE_NAMES.get(law, law))
     most = max(panels, key=lambda axes: len(axes.get_legend_handles_labels()[0]))
     legend_below(most, entries, bottom + 0.15)
@@ -70,15 +74,11 @@ def parts_of(file, law, reading):
     return total, {**terms, REST: without_remarks(rest)}
 
 
-def symbol(file, name):
-    return f"${attribute(dataset(file, name), 'symbol')}$".replace(r"\check", r"\breve")
-
-
 def term_text(file, name):
     if name == REST:
         return REST
     power = "" if FACTORS[name] == 1 else r"$\frac{1}{3}$ "
-    return f"{power}$\\ln$ {symbol(file, name)}"
+    return f"{power}$\\ln$ {symbol(dataset(file, name))}"
 
 
 def fall(file, law, total, terms):
@@ -91,12 +91,9 @@ def fall(file, law, total, terms):
     change = total.y[last] - total.y[first]
     changes = {key: term.y[last] - term.y[first] for key, term in terms.items()}
     largest = max(changes, key=lambda key: changes[key] * np.sign(change))
-    return (f"{name}: from {symbol(file, 'k_r')} = {total.x[first]:.3g} to {total.x[last]:.3g} "
-            f"$\\ln$ {symbol(file, VARIABLES[0])} changes by {number(change, '+.2f')}, the largest part of it by "
+    return (f"{name}: from {symbol(dataset(file, 'k_r'))} = {total.x[first]:.3g} to {total.x[last]:.3g} "
+            f"$\\ln$ {symbol(dataset(file, VARIABLES[0]))} changes by {number(change, '+.2f')}, the largest part of it by "
             f"{term_text(file, largest)}: {number(changes[largest], '+.2f')}.")
 
 
 FURTHER = {"parts": draw_parts}
-
-if __name__ == "__main__":
-    run_figure(__file__, __doc__, draw, **FURTHER)

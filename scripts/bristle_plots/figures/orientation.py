@@ -2,14 +2,15 @@
 
 import numpy as np
 
-from bristle_plots.command_line import run_figure
-from bristle_plots.curves import draw_panels, title_axis, with_symbol
-from bristle_plots.results import axis_values, dataset
-from bristle_plots.style import GREY
+from ..curves import draw_panels, title_axis, with_symbol
+from ..readings import one_page
+from ..results import axis_values, dataset
+from ..style import GREY
 
 VARIABLES = ["R_norm", "direction"]
 
 
+@one_page
 def draw(file):
     concentrations = dataset(file, "concentration")
     curves = {with_symbol(concentrations, value): {"concentration": value}
@@ -22,7 +23,3 @@ def finish(axes, name):
     axes.set_xlim(-3, 183)
     if name == "direction":
         axes.axhline(0, color=GREY, linewidth=0.8, zorder=0)
-
-
-if __name__ == "__main__":
-    run_figure(__file__, __doc__, draw)

@@ -1,0 +1,66 @@
+"""How a figure is drawn: as the standard figure, plain, or for a paper, where the width of the page decides the layout.
+
+Set by `drawn_on` around a drawing function, as matplotlib's parameters are by rc_context.
+"""
+
+import re
+from collections import namedtuple
+from contextlib import contextmanager
+from contextvars import ContextVar
+from math import isfinite
+
+import matplotlib
+
+from .errors import BristleError
+from .style import apply_look
+
+# plain: without title, notes and verdicts; width: of the page of a paper in inches, None for the standard figure.
+Page = namedtuple("Page", "plain width")
+_page = ContextVar("page", default=Page(False, None))
+
+LEAST_POINTS, SHRUNK = 7, 0.78  # of letters in a paper; their sizes there over those in the standard figure
+NARROWEST, WIDEST = 3, 20  # inches
+INCHES = {"in": 1, "cm": 1 / 2.54, "mm": 1 / 25.4}
+
+
+@contextmanager
+def drawn_on(plain=False, width=None):
+    """Figures made within have this page and the look; matplotlib's parameters are afterwards as they were."""
+    width = None if width is None else inches(width)
+    token = _page.set(Page(plain or width is not None, width))
+    try:
+        with matplotlib.rc_context():
+            apply_look()
+            matplotlib.rcParams.update({name: points(matplotlib.rcParams[name]) for name in
+                                        ("font.size", "axes.labelsize", "xtick.labelsize", "ytick.labelsize",
+                                         "legend.fontsize")})
+            yield
+    finally:
+        _page.reset(token)
+
+
+def inches(width):
+    """A width with its unit, such as "89mm"; a number is in inches."""
+    found = re.fullmatch(r"([\d.]+) *(in|cm|mm)", width.strip()) if isinstance(width, str) else None
+    try:
+        value = float(found.group(1)) * INCHES[found.group(2)] if found else float(None if isinstance(width, str) else width)
+    except (TypeError, ValueError):
+        value = float("nan")
+    if not (isfinite(value) and NARROWEST - 1e-9 <= value <= WIDEST + 1e-9):
+        raise BristleError(f"width {width}: a width is a number with its unit, in, cm or mm, from {NARROWEST}in to "
+                           f"{WIDEST}in; for example 3.5in or 89mm")
+    return value
+
+
+def is_plain():
+    return _page.get().plain
+
+
+def paper_width():
+    """Width of the paper's page in inches; None for the standard figure."""
+    return _page.get().width
+
+
+def points(standard):
+    """The size of letters that have this size in the standard figure."""
+    return standard if paper_width() is None else max(LEAST_POINTS, SHRUNK * standard)

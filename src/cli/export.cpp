@@ -1,0 +1,36 @@
+#include "cli/export.hpp"
+
+#include "checks/store.hpp"
+#include "cli/exit_code.hpp"
+#include "results/csv.hpp"
+#include "util/file.hpp"
+
+#include <fmt/format.h>
+#include <filesystem>
+
+namespace bristle::cli {
+namespace {
+
+// results/fig4.h5 -> results/fig4.csv or, for a table, results/fig4.checks.csv
+std::string default_output(const ExportOptions& options) {
+  std::filesystem::path path = options.file;
+  return path.replace_extension(options.group.empty() ? ".csv" : "." + options.group + ".csv").string();
+}
+
+}  // namespace
+
+int export_command(const ExportOptions& options) {
+  const std::string output = options.output.empty() ? default_output(options) : options.output;
+  require_replaceable(output, results::csv_kind());
+  const results::ResultReader result(options.file);
+  result.require_intact();
+  // Stored verdicts are not trusted: the checks are evaluated again.
+  const auto columns = options.group == "checks" ? checks::csv_columns(checks::evaluate_checks(result))
+                                                 : results::csv_columns(result, options.group);
+  write_whole(output, results::csv_text(result, columns), results::csv_kind());
+  fmt::print("{}: {} rows, {} columns\n", output, columns.empty() ? 0 : columns.front().cells.size(),
+             columns.size());
+  return kSuccess;
+}
+
+}  // namespace bristle::cli

@@ -1,0 +1,198 @@
+#include "experiment/author_schema.hpp"
+
+#include "experiment/axes.hpp"
+#include "experiment/parameters_table.hpp"
+#include "experiment/schema.hpp"
+#include "experiment/sweepable.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+namespace bristle::experiment {
+namespace {
+
+const Json kNull = {{"type", "null"}}, kNotNull = {{"not", kNull}};
+
+// The schema with null allowed, too: in a merge patch it removes the key.
+Json or_null(Json schema) {
+  if (schema.contains("$ref")) return {{"anyOf", {schema, kNull}}};
+  if (schema.contains("anyOf")) schema["anyOf"].push_back(kNull);
+  else if (schema.contains("enum")) schema["enum"].push_back(nullptr);
+  else if (schema.contains("const")) {
+    schema["enum"] = Json::array({schema["const"], nullptr});
+    schema.erase("const");
+  } else {
+    schema["type"] = Json::array({schema["type"], "null"});
+  }
+  return schema;
+}
+
+// The schema of a merge patch: keys may be missing or null, in nested objects, too. Arrays are replaced
+// whole.
+Json patch(Json schema) {
+  const auto required = schema.value("required", std::vector<std::string>());
+  schema.erase("required");
+  if (schema.contains("properties"))
+    for (auto& [key, property] : schema["properties"].items()) {
+      property = patch(property);
+      if (std::ranges::count(required, key) == 0) property = or_null(property);
+    }
+  if (schema.contains("anyOf"))
+    for (Json& option : schema["anyOf"]) option = patch(option);
+  return schema;
+}
+
+// What a complete object has in addition to its patch: the required keys, also in nested objects.
+Json complete(const Json& schema) {
+  Json out = Json::object();
+  const auto required = schema.value("required", std::vector<std::string>());
+  if (!required.empty()) out["required"] = required;
+  if (schema.contains("properties"))
+    for (const auto& [key, property] : schema["properties"].items()) {
+      Json inner = complete(property);
+      if (std::ranges::count(required, key)) inner.update(kNotNull);
+      if (!inner.empty()) out["properties"][key] = inner;
+    }
+  return out;
+}
+
+// The object has this key, and it is not null.
+Json has(const std::string& key) {
+  return {{"type", "object"}, {"required", {key}}, {"properties", {{key, kNotNull}}}};
+}
+Json has(const std::string& block, const std::string& key) {
+  return {{"required", {block}}, {"properties", {{block, has(key)}}}};
+}
+
+Json any_of(const std::vector<std::string>& keys, const char* keyword = "anyOf") {
+  Json options = Json::array();
+  for (const std::string& key : keys) options.push_back(has(key));
+  return {{keyword, options}};
+}
+
+Json at_most_one(const std::vector<std::string>& keys) {
+  Json pairs = Json::array();
+  for (std::size_t i = 0; i < keys.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) pairs.push_back({{"allOf", {has(keys[i]), has(keys[j])}}});
+  return {{"not", {{"anyOf", pairs}}}};
+}
+
+const std::vector<std::string> kRanges = {"values", "linspace", "logspace"}, kLoads = {"R_n", "z_0", "trace"};
+
+// An array of these words or numbers, which are all different, as the program requires.
+Json list_of(const Json& items) {
+  return {{"type", "array"}, {"minItems", 1}, {"uniqueItems", true}, {"items", items}};
+}
+
+Json range_of(const Json& value, const char* description) {
+  const Json count = {{"type", "integer"}, {"minimum", 1}, {"maximum", long(kMaxPoints)}};
+  return {{"type", "array"},
+          {"minItems", 3},
+          {"maxItems", 3},
+          {"items", {value, value, count}},
+          {"description", description}};
+}
+
+// The axis of a number: its values are in the range of the parameter.
+Json number_axis(Json value) {
+  if (value.contains("anyOf")) value = value["anyOf"][0];  // C, which may also be a word
+  value.erase("description");
+  Json positive = value;
+  if (positive.value("minimum", -1.0) <= 0) {
+    positive.erase("minimum");
+    positive["exclusiveMinimum"] = 0;
+  }
+  return {{"values", list_of(value)},
+          {"linspace", range_of(value, "[from, to, count], in equal steps")},
+          {"logspace", range_of(positive, "[from, to, count], in equal ratios")}};
+}
+
+// The axes that a sweep may have, by their names.
+Json sweep(const Json& take) {
+  Json axes = Json::object();
+  for (const Sweepable& s : sweepables()) {
+    Json keys = s.options.empty() ? number_axis(parameter_schema(s.name))
+                                  : Json{{"values", list_of({{"enum", s.options}})}};
+    keys["take"] = take;
+    axes[s.name] = {{"type", "object"},
+                    {"additionalProperties", false},
+                    {"properties", keys},
+                    {"allOf", {{{"$ref", "#/definitions/one_range"}}}},
+                    {"description", s.description}};
+  }
+  return {{"type", "object"}, {"additionalProperties", false}, {"properties", axes}};
+}
+
+void add_defaults(Json& model) {
+  const Parameters defaults;
+  for (const ParameterEntry& p : parameters_table())
+    if (std::string(p.name) != "C") model[p.name]["default"] = defaults.*p.member / p.unit;
+  model["C"]["default"] = "peak_at_V_s";
+  for (const Choice& c : choices_table())
+    model[c.name]["default"] = c.options.at(std::size_t(c.get(defaults)));
+}
+
+// The conditions on a file that extends no other.
+Json whole_file(const Json& schema) {
+  Json out = complete(schema);
+  const Json swept = any_of({"R_n", "R_n_N"}), gap_swept = any_of({"z_0"});
+  const auto in = [](const char* block, const Json& condition) {
+    return Json{{"required", {block}}, {"properties", {{block, condition}}}};
+  };
+  const Json by_load = {{"anyOf", {has("load", "R_n"), has("si", "R_n_N"), in("sweep", swept)}}};
+  const Json by_gap = {{"anyOf", {has("load", "z_0"), in("sweep", gap_swept)}}};
+  out["oneOf"] = {by_load, by_gap, has("load", "trace")};
+  Json axis = any_of(kRanges, "oneOf");
+  out["properties"]["sweep"] = {{"additionalProperties", {{"anyOf", {kNull, axis}}}}};
+  return out;
+}
+
+// Writes the definitions that the experiment schema refers to in their places.
+Json inlined(const Json& schema, const Json& definitions) {
+  if (schema.contains("$ref")) {
+    const std::string name = schema["$ref"].get<std::string>().substr(std::string("#/definitions/").size());
+    return inlined(definitions.at(name), definitions);
+  }
+  Json out = schema;
+  if (schema.is_structured())
+    for (auto& [key, inner] : out.items()) inner = inlined(inner, definitions);
+  return out;
+}
+
+}  // namespace
+
+Json author_schema() {
+  const Json parsed = Json::parse(experiment_schema());
+  Json schema = inlined(parsed, parsed["definitions"]);
+  const std::vector<std::string> required = schema["required"];
+  Json& keys = schema["properties"];
+  add_defaults(keys["model"]["properties"]);
+  const Json whole = whole_file(schema);
+  keys["sweep"] = sweep(parsed["definitions"]["axis"]["properties"]["take"]);
+  Json definitions = Json::object(), tier = Json::object(), file = Json::object();
+  file["$schema"] = {{"type", "string"}, {"description", "this schema, for editors; the program ignores it"}};
+  file["extends"] = {{"type", "string"},
+                     {"description", "the file that this one changes, such as paper.json"}};
+  for (const auto& [key, property] : keys.items()) {
+    if (key == "tiers") continue;
+    definitions[key] = patch(property);
+    if (std::ranges::count(required, key) == 0) definitions[key] = or_null(definitions[key]);
+    if (key == "load") definitions[key].update(at_most_one(kLoads));
+    tier[key] = file[key] = {{"$ref", "#/definitions/" + key}};
+  }
+  definitions["one_range"] = at_most_one(kRanges);
+  definitions["tier"] = {{"type", {"object", "null"}}, {"additionalProperties", false}, {"properties", tier}};
+  Json tiers = patch(keys["tiers"]);
+  for (auto& [name, one] : tiers["properties"].items()) one = {{"$ref", "#/definitions/tier"}};
+  file["tiers"] = or_null(tiers);
+  return {{"$schema", parsed["$schema"]},
+          {"title", "experiment of bristle"},
+          {"type", "object"},
+          {"additionalProperties", false},
+          {"properties", file},
+          {"if", {{"required", {"extends"}}}},
+          {"else", whole},
+          {"definitions", definitions}};
+}
+
+}  // namespace bristle::experiment

@@ -1,0 +1,153 @@
+#include "results/csv.hpp"
+
+#include "results/datasets.hpp"
+#include "results/texts.hpp"
+#include "util/error.hpp"
+#include "util/grid.hpp"
+#include "util/text.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace bristle::results {
+namespace {
+
+constexpr const char* kStart = "# bristle export";
+
+std::string attribute_of(const ResultReader& result, const std::string& name, const char* attribute) {
+  const h5::Handle dataset = h5::open_dataset(result.file(), name);
+  return h5::has_attribute(dataset, attribute) ? h5::read_text_attribute(dataset, attribute) : "";
+}
+
+// A column of one cell for each value of the dataset: words for codes.
+CsvColumn column_of(const ResultReader& result, const std::string& path) {
+  CsvColumn column{path.substr(path.rfind('/') + 1),
+                   attribute_of(result, path, "units"),
+                   attribute_of(result, path, "long_name"),
+                   {}};
+  const std::vector<std::string> words = result.flag_meanings(path);
+  for (const double value : result.variable(path).values) {
+    const bool word = value >= 0 && value < double(words.size()) && value == std::floor(value);
+    column.cells.push_back(word ? words[std::size_t(value)] : csv_number(value));
+  }
+  return column;
+}
+
+// The column with the cells at these indices.
+CsvColumn at(CsvColumn column, const std::vector<std::size_t>& indices) {
+  std::vector<std::string> cells;
+  for (const std::size_t i : indices) cells.push_back(column.cells.at(i));
+  column.cells = std::move(cells);
+  return column;
+}
+
+// Paths of the datasets of a group that are no coordinates, by name.
+std::vector<std::string> datasets_of(const ResultReader& result, const std::string& group) {
+  std::vector<std::string> paths;
+  const std::string folder = group.empty() ? "" : group + "/";
+  const auto names = group.empty() ? result.variables() : h5::children(h5::open_group(result.file(), group));
+  for (const std::string& name : names)
+    if (kind_of(result, folder + name) != DatasetKind::coordinate) paths.push_back(folder + name);
+  return paths;
+}
+
+void require_group(const ResultReader& result, const std::string& group) {
+  std::vector<std::string> groups;
+  for (const char* name : {"bristles", "checks", "load_error", "slab_force", "trajectories"})
+    if (result.has(name)) groups.emplace_back(name);
+  if (group.empty() || std::ranges::find(groups, group) != groups.end()) return;
+  throw InputError(
+      fmt::format("{}: there is no table {}{}; it has: {}", result.path(), group, did_you_mean(group, groups),
+                  groups.empty() ? "none beside the variables" : fmt::format("{}", fmt::join(groups, ", "))));
+}
+
+// The coordinates along each dimension of the rows.
+void add_coordinates(const ResultReader& result, const std::string& group, const Variable& like,
+                     std::vector<CsvColumn>& columns) {
+  for (std::size_t d = 0; d < like.shape.size(); ++d) {
+    const std::string &name = like.dimensions[d], own = group + "/" + name;
+    const CsvColumn axis = column_of(result, !group.empty() && result.has(own) ? own : name);
+    std::vector<std::size_t> indices;
+    for (std::size_t i = 0; i < like.values.size(); ++i) indices.push_back(unravel(i, like.shape)[d]);
+    columns.push_back(at(axis, indices));
+  }
+}
+
+// The coordinates of the point to which each row of a recorded table belongs.
+void add_points(const ResultReader& result, const std::string& table, std::vector<CsvColumn>& columns) {
+  const std::vector<std::size_t> shape = result.sweep_shape();
+  const std::vector<double> points = result.variable(table + "/point").values;
+  const auto axes = result.axes();
+  for (std::size_t d = 0; d < axes.size(); ++d) {
+    std::vector<std::size_t> indices;
+    for (const double point : points) indices.push_back(unravel(std::size_t(point), shape).at(d));
+    columns.push_back(at(column_of(result, axes[d]), indices));
+  }
+}
+
+// Removes the rows of nodes that a traced curve does not have.
+void drop_absent(std::vector<CsvColumn>& columns) {
+  const auto status = std::ranges::find(columns, "status", &CsvColumn::name);
+  if (status == columns.end()) return;
+  std::vector<std::size_t> kept;
+  for (std::size_t i = 0; i < status->cells.size(); ++i)
+    if (status->cells[i] != "absent") kept.push_back(i);
+  if (kept.size() == status->cells.size()) return;
+  for (CsvColumn& column : columns) column = at(std::move(column), kept);
+}
+
+std::string quoted(const std::string& cell) {
+  if (cell.find_first_of(",\"\n#") == std::string::npos) return cell;
+  return "\"" + replace_all(cell, "\"", "\"\"") + "\"";
+}
+
+}  // namespace
+
+std::string csv_number(double value) { return std::isnan(value) ? "" : fmt::format("{}", value); }
+
+std::vector<CsvColumn> csv_columns(const ResultReader& result, const std::string& group) {
+  require_group(result, group);
+  const std::vector<std::string> paths = datasets_of(result, group);
+  const std::string first = group.empty() ? "status" : paths.empty() ? group : paths.front();
+  const Variable like = result.variable(first);
+  std::vector<CsvColumn> columns;
+  try {
+    add_coordinates(result, group, like, columns);
+    if (result.has(group + "/point")) add_points(result, group, columns);
+  } catch (const std::out_of_range&) {
+    throw InputError(fmt::format("{}: damaged: the rows of {} and the axes are inconsistent", result.path(),
+                                 group.empty() ? "the variables" : group));
+  }
+  for (const std::string& path : paths)
+    if (const Variable v = result.variable(path); v.shape == like.shape && v.dimensions == like.dimensions)
+      columns.push_back(column_of(result, path));
+  drop_absent(columns);
+  return columns;
+}
+
+std::string csv_text(const ResultReader& result, const std::vector<CsvColumn>& columns) {
+  std::string text = fmt::format("{}: {}\n# experiment {}, tier {}, payload_sha256 {}\n", kStart,
+                                 printable(result.text("title")), result.text("name"), result.text("tier"),
+                                 result.text("payload_sha256"));
+  std::vector<std::string> names;
+  for (const CsvColumn& column : columns) {
+    names.push_back(quoted(column.name));
+    text += fmt::format("# {}{}: {}\n", column.name, column.units.empty() ? "" : " [" + column.units + "]",
+                        printable(column.meaning));
+  }
+  text += fmt::format("{}\n", fmt::join(names, ","));
+  const std::size_t rows = columns.empty() ? 0 : columns.front().cells.size();
+  for (std::size_t i = 0; i < rows; ++i) {
+    for (std::size_t c = 0; c < columns.size(); ++c)
+      fmt::format_to(std::back_inserter(text), "{}{}", c ? "," : "", quoted(columns[c].cells.at(i)));
+    text += "\n";
+  }
+  return text;
+}
+
+FileKind csv_kind() { return {"a table exported by bristle", kStart, {}}; }
+
+}  // namespace bristle::results

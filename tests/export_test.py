@@ -1,0 +1,119 @@
+"""pandas reads exported tables, whose numbers are those of the result; so are those of info --json.
+
+export_test.py BRISTLE FOLDER RESULT: a result of fig4's smoke tier.
+"""
+import csv
+import json
+import pathlib
+import subprocess
+import sys
+
+import numpy as np
+import pandas
+import xarray
+
+bristle, folder, result = sys.argv[1], pathlib.Path(sys.argv[2]), sys.argv[3]
+experiments = pathlib.Path(__file__).parent.parent / "experiments"
+folder.mkdir(parents=True, exist_ok=True)
+
+
+def run(*command, code=0):
+    done = subprocess.run([bristle, *map(str, command)], capture_output=True, text=True)
+    assert done.returncode == code, (command, done.returncode, done.stderr)
+    return done.stdout + done.stderr
+
+
+def computed(name, experiment, *options):
+    run("run", experiments / experiment, "--force", "--quiet", "--tier", "smoke", "-o", folder / name, *options)
+    return folder / name
+
+
+def exported(path, *options):
+    run("export", path, "-o", folder / "table.csv", *options)
+    return pandas.read_csv(folder / "table.csv", comment="#", float_precision="round_trip")  # all bits
+
+
+def check_variables(path, data):
+    table = exported(path)
+    assert len(table) == data["status"].size
+    for name in data.data_vars:
+        if name.endswith("_code"):
+            continue
+        values = data[name].values.ravel()
+        if "flag_meanings" in data[name].attrs:
+            values = np.array(data[name].attrs["flag_meanings"].split())[values]
+            assert table[name].tolist() == values.tolist(), name
+        else:
+            assert np.array_equal(table[name].astype(float), values, equal_nan=True), name
+    index = data["status"].to_dataframe().index.to_frame()
+    for name in data["status"].dims:
+        assert table[name].tolist() == index[name].tolist(), name
+    columns = list(table)
+    assert columns.index("R_x_err") == columns.index("R_x") + 1
+    header = (folder / "table.csv").read_text().splitlines()
+    assert any(line.startswith("# incomplete_theta_0 [rad]: ") for line in header), header
+
+
+def check_checks(path):
+    table = exported(path, "--group", "checks")
+    checks = xarray.open_dataset(path, group="checks")
+    assert table["statement"].tolist() == checks["statement"].values.tolist()
+    assert table["verdict"].tolist() == checks["verdict"].values.tolist()
+    assert np.array_equal(table["measured"], checks["measured"].values)
+
+
+def check_tables():
+    path = computed("recorded.h5", "fig2.json")
+    table, data = exported(path, "--group", "trajectories"), xarray.open_dataset(path, group="trajectories")
+    assert np.array_equal(table["x"], data["x"].values)
+    sweep = xarray.open_dataset(path)["azimuth_rate"].values
+    assert table["azimuth_rate"].tolist() == sweep[data["point"].values].tolist()
+    assert {*table["phase"]} <= {"off_slab", "stick", "side_slip", "slip"}
+    text = run("export", path, "--group", "trajectory", code=2)
+    assert "there is no table trajectory (did you mean trajectories?); it has: " in text, text
+
+
+def check_curves():
+    path = computed("curves.h5", "paper.json", "--set", '/orientation={"sampling":"list","theta_0_deg":[10,100]}',
+                    "--set", '/load={"R_n":null,"path":null,"trace":{"to":0.3,"resolution":0.3,"nodes":96}}')
+    table, data = exported(path), xarray.open_dataset(path)
+    present = [word != "absent" for word in
+               np.array(data["status"].attrs["flag_meanings"].split())[data["status"].values.ravel()]]
+    assert 0 < sum(present) < len(present) and len(table) == sum(present)
+    assert np.array_equal(table["z_0"].astype(float), data["z_0"].values.ravel()[present])
+
+
+def check_outputs(path):
+    """Only exported tables are replaced; the default name is that of the result."""
+    (folder / "mine.csv").write_text("a,b\n1,2\n")
+    assert "is not a table exported by bristle" in run("export", path, "-o", folder / "mine.csv", code=2)
+    assert (folder / "mine.csv").read_text() == "a,b\n1,2\n"
+    assert "is not a table exported by bristle" in run("export", path, "-o", path, code=2)
+    (folder / "recorded.csv").unlink(missing_ok=True)
+    run("export", folder / "recorded.h5")
+    run("export", folder / "recorded.h5")
+    with open(folder / "recorded.csv", encoding="utf-8") as stream:
+        assert stream.readline().startswith("# bristle export: ")
+        rows = [row for row in csv.reader(stream) if not row[0].startswith("#")]
+    assert len({len(row) for row in rows}) == 1, "rows of different lengths"
+
+
+def check_info(path, data):
+    info = json.loads(run("info", "--json", path))
+    assert info["payload_sha256"] == data.attrs["payload_sha256"] and info["damage"] == []
+    assert info["axes"]["azimuth_rate"] == ["kinematic", "as_printed"]
+    assert info["axes"]["k_r"] == data["k_r"].values.tolist()
+    assert info["points"] == {"ok": 30} and info["failures"] == {}
+    assert info["variables"]["R_x"]["max"] == float(data["R_x"].max())
+    assert info["variables"]["R_x"]["dimensions"] == ["azimuth_rate", "k_r", "k_theta"]
+    assert info["variables"]["incomplete_theta_0"]["missing"] == 30
+    assert "run" in info["provenance"]["command_line"]
+
+
+opened = xarray.open_dataset(result)
+check_variables(result, opened)
+check_checks(result)
+check_tables()
+check_curves()
+check_outputs(result)
+check_info(result, opened)

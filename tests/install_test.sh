@@ -1,0 +1,55 @@
+#!/bin/bash
+# Installs into a temporary prefix, and uses the program from an empty folder as a new user would.
+# usage: install_test.sh BRISTLE BUILD PYTHON, from the repository's root.
+set -u
+bristle=$1 build=$(realpath "$2") python=$3
+. "$(dirname "$0")/shell.sh"
+prefix=$folder/usr empty=$folder/empty
+mkdir "$empty"
+cmake --install "$build" --prefix "$prefix" --strip >"$folder/log" 2>&1 || failed "cmake --install: $(tail -n 3 "$folder/log")"
+installed=$prefix/bin/bristle
+in_empty() { (cd "$empty" && env -i PATH="$prefix/bin:/usr/bin:/bin" HOME="$empty" "$@"); }
+
+# The paper's parameters and the references come with the program.
+echo '{"extends": "paper.json", "name": "mine", "model": {"k_r": 30}, "orientation": {"rtol": 0.02}}' >"$empty/mine.json"
+expect 0 "1 ok" in_empty bristle run mine.json
+expect 0 "experiment mine" in_empty bristle info results/mine.h5
+expect 0 "fresh.json: written" in_empty bristle new fresh
+expect 0 "10 points" in_empty bristle validate fresh.json
+expect 0 "30 ok" in_empty bristle run "$prefix/share/bristle/experiments/fig4.json" --tier smoke
+expect 0 "$prefix/share/bristle/reference/fig4.json: 720 values at 30 points: the same, bit for bit" \
+  in_empty bristle check results/fig4.h5 --report-only
+sed 's/paper.json/papr.json/' "$empty/mine.json" >"$empty/wrong.json"
+expect 2 'wrong.json: /extends: "papr.json" does not exist' in_empty bristle run wrong.json
+
+# A file beside the experiment has precedence over the one that comes with the program.
+sed 's/"k_phi": 1.9/"k_phi": 2.1/' experiments/paper.json >"$empty/paper.json"
+cmp -s experiments/paper.json "$empty/paper.json" && failed "paper.json has no k_phi to change"
+mv "$empty/results/mine.h5" "$empty/supplied.h5"
+expect 0 "1 ok" in_empty bristle run mine.json
+expect 1 "z_0" in_empty bristle diff results/mine.h5 supplied.h5
+rm "$empty/paper.json"
+
+# The figures, from the installed package.
+expect 0 "" in_empty env PYTHONPATH="$prefix/lib/python3/dist-packages" "$python" -m bristle_plots fig4 results/fig4.h5 -o plots
+[ -s "$empty/plots/fig4.pdf" ] || failed "no plots/fig4.pdf"
+
+# The manual page names each command and option of the help; the completion completes them.
+page=$prefix/share/man/man1/bristle.1
+commands=$("$installed" --help | sed '1,/^Subcommands:/d; /^$/,$d' | awk '{print $1}')
+[ -n "$commands" ] || failed "no commands in the help"
+for command in $commands; do
+  grep -q "bristle $command" "$page" || failed "bristle.1 lacks the command $command"
+  for option in $("$installed" "$command" --help | grep -oE -- '^  (-.,)?--[a-z-]+' | grep -oE -- '--[a-z-]+'); do
+    sed 's/\\-/-/g' "$page" | grep -q -- "$option" || failed "bristle.1 lacks $command $option"
+  done
+done
+complete() {  # WORD...: what completes the last word
+  PATH=$prefix/bin:$PATH bash -c '. "$0"; COMP_WORDS=(bristle "$@"); COMP_CWORD=$#; _bristle; echo "${COMPREPLY[*]}"' \
+    "$prefix/share/bash-completion/completions/bristle" "$@"
+}
+[ "$(complete val)" = validate ] || failed "completion of val: $(complete val)"
+[ "$(complete run --ti)" = --tier ] || failed "completion of run --ti: $(complete run --ti)"
+[ "$(complete reference up)" = update ] || failed "completion of reference up: $(complete reference up)"
+[ "$(complete run mine.json --thr)" = --threads ] || failed "completion after an argument: $(complete run mine.json --thr)"
+exit $((failures > 0))
