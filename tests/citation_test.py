@@ -1,4 +1,4 @@
-"""CITATION.cff gives .zenodo.json, which is up to date. citation_test.py SOURCE"""
+"""CITATION.cff gives .zenodo.json, which is up to date, and the report's citations. citation_test.py SOURCE"""
 import json
 import pathlib
 import subprocess
@@ -9,6 +9,9 @@ import yaml
 
 source = pathlib.Path(sys.argv[1])
 folder = pathlib.Path(tempfile.mkdtemp())
+sys.path += [str(source / "scripts"), str(source / "scripts/report")]
+import sources  # noqa: E402
+
 cff = yaml.load((source / "CITATION.cff").read_text(encoding="utf-8"), Loader=yaml.BaseLoader)
 
 
@@ -51,3 +54,8 @@ for wrong, text in [({**cff, "authors": [{"family-names": "A"}]}, "lacks given-n
                     ("[]", "not a citation file of version"), ({"title": "x"}, "lacks version")]:
     code, message, _ = zenodo(wrong)
     assert code == 2 and text in message and len(message.splitlines()) <= 6, message
+
+paper = sources.citation(source / "CITATION.cff")[1]
+assert paper["text"].endswith(" Nonlinear Dynamics, no. 4, pp. 3099\u20133112."), paper["text"]
+for line in ("number = {4}", "pages = {3099--3112}"):
+    assert line in paper["bibtex"], paper["bibtex"]
