@@ -4,7 +4,7 @@
 FIGURES := fig2 fig3 fig4 fig5 fig6 fig7 fig8 figA1 figA2 figA3
 # Research of one's own, made as the figures are.
 STUDIES := ski orientation stribeck
-.PHONY: help packages build test bench accuracy clean figures findings assumptions inference report archive verify release \
+.PHONY: help packages build test bench accuracy clean figures findings assumptions inference report archive verify citation release \
   sanitize fuzz tidy coverage $(FIGURES) $(STUDIES)
 JOBS ?= $(shell nproc 2>/dev/null || echo 1)
 BUILD := build
@@ -60,14 +60,22 @@ images: $(IMAGES) ## docs/images: the figures in the documents
 findings: figures ## all figures; docs/findings.md, each claim with its verdict and numbers; README's summary
 	@$$($(PLOT_PYTHON)) scripts/findings.py $(FIGURES:%=results/%$(SUFFIX).h5) $(if $(SUFFIX),-o results/findings$(SUFFIX).md,--readme README.md)
 
-assumptions: build ## every claim under every alternative to what the paper leaves open: docs/assumptions.md
+# The matrices, of which the next two targets draw the pages.
+.PHONY: assumptions-matrix inference-matrix
+assumptions-matrix: build
+	@test -e results/assumptions.json || echo "Computing the claims under other assumptions, half an hour on two cores ..."
 	$(BUILD)/bristle assumptions
+
+# The same machinery on joint sets of choices.
+inference-matrix: build
+	@test -e results/inference.json || echo "Computing joint sets of choices, about a quarter of an hour on two cores ..."
+	$(BUILD)/bristle assumptions experiments/inference/*.json --only fig3,fig4,fig5,fig6,fig7,fig8 -o results/inference.json
+
+assumptions: assumptions-matrix ## every claim under every alternative to what the paper leaves open: docs/assumptions.md
 	@$$($(PLOT_PYTHON)) scripts/assumptions.py results/assumptions.json -o figures --text docs/assumptions.md
 	@cp figures/assumptions.png docs/images/
 
-# The same machinery on joint sets of choices.
-inference: build ## joint sets of choices ranked by the claims they support: docs/inference.md
-	$(BUILD)/bristle assumptions experiments/inference/*.json --only fig3,fig4,fig5,fig6,fig7,fig8 -o results/inference.json
+inference: inference-matrix ## joint sets of choices ranked by the claims they support: docs/inference.md
 	@$$($(PLOT_PYTHON)) scripts/inference.py results/inference.json
 
 report: figures $(STUDIES) report-packages ## one page of all figures, claims, points and sources: report/index.html
@@ -117,7 +125,13 @@ accuracy: build ## errors of the methods, measured: docs/accuracy.md
 	$(BUILD)/benchmarks/accuracy >$(BUILD)/bench/accuracy.json
 	@$$($(PLOT_PYTHON)) scripts/accuracy.py $(BUILD)/bench/accuracy.json
 
-archive: figures ## one citable file of all results: dist/bristle-<version>.tar
+# Before an hour of computing.
+.PHONY: no-placeholders
+no-placeholders:
+	@scripts/release --placeholders
+
+# The report shows the matrix of assumptions, so it comes last.
+archive: no-placeholders figures $(STUDIES) assumptions-matrix inference-matrix report ## one citable file of all results: dist/bristle-<version>.tar
 	$(BUILD)/bristle archive
 
 # ARCHIVE=FILE is another archive, RERUN=N computes N of its points again.
@@ -125,8 +139,12 @@ ARCHIVE ?= dist/bristle-$(shell sed -n 's/^version: //p' CITATION.cff).tar
 verify: build ## check the archive; RERUN=N also computes N points again and compares every bit
 	$(BUILD)/bristle verify $(ARCHIVE) $(if $(RERUN),--rerun $(RERUN))
 
-release: ## VERSION=x.y.z: write the new version everywhere, commit nothing
-	@scripts/release '$(VERSION)'
+# Zenodo reads .zenodo.json.
+citation: packages report-packages ## write .zenodo.json from CITATION.cff, after every change of that file
+	@$$(scripts/find-python yaml matplotlib) scripts/zenodo.py
+
+release: packages report-packages ## VERSION=x.y.z [DOI=10.x/y]: write the new version and its DOI everywhere, commit nothing
+	@scripts/release '$(VERSION)' '$(DOI)'
 
 # These have build folders of their own; docs/hardening.md describes what they look for.
 SANITIZER ?= address

@@ -7,7 +7,7 @@ from itertools import groupby
 from matplotlib import patches
 from matplotlib.figure import Figure
 
-from bristle_plots.assumptions import TOGETHER, cells_by_place, read_matrix, reversed_verdict
+from bristle_plots.assumptions import TOGETHER, cells_by_place, digest_line, read_matrix, reversed_verdict
 from bristle_plots.command_line import run
 from bristle_plots.errors import BristleError
 from bristle_plots.files import save_figure, write_text
@@ -23,7 +23,7 @@ LEFT_INCHES, RIGHT_INCHES, TOP_INCHES, BOTTOM_INCHES = 6.1, 1.3, 2.7, 0.75
 STATEMENT_LETTERS = 62
 
 # cells[check][alternative]; the first alternative is the baseline.
-Matrix = namedtuple("Matrix", "tier checks alternatives cells conclusions")
+Matrix = namedtuple("Matrix", "tier digest checks alternatives cells conclusions")
 
 
 def main():
@@ -45,7 +45,7 @@ def read(path):
     try:
         found, alternatives = cells_by_place(path, document), document["alternatives"]
         cells = [[found[i, j] for j in range(len(alternatives))] for i in range(len(document["checks"]))]
-        return Matrix(document["tier"], document["checks"], alternatives, cells, document["conclusions"])
+        return Matrix(document["tier"], digest_line(document), document["checks"], alternatives, cells, document["conclusions"])
     except (KeyError, TypeError) as error:
         raise BristleError(f"{path}: incomplete ({type(error).__name__}: {error})") from error
 
@@ -144,7 +144,7 @@ gives, the threshold, and the range of the numbers over the alternatives that af
 
 
 def account(matrix):
-    parts = [TEXT.format(tier=matrix.tier), influence(matrix)]
+    parts = [TEXT.format(tier=matrix.tier), matrix.digest + influence(matrix)]
     for name in CONCLUSIONS:
         found = [c for c in matrix.conclusions if c["conclusion"] == name]
         parts.append(f"## {name.capitalize()}: {len(found)} of {len(matrix.conclusions)}\n")

@@ -7,7 +7,7 @@ import numpy as np
 from matplotlib.colors import BoundaryNorm, ListedColormap
 from matplotlib.figure import Figure
 
-from bristle_plots.assumptions import read_matrix
+from bristle_plots.assumptions import digest_line, read_matrix
 from bristle_plots.command_line import run
 from bristle_plots.files import save_figure, write_text
 from bristle_plots.markdown import filled, table
@@ -31,6 +31,7 @@ class Scores:
         checks = matrix["checks"]
         self.sets = [short(alternative["name"]) for alternative in matrix["alternatives"]]
         self.members = [alternative["members"] or [alternative["name"]] for alternative in matrix["alternatives"]]
+        self.digest = digest_line(matrix)
         self.windows = list(dict.fromkeys(cell["window"] for cell in matrix["cells"]))
         self.claims = list(dict.fromkeys(check["claim"] for check in checks))
         self.further_checks = sum(check["role"] == "further" for check in checks)
@@ -113,7 +114,7 @@ experiments' `study` tier. `baseline` is the choice of this project: exact, stat
 degrees, reflection. A mean over a list of azimuths has no error of quadrature, so fewer of its checks are
 undecided than those of a continuous distribution: this favours the sets with 18 or 40 azimuths.
 
-## Ranking
+{scores.digest}## Ranking
 
 The best {BEST} sets, with the numbers of claims and of further checks that are supported.
 

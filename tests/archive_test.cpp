@@ -24,16 +24,6 @@ std::string first_problem_after(const std::function<void(Files&)>& change) {
   return problems.empty() ? "" : problems.front();
 }
 
-std::string refusal(const Release& release) {
-  try {
-    build_archive(release.options);
-  } catch (const InputError& e) {
-    CHECK_FALSE(std::filesystem::exists(release.options.output));
-    return e.what();
-  }
-  return "";
-}
-
 }  // namespace
 
 TEST_CASE("an archive verifies, and equal inputs give equal bytes") {
@@ -60,11 +50,11 @@ TEST_CASE("an archive contains results, experiments, references, figures, source
        {"bagit.txt", "bag-info.txt", "manifest-sha512.txt", "tagmanifest-sha512.txt", "data/results/small.h5",
         "data/experiments/small.json", "data/experiments/paper.json", "data/reference/small.json",
         "data/figures/small.pdf", "data/figures/small.png", "data/docs/model.md", "data/README.md",
-        "data/LICENSE", "data/CITATION.cff", "data/ro-crate-metadata.json"}) {
+        "data/LICENSE", "data/LICENSE-DATA", "data/CITATION.cff", "data/ro-crate-metadata.json"}) {
     CAPTURE(name);
     CHECK(files.count(name) == 1);
   }
-  CHECK(files.size() == 16);  // including the source
+  CHECK(files.size() == 17);  // including the source
   CHECK(files["data/README.md"].find("{{") == std::string::npos);
   CHECK_THAT(files["data/README.md"],
              Contains("| x | falls | **refuted** |") || Contains("| x | falls | supported |"));
@@ -197,7 +187,7 @@ TEST_CASE("results that are incomplete or out of date are not archived, with fil
   }
   SECTION("a figure is missing, or older than its result") {
     std::filesystem::remove(r.s.path("figures/small.png"));
-    CHECK_THAT(refusal(r), Contains("figures/small.png: no such file; `make figures`"));
+    CHECK_THAT(refusal(r), Contains("figures/small.png: no such file; `make small`"));
     r.compute();
     std::filesystem::last_write_time(r.s.path("figures/small.pdf"),
                                      std::filesystem::last_write_time(r.result()) - std::chrono::seconds(9));
@@ -257,6 +247,11 @@ TEST_CASE("results without a reproducible commit are refused, or archived as a d
   const Verification v = verify_bytes(r.s, r.build());
   CHECK(v.problems == Problems{});
   CHECK_THAT(v.draft, Contains(reason));
+}
+
+TEST_CASE("an archive of an earlier program is refused with the program to use") {
+  CHECK_THAT(first_problem_after([](Files& payload) { payload.erase("LICENSE-DATA"); }),
+             Contains("data/LICENSE-DATA: is missing") && Contains("use the program in data/source"));
 }
 
 TEST_CASE("an output that cannot be written is refused, and no temporary file remains") {

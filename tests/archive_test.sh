@@ -6,12 +6,19 @@ bristle=$1 source=$2
 . "$(dirname "$0")/shell.sh"
 
 cd "$folder" && git init -q . && mkdir experiments figures
-cp "$source"/{CITATION.cff,LICENSE} . && cp "$source/experiments/paper.json" experiments/
+cp "$source"/{CITATION.cff,LICENSE,LICENSE-DATA} . && cp "$source/experiments/paper.json" experiments/
 sed -i "s/^version: .*/version: $("$bristle" --version | cut -d' ' -f2)/" CITATION.cff
 cat >experiments/quick.json <<END
 { "extends": "paper.json", "name": "quick", "title": "Quick", "figure": "0", "load": { "R_n": null, "z_0": 0.5 },
   "orientation": { "sampling": "list", "theta_0_deg": [10, 100] }, "record": ["observables", "bristles"],
-  "sweep": { "k_r": { "values": [5, 20] }, "friction": { "values": ["nss", "coulomb"] } } }
+  "sweep": { "k_r": { "values": [5, 20] }, "friction": { "values": ["nss", "coulomb"] } },
+  "checks": [{ "claim": "x", "statement": "R_x is positive", "predicate": "level", "variable": "R_x", "along": "k_r",
+    "is": "at_least", "threshold": 0 }] }
+END
+mkdir experiments/assumptions
+cat >experiments/assumptions/V_s.json <<END
+{ "schema": "bristle-assumption/1", "choice": "V_s", "question": "how large",
+  "alternatives": [{ "name": "twice", "description": "twice V_s", "patch": { "model": { "V_s": 0.02 } } }] }
 END
 printf '/results/\n/figures/\n/dist/\n/*.tar\n' >.gitignore
 git add . && git -c user.name=n -c user.email=e commit -qm m
@@ -20,11 +27,19 @@ expect 2 "there are no results" "$bristle" archive --allow-dirty
 expect 0 "4 ok" "$bristle" run experiments/quick.json
 expect 2 "figures/quick.pdf: no such file" "$bristle" archive --allow-dirty
 touch figures/quick.{pdf,png}
+expect 2 "assumptions.json: no such file; \`make assumptions\` computes it" "$bristle" archive --allow-dirty
+expect 0 "1 checks under 1 alternatives" "$bristle" assumptions --tier full -q
+expect 0 "results/assumptions.json: up to date" "$bristle" assumptions --tier full -q
+for change in 's/"verdict": "supported"/"verdict": "refuted"/' 's/"inputs_sha256": "[^"]*"/"inputs_sha256": 7/'; do
+  sed -i "$change" results/assumptions.json
+  expect 0 "1 checks under 1 alternatives" "$bristle" assumptions --tier full -q
+done
 # The program was built from another repository.
 expect 2 "this program, of commit" "$bristle" archive
 expect 0 "verified" "$bristle" archive --allow-dirty
 archive=$(ls dist/*.tar)
 expect 0 "a draft, not to be cited: " "$bristle" verify "$archive"
+expect 0 "CITATION.cff (line 13: repository-code" "$bristle" verify "$archive"
 expect 0 "a draft" "$bristle" archive --allow-dirty -o again.tar
 cmp "$archive" again.tar || failed "line $LINENO"
 

@@ -1,6 +1,7 @@
 #include "assumptions/assumptions.hpp"
 #include "checks/validate.hpp"
 #include "util/error.hpp"
+#include "util/text.hpp"
 #include "scratch.hpp"
 
 #include <catch2/catch.hpp>
@@ -93,6 +94,31 @@ TEST_CASE("every check is evaluated under every alternative") {
   CHECK(json["cells"].size() == 10);
   CHECK(json["conclusions"][0]["other"] == Json({"impossible", "slow + impossible"}));
   CHECK(json["checks"][0]["band"].is_null());
+  CHECK(json["inputs_sha256"] == inputs_sha256(small.options));
+  CHECK(json["payload_sha256"] == matrix_payload_sha256(Json::parse(json.dump(1))));
+}
+
+TEST_CASE(
+    "the digest of a matrix's inputs covers declarations, experiments, tier and choice, not order or names") {
+  SmallStudy small;
+  small.declare("two.json", R"({"schema": "bristle-assumption/1", "choice": "k", "question": "which",
+    "alternatives": [{"name": "stiff", "description": "d", "patch": {"model": {"k_phi": 2}}}]})");
+  const std::string before = inputs_sha256(small.options);
+  AssumptionsOptions other = small.options;
+  std::swap(other.files[0], other.files[1]);
+  other.output = "elsewhere.json";
+  CHECK(inputs_sha256(other) == before);
+  other.only = {"a"};
+  CHECK(inputs_sha256(other) != before);
+  other = small.options;
+  other.tier = "study";
+  CHECK(inputs_sha256(other) != before);
+  other = small.options;
+  other.files.pop_back();
+  CHECK(inputs_sha256(other) != before);
+  small.s.write("experiments/b.json",
+                replace_all(bytes_of(small.s.path("experiments/b.json")), "[5, 10]", "[5, 11]"));
+  CHECK(inputs_sha256(small.options) != before);
 }
 
 TEST_CASE("a second call computes no result again") {

@@ -38,6 +38,12 @@ for run in ("first", "second"):
     made.append([(folder / run / f"assumptions.{kind}").read_bytes() for kind in ("pdf", "png")])
 assert made[0] == made[1], "two runs gave different bytes"
 assert (folder / "first.md").read_text() == (source / "docs/assumptions.md").read_text(), "docs/assumptions.md is not the text of this matrix"
+# The page names the matrix if the matrix has a digest.
+document = json.loads((source / "reference/assumptions.json").read_text())
+(folder / "digest.json").write_text(json.dumps({**document, "payload_sha256": "0123456789abcdef0123"}))
+subprocess.run([sys.executable, source / "scripts/assumptions.py", folder / "digest.json", "-o", folder / "digest",
+                "--text", folder / "digest.md"], capture_output=True, text=True, check=True)
+assert "\nPayload digest of the matrix: 0123456789abcdef.\n" in (folder / "digest.md").read_text()
 # Compares width and height only, because the bytes depend on the version of the fonts.
 size = [png[16:24] for png in (made[0][1], (source / "docs/images/assumptions.png").read_bytes())]
 assert size[0] == size[1], "docs/images/assumptions.png differs from the figure drawn now: make assumptions"

@@ -4,12 +4,32 @@ set -u
 source=$1
 . "$(dirname "$0")/shell.sh"
 
-cd "$folder" && git init -q . && mkdir scripts && cp "$source/scripts/release" scripts/
-cp "$source"/{CMakeLists.txt,CITATION.cff} .
-sed -i 's/^date-released: .*/date-released: 2020-01-01/' CITATION.cff
+cd "$folder" && git init -q . && mkdir scripts && cp -r "$source"/scripts/{release,zenodo.py,find-python,bristle_plots} scripts/
+cp "$source"/CMakeLists.txt . && echo __pycache__ >.gitignore
+cat >CITATION.cff <<END
+# FILL-IN in a comment is no placeholder
+version: $(sed -n 's/^version: //p' "$source/CITATION.cff")
+title: t
+abstract: a
+keywords: [k]
+license: MIT
+date-released: 2020-01-01
+repository-code: https://example.org/FILL-IN  # the address
+authors:
+  - family-names: Somebody
+    given-names: FILL-IN
+    orcid: https://orcid.org/0000-0000-0000-0000  # the ORCID, or remove the line
+END
 printf '# Changelog\n\n## Unreleased\n\n- new\n\n## 0.0.1 (2020-01-01)\n' >CHANGELOG.md
 commit() { git add . && git -c user.name=n -c user.email=e commit -qm m; }
 commit
+output=$(scripts/release 99.10.0 2>&1)
+[ $? = 2 ] && [ "$(sed 1d <<<"$output")" = "$(printf '  CITATION.cff:%s\n' '8: repository-code: write the address' \
+  '11: given-names: write its value' '12: orcid: write the ORCID, or remove the line')" ] || failed "placeholders: $output"
+git diff --quiet || failed "a refused release changed files"
+[ "$(scripts/release --placeholders 2>&1)" = "$output" ] || failed "placeholders alone: $(scripts/release --placeholders 2>&1)"
+sed -i -e 's/FILL-IN  #.*/x/' -e 's/FILL-IN$/A./' -e '/orcid/d' CITATION.cff && commit
+scripts/release --placeholders || failed "there are no placeholders any more"
 
 version_of() { case $1 in
   CMakeLists.txt) sed -n 's/^project(bristle VERSION \([^ ]*\) .*/\1/p' "$1" ;;
@@ -30,6 +50,9 @@ refuse() {
 refuse "the version is missing"
 refuse "the version is missing" ""
 for wrong in 1 1.2 v1.2.3 1.2.3.4 01.2.3 1.2.x "1.2.3 " 1.2.3-rc1 "1.2.3;x"; do refuse "is not of the form x.y.z" "$wrong"; done
+for wrong in 10.5281 https://doi.org/10.5281/zenodo.1 "10.5281/a b" "10.5281/a&b" 10.52/x; do
+  refuse "is not a DOI; write it without https://doi.org/" 99.10.0 "$wrong"
+done
 refuse "is not newer than $old" "$old"
 refuse "is not newer than $old" 0.0.9
 touch new && refuse "the work tree differs" 99.10.0
@@ -38,14 +61,20 @@ sed -i 's/^## Unreleased$/## 0.0.2 (2020-01-02)/' CHANGELOG.md && commit
 refuse "there is no heading '## Unreleased'" 99.10.0
 git -c user.name=n -c user.email=e revert --no-edit HEAD >/dev/null
 
-output=$(scripts/release 99.10.0 2>&1) || failed "a release: $output"
+output=$(scripts/release 99.10.0 '10.5281/zenodo.12' 2>&1) || failed "a release: $output"
 grep -qF "git tag -a v99.10.0" <<<"$output" || failed "the commands to commit and tag: $output"
 today=$(date -u +%Y-%m-%d)
 for file in CMakeLists.txt CITATION.cff; do [ "$(version_of $file)" = 99.10.0 ] || failed "$file: $(version_of $file)"; done
-grep -qx "date-released: $today" CITATION.cff || failed "the date in CITATION.cff"
+[ "$(grep -A 1 '^date-released: ' CITATION.cff)" = "$(printf 'date-released: %s\ndoi: 10.5281/zenodo.12' "$today")" ] ||
+  failed "date and DOI: $(cat CITATION.cff)"
 [ "$(sed -n 3,7p CHANGELOG.md)" = "$(printf '## Unreleased\n\n## 99.10.0 (%s)\n\n- new' "$today")" ] || failed "CHANGELOG.md: $(cat CHANGELOG.md)"
-[ "$(git diff --numstat | awk '{ print $1 + $2 }' | paste -sd ' ')" = "2 4 2" ] || failed "more was changed: $(git diff)"
+[ "$(git diff --numstat | awk '{ print $1 + $2 }' | paste -sd ' ')" = "2 5 2" ] || failed "more was changed: $(git diff)"
+grep -qF '"version": "99.10.0"' .zenodo.json || failed ".zenodo.json: $(cat .zenodo.json)"
 if grep -rnF -- "$old" CMakeLists.txt CITATION.cff | grep -v cff-version; then failed "$old is still there"; fi
-commit
+sed -i 's/^## 99.10.0/## Unreleased\n\n&/' CHANGELOG.md && commit
 refuse "is not newer than 99.10.0" 99.9.1
+
+# A release without a DOI must not keep that of the previous one.
+output=$(scripts/release 99.11.0 2>&1) || failed "a second release: $output"
+grep -qF "No DOI was given" <<<"$output" && ! grep -q '^doi' CITATION.cff || failed "without a DOI: $output $(cat CITATION.cff)"
 exit $((failures > 0))

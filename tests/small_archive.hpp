@@ -4,6 +4,8 @@
 #include "archive/citation.hpp"
 #include "archive/read_tar.hpp"
 #include "archive/verify.hpp"
+#include "util/error.hpp"
+#include "util/text.hpp"
 #include "small_result.hpp"
 
 #include <catch2/catch.hpp>
@@ -16,10 +18,13 @@ struct Release {
   Scratch s;
   ArchiveOptions options;
 
-  Release() {
+  // more: writes further files into the repository.
+  explicit Release(const std::function<void(const Scratch&)>& more = {}) {
     const std::string root = std::string(BRISTLE_EXPERIMENTS) + "/../";
-    for (const char* name : {"CITATION.cff", "LICENSE", "experiments/paper.json"})
+    for (const char* name : {"LICENSE", "LICENSE-DATA", "experiments/paper.json"})
       s.write(name, bytes_of(root + name));
+    std::string citation = replace_all(bytes_of(root + "CITATION.cff"), "FILL-IN", "Somebody");
+    s.write("CITATION.cff", replace_all(citation, "0000-0000-0000-0000", "0000-0001-2345-6789"));
     s.write("experiments/small.json",
             R"({"extends": "paper.json", "name": "small", "title": "Small", "figure": "9",
       "load": {"R_n": null, "z_0": 0.5}, "orientation": {"sampling": "list", "theta_0_deg": [10, 100]},
@@ -29,11 +34,13 @@ struct Release {
     s.write("reference/small.json", "{}");
     s.write("docs/model.md", "# The model\n");
     s.write(".gitignore", "/results/\n/figures/\n*.tar\n");
+    if (more) more(s);
     git("init -q .");
     commit();
     options.source = s.path("");
     options.results = s.path("results");
     options.figures = s.path("figures");
+    options.report = s.path("report/index.html");
     options.output = s.path("archive.tar");
     options.version = parse_citation(bytes_of(s.path("CITATION.cff")))["version"];
     options.commit = head();
@@ -54,26 +61,37 @@ struct Release {
   }
 
   // Writes the result, with invented numbers and the commit `by` as provenance, and its figures.
-  void compute(const std::string& by = "", const std::string& tier = "full") const {
-    const Experiment experiment = load_experiment(s.path("experiments/small.json"), {{}, tier});
+  void compute(const std::string& by = "", const std::string& tier = "full",
+               const std::string& name = "small") const {
+    const Experiment experiment = load_experiment(s.path("experiments/" + name + ".json"), {{}, tier});
     std::filesystem::create_directories(s.path("results"));
-    ResultWriter writer(experiment, result());
+    ResultWriter writer(experiment, result(name));
     for (std::size_t i = 0; i < experiment.points(); ++i)
       writer.write(i, record_of(experiment, small_point(i), {}));
     writer.close({{"commit", by.empty() ? head() : by},
                   {"version", options.version},
                   {"started", "2026-01-02T03:04:05Z"},
                   {"finished", "2026-01-02T03:04:06Z"},
-                  {"command_line", "bristle run experiments/small.json"}});
+                  {"command_line", "bristle run experiments/" + name + ".json"}});
     writer.publish();
-    const auto checks = evaluate_checks(ResultReader(result()));
-    write_checks(result(), checks);
-    s.write("figures/small.pdf", "%PDF");
-    s.write("figures/small.png", "PNG");
+    const auto checks = evaluate_checks(ResultReader(result(name)));
+    write_checks(result(name), checks);
+    s.write("figures/" + name + ".pdf", "%PDF");
+    s.write("figures/" + name + ".png", "PNG");
   }
-  std::string result() const { return s.path("results/small.h5"); }
+  std::string result(const std::string& name = "small") const { return s.path("results/" + name + ".h5"); }
   std::string build() const { return bytes_of(build_archive(options).path); }
 };
+
+inline std::string refusal(const Release& release) {
+  try {
+    build_archive(release.options);
+  } catch (const InputError& e) {
+    CHECK_FALSE(std::filesystem::exists(release.options.output));
+    return e.what();
+  }
+  return "(not refused)";
+}
 
 inline Verification verify_bytes(const Scratch& s, const std::string& bytes) {
   s.write("verified.tar", bytes);

@@ -35,6 +35,12 @@ def upgraded(document):
             "conclusions": [*map(conclusion, document.get("conclusions", []))]}
 
 
+def digest_line(document):
+    """The paragraph by which `bristle archive` knows which matrix a page describes; earlier matrices have no digest."""
+    digest = document.get("payload_sha256")
+    return f"Payload digest of the matrix: {digest[:16]}.\n\n" if digest else ""
+
+
 def cells_by_place(path, document):
     """(index of the check, index of the alternative) -> cell."""
     cells = {(cell["check"], cell["alternative"]): cell for cell in document["cells"]}

@@ -61,9 +61,15 @@ def authors(entry):
 
 
 def citation_text(entry):
-    where = f"Version {entry['version']}" if entry["kind"] == "software" else entry["journal"]
+    where = f"Version {entry['version']}" if entry["kind"] == "software" else journal_text(entry)
     who = ", ".join(authors(entry))
     return f"{who[0].upper()}{who[1:]} ({entry['year']}). {entry['title']}. {where}."
+
+
+def journal_text(entry):
+    parts = [entry["journal"]] + [f"{word} {entry[key]}" for key, word in (("volume", "vol."), ("issue", "no."))
+                                  if key in entry]
+    return ", ".join(parts + ([f"pp. {entry['start']}\u2013{entry['end']}"] if "end" in entry else []))
 
 
 def bibtex(entry):
@@ -72,6 +78,9 @@ def bibtex(entry):
     people = [f"{{{name}}}" if "name" in author else f"{author['family-names']}, {author['given-names']}"
               for name, author in zip(authors(entry), entry["authors"])]
     fields = {"author": " and ".join(people), "title": f"{{{entry['title']}}}", "year": entry["year"]}
-    fields |= {name: entry[name] for name in ("journal", "version", "doi") if name in entry}
+    names = {"journal": "journal", "volume": "volume", "issue": "number", "version": "version", "doi": "doi"}
+    fields |= {name: entry[key] for key, name in names.items() if key in entry}
+    if "end" in entry:
+        fields["pages"] = f"{entry['start']}--{entry['end']}"
     lines = [f"  {name} = {{{value}}}" for name, value in fields.items()]
     return "\n".join([f"@{entry['kind']}{{{key},", ",\n".join(lines), "}"])

@@ -3,8 +3,10 @@
 #include "util/error.hpp"
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <charconv>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <yaml-cpp/yaml.h>
 
 namespace bristle::archive {
@@ -86,13 +88,30 @@ std::string citation_text(const Json& citation) try {
   throw MalformedError(json_error(e.what()));
 }
 
+std::vector<std::string> placeholders(const std::string& text) {
+  std::vector<std::string> found;
+  std::istringstream in(text);
+  int number = 0;
+  for (std::string line; std::getline(in, line);) {
+    ++number;
+    const std::string value = line.substr(0, line.find('#'));
+    const std::size_t start = std::min(value.find_first_not_of(" -"), value.size());
+    // scripts/release has the same pattern.
+    for (const char* mark : {"FILL-IN", "0000-0000-0000-0000"})
+      if (value.find(mark) != std::string::npos)
+        found.push_back(
+            fmt::format("line {}: {}", number, value.substr(start, value.find(':', start) - start)));
+  }
+  return found;
+}
+
 Json dataset_citation(const Json& software, const std::string& commit) try {
   for (const char* key : {"title", "version", "date-released", "license", "authors"})
     if (!software.contains(key))
       throw MalformedError(fmt::format("{} is missing; an archive requires it", key));
 
   Json program = {{"type", "software"}, {"commit", commit}};
-  for (const char* key : {"title", "version", "authors", "license", "repository-code", "url", "doi"})
+  for (const char* key : {"title", "version", "authors", "license", "repository-code", "url"})
     if (software.contains(key)) program[key] = software[key];
   Json out;
   out["cff-version"] = "1.2.0";
@@ -100,8 +119,9 @@ Json dataset_citation(const Json& software, const std::string& commit) try {
   out["type"] = "dataset";
   out["title"] = fmt::format("Data of {}", software.value("title", ""));
   out["abstract"] = "Results, experiments, references and figures, with the program that computed them.";
-  for (const char* key : {"version", "date-released", "license", "authors", "keywords"})
+  for (const char* key : {"version", "date-released", "doi", "authors", "contact", "keywords"})
     if (software.contains(key)) out[key] = software[key];
+  out["license"] = kDataLicense;
   out["commit"] = commit;
   out["references"] = software.value("references", Json::array());
   out["references"].insert(out["references"].begin(), program);

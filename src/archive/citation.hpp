@@ -3,16 +3,24 @@
 #include "util/json.hpp"
 
 #include <string>
+#include <vector>
 
 namespace bristle::archive {
+
+// The licence of everything in an archive except the program; the file LICENSE-DATA says so.
+constexpr const char* kDataLicense = "CC-BY-4.0";
 
 // Converts a CITATION.cff to JSON. Throws MalformedError if
 // it is not a YAML object in UTF-8, or if it is too large.
 Json parse_citation(const std::string& text);
 std::string citation_text(const Json& citation);
 
-// Derives the citation of the dataset from that of the software: it has the same authors, licence, date and
-// version, and the software as a reference. Throws MalformedError if one of these is missing.
+// What the owner has not filled in yet: "line 13: repository-code" and so on.
+std::vector<std::string> placeholders(const std::string& text);
+
+// Derives the citation of the dataset from that of the software: it has the same authors, date, version and
+// DOI, the licence of the data, and the software as the first reference. Throws MalformedError if one of
+// these is missing; a DOI need not be there.
 Json dataset_citation(const Json& software, const std::string& commit);
 
 }  // namespace bristle::archive

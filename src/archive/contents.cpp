@@ -72,6 +72,7 @@ Contents describe(Files payload, const std::map<std::string, Json>& facts, const
   contents.source = source_file(commit);
   contents.draft = draft;
   contents.citation = citation_of(contents);
+  for (const char* license : {"LICENSE", "LICENSE-DATA"}) file_of(contents.payload, license);
   for (const auto& [file, of_result] : facts)
     contents.results.push_back(archived_result(contents.payload, file, of_result));
   contents.payload["CITATION.cff"] = citation_text(contents.citation);

@@ -1,9 +1,12 @@
 #include "archive/crate.hpp"
 
+#include "archive/citation.hpp"
+#include "archive/crate_entities.hpp"
 #include "util/sha.hpp"
 #include "util/text.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -12,30 +15,17 @@ namespace {
 
 constexpr const char* kProfile = "https://w3id.org/ro/wfrun/process/0.5";
 
-Json id(const std::string& name) { return {{"@id", name}}; }
+const Json& program_of(const Contents& contents) { return contents.citation["references"][0]; }
 
-Json ids(const std::vector<std::string>& names) {
-  Json out = Json::array();
-  for (const std::string& name : names) out.push_back(id(name));
-  return out;
-}
+Json license_id(const Json& license) { return id("https://spdx.org/licenses/" + license.get<std::string>()); }
 
-std::string author_id(std::size_t index) { return fmt::format("#author-{}", index + 1); }
-
-Json author(const Json& from, std::size_t index) {
-  if (from.contains("name"))
-    return {{"@id", author_id(index)}, {"@type", "Organization"}, {"name", from["name"]}};
-  const std::string given = from.value("given-names", ""), family = from.value("family-names", "");
-  return {{"@id", author_id(index)},
-          {"@type", "Person"},
-          {"name", given.empty() || family.empty() ? given + family : given + " " + family}};
-}
+Json agent(const Contents& contents) { return id(person_id(contents.citation["authors"][0], "author", 0)); }
 
 std::string encoding_of(const std::string& name) {
   const std::map<std::string, std::string> known = {
       {".h5", "application/x-hdf5"}, {".json", "application/json"}, {".pdf", "application/pdf"},
       {".png", "image/png"},         {".md", "text/markdown"},      {".tar", "application/x-tar"},
-      {".cff", "application/yaml"},  {".svg", "image/svg+xml"}};
+      {".cff", "application/yaml"},  {".svg", "image/svg+xml"},     {".html", "text/html"}};
   const auto found = known.find(std::filesystem::path(name).extension().string());
   return found == known.end() ? "text/plain" : found->second;
 }
@@ -50,22 +40,29 @@ std::string description_of(const std::string& name, const Contents& contents) {
   }
   if (name == contents.source) return "The program's source at commit " + contents.commit;
   if (name == "CITATION.cff") return "How to cite this archive";
-  if (name == "LICENSE") return "The licence";
+  if (name == "LICENSE") return "The licence of the program";
+  if (name == "LICENSE-DATA") return "The licence of everything else";
   if (name == "README.md") return "Contents of this archive and how to use it";
-  const std::string folder = name.substr(0, name.find('/'));
+  const std::string folder = name.substr(0, name.rfind('/'));
+  if (folder == "results") return "The verdicts on the paper's claims under other assumptions";
+  if (folder == "report") return "All figures, claims, points and sources on one page";
+  if (folder == "experiments/assumptions" || folder == "experiments/inference")
+    return "Alternatives to what the experiments assume";
   if (folder == "experiments") return "Experiment that others extend";
   if (folder == "reference") return "Numbers with which every commit of the program is compared";
   return "Documentation";
 }
 
 Json file_entity(const std::string& name, const std::string& bytes, const Contents& contents) {
-  return {{"@id", name},
-          {"@type", "File"},
-          {"name", std::filesystem::path(name).filename().string()},
-          {"description", description_of(name, contents)},
-          {"encodingFormat", encoding_of(name)},
-          {"contentSize", fmt::format("{}", bytes.size())},
-          {"sha512", sha512_of(bytes)}};
+  Json out = {{"@id", name},
+              {"@type", "File"},
+              {"name", std::filesystem::path(name).filename().string()},
+              {"description", description_of(name, contents)},
+              {"encodingFormat", encoding_of(name)},
+              {"contentSize", fmt::format("{}", bytes.size())},
+              {"sha512", sha512_of(bytes)}};
+  if (name == contents.source) out["license"] = license_id(program_of(contents)["license"]);
+  return out;
 }
 
 std::string provenance(const ArchivedResult& result, const char* key) {
@@ -86,12 +83,10 @@ std::string program_id(const std::string& commit) { return "#bristle-" + commit;
 // Of a program that computed only some points, the commit is known but not the version.
 Json program(const std::string& commit, const ArchivedResult& result, const Contents& contents) {
   const bool wrote = commit == provenance(result, "commit");
-  return {{"@id", program_id(commit)},
-          {"@type", "SoftwareApplication"},
-          {"name", "bristle"},
-          {"softwareVersion", wrote ? provenance(result, "version") : commit},
-          {"identifier", commit},
-          {"url", contents.citation["references"][0].value("repository-code", contents.source)}};
+  return {
+      {"@id", program_id(commit)}, {"@type", "SoftwareApplication"},
+      {"name", "bristle"},         {"softwareVersion", wrote ? provenance(result, "version") : commit},
+      {"identifier", commit},      {"url", program_of(contents).value("repository-code", contents.source)}};
 }
 
 Json programs(const ArchivedResult& result) {
@@ -100,14 +95,14 @@ Json programs(const ArchivedResult& result) {
   return ids(names);
 }
 
-Json run_action(const ArchivedResult& result) {
+Json run_action(const ArchivedResult& result, const Contents& contents) {
   return {{"@id", fmt::format("#run-{}", result.facts["name"].get<std::string>())},
           {"@type", "CreateAction"},
           {"name", fmt::format("Computation of {}", result.facts["title"].get<std::string>())},
           {"description", provenance(result, "command_line")},
           {"startTime", provenance(result, "started")},
           {"endTime", provenance(result, "finished")},
-          {"agent", id(author_id(0))},
+          {"agent", agent(contents)},
           {"instrument", programs(result)},
           {"object", ids(result.experiments)},
           {"result", id(result.file)}};
@@ -126,11 +121,11 @@ Json script(const ArchivedResult& result, const Contents& contents) {
           {"url", contents.source}};
 }
 
-Json plot_action(const ArchivedResult& result) {
+Json plot_action(const ArchivedResult& result, const Contents& contents) {
   return {{"@id", fmt::format("#plot-{}", result.facts["name"].get<std::string>())},
           {"@type", "CreateAction"},
           {"name", fmt::format("Plot of {}", result.facts["title"].get<std::string>())},
-          {"agent", id(author_id(0))},
+          {"agent", agent(contents)},
           {"instrument", id(script_id(result))},
           {"object", id(result.file)},
           {"result", ids(result.figures)}};
@@ -145,29 +140,33 @@ Json root(const Contents& contents) {
               {"description", citation["abstract"]},
               {"version", citation["version"]},
               {"datePublished", citation["date-released"]},
-              {"license", id("https://spdx.org/licenses/" + citation["license"].get<std::string>())},
+              {"license", license_id(citation["license"])},
               {"conformsTo", id(kProfile)},
               {"author", Json::array()},
-              {"publisher", id(author_id(0))},
+              {"publisher", agent(contents)},
+              {"citation", Json::array()},
               {"hasPart", Json::array()},
               {"mentions", Json::array()}};
-  for (std::size_t i = 0; i < citation["authors"].size(); ++i) out["author"].push_back(id(author_id(i)));
+  if (citation.contains("doi")) out["identifier"] = doi_address(citation["doi"]);
+  if (citation.contains("keywords"))
+    out["keywords"] =
+        fmt::format("{}", fmt::join(citation["keywords"].get<std::vector<std::string>>(), ", "));
   if (!contents.draft.empty()) out["creativeWorkStatus"] = "Draft, not to be cited: " + contents.draft;
   return out;
 }
 
 // Contextual entities: profile, licence, authors, programs, and their runs.
 std::vector<Json> contextual_entities(const Contents& contents) {
-  const std::string license = contents.citation["license"];
   std::vector<Json> out;
   out.push_back(
       {{"@id", kProfile}, {"@type", "CreativeWork"}, {"name", "Process Run Crate"}, {"version", "0.5"}});
-  out.push_back({{"@id", "https://spdx.org/licenses/" + license},
-                 {"@type", "CreativeWork"},
-                 {"name", license},
-                 {"description", "The text is in the file LICENSE."}});
-  const Json& authors = contents.citation["authors"];
-  for (std::size_t i = 0; i < authors.size(); ++i) out.push_back(author(authors[i], i));
+  for (const auto& [license, file] :
+       {std::pair<Json, std::string>(contents.citation["license"], "LICENSE-DATA"),
+        std::pair<Json, std::string>(program_of(contents)["license"], "LICENSE")})
+    out.push_back({{"@id", license_id(license)["@id"]},
+                   {"@type", "CreativeWork"},
+                   {"name", license},
+                   {"description", fmt::format("The file {} has its text or address.", file)}});
   std::map<std::string, Json> instruments;
   for (const ArchivedResult& result : contents.results) {
     for (const std::string& commit : commits_of(result)) {
@@ -179,8 +178,8 @@ std::vector<Json> contextual_entities(const Contents& contents) {
   }
   for (const auto& [name, entity] : instruments) out.push_back(entity);
   for (const ArchivedResult& result : contents.results) {
-    out.push_back(run_action(result));
-    out.push_back(plot_action(result));
+    out.push_back(run_action(result, contents));
+    out.push_back(plot_action(result, contents));
   }
   return out;
 }
@@ -190,6 +189,9 @@ std::vector<Json> contextual_entities(const Contents& contents) {
 std::string crate_text(const Contents& contents) {
   Json dataset = root(contents);
   std::vector<Json> others = contextual_entities(contents);
+  dataset["author"] = add_people(contents.citation["authors"], "author", others);
+  for (const Json& reference : contents.citation["references"])
+    if (reference["type"] == "article") dataset["citation"].push_back(add_article(reference, others));
   for (const Json& entity : others)
     if (entity["@type"] == "CreateAction") dataset["mentions"].push_back(id(entity["@id"]));
   for (const auto& [name, bytes] : contents.payload) {

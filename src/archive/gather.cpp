@@ -2,6 +2,7 @@
 
 #include "archive/citation.hpp"
 #include "archive/result_facts.hpp"
+#include "assumptions/assumptions.hpp"
 #include "experiment/experiment.hpp"
 #include "results/digest.hpp"
 #include "results/journal.hpp"
@@ -35,12 +36,14 @@ class Gatherer {
   Gathered run() {
     check_program();
     Files payload;
-    for (const char* folder : {"experiments", "reference", "docs", "LICENSE"})
+    for (const char* folder : {"experiments", "reference", "docs", "LICENSE", "LICENSE-DATA"})
       for (const std::string& name : repository_.files(folder)) payload[name] = read_file(in_source(name));
     const std::string commit = repository_.commit();
     payload[source_file(commit)] = repository_.source_archive(fmt::format("bristle-{}/", commit));
     const auto facts = add_results(payload);
-    check_findings(payload, facts);
+    check_page("docs/findings.md", payload, facts, "make findings");
+    for (const char* name : {"assumptions", "inference"}) add_matrix(name, payload);
+    add_report(payload);
     std::vector<std::string> reasons;
     for (const auto& [what, places] : untraceable_)
       reasons.push_back(fmt::format("{} {}", fmt::join(places, ", "), what));
@@ -66,9 +69,9 @@ class Gatherer {
   void check_program() {
     if (!repository_.is_top())
       throw InputError(fmt::format("--source {}: not the top folder of its repository", options_.source));
-    const std::string file = in_source("CITATION.cff");
+    const std::string file = in_source("CITATION.cff"), text = read_file(file);
     try {
-      version_ = dataset_citation(parse_citation(read_file(file)), "")["version"];
+      version_ = dataset_citation(parse_citation(text), "")["version"];
     } catch (const MalformedError& e) {
       throw InputError(fmt::format("{}: {}", file, e.what()));
     }
@@ -82,15 +85,17 @@ class Gatherer {
     else if (options_.commit != repository_.commit())
       refuse_or_record(fmt::format("this program, of commit {},", options_.commit),
                        "was not built from the archived source", "build it again with `make build`");
+    if (const auto lines = placeholders(text); !lines.empty())
+      refuse_or_record(fmt::format("CITATION.cff ({})", fmt::join(lines, ", ")), "has placeholders",
+                       "fill them in, run `make citation`, and commit");
   }
 
   // Adds results and figures; returns the facts of each result by its file.
   std::map<std::string, Json> add_results(Files& payload) {
     std::vector<Experiment> experiments;
-    for (const std::string& name : repository_.files("experiments"))
-      if (fs::path(name).parent_path() == "experiments" && fs::path(name).extension() == ".json")
-        if (Experiment e = experiment::load_experiment(in_source(name), {}); !e.figure.empty())
-          experiments.push_back(std::move(e));
+    for (const std::string& name : json_files("experiments"))
+      if (Experiment e = experiment::load_experiment(name, {}); !e.figure.empty() || is_study(e))
+        experiments.push_back(std::move(e));
     const auto exists = [&](const Experiment& e) { return fs::exists(result_path(e)); };
     if (std::none_of(experiments.begin(), experiments.end(), exists))
       throw InputError(
@@ -100,6 +105,20 @@ class Gatherer {
     for (const Experiment& experiment : experiments)
       facts["results/" + experiment.name + ".h5"] = add_result(experiment, payload);
     return facts;
+  }
+
+  // The files NAME.json under version control in a folder, without those of its folders.
+  std::vector<std::string> json_files(const std::string& folder) const {
+    std::vector<std::string> files;
+    for (const std::string& name : repository_.files(folder))
+      if (fs::path(name).parent_path() == folder && fs::path(name).extension() == ".json")
+        files.push_back(in_source(name));
+    return files;
+  }
+
+  // Studies are no figures of the paper, but have a script that draws them.
+  bool is_study(const Experiment& e) const {
+    return !repository_.files(fmt::format("scripts/{}.py", e.name)).empty();
   }
 
   std::string result_path(const Experiment& e) const {
@@ -117,12 +136,17 @@ class Gatherer {
     Json facts = result_facts(result);
     check_origin(path, facts["provenance"]);
     payload["results/" + experiment.name + ".h5"] = read_file(path);
-    for (const char* suffix : {".pdf", ".png"}) add_figure(path, experiment.name + suffix, payload);
+    const std::string remedy = fmt::format("`make {}` draws it", experiment.name);
+    const auto add_figure = [&](const std::string& name) {
+      add_drawn((fs::path(options_.figures) / name).string(), "figures/" + name, {path}, remedy, payload);
+    };
+    for (const char* suffix : {".pdf", ".png"}) add_figure(experiment.name + suffix);
     for (const auto& entry : fs::directory_iterator(options_.figures)) {  // further pages: NAME-*
       const std::string figure = entry.path().filename().string();
       if (figure.starts_with(experiment.name + "-") && (figure.ends_with(".pdf") || figure.ends_with(".png")))
-        add_figure(path, figure, payload);
+        add_figure(figure);
     }
+    drawn_from_.push_back(path);
     return facts;
   }
 
@@ -150,39 +174,86 @@ class Gatherer {
             "{}: /provenance lacks {}; only results of `bristle run` can be archived", path, key));
     std::vector<std::string> commits = split_list(provenance.value("points_commits", ""));
     commits.insert(commits.begin(), provenance["commit"].get<std::string>());
-    for (const std::string& commit : commits) {
-      const std::string place = fmt::format("{} (commit {})", path, commit);
-      const std::string remedy = "commit, then compute it again with `bristle run --force`";
-      if (results::is_dirty(commit))
-        return refuse_or_record(place, "was computed by a program with uncommitted changes", remedy);
-      if (!repository_.descends_from(commit))
-        return refuse_or_record(place, "was computed by a program that is not in this commit's history",
-                                remedy);
+    for (const std::string& commit : commits)
+      if (!check_commit(path, commit, "compute it again with `bristle run --force`")) return;
+  }
+
+  // Whether the commit of the program that wrote the file belongs to the archived history.
+  bool check_commit(const std::string& path, const std::string& commit, const std::string& remedy) {
+    const bool dirty = results::is_dirty(commit);
+    if (!dirty && repository_.descends_from(commit)) return true;
+    refuse_or_record(fmt::format("{} (commit {})", path, commit),
+                     dirty ? "was computed by a program with uncommitted changes"
+                           : "was computed by a program that is not in this commit's history",
+                     "commit, then " + remedy);
+    return false;
+  }
+
+  // The matrix of verdicts under the alternatives of experiments/<name>/.
+  void add_matrix(const std::string& name, Files& payload) {
+    assumptions::AssumptionsOptions options;
+    options.files = json_files("experiments/" + name);
+    if (options.files.empty()) return;
+    options.experiments = in_source("experiments");
+    const std::string path = (fs::path(options_.results) / (name + ".json")).string();
+    const auto refuse = [&](const std::string& what) {
+      throw InputError(fmt::format("{}: {}; `make {}` computes it", path, what, name));
+    };
+    if (!fs::exists(path)) refuse("no such file");
+    const std::string bytes = read_file(path, kMaxJsonBytes);
+    Json facts;
+    try {
+      facts = checked_matrix_facts(bytes);
+      options.tier = facts["tier"];
+      options.only = facts["only"].get<std::vector<std::string>>();
+    } catch (const MalformedError& e) {
+      refuse(e.what());
+    } catch (const Json::exception& e) {
+      refuse(json_error(e.what()));
     }
+    if (facts["numerics_version"] != results::kNumericsVersion)
+      refuse(fmt::format("has numerics_version {}, but this program has {}", shown(facts["numerics_version"]),
+                         results::kNumericsVersion));
+    if (facts["inputs_sha256"] != assumptions::inputs_sha256(options))
+      refuse(fmt::format("is out of date: experiments/ or experiments/{}/ have changed since", name));
+    check_commit(path, facts["program"].value("commit", ""),
+                 fmt::format("remove it and run `make {}`", name));
+    payload[fmt::format("results/{}.json", name)] = bytes;
+    check_page(fmt::format("docs/{}.md", name), payload, {{path, facts}}, fmt::format("make {}", name));
+    if (name == "assumptions") drawn_from_.push_back(path);
   }
 
-  void add_figure(const std::string& result, const std::string& name, Files& payload) {
-    const std::string path = (fs::path(options_.figures) / name).string();
-    if (!fs::exists(path)) throw InputError(fmt::format("{}: no such file; `make figures` draws it", path));
-    if (fs::last_write_time(path) < fs::last_write_time(result))
-      throw InputError(fmt::format("{}: is older than {}; `make figures` draws it again", path, result));
-    payload["figures/" + name] = read_file(path);
+  // The page that scripts/report writes from results, matrix and citation.
+  void add_report(Files& payload) {
+    if (repository_.files("scripts/report").empty()) return;
+    add_drawn(options_.report, "report/index.html", drawn_from_, "`make report` writes it", payload);
   }
 
-  // Each section of docs/findings.md states the payload digest of the result that it describes.
-  void check_findings(const Files& payload, const std::map<std::string, Json>& facts) {
-    const auto page = payload.find("docs/findings.md");
+  // Adds a file that a script made from others.
+  static void add_drawn(const std::string& path, const std::string& name,
+                        const std::vector<std::string>& from, const std::string& remedy, Files& payload) {
+    if (!fs::exists(path)) throw InputError(fmt::format("{}: no such file; {}", path, remedy));
+    for (const std::string& source : from)
+      if (fs::last_write_time(path) < fs::last_write_time(source))
+        throw InputError(fmt::format("{}: is older than {}; {} again", path, source, remedy));
+    payload[name] = read_file(path);
+  }
+
+  // A page of docs/ states the payload digests of the files that it describes.
+  void check_page(const std::string& name, const Files& payload, const std::map<std::string, Json>& facts,
+                  const std::string& command) {
+    const auto page = payload.find(name);
     if (page == payload.end()) return;
-    for (const auto& [file, of_result] : facts)
-      if (page->second.find(of_result["payload_sha256"].get<std::string>().substr(0, 16)) ==
-          std::string::npos)
-        return refuse_or_record("docs/findings.md", fmt::format("describes a different result than {}", file),
-                                "run `make findings` and commit the page");
+    for (const auto& [file, of_file] : facts)
+      if (page->second.find(of_file["payload_sha256"].get<std::string>().substr(0, 16)) == std::string::npos)
+        return refuse_or_record(name, fmt::format("does not describe {}", file),
+                                fmt::format("run `{}` and commit the page", command));
   }
 
   const ArchiveOptions& options_;
   Repository repository_;
   std::string version_;
+  std::vector<std::string> drawn_from_;                          // the files that the report shows
   std::map<std::string, std::vector<std::string>> untraceable_;  // places by reason
 };
 

@@ -1,5 +1,6 @@
 #include "archive/readme.hpp"
 
+#include "archive/crate_entities.hpp"
 #include "util/text.hpp"
 
 #include <fmt/format.h>
@@ -56,6 +57,8 @@ std::string archive_readme(const Contents& contents) {
       {"{{version}}", citation["version"]},
       {"{{date}}", citation["date-released"]},
       {"{{license}}", citation["license"]},
+      {"{{program_license}}", citation["references"][0]["license"]},
+      {"{{doi}}", citation.contains("doi") ? fmt::format(" DOI: <{}>.", doi_address(citation["doi"])) : ""},
       {"{{authors}}", authors_of(citation)},
       {"{{commit}}", contents.commit},
       {"{{source}}", contents.source},

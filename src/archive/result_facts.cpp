@@ -1,5 +1,6 @@
 #include "archive/result_facts.hpp"
 
+#include "assumptions/matrix.hpp"
 #include "checks/checks.hpp"
 #include "results/digest.hpp"
 #include "util/error.hpp"
@@ -62,6 +63,23 @@ Json checked_result_facts(const std::string& bytes) {
     const results::ResultReader result("the file", bytes);
     check_digests(result);
     return result_facts(result).dump();
+  };
+  return parse_untrusted(run_isolated(facts, kFactsLimits));
+}
+
+Json checked_matrix_facts(const std::string& bytes) {
+  const auto facts = [&] {
+    const Json matrix = parse_untrusted(bytes);
+    require(matrix.is_object() && matrix.value("schema", Json()) == assumptions::kMatrixSchema,
+            fmt::format("not a matrix of the schema {}", assumptions::kMatrixSchema));
+    for (const char* key : {"numerics_version", "inputs_sha256", "payload_sha256"})
+      require(matrix.contains(key), fmt::format("lacks {}: it was written by an earlier version", key));
+    require(matrix["payload_sha256"] == assumptions::matrix_payload_sha256(matrix),
+            "payload_sha256 DOES NOT MATCH the content");
+    Json out;
+    for (const char* key : {"numerics_version", "inputs_sha256", "payload_sha256", "tier", "only", "program"})
+      out[key] = matrix.value(key, Json());
+    return out.dump();
   };
   return parse_untrusted(run_isolated(facts, kFactsLimits));
 }

@@ -17,4 +17,9 @@ Json checked_result_facts(const std::string& bytes);
 // Parses untrusted JSON. Throws MalformedError, without a file name, where parse_json() throws InputError.
 Json parse_untrusted(const std::string& text);
 
+// The keys of a matrix of assumptions that describe it: numerics_version, inputs_sha256, payload_sha256,
+// tier, only and program. In a child process, too. Throws MalformedError if it is not JSON, not a matrix, or
+// changed.
+Json checked_matrix_facts(const std::string& bytes);
+
 }  // namespace bristle::archive

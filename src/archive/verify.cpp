@@ -40,9 +40,8 @@ std::string first_difference(const std::string& text, const std::string& expecte
                      line + 1, line_of(text), line_of(expected));
 }
 
-bool is_result(const std::string& name) {
-  return name.compare(0, 13, "data/results/") == 0 && name.size() > 3 &&
-         name.substr(name.size() - 3) == ".h5";
+bool is_result(const std::string& name, const char* extension) {
+  return name.starts_with("data/results/") && name.ends_with(extension);
 }
 
 class Verifier {
@@ -71,17 +70,20 @@ class Verifier {
   void check_content() {
     std::map<std::string, Json> facts;
     for (const auto& [name, bytes] : files_)
-      if (is_result(name)) check_result(name, bytes, facts);
+      if (is_result(name, ".h5")) check_result(name, bytes, facts);
+    for (const auto& [name, bytes] : files_)
+      if (is_result(name, ".json")) check_matrix(name, bytes, facts);
     if (facts.empty()) out_.problems.push_back("data/results: there are no results");
     find_commit();
     if (!out_.problems.empty()) return;
     try {
       check_description(facts);
     } catch (const MalformedError& e) {
-      out_.problems.push_back(e.what());
+      out_.problems.push_back(e.what() + other_program());
     } catch (
         const Json::exception& e) {  // an attribute of a result, or a key of the citation, of another type
-      out_.problems.push_back(fmt::format("the metadata cannot be generated: {}", json_error(e.what())));
+      out_.problems.push_back(
+          fmt::format("the metadata cannot be generated: {}{}", json_error(e.what()), other_program()));
     }
   }
 
@@ -114,20 +116,39 @@ class Verifier {
     if (out_.folder != "bristle-" + out_.version)
       out_.problems.push_back(fmt::format("{}: is the folder of another version; the source has version {}",
                                           out_.folder, out_.version));
-    const std::string agent = bag_info(files_, "Bag-Software-Agent");
-    const std::string other = agent.empty() || agent == fmt::format("bristle {}", run::kVersion)
-                                  ? ""
-                                  : fmt::format(
-                                        " (archived by {}, this is {}: verify with the program in "
-                                        "data/source)",
-                                        agent, run::kVersion);
     for (const char* name : kGenerated) {
       const auto file = files_.find(std::string("data/") + name);
       if (file == files_.end())
         out_.problems.push_back(fmt::format("data/{}: is missing; every archive contains it", name));
       else if (const std::string& expected = contents.payload.at(name); file->second != expected)
         out_.problems.push_back(
-            fmt::format("data/{}: {}{}", name, first_difference(file->second, expected), other));
+            fmt::format("data/{}: {}{}", name, first_difference(file->second, expected), other_program()));
+    }
+  }
+
+  // What to do about a difference that may come from another program, which words the files differently.
+  std::string other_program() const {
+    const std::string agent = bag_info(files_, "Bag-Software-Agent");
+    if (!agent.empty() && agent != fmt::format("bristle {}", run::kVersion))
+      return fmt::format(" (archived by {}, this is {}: verify with the program in data/source)", agent,
+                         run::kVersion);
+    if (out_.commit == run::kCommit) return "";
+    return fmt::format(" (the archive is of commit {}, this program of {}: use the program in data/source)",
+                       out_.commit, run::kCommit);
+  }
+
+  // A matrix of assumptions has the numerics_version of the results, and the content of its digest.
+  void check_matrix(const std::string& name, const std::string& bytes,
+                    const std::map<std::string, Json>& facts) {
+    try {
+      const Json matrix = checked_matrix_facts(bytes)["numerics_version"];
+      for (const auto& [file, of_result] : facts)
+        if (of_result["numerics_version"] != matrix)
+          return out_.problems.push_back(fmt::format("{}: has numerics_version {}, but {} has {}", name,
+                                                     shown(matrix), file,
+                                                     shown(of_result["numerics_version"])));
+    } catch (const MalformedError& e) {
+      out_.problems.push_back(fmt::format("{}: {}", name, e.what()));
     }
   }
 

@@ -3,9 +3,11 @@
 #include "checks/validate.hpp"
 #include "results/digest.hpp"
 #include "results/reader.hpp"
+#include "results/version.hpp"
 #include "run/progress.hpp"
 #include "run/task.hpp"
 #include "util/error.hpp"
+#include "util/sha.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -56,6 +58,8 @@ class AssumptionsRun {
   explicit AssumptionsRun(const AssumptionsOptions& options)
       : options_(options), baseline_(experiments_with_claims(options)) {
     matrix_.tier = options.tier;
+    matrix_.only = options.only;
+    matrix_.inputs_sha256 = inputs_sha256(options);
     Declarations declared = read_declarations(options.files);
     matrix_.alternatives = {std::move(declared.baseline)};
     std::ranges::move(declared.alternatives, std::back_inserter(matrix_.alternatives));
@@ -126,5 +130,17 @@ class AssumptionsRun {
 }  // namespace
 
 Matrix run_assumptions(const AssumptionsOptions& options) { return AssumptionsRun(options).run(); }
+
+std::string inputs_sha256(const AssumptionsOptions& options) {
+  std::vector<std::string> declarations;
+  for (const std::string& file : options.files) declarations.push_back(read_json_file(file).dump());
+  std::ranges::sort(declarations);
+  Json inputs = {{"numerics_version", results::kNumericsVersion},
+                 {"tier", options.tier},
+                 {"declarations", declarations},
+                 {"experiments", Json::array()}};
+  for (const Experiment& e : experiments_with_claims(options)) inputs["experiments"].push_back(*e.document);
+  return sha256_of(inputs.dump());
+}
 
 }  // namespace bristle::assumptions

@@ -21,4 +21,8 @@ struct AssumptionsOptions {
 // Throws InputError, or RunError if interrupted; the same call then continues.
 Matrix run_assumptions(const AssumptionsOptions& options);
 
+// SHA-256 of all that determines the matrix: the declarations in options.files, in any order, the
+// experiments that would be run, and numerics_version. Throws InputError as run_assumptions() does.
+std::string inputs_sha256(const AssumptionsOptions& options);
+
 }  // namespace bristle::assumptions

@@ -1,6 +1,8 @@
 #include "assumptions/matrix.hpp"
 
+#include "results/version.hpp"
 #include "run/provenance.hpp"
+#include "util/sha.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -77,6 +79,10 @@ FileKind replaceable_by_matrix() { return {"a matrix of assumptions", "{", {"\"b
 Json matrix_json(const Matrix& matrix) {
   Json out = {{"schema", kMatrixSchema},
               {"tier", matrix.tier},
+              {"only", matrix.only},
+              {"numerics_version", results::kNumericsVersion},
+              {"inputs_sha256", matrix.inputs_sha256},
+              {"payload_sha256", ""},
               {"program", {{"version", run::kVersion}, {"commit", run::kCommit}}},
               {"checks", Json::array()},
               {"alternatives", Json::array()},
@@ -93,7 +99,15 @@ Json matrix_json(const Matrix& matrix) {
           cell_json(i, c / windows, matrix.windows[c % windows].name, matrix.rows[i].cells[c]));
     out["conclusions"].push_back(conclusion_json(matrix, i));
   }
+  out["payload_sha256"] = matrix_payload_sha256(out);
   return out;
+}
+
+std::string matrix_payload_sha256(const Json& document) {
+  std::string text;
+  for (const char* key : {"checks", "alternatives", "cells", "conclusions"})
+    text += document.value(key, Json::array()).dump() + "\n";
+  return sha256_of(text);
 }
 
 }  // namespace bristle::assumptions

@@ -24,7 +24,8 @@ struct Matrix {
     std::string experiment;
     std::vector<Cell> cells;  // by alternative, then by window
   };
-  std::string tier;
+  std::string tier, inputs_sha256;
+  std::vector<std::string> only;  // the experiments that were chosen; empty: all
   std::vector<Alternative> alternatives;
   std::vector<Window> windows;
   std::vector<Row> rows;
@@ -37,7 +38,10 @@ const char* conclusion(const Matrix::Row& row);
 // The files that a matrix may replace: matrices of any version.
 FileKind replaceable_by_matrix();
 
-// Keys: schema, tier, program, checks, alternatives, cells, conclusions (docs/assumptions.md). NaN is null.
+// The document that `bristle assumptions` writes (docs/experiments.md). NaN is null.
 Json matrix_json(const Matrix& matrix);
+
+// SHA-256 of the checks, alternatives, cells and conclusions of such a document.
+std::string matrix_payload_sha256(const Json& document);
 
 }  // namespace bristle::assumptions

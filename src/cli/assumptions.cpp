@@ -38,11 +38,29 @@ void print_conclusions(const assumptions::Matrix& matrix) {
              counts["assumption-dependent"], counts["open"]);
 }
 
+// Whether the output is a matrix, unchanged, of the same inputs.
+bool is_up_to_date(const assumptions::AssumptionsOptions& options) {
+  if (!is_of_kind(options.output, assumptions::replaceable_by_matrix())) return false;
+  try {
+    const Json matrix = read_json_file(options.output);
+    return matrix.value("inputs_sha256", "") == assumptions::inputs_sha256(options) &&
+           matrix.value("payload_sha256", "") == assumptions::matrix_payload_sha256(matrix);
+  } catch (const InputError&) {  // damaged, or a mistake in the inputs, which the run reports
+    return false;
+  } catch (const Json::exception&) {  // a digest that is not text
+    return false;
+  }
+}
+
 }  // namespace
 
 int assumptions_command(assumptions::AssumptionsOptions options) {
   if (options.files.empty())
     options.files = assumption_files((fs::path(options.experiments) / "assumptions").string());
+  if (is_up_to_date(options)) {
+    fmt::print("{}: up to date; remove it to evaluate the checks again\n", options.output);
+    return kSuccess;
+  }
   const assumptions::Matrix matrix = assumptions::run_assumptions(options);
   write_whole(options.output, assumptions::matrix_json(matrix).dump(1) + "\n",
               assumptions::replaceable_by_matrix());

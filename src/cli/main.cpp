@@ -147,10 +147,12 @@ CLI::App* add_reference_update(CLI::App& app, checks::ReferenceUpdate& update) {
 }
 
 CLI::App* add_archive(CLI::App& app, archive::ArchiveOptions& archive) {
-  auto* command = app.add_subcommand("archive", "write the results of all figures into one citable archive");
+  auto* command =
+      app.add_subcommand("archive", "write the results of all figures and studies into one citable archive");
   command->add_option("-o,--output", archive.output, "archive [dist/bristle-<version>.tar]");
   command->add_option("--results", archive.results, "folder of the results")->capture_default_str();
   command->add_option("--figures", archive.figures, "folder of the figures")->capture_default_str();
+  command->add_option("--report", archive.report, "the report")->capture_default_str();
   command->add_option("--source", archive.source, "source repository")->capture_default_str();
   command->add_flag("--allow-dirty", archive.allow_dirty,
                     "archive results that cannot be traced to a commit, as a draft");
