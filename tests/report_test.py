@@ -10,7 +10,9 @@ import re
 import shutil
 import subprocess
 import sys
+import tarfile
 import time
+from xml.etree import ElementTree
 
 import h5py
 import numpy as np
@@ -18,6 +20,7 @@ import numpy as np
 root, program, folder, *results = (pathlib.Path(word).absolute() for word in sys.argv[1:])
 named = {re.split("[-_]", path.stem)[0]: path for path in results}
 page = folder / "index.html"
+AXE = "axe-core-4.10.2.tgz"
 CONTRAST = (root / "tests" / "contrast.js").read_text()
 
 
@@ -48,8 +51,10 @@ def check_output():
     assert set(words) <= set(ids)
     levels = [int(level) for level in re.findall(r"<h([1-6])[ >]", content)]
     assert levels[0] == 1 and all(b <= a + 1 for a, b in zip(levels, levels[1:])), "headings skip a level"
-    for wrong in ("/tmp/", "http:", "https:"):
-        assert not re.findall(rf'(?:src|href)="{wrong}', content), wrong
+    linked = re.findall(r'(?:src|href)="((?:/|http)[^"]*)', content)
+    assert all(link.startswith("https://doi.org/") for link in linked), linked
+    for name in named:
+        assert re.search(rf'<a class="data" download="{name}.csv.gz"\s+href="data:application/gzip;base64,', content), name
 
 
 def check_errors():
@@ -72,8 +77,12 @@ def check_errors():
         done = report(*files, **{**other, **options})
         assert done.returncode == 2 and words in done.stderr, (words, done.stderr)
         assert done.stderr.count("\n") == 1, done.stderr
-    done = report(fig4, "/proc/none/fig5-smoke.h5", **other, assumptions=folder / "none.json")
+    citation = (root / "CITATION.cff").read_text()
+    (folder / "cited.cff").write_text(re.sub("(title: Exploiting.*)", r"\1\n    doi: 10.1000/invented", citation))
+    done = report(fig4, "/proc/none/fig5-smoke.h5", **other, assumptions=folder / "none.json",
+                  citation=folder / "cited.cff")
     made = (folder / "other.html").read_text()
+    assert made.count('<a href="https://doi.org/10.1000/invented">') == 2
     assert done.returncode == 0 and "make fig5 TIER=smoke" in made and "make assumptions" in made, done.stderr
     assert report(fig4, o="/proc/none/index.html").returncode == 3
 
@@ -105,6 +114,7 @@ def view(driver, width, height, scheme="light"):
         {"name": "prefers-color-scheme", "value": scheme},
         {"name": "prefers-reduced-motion", "value": "reduce"}]})
     driver.get(page.as_uri())
+    settled(driver)
 
 
 def one(driver, selector):
@@ -117,10 +127,20 @@ def texts(driver, selector):
       .filter(e => !e.closest('tr').hidden).map(e => e.textContent.trim())""", selector)
 
 
+def settled(driver):
+    """Waits until the explorer shows the chosen figure."""
+    for _ in range(100):
+        if driver.execute_script("return document.getElementById('explorer').getAttribute('aria-busy')") == "false":
+            return
+        time.sleep(0.1)
+    raise AssertionError("the explorer is still busy")
+
+
 def select(driver, selector, value):
     driver.execute_script("""const select = document.querySelector(arguments[0]);
       select.value = arguments[1];
       select.dispatchEvent(new Event('change'));""", selector, value)
+    settled(driver)
 
 
 def press(driver, *keys):
@@ -193,7 +213,9 @@ def check_map(driver, keys):
     assert (readings, laws) == (2, 2)
     cells = driver.find_elements("css selector", "#map [role=gridcell]")
     assert len(cells) == k_r * k_theta
-    one(driver, '#map [data-point="4"]').click()
+    cell = one(driver, '#map [data-point="4"]')
+    driver.execute_script("arguments[0].scrollIntoView({block: 'center'})", cell)  # not below the switch of readings
+    cell.click()
     check_point(driver, "fig6", 4, replay)
     press(driver, keys.ARROW_RIGHT)
     check_point(driver, "fig6", 4 + k_theta, replay)
@@ -246,11 +268,115 @@ def check_matrix(driver, keys):
     assert {cell.text[0] for cell in cells} >= {"S", "R", "–"}
 
 
+def check_figures(driver, keys):
+    """A figure is enlarged by click and keyboard, Escape closes it, and the arrow keys read its curves' points."""
+    drawing, is_open = one(driver, "#fig5 .drawing"), "return document.getElementById('enlarged').open"
+    driver.execute_script("arguments[0].focus()", drawing)
+    readout = ""
+    for _ in range(50):  # the points are decompressed first
+        press(driver, keys.ARROW_RIGHT)
+        if readout := driver.execute_script("return document.querySelector('#fig5 .pointed .tip')?.innerText ?? ''"):
+            break
+        time.sleep(0.1)
+    press(driver, keys.HOME, keys.ARROW_DOWN, keys.ARROW_UP)
+    readout = driver.execute_script("return document.querySelector('#fig5 .pointed .tip').innerText")
+    shown = re.search(r"= ([\d.]+)\n.*= ([\d.]+) ± ([\d.]+)", readout)
+    with h5py.File(named["fig5"]) as file:
+        at = np.argmin(abs(file["k_r"][()] - float(shown.group(1))))
+        for dataset, word in (("N_c_ratio", shown.group(2)), ("N_c_ratio_err", shown.group(3))):
+            assert np.isclose(float(word), file[dataset][0, 0, at] if file["N_c_ratio"].dims[1].label == "k_phi"
+                              else file[dataset][0, at, 0], rtol=0.06), (readout, dataset)
+    for start in (lambda: press(driver, keys.ENTER), lambda: driver.execute_script("arguments[0].click()", drawing),
+                  lambda: one(driver, "#fig5 .enlarge").send_keys(keys.ENTER)):
+        start()
+        assert driver.execute_script(is_open)
+        wide = driver.execute_script("return document.querySelector('dialog .plot').getBoundingClientRect().width")
+        assert wide >= 900, wide  # also on a phone, where it scrolls
+        press(driver, keys.ESCAPE)
+        assert not driver.execute_script(is_open)
+        assert driver.execute_script("return document.activeElement === document.querySelector('#fig5 .enlarge')")
+        driver.execute_script("arguments[0].focus()", drawing)
+
+
+def check_saved(driver, saved):
+    """The CSV has the numbers of the file, bit for bit; the SVG is a drawing by itself."""
+    driver.execute_cdp_cmd("Browser.setDownloadBehavior", {"behavior": "allow", "downloadPath": str(saved)})
+    for selector in ("#fig4 a.data", "#fig2 a.data:nth-of-type(2)", "#fig4 button.save"):
+        driver.execute_script("document.querySelector(arguments[0]).click()", selector)
+    wanted = [saved / name for name in ("fig4.csv", "fig2-trajectories.csv", "fig4-kinematic.svg")]
+    for _ in range(100):
+        if all(path.exists() for path in wanted):
+            break
+        time.sleep(0.1)
+    rows = [line.split(",") for line in wanted[0].read_text().splitlines() if not line.startswith("#")]
+    with h5py.File(named["fig4"]) as file:
+        for name in ("R_x_norm", "R_x_norm_err", "gamma_3"):
+            column = [float(row[rows[0].index(name)] or "nan") for row in rows[1:]]
+            assert np.array_equal(column, np.ravel(file[name][()]), equal_nan=True), name
+    assert "# theta_0 [rad]: " in wanted[1].read_text()
+    image = ElementTree.parse(wanted[2]).getroot()
+    assert image.tag.endswith("svg") and image.get("width").endswith("pt")
+
+
+def check_readings(driver):
+    """The switch leaves one reading of figures, verdicts and map."""
+    readings = """return [...new Set([...document.querySelectorAll('main [data-reading]')]
+      .filter(e => e.checkVisibility()).map(e => e.dataset.reading))].sort()"""
+    assert driver.execute_script(readings) == ["as_printed", "kinematic"]
+    for word in ("as_printed", "kinematic"):
+        driver.execute_script(f"document.querySelector('[name=reading][value={word}]').click()")
+        assert driver.execute_script(readings) == [word]
+        assert len(set(texts(driver, "#all-claims tbody td:nth-child(8)"))) == 1
+        axis = driver.execute_script("return document.querySelector('[data-axis=azimuth_rate]').value")
+        assert axis == {"kinematic": "0", "as_printed": "1"}[word]
+    driver.execute_script("document.querySelector('[name=reading][value=\"\"]').click()")
+    assert driver.execute_script(readings) == ["as_printed", "kinematic"]
+
+
+def check_curves_map(driver):
+    """The map of traced curves lies over the gap, and colour bars have several ticks."""
+    select(driver, "#choose-figure", "fig3")
+    assert "z" in one(driver, "#map .x-title").text and "gap" in one(driver, "#map .x-title").text
+    assert "node" not in one(driver, "#point h3").text
+    assert len(driver.find_elements("css selector", "#map .ramp span")) >= 3
+    places = driver.execute_script("""return [...document.querySelector('#map [role=row]').children]
+      .filter(e => e.matches('rect')).map(e => [+e.getAttribute('x'), +e.getAttribute('width')])""")
+    assert places == sorted(places) and len({round(width, 1) for _, width in places}) > 1, places
+
+
+def axe_core():
+    """The source of axe-core from the npm registry, kept in the test's folder; None, with a message, without it."""
+    package = folder.parent / AXE
+    if not package.exists() and shutil.which("npm"):
+        subprocess.run(["npm", "pack", "--silent", AXE.removesuffix(".tgz").replace("core-", "core@"), "--pack-destination",
+                        folder.parent], capture_output=True, check=False)
+    if not package.exists():
+        print(f"not tested: accessibility by axe-core, because {package} is missing and `npm pack` did not get it")
+        return None
+    with tarfile.open(package) as archive:
+        return archive.extractfile("package/axe.min.js").read().decode()
+
+
+def check_accessibility(driver):
+    """axe-core finds no violation, on a phone, a tablet and a desktop, in both colour schemes."""
+    axe = axe_core()
+    if axe is None:
+        return
+    driver.set_script_timeout(600)
+    for width in (360, 768, 1280):
+        for scheme in ("light", "dark"):
+            view(driver, width, 900, scheme)
+            driver.execute_script(axe)
+            found = driver.execute_async_script("""const done = arguments[0];
+              axe.run().then(({violations}) => done(violations.map(v => [v.id, v.nodes[0].html.slice(0, 300)])))""")
+            assert not found, (width, scheme, found)
+
+
 def check_views(driver):
     """No horizontal scrolling on phone and desktop in both colour schemes, even with all details open; contrast of text."""
     papers = set()
     widths = "const root = document.documentElement; return [root.scrollWidth, root.clientWidth]"
-    for width, height in ((360, 740), (1280, 900)):
+    for width, height in ((360, 740), (768, 1000), (1280, 900)):
         for scheme in ("light", "dark"):
             view(driver, width, height, scheme)
             for opening in ("", "for (const d of document.querySelectorAll('details')) d.open = true"):
@@ -279,7 +405,7 @@ def check_requests(driver):
     asked = {message["params"]["request"]["url"] for message in log
              if message["method"] == "Network.requestWillBeSent"}
     assert page.as_uri() in {url.split("#")[0] for url in asked}, asked
-    assert all(url.startswith((page.as_uri(), "data:")) for url in asked), [url[:80] for url in asked]
+    assert all(url.startswith((page.as_uri(), "data:", "blob:")) for url in asked), [url[:80] for url in asked]
     complaints = driver.get_log("browser")
     assert not complaints, complaints
 
@@ -295,6 +421,11 @@ with browser() as chromium:
     check_matrix(chromium, Keys)
     check_replay(check_map(chromium, Keys))
     check_every_figure(chromium)
+    check_curves_map(chromium)
+    check_readings(chromium)
+    check_figures(chromium, Keys)
+    check_saved(chromium, folder)
     check_views(chromium)
+    check_accessibility(chromium)
     check_paper(chromium)
     check_requests(chromium)

@@ -102,11 +102,14 @@ def render(figures, arguments):
                               undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True)
     rows = [row for figure in figures for row in figure["claims"]]
     shown = [figure for figure in figures if figure["present"]]
+    citation = sources.citation(arguments.citation)
     words = [drawing["reading"] for figure in shown for drawing in figure["drawings"] if drawing["reading"]]
     return environment.get_template("page.html.j2").render(
         figures=figures, shown=shown, readings={word: CHOICE_NAMES.get(word, readable(word)) for word in words}, missing=[figure for figure in figures if not figure["present"]],
         claims=rows, count=claims.count(rows), tiers=sorted({figure["tier"] for figure in shown}),
-        matrix=matrix.read(arguments.assumptions), citation=sources.citation(arguments.citation),
+        matrix=matrix.read(arguments.assumptions), citation=citation,
+        paper=next((entry["link"] for entry in citation if entry["kind"] == "article"), ""),
+        provenance=sources.compare([figure["provenance"] for figure in shown]),
         colours=points.embedded([colors.to_hex(colormaps[COLORMAP](i / 32)) for i in range(33)]),
         packed=lambda data: tables.packed(points.embedded(data)), **{kind: asset(names) for kind, names in ASSETS.items()})
 

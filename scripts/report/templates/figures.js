@@ -8,7 +8,10 @@ function enlarge(drawing) {
   drawing.replaceWith(place);
   dialog.querySelector("b").textContent = drawing.dataset.label;
   dialog.querySelector(".whole").replaceChildren(drawing);
-  dialog.addEventListener("close", () => place.replaceWith(drawing), { once: true });
+  dialog.addEventListener("close", () => {
+    place.replaceWith(drawing);
+    drawing.closest("figure").querySelector(".enlarge").focus({ preventScroll: true });
+  }, { once: true });
   dialog.showModal();
 }
 
@@ -66,6 +69,7 @@ async function addPoints(drawing) {
   drawing.addEventListener("pointerleave", () => show(null));
   drawing.addEventListener("blur", () => show(null));
   drawing.addEventListener("keydown", (event) => {
+    if (event.key === "Enter" && !drawing.closest("dialog")) enlarge(drawing);
     if (!(event.key in STEPS)) return;
     const [down, right] = STEPS[event.key];
     const c = current ? (current.c + down + curves.length) % curves.length : 0;
@@ -80,7 +84,7 @@ async function addPoints(drawing) {
 // The points are made when a pointer or the keyboard first reaches the drawing.
 for (const drawing of document.querySelectorAll(".drawing[data-points]")) {
   for (const [name, value] of Object.entries({ tabindex: 0, role: "application",
-    "aria-label": `${drawing.dataset.label}: the arrow keys read the points of its curves` }))
+    "aria-label": `${drawing.dataset.label}: the arrow keys read the points of its curves, Enter enlarges it` }))
     drawing.setAttribute(name, value);
   const start = () => { drawing.ready ??= addPoints(drawing); };
   drawing.addEventListener("pointerenter", start);
