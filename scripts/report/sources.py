@@ -1,6 +1,7 @@
 """Provenance of the numbers, and citations."""
 
 import hashlib
+import re
 from collections import defaultdict
 from datetime import datetime
 
@@ -11,7 +12,7 @@ from bristle_plots.results import as_text, table
 
 FIRST = ["version", "commit", "dirty", "compiler", "flags", "started", "finished", "cpu", "instruction_set",
          "threads", "system", "command_line", "points_computed", "points_commits"]
-LONG = ["command line", "finished"]  # not in the table of what differs
+LONG = ["command line", "finished", "dirty", "points computed", "points commits"]  # not in the table of what differs
 DIGESTS = ["payload_sha256", "experiment_sha256", "inputs_sha256", "numerics_version"]
 
 
@@ -23,6 +24,8 @@ def provenance(file, path):
     return {
         "file_sha256": sha256(path),
         "digests": [(name, as_text(file.attrs[name])) for name in DIGESTS if name in file.attrs],
+        "cells": {"commit": re.sub("^([0-9a-f]{10})[0-9a-f]*", r"\1", found["commit"]),
+                  "started": found["started"][:16].replace("T", " ")},
         "all": {name.replace("_", " "): found[name].strip() for name in names},
         "duration": duration(found),
     }
