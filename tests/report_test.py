@@ -10,17 +10,17 @@ import re
 import shutil
 import subprocess
 import sys
-import tarfile
 import time
-from xml.etree import ElementTree
 
 import h5py
 import numpy as np
 
+from browser import AXE, axe_core, browser, one, press, select, texts, view
+from report_figures import check_curves_map, check_figures, check_readings, check_saved
+
 root, program, folder, *results = (pathlib.Path(word).absolute() for word in sys.argv[1:])
 named = {re.split("[-_]", path.stem)[0]: path for path in results}
 page = folder / "index.html"
-AXE = "4.10.2"  # version of axe-core
 CONTRAST = (root / "tests" / "contrast.js").read_text()
 
 
@@ -85,70 +85,6 @@ def check_errors():
     assert made.count('<a href="https://doi.org/10.1000/invented">') == 2
     assert done.returncode == 0 and "make fig5 TIER=smoke" in made and "make assumptions" in made, done.stderr
     assert report(fig4, o="/proc/none/index.html").returncode == 3
-
-
-def browser():
-    try:
-        from selenium import webdriver
-        from selenium.webdriver.chrome.service import Service
-    except ImportError:
-        print("skipped: no python3-selenium")
-        sys.exit(77)
-    found = shutil.which("chromium"), shutil.which("chromedriver")
-    if None in found:
-        print("skipped: no chromium and chromium-driver")
-        sys.exit(77)
-    options = webdriver.ChromeOptions()
-    options.binary_location = found[0]
-    for word in ("--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
-                 "--host-resolver-rules=MAP * ~NOTFOUND"):
-        options.add_argument(word)
-    options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
-    return webdriver.Chrome(service=Service(found[1]), options=options)
-
-
-def view(driver, width, height, scheme="light"):
-    driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride",
-                           {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": width < 500})
-    driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "", "features": [
-        {"name": "prefers-color-scheme", "value": scheme},
-        {"name": "prefers-reduced-motion", "value": "reduce"}]})
-    driver.get(page.as_uri())
-    settled(driver)
-
-
-def one(driver, selector):
-    return driver.find_element("css selector", selector)
-
-
-def texts(driver, selector):
-    """Texts of the elements in visible rows."""
-    return driver.execute_script("""return [...document.querySelectorAll(arguments[0])]
-      .filter(e => !e.closest('tr').hidden).map(e => e.textContent.trim())""", selector)
-
-
-def settled(driver):
-    """Waits until the explorer shows the chosen figure."""
-    for _ in range(100):
-        if driver.execute_script("return document.getElementById('explorer').getAttribute('aria-busy')") == "false":
-            return
-        time.sleep(0.1)
-    raise AssertionError("the explorer is still busy")
-
-
-def select(driver, selector, value):
-    driver.execute_script("""const select = document.querySelector(arguments[0]);
-      select.value = arguments[1];
-      select.dispatchEvent(new Event('change'));""", selector, value)
-    settled(driver)
-
-
-def press(driver, *keys):
-    from selenium.webdriver import ActionChains
-    actions = ActionChains(driver)
-    for key in keys:
-        actions.send_keys(key)
-    actions.perform()
 
 
 def check_claims(driver, keys):
@@ -268,98 +204,14 @@ def check_matrix(driver, keys):
     assert {cell.text[0] for cell in cells} >= {"S", "R", "–"}
 
 
-def check_figures(driver, keys):
-    """A figure is enlarged by click and keyboard, Escape closes it, and the arrow keys read its curves' points."""
-    drawing, is_open = one(driver, "#fig5 .drawing"), "return document.getElementById('enlarged').open"
-    driver.execute_script("arguments[0].focus()", drawing)
-    for _ in range(50):  # the points are decompressed first
-        press(driver, keys.ARROW_RIGHT)
-        if driver.find_elements("css selector", "#fig5 .pointed"):
-            break
-        time.sleep(0.1)
-    press(driver, keys.ARROW_DOWN)
-    x, y, error, k_phi = map(float, re.findall(r"[=±] ([\d.]+)", one(driver, "#fig5 .pointed .tip").text))
-    with h5py.File(named["fig5"]) as file:
-        found = [np.argmin(abs(file[name][()] - value)) for name, value in (("k_phi", k_phi), ("k_r", x))]
-        value, uncertain = (file[name][()][0][tuple(found)] for name in ("N_c_ratio", "N_c_ratio_err"))
-        assert found[0] == 1 and abs(y - value) < uncertain and abs(error - uncertain) < 0.05 * uncertain, (y, value, error)
-    for start in (lambda: press(driver, keys.ENTER), lambda: driver.execute_script("arguments[0].click()", drawing),
-                  lambda: one(driver, "#fig5 .enlarge").send_keys(keys.ENTER)):
-        start()
-        assert driver.execute_script(is_open)
-        wide = driver.execute_script("return document.querySelector('dialog .plot').getBoundingClientRect().width")
-        assert wide >= 900, wide  # also on a phone, where it scrolls
-        press(driver, keys.ESCAPE)
-        assert not driver.execute_script(is_open)
-        assert driver.execute_script("return document.activeElement === document.querySelector('#fig5 .enlarge')")
-        driver.execute_script("arguments[0].focus()", drawing)
-
-
-def check_saved(driver, saved):
-    """The CSV has the numbers of the file, bit for bit; the SVG is a drawing by itself."""
-    driver.execute_cdp_cmd("Browser.setDownloadBehavior", {"behavior": "allow", "downloadPath": str(saved)})
-    for selector in ("#fig4 a.data", "#fig2 a.data:nth-of-type(2)", "#fig4 button.save"):
-        driver.execute_script("document.querySelector(arguments[0]).click()", selector)
-    wanted = [saved / name for name in ("fig4.csv", "fig2-trajectories.csv", "fig4-kinematic.svg")]
-    for _ in range(100):
-        if all(path.exists() for path in wanted):
-            break
-        time.sleep(0.1)
-    rows = [line.split(",") for line in wanted[0].read_text().splitlines() if not line.startswith("#")]
-    with h5py.File(named["fig4"]) as file:
-        for name in ("R_x_norm", "R_x_norm_err", "gamma_3"):
-            column = [float(row[rows[0].index(name)] or "nan") for row in rows[1:]]
-            assert np.array_equal(column, np.ravel(file[name][()]), equal_nan=True), name
-    assert "# theta_0 [rad]: " in wanted[1].read_text()
-    image = ElementTree.parse(wanted[2]).getroot()
-    assert image.tag.endswith("svg") and image.get("width").endswith("pt")
-
-
-def check_readings(driver):
-    """The switch leaves one reading of figures, verdicts and map."""
-    readings = """return [...new Set([...document.querySelectorAll('main [data-reading]')]
-      .filter(e => e.checkVisibility()).map(e => e.dataset.reading))].sort()"""
-    assert driver.execute_script(readings) == ["as_printed", "kinematic"]
-    for word in ("as_printed", "kinematic"):
-        driver.execute_script(f"document.querySelector('[name=reading][value={word}]').click()")
-        assert driver.execute_script(readings) == [word]
-        assert len(set(texts(driver, "#all-claims tbody td:nth-child(8)"))) == 1
-        axis = driver.execute_script("return document.querySelector('[data-axis=azimuth_rate]').value")
-        assert axis == {"kinematic": "0", "as_printed": "1"}[word]
-    driver.execute_script("document.querySelector('[name=reading][value=\"\"]').click()")
-    assert driver.execute_script(readings) == ["as_printed", "kinematic"]
-
-
-def check_curves_map(driver):
-    """The map of traced curves lies over the gap, and colour bars have several ticks."""
-    select(driver, "#choose-figure", "fig3")
-    assert "z" in one(driver, "#map .x-title").text and "gap" in one(driver, "#map .x-title").text
-    assert "node" not in one(driver, "#point h3").text
-    assert len(driver.find_elements("css selector", "#map .ramp span")) >= 3
-    places = driver.execute_script("""return [...document.querySelector('#map [role=row]').children]
-      .filter(e => e.matches('rect')).map(e => [+e.getAttribute('x'), +e.getAttribute('width')])""")
-    assert places == sorted(places) and len({round(width, 1) for _, width in places}) > 1, places
-
-
-def axe_core():
-    """The source of axe-core from the npm registry, kept beside the test's folder; None if npm cannot get it."""
-    package = folder.parent / f"axe-core-{AXE}.tgz"
-    if not package.exists() and shutil.which("npm"):
-        subprocess.run(["npm", "pack", "--silent", f"axe-core@{AXE}", "--pack-destination", folder.parent], capture_output=True, check=False)
-    if not package.exists():
-        return None
-    with tarfile.open(package) as archive:
-        return archive.extractfile("package/axe.min.js").read().decode()
-
-
 def check_accessibility(driver):
     """axe-core finds no violation, on a phone, a tablet and a desktop, in both colour schemes. False without axe-core."""
-    if (axe := axe_core()) is None:
+    if (axe := axe_core(folder.parent)) is None:
         return False
     driver.set_script_timeout(600)
     for width in (360, 768, 1280):
         for scheme in ("light", "dark"):
-            view(driver, width, 900, scheme)
+            view(driver, page, width, 900, scheme)
             driver.execute_script(axe)
             found = driver.execute_async_script("""const done = arguments[0];
               axe.run().then(({violations}) => done(violations.map(v => [v.id, v.nodes[0].html.slice(0, 300)])))""")
@@ -373,7 +225,7 @@ def check_views(driver):
     widths = "const root = document.documentElement; return [root.scrollWidth, root.clientWidth]"
     for width, height in ((360, 740), (768, 1000), (1280, 900)):
         for scheme in ("light", "dark"):
-            view(driver, width, height, scheme)
+            view(driver, page, width, height, scheme)
             for opening in ("", "for (const d of document.querySelectorAll('details')) d.open = true"):
                 driver.execute_async_script(f"{opening}; setTimeout(arguments[0], 300)")
                 wide = driver.execute_script(widths)
@@ -384,7 +236,7 @@ def check_views(driver):
 
 
 def check_paper(driver):
-    view(driver, 1280, 900, "dark")
+    view(driver, page, 1280, 900, "dark")
     pdf = base64.b64decode(driver.execute_cdp_cmd("Page.printToPDF", {"preferCSSPageSize": True})["data"])
     assert len(re.findall(rb"/Type\s*/Page\b", pdf)) > len(named), "fewer pages than figures"
     driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
@@ -411,15 +263,15 @@ check_output()
 check_errors()
 with browser() as chromium:
     from selenium.webdriver.common.keys import Keys
-    view(chromium, 1280, 900)
+    view(chromium, page, 1280, 900)
     check_claims(chromium, Keys)
     check_matrix(chromium, Keys)
     check_replay(check_map(chromium, Keys))
     check_every_figure(chromium)
     check_curves_map(chromium)
     check_readings(chromium)
-    check_figures(chromium, Keys)
-    check_saved(chromium, folder)
+    check_figures(chromium, Keys, named["fig5"])
+    check_saved(chromium, folder, named["fig4"])
     check_views(chromium)
     accessible = check_accessibility(chromium)
     check_paper(chromium)
