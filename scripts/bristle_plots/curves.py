@@ -12,14 +12,15 @@ from .jumps import LEAST_CHANGE, WIDEST_STEP, located_axis, located_jumps, read_
 from .layout import Cell, across, corners, heading, legend_at_foot, place_cell, row_title, sheet
 from .page import paper_width, points
 from .readings import reading_name, readings
-from .results import (attribute, axis_values, dataset, place_of, readable, select, select_errors, select_flags,
+from .results import (CHOICE_NAMES, attribute, axis_values, dataset, place_of, readable, select, select_errors, select_flags,
                       values)
 from .style import COLOURS, GREY, label, log_ticks, status_marker
 
 # status: index of each point's status into `meanings`; 0 is a point without remark.
 # jumps: whether the loading path jumps between each point and the next.
 # located: (index of the point before, x) of each jump that the run located.
-Curve = namedtuple("Curve", "x y error status meanings jumps located")
+# along, title: symbols of x and y; chosen: the values of further axes, as text.
+Curve = namedtuple("Curve", "x y error status meanings jumps located along title chosen")
 
 BANDS = "Bands, often thinner than the lines, are the estimated errors of the values."
 LOCATED_JUMPS = "Lines are broken where the loading path jumps; dotted lines mark the places, located to 1 %."
@@ -36,7 +37,23 @@ def read_curve(file, name, along, **chosen):
     meanings, status = select_flags(file, "status", [along], **chosen)
     located = located_jumps(file, [along], **chosen) if located_axis(file) == along else []
     return Curve(axis_values(file, along), y, select_errors(file, name, [along], **chosen), status, meanings,
-                 read_jumps(file, [along], **chosen)[0], [(index, x) for (index,), x in located])
+                 read_jumps(file, [along], **chosen)[0], [(index, x) for (index,), x in located],
+                 label(dataset(file, along)), label(dataset(file, name)), in_words(file, chosen))
+
+
+def in_words(file, chosen):
+    """The values of axes as one text."""
+    return ", ".join(with_symbol(dataset(file, name), value) for name, value in chosen.items())
+
+
+def keep(axes, curve, x=None, y=None):
+    """Keeps the curve with its axes, for a page that shows the values of a point; x, y: where its points are drawn."""
+    place = np.column_stack([curve.x if x is None else x, curve.y if y is None else y])
+    axes.curves_kept = [*kept(axes), (curve, place)]
+
+
+def kept(axes):
+    return getattr(axes, "curves_kept", [])
 
 
 def jump_note(file, along):
@@ -54,6 +71,7 @@ def broken(curve):
 def draw_curve(axes, curve, colour, text=None, line="-", marker="o", width=1.6):
     """A line, interrupted where there is no value or a jump; returns legend entries for the statuses by text."""
     x, y, error = broken(curve)
+    keep(axes, curve)
     axes.plot(x, y, line, color=colour, linewidth=width, marker=marker, markersize=2 * width, label=text)
     axes.fill_between(x, y - error, y + error, color=colour, alpha=0.3, linewidth=0)
     for index, place_x in curve.located:
@@ -64,6 +82,7 @@ def draw_curve(axes, curve, colour, text=None, line="-", marker="o", width=1.6):
 def draw_points(axes, curve, colour, text=None, marker="o", shift=1.0, filled=True):
     """Points with error bars, shifted in x by a factor; returns legend entries for the statuses."""
     shifted = curve._replace(x=curve.x * shift)
+    keep(axes, curve, shifted.x)
     there = np.isfinite(shifted.y)
     error = np.where(np.isfinite(shifted.error), shifted.error, 0)
     axes.errorbar(shifted.x[there], shifted.y[there], error[there], linestyle="", color=colour, label=text,
@@ -109,8 +128,8 @@ def legend_below(axes, entries, bottom):
 
 
 def with_symbol(data, value):
-    """A value of the axis as a legend's text."""
-    return f"{label(data)} = {value:g}"
+    """A value of the axis as a text; the names of choices are enough."""
+    return CHOICE_NAMES.get(value, readable(value)) if isinstance(value, str) else f"{label(data)} = {value:g}"
 
 
 def coloured(items):

@@ -35,6 +35,7 @@ def row(figure, check, claim):
         "sign": sign(claim.verdict),
         "declared": claim.declared,
         "reading": CHOICE_NAMES.get(claim.reading, readable(claim.reading)),
+        "reading_word": claim.reading,
         "further": claim.role != "main",
         "claim_verdict": claim.claim_verdict,
         "quote": symbols.prose(check.get("quote", "")),
@@ -60,19 +61,22 @@ def by_check(rows):
 
 
 def by_claim(rows):
-    """For each reading, the claims with their verdicts."""
+    """For each reading, the claims with their verdicts, and the number of each claim's first check."""
     found = {}
     for row in rows:
-        found.setdefault(row["reading"], {})[row["claim"], row["claim_verdict"]] = None
-    return [{"reading": reading, "claims": [(claim, verdict, sign(verdict)) for claim, verdict in claims]}
-            for reading, claims in found.items()]
+        claims = found.setdefault((row["reading"], row["reading_word"]), {})
+        claims.setdefault((row["claim"], row["claim_verdict"]), row["declared"])
+    return [{"reading": reading, "word": word, "claims": [{"claim": claim, "verdict": verdict, "sign": sign(verdict),
+                                                           "declared": declared}
+                                                          for (claim, verdict), declared in claims.items()]}
+            for (reading, word), claims in found.items()]
 
 
 def count(rows):
     """Numbers of checks and claims, of claims by verdict under each reading, and of rows by verdict."""
     return {"checks": len({(row["figure"], row["declared"]) for row in rows}),
             "claims": len({row["claim"] for row in rows}), "rows": counted(row["verdict"] for row in rows),
-            "readings": [(found["reading"], counted(verdict for _, verdict, _ in found["claims"]))
+            "readings": [(found["reading"], found["word"], counted(claim["verdict"] for claim in found["claims"]))
                          for found in by_claim(rows)]}
 
 

@@ -8,19 +8,22 @@ import numpy as np
 from markupsafe import Markup, escape
 from matplotlib.transforms import Bbox
 
+from bristle_plots.curves import kept
 from bristle_plots.layout import CAPTION_INCHES, HEADER
-from bristle_plots.readings import pages
-from bristle_plots.results import as_text, axis_names, axis_values, dataset, read
+from bristle_plots.readings import reading_name, readings
+from bristle_plots.results import as_text, axis_names, axis_values, dataset, read, readable
 from bristle_plots.style import METADATA
 from bristle_plots.verdicts import STRIP, read_claims, strip_height
-from symbols import plain
+from symbols import plain, prose
+
+LONG_NUMBER = re.compile(r"-?\d+\.\d{3,}")  # of an SVG's units, 1/72 inch
 
 # Of the modules' further figures.
 FURTHER_NAMES = {"energy": "energy budget", "parts": "factors of the friction"}
 
 
 def draw(name, file, verdicts):
-    """The figure's drawings: SVG element, what it shows besides the figure's heading, and its width (inches).
+    """The figure's drawings, one for each reading: SVG element, what it shows besides the figure's heading, width (pixels).
 
     verdicts: the claims with their verdicts under each reading, for the description.
     """
@@ -28,17 +31,34 @@ def draw(name, file, verdicts):
     title, description = plain(as_text(file.attrs["title"])), describe(module, file, verdicts)
     out = []
     for ending, function in {"": module.draw, **getattr(module, "FURTHER", {})}.items():
-        for page, reading, figure in pages(function, file):
-            shown = ", ".join(filter(None, [FURTHER_NAMES.get(ending, ending), reading]))
-            identity = "-".join(filter(None, [name, ending])) + page
-            out.append({"shown": shown, "width": round(100 * figure.get_figwidth()),
-                        "svg": inline(content(figure, file), identity, f"{title}{shown and f' ({shown})'}",
-                                      description)})
+        parts = [(reading, file.sel({axis: [word] for axis, word in reading.items()})) for reading in readings(file)]
+        figures = [function(part) for _, part in parts]
+        share_limits(figures)
+        for (reading, part), figure in zip(parts, figures):
+            shown = ", ".join(filter(None, [FURTHER_NAMES.get(ending, ending), reading_name(reading)]))
+            identity = "-".join(filter(None, [name, ending, *reading.values()])).replace("_", "-")
+            foot, top = trim(figure, part)
+            out.append({"name": identity, "shown": shown, "reading": "".join(reading.values()),
+                        "width": round(100 * figure.get_figwidth()),
+                        "shape": f"{figure.get_figwidth() / (top - foot):.3f}", "points": points_of(figure, top),
+                        "svg": inline(as_svg(figure, foot, top), identity, f"{title}{shown and f' ({shown})'}", description)})
     return out
 
 
-def content(figure, file):
-    """The SVG of a figure without header and verdicts."""
+def share_limits(figures):
+    """The same ranges under all readings in panels with curves."""
+    for panels in zip(*(figure.axes for figure in figures)):
+        if not all(map(kept, panels)):
+            continue
+        for which in "xy":
+            limits = [getattr(axes, f"get_{which}lim")() for axes in panels]
+            common = min(low for low, _ in limits), max(high for _, high in limits)
+            for axes in panels:
+                getattr(axes, f"set_{which}lim")(common)
+
+
+def trim(figure, file):
+    """Hides header and verdicts; returns the lower and the upper end of the rest (inches)."""
     width, height = figure.get_size_inches()
     top, foot = height, 0
     for artist in figure.texts:
@@ -49,9 +69,36 @@ def content(figure, file):
         if axes.get_gid() == STRIP:
             axes.set_visible(False)
             foot = strip_height(read_claims(file), width)
+    return foot, top
+
+
+def as_svg(figure, foot, top):
     buffer = io.StringIO()
-    figure.savefig(buffer, format="svg", metadata=METADATA["svg"], bbox_inches=Bbox([[0, foot], [width, top]]))
-    return buffer.getvalue()
+    figure.savefig(buffer, format="svg", metadata=METADATA["svg"],
+                   bbox_inches=Bbox([[0, foot], [figure.get_figwidth(), top]]))
+    return re.sub(r' d="[^"]*"', lambda path: LONG_NUMBER.sub(lambda found: f"{float(found.group()):.2f}", path.group()),
+                  buffer.getvalue())
+
+
+def points_of(figure, top):
+    """The curves of a drawing: what they show, and their points with place in the SVG, x, y, error of y and status."""
+    out = []
+    for axes in figure.axes:
+        for curve, drawn in kept(axes):
+            places = axes.transData.transform(drawn) / figure.dpi
+            box = axes.bbox.padded(2)
+            rows = [[round(72 * x, 1), round(72 * (top - y), 1), *numbers([curve.x[i], curve.y[i], curve.error[i]]),
+                     readable(curve.meanings[curve.status[i]]) if curve.status[i] else ""]
+                    for i, (x, y) in enumerate(places) if box.contains(x * figure.dpi, y * figure.dpi)]
+            if rows:
+                out.append({"along": str(prose(curve.along)), "title": str(prose(curve.title)),
+                            "chosen": str(prose(curve.chosen)), "points": rows})
+    return out
+
+
+def numbers(values):
+    """Numbers for JSON: null where there is no value."""
+    return [float(value) if np.isfinite(value) else None for value in values]
 
 
 def inline(svg, name, title, description):
@@ -82,7 +129,8 @@ def describe(module, file, verdicts):
     sentences.append(f"Plotted: {'; '.join(value_range(file, name) for name in shown)}.")
     for found in verdicts:
         heading = ", ".join(filter(None, ["Verdicts", found["reading"]]))
-        sentences.append(f"{heading}: {', '.join(f'{claim} {verdict}' for claim, verdict, _ in found['claims'])}.")
+        words = ", ".join(f"{row['claim']} {row['verdict']}" for row in found["claims"])
+        sentences.append(f"{heading}: {words}.")
     return " ".join(sentences)
 
 

@@ -1,4 +1,4 @@
-"""The points of a result for the page's explorer: axes, values with errors, statuses, replay commands."""
+"""What the page's explorer needs besides a result's CSV: axes, names of the variables, replay commands."""
 
 import json
 
@@ -15,7 +15,7 @@ ERROR = "_err"
 
 
 def collect(file, replay):
-    """The points for the page; replay: the command of each point of the sweep, the last axis fastest."""
+    """The result for the page; replay: the command of each point of the sweep, the last axis fastest."""
     status = dataset(file, "status")
     shape = np.shape(values(status))
     points = int(np.prod(shape))
@@ -26,8 +26,9 @@ def collect(file, replay):
         "name": as_text(file.attrs["name"]),
         "axes": axes,
         "map": plane(axes),
+        "along": "z_0" if axes and axes[-1]["name"] == "node" else None,
+        "status": words_of(status),
         "variables": [read_variable(file, name) for name in shown(file, status.shape)],
-        "status": read_flags(status),
         "replay": replay,
         "nodes": points // len(replay),
     }
@@ -48,6 +49,7 @@ def read_axis(file, name):
         "symbol": symbol(data, name),
         "title": as_text(data.attrs.get("long_name", name)),
         "words": words,
+        "keys": line if words else line.tolist(),  # in the CSV
         "values": [CHOICE_NAMES.get(word, word) for word in line] if words else line.tolist(),
     }
 
@@ -64,24 +66,13 @@ def shown(file, shape):
 
 def read_variable(file, name):
     data = dataset(file, name)
-    out = {"name": name, "symbol": symbol(data, name), "title": attribute(data, "long_name"),
-           "equation": as_text(data.attrs.get("equation", ""))}
-    if "flag_meanings" in data.attrs:
-        return {**out, **read_flags(data)}
-    out["values"] = numbers(values(data))
-    if name + ERROR in file:
-        out["errors"] = numbers(values(dataset(file, name + ERROR)))
-    return out
+    return {"name": name, "symbol": symbol(data, name), "title": attribute(data, "long_name"),
+            "equation": as_text(data.attrs.get("equation", "")), "words": words_of(data)}
 
 
-def read_flags(data):
-    words, codes = flags(data)
-    return {"words": [readable(word) for word in words], "codes": np.ravel(codes).tolist()}
-
-
-def numbers(array):
-    """All digits of every number; null where there is no value."""
-    return [value if np.isfinite(value) else None for value in np.ravel(array).tolist()]
+def words_of(data):
+    """The words of a variable of flags, else None."""
+    return [readable(word) for word in flags(data)[0]] if "flag_meanings" in data.attrs else None
 
 
 def symbol(data, name):

@@ -20,14 +20,15 @@ import points  # noqa: E402
 import program  # noqa: E402
 import sources  # noqa: E402
 import symbols  # noqa: E402
+import tables  # noqa: E402
 from bristle_plots.command_line import run  # noqa: E402
 from bristle_plots.errors import BristleError  # noqa: E402
 from bristle_plots.files import write_text  # noqa: E402
-from bristle_plots.results import as_text, experiment, open_result  # noqa: E402
+from bristle_plots.results import CHOICE_NAMES, as_text, experiment, open_result, readable  # noqa: E402
 from bristle_plots.style import COLORMAP, apply_look  # noqa: E402
 
 ASSETS = {"css": ["base.css", "parts.css", "print.css"],
-          "js": ["page.js", "tables.js", "map.js", "explorer.js"]}
+          "js": ["page.js", "tables.js", "data.js", "figures.js", "map.js", "explorer.js", "readings.js"]}
 
 
 def main():
@@ -69,6 +70,7 @@ def figure(path, arguments):
             "drawings": drawings, "claims": rows, "checks": claims.by_check(rows),
             "verdicts": claims.by_claim(rows),
             "points": points.collect(file, replay),
+            "tables": tables.read(file),
             "deviation": deviation, "outcome": program.outcome(deviation),
             "diagnostics": diagnostics.read(file), "provenance": sources.provenance(file, path),
         }
@@ -100,12 +102,16 @@ def render(figures, arguments):
                               undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True)
     rows = [row for figure in figures for row in figure["claims"]]
     shown = [figure for figure in figures if figure["present"]]
+    citation = sources.citation(arguments.citation)
+    words = [drawing["reading"] for figure in shown for drawing in figure["drawings"] if drawing["reading"]]
     return environment.get_template("page.html.j2").render(
-        figures=figures, shown=shown, missing=[figure for figure in figures if not figure["present"]],
+        figures=figures, shown=shown, readings={word: CHOICE_NAMES.get(word, readable(word)) for word in words}, missing=[figure for figure in figures if not figure["present"]],
         claims=rows, count=claims.count(rows), tiers=sorted({figure["tier"] for figure in shown}),
-        matrix=matrix.read(arguments.assumptions), citation=sources.citation(arguments.citation),
+        matrix=matrix.read(arguments.assumptions), citation=citation,
+        paper=next((entry["link"] for entry in citation if entry["kind"] == "article"), ""),
+        provenance=sources.compare([figure["provenance"] for figure in shown]),
         colours=points.embedded([colors.to_hex(colormaps[COLORMAP](i / 32)) for i in range(33)]),
-        embedded=points.embedded, **{kind: asset(names) for kind, names in ASSETS.items()})
+        packed=lambda data: tables.packed(points.embedded(data)), **{kind: asset(names) for kind, names in ASSETS.items()})
 
 
 def asset(names):

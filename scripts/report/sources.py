@@ -1,6 +1,7 @@
 """Provenance of the numbers, and citations."""
 
 import hashlib
+import re
 from collections import defaultdict
 from datetime import datetime
 
@@ -11,6 +12,7 @@ from bristle_plots.results import as_text, table
 
 FIRST = ["version", "commit", "dirty", "compiler", "flags", "started", "finished", "cpu", "instruction_set",
          "threads", "system", "command_line", "points_computed", "points_commits"]
+LONG = ["command line", "finished", "dirty", "points computed", "points commits"]  # not in the table of what differs
 DIGESTS = ["payload_sha256", "experiment_sha256", "inputs_sha256", "numerics_version"]
 
 
@@ -22,10 +24,20 @@ def provenance(file, path):
     return {
         "file_sha256": sha256(path),
         "digests": [(name, as_text(file.attrs[name])) for name in DIGESTS if name in file.attrs],
-        "all": [(name.replace("_", " "), found[name].strip()) for name in names],
-        "found": found,
+        "cells": {"commit": re.sub("^([0-9a-f]{10})[0-9a-f]*", r"\1", found["commit"]),
+                  "started": found["started"][:16].replace("T", " ")},
+        "all": {name.replace("_", " "): found[name].strip() for name in names},
         "duration": duration(found),
     }
+
+
+def compare(provenances):
+    """What is the same in all results, and the names of the entries that differ: those of a table, and all."""
+    names = list(dict.fromkeys(name for found in provenances for name in found["all"]))
+    values = {name: {found["all"].get(name, "") for found in provenances} for name in names}
+    differ = [name for name in names if len(values[name]) > 1]
+    return {"same": {name: words.pop() for name, words in values.items() if len(words) == 1},
+            "columns": [name for name in differ if name not in LONG], "differ": differ}
 
 
 def sha256(path):
@@ -50,7 +62,8 @@ def citation(path):
             cff = yaml.safe_load(file)
         software = {**cff, "year": str(cff["date-released"])[:4], "kind": "software"}
         entries = [software, *({**reference, "kind": "article"} for reference in cff.get("references", []))]
-        return [{"text": citation_text(entry), "bibtex": bibtex(entry)} for entry in entries]
+        return [{"text": citation_text(entry), "bibtex": bibtex(entry), "kind": entry["kind"], "link": link(entry)}
+                for entry in entries]
     except (OSError, yaml.YAMLError, KeyError, TypeError) as error:
         raise BristleError(f"{path}: not a citation file ({type(error).__name__}: {error})") from error
 
@@ -70,6 +83,11 @@ def journal_text(entry):
     parts = [entry["journal"]] + [f"{word} {entry[key]}" for key, word in (("volume", "vol."), ("issue", "no."))
                                   if key in entry]
     return ", ".join(parts + ([f"pp. {entry['start']}\u2013{entry['end']}"] if "end" in entry else []))
+
+
+def link(entry):
+    """Where the work is, as far as the file says."""
+    return f"https://doi.org/{entry['doi']}" if "doi" in entry else entry.get("url", "")
 
 
 def bibtex(entry):

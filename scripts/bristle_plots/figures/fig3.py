@@ -6,18 +6,18 @@ import numpy as np
 from matplotlib.lines import Line2D
 
 from ..contour_labels import HALO
-from ..curves import coloured, log_range, positive, title_axis, true_runs, with_symbol
+from ..curves import Curve, coloured, in_words, keep, log_range, positive, title_axis, true_runs, with_symbol
 from ..layout import LEAST_CELL, heading, legend_at_foot, place, sheet
 from ..page import paper_width, points
 from ..readings import page_for_each_reading
-from ..results import axis_values, dataset, read, readable, select, select_flags, setting
-from ..style import BLACK, COLOURS, GREY, status_marker
+from ..results import axis_values, dataset, read, readable, select, select_errors, select_flags, setting
+from ..style import BLACK, COLOURS, GREY, label, status_marker
 
 SIDE_PANELS = 2
 LOW, HIGH = -0.04, 1.04  # range of the gap in the plots
 
-# Nodes from first contact downward; loading, unloading: whether the node is on that path.
-Trace = namedtuple("Trace", "load gap loading unloading status meanings")
+# Nodes from first contact downward; loading, unloading: whether the node is on that path; curve: load over gap.
+Trace = namedtuple("Trace", "load gap loading unloading status meanings curve")
 
 LOADING = dict(linewidth=2.6, solid_capstyle="round")
 UNLOADING = dict(linewidth=1.5, linestyle=(0, (3.2, 1.6)))
@@ -81,8 +81,10 @@ def read_trace(file, **chosen):
     load, gap = (select(dataset(file, name), ["node"], **chosen) for name in ("R_n", "z_0"))
     meanings, status = select_flags(file, "status", ["node"], **chosen)
     there = np.isfinite(load) & np.isfinite(gap) & (on != "absent")
+    curve = Curve(gap[there], load[there], select_errors(file, "R_n", ["node"], **chosen)[there], status[there], meanings,
+                  None, [], label(dataset(file, "z_0")), label(dataset(file, "R_n")), in_words(file, chosen))
     return Trace(load[there], gap[there], np.isin(on, ["loading", "both"])[there],
-                 np.isin(on, ["unloading", "both"])[there], status[there], meanings)
+                 np.isin(on, ["unloading", "both"])[there], status[there], meanings, curve)
 
 
 def set_range(axes, file):
@@ -111,6 +113,7 @@ def draw_panel(axes, file, traces, small):
 
 
 def draw_trace(axes, trace, colour, scale):
+    keep(axes, trace.curve, trace.load, trace.gap)
     down, up = (path[1:] & path[:-1] for path in (trace.loading, trace.unloading))
     for style, segments in ((UNSTABLE, ~down & ~up), (UNLOADING, up & ~down), (LOADING, down)):
         look = {**style, "linewidth": scale * style["linewidth"]}

@@ -45,7 +45,7 @@ def draw_parts(file, reading):
         axes = place_cell(figure, corner, cell)
         panels.append(axes)
         total, terms = parts[law]
-        entries |= draw_curve(axes, total, BLACK, f"$\\ln$ {symbol(dataset(file, VARIABLES[0]))}", marker="")
+        entries |= draw_curve(axes, total, BLACK, total.title, marker="")
         for (name, term), colour in coloured(terms.items()):
             rest = name == REST
             entries |= draw_curve(axes, term, GREY if rest else colour, term_text(file, name),
@@ -64,20 +64,21 @@ def parts_of(file, law, reading):
     def logarithm(name, power=1):
         curve = read_curve(file, name, "k_r", friction=law, **reading)
         with np.errstate(divide="ignore", invalid="ignore"):
-            return curve._replace(y=power * np.log(curve.y), error=power * curve.error / curve.y)
+            return curve._replace(y=power * np.log(curve.y), error=power * curve.error / curve.y,
+                                  title=term_text(file, name))
 
     total = logarithm(VARIABLES[0])
     terms = {name: without_remarks(logarithm(name, power))
              for name, power in FACTORS.items() if law != "coulomb" or name in IN_COULOMB}
     error = np.sqrt(sum(curve.error ** 2 for curve in (total, *terms.values())))
-    rest = total._replace(y=total.y - sum(term.y for term in terms.values()), error=error)
+    rest = total._replace(y=total.y - sum(term.y for term in terms.values()), error=error, title=REST)
     return total, {**terms, REST: without_remarks(rest)}
 
 
 def term_text(file, name):
     if name == REST:
         return REST
-    power = "" if FACTORS[name] == 1 else r"$\frac{1}{3}$ "
+    power = "" if FACTORS.get(name, 1) == 1 else r"$\frac{1}{3}$ "
     return f"{power}$\\ln$ {symbol(dataset(file, name))}"
 
 

@@ -3,7 +3,7 @@
 import numpy as np
 from matplotlib import ticker
 
-from ..curves import (BARS, draw_statuses, legend, panels_by_reading, read_curve, title_axis,
+from ..curves import (BARS, draw_statuses, keep, legend, panels_by_reading, read_curve, title_axis,
                       with_symbol)
 from ..readings import one_page
 from ..results import axis_values, dataset
@@ -32,6 +32,7 @@ def draw_panel(axes, file, reading):
     offsets = OFFSET * (np.arange(len(stiffnesses)) - (len(stiffnesses) - 1) / 2)
     for colour, k_r, offset in zip(COLOURS, stiffnesses, offsets):
         lattice = read_curve(file, VARIABLES[0], "seed", sampling="lattice", k_r=k_r, **reading)
+        keep(axes, lattice, lattice.x + offset)
         lattice = lattice._replace(x=lattice.x + offset)
         axes.errorbar(lattice.x, lattice.y, lattice.error, linestyle="", marker="o", markersize=4.5, capsize=2,
                       linewidth=1.1, color=colour, label=with_symbol(dataset(file, "k_r"), k_r))

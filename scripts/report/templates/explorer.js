@@ -3,8 +3,13 @@
 const chosen = { data: null, variable: null, at: [], mark: null, table: null };
 const control = (name) => document.getElementById(name);
 
-function placeOf(data, where) {
-  return data.axes.map((axis, i) => `${axis.name} = ${shortly(axis.values[where[i]])}`).join(", ");
+// The coordinates of a point; those of a node of a curve have its gap instead of its number. part: "name" or "symbol".
+function placeOf(data, where, part = "name") {
+  return data.axes.map((axis, i) => {
+    const gap = data.along && i === data.map?.[0];
+    const found = gap ? acrossOf(data) : axis;
+    return `${found[part]} = ${shortly(found.values[gap ? pointAt(data, where) : where[i]])}`;
+  }).join(", ");
 }
 
 // Position along every axis of the point with this index.
@@ -56,9 +61,8 @@ function showPoint() {
   const command = element("div", { class: "copyable" }, element("pre", { tabindex: 0, id: "replay",
     text: data.replay[Math.floor(point / data.nodes)] }),
   element("button", { type: "button", class: "copy", "data-what": "The command", text: "Copy" }));
-  const places = data.axes.map((axis, i) => `${axis.symbol} = ${shortly(axis.values[at[i]])}`);
   control("point").replaceChildren(
-    element("h3", { html: places.join(", ") || "The point" }),
+    element("h3", { html: placeOf(data, at, "symbol") || "The point" }),
     element("p", { class: "caption",
       text: `Status: ${statusOf(data, point)}. Rest on a number to see all its digits.` }),
     element("div", { class: "scroll", tabindex: 0, role: "group", "aria-label": "Its numbers" }, table),
@@ -102,19 +106,22 @@ function showSlices() {
   control("slices").replaceChildren(...selections.filter(Boolean));
 }
 
-// The first point with a value in the slice shown; Figure 6 starts with the Coulomb law, which its maps show.
+// The first point with a value, under the reading shown by the page; Figure 6 starts with the Coulomb law, which its maps show.
 function start(data) {
   const values = data.variables[0].values;
   const about = data.name === "fig6" ? data.axes.findIndex((axis) => axis.name === "friction") : -1;
   for (let point = 0; point < values.length; ++point) {
     const at = positionOf(data, point);
-    if (values[point] !== null && (about < 0 || at[about] === data.axes[about].values.length - 1)) return at;
+    const other = data.axes.some(({ keys }, i) => keys.includes(readingShown()) && keys[at[i]] !== readingShown());
+    if (!other && values[point] !== null && (about < 0 || at[about] === data.axes[about].values.length - 1)) return at;
   }
   return data.axes.map(() => 0);
 }
 
-function chooseFigure(name) {
-  const data = JSON.parse(control(`points-${name}`).textContent);
+// aria-busy: until the numbers are decompressed.
+async function chooseFigure(name) {
+  control("explorer").setAttribute("aria-busy", "true");
+  const data = await read(name);
   Object.assign(chosen, { data, variable: data.variables[0], at: start(data), table: null });
   control("choose-figure").value = name;
   control("choose-variable").replaceChildren(...data.variables.map((variable) =>
@@ -125,6 +132,7 @@ function chooseFigure(name) {
   showMap();
   if (!data.map) control("table-of-points").open = true;
   if (control("table-of-points").open) showTable();
+  control("explorer").setAttribute("aria-busy", "false");
 }
 
 // Rows are made when the table is opened: some figures have more than a thousand.
@@ -188,6 +196,6 @@ let width = 0;
 new ResizeObserver(([entry]) => {
   if (Math.abs(entry.contentRect.width - width) < 1) return;
   width = entry.contentRect.width;
-  showMap();
+  if (chosen.data) showMap();
 }).observe(control("map"));
 chooseFigure(control("choose-figure").value);

@@ -1,4 +1,5 @@
-// A map of one variable over two axes: equal cells, one for each point.
+// A map of one variable over two axes: one cell for each point. The cells are equal, but for those of a traced curve,
+// which lie at their gap.
 
 const COLOURS = JSON.parse(document.getElementById("colours").textContent);
 
@@ -40,14 +41,28 @@ function ticks(count, cell, room) {
   return [...Array(count).keys()].filter((i) => i % step === 0);
 }
 
+// The horizontal axis: that of the sweep, or for nodes of a curve the variable that places them.
+function acrossOf(data) {
+  return data.variables.find(({ name }) => name === data.along) ?? data.axes[data.map[0]];
+}
+
+// Round numbers from low to high, about five.
+function roundNumbers(low, high) {
+  const rough = (high - low) / 5, power = 10 ** Math.floor(Math.log10(rough));
+  const step = power * [1, 2, 2.5, 5, 10].find((factor) => factor * power >= rough);
+  const count = Math.floor(high / step + 1e-9) - Math.ceil(low / step - 1e-9) + 1;
+  return [...Array(count).keys()].map((i) => Number(((Math.ceil(low / step - 1e-9) + i) * step).toPrecision(6)));
+}
+
 function layout(data, width) {
-  const [x, y] = data.map.map((i) => data.axes[i]);
+  const x = acrossOf(data), y = data.axes[data.map[1]];
   const longest = Math.max(...y.values.map((value) => tick(value).length));
   const left = 10 + 6.2 * longest, right = 8, top = 6, bottom = 24;
-  const cell = (width - left - right) / x.values.length;
+  const range = data.along && rangeOf(x);
+  const cell = (width - left - right) / (data.along ? 12 : x.values.length);
   const row = Math.min(48, Math.max(18, Math.min(Math.max(cell, 200 / y.values.length),
     320 / y.values.length)));
-  return { x, y, left, top, cell, row, width, height: top + row * y.values.length + bottom };
+  return { x, y, left, top, cell, row, range, width, inner: width - left - right, height: top + row * y.values.length + bottom };
 }
 
 function hatching() {
@@ -59,15 +74,33 @@ function hatching() {
 }
 
 function drawTicks(svg, form) {
-  const { x, y, left, top, cell, row, height } = form;
-  const longest = Math.max(...x.values.map((value) => tick(value).length));
-  for (const i of ticks(x.values.length, cell, 7 * longest + 8))
-    svg.append(element("text", { x: left + (i + 0.5) * cell, y: height - 8, "text-anchor": "middle",
-      text: tick(x.values[i]) }));
+  const { x, y, left, top, cell, row, height, range } = form;
+  const label = (place, value) => svg.append(element("text", { x: place, y: height - 8, "text-anchor": "middle",
+    text: tick(value) }));
+  if (range) for (const value of roundNumbers(range.low, range.high)) label(left + form.inner * range.share(value), value);
+  else {
+    const longest = Math.max(...x.values.map((value) => tick(value).length));
+    for (const i of ticks(x.values.length, cell, 7 * longest + 8)) label(left + (i + 0.5) * cell, x.values[i]);
+  }
   for (const j of ticks(y.values.length, row, 14))
     svg.append(element("text", { x: left - 6, y: top + (y.values.length - j - 0.5) * row + 4,
       "text-anchor": "end",
       text: tick(y.values[j]) }));
+}
+
+// The points of row j from left to right, each with the position and width of its cell.
+function rowOf(data, form, at, j) {
+  const points = data.axes[data.map[0]].values.map((_, i) => {
+    const where = [...at];
+    where[data.map[0]] = i;
+    where[data.map[1]] = j;
+    return { where, point: pointAt(data, where), x: form.left + i * form.cell, width: form.cell };
+  });
+  if (!form.range) return points;
+  const place = ({ point }) => form.left + form.inner * form.range.share(form.x.values[point]);
+  const there = points.filter(({ point }) => form.x.values[point] !== null).sort((a, b) => place(a) - place(b));
+  const edge = (i) => (place(there[Math.max(i - 1, 0)]) + place(there[Math.min(i, there.length - 1)])) / 2;
+  return there.map((found, i) => ({ ...found, x: edge(i), width: edge(i + 1) - edge(i) }));
 }
 
 // Cells by row, the largest y on top, each with its position and point. describe(point): its text for
@@ -77,13 +110,9 @@ function drawCells(svg, data, form, variable, at, describe) {
   for (let j = form.y.values.length - 1; j >= 0; --j) {
     const group = element("g", { role: "row" });
     const line = [];
-    for (let i = 0; i < form.x.values.length; ++i) {
-      const where = [...at];
-      where[data.map[0]] = i;
-      where[data.map[1]] = j;
-      const point = pointAt(data, where), value = valueOf(variable, point);
-      const box = { x: form.left + i * form.cell, y: form.top + (form.y.values.length - 1 - j) * form.row,
-        width: form.cell, height: form.row };
+    for (const { where, point, x, width } of rowOf(data, form, at, j)) {
+      const value = valueOf(variable, point);
+      const box = { x, y: form.top + (form.y.values.length - 1 - j) * form.row, width, height: form.row };
       const fill = value === null ? "url(#hatching)" : colour(range.share(variable.codes?.[point] ?? value));
       const cell = element("rect", { ...box, fill, role: "gridcell", tabindex: -1,
         "aria-label": describe(where, value),
@@ -115,9 +144,12 @@ function legend(data, variable) {
     });
     return scale;
   }
-  const ramp = element("span", { class: "ramp",
+  const ramp = element("span", { class: "ramp", role: "img",
+    "aria-label": `Colours from ${shortly(range.low)} to ${shortly(range.high)}`,
     style: `background:linear-gradient(to right,${COLOURS.join(",")})` });
-  scale.append(shortly(range.low), ramp, shortly(range.high));
+  for (const value of range.high > range.low ? roundNumbers(range.low, range.high) : [range.low])
+    ramp.append(element("span", { style: `left:${100 * range.share(value)}%`, text: shortly(value) }));
+  scale.append(ramp);
   if (variable.values.includes(null))
     scale.append(key(element("rect", { width: 16, height: 16, fill: "url(#hatching)" }), "no value"));
   if (variable.values.some((value, point) => value !== null && data.status.codes[point] > 0))
@@ -131,7 +163,7 @@ function drawMap(box, data, variable, at, choose) {
   const form = layout(data, Math.max(260, box.clientWidth));
   const name = `${variable.title} over ${form.x.title} and ${form.y.title}`;
   const svg = element("svg", { viewBox: `0 0 ${form.width} ${form.height}`, role: "grid",
-    "aria-label": `Map: ${name}` });
+    "aria-label": `Map: ${name}`, class: data.along ? "curves" : "" });
   svg.append(hatching());
   const describe = (where, value) => `${placeOf(data, where)}: ${variable.name} ${shortly(value)}`;
   const cells = drawCells(svg, data, form, variable, at, describe);
@@ -155,7 +187,7 @@ function drawMap(box, data, variable, at, choose) {
     element("p", { class: "y-title", html: `↑ ${form.y.title} ${form.y.symbol}` }), svg,
     element("p", { class: "x-title", html: `${form.x.title} ${form.x.symbol} →` }), legend(data, variable));
   return (where, focus) => {
-    const found = find(where);
+    const found = find(where) ?? cells.flat()[0];
     for (const { cell } of cells.flat()) cell.tabIndex = -1;
     found.cell.tabIndex = 0;
     for (const [name, value] of Object.entries(found.box))

@@ -43,7 +43,8 @@ function filter(form) {
   let shown = 0;
   for (const row of rows) {
     const content = row.textContent.toLowerCase();
-    row.hidden = !words.every((word) => content.includes(word)) ||
+    const other = readingShown() && row.dataset.reading && row.dataset.reading !== readingShown();
+    row.hidden = other || !words.every((word) => content.includes(word)) ||
       (verdicts.length > 0 && !wanted.includes(row.dataset.verdict));
     shown += !row.hidden;
   }
