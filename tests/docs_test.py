@@ -187,7 +187,7 @@ def run(path, folder):
 
 
     if code := "".join(re.findall(r"^```python\n(.*?)^```$", path.read_text(encoding="utf-8"), re.M | re.S)):
-        code = re.sub(r"results/(\w+)\.h5", r"results/\1-smoke.h5", code)
+        code = re.sub(rf"results/({FIGURES})\.h5", r"results/\1-smoke.h5", code)
         done = subprocess.run([sys.executable, "-c", code], cwd=copy, env={**os.environ, "PYTHONPATH": "scripts"},
                               capture_output=True, text=True)
         assert done.returncode == 0, f"{path.name}: python: {done.stderr}"
