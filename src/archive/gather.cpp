@@ -116,9 +116,9 @@ class Gatherer {
     return files;
   }
 
-  // Studies are no figures of the paper, but have a script that draws them.
+  // Studies are no figures of the paper, but have a module that draws them.
   bool is_study(const Experiment& e) const {
-    return !repository_.files(fmt::format("scripts/{}.py", e.name)).empty();
+    return !repository_.files(fmt::format("scripts/bristle_plots/figures/{}.py", e.name)).empty();
   }
 
   std::string result_path(const Experiment& e) const {
