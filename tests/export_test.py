@@ -73,6 +73,15 @@ def check_tables():
     assert "there is no table trajectory (did you mean trajectories?); it has: " in text, text
 
 
+def check_jumps():
+    path = computed("jumps.h5", "paper.json", "--set", "/locate_jumps=k_r", "--set", '/sweep={"k_r":{"values":[16,30]}}',
+                    "--set", "/orientation/rtol=0.02")
+    table, data = exported(path, "--group", "jumps"), xarray.open_dataset(path, group="jumps")
+    assert len(table) and np.array_equal(table["before"], data["before"].values)
+    assert np.all(table["after"] <= 1.021 * table["before"]) and {*table["k_r"]} == {16}  # the point before the jump
+    assert data.attrs["along"] == "k_r"
+
+
 def check_curves():
     path = computed("curves.h5", "paper.json", "--set", '/orientation={"sampling":"list","theta_0_deg":[10,100]}',
                     "--set", '/load={"R_n":null,"path":null,"trace":{"to":0.3,"resolution":0.3,"nodes":96}}')
@@ -114,6 +123,7 @@ opened = xarray.open_dataset(result)
 check_variables(result, opened)
 check_checks(result)
 check_tables()
+check_jumps()
 check_curves()
 check_outputs(result)
 check_info(result, opened)

@@ -56,7 +56,7 @@ std::vector<std::string> datasets_of(const ResultReader& result, const std::stri
 
 void require_group(const ResultReader& result, const std::string& group) {
   std::vector<std::string> groups;
-  for (const char* name : {"bristles", "checks", "load_error", "slab_force", "trajectories"})
+  for (const char* name : {"bristles", "checks", "jumps", "load_error", "slab_force", "trajectories"})
     if (result.has(name)) groups.emplace_back(name);
   if (group.empty() || std::ranges::find(groups, group) != groups.end()) return;
   throw InputError(
