@@ -1,6 +1,7 @@
 #include "archive/read_tar.hpp"
 
 #include "util/error.hpp"
+#include "util/file.hpp"
 
 #include <archive.h>
 #include <archive_entry.h>

@@ -85,9 +85,9 @@ results::Rows locate_jumps(const Experiment& experiment, const std::vector<Gap>&
                   experiment.axes.begin());
   std::vector<Interval> open = intervals_of(experiment, axis, gaps), located;
   while (!open.empty()) {
-    const auto narrow = std::ranges::partition(open, &Interval::wide);
-    located.insert(located.end(), narrow.begin(), narrow.end());
-    open.erase(narrow.begin(), narrow.end());
+    const auto narrow = std::partition(open.begin(), open.end(), [](const Interval& i) { return i.wide(); });
+    located.insert(located.end(), narrow, open.end());
+    open.erase(narrow, open.end());
     if (!open.empty()) open = halve(experiment, axis, open, solve);
   }
   std::ranges::sort(located, {}, [](const Interval& i) { return std::pair(i.point, i.low); });
