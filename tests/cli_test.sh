@@ -50,9 +50,13 @@ for place in alone/mine.json project/experiments/mine.json; do
   expect 0 "10 ok" timeout 60 "$bristle" run "$folder/$place" -o "$folder/${place%%/*}.h5"
 done
 # Progress on a terminal names the experiment and the stage.
-expect 0 "mine: computing 10/10 points" script -qec "$bristle run $folder/alone/mine.json --force -o $folder/alone.h5" /dev/null
-expect 0 "mine: writing $folder/alone.h5" script -qec "$bristle run $folder/alone/mine.json --force -o $folder/alone.h5" /dev/null
-expect 0 "fig4: evaluating the checks" script -qec "$bristle run experiments/fig4.json --tier smoke --force -o $folder/f.h5" /dev/null
+if script -qec true /dev/null >/dev/null 2>&1; then
+  expect 0 "mine: computing 10/10 points" script -qec "$bristle run $folder/alone/mine.json --force -o $folder/alone.h5" /dev/null
+  expect 0 "mine: writing $folder/alone.h5" script -qec "$bristle run $folder/alone/mine.json --force -o $folder/alone.h5" /dev/null
+  expect 0 "fig4: evaluating the checks" script -qec "$bristle run experiments/fig4.json --tier smoke --force -o $folder/f.h5" /dev/null
+else
+  echo "no pseudo-terminal here (/dev/pts): progress on a terminal is not tested"
+fi
 grep -q '"extends": "paper.json"' "$folder/project/experiments/mine.json" || failed "the new experiment does not extend paper.json"
 expect 0 "the same, bit for bit" "$bristle" diff "$folder/alone.h5" "$folder/project.h5"
 
