@@ -65,6 +65,24 @@ TEST_CASE("all jumps between two points of the sweep are located, in ascending o
   CHECK(rows[1][1] == Approx(13).epsilon(0.02));
 }
 
+TEST_CASE("the bisection towards a jump at zero ends") {
+  const Scratch s;
+  const Experiment e = sharded(s, R"(, "locate_jumps": "mu_c")", R"("mu_c": {"values": [0, 1]})");
+  const auto law = [](const Experiment& x, const std::vector<std::size_t>& points) {
+    std::vector<run::Gap> out;
+    for (const std::size_t i : points) out.push_back(gap(x.point(i).setup.parameters.mu_c > 0 ? 0.6 : 0.1));
+    return out;
+  };
+  std::size_t rounds = 0;
+  const Rows rows = run::locate_jumps(e, law(e, {0, 1}), [&](const Experiment& x, const auto& points) {
+    ++rounds;
+    return law(x, points);
+  });
+  CHECK(rounds == 20);
+  CHECK(rows[1] == std::vector<double>{0});
+  CHECK(rows[2][0] < 1e-5);
+}
+
 TEST_CASE("a continuous gap has no jump") {
   const Scratch s;
   const Experiment e = sharded(s, kAlong);

@@ -82,7 +82,7 @@ CLI::App* add_export(CLI::App& app, ExportOptions& options) {
   command->add_option("FILE", options.file, "result file")->required();
   command->add_option("-o,--output", options.output, "table [the name of FILE with .csv]");
   command->add_option("--group", options.group,
-                      "checks, load_error or a recorded table in place of the variables");
+                      "checks, jumps, load_error or a recorded table in place of the variables");
   return command;
 }
 

@@ -17,13 +17,18 @@ bool jumps(const Gap& a, const Gap& b) {
   return !(std::abs(a.z_0 - b.z_0) <= kLeastJump);  // also if one of them is NaN
 }
 
+constexpr int kMostHalvings = 20;
+
 // Part of the axis across which the gap jumps.
 struct Interval {
   std::size_t point;  // of the sweep, at or below low on the axis
   double low, high;
   Gap at_low, at_high;
+  int halvings = 0;  // bounded: near zero no interval is narrow relative to its values
 
-  bool wide() const { return high - low > kWidth * std::max(std::abs(low), std::abs(high)); }
+  bool wide() const {
+    return halvings < kMostHalvings && high - low > kWidth * std::max(std::abs(low), std::abs(high));
+  }
   double middle() const { return low > 0 ? std::sqrt(low * high) : (low + high) / 2; }
 };
 
@@ -62,8 +67,9 @@ std::vector<Interval> halve(const Experiment& experiment, std::size_t axis,
   std::vector<Interval> out;
   for (std::size_t i = 0; i < intervals.size(); ++i) {
     const Interval& whole = intervals[i];
-    for (const Interval& half : {Interval{whole.point, whole.low, whole.middle(), whole.at_low, found[i]},
-                                 Interval{whole.point, whole.middle(), whole.high, found[i], whole.at_high}})
+    for (const Interval& half :
+         {Interval{whole.point, whole.low, whole.middle(), whole.at_low, found[i], whole.halvings + 1},
+          Interval{whole.point, whole.middle(), whole.high, found[i], whole.at_high, whole.halvings + 1}})
       if (jumps(half.at_low, half.at_high)) out.push_back(half);
   }
   return out;
