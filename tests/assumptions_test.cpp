@@ -87,8 +87,8 @@ TEST_CASE("every check is evaluated under every alternative") {
   CHECK_FALSE(b[2].affected);
   CHECK(b[3].affected);
   CHECK(b[1].result.measured.value == b[0].result.measured.value);
-  CHECK(std::string(conclusion(m.rows[0])) == "assumption-dependent");
-  CHECK(std::string(conclusion(m.rows[1])) == "robust");
+  CHECK(std::string(conclusion(m, m.rows[0])) == "assumption-dependent");
+  CHECK(std::string(conclusion(m, m.rows[1])) == "robust");
 
   const Json json = matrix_json(m);
   CHECK(json["cells"].size() == 10);
@@ -119,6 +119,24 @@ TEST_CASE(
   small.s.write("experiments/b.json",
                 replace_all(bytes_of(small.s.path("experiments/b.json")), "[5, 10]", "[5, 11]"));
   CHECK(inputs_sha256(small.options) != before);
+}
+
+TEST_CASE("the conclusions of a matrix with windows are those of the first window") {
+  SmallStudy small;
+  small.options.files.clear();
+  small.declare("windows.json",
+                R"({"schema": "bristle-assumption/1", "choice": "x", "question": "q", "windows": [
+    {"name": "both", "where": {"mu_c": [0.5, 1]}, "experiments": ["a"]},
+    {"name": "last", "where": {"mu_c": [0.9, 1]}, "experiments": ["a"]}],
+    "alternatives": [{"name": "slow", "description": "both", "patch": {"model": {"V_s": 0.02}}}]})");
+  const Matrix m = run_assumptions(small.options);
+  const auto& cells = m.rows[0].cells;  // by alternative, then by window
+  REQUIRE(cells.size() == 4);
+  CHECK(cells[0].result.verdict == Verdict::supported);
+  CHECK(cells[1].result.verdict != Verdict::supported);
+  CHECK(cells[2].result.verdict == Verdict::supported);
+  CHECK(std::string(conclusion(m, m.rows[0])) == "robust");
+  CHECK(matrix_json(m)["conclusions"][0]["conclusion"] == "robust");
 }
 
 TEST_CASE("a second call computes no result again") {
@@ -153,6 +171,12 @@ TEST_CASE("mistakes in assumptions are reported before anything is computed") {
       {head +
            R"("alternatives": [{"name": "n", "description": "d", "experiments": {"a": {"set": {"/checks/7/is": 1}}}}]})",
        "alternative n: a has no value at /checks/7/is"},
+      {head + R"("alternatives": [{"name": "n", "description": "d", "experiments": {"aa": {}}}]})",
+       "alternative n: /experiments: there is no experiment aa with a figure and checks (did you mean a?)"},
+      {head + R"("windows": [{"name": "w", "where": {"k_r": [5, 7]}, "experiments": ["bb"]}]})",
+       "window w: /experiments: there is no experiment bb"},
+      {head + R"("windows": [{"name": "w", "where": {"k_rr": [5, 7]}, "experiments": ["b"]}]})",
+       "window w: /where/k_rr: none of its experiments sweeps k_rr (did you mean k_r?)"},
   };
   for (const Row& row : table) {
     SmallStudy small;

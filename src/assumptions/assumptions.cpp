@@ -8,6 +8,7 @@
 #include "run/task.hpp"
 #include "util/error.hpp"
 #include "util/sha.hpp"
+#include "util/text.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -21,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The experiments with checks of claims of the paper, in the order of their file names.
+// All experiments with checks of claims of the paper, in the order of their file names.
 std::vector<Experiment> experiments_with_claims(const AssumptionsOptions& options) {
   if (!fs::is_directory(options.experiments))
     throw InputError(fmt::format("--experiments {}: not a folder", options.experiments));
@@ -32,17 +33,61 @@ std::vector<Experiment> experiments_with_claims(const AssumptionsOptions& option
   std::vector<Experiment> out;
   for (const std::string& file : files) {
     Experiment e = experiment::load_experiment(file, {{}, options.tier});
-    const bool wanted = options.only.empty() || std::ranges::count(options.only, e.name) > 0;
-    if (wanted && !e.figure.empty() && !e.checks.empty()) out.push_back(std::move(e));
+    if (!e.figure.empty() && !e.checks.empty()) out.push_back(std::move(e));
   }
-  for (const std::string& name : options.only)
-    if (std::ranges::find(out, name, &Experiment::name) == out.end())
-      throw InputError(fmt::format("--only {}: {} has no experiment of this name with checks of a figure",
-                                   name, options.experiments));
   if (out.empty())
     throw InputError(fmt::format("--experiments {}: no experiment in this folder has a figure with checks",
                                  options.experiments));
   return out;
+}
+
+std::vector<std::string> names_of(const std::vector<Experiment>& experiments) {
+  std::vector<std::string> names;
+  for (const Experiment& e : experiments) names.push_back(e.name);
+  return names;
+}
+
+// Throws InputError for a name that none of these experiments has; `where` says who gives the name.
+void require_experiment(const std::vector<Experiment>& all, const std::string& name,
+                        const std::string& where) {
+  if (std::ranges::find(all, name, &Experiment::name) == all.end())
+    throw InputError(fmt::format("{}: there is no experiment {} with a figure and checks{}", where, name,
+                                 did_you_mean(name, names_of(all))));
+}
+
+// The experiments that --only names, or all.
+std::vector<Experiment> chosen_experiments(const AssumptionsOptions& options) {
+  std::vector<Experiment> all = experiments_with_claims(options);
+  for (const std::string& name : options.only) require_experiment(all, name, "--only " + name);
+  if (!options.only.empty())
+    std::erase_if(all, [&](const Experiment& e) { return std::ranges::count(options.only, e.name) == 0; });
+  return all;
+}
+
+// Throws InputError if an alternative changes, or a window limits, an experiment that does not exist, or if a
+// window limits an axis that none of its experiments sweeps.
+void check_names(const Declarations& declared, const std::vector<Experiment>& all) {
+  const auto check = [&](const Alternative& a, const std::string& where) {
+    for (const auto& declaration : a.declarations) {
+      const Json changes = declaration->value("experiments", Json::object());
+      for (const auto& [name, change] : changes.items())
+        require_experiment(all, name, where + "/experiments");
+    }
+  };
+  check(declared.baseline, "/base");
+  for (const Alternative& a : declared.alternatives) check(a, fmt::format("alternative {}: ", a.name));
+  for (const Window& window : declared.windows) {
+    std::vector<std::string> swept;
+    for (const std::string& name : window.experiments) {
+      require_experiment(all, name, fmt::format("window {}: /experiments", window.name));
+      for (const auto& axis : std::ranges::find(all, name, &Experiment::name)->axes)
+        swept.push_back(axis.name);
+    }
+    for (const auto& [axis, range] : window.where)
+      if (std::ranges::count(swept, axis) == 0)
+        throw InputError(fmt::format("window {}: /where/{}: none of its experiments sweeps {}{}", window.name,
+                                     axis, axis, did_you_mean(axis, swept)));
+  }
 }
 
 // Replaces characters that should not be in the name of a folder.
@@ -56,11 +101,12 @@ std::string folder_name(std::string name) {
 class AssumptionsRun {
  public:
   explicit AssumptionsRun(const AssumptionsOptions& options)
-      : options_(options), baseline_(experiments_with_claims(options)) {
+      : options_(options), baseline_(chosen_experiments(options)) {
     matrix_.tier = options.tier;
     matrix_.only = options.only;
     matrix_.inputs_sha256 = inputs_sha256(options);
     Declarations declared = read_declarations(options.files);
+    check_names(declared, experiments_with_claims(options));
     matrix_.alternatives = {std::move(declared.baseline)};
     std::ranges::move(declared.alternatives, std::back_inserter(matrix_.alternatives));
     matrix_.windows = std::move(declared.windows);
@@ -139,7 +185,7 @@ std::string inputs_sha256(const AssumptionsOptions& options) {
                  {"tier", options.tier},
                  {"declarations", declarations},
                  {"experiments", Json::array()}};
-  for (const Experiment& e : experiments_with_claims(options)) inputs["experiments"].push_back(*e.document);
+  for (const Experiment& e : chosen_experiments(options)) inputs["experiments"].push_back(*e.document);
   return sha256_of(inputs.dump());
 }
 

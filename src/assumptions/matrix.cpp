@@ -40,13 +40,18 @@ Json cell_json(std::size_t check, std::size_t alternative, const std::string& wi
           {"affected", cell.affected}};
 }
 
+// The verdict on a row's check under an alternative, in the first window.
+checks::Verdict verdict_under(const Matrix& matrix, const Matrix::Row& row, std::size_t alternative) {
+  return row.cells[alternative * matrix.windows.size()].result.verdict;
+}
+
 // The conclusion about one check, with the names of the alternatives that change its verdict.
 Json conclusion_json(const Matrix& matrix, std::size_t index) {
   const Matrix::Row& row = matrix.rows[index];
-  const checks::Verdict baseline = row.cells.front().result.verdict;
+  const checks::Verdict baseline = verdict_under(matrix, row, 0);
   Json reversing = Json::array(), undecided = Json::array(), choices = Json::array();
   for (std::size_t a = 1; a < matrix.alternatives.size(); ++a) {
-    const checks::Verdict verdict = row.cells[a * matrix.windows.size()].result.verdict;
+    const checks::Verdict verdict = verdict_under(matrix, row, a);
     if (verdict == baseline) continue;
     const Alternative& alternative = matrix.alternatives[a];
     (verdict == checks::Verdict::undecided ? undecided : reversing).push_back(alternative.name);
@@ -55,7 +60,7 @@ Json conclusion_json(const Matrix& matrix, std::size_t index) {
   }
   return {{"check", index},
           {"baseline", checks::to_string(baseline)},
-          {"conclusion", conclusion(row)},
+          {"conclusion", conclusion(matrix, row)},
           {"depends_on", choices},
           {"other", reversing},
           {"undecided", undecided}};
@@ -63,13 +68,14 @@ Json conclusion_json(const Matrix& matrix, std::size_t index) {
 
 }  // namespace
 
-const char* conclusion(const Matrix::Row& row) {
-  const checks::Verdict baseline = row.cells.front().result.verdict;
+const char* conclusion(const Matrix& matrix, const Matrix::Row& row) {
+  const checks::Verdict baseline = verdict_under(matrix, row, 0);
   if (baseline == checks::Verdict::undecided) return "open";
   const char* out = "robust";
-  for (const Cell& cell : row.cells) {
-    if (reversed(cell.result.verdict, baseline)) return "assumption-dependent";
-    if (cell.result.verdict != baseline) out = "weakened";
+  for (std::size_t a = 1; a < matrix.alternatives.size(); ++a) {
+    const checks::Verdict verdict = verdict_under(matrix, row, a);
+    if (reversed(verdict, baseline)) return "assumption-dependent";
+    if (verdict != baseline) out = "weakened";
   }
   return out;
 }

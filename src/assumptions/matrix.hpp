@@ -32,8 +32,9 @@ struct Matrix {
 };
 
 // The conclusion about a claim: "robust" if no alternative changes the verdict, "weakened" if some leave it
-// undecided, "assumption-dependent" if some reverse it, "open" if the baseline does not decide it.
-const char* conclusion(const Matrix::Row& row);
+// undecided, "assumption-dependent" if some reverse it, "open" if the baseline does not decide it. If there
+// are windows, the verdicts are those of the first.
+const char* conclusion(const Matrix& matrix, const Matrix::Row& row);
 
 // The files that a matrix may replace: matrices of any version.
 FileKind replaceable_by_matrix();

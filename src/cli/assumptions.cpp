@@ -28,9 +28,9 @@ std::vector<std::string> assumption_files(const std::string& folder) {
 void print_conclusions(const assumptions::Matrix& matrix) {
   std::map<std::string, int> counts;
   for (const assumptions::Matrix::Row& row : matrix.rows) {
-    ++counts[assumptions::conclusion(row)];
+    ++counts[assumptions::conclusion(matrix, row)];
     fmt::print("{:<5} {:<10} {:<20} {}\n", row.cells.front().result.check.claim,
-               checks::to_string(row.cells.front().result.verdict), assumptions::conclusion(row),
+               checks::to_string(row.cells.front().result.verdict), assumptions::conclusion(matrix, row),
                row.cells.front().result.check.statement);
   }
   fmt::print("{} checks under {} alternatives: {} robust, {} weakened, {} assumption-dependent, {} open\n",
