@@ -4,7 +4,14 @@ include(GNUInstallDirs)
 set(data ${CMAKE_INSTALL_DATADIR}/bristle)  # src/util/data.cpp finds it from the program
 
 install(TARGETS bristle RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(DIRECTORY experiments DESTINATION ${data} FILES_MATCHING PATTERN "*.json")
+# The experiments with reference values: others in this folder are the user's own.
+file(GLOB references RELATIVE ${PROJECT_SOURCE_DIR}/reference CONFIGURE_DEPENDS reference/*.json)
+foreach(name paper.json ${references})
+  if(EXISTS ${PROJECT_SOURCE_DIR}/experiments/${name})
+    install(FILES experiments/${name} DESTINATION ${data}/experiments)
+  endif()
+endforeach()
+install(DIRECTORY experiments/assumptions experiments/inference DESTINATION ${data}/experiments FILES_MATCHING PATTERN "*.json")
 install(DIRECTORY reference DESTINATION ${data} FILES_MATCHING PATTERN "*.json")
 install(FILES ${PROJECT_BINARY_DIR}/experiment.schema.json DESTINATION ${data})
 # The path that Debian's Python searches below /usr. Below another prefix, PYTHONPATH has to name it.

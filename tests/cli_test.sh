@@ -44,6 +44,14 @@ cp experiments/paper.json "$folder/project/experiments"
 expect 0 "mine.json: written" in_folder "$folder/alone" "$program" new mine
 expect 0 "experiments/mine.json: written" in_folder "$folder/project" "$program" new mine.json
 expect 2 "experiments/mine.json: exists" in_folder "$folder/project" "$program" new mine
+expect 0 "points, V0_m_per_s" in_folder "$folder/project" sh -c "'$program' new brush --si && '$program' validate experiments/brush.json"
+expect 0 "dimensionless at V0_m_per_s = 30: k_r = 2.09515" in_folder "$folder/project" "$program" validate experiments/brush.json
+brush=(in_folder "$folder/project" "$program" run experiments/brush.json --force --set /sweep=null --set /orientation/rtol=0.05)
+expect 0 "brush.h5: unreachable at the only point: no gap carries the load; use a lower one" "${brush[@]}" --set /si/R_n_N=1000
+expect 0 "did not leave the slab within 1000 evaluations of the equations; raise /integrator/max_evaluations" \
+  "${brush[@]}" --set /integrator/max_evaluations=1000
+expect 0 "raise /integrator/max_evaluations_per_point" "${brush[@]}" --set /integrator/max_evaluations_per_point=1000
+expect 0 "warning: --set /model/k_r=3: /model/k_r: has no effect" "${brush[@]}" --set /model/k_r=3
 expect 2 'NAME "a/b" is not allowed' in_folder "$folder/project" "$program" new a/b
 for place in alone/mine.json project/experiments/mine.json; do
   expect 0 "10 points" "$bristle" validate "$folder/$place"

@@ -96,7 +96,8 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
       {with(R"("model": {"friction": null})"),
        "@/e.json: /model/friction: is missing; allowed: " + quoted_laws() + " (local friction law)"},
       {with(R"("load": {"z_0": 0.5})"),
-       "@/e.json: /load: more than one of R_n, z_0 and trace is given; keep one (a null removes an "
+       "@/e.json: /load: more than one of R_n, z_0 and trace is given: /load/R_n, /load/z_0; keep one (a "
+       "null removes an "
        "inherited key)"},
       {with(R"("load": {"R_n": null})"),
        "@/e.json: /load: none of R_n, z_0 and trace is given, here or in the sweep"},
@@ -180,7 +181,8 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
        "@/e.json: /si/E_Pa: is missing; nu and R_m need it"},
       {with(
            R"("si": {"m_kg": 1, "r0_m": 1, "V0_m_per_s": 1, "E_Pa": 1e8, "R_m": 0.001, "k_r_over_k_phi": 10})"),
-       "@/e.json: /si/nu: E_Pa needs either nu or E_star_Pa for the contact modulus"},
+       "@/e.json: /si/nu: E_Pa needs either nu or E_star_Pa for the contact modulus; neither is "
+       "given"},
       {with(R"("model": {"A": 1})"),
        "@/e.json: /model/A: 1 has no maximum of chi at V_s; allowed: at least 1.001, or a number for C (0: "
        "chi rises to 1)"},
@@ -193,7 +195,16 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
        "at most 100000000.0 (von Mises: concentration kappa)"},
       {with(R"("si": {"m_kg": 1, "r0_m": 1, "V0_m_per_s": 1, "E_Pa": 1e8, "R_m": 0.001})"),
        "@/e.json: /si/k_r_over_k_phi: R_m needs either k_r_over_k_phi or k_r_N_per_m for the radial "
-       "stiffness"},
+       "stiffness; neither is given"},
+      {with(
+           R"("si": {"m_kg": 1, "r0_m": 1, "V0_m_per_s": 1, "E_Pa": 1e8, "nu": 0.4, "R_m": 1, "k_r_over_k_phi": 1, "k_r_N_per_m": 1})"),
+       "@/e.json: /si/k_r_over_k_phi: R_m needs either k_r_over_k_phi or k_r_N_per_m for the radial "
+       "stiffness; both are given"},
+      {with(
+           R"("si": {"m_kg": 1, "r0_m": 1, "V0_m_per_s": 1, "R_n_N": 1}, "load": {"R_n": null, "z_0": 0.9})"),
+       "@/e.json: /load: more than one of R_n, z_0 and trace is given: /load/z_0, /si/R_n_N; keep one (a "
+       "null "
+       "removes an inherited key)"},
       {R"({"extends": "nowhere.json"})",
        "@/e.json: /extends: \"nowhere.json\" does not exist (looked for @/nowhere.json)"},
       {R"({"extends": "e.json"})",
@@ -346,6 +357,34 @@ TEST_CASE("a material in SI units has the same stiffness at every velocity") {
   CHECK(a.E_star * 1e-4 * 4 / std::pow(0.017, 3) == Approx(1e8 / (1 - 0.16)));
   CHECK(slow.loading.R_n * force_unit(slow) == Approx(0.1));
   CHECK(fast.loading.R_n * force_unit(fast) == Approx(0.1));
+}
+
+TEST_CASE("an SI block warns of values that it replaces, and of a load that is not in newtons") {
+  Scratch s;
+  std::filesystem::copy_file(kExperiments + "/ski.json", s.path("ski.json"));
+  std::filesystem::copy_file(kExperiments + "/paper.json", s.path("paper.json"));
+  const auto warnings = [&](const std::string& text, const std::vector<std::string>& set = {}) {
+    return load_experiment(s.write("e.json", text), {set, "full"}).warnings;
+  };
+  // Inherited values are those of the paper, which an SI block is meant to replace.
+  CHECK(warnings(R"({"extends": "ski.json", "name": "e"})").empty());
+  const auto own = warnings(R"({"extends": "ski.json", "name": "e", "model": {"k_r": 7, "mu_c": 0.5}})");
+  REQUIRE(own.size() == 1);
+  CHECK(own[0] == s.path("e.json") +
+                      ": /model/k_r: has no effect, because the si block replaces it by R_m and "
+                      "k_r_over_k_phi");
+  const auto set = warnings(R"({"extends": "ski.json", "name": "e"})", {"/model/tau_f=1"});
+  REQUIRE(set.size() == 1);
+  CHECK_THAT(set[0], Catch::StartsWith("--set /model/tau_f=1: /model/tau_f: has no effect"));
+  const auto load = warnings(
+      R"({"extends": "ski.json", "name": "e", "load": {"R_n": 0.005}, "sweep": null, "tiers": null})");
+  REQUIRE(load.size() == 1);
+  // m V_0^2/r_0 at 10 m/s is 0.588 N.
+  CHECK_THAT(load[0], Catch::Contains("/load/R_n: is in units of m V_0^2/r_0, 0.588 N at the first point"));
+  CHECK(load_experiment(s.path("paper.json"), {{"/model/k_r=7"}, "full"}).warnings.empty());
+  const Experiment stored =
+      stored_experiment(*load_experiment(s.path("e.json"), {}).document, "full", "stored");
+  CHECK(stored.warnings.size() == 1);  // of the load; a stored experiment states every value
 }
 
 TEST_CASE("a tier removes keys by null, and an extending experiment can remove the tier of its parent") {

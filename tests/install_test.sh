@@ -22,6 +22,13 @@ expect 0 "$prefix/share/bristle/reference/fig4.json: 720 values at 30 points: th
 sed 's/paper.json/papr.json/' "$empty/mine.json" >"$empty/wrong.json"
 expect 2 'wrong.json: /extends: "papr.json" does not exist' in_empty bristle run wrong.json
 
+# All experiments of the repository, and none of the user's own.
+git ls-files experiments | sort >"$folder/expected" 2>/dev/null
+if [ -s "$folder/expected" ]; then
+  (cd "$prefix/share/bristle" && find experiments -type f) | sort | diff "$folder/expected" - >"$folder/log" ||
+    failed "installed experiments: $(cat "$folder/log")"
+fi
+
 # A file beside the experiment has precedence over the one that comes with the program.
 sed 's/"k_phi": 1.9/"k_phi": 2.1/' experiments/paper.json >"$empty/paper.json"
 cmp -s experiments/paper.json "$empty/paper.json" && failed "paper.json has no k_phi to change"

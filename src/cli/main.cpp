@@ -40,12 +40,13 @@ void add_experiment(CLI::App& command, RunOptions& options) {
       ->capture_default_str();
 }
 
-CLI::App* add_new(CLI::App& app, std::string& name) {
+CLI::App* add_new(CLI::App& app, std::string& name, bool& in_si) {
   auto* command = app.add_subcommand("new", "write an experiment to start from");
   command
       ->add_option("NAME", name,
                    "its name: letters, digits, _ . -; written to experiments/NAME.json, or NAME.json")
       ->required();
+  command->add_flag("--si", in_si, "of a material in SI units: friction over velocity");
   return command;
 }
 
@@ -179,7 +180,8 @@ class CommandLine {
     app_.footer(
         "Exit codes: 0 success; 1 a check failed; 2 wrong input or command line; "
         "3 the run could not finish; 130 interrupted (Ctrl-C).");
-    set_action(add_new(app_, new_name_), [this] { return cli::new_command(new_name_); });
+    set_action(add_new(app_, new_name_, new_in_si_),
+               [this] { return cli::new_command(new_name_, new_in_si_); });
     set_action(add_run(app_, run_), [this] { return cli::run_command(run_); });
     set_action(add_validate(app_, run_), [this] { return cli::validate_command(run_); });
     set_action(app_.add_subcommand("schema", "print the JSON schema of experiment files, for editors"),
@@ -224,6 +226,7 @@ class CommandLine {
   CLI::App app_{"bristle: dry friction of a lattice of elastic bristles under a sliding slab"};
   Command selected_;
   std::string command_line_, new_name_;
+  bool new_in_si_ = false;
   RunOptions run_;
   InfoOptions info_;
   ExportOptions export_;

@@ -33,6 +33,38 @@ constexpr const char* kStart = R"({
  "sweep": {"friction": {"values": ["nss", "coulomb"]}, "k_r": {"logspace": [3, 30, 5]}}
 })";
 
+// The material of the paper's section 3.
+constexpr const char* kStartInSi = R"({
+ "schema": "bristle-experiment/1",
+ "extends": "paper.json",
+ "name": "NAME",
+ "title": "Friction of a brush over velocity",
+ "notes": [
+  "si: the material of the paper's section 3 in SI units. docs/own-material.md tells how to find each value; `bristle validate` prints the dimensionless ones.",
+  "model: what has no unit, and the friction law, nss (nominal shear stress tau_f_Pa) or coulomb (mu_c).",
+  "orientation: rtol is the requested relative error of each mean over theta_0; the figures of the paper have 0.001.",
+  "sweep: the axes of the result. An axis has values, or linspace or logspace with from, to and count."
+ ],
+ "model": {"friction": "nss"},
+ "si": {
+  "m_kg": 1e-4,
+  "r0_m": 0.017,
+  "V0_m_per_s": 10,
+  "E_Pa": 1e8,
+  "nu": 0.4,
+  "R_m": 0.00108,
+  "k_r_over_k_phi": 10,
+  "R_c_m": 0.001,
+  "tau_f_Pa": 1e7,
+  "V_s_m_per_s": 0.1,
+  "alpha_J": 0.01,
+  "beta_J": 0.01,
+  "R_n_N": 0.6
+ },
+ "orientation": {"rtol": 0.005},
+ "sweep": {"V0_m_per_s": {"logspace": [3, 30, 7]}}
+})";
+
 }  // namespace
 
 std::string new_experiment_path(const std::string& name) {
@@ -40,7 +72,7 @@ std::string new_experiment_path(const std::string& name) {
                                                       : name + ".json";
 }
 
-int new_command(const std::string& given) {
+int new_command(const std::string& given, bool in_si) {
   const std::string name = given.ends_with(".json") ? given.substr(0, given.size() - 5) : given;
   if (name.empty() || name.find_first_not_of(
                           "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_.-") != name.npos)
@@ -54,7 +86,8 @@ int new_command(const std::string& given) {
     throw InputError(
         "new: paper.json did not come with this program, and the new experiment extends it; "
         "install bristle with `cmake --install`, or use the program of a checkout");
-  write_whole(path, replace_all(kStart, "NAME", name) + "\n", {"an experiment", "{", {}});
+  write_whole(path, replace_all(in_si ? kStartInSi : kStart, "NAME", name) + "\n",
+              {"an experiment", "{", {}});
   experiment::load_experiment(path, {});
   fmt::print("{}: written; compute it with `bristle run {}`\n", path, path);
   return kSuccess;

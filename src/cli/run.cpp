@@ -41,6 +41,18 @@ std::string range_text(const experiment::Axis& axis) {
   return fmt::format("{}", fmt::join(words, ", "));
 }
 
+void print_warnings(const Experiment& e) {
+  for (const std::string& warning : e.warnings) fmt::print(stderr, "warning: {}\n", warning);
+}
+
+// The first and the last point of an experiment in SI units, in dimensionless form.
+void print_conversion(const Experiment& e) {
+  const std::size_t last = e.points() - 1;
+  for (const std::size_t index : last > 0 ? std::vector<std::size_t>{0, last} : std::vector<std::size_t>{0})
+    fmt::print("dimensionless at {}: {}\n", e.place(index),
+               fmt::join(experiment::values_from_si(e.point(index)), ", "));
+}
+
 }  // namespace
 
 int run_command(const RunOptions& options) {
@@ -51,6 +63,7 @@ int run_command(const RunOptions& options) {
   const std::string whole_path = fmt::format("results/{}.h5", experiment.name);
   const std::string default_path = shard ? results::part_path(whole_path, *shard) : whole_path;
   const run::Task task{experiment, shard, options.output.empty() ? default_path : options.output};
+  if (!options.quiet) print_warnings(experiment);
   run::run_task(task, {options.threads, options.force, options.quiet, options.command_line});
   return kSuccess;
 }
@@ -63,7 +76,10 @@ int validate_command(const RunOptions& options) {
   const std::size_t checks = e.checks.empty() ? 0 : e.checks.back().number + 1;
   fmt::print("{}: valid. {}: {} point{}{}{}, {} check{}\n", options.experiment, e.name, e.points(),
              e.points() == 1 ? "" : "s", sweep.empty() ? "" : ", ", sweep, checks, checks == 1 ? "" : "s");
-  if (const auto kept = experiment::values_not_in_si(e.point(0)); !e.base.si.empty() && !kept.empty())
+  print_warnings(e);
+  if (e.base.si.empty()) return kSuccess;
+  print_conversion(e);
+  if (const auto kept = experiment::values_not_in_si(e.point(0)); !kept.empty())
     fmt::print("not given in the si block, so dimensionless and the same for any material: {}\n",
                fmt::join(kept, ", "));
   return kSuccess;

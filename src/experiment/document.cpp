@@ -219,6 +219,16 @@ void Document::fail(const std::string& pointer, const std::string& what) const {
   throw InputError(fmt::format("{}: {}: {}", origin(JsonPointer(pointer)), pointer, what));
 }
 
+bool Document::chosen(const JsonPointer& pointer) const {
+  const auto has = [](const Json& content, const JsonPointer& at) {
+    return content.contains(at) && !content.at(at).is_null();
+  };
+  if (std::ranges::any_of(set_, [&](const Change& change) { return sets(change, pointer); }))
+    return has(*merged_, pointer);
+  const Json& own = *files_.back().content;
+  return files_.size() > 1 && (has(own, pointer) || has(own, JsonPointer("/tiers/" + tier_) / pointer));
+}
+
 std::string Document::origin(const JsonPointer& pointer) const {
   for (auto s = set_.rbegin(); s != set_.rend(); ++s)
     if (sets(*s, pointer)) return s->name;

@@ -28,6 +28,9 @@ class Document {
   const std::string& path() const { return path_; }
   // The file or option that sets the value at pointer; the experiment's own file for a default.
   std::string origin(const JsonPointer& pointer) const;
+  // Whether the experiment's own file or --set gives the value at pointer. False for a file without parents,
+  // which states every value.
+  bool chosen(const JsonPointer& pointer) const;
   // Throws InputError with origin(pointer), the JSON pointer and the description of the mistake.
   [[noreturn]] void fail(const std::string& pointer, const std::string& what) const;
   // The same document for another tier.

@@ -117,11 +117,19 @@ Loading read_loading(const Document& d, const std::vector<Axis>& axes) {
   const bool by_load = json.contains("R_n") || swept(axes, "R_n") || swept(axes, "R_n_N") || in_newtons;
   const bool by_gap = json.contains("z_0") || swept(axes, "z_0");
   const bool by_trace = json.contains("trace");
-  if (by_load + by_gap + by_trace != 1)
-    d.fail("/load",
-           by_load + by_gap + by_trace > 1
-               ? "more than one of R_n, z_0 and trace is given; keep one (a null removes an inherited key)"
-               : "none of R_n, z_0 and trace is given, here or in the sweep");
+  if (by_load + by_gap + by_trace == 0)
+    d.fail("/load", "none of R_n, z_0 and trace is given, here or in the sweep");
+  if (by_load + by_gap + by_trace > 1) {
+    std::vector<std::string> given;
+    for (const char* name : {"R_n", "z_0", "trace"})
+      if (json.contains(name)) given.push_back(fmt::format("/load/{}", name));
+    if (in_newtons) given.emplace_back("/si/R_n_N");
+    for (const char* name : {"R_n", "R_n_N", "z_0"})
+      if (swept(axes, name)) given.push_back(fmt::format("/sweep/{}", name));
+    d.fail("/load", fmt::format("more than one of R_n, z_0 and trace is given: {}; keep one (a null removes "
+                                "an inherited key)",
+                                fmt::join(given, ", ")));
+  }
   Loading loading;
   if (by_trace) loading.trace = read_trace(json["trace"]);
   if (by_gap) loading.z_0 = json.value("z_0", 0.0);
@@ -247,6 +255,7 @@ Experiment read(const Document& d) {
   e.checks = read_all_checks(d, e);
   check_gap(d, e);
   check_chi(d, e);
+  e.warnings = si_warnings(d, e);
   return e;
 }
 

@@ -22,10 +22,11 @@ bool swept(const std::vector<Axis>& axes, const std::string& name);
 // A validated experiment in dimensionless form.
 struct Experiment {
   std::string name, title, figure, path, tier;
-  PointInput base;             // before the sweep's values
-  std::vector<Axis> axes;      // in the file's order; the last varies fastest
-  bool C_peaks_at_V_s = true;  // C is computed from A at every point, so that chi peaks at V_R = V_s
-  std::string locate_jumps;    // axis along which jumps of z_0 are located; empty: none
+  PointInput base;                    // before the sweep's values
+  std::vector<Axis> axes;             // in the file's order; the last varies fastest
+  bool C_peaks_at_V_s = true;         // C is computed from A at every point, so that chi peaks at V_R = V_s
+  std::string locate_jumps;           // axis along which jumps of z_0 are located; empty: none
+  std::vector<std::string> warnings;  // values that have no effect, or another unit than the rest
   Recording record;
   Engine engine = Engine::fast;
   std::vector<Check> checks;

@@ -4,9 +4,11 @@
 #include "util/error.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
@@ -81,10 +83,13 @@ void read_si_units(const Document& document, const std::vector<Axis>& axes, Poin
                   has("E_Pa") ? "is missing, and so is R_m; E_Pa needs at least one of them"
                               : "is missing; nu and R_m need it");
   if (has("R_m") && has("k_r_over_k_phi") == has("k_r_N_per_m"))
-    document.fail("/si/k_r_over_k_phi",
-                  "R_m needs either k_r_over_k_phi or k_r_N_per_m for the radial stiffness");
+    document.fail(
+        "/si/k_r_over_k_phi",
+        fmt::format("R_m needs either k_r_over_k_phi or k_r_N_per_m for the radial stiffness; {} given",
+                    has("k_r_over_k_phi") ? "both are" : "neither is"));
   if (has("E_Pa") && has("nu") == has("E_star_Pa"))
-    document.fail("/si/nu", "E_Pa needs either nu or E_star_Pa for the contact modulus");
+    document.fail("/si/nu", fmt::format("E_Pa needs either nu or E_star_Pa for the contact modulus; {} given",
+                                        has("nu") ? "both are" : "neither is"));
   if (has("k_r_over_k_phi") && !has("R_m")) document.fail("/si/k_r_over_k_phi", "is allowed with R_m only");
 }
 
@@ -97,20 +102,62 @@ void apply_si_units(PointInput& input) {
       find_sweepable(q.replaces.front())->set(input, given->second / (scales.*q.scale));
 }
 
-std::vector<std::string> values_not_in_si(const PointInput& input) {
+std::vector<std::string> si_warnings(const Document& document, const Experiment& experiment) {
+  std::vector<std::string> out;
+  if (experiment.base.si.empty()) return out;
+  const auto warn = [&](const std::string& pointer, const std::string& what) {
+    out.push_back(fmt::format("{}: {}: {}", document.origin(JsonPointer(pointer)), pointer, what));
+  };
+  const auto given = [&](const char* key) {
+    return experiment.base.si.contains(key) || experiment.swept(key);
+  };
+  std::map<std::string, std::vector<const char*>> replaced;  // by JSON pointer: the keys of the block
+  for (const SiQuantity& q : si_quantities())
+    for (const std::string name : q.replaces)
+      if (given(q.name)) replaced[(name == "R_n" ? "/load/" : "/model/") + name].push_back(q.name);
+  for (const auto& [pointer, keys] : replaced)
+    if (document.chosen(JsonPointer(pointer)))
+      warn(pointer,
+           fmt::format("has no effect, because the si block replaces it by {}", fmt::join(keys, " and ")));
+  const bool in_load = document.json()["load"].contains("R_n");
+  if (!given("R_n_N") && (in_load || experiment.swept("R_n")))
+    warn(in_load ? "/load/R_n" : "/sweep/R_n",
+         fmt::format("is in units of m V_0^2/r_0, {:.3g} N at the first point; R_n_N of the si block is the "
+                     "load in newtons",
+                     force_unit(experiment.point(0))));
+  return out;
+}
+
+namespace {
+
+// The values that the block can replace, as "name = value": those that it does (given), or those that it does
+// not.
+std::vector<std::string> replaceable_values(const PointInput& input, bool given) {
   std::vector<std::string> out;
   for (const ParameterEntry& entry : parameters_table()) {
-    bool convertible = false, given = false;
+    bool convertible = false, replaced = false;
     for (const SiQuantity& q : si_quantities())
       for (const char* name : q.replaces)
         if (std::string_view(name) == entry.name) {
           convertible = true;
-          given = given || input.si.contains(q.name);
+          replaced = replaced || input.si.contains(q.name);
         }
-    if (convertible && !given)
+    if (convertible && replaced == given)
       out.push_back(fmt::format("{} = {:.6g}", entry.name, input.setup.parameters.*entry.member));
   }
   return out;
+}
+
+}  // namespace
+
+std::vector<std::string> values_from_si(const PointInput& input) {
+  std::vector<std::string> out = replaceable_values(input, true);
+  if (input.si.contains("R_n_N")) out.push_back(fmt::format("R_n = {:.6g}", input.loading.R_n));
+  return out;
+}
+
+std::vector<std::string> values_not_in_si(const PointInput& input) {
+  return replaceable_values(input, false);
 }
 
 double force_unit(const PointInput& input) {

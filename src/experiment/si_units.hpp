@@ -40,6 +40,13 @@ void read_si_units(const Document& document, const std::vector<Axis>& axes, Poin
 // (section 3 of the paper).
 void apply_si_units(PointInput& input);
 
+// Warnings about an experiment in SI units: values that the author gives although the block replaces them,
+// and a load that is not in newtons.
+std::vector<std::string> si_warnings(const Document& document, const Experiment& experiment);
+
+// The dimensionless values that are computed from input.si, as "name = value".
+std::vector<std::string> values_from_si(const PointInput& input);
+
 // The dimensionless values, as "name = value", that no SI quantity replaces although one could: they stay
 // what they are, whatever the material.
 std::vector<std::string> values_not_in_si(const PointInput& input);

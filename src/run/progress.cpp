@@ -57,7 +57,8 @@ void Progress::show(double seconds) {
   const double rate = double(done_) / seconds;
   std::string text = fmt::format("{}: computing {}/{} points", name_, done_, total_);
   if (passages_ > 0) text += fmt::format(", {} passages", count_text(passages_));
-  if (done_ > 0) text += fmt::format(", {:.2g}/s", rate);
+  if (done_ > 0)
+    text += fmt::format(fmt::runtime(rate < 10 ? ", {:.2g} points/s" : ", {:.0f} points/s"), rate);
   if (done_ == total_) text += ", took " + duration_text(seconds);
   else if (done_ > 0) text += fmt::format(", {} left", duration_text(double(total_ - done_) / rate));
   if (!terminal_) {

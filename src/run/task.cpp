@@ -9,6 +9,7 @@
 #include "run/progress.hpp"
 #include "run/provenance.hpp"
 #include "run/signals.hpp"
+#include "run/summary.hpp"
 #include "run/sweep.hpp"
 #include "util/error.hpp"
 #include "util/file.hpp"
@@ -41,43 +42,6 @@ void refresh_description(const Task& task) {
   results::annotate(copy.partial(), task.experiment, task.shard);
   if (!task.shard) add_checks(copy.partial());
   copy.publish();
-}
-
-// Number of points with each status, and the errors of failed points, for the closing message.
-class Summary {
- public:
-  void add(const results::PointRecord& record, const Experiment& experiment, std::size_t index) {
-    for (const double status : record.values.at("status")) ++counts_[std::size_t(status)];
-    ++points_;
-    if (!record.failure.empty())
-      failures_.push_back(fmt::format("{}: {}", experiment.place(index), record.failure));
-  }
-  bool all_failed() const { return points_ > 0 && failures_.size() == points_; }
-  const std::vector<std::string>& failures() const { return failures_; }
-  std::string text() const {
-    std::string out;
-    for (std::size_t i = 0; i < counts_.size(); ++i)
-      if (counts_[i] > 0)
-        out += fmt::format("{}{} {}", out.empty() ? "" : ", ", counts_[i], results::kPointStatusNames[i]);
-    return out;
-  }
-
- private:
-  std::vector<long> counts_ = std::vector<long>(results::kPointStatusNames.size(), 0);
-  std::size_t points_ = 0;
-  std::vector<std::string> failures_;
-};
-
-// Names the failed points on standard error. Throws RunError if there are no others.
-void report_failures(const Task& task, const Summary& summary) {
-  constexpr std::size_t most = 10;
-  const std::vector<std::string>& failures = summary.failures();
-  if (summary.all_failed())
-    throw RunError(fmt::format("{}: no point could be computed; {}", task.path, failures.front()));
-  for (std::size_t i = 0; i < std::min(most, failures.size()); ++i)
-    fmt::print(stderr, "{}: failed: {}\n", task.path, failures[i]);
-  if (failures.size() > most)
-    fmt::print(stderr, "... and {} more; `bristle info {}` names all\n", failures.size() - most, task.path);
 }
 
 // Points of an experiment and their keys in journals.
@@ -175,7 +139,7 @@ Summary write_result(const Task& task, const KeyedPoints& points, const results:
                      Progress& progress) {
   progress.stage("writing " + task.path);
   const results::RecordFormat format(task.experiment);
-  Summary summary;
+  Summary summary(task.experiment, task.path);
   std::set<std::string> commits;
   results::ResultWriter writer(task.experiment, task.path, task.shard);
   for (const std::size_t i : points.points()) {
@@ -185,7 +149,7 @@ Summary write_result(const Task& task, const KeyedPoints& points, const results:
           "{}: its variables differ from those of this program; --force computes all points again",
           journal.path()));
     writer.write(i, line.record);
-    summary.add(line.record, task.experiment, i);
+    summary.add(line.record, i);
     commits.insert(line.commit);
   }
   if (!jumps.empty()) writer.write_jumps(task.experiment.locate_jumps, jumps);
@@ -221,10 +185,11 @@ void compute(const Task& task, int threads, const TaskOptions& options) {
                                  e.what(), journal.path()));
     }
   }();
-  report_failures(task, summary);
+  summary.report_failures();
   if (options.quiet) return;
   fmt::print("{}: points: {}{}\n", task.path, all > 0 ? summary.text() : "none in this shard",
              found > 0 ? fmt::format("; {} computed before", found) : std::string());
+  summary.report_points_without_values();
 }
 
 }  // namespace

@@ -1,0 +1,80 @@
+#include "run/summary.hpp"
+
+#include "util/error.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+
+namespace bristle::run {
+namespace {
+
+const std::vector<PointStatus> kWithoutValues = {PointStatus::unreachable, PointStatus::incomplete,
+                                                 PointStatus::work_limit};
+
+}  // namespace
+
+void Summary::add(const results::PointRecord& record, std::size_t index) {
+  const std::vector<double>& statuses = record.values.at("status");
+  for (std::size_t i = 0; i < statuses.size(); ++i) {
+    const auto status = PointStatus(std::lround(statuses[i]));
+    ++counts_[std::size_t(status)];
+    if (std::ranges::count(kWithoutValues, status) > 0)
+      first_.try_emplace(status, Example{index, record.values.at("incomplete_theta_0")[i]});
+  }
+  ++points_;
+  if (!record.failure.empty())
+    failures_.push_back(fmt::format("{}: {}", experiment_.place(index), record.failure));
+}
+
+std::string Summary::text() const {
+  std::string out;
+  for (std::size_t i = 0; i < counts_.size(); ++i)
+    if (counts_[i] > 0)
+      out += fmt::format("{}{} {}", out.empty() ? "" : ", ", counts_[i], results::kPointStatusNames[i]);
+  return out;
+}
+
+void Summary::report_failures() const {
+  constexpr std::size_t most = 10;
+  if (points_ > 0 && failures_.size() == points_)
+    throw RunError(fmt::format("{}: no point could be computed; {}", path_, failures_.front()));
+  for (std::size_t i = 0; i < std::min(most, failures_.size()); ++i)
+    fmt::print(stderr, "{}: failed: {}\n", path_, failures_[i]);
+  if (failures_.size() > most)
+    fmt::print(stderr, "... and {} more; `bristle info {}` names all\n", failures_.size() - most, path_);
+}
+
+std::string Summary::cause_and_remedy(PointStatus status, const Example& example) const {
+  const Setup& setup = experiment_.base.setup;
+  const bool si = !experiment_.base.si.empty();
+  switch (status) {
+    case PointStatus::unreachable:
+      return "no gap carries the load; use a lower one (\"load\": {\"trace\": {}} instead computes R_n over "
+             "the gap, "
+             "with its maximum)";
+    case PointStatus::incomplete:
+      return fmt::format(
+          "the bristle with theta_0 = {:.4g} deg did not leave the slab within {} evaluations of the "
+          "equations; "
+          "raise /integrator/max_evaluations, or {}, which act near the pole",
+          example.incomplete_theta_0 * 180 / M_PI, setup.integrator.max_evaluations,
+          si ? "/si/alpha_J and /si/beta_J" : "/model/alpha and /model/beta");
+    default:
+      return fmt::format(
+          "all bristles together needed more than {} evaluations of the equations; raise "
+          "/integrator/max_evaluations_per_point",
+          setup.max_evaluations_per_point);
+  }
+}
+
+void Summary::report_points_without_values() const {
+  for (const auto& [status, example] : first_) {
+    const std::string& name = results::kPointStatusNames[std::size_t(status)];
+    const long more = counts_[std::size_t(status)] - 1;
+    fmt::print(stderr, "{}: {} at {}{}: {}\n", path_, name, experiment_.place(example.index),
+               more > 0 ? fmt::format(" and {} more", more) : "", cause_and_remedy(status, example));
+  }
+}
+
+}  // namespace bristle::run

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "experiment/experiment.hpp"
+#include "results/record.hpp"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace bristle::run {
+
+// Number of points with each status, and which points have no values and why, for the messages after a run.
+class Summary {
+ public:
+  // path: of the result, for messages
+  Summary(const Experiment& experiment, std::string path) : experiment_(experiment), path_(std::move(path)) {}
+  void add(const results::PointRecord& record, std::size_t index);
+  // The numbers of points by status.
+  std::string text() const;
+  // Names the failed points on standard error. Throws RunError if there are no others.
+  void report_failures() const;
+  // For each status of points without values: an example, the cause and the remedy, on standard error.
+  void report_points_without_values() const;
+
+ private:
+  struct Example {
+    std::size_t index;
+    double incomplete_theta_0;  // rad
+  };
+  std::string cause_and_remedy(PointStatus status, const Example& example) const;
+
+  const Experiment& experiment_;
+  std::string path_;
+  std::vector<long> counts_ = std::vector<long>(results::kPointStatusNames.size(), 0);
+  std::size_t points_ = 0;
+  std::vector<std::string> failures_;
+  std::map<PointStatus, Example> first_;  // of each status without values
+};
+
+}  // namespace bristle::run
