@@ -14,7 +14,9 @@ expect 2 "run: unknown option --tread (did you mean --threads?)" "$bristle" run 
 expect 2 "run: unknown option --helpp (did you mean --help?)" "$bristle" run --helpp
 expect 2 "unknown option --versio (did you mean --version?)" "$bristle" --versio
 expect 2 "info: unexpected argument b" "$bristle" info a b
-expect 2 "EXPERIMENT is required" "$bristle" run
+expect 2 'bristle: run: EXPERIMENT is required; `bristle run --help`' "$bristle" run
+expect 2 "bristle: run: --tier: smok not in" "$bristle" run experiments/fig4.json --tier smok
+expect 2 "bristle: fig4: no such file; did you mean experiments/fig4.json?" "$bristle" run fig4
 expect 2 "--tier" "$bristle" run experiments/paper.json --tier medium
 expect 0 "1600 points" "$bristle" validate experiments/fig4.json
 expect 0 "30 points" "$bristle" validate experiments/fig4.json --tier smoke

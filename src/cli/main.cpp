@@ -208,10 +208,9 @@ class CommandLine {
     try {
       app_.parse(argc, argv);
     } catch (const CLI::ParseError& e) {
-      const bool mistake = e.get_exit_code() != int(CLI::ExitCodes::Success);
-      if (const std::string unknown = cli::unknown_argument(app_); mistake && !unknown.empty())
-        throw InputError(unknown);
-      return app_.exit(e) == 0 ? cli::kSuccess : cli::kBadInput;
+      if (e.get_exit_code() != int(CLI::ExitCodes::Success))
+        throw InputError(cli::command_line_mistake(app_, e.what()));
+      return app_.exit(e);  // prints help or version
     }
     return selected_();
   }

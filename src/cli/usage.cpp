@@ -39,7 +39,7 @@ std::string first_steps() {
       "", mine, mine, "results/mine.h5");
 }
 
-std::string unknown_argument(const CLI::App& app) {
+std::string command_line_mistake(const CLI::App& app, const std::string& description) {
   // The innermost command that the command line names.
   const CLI::App* command = &app;
   std::string call = "bristle", place;
@@ -49,7 +49,7 @@ std::string unknown_argument(const CLI::App& app) {
     place = call.substr(call.find(' ') + 1) + ": ";
   }
   const std::vector<std::string> unknown = app.remaining(true);
-  if (unknown.empty()) return "";
+  if (unknown.empty()) return fmt::format("{}{}; `{} --help` shows how to call it", place, description, call);
   const std::string word = unknown.front().substr(0, unknown.front().find('='));
   const std::string shown = printable(shell_quoted(word));
   if (word.size() > 1 && word.front() == '-')

@@ -41,6 +41,14 @@ std::string parent_of(const fs::path& path, const fs::path& extends) {
   return data_path((fs::path("experiments") / extends).string()).value_or(beside.string());
 }
 
+// The experiment that someone means who gives its name instead of its file; empty if there is none.
+std::string file_meant_by(const std::string& name) {
+  const std::string file = name + ".json", in_folder = "experiments/" + file;
+  for (const std::string& candidate : {file, in_folder, data_path(in_folder).value_or("")})
+    if (fs::is_regular_file(candidate)) return candidate;
+  return "";
+}
+
 // Appends the file to out, after the files that it extends. chain: the files that led to this one.
 void collect(const std::string& path, const fs::path& root, std::vector<std::string>& chain,
              std::vector<Document::Source>& out) {
@@ -171,6 +179,8 @@ Document Document::load(const std::string& path, const DocumentOptions& options)
   d.path_ = path;
   d.tier_ = options.tier;
   std::vector<std::string> chain;
+  if (const std::string meant = file_meant_by(path); !fs::exists(path) && !meant.empty())
+    throw InputError(fmt::format("{}: no such file; did you mean {}?", path, meant));
   read_json_file(path);  // reports a missing file before its missing folder
   collect(path, experiments_folder(path), chain, d.files_);
   for (const std::string& argument : options.set) d.set_.push_back(parse_set(argument));

@@ -30,7 +30,7 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
 
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& known) {
   std::string best;
-  std::size_t least = 1 + std::max<std::size_t>(1, word.size() / 2);
+  std::size_t least = 1 + std::max<std::size_t>(1, word.size() / 3);
   for (const std::string& candidate : known)
     if (const std::size_t d = edit_distance(word, candidate); d < least) {
       least = d;
