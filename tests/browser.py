@@ -28,9 +28,13 @@ def browser():
     return webdriver.Chrome(service=Service(found[1]), options=options)
 
 
-def view(driver, page, width, height, scheme="light"):
+def resize(driver, width, height):
     driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride",
                            {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": width < 500})
+
+
+def view(driver, page, width, height, scheme="light"):
+    resize(driver, width, height)
     driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "", "features": [
         {"name": "prefers-color-scheme", "value": scheme},
         {"name": "prefers-reduced-motion", "value": "reduce"}]})

@@ -6,20 +6,36 @@ from xml.etree import ElementTree
 import h5py
 import numpy as np
 
-from browser import one, press, select, texts
+from browser import one, press, resize, select, texts, view
+
+PHONE, DESKTOP = (360, 740), (1280, 900)
+LEAST_LETTER = 9  # pixels, on a phone
+# Of a drawing, where it is in the window: the width of its viewBox, its height over its width, its least letter (pixels).
+LAYOUT = """const box = arguments[0].querySelector('svg.plot').viewBox.baseVal;
+  const sizes = [...arguments[0].querySelectorAll('svg.plot g[transform]')]
+    .map(e => /scale\\(([\\d.]+) -/.exec(e.getAttribute('transform'))).filter(Boolean).map(found => 100 * found[1]);
+  const { width, height } = arguments[0].getBoundingClientRect();
+  return [box.width, height / width, Math.min(...sizes) * width / box.width]"""
+# Scrolls to the next drawing that is visible and has not its narrow layout yet; true if there is none.
+NEXT_WIDE = """const next = [...document.querySelectorAll('.drawing')]
+    .find(e => e.checkVisibility() && e.querySelector('svg.plot').viewBox.baseVal.width > 300);
+  next?.scrollIntoView();
+  return !next"""
+
+
+def waited(driver, script, *arguments):
+    """Waits until the script returns true."""
+    for _ in range(200):
+        if driver.execute_script(script, *arguments):
+            return
+        time.sleep(0.05)
+    raise AssertionError(script)
 
 
 def check_figures(driver, keys, fig5):
     """A figure is enlarged by click and keyboard, Escape closes it, and the arrow keys read its curves' points."""
     drawing, is_open = one(driver, "#fig5 .drawing"), "return document.getElementById('enlarged').open"
-    driver.execute_script("arguments[0].focus()", drawing)
-    for _ in range(50):  # the points are decompressed first
-        press(driver, keys.ARROW_RIGHT)
-        if driver.find_elements("css selector", "#fig5 .pointed"):
-            break
-        time.sleep(0.1)
-    press(driver, keys.ARROW_DOWN)
-    x, y, error, k_phi = map(float, re.findall(r"[=±] ([\d.]+)", one(driver, "#fig5 .pointed .tip").text))
+    x, y, error, k_phi = map(float, re.findall(r"[=±] ([\d.]+)", point_by_keys(driver, keys, drawing)))
     with h5py.File(fig5) as file:
         found = [np.argmin(abs(file[name][()] - value)) for name, value in (("k_phi", k_phi), ("k_r", x))]
         value, uncertain = (file[name][()][0][tuple(found)] for name in ("N_c_ratio", "N_c_ratio_err"))
@@ -29,11 +45,87 @@ def check_figures(driver, keys, fig5):
         start()
         assert driver.execute_script(is_open)
         wide = driver.execute_script("return document.querySelector('dialog .plot').getBoundingClientRect().width")
-        assert wide >= 900, wide  # also on a phone, where it scrolls
+        assert wide >= 900, wide
         press(driver, keys.ESCAPE)
         assert not driver.execute_script(is_open)
         assert driver.execute_script("return document.activeElement === document.querySelector('#fig5 .enlarge')")
         driver.execute_script("arguments[0].focus()", drawing)
+
+
+def point_by_keys(driver, keys, drawing):
+    """The values of the first point of the second curve."""
+    driver.execute_script("arguments[0].blur(); arguments[0].focus()", drawing)
+    waited(driver, "return arguments[0].querySelector('.tip')", drawing)  # the points are decompressed first
+    press(driver, keys.ARROW_RIGHT, keys.ARROW_DOWN)
+    return one(driver, "#fig5 .pointed .tip").text
+
+
+def show_narrow(driver):
+    """Scrolls over the page, so that each figure gets its narrow layout."""
+    waited(driver, NEXT_WIDE)
+
+
+def check_phone(driver, keys, page, saved):
+    """On a phone panels are below each other and readable, with values of points; in a wide window, in print and enlarged
+    they are side by side."""
+    view(driver, page, *DESKTOP)
+    drawing = one(driver, "#fig5 .drawing")
+    wide, values = driver.execute_script(LAYOUT, drawing), point_by_keys(driver, keys, drawing)
+    resize(driver, *PHONE)
+    show_narrow(driver)
+    for found in driver.find_elements("css selector", ".drawing"):
+        box, shape, letter = driver.execute_script(LAYOUT, found)
+        assert box == 252 and letter >= LEAST_LETTER, (found.get_attribute("data-name"), box, letter)
+    assert driver.execute_script(LAYOUT, drawing)[1] > 2 * wide[1], "panels are not below each other"
+    lost = """const ids = [...document.querySelectorAll('[id]')].map(e => e.id);
+      return ids.filter((id, i) => ids.indexOf(id) < i).concat([...document.querySelectorAll('[aria-labelledby]')]
+        .flatMap(e => e.getAttribute('aria-labelledby').split(' ')).filter(id => !ids.includes(id)))"""
+    assert not (found := driver.execute_script(lost)), found
+    assert one(driver, "#fig5 .foot").text.startswith("Bands"), "the note of the figure is missing"
+    overflow = "return document.documentElement.scrollWidth - document.documentElement.clientWidth"
+    assert driver.execute_script(overflow) <= 0
+    check_narrow_points(driver, keys, drawing, values)
+    check_wide_on_phone(driver, keys, drawing, saved)
+    resize(driver, *DESKTOP)
+    waited(driver, "return [...document.querySelectorAll('svg.plot')].every(e => e.viewBox.baseVal.width > 400)")
+    assert driver.execute_script(LAYOUT, drawing) == wide and point_by_keys(driver, keys, drawing) == values
+
+
+def check_wide_on_phone(driver, keys, drawing, saved):
+    """Enlarged and printed a drawing is the wide one, and the narrow one afterwards; what is shown is saved."""
+    driver.execute_script("arguments[0].click()", drawing)
+    assert driver.execute_script("return document.querySelector('dialog .plot').getBoundingClientRect().width") >= 900
+    press(driver, keys.ESCAPE)
+    waited(driver, "return arguments[0].closest('figure')", drawing)
+    assert driver.execute_script(LAYOUT, drawing)[0] == 252
+    one(driver, "#fig5 button.save").send_keys(keys.ENTER)
+    name = f"{drawing.get_attribute('data-name')}-narrow.svg"
+    for _ in range(100):
+        if (saved / name).exists():
+            break
+        time.sleep(0.1)
+    assert ElementTree.parse(saved / name).getroot().get("width") == "252pt"
+    driver.execute_script("""addEventListener('beforeprint', () => { document.body.dataset.printed =
+      Math.min(...[...document.querySelectorAll('svg.plot')].map(e => e.viewBox.baseVal.width)) })""")
+    driver.execute_cdp_cmd("Page.printToPDF", {})
+    assert float(driver.execute_script("return document.body.dataset.printed")) > 400, "a narrow drawing is printed"
+    assert driver.execute_script(LAYOUT, drawing)[0] == 252
+
+
+def check_narrow_points(driver, keys, drawing, values):
+    """Keyboard and pointer give the same values as on the wide drawing, at the point's place on the narrow one."""
+    assert point_by_keys(driver, keys, drawing) == values
+    place = """arguments[0].scrollIntoView();
+      const box = arguments[0].querySelector('.mark').getBoundingClientRect();
+      return [box.left + box.width / 2, box.top + box.height / 2]"""
+    x, y = driver.execute_script(place, drawing)
+    driver.execute_script("arguments[0].blur()", drawing)
+    assert not driver.find_elements("css selector", "#fig5 .pointed")
+    driver.execute_cdp_cmd("Input.dispatchMouseEvent", {"type": "mouseMoved", "x": x + 2, "y": y})
+    waited(driver, "return arguments[0].matches('.pointed')", drawing)
+    assert one(driver, "#fig5 .tip").text == values
+    tip = driver.execute_script("return document.querySelector('#fig5 .tip').getBoundingClientRect().toJSON()")
+    assert tip["left"] >= 0 and tip["right"] <= PHONE[0], tip
 
 
 def check_saved(driver, saved, fig4):

@@ -16,7 +16,7 @@ import h5py
 import numpy as np
 
 from browser import AXE, axe_core, browser, one, press, select, texts, view
-from report_figures import check_curves_map, check_figures, check_readings, check_saved
+from report_figures import check_curves_map, check_figures, check_phone, check_readings, check_saved, show_narrow
 
 root, program, folder, *results = (pathlib.Path(word).absolute() for word in sys.argv[1:])
 named = {re.split("[-_]", path.stem)[0]: path for path in results}
@@ -212,6 +212,8 @@ def check_accessibility(driver):
     for width in (360, 768, 1280):
         for scheme in ("light", "dark"):
             view(driver, page, width, 900, scheme)
+            if width == 360:
+                show_narrow(driver)
             driver.execute_script(axe)
             # What is within an image is not read by assistive technology, and takes axe-core minutes.
             driver.execute_script("document.querySelectorAll('svg.plot > g, svg.plot > defs').forEach(e => e.remove())")
@@ -274,6 +276,7 @@ with browser() as chromium:
     check_readings(chromium)
     check_figures(chromium, Keys, named["fig5"])
     check_saved(chromium, folder, named["fig4"])
+    check_phone(chromium, Keys, page, folder)
     check_views(chromium)
     accessible = check_accessibility(chromium)
     check_paper(chromium)

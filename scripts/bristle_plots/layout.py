@@ -12,7 +12,7 @@ from .results import as_text
 from .style import GREY, wrapped
 from .verdicts import draw_strip, read_claims, strip_height, symbols
 
-HEADER = "header"  # gid of the header's texts
+HEADER, NOTE = "header", "note"  # gids of the texts of the header, of the note's lines
 TITLE_INCHES, CAPTION_INCHES, NOTE_INCHES = 0.32, 0.22, 0.18  # line heights
 
 # The room of one panel in inches: its size, and within it the corner and the size of the axes.
@@ -59,7 +59,7 @@ def sheet(file, width, body, note="", reading=None, verdicts=True):
     figure = Figure(figsize=(width, height))
     draw_header(figure, header)
     for i, line in enumerate(lines):
-        figure.text(0.3 / width, (bottom - NOTE_INCHES * i) / height, line, va="top", fontsize=9, color=GREY)
+        figure.text(0.3 / width, (bottom - NOTE_INCHES * i) / height, line, va="top", fontsize=9, color=GREY, gid=NOTE)
     draw_strip(figure, claims, symbols(file))
     return figure, bottom
 

@@ -9,13 +9,14 @@ from markupsafe import Markup, escape
 from matplotlib.transforms import Bbox
 
 from bristle_plots.curves import kept
-from bristle_plots.layout import CAPTION_INCHES, HEADER
+from bristle_plots.layout import CAPTION_INCHES, HEADER, NOTE
 from bristle_plots.readings import reading_name, readings
 from bristle_plots.results import as_text, axis_names, axis_values, dataset, read, readable
 from bristle_plots.style import METADATA
 from bristle_plots.verdicts import STRIP, read_claims, strip_height
 from symbols import plain, prose
 
+NARROW = "3.5in"  # page of the drawings for phones, whose letters have at least 9 pixels there
 LONG_NUMBER = re.compile(r"-?\d+\.\d{3,}")  # of an SVG's units, 1/72 inch
 
 # Of the modules' further figures.
@@ -23,8 +24,10 @@ FURTHER_NAMES = {"energy": "energy budget", "parts": "factors of the friction"}
 
 
 def draw(name, file, verdicts):
-    """The figure's drawings, one for each reading: SVG element, what it shows besides the figure's heading, width (pixels).
+    """The figure's drawings, one for each reading: what it shows besides the figure's heading, and two layouts of it.
 
+    wide: panels side by side, `width` pixels wide; narrow: for phones, panels below each other, without the wide one's
+    note. Both have the same ids: a page has one of them at a time.
     verdicts: the claims with their verdicts under each reading, for the description.
     """
     module = importlib.import_module(f"bristle_plots.figures.{name}")
@@ -32,17 +35,28 @@ def draw(name, file, verdicts):
     out = []
     for ending, function in {"": module.draw, **getattr(module, "FURTHER", {})}.items():
         parts = [(reading, file.sel({axis: [word] for axis, word in reading.items()})) for reading in readings(file)]
-        figures = [function(part) for _, part in parts]
-        share_limits(figures)
-        for (reading, part), figure in zip(parts, figures):
+        wide, narrow = ([function(part, **page) for _, part in parts] for page in ({}, {"width": NARROW}))
+        share_limits(wide)
+        share_limits(narrow)
+        for (reading, part), *figures in zip(parts, wide, narrow):
             shown = ", ".join(filter(None, [FURTHER_NAMES.get(ending, ending), reading_name(reading)]))
             identity = "-".join(filter(None, [name, ending, *reading.values()])).replace("_", "-")
-            foot, top = trim(figure, part)
+            words = identity, f"{title}{shown and f' ({shown})'}", description
             out.append({"name": identity, "shown": shown, "reading": "".join(reading.values()),
-                        "width": round(100 * figure.get_figwidth()),
-                        "shape": f"{figure.get_figwidth() / (top - foot):.3f}", "points": points_of(figure, top),
-                        "svg": inline(as_svg(figure, foot, top), identity, f"{title}{shown and f' ({shown})'}", description)})
+                        "width": round(100 * figures[0].get_figwidth()), "note": note_of(figures[0]),
+                        **{kind: layout(figure, part, words) for kind, figure in zip(("wide", "narrow"), figures)}})
     return out
+
+
+def layout(figure, file, words):
+    """The SVG element, its width over its height, and the points of its curves; words: those of `inline`."""
+    foot, top = trim(figure, file)
+    return {"shape": f"{figure.get_figwidth() / (top - foot):.3f}", "points": points_of(figure, top),
+            "svg": inline(as_svg(figure, foot, top), *words)}
+
+
+def note_of(figure):
+    return prose(" ".join(text.get_text() for text in figure.texts if text.get_gid() == NOTE))
 
 
 def share_limits(figures):

@@ -28,7 +28,7 @@ from bristle_plots.results import CHOICE_NAMES, as_text, experiment, open_result
 from bristle_plots.style import COLORMAP, apply_look  # noqa: E402
 
 ASSETS = {"css": ["base.css", "parts.css", "print.css"],
-          "js": ["page.js", "tables.js", "data.js", "figures.js", "map.js", "explorer.js", "readings.js"]}
+          "js": ["page.js", "tables.js", "data.js", "figures.js", "curves.js", "map.js", "explorer.js", "readings.js"]}
 
 
 def main():

@@ -53,6 +53,8 @@ def item(tokens):
         return item(tokens) + ACCENTS[word]
     if word == "mathrm" and tokens:
         return Markup('<span class="upright">') + item(tokens) + Markup("</span>")
+    if word == "ln":
+        return Markup('<span class="upright">ln</span>')
     return escape(GREEK.get(word, SIGNS.get(word, word)))
 
 

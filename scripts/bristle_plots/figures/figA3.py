@@ -1,7 +1,8 @@
 """Fig. A3: bristles in contact over the radial stiffness, lattice and quadrature, both friction laws."""
 
-from ..curves import (BANDS, BARS, draw_curve, draw_points, label_line, legend, log_axis,
+from ..curves import (BANDS, BARS, draw_curve, draw_points, label_line, legend, legend_below, log_axis,
                       panels_by_reading, read_curve, title_axis)
+from ..page import paper_width
 from ..readings import one_page
 from ..results import CHOICE_NAMES, axis_values, dataset
 from ..style import COLOURS, GREY
@@ -13,8 +14,10 @@ VARIABLES = ["N_c_ratio"]
 def draw(file):
     figure, panels = panels_by_reading(file, (5.2, 3.6), (6.9, 3.8), f"{BANDS} {BARS}")
     for axes, reading in panels:
-        draw_panel(axes, file, reading)
+        entries = draw_panel(axes, file, reading)
     axes.set_ylim(bottom=min(0.97, axes.get_ylim()[0]))
+    if paper_width() is not None:  # a small panel has no room for it
+        legend_below(axes, entries, 0)
     return figure
 
 
@@ -30,4 +33,6 @@ def draw_panel(axes, file, reading):
     log_axis(axes, "x", dataset(file, "k_r"))
     title_axis(axes, "y", dataset(file, VARIABLES[0]))
     label_line(axes, axis_values(file, "k_r")[0], 1.003, 0, r"$N_c = N_0$")
-    legend(axes, entries, loc="upper right")
+    if paper_width() is None:
+        legend(axes, entries, loc="upper right")
+    return entries

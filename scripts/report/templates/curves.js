@@ -1,0 +1,73 @@
+// The points of the figures' curves: their values, by pointer and by keyboard.
+
+// The values of a curve's point, in words.
+function valuesOf(curve, [, , x, y, error, status]) {
+  const [value, uncertain] = withError(y, error);
+  const lines = [`${curve.along} = ${shortly(x)}`,
+    `${curve.title} = ${value}${uncertain && ` ± ${uncertain}`}`, curve.chosen, status && `status: ${status}`];
+  return lines.filter(Boolean).join("<br>");
+}
+
+// A layer over a drawing: the point nearest to the pointer, or chosen by the arrow keys, with its values.
+async function addPoints(drawing, signal) {
+  const { svg, points } = drawing.shown;
+  const curves = points ?? JSON.parse(await inflate(drawing.dataset.points));
+  if (signal.aborted) return;
+  const { width, height } = svg.viewBox.baseVal;
+  const mark = element("circle", { r: 6, class: "mark" }), tip = element("div", { class: "tip" });
+  const layer = element("svg", { viewBox: `0 0 ${width} ${height}`, "aria-hidden": "true" }, mark);
+  const all = curves.flatMap((curve, c) => curve.points.map((point, i) => ({ curve, point, c, i })));
+  let current = null;
+  function show(found) {
+    current = found;
+    drawing.classList.toggle("pointed", found !== null);
+    if (!found) return;
+    const [x, y] = found.point;
+    mark.setAttribute("cx", x);
+    mark.setAttribute("cy", y);
+    tip.innerHTML = valuesOf(found.curve, found.point);
+    tip.style.cssText = `${x < width / 2 ? "left" : "right"}:${100 * (x < width / 2 ? x : width - x) / width}%;` +
+      `${y < height / 2 ? "top" : "bottom"}:${100 * (y < height / 2 ? y : height - y) / height}%`;
+  }
+  drawing.addEventListener("pointermove", (event) => {
+    const box = drawing.getBoundingClientRect(), scale = width / box.width;
+    const [x, y] = [(event.clientX - box.left) * scale, (event.clientY - box.top) * scale];
+    const off = ({ point }) => Math.hypot(point[0] - x, point[1] - y);
+    const best = all.reduce((a, b) => (off(b) < off(a) ? b : a));
+    show(off(best) < 24 * scale ? best : null);
+  }, { signal });
+  drawing.addEventListener("pointerleave", () => show(null), { signal });
+  drawing.addEventListener("blur", () => show(null), { signal });
+  drawing.addEventListener("keydown", (event) => {
+    if (event.key === "Enter" && !drawing.closest("dialog")) enlarge(drawing);
+    if (!(event.key in STEPS)) return;
+    const [down, right] = STEPS[event.key];
+    const c = current ? (current.c + down + curves.length) % curves.length : 0;
+    const i = current ? Math.max(0, Math.min(curves[c].points.length - 1, current.i + right)) : 0;
+    show(all.find((point) => point.c === c && point.i === i));
+    say(tip.innerText);
+    event.preventDefault();
+  }, { signal });
+  signal.addEventListener("abort", () => { show(null); layer.remove(); tip.remove(); });
+  drawing.append(layer, tip);
+}
+
+// The points are made when a pointer or the keyboard reaches the drawing, again if its layout changed.
+function startPoints(drawing) {
+  if (drawing.stop) return;
+  drawing.stop = new AbortController();
+  addPoints(drawing, drawing.stop.signal);
+}
+
+function removePoints(drawing) {
+  drawing.stop?.abort();
+  drawing.stop = null;
+  if (drawing.dataset.points && drawing.matches(":focus, :hover")) startPoints(drawing);
+}
+
+for (const drawing of document.querySelectorAll(".drawing[data-points]")) {
+  for (const [name, value] of Object.entries({ tabindex: 0, role: "application",
+    "aria-label": `${drawing.dataset.label}: the arrow keys read the points of its curves, Enter enlarges it` }))
+    drawing.setAttribute(name, value);
+  for (const name of ["pointerenter", "focus"]) drawing.addEventListener(name, () => startPoints(drawing));
+}
