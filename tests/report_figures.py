@@ -94,6 +94,7 @@ def check_phone(driver, keys, page, saved):
 def check_wide_on_phone(driver, keys, drawing, saved):
     """Enlarged and printed a drawing is the wide one, and the narrow one afterwards; what is shown is saved."""
     driver.execute_script("arguments[0].click()", drawing)
+    assert driver.execute_script(LAYOUT, drawing)[0] > 400
     assert driver.execute_script("return document.querySelector('dialog .plot').getBoundingClientRect().width") >= 900
     press(driver, keys.ESCAPE)
     waited(driver, "return arguments[0].closest('figure')", drawing)
