@@ -22,7 +22,7 @@ from bristle_plots import BristleError, fig4, open_result, pages  # noqa: E402
 from bristle_plots.files import read_json, write_text, write_whole  # noqa: E402
 from bristle_plots.integrity import read_group  # noqa: E402
 from bristle_plots.jumps import jumps_between_neighbours, located_jumps, read_jumps  # noqa: E402
-from bristle_plots.maps import Grid, draw_jumps, read_grid, torn_faces  # noqa: E402
+from bristle_plots.maps import Grid, cells_at, draw_jumps, read_grid, torn_faces  # noqa: E402
 from bristle_plots.verdicts import STRIP, by_check, in_symbols, by_claim, declared_checks, read_claims, symbols  # noqa: E402
 
 shutil.rmtree(folder, ignore_errors=True)
@@ -154,7 +154,12 @@ with open_result(folder / "jumps.h5") as file:
     axes = matplotlib.figure.Figure().add_subplot()
     assert ["located to 1 %" in text for text in draw_jumps(axes, grid)] == [True]
     (line,) = axes.lines
-    assert numpy.allclose(line.get_xdata(), numpy.log10(found[0][1]))
+    assert numpy.allclose(line.get_xdata()[:2], numpy.log10(found[0][1]))
+    rim = line.get_path_effects()[0]._gc  # in grey, only a rim tells the line from the map
+    assert rim["foreground"] == "white" and rim["linewidth"] > line.get_linewidth()
+    (left, right) = cells_at(grid, [(0, 1), (0, 2)])  # cells end at the located jump between them
+    assert numpy.allclose([left[2], right[0]], numpy.log10(found[0][1])), (left, right)
+    assert cells_at(grid, [(1, 1)])[0][2] == (grid.x[1] + grid.x[2]) / 2
 
 
 # In a notebook: a part of a result is drawn, without the verdicts, which are about the whole; choices by word or by code.
@@ -186,7 +191,7 @@ with xarray.open_dataset(result) as ds:
     assert "DataArray" in refusal(fig4.draw, ds["R_x"])
     assert "schema version none" in refusal(fig4.draw, ds.assign_attrs(schema_version=""))
     table = symbols(ds)
-assert in_symbols("R_x_norm falls as k_r grows", table) == r"$\breve{R}_x$ falls as $\tilde{k}_r$ grows"
+assert in_symbols("R_x_norm falls as k_r grows", table) == "$\u0158_x$" r" falls as $\tilde{k}_r$ grows"
 assert in_symbols("R_n(z_0), N_c/N_c0", table) == r"$\tilde{R}_n$($\tilde{z}_0$), $N_c$/$N_{c,0}$"
 
 # Options of the command line.
