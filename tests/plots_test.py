@@ -3,6 +3,7 @@
 plots_test.py SCRIPTS RESULT FOLDER
 """
 import hashlib
+import inspect
 import os
 import pathlib
 import shutil
@@ -15,10 +16,13 @@ import matplotlib.image
 import matplotlib.text
 import numpy
 import xarray
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.collections import PolyCollection
+from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
 scripts, result, folder = pathlib.Path(sys.argv[1]), sys.argv[2], pathlib.Path(sys.argv[3])
 sys.path.insert(0, str(scripts))
-from bristle_plots import BristleError, fig4, open_result, pages  # noqa: E402
+from bristle_plots import BristleError, fig4, open_result, pages, ski  # noqa: E402
 from bristle_plots.files import read_json, write_text, write_whole  # noqa: E402
 from bristle_plots.integrity import read_group  # noqa: E402
 from bristle_plots.jumps import jumps_between_neighbours, located_jumps, read_jumps  # noqa: E402
@@ -171,6 +175,13 @@ def has_verdicts(figure):
     return any(axes.get_gid() == STRIP for axes in figure.axes)
 
 
+def grey_ones(figure):
+    """What the colour map colours."""
+    figure.draw(FigureCanvasAgg(figure).get_renderer())
+    return [artist for axes in figure.axes if axes.get_label() != "<colorbar>" for artist in axes.collections
+            if isinstance(artist, (Poly3DCollection, PolyCollection))]
+
+
 with xarray.open_dataset(result) as ds:
     assert has_verdicts(fig4.draw(ds))
     floats = ds["status"].astype(float).assign_attrs(ds["status"].attrs)  # as xarray decodes with a _FillValue
@@ -190,6 +201,27 @@ with xarray.open_dataset(result) as ds:
     assert "gamma_2" in refusal(fig4.draw, ds.drop_vars("gamma_2"))
     assert "DataArray" in refusal(fig4.draw, ds["R_x"])
     assert "schema version none" in refusal(fig4.draw, ds.assign_attrs(schema_version=""))
+    # A reading by its word; the options of the look.
+    assert texts(fig4.draw(ds, reading="as_printed")) == texts(fig4.draw(ds, reading={"azimuth_rate": "as_printed"}))
+    assert "no reading 'printed'" in (said := refusal(lambda: fig4.draw(ds, reading="printed"))) and "as_printed" in said
+    assert list(inspect.signature(fig4.draw).parameters) == ["file", "reading", "plain", "width", "cmap", "style"]
+    assert "Fig. 4" in fig4.draw.__doc__ and "cmap" in fig4.draw.__doc__ and "energy budget" in fig4.draw_energy.__doc__
+    assert "did you mean viridis?" in refusal(lambda: fig4.draw(ds, cmap="virids"))
+    assert "did you mean axes.linewidth?" in refusal(lambda: fig4.draw(ds, style={"axes.linewidht": 1}))
+    assert "is not allowed" in refusal(lambda: fig4.draw(ds, style={"axes.linewidth": "wide"}))
+    thick = fig4.draw(ds, style={"axes.linewidth": 3})
+    assert {3} == {axes.spines["left"].get_linewidth() for axes in thick.axes if axes.name == "rectilinear"}
+    grey = [numpy.atleast_2d(collection.get_facecolor()) for collection in grey_ones(fig4.draw(ds, cmap="gray"))]
+    assert len(grey) == 8 and all((numpy.ptp(colours[:, :3], axis=1) < 1e-9).all() for colours in grey)
+
+    # A copy by another program: its digest does not hold, but the Dataset is drawn, without verdicts.
+    ds.to_netcdf(folder / "copy.nc")
+    assert "written by another program" in (said := refusal(open_result, folder / "copy.nc")) and "copy.nc')" in said, said
+    with xarray.open_dataset(folder / "copy.nc") as copy:
+        assert not has_verdicts(drawn := fig4.draw(copy)) and len(texts(drawn)) > 50
+
+    # A result without the axes that a figure needs.
+    assert "figure ski needs the axes friction, R_n_N, V0_m_per_s; this result has azimuth_rate, k_r" in refusal(ski.draw, ds)
     table = symbols(ds)
 assert in_symbols("R_x_norm falls as k_r grows", table) == "$\u0158_x$" r" falls as $\tilde{k}_r$ grows"
 assert in_symbols("R_n(z_0), N_c/N_c0", table) == r"$\tilde{R}_n$($\tilde{z}_0$), $N_c$/$N_{c,0}$"
@@ -202,7 +234,7 @@ def plot(*options):
 done = plot("--width", "89mm", "--format", "svg,png", "--dpi", "100")
 assert done.returncode == 0, done.stderr
 made = {path.name for path in (folder / "paper").iterdir()}
-assert made == {f"fig4{ending}.{kind}" for ending in ("", "-as-printed", "-energy") for kind in ("svg", "png")}, made
+assert made == {f"fig4{ending}.{kind}" for ending in ("", "-as-printed", "-energy-as-printed") for kind in ("svg", "png")}, made
 pixels = matplotlib.image.imread(folder / "paper/fig4.png").shape[1]
 assert pixels == int(100 * 8.9 / 2.54), pixels
 svg = (folder / "paper/fig4.svg").read_text(encoding="utf-8")

@@ -35,7 +35,7 @@ def draw_figure():
     module = importlib.import_module(f".figures.{arguments.figure}", __package__)
     with open_result(arguments.result) as file:
         for ending, function in {"": module.draw, **getattr(module, "FURTHER", {})}.items():
-            drawn = pages(function, file, plain=arguments.plain, width=arguments.width)
+            drawn = pages(function, file, plain=arguments.plain, width=arguments.width, cmap=arguments.cmap)
             save_pages(drawn, directory, "-".join(filter(None, [arguments.figure, ending])), arguments.formats,
                        arguments.dpi)
 
@@ -62,6 +62,7 @@ def figure_parser():
     parser.add_argument("--width", type=width, metavar="WIDTH",
                         help="width of the page, such as 3.5in, 7in, 9cm or 180mm: panels are arranged for it and letters "
                              f"have at least {LEAST_POINTS} points; implies --plain")
+    parser.add_argument("--cmap", metavar="NAME", help="matplotlib's colour map for maps and surfaces (default: viridis)")
     parser.add_argument("--format", dest="formats", type=formats, metavar="FORMAT,...", default=["pdf", "png"],
                         help=f"of {', '.join(METADATA)} (default: pdf,png)")
     parser.add_argument("--dpi", type=dpi, default=300, help="pixels per inch of a PNG (default: %(default)s)")

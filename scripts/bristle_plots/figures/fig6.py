@@ -3,6 +3,7 @@
 from ..maps import draw_maps
 from ..readings import page_for_each_reading
 
+AXES = ["friction", "k_r", "k_theta"]
 VARIABLES = ["R_x_norm", "gamma_1", "gamma_2"]
 
 
