@@ -245,4 +245,9 @@ for options, words in ((["--width", "3"], "a number with its unit"), (["--width"
                        (["--format", "jpg"], "allowed are pdf, png, svg")):
     done = plot(*options)
     assert done.returncode == 2 and words in done.stderr and options[-1] in done.stderr, done.stderr
+done = plot("--caption")
+assert done.returncode == 0 and done.stdout.count("\\caption{") == 2 and done.stdout.count("{") == done.stdout.count("}"), done.stdout
+exact, printed = done.stdout.split("% page 2")
+assert r"$\check{R}_x$; (b) " in exact and r"$\tilde{k}_r =$ 3, " in exact and "exact" in exact and "as printed" not in exact
+assert "as printed" in printed and "exact" not in printed
 assert "width 3: " in refusal(lambda: fig4.draw(open_result(result), width="3"))
