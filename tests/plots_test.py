@@ -22,7 +22,7 @@ from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
 scripts, result, folder = pathlib.Path(sys.argv[1]), sys.argv[2], pathlib.Path(sys.argv[3])
 sys.path.insert(0, str(scripts))
-from bristle_plots import BristleError, fig4, open_result, pages, ski  # noqa: E402
+from bristle_plots import BristleError, curve, fig4, open_result, pages, ski  # noqa: E402
 from bristle_plots.files import read_json, write_text, write_whole  # noqa: E402
 from bristle_plots.integrity import read_group  # noqa: E402
 from bristle_plots.jumps import jumps_between_neighbours, located_jumps, read_jumps  # noqa: E402
@@ -245,6 +245,15 @@ for options, words in ((["--width", "3"], "a number with its unit"), (["--width"
                        (["--format", "jpg"], "allowed are pdf, png, svg")):
     done = plot(*options)
     assert done.returncode == 2 and words in done.stderr and options[-1] in done.stderr, done.stderr
+done = plot("--y", "gamma_1")
+assert done.returncode == 2 and "only the figure curve" in done.stderr, done.stderr
+with xarray.open_dataset(result) as ds:
+    drawn = curve.draw(ds, "gamma_1")
+    assert len(drawn.axes) == 2 and r"$\tilde{\gamma}_1$" in texts(drawn), texts(drawn)
+    line = drawn.axes[0].lines[0].get_ydata()
+    assert numpy.array_equal(line[numpy.isfinite(line)][:1], ds["gamma_1"].values[0, :1, 0])
+    assert "no dataset '/gamma_9'" in refusal(lambda: curve.draw(ds, "gamma_9"))
+    assert "a curve needs" in refusal(lambda: curve.draw(ds, "status"))
 done = plot("--caption")
 assert done.returncode == 0 and done.stdout.count("\\caption{") == 2 and done.stdout.count("{") == done.stdout.count("}"), done.stdout
 exact, printed = done.stdout.split("% page 2")

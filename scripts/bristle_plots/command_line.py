@@ -32,6 +32,9 @@ def draw_figure():
     arguments = figure_parser().parse_args(with_values(sys.argv[1:]))
     for_paper = arguments.plain or arguments.width is not None
     directory = arguments.directory or ("figures/paper" if for_paper else "figures")
+    variable = {} if arguments.y is None else {"y": arguments.y}
+    if variable and arguments.figure != "curve":
+        raise BristleError(f"--y {arguments.y}: only the figure curve has a variable to choose, not {arguments.figure}")
     apply_look()
     module = importlib.import_module(f".figures.{arguments.figure}", __package__)
     with open_result(arguments.result) as file:
@@ -40,7 +43,7 @@ def draw_figure():
             print("\n".join(captions(module, file)))
             return
         for ending, function in {"": module.draw, **getattr(module, "FURTHER", {})}.items():
-            drawn = pages(function, file, plain=arguments.plain, width=arguments.width, cmap=arguments.cmap)
+            drawn = pages(function, file, plain=arguments.plain, width=arguments.width, cmap=arguments.cmap, **variable)
             save_pages(drawn, directory, "-".join(filter(None, [arguments.figure, ending])), arguments.formats,
                        arguments.dpi)
 
@@ -68,6 +71,7 @@ def figure_parser():
                         help="width of the page, such as 3.5in, 7in, 9cm or 180mm: panels are arranged for it and letters "
                              f"have at least {LEAST_POINTS} points; implies --plain")
     parser.add_argument("--cmap", metavar="NAME", help="matplotlib's colour map for maps and surfaces (default: viridis)")
+    parser.add_argument("--y", metavar="VARIABLE", help="what the figure curve draws (default: R_x_norm)")
     parser.add_argument("--caption", action="store_true", help="draws nothing, but prints a caption in LaTeX for each page")
     parser.add_argument("--format", dest="formats", type=formats, metavar="FORMAT,...", default=["pdf", "png"],
                         help=f"of {', '.join(METADATA)} (default: pdf,png)")
