@@ -214,6 +214,11 @@ with xarray.open_dataset(result) as ds:
     grey = [numpy.atleast_2d(collection.get_facecolor()) for collection in grey_ones(fig4.draw(ds, cmap="gray"))]
     assert len(grey) == 8 and all((numpy.ptp(colours[:, :3], axis=1) < 1e-9).all() for colours in grey)
 
+    # Maps have the sweep's range, without a margin.
+    for drawn in (fig4.draw(ds), fig4.draw_energy(ds)):
+        (least, *_), (most, *_) = zip(*(axes.get_xlim() for axes in drawn.axes if axes.get_xlabel() and axes.name != "3d"))
+        assert (least, most) == tuple(numpy.log10(ds.k_r.values[[0, -1]])), (least, most)
+
     # A copy by another program: its digest does not hold, but the Dataset is drawn, without verdicts.
     ds.to_netcdf(folder / "copy.nc")
     assert "written by another program" in (said := refusal(open_result, folder / "copy.nc")) and "copy.nc')" in said, said

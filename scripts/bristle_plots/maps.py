@@ -164,6 +164,8 @@ def draw_cells(flat, grid, field, norm):
     cells = PolyCollection(corners, array=field.compressed(), norm=norm, edgecolors="face", linewidth=0.3,
                            rasterized=field.size > MOST_CELLS)
     flat.add_collection(cells)
+    # The outer cells are cut in half: the map has the sweep's range.
+    flat.set(xlim=grid.x[[0, -1]], ylim=grid.y[[0, -1]])
     return cells
 
 
@@ -239,8 +241,6 @@ def corners_of(cell):
 def draw_map(flat, grid, field, norm):
     flat.set_facecolor("#dddddd")
     image = draw_cells(flat, grid, field, norm)
-    # The outer cells are cut in half: the map has the sweep's range.
-    flat.set(xlim=grid.x[[0, -1]], ylim=grid.y[[0, -1]])
     if field.count() and np.ptp(field.compressed()) > 0:
         levels = value_ticks(7 if paper_width() is None else 4).tick_values(norm.vmin, norm.vmax)
         levels = levels[(levels > norm.vmin) & (levels < norm.vmax)]
