@@ -3,6 +3,7 @@
 plots_test.py SCRIPTS RESULT FOLDER
 """
 import hashlib
+import inspect
 import os
 import pathlib
 import shutil
@@ -15,14 +16,17 @@ import matplotlib.image
 import matplotlib.text
 import numpy
 import xarray
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.collections import PolyCollection
+from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
 scripts, result, folder = pathlib.Path(sys.argv[1]), sys.argv[2], pathlib.Path(sys.argv[3])
 sys.path.insert(0, str(scripts))
-from bristle_plots import BristleError, fig4, open_result, pages  # noqa: E402
+from bristle_plots import BristleError, curve, fig4, open_result, pages, ski  # noqa: E402
 from bristle_plots.files import read_json, write_text, write_whole  # noqa: E402
 from bristle_plots.integrity import read_group  # noqa: E402
 from bristle_plots.jumps import jumps_between_neighbours, located_jumps, read_jumps  # noqa: E402
-from bristle_plots.maps import Grid, draw_jumps, read_grid, torn_faces  # noqa: E402
+from bristle_plots.maps import Grid, cells_at, draw_jumps, read_grid, torn_faces  # noqa: E402
 from bristle_plots.verdicts import STRIP, by_check, in_symbols, by_claim, declared_checks, read_claims, symbols  # noqa: E402
 
 shutil.rmtree(folder, ignore_errors=True)
@@ -154,7 +158,12 @@ with open_result(folder / "jumps.h5") as file:
     axes = matplotlib.figure.Figure().add_subplot()
     assert ["located to 1 %" in text for text in draw_jumps(axes, grid)] == [True]
     (line,) = axes.lines
-    assert numpy.allclose(line.get_xdata(), numpy.log10(found[0][1]))
+    assert numpy.allclose(line.get_xdata()[:2], numpy.log10(found[0][1]))
+    rim = line.get_path_effects()[0]._gc  # in grey, only a rim tells the line from the map
+    assert rim["foreground"] == "white" and rim["linewidth"] > line.get_linewidth()
+    (left, right) = cells_at(grid, [(0, 1), (0, 2)])  # cells end at the located jump between them
+    assert numpy.allclose([left[2], right[0]], numpy.log10(found[0][1])), (left, right)
+    assert cells_at(grid, [(1, 1)])[0][2] == (grid.x[1] + grid.x[2]) / 2
 
 
 # In a notebook: a part of a result is drawn, without the verdicts, which are about the whole; choices by word or by code.
@@ -164,6 +173,13 @@ def texts(figure):
 
 def has_verdicts(figure):
     return any(axes.get_gid() == STRIP for axes in figure.axes)
+
+
+def grey_ones(figure):
+    """What the colour map colours."""
+    figure.draw(FigureCanvasAgg(figure).get_renderer())
+    return [artist for axes in figure.axes if axes.get_label() != "<colorbar>" for artist in axes.collections
+            if isinstance(artist, (Poly3DCollection, PolyCollection))]
 
 
 with xarray.open_dataset(result) as ds:
@@ -185,8 +201,34 @@ with xarray.open_dataset(result) as ds:
     assert "gamma_2" in refusal(fig4.draw, ds.drop_vars("gamma_2"))
     assert "DataArray" in refusal(fig4.draw, ds["R_x"])
     assert "schema version none" in refusal(fig4.draw, ds.assign_attrs(schema_version=""))
+    # A reading by its word; the options of the look.
+    assert texts(fig4.draw(ds, reading="as_printed")) == texts(fig4.draw(ds, reading={"azimuth_rate": "as_printed"}))
+    assert "no reading 'printed'" in (said := refusal(lambda: fig4.draw(ds, reading="printed"))) and "as_printed" in said
+    assert list(inspect.signature(fig4.draw).parameters) == ["file", "reading", "plain", "width", "cmap", "style"]
+    assert "Fig. 4" in fig4.draw.__doc__ and "cmap" in fig4.draw.__doc__ and "energy budget" in fig4.draw_energy.__doc__
+    assert "did you mean viridis?" in refusal(lambda: fig4.draw(ds, cmap="virids"))
+    assert "did you mean axes.linewidth?" in refusal(lambda: fig4.draw(ds, style={"axes.linewidht": 1}))
+    assert "is not allowed" in refusal(lambda: fig4.draw(ds, style={"axes.linewidth": "wide"}))
+    thick = fig4.draw(ds, style={"axes.linewidth": 3})
+    assert {3} == {axes.spines["left"].get_linewidth() for axes in thick.axes if axes.name == "rectilinear"}
+    grey = [numpy.atleast_2d(collection.get_facecolor()) for collection in grey_ones(fig4.draw(ds, cmap="gray"))]
+    assert len(grey) == 8 and all((numpy.ptp(colours[:, :3], axis=1) < 1e-9).all() for colours in grey)
+
+    # Maps have the sweep's range, without a margin.
+    for drawn in (fig4.draw(ds), fig4.draw_energy(ds)):
+        (least, *_), (most, *_) = zip(*(axes.get_xlim() for axes in drawn.axes if axes.get_xlabel() and axes.name != "3d"))
+        assert (least, most) == tuple(numpy.log10(ds.k_r.values[[0, -1]])), (least, most)
+
+    # A copy by another program: its digest does not hold, but the Dataset is drawn, without verdicts.
+    ds.to_netcdf(folder / "copy.nc")
+    assert "written by another program" in (said := refusal(open_result, folder / "copy.nc")) and "copy.nc')" in said, said
+    with xarray.open_dataset(folder / "copy.nc") as copy:
+        assert not has_verdicts(drawn := fig4.draw(copy)) and len(texts(drawn)) > 50
+
+    # A result without the axes that a figure needs.
+    assert "figure ski needs the axes friction, R_n_N, V0_m_per_s; this result has azimuth_rate, k_r" in refusal(ski.draw, ds)
     table = symbols(ds)
-assert in_symbols("R_x_norm falls as k_r grows", table) == r"$\breve{R}_x$ falls as $\tilde{k}_r$ grows"
+assert in_symbols("R_x_norm falls as k_r grows", table) == "$\u0158_x$" r" falls as $\tilde{k}_r$ grows"
 assert in_symbols("R_n(z_0), N_c/N_c0", table) == r"$\tilde{R}_n$($\tilde{z}_0$), $N_c$/$N_{c,0}$"
 
 # Options of the command line.
@@ -197,7 +239,7 @@ def plot(*options):
 done = plot("--width", "89mm", "--format", "svg,png", "--dpi", "100")
 assert done.returncode == 0, done.stderr
 made = {path.name for path in (folder / "paper").iterdir()}
-assert made == {f"fig4{ending}.{kind}" for ending in ("", "-as-printed", "-energy") for kind in ("svg", "png")}, made
+assert made == {f"fig4{ending}.{kind}" for ending in ("", "-as-printed", "-energy-as-printed") for kind in ("svg", "png")}, made
 pixels = matplotlib.image.imread(folder / "paper/fig4.png").shape[1]
 assert pixels == int(100 * 8.9 / 2.54), pixels
 svg = (folder / "paper/fig4.svg").read_text(encoding="utf-8")
@@ -208,4 +250,18 @@ for options, words in ((["--width", "3"], "a number with its unit"), (["--width"
                        (["--format", "jpg"], "allowed are pdf, png, svg")):
     done = plot(*options)
     assert done.returncode == 2 and words in done.stderr and options[-1] in done.stderr, done.stderr
+done = plot("--y", "gamma_1")
+assert done.returncode == 2 and "only the figure curve" in done.stderr, done.stderr
+with xarray.open_dataset(result) as ds:
+    drawn = curve.draw(ds, "gamma_1")
+    assert len(drawn.axes) == 2 and r"$\tilde{\gamma}_1$" in texts(drawn), texts(drawn)
+    line = drawn.axes[0].lines[0].get_ydata()
+    assert numpy.array_equal(line[numpy.isfinite(line)][:1], ds["gamma_1"].values[0, :1, 0])
+    assert "no dataset '/gamma_9'" in refusal(lambda: curve.draw(ds, "gamma_9"))
+    assert "a curve needs" in refusal(lambda: curve.draw(ds, "status"))
+done = plot("--caption")
+assert done.returncode == 0 and done.stdout.count("\\caption{") == 2 and done.stdout.count("{") == done.stdout.count("}"), done.stdout
+exact, printed = done.stdout.split("% page 2")
+assert r"$\check{R}_x$; (b) " in exact and r"$\tilde{k}_r =$ 3, " in exact and "exact" in exact and "as printed" not in exact
+assert "as printed" in printed and "exact" not in printed
 assert "width 3: " in refusal(lambda: fig4.draw(open_result(result), width="3"))

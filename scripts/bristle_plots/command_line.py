@@ -6,11 +6,12 @@ import os
 import sys
 
 from . import FIGURES
+from .captions import captions
 from .errors import BristleError
 from .files import save_pages
 from .page import LEAST_POINTS, inches
 from .readings import pages
-from .results import open_result
+from .results import open_result, require_axes
 from .style import METADATA, apply_look
 
 PROGRAM = "plot"
@@ -31,11 +32,18 @@ def draw_figure():
     arguments = figure_parser().parse_args(with_values(sys.argv[1:]))
     for_paper = arguments.plain or arguments.width is not None
     directory = arguments.directory or ("figures/paper" if for_paper else "figures")
+    variable = {} if arguments.y is None else {"y": arguments.y}
+    if variable and arguments.figure != "curve":
+        raise BristleError(f"--y {arguments.y}: only the figure curve has a variable to choose, not {arguments.figure}")
     apply_look()
     module = importlib.import_module(f".figures.{arguments.figure}", __package__)
     with open_result(arguments.result) as file:
+        if arguments.caption:
+            require_axes(file, arguments.figure, module.AXES)
+            print("\n".join(captions(module, file)))
+            return
         for ending, function in {"": module.draw, **getattr(module, "FURTHER", {})}.items():
-            drawn = pages(function, file, plain=arguments.plain, width=arguments.width)
+            drawn = pages(function, file, plain=arguments.plain, width=arguments.width, cmap=arguments.cmap, **variable)
             save_pages(drawn, directory, "-".join(filter(None, [arguments.figure, ending])), arguments.formats,
                        arguments.dpi)
 
@@ -62,6 +70,9 @@ def figure_parser():
     parser.add_argument("--width", type=width, metavar="WIDTH",
                         help="width of the page, such as 3.5in, 7in, 9cm or 180mm: panels are arranged for it and letters "
                              f"have at least {LEAST_POINTS} points; implies --plain")
+    parser.add_argument("--cmap", metavar="NAME", help="matplotlib's colour map for maps and surfaces (default: viridis)")
+    parser.add_argument("--y", metavar="VARIABLE", help="what the figure curve draws (default: R_x_norm)")
+    parser.add_argument("--caption", action="store_true", help="draws nothing, but prints a caption in LaTeX for each page")
     parser.add_argument("--format", dest="formats", type=formats, metavar="FORMAT,...", default=["pdf", "png"],
                         help=f"of {', '.join(METADATA)} (default: pdf,png)")
     parser.add_argument("--dpi", type=dpi, default=300, help="pixels per inch of a PNG (default: %(default)s)")

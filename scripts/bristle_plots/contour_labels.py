@@ -10,7 +10,7 @@ from .page import points
 
 FONT_SIZE = 8
 MARKER_INCHES = 0.06
-HALO = [patheffects.withStroke(linewidth=2, foreground="white")]
+HALO = [patheffects.withStroke(linewidth=1.5, foreground="white")]
 
 # Fractions of a line's length at which a label is tried, in this order.
 FRACTIONS = (0.5, 0.35, 0.65, 0.2, 0.8)

@@ -71,12 +71,12 @@ def save_figure(figure, directory, name, formats=FIGURE_FORMATS, **options):
 
 
 def save_pages(pages, directory, name, formats, dpi):
-    """Writes all pages (ending, reading, figure) as name.pdf, and each as a PNG and SVG with its ending."""
+    """Writes all pages (ending, reading, figure) as one PDF with the first one's ending, and each as a PNG and SVG."""
     if "pdf" in formats:
         buffer = io.BytesIO()
         with PdfPages(buffer, metadata=METADATA["pdf"]) as pdf:
             for _, _, figure in pages:
                 pdf.savefig(figure, dpi=dpi)
-        write_whole(os.path.join(directory, f"{name}.pdf"), buffer.getbuffer())
+        write_whole(os.path.join(directory, f"{name}{pages[0][0]}.pdf"), buffer.getbuffer())
     for ending, _, figure in pages:
         save_figure(figure, directory, name + ending, [kind for kind in formats if kind != "pdf"], dpi=dpi)

@@ -16,6 +16,11 @@ SECONDS = 5  # of processor time
 BYTES_PER_SECOND = 20_000_000
 MEMORY = 256 << 20  # bytes beyond those of this process and of the file
 MAX_DEPTH = 4  # of groups
+COPIED = "copied"
+
+
+class CopiedResult(BristleError):
+    """A result that another program wrote from one of bristle: its digest is that of the file of bristle."""
 
 
 def require_intact(path):
@@ -32,6 +37,9 @@ def require_intact(path):
     status = os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
     if status != 0:
         damage = f"the process that read it ended with {status}"  # -9: beyond the limits
+    if damage == COPIED:
+        raise CopiedResult(f"{path}: written by another program from a result of bristle (it has no group /provenance), so "
+                           f"its digest cannot be checked; draw the Dataset itself: FIGURE.draw(xarray.open_dataset('{path}'))")
     if damage:
         raise BristleError(f"{path}: damaged, or not written by bristle: {damage}; "
                            "restore the file, or compute it again with `bristle run`")
@@ -71,7 +79,7 @@ def damage_of(file):
     stated = {name: text(file.attrs.get(name, "")) for name in
               ("payload_sha256", "experiment_sha256", "experiment")}
     if digest.hexdigest() != stated["payload_sha256"]:
-        return "payload_sha256 does not match the numbers"
+        return "payload_sha256 does not match the numbers" if "provenance" in file else COPIED
     if hashlib.sha256(stated["experiment"].encode()).hexdigest() != stated["experiment_sha256"]:
         return "experiment_sha256 does not match the experiment"
     return ""

@@ -3,10 +3,9 @@
 from collections import namedtuple
 
 import numpy as np
-from matplotlib import colormaps, colors, patches, ticker
-from matplotlib.collections import PatchCollection
+from matplotlib import colors, patches, patheffects
+from matplotlib.collections import PatchCollection, PolyCollection
 from matplotlib.lines import Line2D
-from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
 from .contour_labels import label_contours
 from .errors import BristleError
@@ -14,7 +13,8 @@ from .jumps import LEAST_CHANGE, located_axis, located_jumps, read_jumps
 from .layout import Cell, across, corners, heading, legend_at_foot, place, sheet
 from .page import paper_width, points
 from .results import attribute, dataset, place_of, readable, select, select_flags, values
-from .style import COLORMAP, VERMILION, label, log_ticks, status_marker, wrapped
+from .style import VERMILION, bar_ticks, label, log_ticks, status_marker, value_ticks, wrapped
+from .surfaces import draw_surface, label_surface, torn_faces
 
 COLUMN_INCHES = (3.2, 5.9)
 LEGEND_INCHES = 0.4
@@ -29,7 +29,9 @@ HATCHES = ["....", "----", "////", "xxxx", "\\\\\\\\", "||||", "++++"]
 # located: (row, log10 x) of each jump along x that the run located; None if it located none.
 Grid = namedtuple("Grid", "x y status meanings axes chosen jumps located")
 
-JUMP_LOOK = dict(color=VERMILION, linewidth=1.4, solid_capstyle="round")
+# In grey, vermilion is as bright as the middle of viridis: the white rim tells the line from the map.
+JUMP_LOOK = dict(color=VERMILION, linewidth=1.4, solid_capstyle="butt",
+                 path_effects=[patheffects.Stroke(linewidth=2.7, foreground="white"), patheffects.Normal()])
 JUMP_TEXT = "jump of the loading path,"
 
 
@@ -54,10 +56,6 @@ def log_axis_values(data):
     return np.log10(numbers)
 
 
-def value_ticks(bins=5):
-    return ticker.MaxNLocator(bins, steps=[1, 2, 2.5, 5, 10], min_n_ticks=3)
-
-
 def draw_maps(file, names, reading, chosen=None, note=""):
     """A figure with one column for each quantity; chosen: values of the axes beside reading and stiffnesses."""
     grid = read_grid(file, "k_r", "k_theta", {**reading, **(chosen or {})})
@@ -79,12 +77,13 @@ def legend_inches():
 
 def boxes(cell):
     """Within the cell of a quantity: corner and size of surface, map, colour bar and heading, and the heading's width in
-    letters. In the standard figure the map is below the surface, in a paper beside it."""
+    letters. In the standard figure the map is below the surface, in a paper beside it, with its axis at the right:
+    at the left the surface has its ticks."""
     width, height = cell.width, cell.height
     if paper_width() is None:
         return ((0, 2.95, width, height - 3.3), (0.62, 0.5, width - 0.85, 1.8), (0.62, 2.4, width - 0.85, 0.1),
                 (0, height - 0.4, width, 0.4), 36)
-    left, right, tall = 0.5 * width + 0.56, 0.5 * width - 0.7, height - 1.07
+    left, right, tall = 0.5 * width + 0.24, 0.5 * width - 0.76, height - 1.07
     return ((0, 0.08, 0.5 * width - 0.1, height - 0.28), (left, 0.42, right, tall), (left, tall + 0.5, right, 0.07),
             (0, height - 0.25, width, 0.22), int(14 * width))
 
@@ -142,11 +141,15 @@ def draw_column(figure, file, grid, name, letter, corner, cell):
     flat = axes(of_map)
     image = draw_map(flat, grid, field, norm)
     label_map(flat, grid, titles)
+    if paper_width() is not None:
+        axis_at_right(flat)
 
     bar = colour_bar(figure, image, (corner[0] + of_bar[0], corner[1] + of_bar[1], *of_bar[2:]),
-                     orientation="horizontal", ticks=value_ticks(5 if paper_width() is None else 3))
+                     orientation="horizontal", ticks=bar_ticks(norm, of_bar[2]))
     bar.ax.xaxis.set_ticks_position("top")
-    bar.ax.set_ylabel(label(data), rotation=0, ha="right", va="center")
+    left = paper_width() is None
+    bar.ax.yaxis.set_label_position("left" if left else "right")
+    bar.ax.set_ylabel(label(data), rotation=0, ha="right" if left else "left", va="center")
 
     head = axes(of_head)
     head.axis("off")
@@ -157,8 +160,13 @@ def draw_column(figure, file, grid, name, letter, corner, cell):
 
 def draw_cells(flat, grid, field, norm):
     """The map's cells, as vectors unless they are many. Their edges have their colours: PDF viewers show seams else."""
-    return flat.pcolormesh(cell_edges(grid.x), cell_edges(grid.y), field, norm=norm, edgecolors="face", linewidth=0.3,
+    corners = [corners_of(cell) for cell in cells_at(grid, np.argwhere(~np.ma.getmaskarray(field)))]
+    cells = PolyCollection(corners, array=field.compressed(), norm=norm, edgecolors="face", linewidth=0.3,
                            rasterized=field.size > MOST_CELLS)
+    flat.add_collection(cells)
+    # The outer cells are cut in half: the map has the sweep's range.
+    flat.set(xlim=grid.x[[0, -1]], ylim=grid.y[[0, -1]])
+    return cells
 
 
 def colour_bar(figure, image, box, **options):
@@ -175,32 +183,6 @@ def colour_range(field):
     # A constant needs a range too, and its last digits must not decide the colour.
     missing = max(0, 1e-3 * (max(abs(low), abs(high)) or 1) - (high - low))
     return colors.Normalize(low - missing / 2, high + missing / 2)
-
-
-def draw_surface(space, grid, field, norm):
-    """Faces between neighbouring points with values and without a jump, coloured by their mean."""
-    x, y = np.meshgrid(grid.x, grid.y)
-    points = np.stack([x, y, field.filled(np.nan)], axis=-1)
-    faces = []
-    torn = torn_faces(grid)
-    for j in range(len(grid.y) - 1):
-        for i in range(len(grid.x) - 1):
-            if torn[j, i]:
-                continue
-            corners = points[[j, j, j + 1, j + 1], [i, i + 1, i + 1, i]]
-            corners = corners[np.isfinite(corners[:, 2])]
-            if len(corners) >= 3:
-                faces.append(corners)
-    if faces:
-        shades = colormaps[COLORMAP](norm([face[:, 2].mean() for face in faces]))
-        space.add_collection3d(Poly3DCollection(faces, facecolors=shades, edgecolors="#00000070",
-                                                linewidths=0.35))
-
-
-def torn_faces(grid):
-    """Whether the loading path jumps along any edge of the face between four points."""
-    along_y, along_x = grid.jumps
-    return along_x[:-1] | along_x[1:] | along_y[:, :-1] | along_y[:, 1:]
 
 
 def torn_field(grid, field):
@@ -227,32 +209,14 @@ def draw_jumps(flat, grid):
     _, along_x = grid.jumps
     x, y = cell_edges(grid.x), cell_edges(grid.y)
     places = [(j, x[i + 1]) for j, i in np.argwhere(along_x)] if grid.located is None else grid.located
-    for j, place_x in places:
-        flat.plot([place_x, place_x], [y[j], y[j + 1]], **JUMP_LOOK)
     if not places:
         return {}
+    # One line with gaps: a rim would else cover the end of the line below.
+    path = np.array([(point, height) for j, point in places
+                     for point, height in ((point, y[j]), (point, y[j + 1]), (np.nan, np.nan))])
+    flat.plot(*path.T, **JUMP_LOOK)
     how = f"$z_0$ of neighbours differs by more than {LEAST_CHANGE:g}" if grid.located is None else "located to 1 %"
     return {f"{JUMP_TEXT} {how}": Line2D([], [], **JUMP_LOOK)}
-
-
-def label_surface(space, grid, norm, titles, z_title):
-    for axis, line, title in zip("xy", (grid.x, grid.y), titles):
-        places, texts = log_ticks(line[0], line[-1])
-        getattr(space, f"set_{axis}lim")(line[0], line[-1])
-        getattr(space, f"set_{axis}ticks")(places, texts)
-        getattr(space, f"set_{axis}label")(title, labelpad=-3)
-    space.set_zlim(norm.vmin, norm.vmax)
-    space.zaxis.set_major_locator(value_ticks())
-    space.text2D(0.97, 0.83, z_title, transform=space.transAxes, ha="center", fontsize=points(11))
-    space.tick_params(pad=-3, labelsize=points(8))
-    space.tick_params(axis="z", pad=0)
-    for axis in (space.xaxis, space.yaxis, space.zaxis):
-        axis.set_pane_color((0.97, 0.97, 0.97, 1))
-        axis.set_rotate_label(False)
-    space.patch.set_visible(False)  # it would hide what is beside the surface
-    # Seen from large k_r and small k_theta: a decrease with k_r faces the reader.
-    space.view_init(elev=24, azim=-52)
-    space.set_box_aspect((1.15, 1.0, 0.95))
 
 
 def cell_edges(line):
@@ -261,13 +225,24 @@ def cell_edges(line):
     return np.concatenate([[2 * line[0] - middle[0]], middle, [2 * line[-1] - middle[-1]]])
 
 
+def cells_at(grid, places):
+    """Left, low, right and upper end of the cells at (row, column): a located jump between two points ends a cell."""
+    x, y = np.tile(cell_edges(grid.x), (len(grid.y), 1)), cell_edges(grid.y)
+    for row, place_x in grid.located or []:
+        x[row, np.searchsorted(grid.x, place_x)] = place_x
+    return [(x[j, i], y[j], x[j, i + 1], y[j + 1]) for j, i in places]
+
+
+def corners_of(cell):
+    left, low, right, top = cell
+    return [(left, low), (right, low), (right, top), (left, top)]
+
+
 def draw_map(flat, grid, field, norm):
     flat.set_facecolor("#dddddd")
     image = draw_cells(flat, grid, field, norm)
-    # The outer cells are cut in half: the map has the sweep's range.
-    flat.set(xlim=grid.x[[0, -1]], ylim=grid.y[[0, -1]])
     if field.count() and np.ptp(field.compressed()) > 0:
-        levels = value_ticks(7).tick_values(norm.vmin, norm.vmax)
+        levels = value_ticks(7 if paper_width() is None else 4).tick_values(norm.vmin, norm.vmax)
         levels = levels[(levels > norm.vmin) & (levels < norm.vmax)]
         lines = flat.contour(*torn_field(grid, field), levels, colors="black", linewidths=0.7, corner_mask=False)
         j, i = np.nonzero(remarked(grid, field))
@@ -282,6 +257,15 @@ def label_map(flat, grid, titles):
         getattr(flat, f"set_{axis}label")(title, labelpad=1)
 
 
+def axis_at_right(flat):
+    """Ticks and title of y at the right; the title's place does not depend on the ticks."""
+    flat.yaxis.tick_right()
+    inches = flat.get_position().width * flat.figure.get_figwidth()
+    flat.yaxis.set_label_position("right")
+    flat.yaxis.set_label_coords(1 + 0.38 / inches, 0.5)
+    flat.yaxis.label.set(rotation=0, ha="center", va="center")
+
+
 def remarked(grid, field):
     """Points with a value and a status other than ok."""
     return (grid.status > 0) & ~np.ma.getmaskarray(field)
@@ -291,12 +275,10 @@ def draw_status(flat, grid, field):
     """Hatches cells without a value and marks points with a remark; returns legend entries by text."""
     entries = {}
     empty = np.ma.getmaskarray(field)
-    x, y = cell_edges(grid.x), cell_edges(grid.y)
     for status in np.unique(grid.status):
         here = grid.status == status
         meaning = readable(grid.meanings[status])
-        cells = [patches.Rectangle((x[i], y[j]), x[i + 1] - x[i], y[j + 1] - y[j])
-                 for j, i in np.argwhere(here & empty)]
+        cells = [patches.Polygon(corners_of(cell)) for cell in cells_at(grid, np.argwhere(here & empty))]
         if cells:
             look = dict(facecolor="#dddddd", edgecolor="#555555", linewidth=0,
                         hatch=HATCHES[status % len(HATCHES)])

@@ -3,6 +3,7 @@
 Set by `drawn_on` around a drawing function, as matplotlib's parameters are by rc_context.
 """
 
+import difflib
 import re
 from collections import namedtuple
 from contextlib import contextmanager
@@ -24,8 +25,11 @@ INCHES = {"in": 1, "cm": 1 / 2.54, "mm": 1 / 25.4}
 
 
 @contextmanager
-def drawn_on(plain=False, width=None):
-    """Figures made within have this page and the look; matplotlib's parameters are afterwards as they were."""
+def drawn_on(plain=False, width=None, cmap=None, style=None):
+    """Figures made within have this page and the look; matplotlib's parameters are afterwards as they were.
+
+    cmap: of maps and surfaces; style: matplotlib's parameters over those of the look.
+    """
     width = None if width is None else inches(width)
     token = _page.set(Page(plain or width is not None, width))
     try:
@@ -34,9 +38,35 @@ def drawn_on(plain=False, width=None):
             matplotlib.rcParams.update({name: points(matplotlib.rcParams[name]) for name in
                                         ("font.size", "axes.labelsize", "xtick.labelsize", "ytick.labelsize",
                                          "legend.fontsize")})
+            if cmap is not None:
+                set_parameter("image.cmap", colour_map(cmap))
+            for name, value in (style or {}).items():
+                set_parameter(name, value)
             yield
     finally:
         _page.reset(token)
+
+
+def colour_map(cmap):
+    """A Colormap, or the name of one of matplotlib's."""
+    if isinstance(cmap, str) and cmap not in matplotlib.colormaps:
+        raise BristleError(f"no colour map {cmap}{did_you_mean(cmap, matplotlib.colormaps)}")
+    return cmap
+
+
+def set_parameter(name, value):
+    """Sets a parameter of matplotlib."""
+    if name not in matplotlib.rcParams:
+        raise BristleError(f"style: matplotlib has no parameter {name}{did_you_mean(str(name), matplotlib.rcParams)}")
+    try:
+        matplotlib.rcParams[name] = value
+    except (ValueError, TypeError) as error:
+        raise BristleError(f"style: {name}: {value!r} is not allowed ({error})") from error
+
+
+def did_you_mean(word, known):
+    found = difflib.get_close_matches(word, list(known), 1)
+    return f"; did you mean {found[0]}?" if found else ""
 
 
 def inches(width):

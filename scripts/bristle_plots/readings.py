@@ -1,11 +1,26 @@
 """The readings of Eq. (17) under which a result was computed, and the pages of a figure."""
 
+import sys
 from functools import wraps
 
+from .errors import BristleError
 from .page import drawn_on
-from .results import CHOICE_NAMES, as_result, axis_names, axis_values, dataset, readable
+from .results import CHOICE_NAMES, as_result, axis_names, axis_values, dataset, place_of, readable, require_axes
 
 AXIS = "azimuth_rate"
+
+OPTIONS = """
+file: a Dataset from open_result(PATH) or xarray.open_dataset(PATH), or a part of it.
+plain: without title, notes and verdicts.
+width: of the page of a paper, such as "3.5in", "89mm" or a number of inches; implies plain.
+cmap: of maps and surfaces, a name of matplotlib or a Colormap; without it viridis.
+style: matplotlib's rcParams over those of the look, for what the figure does not set itself.
+
+Returns a matplotlib Figure; raises BristleError if something is wrong with the Dataset or an option.
+"""
+READING = """
+reading: of Eq. (17), "kinematic" (exact) or "as_printed"; without it, the {which} one of the Dataset.
+"""
 
 
 def readings(file):
@@ -20,31 +35,64 @@ def reading_name(reading):
     return "".join(CHOICE_NAMES.get(word, readable(word)) for word in reading.values())
 
 
+def chosen_reading(file, reading):
+    """The choice of `readings` for a user's word or choice."""
+    found = [choice for choice in readings(file) if reading in (choice, *choice.values())]
+    if not found:
+        words = ", ".join(word for choice in readings(file) for word in choice.values())
+        raise BristleError(f"{place_of(file)}: no reading {reading!r} of Eq. (17); it has: {words or 'one, without a name'}")
+    return found[0]
+
+
+def checked(draw, ds):
+    """The Dataset as a result with the axes that the figure needs."""
+    file, module = as_result(ds), sys.modules[draw.__module__]
+    require_axes(file, draw.__module__.rpartition(".")[2], module.AXES)
+    return file
+
+
+def documented(drawn, draw, options):
+    """Gives the function the name of `draw` and a text on its options, but not its signature."""
+    wraps(draw)(drawn)
+    del drawn.__wrapped__
+    drawn.__doc__ = f"{draw.__doc__ or sys.modules[draw.__module__].__doc__}\n{options}"
+    return drawn
+
+
 def one_page(draw):
     """Makes draw(file) a function of any Dataset of a result, and of the options of `drawn_on`."""
-    @wraps(draw)
-    def drawn(ds, **options):
-        with drawn_on(**options):
-            return draw(as_result(ds))
+    def drawn(file, *, plain=False, width=None, cmap=None, style=None):
+        with drawn_on(plain, width, cmap, style):
+            return draw(checked(draw, file))
 
-    return drawn
+    return documented(drawn, draw, OPTIONS.lstrip())
 
 
 def page_for_each_reading(draw):
     """The same for draw(file, reading): without a reading it draws the first one."""
-    @wraps(draw)
-    def drawn(ds, reading=None, **options):
-        with drawn_on(**options):
-            file = as_result(ds)
-            return draw(file, readings(file)[0] if reading is None else reading)
+    return of_readings(draw, slice(None), "first")
 
-    drawn.has_pages = True
+
+def page_for_last_reading(draw):
+    """The same, but only the last reading has a page, and is drawn without a reading."""
+    return of_readings(draw, slice(-1, None), "last")
+
+
+def of_readings(draw, shown, which):
+    def drawn(file, reading=None, *, plain=False, width=None, cmap=None, style=None):
+        with drawn_on(plain, width, cmap, style):
+            file = checked(draw, file)
+            return draw(file, readings(file)[shown][0] if reading is None else chosen_reading(file, reading))
+
+    drawn = documented(drawn, draw, READING.strip().format(which=which) + OPTIONS)
+    drawn.shown = shown
     return drawn
 
 
 def pages(draw, file, **options):
-    """(ending of the file's name, name of the reading, figure) of each page; the first page's ending is empty."""
-    if not getattr(draw, "has_pages", False):
+    """(ending of the file's name, name of the reading, figure) of each page; that of the first reading is empty."""
+    if not hasattr(draw, "shown"):
         return [("", "", draw(file, **options))]
-    return [("-" + reading[AXIS].replace("_", "-") if i else "", reading_name(reading), draw(file, reading, **options))
-            for i, reading in enumerate(readings(file))]
+    first, *_ = everything = readings(file)
+    return [("" if reading == first else "-" + reading[AXIS].replace("_", "-"), reading_name(reading),
+             draw(file, reading, **options)) for reading in everything[draw.shown]]

@@ -2,10 +2,11 @@
 
 import re
 import textwrap
+import unicodedata
 
 import matplotlib
 import numpy as np
-from matplotlib import mathtext
+from matplotlib import mathtext, ticker
 
 from .errors import BristleError
 from .results import attribute, place_of
@@ -20,6 +21,7 @@ COLOURS = [BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY, BLACK]
 MARKERS = " o^sDvP"  # by index of the status; 0 is a point without remark
 
 DPI = 160
+LETTER_INCHES = 0.08  # width of a tick's letter
 
 LOOK = {
     "font.family": "DejaVu Sans",  # comes with matplotlib: the same glyphs on every machine
@@ -66,11 +68,16 @@ def label(data):
 
 
 def symbol(data):
-    """The dataset's symbol as mathtext, which knows the accent \\breve but draws \\check as a character of its own."""
-    found = f"${attribute(data, 'symbol')}$".replace(r"\check", r"\breve")
+    """The dataset's symbol as mathtext."""
+    found = f"${with_carons(attribute(data, 'symbol'))}$"
     if not is_math(found):
         raise BristleError(f"{place_of(data)}: attribute 'symbol' is not mathtext: {found.strip('$')}")
     return found
+
+
+def with_carons(formula):
+    """The formula with characters such as \u0158 for \\check{R}: mathtext draws \\check beside its letter, not above."""
+    return re.sub(r"\\check\{(\w)\}", lambda found: unicodedata.normalize("NFC", found[1] + "\u030c"), formula)
 
 
 def is_math(string):
@@ -82,16 +89,31 @@ def is_math(string):
 
 
 def log_ticks(low, high):
-    """Positions (log10) and texts of ticks: 1-2-5, only decades in a long range, 1 to 9 in a short one."""
+    """Positions (log10) and texts of ticks: 1-2-5, only decades in a long range, equal steps in a short one."""
     decades = np.arange(np.floor(low), np.ceil(high) + 1)
-    for steps in ([1],) if high - low > 2.5 else ([1, 2, 5], range(1, 10)):
-        places = np.add.outer(decades, np.log10(steps)).ravel()
-        places = places[(places > low - 1e-9) & (places < high + 1e-9)]
-        if places.size >= 2:
+    places = np.add.outer(decades, np.log10([1] if high - low > 2.5 else [1, 2, 5])).ravel()
+    places = places[(places > low - 1e-9) & (places < high + 1e-9)]
+    if places.size < 2 and high > low:
+        numbers = value_ticks(2).tick_values(10 ** low, 10 ** high)
+        places = np.log10(numbers[(numbers >= 10 ** low) & (numbers <= 10 ** high)])
+    if places.size < 1:
+        places = np.array([low])
+    return places, [f"{float(f'{10 ** place:.6g}'):g}" for place in places]
+
+
+def value_ticks(bins=5):
+    return ticker.MaxNLocator(bins, steps=[1, 2, 2.5, 5, 10], min_n_ticks=min(bins, 3))
+
+
+def bar_ticks(norm, width):
+    """Round numbers for a horizontal bar of this width (inches), so few that their texts do not touch."""
+    for bins in (5, 4, 3, 2):
+        places = value_ticks(bins).tick_values(norm.vmin, norm.vmax)
+        places = places[(places >= norm.vmin) & (places <= norm.vmax)]
+        letters = max((len(f"{place:.5g}") for place in places), default=0) + 1.5
+        if len(places) * letters * LETTER_INCHES < width and (len(places) <= 4 or width > 2):
             break
-    else:  # too short for round numbers
-        places = np.array([low, high])
-    return places, [f"{float(f'{10 ** place:.3g}'):g}" for place in places]
+    return places
 
 
 def wrapped(string, width):

@@ -8,7 +8,7 @@ import numpy as np
 
 from .errors import BristleError
 from .results import as_text, attribute, experiment, is_whole, place_of, read, readable, table
-from .style import BLUE, GREEN, GREY, VERMILION, wrapped
+from .style import BLUE, GREEN, GREY, VERMILION, with_carons, wrapped
 
 NUMBERS = ("measured", "uncertainty", "threshold", "band", "margin", "significance")
 TEXTS = ("claim", "statement", "is", "verdict", "reading", "role", "claim_verdict")
@@ -200,7 +200,7 @@ def strip_height(claims, width):
 def symbols(file):
     """The symbols of quantities by their names in statements: those of the axes of the panels."""
     found = {name: attribute(data, "symbol") for name, data in file.variables.items() if "symbol" in data.attrs}
-    return FURTHER_SYMBOLS | {name: symbol.replace(r"\check", r"\breve") for name, symbol in found.items()
+    return FURTHER_SYMBOLS | {name: with_carons(symbol) for name, symbol in found.items()
                               if symbol not in ("", name)}
 
 

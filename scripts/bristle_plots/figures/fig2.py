@@ -18,6 +18,7 @@ from ..results import attribute, constant, dataset, flags, place_of, point_numbe
 from ..style import BLACK, BLUE, GREY, ORANGE, PURPLE, VERMILION, label
 from ..tip_path import draw_space
 
+AXES = []
 TABLE = "trajectories"
 COLUMNS = ["xi", "x", "y", "z", "F_n", "F_fx", "F_fy", "V_R"]
 PHASES = {"stick": ("sticking", BLUE), "slip": ("sliding", GREY), "side_slip": ("side-slip", ORANGE),

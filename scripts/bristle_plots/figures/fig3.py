@@ -13,6 +13,7 @@ from ..readings import page_for_each_reading
 from ..results import axis_values, dataset, read, readable, select, select_errors, select_flags, setting
 from ..style import BLACK, COLOURS, GREY, label, status_marker
 
+AXES = ["k_phi", "k_r", "node"]
 SIDE_PANELS = 2
 LOW, HIGH = -0.04, 1.04  # range of the gap in the plots
 

@@ -3,9 +3,10 @@
 import numpy as np
 
 from ..maps import draw_log_map, draw_maps
-from ..readings import one_page, page_for_each_reading, reading_name, readings
+from ..readings import page_for_each_reading, page_for_last_reading, reading_name, readings
 from ..results import dataset, select
 
+AXES = ["k_r", "k_theta"]
 VARIABLES = ["R_x_norm", "gamma_1", "gamma_2", "gamma_3"]
 
 
@@ -14,10 +15,10 @@ def draw(file, reading):
     return draw_maps(file, VARIABLES, reading)
 
 
-@one_page
-def draw_energy(file):
-    """The defect of the energy budget under the last reading, which is Eq. (17) as printed if it was computed."""
-    *others, shown = readings(file)
+@page_for_last_reading
+def draw_energy(file, shown):
+    """The defect of the energy budget; the last reading is Eq. (17) as printed if it was computed."""
+    others = [reading for reading in readings(file) if reading != shown]
     found = [f"{reading_name(reading)}: the budget closes to within {largest_defect(file, reading):.1g}."
              for reading in others]
     note = ("Defect of the energy budget, relative to the energy dissipated or the initial one. "

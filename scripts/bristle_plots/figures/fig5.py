@@ -4,6 +4,7 @@ from ..curves import draw_panels, with_symbol
 from ..readings import one_page
 from ..results import axis_values, dataset
 
+AXES = ["k_phi", "k_r"]
 VARIABLES = ["N_c_ratio", "R_x_norm"]
 
 

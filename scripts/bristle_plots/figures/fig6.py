@@ -3,10 +3,12 @@
 from ..maps import draw_maps
 from ..readings import page_for_each_reading
 
+AXES = ["friction", "k_r", "k_theta"]
 VARIABLES = ["R_x_norm", "gamma_1", "gamma_2"]
+CHOSEN = {"friction": "coulomb"}
 
 
 @page_for_each_reading
 def draw(file, reading):
-    return draw_maps(file, VARIABLES, reading, {"friction": "coulomb"},
+    return draw_maps(file, VARIABLES, reading, CHOSEN,
                      "The maps are for Amontons\u2013Coulomb friction.")

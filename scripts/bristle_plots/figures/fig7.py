@@ -11,6 +11,7 @@ from ..results import CHOICE_NAMES, axis_values, dataset
 from ..style import BLACK, GREY, symbol
 from ..verdicts import number
 
+AXES = ["friction", "k_r"]
 VARIABLES = ["R_x_norm", "z_0"]
 
 # Of the factors of R_x_norm, the power with which each enters. Coulomb's friction is linear in the load: neither

@@ -9,6 +9,7 @@ from ..readings import one_page
 from ..results import axis_values, dataset
 from ..style import GREY
 
+AXES = ["k_r", "mu_c"]
 VARIABLES = ["R_x_norm"]
 PASSING = "R_x_norm_unpinned"
 NOTE = f"{BANDS} {JUMPS}"

@@ -9,6 +9,7 @@ from ..readings import one_page
 from ..results import axis_values, dataset
 from ..style import COLOURS, GREY
 
+AXES = ["sampling", "k_r", "seed"]
 VARIABLES = ["R_y_norm"]
 NOTE = (" Lines: the mean over the whole circle by quadrature, with its estimated error as a band. "
         "Lattices of one seed have the same azimuths.")

@@ -12,6 +12,7 @@ from ..results import (attribute, axis_values, constant, dataset, place_of, poin
                        select_errors)
 from ..style import BLUE, COLOURS, GREY, ORANGE, VERMILION, label
 
+AXES = ["sampling", "L_y", "seed"]
 FORCE = "slab_force"
 NOTE = """a: grey, the transient; dashed, the mean over $t_1$ to $t_2$, with its standard error as a band.
 b: one point for each seed; grey, two standard errors.

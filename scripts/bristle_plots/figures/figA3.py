@@ -7,6 +7,7 @@ from ..readings import one_page
 from ..results import CHOICE_NAMES, axis_values, dataset
 from ..style import COLOURS, GREY
 
+AXES = ["friction", "sampling", "k_r"]
 VARIABLES = ["N_c_ratio"]
 
 

@@ -7,6 +7,7 @@ from ..readings import one_page
 from ..results import axis_values, dataset
 from ..style import GREY
 
+AXES = ["concentration", "mean_deg"]
 VARIABLES = ["R_norm", "direction"]
 
 

@@ -8,6 +8,7 @@ from ..page import is_plain, paper_width
 from ..readings import one_page
 from ..results import CHOICE_NAMES, attribute, axis_values, dataset, select
 
+AXES = ["friction", "R_n_N", "V0_m_per_s"]
 # Of each column: the variable, the axis it is drawn over, and the axis that tells the curves apart.
 COLUMNS = [("friction_coefficient", "V0_m_per_s", "R_n_N"), ("R_x_in_N", "R_n_N", "V0_m_per_s")]
 SHOWN = 4  # curves in a panel at most

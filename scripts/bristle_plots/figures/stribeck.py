@@ -4,6 +4,7 @@ from ..curves import draw_panels
 from ..readings import one_page
 from ..results import CHOICE_NAMES, axis_values
 
+AXES = ["friction", "A", "k_r"]
 VARIABLES = ["R_x_norm", "gamma_1"]
 
 

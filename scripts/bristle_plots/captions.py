@@ -1,0 +1,68 @@
+"""A caption in LaTeX for each page of a figure, with the values of the result."""
+
+import re
+
+from .curves import BANDS, BARS, jump_note
+from .jumps import LEAST_CHANGE, located_axis
+from .readings import AXIS, reading_name, readings
+from .results import CHOICE_NAMES, as_text, attribute, axis_names, axis_values, dataset, readable, status_counts
+
+LATEX = {"%": r"\%", "\u2013": "--", "\u00b0": r"$^\circ$", "theta_0 ": r"$\theta_0$ "}
+
+
+def captions(module, file):
+    """\\caption{...} for each page of the module's main figure."""
+    pages = readings(file) if hasattr(module.draw, "shown") else [{}]
+    return [caption(module, file, reading, i + 1 if len(pages) > 1 else 0) for i, reading in enumerate(pages)]
+
+
+def caption(module, file, reading, page):
+    title = re.sub(r"^(Figure|Appendix) \w+: ", "", as_text(file.attrs.get("title", "")))
+    names = [name for name in getattr(module, "VARIABLES", []) if name in file]
+    shown = [f"{attribute(file[name], 'long_name')}, ${attribute(file[name], 'symbol')}$" for name in names]
+    if len(names) > 1 and hasattr(module.draw, "shown"):  # a panel for each
+        shown = [f"({letter}) {text}" for letter, text in zip("abcdefg", shown)]
+    part = file.sel({axis: [value] for axis, value in {**getattr(module, "CHOSEN", {}), **reading}.items()})
+    axes = [name for name in axis_names(dataset(part, "status")) if name not in (AXIS, "node")]
+    over, fixed = ([axis_range(part, name) for name in axes if (part.sizes[name] > 1) == several] for several in (True, False))
+    sentences = [title, "; ".join(shown), f"Over {'; '.join(over)}" if over else "",
+                 f"Fixed: {'; '.join([*fixed, as_text(file.attrs.get('caption', ''))])}",
+                 ", and ".join(filter(None, map(reading_name, readings(part)))), marks(module, file), statuses(part)]
+    text = in_latex(". ".join(sentence[0].upper() + sentence[1:] for sentence in sentences if sentence))
+    return f"% page {page}\n" * bool(page) + f"\\caption{{{text}.}}"
+
+
+def axis_range(file, name):
+    data, line = dataset(file, name), axis_values(file, name)
+    title = as_text(data.attrs.get("long_name", readable(name)))
+    if isinstance(line[0], str):
+        return f"{title}: {', '.join(CHOICE_NAMES.get(word, readable(word)) for word in line)}"
+    symbol, units = as_text(data.attrs.get("symbol", "")), as_text(data.attrs.get("units", "1"))
+    values = f"{line[0]:.4g} to {line[-1]:.4g}" if len(line) > 5 else ", ".join(f"{value:.4g}" for value in line)
+    values += "" if units == "1" else f" {units}"
+    return f"{title}, ${symbol} =$ {values}" if symbol not in ("", name) else f"{title}, {values}"
+
+
+def marks(module, file):
+    """What bands, bars and jump lines are."""
+    if {"k_r", "k_theta"} <= set(module.AXES):
+        found = ("located to 1 %" if located_axis(file) else
+                 f"where $\\tilde{{z}}_0$ of neighbours differs by more than {LEAST_CHANGE:g}")
+        return f"Orange lines: jumps of the loading path, {found}. Surfaces and contours are broken there"
+    if not hasattr(module, "VARIABLES"):
+        return ""
+    return (BARS if "sampling" in module.AXES else f"{BANDS} {jump_note(file, module.AXES[-1])}").removesuffix(".")
+
+
+def statuses(file):
+    found = [f"{status} ({count} point{'s' * (count > 1)})" for status, count in status_counts(file) if status != "ok"]
+    return f"Markers, or hatches without a value: {', '.join(found)}" if found else ""
+
+
+def in_latex(sentence):
+    """The sentence with the signs that LaTeX needs outside $...$."""
+    for sign, latex in LATEX.items():
+        sentence = sentence.replace(sign, latex)
+    parts = sentence.split("$")
+    parts[::2] = [part.replace("_", r"\_") for part in parts[::2]]
+    return "$".join(parts)
