@@ -1,3 +1,4 @@
+#include "results/reader.hpp"
 #include "archive/citation.hpp"
 #include "assumptions/assumptions.hpp"
 #include "small_archive.hpp"
@@ -186,6 +187,18 @@ TEST_CASE("studies, matrices and the report are archived, and refused with the c
                                     Contains("assumptions.json; run `make assumptions` and commit the page"));
   const Json document = Json::parse(bytes_of(r.s.path(matrix)));
   CHECK(with_page(document["payload_sha256"].get<std::string>().substr(0, 16)) == "(not refused)");
+
+  // The page on the claims names the figures' results, not those of studies.
+  const auto with_findings = [&](const std::string& text) {
+    std::filesystem::remove(r.options.output);
+    r.s.write("docs/findings.md", text);
+    r.commit();
+    r.options.commit = r.head();
+    return refusal(r);
+  };
+  CHECK_THAT(with_findings("0123"), Contains("docs/findings.md does not describe results/small.h5"));
+  const std::string digest = results::ResultReader(r.s.path("results/small.h5")).text("payload_sha256");
+  CHECK(with_findings(digest.substr(0, 16)) == "(not refused)");
 
   std::filesystem::remove(r.options.output);
   r.s.write("experiments/assumptions/one.json",
