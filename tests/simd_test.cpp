@@ -101,13 +101,14 @@ TEST_CASE("restricting the instruction sets restricts the kernels") {
 }
 
 TEST_CASE("all observables agree with those of Boost.Odeint within the integrators' errors") {
-  // The tolerances are tight, so that impacts do not amplify the step errors beyond the asserted limits.
+  // The tolerances are tight, so that impacts do not amplify the step errors beyond the asserted limits: at
+  // 1e-8 one passage in some thousands differs by more than 1e-4, in proportion to the tolerance.
   // Reflections at the pole would do so at any tolerance; they have a separate test.
   rc::prop("for random bristles", [] {
     Sample sample;
     PassageTask task = sample.random(3.0);
-    task.integrator.rtol = 1e-8;
-    task.integrator.atol = 1e-10;
+    task.integrator.rtol = 1e-10;
+    task.integrator.atol = 1e-12;
     const Passage lane = run(best_kernels(), {task}).front(), reference = run_passage(task);
     RC_PRE(reference.reflections == 0 && reference.complete());
     RC_ASSERT(lane.outcome == reference.outcome);
