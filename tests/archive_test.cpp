@@ -57,7 +57,8 @@ TEST_CASE("an archive contains results, experiments, references, figures, source
   CHECK(files.size() == 17);  // including the source
   CHECK(files["data/README.md"].find("{{") == std::string::npos);
   CHECK_THAT(files["data/README.md"],
-             Contains("| x | falls | **refuted** |") || Contains("| x | falls | supported |"));
+             Contains("| claim | first check | verdict |") &&
+                 (Contains("| x | falls | **refuted** |") || Contains("| x | falls | supported |")));
   const Json crate = Json::parse(files["data/ro-crate-metadata.json"]);
   CHECK(crate["@graph"][0]["about"]["@id"] == "./");
 }

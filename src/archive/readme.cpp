@@ -4,6 +4,7 @@
 #include "util/text.hpp"
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace bristle::archive {
@@ -23,17 +24,36 @@ std::string results_table(const Contents& contents) {
   return text;
 }
 
+std::string reading_title(const std::string& reading) {
+  if (reading.empty()) return "verdict";
+  if (reading == "kinematic") return "exact Eq. (17)";
+  return reading == "as_printed" ? "Eq. (17) as printed" : reading;
+}
+
 std::string claims_table(const Contents& contents) {
-  std::string rows;
+  std::vector<std::string> readings;
   for (const ArchivedResult& result : contents.results)
-    for (const Json& check : result.facts["checks"]) {
-      const std::string verdict = check["verdict"];
-      rows +=
-          fmt::format("| {} | {} | {} |\n", check["claim"].get<std::string>(),
-                      check["statement"].get<std::string>(), verdict == "refuted" ? "**refuted**" : verdict);
+    for (const Json& claim : result.facts["claims"])
+      for (const auto& [reading, verdict] : claim["verdicts"].items())
+        if (std::ranges::count(readings, reading) == 0) readings.push_back(reading);
+  if (readings.empty()) return "The experiments have no checks.\n";
+  std::string text = "| claim | first check |", line = "\n|---|---|";
+  for (const std::string& reading : readings) {
+    text += fmt::format(" {} |", reading_title(reading));
+    line += "---|";
+  }
+  text += line + "\n";
+  for (const ArchivedResult& result : contents.results)
+    for (const Json& claim : result.facts["claims"]) {
+      text += fmt::format("| {} | {} |", claim["claim"].get<std::string>(),
+                          claim["statement"].get<std::string>());
+      for (const std::string& reading : readings) {
+        const std::string verdict = claim["verdicts"].value(reading, "");
+        text += verdict == "refuted" ? " **refuted** |" : fmt::format(" {} |", verdict);
+      }
+      text += "\n";
     }
-  if (rows.empty()) return "The experiments have no checks.\n";
-  return "| claim | statement | verdict |\n|---|---|---|\n" + rows;
+  return text;
 }
 
 std::string authors_of(const Json& citation) {

@@ -39,6 +39,26 @@ Json parse_untrusted(const std::string& text) {
   }
 }
 
+namespace {
+
+// Each claim with the statement of its first main check and the verdict under each reading.
+Json claims_of(const std::vector<checks::CheckResult>& checks) {
+  Json claims = Json::array();
+  for (const checks::ClaimVerdict& one : checks::claim_verdicts(checks)) {
+    const auto known =
+        std::ranges::find_if(claims, [&](const Json& claim) { return claim["claim"] == one.claim; });
+    Json& claim = known == claims.end() ? claims.emplace_back() : *known;
+    claim["claim"] = one.claim;
+    claim["verdicts"][one.reading] = checks::to_string(one.verdict);
+    const auto first = std::ranges::find_if(
+        checks, [&](const auto& c) { return c.check.claim == one.claim && c.check.main; });
+    claim["statement"] = first == checks.end() ? "" : first->check.statement;
+  }
+  return claims;
+}
+
+}  // namespace
+
 Json result_facts(const results::ResultReader& result) {
   const results::Variable status = result.variable("status");
   Json facts;
@@ -49,12 +69,7 @@ Json result_facts(const results::ResultReader& result) {
                     std::count(status.values.begin(), status.values.end(), double(PointStatus::absent));
   facts["sweep_points"] = grid_size(result.sweep_shape());
   facts["provenance"] = Json(result.provenance());
-  facts["checks"] = Json::array();
-  for (const checks::CheckResult& check : checks::evaluate_checks(result))
-    facts["checks"].push_back({{"claim", check.check.claim},
-                               {"reading", check.check.reading},
-                               {"statement", check.check.statement},
-                               {"verdict", checks::to_string(check.verdict)}});
+  facts["claims"] = claims_of(checks::evaluate_checks(result));
   return facts;
 }
 

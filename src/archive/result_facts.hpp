@@ -6,7 +6,8 @@
 namespace bristle::archive {
 
 // Facts about a result for README and metadata: {"name", "title", "figure", "tier", "numerics_version",
-// "points", "payload_sha256", "provenance": {...}, "checks": [{"claim", "statement", "verdict"}]}.
+// "points", "payload_sha256", "provenance": {...}, "claims": [{"claim", "statement",
+// "verdicts": {reading: verdict}}]}.
 Json result_facts(const results::ResultReader& result);
 
 // The same for an untrusted result file, read in a separate process. Throws
