@@ -63,11 +63,14 @@ def check_links(path):
 
 
 def check_mentions(path):
-    """Source files that the text mentions, such as docs/NAME.md, exist."""
-    text = re.sub(r"^```.*?^```$", "", path.read_text(encoding="utf-8"), flags=re.M | re.S)
+    """Source files that the text mentions, such as docs/NAME.md, exist, or a command of the page writes them."""
+    page = path.read_text(encoding="utf-8")
+    text = re.sub(r"^```.*?^```$", "", page, flags=re.M | re.S)
+    written = {f"experiments/{name}.json" for name in re.findall(r"^build/bristle new ([\w-]+)", page, re.M)}
     for name in re.findall(r"(?<![\w/.])(?:docs|src|tests|scripts|experiments|reference)/[\w./-]+\.\w+", text):
         name = name.rstrip(".")
-        assert (source / name).exists() or re.search("mine|NAME|figN", name), f"{path.name} names {name}, which does not exist"
+        known = (source / name).exists() or name in written or re.search("mine|NAME|figN", name)
+        assert known, f"{path.name} names {name}, which does not exist"
 
 
 def check_width(path):
