@@ -213,6 +213,7 @@ A few bristles do not fill the SIMD lanes; a sweep therefore works on several po
 
 Every point is computed anew, on {os.cpu_count()} cores. The columns "before" are the numbers of the previous
 release (commit {previous['commit']}), on {previous['machine']}; they are from benchmarks/previous.json.
+The times of fig4 to fig7 include the location of jumps, whose passages are not counted here.
 
 {figure_table(figures, previous)}
 """

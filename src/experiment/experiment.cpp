@@ -140,7 +140,7 @@ Loading read_loading(const Document& d, const std::vector<Axis>& axes) {
 
 // The name of a swept number along which the gap of a load may jump; empty if none is given.
 std::string read_jump_axis(const Document& d, const Experiment& e) {
-  const std::string name = d.json().value("locate_jumps", "");
+  std::string name = d.json().value("locate_jumps", "");
   if (name.empty()) return name;
   if (!e.swept(name) || !find_sweepable(name)->options.empty())
     d.fail("/locate_jumps",

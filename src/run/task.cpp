@@ -71,7 +71,7 @@ class KeyedPoints {
 // The points that no journal in the folder has. Unless force, copies those of other journals to this one.
 std::vector<std::size_t> missing_points(const Experiment& experiment, const KeyedPoints& points,
                                         results::Journal& journal, bool force) {
-  const std::vector<std::size_t> missing = points.missing_in(journal);
+  std::vector<std::size_t> missing = points.missing_in(journal);
   if (force || missing.empty()) return missing;
   std::set<std::string> keys;
   for (const std::size_t i : missing) keys.insert(points.key(i));
