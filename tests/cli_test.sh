@@ -16,6 +16,9 @@ expect 2 "unknown option --versio (did you mean --version?)" "$bristle" --versio
 expect 2 "info: unexpected argument b" "$bristle" info a b
 expect 2 'bristle: run: EXPERIMENT is required; `bristle run --help`' "$bristle" run
 expect 2 "bristle: run: --tier: smok not in" "$bristle" run experiments/fig4.json --tier smok
+expect 2 "aaa: cannot be read" "$bristle" run "$(printf 'a%.0s' {1..300})"
+ln -s loop "$folder/loop"
+expect 2 "loop: cannot be read" "$bristle" run "$folder/loop"
 expect 2 "bristle: fig4: no such file; did you mean experiments/fig4.json?" "$bristle" run fig4
 expect 2 "--tier" "$bristle" run experiments/paper.json --tier medium
 expect 0 "1600 points" "$bristle" validate experiments/fig4.json

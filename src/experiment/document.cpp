@@ -41,11 +41,15 @@ std::string parent_of(const fs::path& path, const fs::path& extends) {
   return data_path((fs::path("experiments") / extends).string()).value_or(beside.string());
 }
 
-// The experiment that someone means who gives its name instead of its file; empty if there is none.
+// The file of the experiment with this name, if there is no file called `name` itself; empty if there is
+// none.
 std::string file_meant_by(const std::string& name) {
+  std::error_code
+      error;  // for instance a name that is too long, or a loop of links: read_json_file() reports it
+  if (fs::status(name, error).type() != fs::file_type::not_found) return "";
   const std::string file = name + ".json", in_folder = "experiments/" + file;
   for (const std::string& candidate : {file, in_folder, data_path(in_folder).value_or("")})
-    if (fs::is_regular_file(candidate)) return candidate;
+    if (fs::is_regular_file(candidate, error)) return candidate;
   return "";
 }
 
@@ -179,7 +183,7 @@ Document Document::load(const std::string& path, const DocumentOptions& options)
   d.path_ = path;
   d.tier_ = options.tier;
   std::vector<std::string> chain;
-  if (const std::string meant = file_meant_by(path); !fs::exists(path) && !meant.empty())
+  if (const std::string meant = file_meant_by(path); !meant.empty())
     throw InputError(fmt::format("{}: no such file; did you mean {}?", path, meant));
   read_json_file(path);  // reports a missing file before its missing folder
   collect(path, experiments_folder(path), chain, d.files_);

@@ -50,9 +50,8 @@ std::string Summary::cause_and_remedy(PointStatus status, const Example& example
   const bool si = !experiment_.base.si.empty();
   switch (status) {
     case PointStatus::unreachable:
-      return "no gap carries the load; use a lower one (\"load\": {\"trace\": {}} instead computes R_n over "
-             "the gap, "
-             "with its maximum)";
+      return "no gap carries the load; use a lower one "
+             "(\"load\": {\"R_n\": null, \"trace\": {}} computes R_n over the gap, with its maximum)";
     case PointStatus::incomplete:
       return fmt::format(
           "the bristle with theta_0 = {:.4g} deg did not leave the slab within {} evaluations of the "
