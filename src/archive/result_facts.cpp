@@ -1,7 +1,7 @@
 #include "archive/result_facts.hpp"
 
 #include "assumptions/matrix.hpp"
-#include "checks/checks.hpp"
+#include "claims/checks.hpp"
 #include "results/digest.hpp"
 #include "util/error.hpp"
 #include "util/grid.hpp"
@@ -42,14 +42,14 @@ Json parse_untrusted(const std::string& text) {
 namespace {
 
 // Each claim with the statement of its first main check and the verdict under each reading.
-Json claims_of(const std::vector<checks::CheckResult>& checks) {
+Json claims_of(const std::vector<claims::CheckResult>& checks) {
   Json claims = Json::array();
-  for (const checks::ClaimVerdict& one : checks::claim_verdicts(checks)) {
+  for (const claims::ClaimVerdict& one : claims::claim_verdicts(checks)) {
     const auto known =
         std::ranges::find_if(claims, [&](const Json& claim) { return claim["claim"] == one.claim; });
     Json& claim = known == claims.end() ? claims.emplace_back() : *known;
     claim["claim"] = one.claim;
-    claim["verdicts"][one.reading] = checks::to_string(one.verdict);
+    claim["verdicts"][one.reading] = claims::to_string(one.verdict);
     const auto first = std::ranges::find_if(
         checks, [&](const auto& c) { return c.check.claim == one.claim && c.check.main; });
     claim["statement"] = first == checks.end() ? "" : first->check.statement;
@@ -69,7 +69,7 @@ Json result_facts(const results::ResultReader& result) {
                     std::count(status.values.begin(), status.values.end(), double(PointStatus::absent));
   facts["sweep_points"] = grid_size(result.sweep_shape());
   facts["provenance"] = Json(result.provenance());
-  facts["claims"] = claims_of(checks::evaluate_checks(result));
+  facts["claims"] = claims_of(claims::evaluate_checks(result));
   return facts;
 }
 

@@ -1,6 +1,6 @@
 #include "assumptions/assumptions.hpp"
 
-#include "checks/validate.hpp"
+#include "claims/validate.hpp"
 #include "results/digest.hpp"
 #include "results/reader.hpp"
 #include "results/version.hpp"
@@ -117,7 +117,7 @@ class AssumptionsRun {
     require_replaceable(options_.output, replaceable_by_matrix());
     for (const Alternative& a : matrix_.alternatives)
       for (const Experiment& e : baseline_) {
-        checks::validate_checks(experiment_under(a, e));
+        claims::validate_checks(experiment_under(a, e));
         require_replaceable(result_path(a, e), results::replaceable_by({}));
       }
     run::Progress progress("assumptions", matrix_.alternatives.size() * baseline_.size(), options_.quiet);
@@ -160,8 +160,8 @@ class AssumptionsRun {
     for (const Window& window : matrix_.windows) {
       row = first;
       const bool limited = std::ranges::count(window.experiments, baseline.name) > 0;
-      for (checks::CheckResult& one :
-           checks::evaluate_checks(result, limited ? window.where : decltype(window.where)())) {
+      for (claims::CheckResult& one :
+           claims::evaluate_checks(result, limited ? window.where : decltype(window.where)())) {
         if (matrix_.rows.size() == row) matrix_.rows.push_back({baseline.name, {}});
         matrix_.rows[row++].cells.push_back({std::move(one), affected});
       }

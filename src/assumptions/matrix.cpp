@@ -14,25 +14,25 @@ namespace {
 Json number(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
 
 // Supported against refuted.
-bool reversed(checks::Verdict a, checks::Verdict b) {
-  return a != b && a != checks::Verdict::undecided && b != checks::Verdict::undecided;
+bool reversed(claims::Verdict a, claims::Verdict b) {
+  return a != b && a != claims::Verdict::undecided && b != claims::Verdict::undecided;
 }
 
 Json check_json(const Matrix::Row& row) {
   const experiment::Check& c = row.cells.front().result.check;
   return {{"experiment", row.experiment},         {"claim", c.claim},
           {"role", c.main ? "main" : "further"},  {"statement", c.statement},
-          {"is", checks::to_string(c.criterion)}, {"threshold", c.threshold},
+          {"is", claims::to_string(c.criterion)}, {"threshold", c.threshold},
           {"band", number(c.band.value_or(NAN))}};
 }
 
 Json cell_json(std::size_t check, std::size_t alternative, const std::string& window, const Cell& cell) {
-  const checks::CheckResult& c = cell.result;
+  const claims::CheckResult& c = cell.result;
   return {{"check", check},
           {"alternative", alternative},
           {"window", window},
-          {"claim_verdict", checks::to_string(c.claim_verdict)},
-          {"verdict", checks::to_string(c.verdict)},
+          {"claim_verdict", claims::to_string(c.claim_verdict)},
+          {"verdict", claims::to_string(c.verdict)},
           {"measured", number(c.measured.value)},
           {"uncertainty", number(c.measured.uncertainty)},
           {"margin", number(c.margin)},
@@ -41,25 +41,25 @@ Json cell_json(std::size_t check, std::size_t alternative, const std::string& wi
 }
 
 // The verdict on a row's check under an alternative, in the first window.
-checks::Verdict verdict_under(const Matrix& matrix, const Matrix::Row& row, std::size_t alternative) {
+claims::Verdict verdict_under(const Matrix& matrix, const Matrix::Row& row, std::size_t alternative) {
   return row.cells[alternative * matrix.windows.size()].result.verdict;
 }
 
 // The conclusion about one check, with the names of the alternatives that change its verdict.
 Json conclusion_json(const Matrix& matrix, std::size_t index) {
   const Matrix::Row& row = matrix.rows[index];
-  const checks::Verdict baseline = verdict_under(matrix, row, 0);
+  const claims::Verdict baseline = verdict_under(matrix, row, 0);
   Json reversing = Json::array(), undecided = Json::array(), choices = Json::array();
   for (std::size_t a = 1; a < matrix.alternatives.size(); ++a) {
-    const checks::Verdict verdict = verdict_under(matrix, row, a);
+    const claims::Verdict verdict = verdict_under(matrix, row, a);
     if (verdict == baseline) continue;
     const Alternative& alternative = matrix.alternatives[a];
-    (verdict == checks::Verdict::undecided ? undecided : reversing).push_back(alternative.name);
+    (verdict == claims::Verdict::undecided ? undecided : reversing).push_back(alternative.name);
     if (std::find(choices.begin(), choices.end(), alternative.choice) == choices.end())
       choices.push_back(alternative.choice);
   }
   return {{"check", index},
-          {"baseline", checks::to_string(baseline)},
+          {"baseline", claims::to_string(baseline)},
           {"conclusion", conclusion(matrix, row)},
           {"depends_on", choices},
           {"other", reversing},
@@ -69,11 +69,11 @@ Json conclusion_json(const Matrix& matrix, std::size_t index) {
 }  // namespace
 
 const char* conclusion(const Matrix& matrix, const Matrix::Row& row) {
-  const checks::Verdict baseline = verdict_under(matrix, row, 0);
-  if (baseline == checks::Verdict::undecided) return "open";
+  const claims::Verdict baseline = verdict_under(matrix, row, 0);
+  if (baseline == claims::Verdict::undecided) return "open";
   const char* out = "robust";
   for (std::size_t a = 1; a < matrix.alternatives.size(); ++a) {
-    const checks::Verdict verdict = verdict_under(matrix, row, a);
+    const claims::Verdict verdict = verdict_under(matrix, row, a);
     if (reversed(verdict, baseline)) return "assumption-dependent";
     if (verdict != baseline) out = "weakened";
   }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "assumptions/alternative.hpp"
-#include "checks/checks.hpp"
+#include "claims/checks.hpp"
 #include "util/file.hpp"
 
 #include <string>
@@ -13,7 +13,7 @@ constexpr const char* kMatrixSchema = "bristle-assumptions/2";
 
 // Result of one check under one alternative.
 struct Cell {
-  checks::CheckResult result;
+  claims::CheckResult result;
   // False if the alternative does not change this experiment: then the result is that of the baseline.
   bool affected = true;
 };

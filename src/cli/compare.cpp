@@ -1,10 +1,10 @@
 #include "cli/compare.hpp"
 
-#include "checks/checks.hpp"
-#include "checks/deviation_json.hpp"
-#include "checks/deviation_text.hpp"
-#include "checks/reference_file.hpp"
-#include "checks/replay.hpp"
+#include "claims/checks.hpp"
+#include "compare/deviation_json.hpp"
+#include "compare/deviation_text.hpp"
+#include "compare/reference_file.hpp"
+#include "compare/replay.hpp"
 #include "cli/exit_code.hpp"
 #include "run/provenance.hpp"
 #include "util/data.hpp"
@@ -18,40 +18,40 @@
 namespace bristle::cli {
 namespace {
 
-bool all_supported(const std::vector<checks::CheckResult>& checks) {
+bool all_supported(const std::vector<claims::CheckResult>& checks) {
   return std::ranges::all_of(
-      checks, [](const checks::CheckResult& c) { return c.claim_verdict == checks::Verdict::supported; });
+      checks, [](const claims::CheckResult& c) { return c.claim_verdict == claims::Verdict::supported; });
 }
 
 // Prints the verdicts of the claims; returns whether all are supported.
-bool report_claims(const CheckOptions& options, const std::vector<checks::CheckResult>& checks) {
+bool report_claims(const CheckOptions& options, const std::vector<claims::CheckResult>& checks) {
   if (checks.empty()) {
     fmt::print("{}: the experiment has no checks\n", options.file);
     return true;
   }
-  fmt::print("{}", checks::checks_table(checks));
-  std::vector<std::pair<std::string, std::map<checks::Verdict, int>>> counts;  // by reading
-  for (const checks::ClaimVerdict& c : checks::claim_verdicts(checks)) {
+  fmt::print("{}", claims::checks_table(checks));
+  std::vector<std::pair<std::string, std::map<claims::Verdict, int>>> counts;  // by reading
+  for (const claims::ClaimVerdict& c : claims::claim_verdicts(checks)) {
     auto of_reading = std::ranges::find(counts, c.reading, [](const auto& one) { return one.first; });
     if (of_reading == counts.end()) of_reading = counts.insert(counts.end(), {c.reading, {}});
     ++of_reading->second[c.verdict];
   }
   for (auto& [reading, count] : counts)
     fmt::print("{}: {} supported, {} refuted, {} undecided\n",
-               reading.empty() ? "claims" : "claims, " + reading, count[checks::Verdict::supported],
-               count[checks::Verdict::refuted], count[checks::Verdict::undecided]);
+               reading.empty() ? "claims" : "claims, " + reading, count[claims::Verdict::supported],
+               count[claims::Verdict::refuted], count[claims::Verdict::undecided]);
   return all_supported(checks);
 }
 
 std::string reference_of(const CheckOptions& options, const results::ResultReader& result) {
   std::string folder = options.reference;
   if (folder.empty() && !std::filesystem::exists("reference")) folder = data_path("reference").value_or("");
-  return checks::reference_path(folder.empty() ? "reference" : folder, result.text("name"));
+  return compare::reference_path(folder.empty() ? "reference" : folder, result.text("name"));
 }
 
 // Prints deviations from the stored reference; returns whether all are within the tolerances.
 bool report_deviations(const CheckOptions& options, const results::ResultReader& result,
-                       const std::vector<checks::CheckResult>& checks) {
+                       const std::vector<claims::CheckResult>& checks) {
   const std::string path = reference_of(options, result);
   if (!std::filesystem::exists(path)) {
     fmt::print(
@@ -60,21 +60,21 @@ bool report_deviations(const CheckOptions& options, const results::ResultReader&
         path, options.file);
     return false;
   }
-  const checks::DeviationReport report =
-      checks::compare_with_reference(checks::read_reference(path), checks::make_reference(result, checks));
-  fmt::print("{}", checks::deviation_text(report, result, path));
+  const compare::DeviationReport report =
+      compare::compare_with_reference(compare::read_reference(path), compare::make_reference(result, checks));
+  fmt::print("{}", compare::deviation_text(report, result, path));
   return !report.failed();
 }
 
 // Prints deviations and replay commands as JSON; "deviation" is
 // null if there is no reference. Returns whether no check failed.
 bool print_json(const CheckOptions& options, const results::ResultReader& result,
-                const std::vector<checks::CheckResult>& checks) {
+                const std::vector<claims::CheckResult>& checks) {
   const std::string path = reference_of(options, result);
-  Json out = {{"file", options.file}, {"deviation", nullptr}, {"replay", checks::replay_json(result)}};
+  Json out = {{"file", options.file}, {"deviation", nullptr}, {"replay", compare::replay_json(result)}};
   if (std::filesystem::exists(path))
-    out["deviation"] = checks::deviation_json(
-        checks::compare_with_reference(checks::read_reference(path), checks::make_reference(result, checks)),
+    out["deviation"] = compare::deviation_json(
+        compare::compare_with_reference(compare::read_reference(path), compare::make_reference(result, checks)),
         result, path);
   fmt::print("{}\n", out.dump(1));
   const bool reference_failed = out["deviation"].is_null() || out["deviation"]["failed"].get<bool>();
@@ -87,24 +87,24 @@ int diff_command(const DiffOptions& options) {
   const results::ResultReader a(options.a), b(options.b);
   a.require_intact();
   b.require_intact();
-  const checks::Diff diff = checks::diff_results(a, b, options.tolerances);
-  fmt::print("{}", checks::diff_text(diff));
+  const compare::Diff diff = compare::diff_results(a, b, options.tolerances);
+  fmt::print("{}", compare::diff_text(diff));
   return diff.agree() ? kSuccess : kCheckFailed;
 }
 
 int check_command(const CheckOptions& options) {
   const results::ResultReader result(options.file);
   result.require_intact();
-  const auto checks = checks::evaluate_checks(result);
+  const auto checks = claims::evaluate_checks(result);
   if (options.json) return print_json(options, result, checks) ? kSuccess : kCheckFailed;
   const bool claims = report_claims(options, checks) || options.report_only;
   const bool reference = options.claims_only || report_deviations(options, result, checks);
   return claims && reference ? kSuccess : kCheckFailed;
 }
 
-int reference_update_command(checks::ReferenceUpdate update) {
+int reference_update_command(compare::ReferenceUpdate update) {
   update.day = run::utc_now().substr(0, 10);
-  const std::string entry = checks::update_reference(update);
+  const std::string entry = compare::update_reference(update);
   if (entry.empty()) fmt::print("unchanged: the reference already has these values; nothing was written\n");
   else
     fmt::print("recorded in {}:\n{}", (std::filesystem::path(update.folder) / "CHANGELOG.md").string(),

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "checks/diff.hpp"
-#include "checks/reference_update.hpp"
+#include "compare/diff.hpp"
+#include "compare/reference_update.hpp"
 
 #include <string>
 
@@ -16,13 +16,13 @@ struct CheckOptions {
 
 struct DiffOptions {
   std::string a, b;
-  checks::Tolerances tolerances;
+  compare::Tolerances tolerances;
 };
 
 // The commands `check`, `diff` and `reference update`. They
 // return the exit code and throw InputError or RunError.
 int check_command(const CheckOptions& options);
 int diff_command(const DiffOptions& options);
-int reference_update_command(checks::ReferenceUpdate update);
+int reference_update_command(compare::ReferenceUpdate update);
 
 }  // namespace bristle::cli

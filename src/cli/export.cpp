@@ -1,6 +1,6 @@
 #include "cli/export.hpp"
 
-#include "checks/store.hpp"
+#include "claims/store.hpp"
 #include "cli/exit_code.hpp"
 #include "results/csv.hpp"
 #include "util/file.hpp"
@@ -25,7 +25,7 @@ int export_command(const ExportOptions& options) {
   const results::ResultReader result(options.file);
   result.require_intact();
   // Stored verdicts are not trusted: the checks are evaluated again.
-  const auto columns = options.group == "checks" ? checks::csv_columns(checks::evaluate_checks(result))
+  const auto columns = options.group == "checks" ? claims::csv_columns(claims::evaluate_checks(result))
                                                  : results::csv_columns(result, options.group);
   write_whole(output, results::csv_text(result, columns), results::csv_kind());
   fmt::print("{}: {} rows, {} columns\n", output, columns.empty() ? 0 : columns.front().cells.size(),

@@ -136,7 +136,7 @@ CLI::App* add_assumptions(CLI::App& app, assumptions::AssumptionsOptions& option
   return command;
 }
 
-CLI::App* add_reference_update(CLI::App& app, checks::ReferenceUpdate& update) {
+CLI::App* add_reference_update(CLI::App& app, compare::ReferenceUpdate& update) {
   auto* reference = app.add_subcommand("reference", "the stored values that `check` compares with");
   reference->require_subcommand(1);
   auto* command = reference->add_subcommand(
@@ -235,7 +235,7 @@ class CommandLine {
   archive::ArchiveOptions archive_;
   VerifyOptions verify_;
   assumptions::AssumptionsOptions assumptions_;
-  checks::ReferenceUpdate update_;
+  compare::ReferenceUpdate update_;
 };
 
 // Throws RunError if what was printed did not reach standard output: small outputs are written only here.

@@ -1,6 +1,6 @@
 #include "cli/run.hpp"
 
-#include "checks/validate.hpp"
+#include "claims/validate.hpp"
 #include "cli/exit_code.hpp"
 #include "experiment/author_schema.hpp"
 #include "experiment/experiment.hpp"
@@ -26,7 +26,7 @@ void choose_instruction_set(const std::string& name) {
 
 Experiment load_checked(const RunOptions& options) {
   Experiment experiment = experiment::load_experiment(options.experiment, {options.set, options.tier});
-  checks::validate_checks(experiment);
+  claims::validate_checks(experiment);
   return experiment;
 }
 

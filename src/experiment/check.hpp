@@ -38,7 +38,7 @@ struct Check {
   bool main = true;
   std::string interpretation;
   std::string reading;            // value of the axis "checks_for_each" at which it is evaluated
-  std::string predicate;          // a name in checks/measure.hpp
+  std::string predicate;          // a name in claims/measure.hpp
   std::string variable;           // of the result file
   std::string along, x, against;  // dimension of the curves, abscissa, second dimension
   std::vector<std::pair<std::string, double>> divide_by;  // variables and their powers

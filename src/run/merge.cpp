@@ -1,7 +1,7 @@
 #include "run/merge.hpp"
 
-#include "checks/checks.hpp"
-#include "checks/store.hpp"
+#include "claims/checks.hpp"
+#include "claims/store.hpp"
 #include "results/writer.hpp"
 #include "run/jumps.hpp"
 #include "run/provenance.hpp"
@@ -96,8 +96,8 @@ void merge_parts(PartSet& parts, const std::string& output, const std::string& c
   entries["command_line"] = command_line;
   entries["merged"] = fmt::format("{} by bristle {} ({})", utc_now(), kVersion, kCommit);
   writer.close(entries);
-  const auto checks = checks::evaluate_checks(results::ResultReader(writer.partial()));
-  checks::write_checks(writer.partial(), checks);
+  const auto checks = claims::evaluate_checks(results::ResultReader(writer.partial()));
+  claims::write_checks(writer.partial(), checks);
   writer.publish();
 }
 

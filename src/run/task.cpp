@@ -1,7 +1,7 @@
 #include "run/task.hpp"
 
-#include "checks/checks.hpp"
-#include "checks/store.hpp"
+#include "claims/checks.hpp"
+#include "claims/store.hpp"
 #include "results/annotate.hpp"
 #include "results/journal.hpp"
 #include "results/writer.hpp"
@@ -26,8 +26,8 @@ namespace {
 
 // Evaluates the checks of the result file and stores their verdicts in it.
 void add_checks(const std::string& path) {
-  const auto checks = checks::evaluate_checks(results::ResultReader(path));
-  checks::write_checks(path, checks);
+  const auto checks = claims::evaluate_checks(results::ResultReader(path));
+  claims::write_checks(path, checks);
 }
 
 // Updates title, notes and checks of a result whose numbers are up to date.

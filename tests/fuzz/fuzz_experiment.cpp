@@ -1,7 +1,7 @@
 #include "fuzz.hpp"
 
-#include "checks/checks.hpp"
-#include "checks/validate.hpp"
+#include "claims/checks.hpp"
+#include "claims/validate.hpp"
 #include "experiment/experiment.hpp"
 #include "util/error.hpp"
 

@@ -2,8 +2,8 @@
 
 #include "archive/result_facts.hpp"
 #include "archive/tar.hpp"
-#include "checks/diff.hpp"
-#include "checks/reference_file.hpp"
+#include "compare/diff.hpp"
+#include "compare/reference_file.hpp"
 #include "results/plain_hdf5.hpp"
 #include "util/error.hpp"
 #include "small_result.hpp"

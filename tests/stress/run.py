@@ -27,7 +27,7 @@ def kills(bristle, seconds, seed):
     """Repeats the survival test with few kills each, so that it ends in time."""
     killed, begin, times = 0, time.monotonic(), 0
     while times == 0 or time.monotonic() - begin < seconds:
-        done = subprocess.run([str(ROOT / "tests/survive_test.sh"), bristle, "8"], cwd=ROOT, text=True,
+        done = subprocess.run([str(ROOT / "tests/program/survive_test.sh"), bristle, "8"], cwd=ROOT, text=True,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                               env={"PATH": "/usr/bin:/bin", "SEED": str((seed + times) % 32768)})
         times += 1

@@ -1,0 +1,114 @@
+#include "claims/checks.hpp"
+
+#include "claims/measure.hpp"
+#include "claims/validate.hpp"
+#include "experiment/experiment.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <fmt/format.h>
+#include <cmath>
+#include <map>
+
+namespace bristle::claims {
+namespace {
+
+// A trend with a larger p-value may be due to chance.
+constexpr double kSignificanceLevel = 0.05;
+
+// Distance from the threshold or from the end of the band; positive if the claim holds.
+double margin_of(const experiment::Check& check, double value) {
+  switch (check.criterion) {
+    case experiment::Criterion::near: return *check.band - std::abs(value - check.threshold);
+    case experiment::Criterion::at_most: return check.threshold - value;
+    case experiment::Criterion::at_least: break;
+  }
+  return value - check.threshold;
+}
+
+Verdict decide(const Measurement& m, double margin) {
+  if (!std::isfinite(m.value) || !std::isfinite(m.uncertainty)) return Verdict::undecided;
+  if (margin < -m.uncertainty) return Verdict::refuted;
+  if (m.significance > kSignificanceLevel) return Verdict::undecided;
+  return margin >= m.uncertainty ? Verdict::supported : Verdict::undecided;
+}
+
+// Whether the check selects or compares values of this axis.
+bool selects(const experiment::Check& check, const std::string& axis) {
+  const auto same = [&](const auto& selection) { return selection.first == axis; };
+  return std::ranges::any_of(check.where, same) || (check.compare && check.compare->axis == axis);
+}
+
+// The worse of two verdicts: refuted, undecided, supported.
+Verdict worse(Verdict a, Verdict b) {
+  if (a == Verdict::refuted || b == Verdict::refuted) return Verdict::refuted;
+  return a == Verdict::supported ? b : a;
+}
+
+// The verdict on a claim under one reading (CheckResult::claim_verdict).
+Verdict verdict_on_claim(const std::vector<CheckResult>& checks, const std::string& claim,
+                         const std::string& reading) {
+  std::map<std::string, Verdict> interpretations;
+  for (const CheckResult& c : checks) {
+    if (!c.check.main || c.check.claim != claim || c.check.reading != reading) continue;
+    const auto [known, first] = interpretations.emplace(c.check.interpretation, c.verdict);
+    if (!first) known->second = worse(known->second, c.verdict);
+  }
+  Verdict best = Verdict::refuted;
+  for (const auto& [interpretation, verdict] : interpretations)
+    if (worse(best, verdict) == best) best = verdict;
+  return best;
+}
+
+}  // namespace
+
+const char* to_string(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::supported: return "supported";
+    case Verdict::refuted: return "refuted";
+    case Verdict::undecided: return "undecided";
+  }
+  return "?";
+}
+
+const char* to_string(experiment::Criterion criterion) {
+  switch (criterion) {
+    case experiment::Criterion::at_most: return "at_most";
+    case experiment::Criterion::at_least: return "at_least";
+    case experiment::Criterion::near: return "near";
+  }
+  return "?";
+}
+
+std::vector<CheckResult> evaluate_checks(
+    const results::ResultReader& result,
+    const std::vector<std::pair<std::string, std::array<double, 2>>>& within) {
+  std::vector<CheckResult> out;
+  // The checks of a file are untrusted, and the predicates rely on the validation.
+  Experiment experiment = experiment::stored_experiment(result.experiment(), "full", result.path());
+  for (experiment::Check& check : experiment.checks)
+    for (const auto& [axis, range] : within)
+      if (experiment.swept(axis) && !selects(check, axis)) check.where.emplace_back(axis, range);
+  validate_checks(experiment);
+  for (const experiment::Check& check : experiment.checks) {
+    CheckResult r{check, measure(result, check), 0, Verdict::undecided, Verdict::undecided};
+    r.margin = margin_of(check, r.measured.value);
+    r.verdict = decide(r.measured, r.margin);
+    out.push_back(std::move(r));
+  }
+  for (CheckResult& r : out) r.claim_verdict = verdict_on_claim(out, r.check.claim, r.check.reading);
+  return out;
+}
+
+std::vector<ClaimVerdict> claim_verdicts(const std::vector<CheckResult>& checks) {
+  std::vector<ClaimVerdict> out;
+  for (const CheckResult& c : checks) {
+    const bool known = std::ranges::any_of(out, [&](const ClaimVerdict& one) {
+      return one.claim == c.check.claim && one.reading == c.check.reading;
+    });
+    if (!known) out.push_back({c.check.claim, c.check.reading, c.claim_verdict});
+  }
+  return out;
+}
+
+}  // namespace bristle::claims

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "claims/predicates.hpp"
+#include "experiment/experiment.hpp"
+
+namespace bristle::claims {
+
+// undecided: the threshold lies within the uncertainty of the measurement, too few points have values, or a
+// trend is not significant.
+enum class Verdict {
+  supported,
+  refuted,
+  undecided
+};
+const char* to_string(Verdict verdict);
+
+const char* to_string(experiment::Criterion criterion);
+
+// The check of a claim of the paper, evaluated on a result.
+struct CheckResult {
+  experiment::Check check;
+  Measurement measured;
+  double margin;  // distance from the threshold or from the end of the band; positive if the claim holds
+  Verdict verdict;
+  // On the claim under this check's reading, by the main checks of the claim. An interpretation is supported
+  // if all its main checks are, and refuted if one of them is; the claim is supported if one of its
+  // interpretations is, and refuted if all are.
+  Verdict claim_verdict;
+};
+
+// The verdict on a claim under one reading.
+struct ClaimVerdict {
+  std::string claim, reading;
+  Verdict verdict;
+};
+
+// The verdicts on the claims, in the order of their first checks.
+std::vector<ClaimVerdict> claim_verdicts(const std::vector<CheckResult>& checks);
+
+// Evaluates the checks of the experiment that is stored in the result. Throws InputError if a check names a
+// variable, an axis or a value that the result does not have.
+// within limits the axes that a check neither selects nor compares to ranges [from, to].
+std::vector<CheckResult> evaluate_checks(
+    const results::ResultReader& result,
+    const std::vector<std::pair<std::string, std::array<double, 2>>>& within = {});
+
+// A human-readable table with one line per check of the experiment, and a column of verdicts for each
+// reading.
+std::string checks_table(const std::vector<CheckResult>& checks);
+
+}  // namespace bristle::claims

@@ -1,0 +1,209 @@
+#include "claims/curves.hpp"
+
+#include "ensemble/trace.hpp"
+#include "model/elementary.hpp"
+#include "util/error.hpp"
+#include "util/text.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <algorithm>
+#include <cmath>
+
+namespace bristle::claims {
+namespace {
+
+using Field = CheckedField;
+
+constexpr double kSameValue = 1e-9;  // relative tolerance when selecting values of an axis
+
+std::size_t stride_of(const Field& field, std::size_t dimension) {
+  std::size_t stride = 1;
+  for (std::size_t d = dimension + 1; d < field.shape.size(); ++d) stride *= field.shape[d];
+  return stride;
+}
+
+std::size_t dimension_of(const results::ResultReader& result, const Field& field, const std::string& variable,
+                         const std::string& name) {
+  const auto found = std::find(field.dimensions.begin(), field.dimensions.end(), name);
+  if (found == field.dimensions.end())
+    throw InputError(fmt::format("{}: {} has no dimension {}{}; it has: {}", result.path(), variable, name,
+                                 did_you_mean(name, field.dimensions), fmt::join(field.dimensions, ", ")));
+  return std::size_t(found - field.dimensions.begin());
+}
+
+// Values of a variable or an axis, of which there must be count.
+std::vector<double> values_of(const results::ResultReader& result, const std::string& name,
+                              std::size_t count) {
+  std::vector<double> values = result.variable(name).values;
+  if (values.size() != count)
+    throw InputError(
+        fmt::format("{}: damaged: {} has {} values, not {}", result.path(), name, values.size(), count));
+  return values;
+}
+
+Field read(const results::ResultReader& result, const std::string& name) {
+  const results::Variable v = result.variable(name);
+  Field field{v.dimensions, v.shape, v.values, std::vector<double>(v.values.size(), 0),
+              std::vector<bool>(v.values.size(), true)};
+  const auto known = result.variables();
+  if (std::find(known.begin(), known.end(), name + "_err") != known.end())
+    field.errors = values_of(result, name + "_err", field.values.size());
+  return field;
+}
+
+void divide(const results::ResultReader& result, Field& field, const std::string& name, double power) {
+  const Field by = read(result, name);
+  if (by.shape != field.shape)
+    throw InputError(fmt::format("{}: damaged: {} has a different shape than the variable that it divides",
+                                 result.path(), name));
+  for (std::size_t i = 0; i < field.values.size(); ++i) {
+    const double relative = std::abs(power) * by.errors[i] / std::abs(by.values[i]);
+    field.values[i] /= pow(by.values[i], power);
+    field.errors[i] = field.errors[i] / pow(by.values[i], power) + std::abs(field.values[i]) * relative;
+  }
+}
+
+// The value of a word on the axis of a choice: its index in the flag meanings.
+double index_of(const results::ResultReader& result, const std::string& name, const std::string& word) {
+  const auto words = result.flag_meanings(name);
+  const auto found = std::find(words.begin(), words.end(), word);
+  if (found == words.end())
+    throw InputError(fmt::format("{}: {} is not a value of {}; allowed: {}", result.path(), word, name,
+                                 fmt::join(words, ", ")));
+  return double(found - words.begin());
+}
+
+// A selection on this axis as a range [from, to].
+std::array<double, 2> range_of(const results::ResultReader& result, const std::string& name,
+                               const experiment::Selection& wanted) {
+  if (const auto* range = std::get_if<std::array<double, 2>>(&wanted)) return *range;
+  const auto* word = std::get_if<std::string>(&wanted);
+  const double value = word ? index_of(result, name, *word) : std::get<double>(wanted);
+  return {value, value};
+}
+
+void keep_on_axis(const results::ResultReader& result, Field& field, std::size_t d,
+                  const experiment::Selection& wanted) {
+  const std::string& name = field.dimensions[d];
+  const std::vector<double> axis = values_of(result, name, field.shape[d]);
+  const auto [low, high] = range_of(result, name, wanted);
+  const double slack = kSameValue * std::max(std::abs(low), std::abs(high));
+  const auto selected = [from = low - slack, to = high + slack](double x) { return x >= from && x <= to; };
+  if (std::none_of(axis.begin(), axis.end(), selected))
+    throw InputError(fmt::format("{}: the axis {} has no value {}; it has: {:.6g}", result.path(), name,
+                                 experiment::selection_text(wanted), fmt::join(axis, ", ")));
+  const std::size_t stride = stride_of(field, d);
+  for (std::size_t i = 0; i < field.kept.size(); ++i)
+    if (!selected(axis[i / stride % field.shape[d]])) field.kept[i] = false;
+}
+
+void select(const results::ResultReader& result, Field& field, const std::string& name,
+            const experiment::Selection& wanted) {
+  const auto axis = std::find(field.dimensions.begin(), field.dimensions.end(), name);
+  if (axis != field.dimensions.end())
+    return keep_on_axis(result, field, std::size_t(axis - field.dimensions.begin()), wanted);
+  const std::vector<double> values = values_of(result, name, field.values.size());
+  const auto [from, to] = std::get<std::array<double, 2>>(wanted);  // a range, by validate_checks()
+  for (std::size_t i = 0; i < field.kept.size(); ++i)
+    if (!(values[i] >= from && values[i] <= to)) field.kept[i] = false;
+}
+
+// Value and error where the abscissa first crosses the target along the nodes of a curve; NaN if it does not.
+CurvePoint interpolate(const Curve& nodes, double target) {
+  for (std::size_t i = 1; i < nodes.size(); ++i) {
+    const CurvePoint &a = nodes[i - 1], &b = nodes[i];
+    if ((a.x - target) * (b.x - target) > 0) continue;
+    const double share = b.x == a.x ? 0 : (target - a.x) / (b.x - a.x);
+    const double step = std::abs(b.value - a.value);
+    return {target, a.value + share * (b.value - a.value),
+            std::max(a.error, b.error) + std::min(share, 1 - share) * step};
+  }
+  return {target, NAN, NAN};
+}
+
+// The field without its last dimension, "node": interpolated where the named variable has the target value.
+Field reduce(const results::ResultReader& result, const Field& field, const std::string& name,
+             double target) {
+  if (field.shape.empty())
+    throw InputError(fmt::format("{}: damaged: a variable to be measured at a value of {} has no nodes",
+                                 result.path(), name));
+  const std::vector<double> abscissa = values_of(result, name, field.values.size());
+  const std::vector<double> branch = values_of(result, "branch", field.values.size());
+  const bool loading_path = name == "R_n";
+  const std::size_t nodes = field.shape.back();
+  Field out;
+  out.dimensions.assign(field.dimensions.begin(), field.dimensions.end() - 1);
+  out.shape.assign(field.shape.begin(), field.shape.end() - 1);
+  for (std::size_t start = 0; start < field.values.size(); start += nodes) {
+    Curve curve;
+    bool kept = false;
+    for (std::size_t i = start; i < start + nodes; ++i) {
+      kept = kept || field.kept[i];
+      const bool on_path = branch[i] == double(Branch::loading) || branch[i] == double(Branch::both);
+      if (!std::isfinite(field.values[i]) || (loading_path && !on_path)) continue;
+      curve.push_back({abscissa[i], field.values[i], field.errors[i]});
+    }
+    const CurvePoint at = interpolate(curve, target);
+    out.values.push_back(at.value);
+    out.errors.push_back(at.error);
+    out.kept.push_back(kept);
+  }
+  return out;
+}
+
+}  // namespace
+
+CheckedCurves::CheckedCurves(const results::ResultReader& result, const experiment::Check& check,
+                             const std::optional<experiment::Selection>& at)
+    : result_(result), check_(check) {
+  if (at) compared_.emplace(check.compare->axis, *at);
+}
+
+CheckedField CheckedCurves::field_of(const std::string& variable) const {
+  CheckedField field = read(result_, variable);
+  if (variable == check_.variable)
+    for (const auto& [name, power] : check_.divide_by) divide(result_, field, name, power);
+  for (const auto& [name, wanted] : check_.where) select(result_, field, name, wanted);
+  if (compared_) select(result_, field, compared_->first, compared_->second);
+  return check_.at ? reduce(result_, field, check_.at->first, check_.at->second) : field;
+}
+
+Curves CheckedCurves::along() const { return along(check_.along); }
+
+Curves CheckedCurves::along(const std::string& dimension) const {
+  const CheckedField y = field_of(check_.variable);
+  const std::size_t d = dimension_of(result_, y, check_.variable, dimension), stride = stride_of(y, d);
+  const std::vector<double> axis = values_of(result_, dimension, y.shape[d]);
+  std::optional<CheckedField> x;
+  if (!check_.x.empty()) x = field_of(check_.x);
+  if (x && x->shape != y.shape)
+    throw InputError(fmt::format("{}: damaged: {} and {} have different shapes", result_.path(),
+                                 check_.variable, check_.x));
+  Curves out;
+  out.independent = check_.independent_errors;
+  for (std::size_t start = 0; start < y.values.size(); ++start) {
+    if (start / stride % y.shape[d] != 0) continue;
+    Curve curve;
+    for (std::size_t k = 0; k < y.shape[d]; ++k) {
+      const std::size_t i = start + k * stride;
+      if (!y.kept[i]) continue;
+      const CurvePoint point{x ? x->values[i] : axis[k], y.values[i], y.errors[i], x ? x->errors[i] : 0};
+      if (std::isfinite(point.x) && std::isfinite(point.value) && std::isfinite(point.error))
+        curve.push_back(point);
+      else if (dimension != "node") ++out.missing;
+    }
+    if (!curve.empty()) out.curves.push_back(curve);
+  }
+  return out;
+}
+
+Curve CheckedCurves::points() const {
+  const CheckedField field = field_of(check_.variable);
+  Curve out;
+  for (std::size_t i = 0; i < field.values.size(); ++i)
+    if (field.kept[i]) out.push_back({double(i), field.values[i], field.errors[i]});
+  return out;
+}
+
+}  // namespace bristle::claims

@@ -1,0 +1,127 @@
+#include "claims/validate.hpp"
+
+#include "claims/measure.hpp"
+#include "results/reader.hpp"
+#include "results/variables.hpp"
+#include "util/error.hpp"
+#include "util/text.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <algorithm>
+#include <cmath>
+
+namespace bristle::claims {
+namespace {
+
+class CheckValidator {
+ public:
+  CheckValidator(const Experiment& experiment, const experiment::Check& check)
+      : experiment_(experiment), check_(check) {
+    for (const results::ResultVariable& v : results::result_variables(experiment))
+      variables_.push_back(v.name);
+    for (const experiment::Axis& axis : experiment.axes) axes_.push_back(results::axis_variable(axis.name));
+    if (experiment.base.loading.trace) axes_.emplace_back("node");
+  }
+
+  void validate() const {
+    require_keys();
+    require_main_check();
+    known("variable", check_.variable, variables_);
+    if (!check_.along.empty()) known("along", check_.along, axes_);
+    if (!check_.against.empty()) known("against", check_.against, axes_);
+    if (!check_.x.empty()) known("x", check_.x, variables_);
+    for (const auto& [name, power] : check_.divide_by) known("divide_by/" + name, name, variables_);
+    if (check_.at) known("at/" + check_.at->first, check_.at->first, variables_);
+    if (check_.at && !experiment_.base.loading.trace)
+      fail("at", "is allowed for traced curves only (/load/trace)");
+    for (const auto& [name, value] : check_.where) selects("where/" + name, name, value);
+    if (const auto& pair = check_.compare) {
+      for (const experiment::Selection& value : {pair->first, pair->second}) {
+        selects("compare/" + pair->axis, pair->axis, value);
+        if (std::holds_alternative<Range>(value))
+          fail("compare/" + pair->axis, "two values of the axis are compared, not ranges");
+      }
+    }
+  }
+
+ private:
+  using Range = std::array<double, 2>;
+
+  [[noreturn]] void fail(const std::string& key, const std::string& what) const {
+    throw InputError(fmt::format("{}: /checks/{}/{}: {}", experiment_.path, check_.number, key, what));
+  }
+
+  void known(const std::string& key, const std::string& name, const std::vector<std::string>& names) const {
+    if (std::find(names.begin(), names.end(), name) == names.end())
+      fail(key, fmt::format("\"{}\" is not in the result{}; allowed: {}", name, did_you_mean(name, names),
+                            fmt::join(names, ", ")));
+  }
+
+  void require_keys() const {
+    const Predicate& predicate = find_predicate(check_.predicate);
+    for (const Predicate::Need& need : predicate.needs)
+      if (!need.met(check_)) fail(need.key, fmt::format("is missing; {} needs it", predicate.name));
+    if (predicate.on_pairs && !check_.compare && !check_.expected)
+      fail("compare",
+           fmt::format("is missing; {} needs either \"compare\", two values of an axis, or \"expected\"",
+                       predicate.name));
+    if (check_.criterion == experiment::Criterion::near && !check_.band)
+      fail("band", "is missing; \"near\" needs the largest allowed distance");
+  }
+
+  void require_main_check() const {
+    const bool any = std::ranges::any_of(experiment_.checks, [this](const experiment::Check& other) {
+      return other.main && other.claim == check_.claim;
+    });
+    if (!any)
+      fail("role", fmt::format("every check of claim {} is \"further\"; one must be \"main\"", check_.claim));
+  }
+
+  // The selection must be a word of a choice, a value of an axis, or a range of an axis or a variable.
+  void selects(const std::string& key, const std::string& name, const experiment::Selection& value) const {
+    const bool range = std::holds_alternative<Range>(value);
+    const auto axis =
+        std::find_if(experiment_.axes.begin(), experiment_.axes.end(),
+                     [&](const experiment::Axis& a) { return results::axis_variable(a.name) == name; });
+    if (axis == experiment_.axes.end()) {
+      std::vector<std::string> names = variables_;
+      names.insert(names.end(), axes_.begin(), axes_.end());
+      known(key, name, names);
+      if (!range) fail(key, "a variable needs a range of two numbers, [from, to]");
+      return;
+    }
+    if (!on_axis(*axis, value))
+      fail(key, fmt::format("{} {} this axis; allowed: {}", experiment::selection_text(value),
+                            range ? "contains no value of" : "is not a value of", axis_text(*axis)));
+  }
+
+  static bool on_axis(const experiment::Axis& axis, const experiment::Selection& value) {
+    const experiment::Sweepable& sweepable = *experiment::find_sweepable(axis.name);
+    return std::any_of(axis.values.begin(), axis.values.end(), [&](double x) {
+      if (const Range* range = std::get_if<Range>(&value))
+        return x >= (*range)[0] - 1e-9 * std::abs(x) && x <= (*range)[1] + 1e-9 * std::abs(x);
+      if (!sweepable.options.empty()) return value == experiment::Selection(sweepable.text(x));
+      const double* number = std::get_if<double>(&value);
+      return number && std::abs(x - *number) <= 1e-9 * std::abs(x);
+    });
+  }
+
+  static std::string axis_text(const experiment::Axis& axis) {
+    std::vector<std::string> texts;
+    for (const double x : axis.values) texts.push_back(experiment::find_sweepable(axis.name)->text(x));
+    return fmt::format("{}", fmt::join(texts, ", "));
+  }
+
+  const Experiment& experiment_;
+  const experiment::Check& check_;
+  std::vector<std::string> variables_, axes_;
+};
+
+}  // namespace
+
+void validate_checks(const Experiment& experiment) {
+  for (const experiment::Check& check : experiment.checks) CheckValidator(experiment, check).validate();
+}
+
+}  // namespace bristle::claims

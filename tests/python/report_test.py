@@ -1,0 +1,287 @@
+"""The report in a browser without a network: numbers, sorting, filters, keyboard, phone, dark scheme, print and errors.
+
+report_test.py ROOT PROGRAM FOLDER RESULT.h5...: results of the smoke tier, including fig4 and fig6. tests/assumptions.json
+has invented numbers. Exits with 77 (skipped) without Chromium, its driver or Selenium, or axe-core, which npm fetches.
+"""
+import base64
+import json
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import time
+
+import h5py
+import numpy as np
+
+from browser import AXE, axe_core, browser, one, press, select, texts, view
+from report_figures import check_curves_map, check_figures, check_phone, check_readings, check_saved, show_narrow
+
+root, program, folder, *results = (pathlib.Path(word).absolute() for word in sys.argv[1:])
+named = {re.split("[-_]", path.stem)[0]: path for path in results}
+page = folder / "index.html"
+CONTRAST = (root / "tests" / "contrast.js").read_text()
+
+
+def report(*files, **options):
+    """Writes a report; options override the defaults."""
+    options = {"o": page, "program": program, "assumptions": root / "tests/python/assumptions.json", **options}
+    words = [str(word) for key, value in options.items() for word in ("-o" if key == "o" else f"--{key}", value)]
+    command = [sys.executable, root / "scripts/report/report.py", *files, *words]
+    return subprocess.run(command, capture_output=True, text=True, cwd=root)
+
+
+def check_output():
+    """Equal inputs give equal pages, ids are unique, and links have targets."""
+    digests = []
+    for _ in range(2):
+        done = report(*results)
+        assert done.returncode == 0, done.stderr
+        digests.append(page.read_bytes())
+    assert digests[0] == digests[1], "two runs gave different pages"
+    assert len(digests[0]) < 15e6, len(digests[0])
+    content = re.sub(r"<script.*?</script>", "", digests[0].decode(), flags=re.DOTALL)
+    ids = re.findall(r'\bid="([^"]*)"', content)
+    assert len(ids) == len(set(ids)), sorted(i for i in set(ids) if ids.count(i) > 1)[:5]
+    used = re.findall(r'href="#([^"]*)"|url\(#([^)]*)\)', content)
+    lost = {a or b for a, b in used} - set(ids)
+    assert not lost, f"no targets: {sorted(lost)[:5]}"
+    words = [word for names in re.findall(r'aria-labelledby="([^"]*)"', content) for word in names.split()]
+    assert set(words) <= set(ids)
+    levels = [int(level) for level in re.findall(r"<h([1-6])[ >]", content)]
+    assert levels[0] == 1 and all(b <= a + 1 for a, b in zip(levels, levels[1:])), "headings skip a level"
+    linked = re.findall(r'(?:src|href)="((?:/|http)[^"]*)', content)
+    assert all(link.startswith("https://doi.org/") for link in linked), linked
+    for name in named:
+        assert re.search(rf'<a class="data" download="{name}.csv.gz"\s+href="data:application/gzip;base64,', content), name
+
+
+def check_errors():
+    """Errors give one line and exit code 2 or 3; a missing figure or matrix is not an error."""
+    (folder / "text.h5").write_text("not HDF5")
+    (folder / "wrong.json").write_text('{"schema": "bristle-assumptions/0"}')
+    (folder / "torn.json").write_text('{"schema": "bristle-assumptions/1", "checks": [{}]')
+    document = json.loads((root / "tests/python/assumptions.json").read_text())
+    document["cells"].append({**document["cells"][0], "check": 99})
+    (folder / "cell.json").write_text(json.dumps(document))
+    fig4, other = named["fig4"], {"o": folder / "other.html"}
+    for files, options, words in (
+            ([folder / "none.h5"], {}, "make figures"),
+            ([folder / "text.h5"], {}, "not an HDF5 file"),
+            ([fig4], {"program": folder / "none"}, "cannot be run"),
+            ([fig4], {"assumptions": folder / "wrong.json"}, "bristle-assumptions/0"),
+            ([fig4], {"assumptions": folder / "torn.json"}, "torn.json"),
+            ([fig4], {"assumptions": folder / "cell.json"}, "not there"),
+            ([fig4], {"citation": folder / "text.h5"}, "not a citation file")):
+        done = report(*files, **{**other, **options})
+        assert done.returncode == 2 and words in done.stderr, (words, done.stderr)
+        assert done.stderr.count("\n") == 1, done.stderr
+    citation = (root / "CITATION.cff").read_text()
+    (folder / "cited.cff").write_text(re.sub("(title: Exploiting.*)", r"\1\n    doi: 10.1000/invented", citation))
+    done = report(fig4, "/proc/none/fig5-smoke.h5", **other, assumptions=folder / "none.json",
+                  citation=folder / "cited.cff")
+    made = (folder / "other.html").read_text()
+    assert made.count('<a href="https://doi.org/10.1000/invented">') == 2
+    assert done.returncode == 0 and "make fig5 TIER=smoke" in made and "make assumptions" in made, done.stderr
+    assert report(fig4, o="/proc/none/index.html").returncode == 3
+
+
+def check_claims(driver, keys):
+    """Sorting by click and by keyboard, filtering by words and verdicts."""
+    verdicts = "#all-claims tbody tr .verdict"
+    everything = texts(driver, verdicts)
+    margin = "document.querySelector('#all-claims th:nth-child(7) button')"
+    driver.execute_script(f"{margin}.click()")
+    header = one(driver, "#all-claims th:nth-child(7)")
+    assert header.get_attribute("aria-sort") == "ascending"
+    values = """return [...document.querySelectorAll('#all-claims tbody td:nth-child(7)')]
+      .map(e => +e.dataset.value)"""
+    margins = driver.execute_script(values)
+    assert margins == sorted(margins) and margins[0] < 0 < margins[-1], margins
+    driver.execute_script(f"{margin}.focus()")
+    press(driver, keys.ENTER)
+    assert header.get_attribute("aria-sort") == "descending"
+    assert driver.execute_script(values) == margins[::-1]
+    words = one(driver, "[data-table=all-claims] input[type=search]")
+    words.send_keys("4a steeply")
+    assert texts(driver, "#all-claims tbody tr th") == ["4a", "4a"]  # under both readings of Eq. (17)
+    words.send_keys(" nowhere")
+    assert texts(driver, verdicts) == []
+    words.send_keys(keys.CONTROL, "a")
+    words.send_keys(keys.DELETE)
+    assert len(texts(driver, verdicts)) == len(everything)
+    driver.execute_script("document.querySelector('[data-table=all-claims] [value=supported]').click()")
+    left = texts(driver, verdicts)
+    assert 0 < len(left) < len(everything) and not any("supported" in word for word in left)
+    assert f"{len(left)} of {len(everything)}" in one(driver, "[data-table=all-claims] .shown").text
+
+
+def shown_numbers(driver):
+    """Numbers in the panel of a point: name -> exact value and error."""
+    script = """return Object.fromEntries([...document.querySelectorAll('#point tr[data-name]')].map(row =>
+      [row.dataset.name, [...row.cells].slice(1).map(cell => cell.querySelector('data')?.value ?? null)]))"""
+    return driver.execute_script(script)
+
+
+def check_point(driver, name, point, replay):
+    """The panel shows all numbers of the file and the command of the point."""
+    shown = shown_numbers(driver)
+    with h5py.File(named[name]) as file:
+        expected = [key for key in file if f"{key}_err" in file and np.isfinite(file[key][()]).any()]
+        assert len(expected) > 10
+        for key in expected:
+            for dataset, word in zip((key, f"{key}_err"), shown[key]):
+                value = float(np.ravel(file[dataset][()])[point])
+                assert word is None and np.isnan(value) or float(word) == value, (key, word, value)
+    assert one(driver, "#replay").text == replay[point]
+
+
+def check_map(driver, keys):
+    """Clicking a cell, arrow keys, selecting a slice and a variable, and a row of the table."""
+    done = subprocess.run([program, "check", named["fig6"], "--json", "--report-only"], capture_output=True,
+                          text=True, cwd=root)
+    replay = json.loads(done.stdout)["replay"]
+    for selector, value in (("#choose-figure", "fig6"), ("#choose-variable", "gamma_1"), ("#slices [data-axis=friction]", "0")):
+        select(driver, selector, value)
+    with h5py.File(named["fig6"]) as file:
+        readings, laws, k_r, k_theta = file["status"].shape
+    assert (readings, laws) == (2, 2)
+    cells = driver.find_elements("css selector", "#map [role=gridcell]")
+    assert len(cells) == k_r * k_theta
+    cell = one(driver, '#map [data-point="4"]')
+    driver.execute_script("arguments[0].scrollIntoView({block: 'center'})", cell)  # not below the switch of readings
+    cell.click()
+    check_point(driver, "fig6", 4, replay)
+    press(driver, keys.ARROW_RIGHT)
+    check_point(driver, "fig6", 4 + k_theta, replay)
+    press(driver, keys.ARROW_DOWN, keys.ENTER)
+    check_point(driver, "fig6", 3 + k_theta, replay)
+    stops = driver.find_elements("css selector", '#map [tabindex="0"]')
+    assert len(stops) == 1 and stops[0].get_attribute("data-point") == str(3 + k_theta)
+    driver.execute_script("document.getElementById('table-of-points').open = true")
+    driver.implicitly_wait(5)
+    one(driver, f'#points tr[data-point="{k_r * k_theta + 1}"]').send_keys(keys.ENTER)
+    check_point(driver, "fig6", k_r * k_theta + 1, replay)
+    slices = driver.find_elements("css selector", "#slices select")
+    assert [found.get_attribute("value") for found in slices] == ["0", "1"]
+    one(driver, "#point button.copy").click()
+    driver.implicitly_wait(0)
+    said = "The command: copied."
+    for _ in range(50):  # the clipboard is asynchronous
+        if one(driver, "#said").get_attribute("textContent") == said:
+            break
+        time.sleep(0.1)
+    assert one(driver, "#said").get_attribute("textContent") == said
+    return replay[4]
+
+
+def check_every_figure(driver):
+    """Every figure has a selected point with a command."""
+    for name in named:
+        select(driver, "#choose-figure", name)
+        assert shown_numbers(driver) and one(driver, "#replay").text.startswith("build/bristle run "), name
+
+
+def check_replay(command):
+    """The command computes point 4 of Figure 6 with the same bits."""
+    target = folder / "replay.h5"
+    command = command.replace("build/bristle", str(program), 1).replace("results/replay.h5", str(target))
+    subprocess.run(f"{command} --force --quiet", shell=True, check=True, cwd=root)
+    with h5py.File(named["fig6"]) as all_points, h5py.File(target) as alone:
+        names = [name for name in alone if f"{name}_err" in alone]
+        assert len(names) > 10
+        for name in names:
+            assert np.ravel(alone[name][()])[0].tobytes() == np.ravel(all_points[name][()])[4].tobytes(), name
+
+
+def check_matrix(driver, keys):
+    cells = driver.find_elements("css selector", "#matrix td")
+    driver.execute_script("arguments[0].click()", cells[0])
+    assert one(driver, "#matrix-details").text.startswith("4a, baseline: ✔ supported: measured 0.35")
+    press(driver, keys.ARROW_RIGHT)
+    assert one(driver, "#matrix-details").text.startswith("4a, phi_0=70:")
+    assert {cell.text[0] for cell in cells} >= {"S", "R", "–"}
+
+
+def check_accessibility(driver):
+    """axe-core finds no violation, on a phone, a tablet and a desktop, in both colour schemes. False without axe-core."""
+    if (axe := axe_core(folder.parent)) is None:
+        return False
+    driver.set_script_timeout(600)
+    for width in (360, 768, 1280):
+        for scheme in ("light", "dark"):
+            view(driver, page, width, 900, scheme)
+            if width == 360:
+                show_narrow(driver)
+            driver.execute_script(axe)
+            # What is within an image is not read by assistive technology, and takes axe-core minutes.
+            driver.execute_script("document.querySelectorAll('svg.plot > g, svg.plot > defs').forEach(e => e.remove())")
+            found = driver.execute_async_script("""const done = arguments[0];
+              axe.run().then(({violations}) => done(violations.map(v => [v.id, v.nodes[0].html.slice(0, 300)])))""")
+            assert not found, (width, scheme, found)
+    return True
+
+
+def check_views(driver):
+    """No horizontal scrolling on phone and desktop in both colour schemes, even with all details open; contrast of text."""
+    papers = set()
+    widths = "const root = document.documentElement; return [root.scrollWidth, root.clientWidth]"
+    for width, height in ((360, 740), (768, 1000), (1280, 900)):
+        for scheme in ("light", "dark"):
+            view(driver, page, width, height, scheme)
+            for opening in ("", "for (const d of document.querySelectorAll('details')) d.open = true"):
+                driver.execute_async_script(f"{opening}; setTimeout(arguments[0], 300)")
+                wide = driver.execute_script(widths)
+                assert wide[0] <= wide[1], (width, scheme, opening, wide)
+            assert not (poor := driver.execute_script(CONTRAST)), (scheme, poor)
+            papers.add(driver.execute_script("return getComputedStyle(document.body).backgroundColor"))
+    assert len(papers) == 2, papers
+
+
+def check_paper(driver):
+    view(driver, page, 1280, 900, "dark")
+    pdf = base64.b64decode(driver.execute_cdp_cmd("Page.printToPDF", {"preferCSSPageSize": True})["data"])
+    assert len(re.findall(rb"/Type\s*/Page\b", pdf)) > len(named), "fewer pages than figures"
+    driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
+    hidden = "return [...document.querySelectorAll('.interactive')].every(e => !e.checkVisibility())"
+    assert driver.execute_script(hidden), "interactive elements are printed"
+    paper = "return getComputedStyle(document.body).backgroundColor"
+    assert driver.execute_script(paper) == "rgb(255, 255, 255)"
+
+
+def check_requests(driver):
+    """The page requests no other resource, and the browser logs no message."""
+    log = [json.loads(entry["message"])["message"] for entry in driver.get_log("performance")]
+    asked = {message["params"]["request"]["url"] for message in log
+             if message["method"] == "Network.requestWillBeSent"}
+    assert page.as_uri() in {url.split("#")[0] for url in asked}, asked
+    assert all(url.startswith((page.as_uri(), "data:", "blob:")) for url in asked), [url[:80] for url in asked]
+    complaints = driver.get_log("browser")
+    assert not complaints, complaints
+
+
+shutil.rmtree(folder, ignore_errors=True)
+folder.mkdir(parents=True)
+check_output()
+check_errors()
+with browser() as chromium:
+    from selenium.webdriver.common.keys import Keys
+    view(chromium, page, 1280, 900)
+    check_claims(chromium, Keys)
+    check_matrix(chromium, Keys)
+    check_replay(check_map(chromium, Keys))
+    check_every_figure(chromium)
+    check_curves_map(chromium)
+    check_readings(chromium)
+    check_figures(chromium, Keys, named["fig5"])
+    check_saved(chromium, folder, named["fig4"])
+    check_phone(chromium, Keys, page, folder)
+    check_views(chromium)
+    accessible = check_accessibility(chromium)
+    check_paper(chromium)
+    check_requests(chromium)
+if not accessible:
+    print(f"skipped: accessibility. All else passed, but axe-core is missing: `npm pack axe-core@{AXE}` in {folder.parent} "
+          "gets it")
+    sys.exit(77)

@@ -1,0 +1,274 @@
+#include "claims/checks.hpp"
+#include "claims/measure.hpp"
+#include "util/error.hpp"
+#include "small_result.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+namespace bristle::checks_test {
+using namespace testing;
+
+namespace {
+
+Curve curve(const std::vector<double>& values, double error, double first_x = 1) {
+  Curve c;
+  for (const double v : values) c.push_back({first_x + double(c.size()), v, error});
+  return c;
+}
+
+Curves one(const Curve& c) { return {{c}, 0}; }
+
+// The evaluated checks of a result with the given values of R_x_norm.
+std::vector<CheckResult> evaluated(const Scratch& s, const std::vector<double>& values, double error,
+                                   const std::string& sweep_and_checks) {
+  s.write("paper.json", bytes_of(std::string(BRISTLE_EXPERIMENTS) + "/paper.json"));
+  const Experiment e = load_experiment(
+      s.write("c.json", R"({"extends": "paper.json", "name": "c", )" + sweep_and_checks + "}"), {});
+  validate_checks(e);
+  ResultWriter writer(e, s.path("c.h5"));
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    PointResult p;
+    p.R_x_norm = values[i];
+    p.R_x_norm_error = error;
+    writer.write(i, record_of(e, p, {}));
+  }
+  writer.close({});
+  writer.publish();
+  return evaluate_checks(ResultReader(s.path("c.h5")));
+}
+
+// The same with one check of values over k_r.
+std::vector<CheckResult> verdicts(const Scratch& s, const std::vector<double>& values, double error,
+                                  const std::string& check) {
+  return evaluated(s, values, error,
+                   R"("sweep": {"k_r": {"linspace": [1, 10, )" + std::to_string(values.size()) +
+                       R"(]}}, "checks": [{"claim": "x", "statement": "y",
+        "variable": "R_x_norm", "along": "k_r", )" +
+                       check + "}]");
+}
+
+Verdict verdict(const std::vector<double>& values, double error, const std::string& check) {
+  const Scratch s;
+  return verdicts(s, values, error, check).at(0).verdict;
+}
+
+}  // namespace
+
+TEST_CASE("trend: Kendall's tau, its uncertainty and its significance") {
+  CHECK(trend({{curve({3, 2, 1}, 0)}, 0}).value == -1);
+  CHECK(trend({{curve({1, 2, 4}, 0)}, 0}).value == 1);
+  CHECK(trend({{curve({1, 3, 2}, 0)}, 0}).value == Approx(1.0 / 3));
+  const Measurement noisy = trend({{curve({1, 1.1, 1.2}, 1)}, 0});
+  CHECK(noisy.value == 0);
+  CHECK(noisy.uncertainty == 1);
+  CHECK(trend({{curve({3, 2, 1}, 0), curve({1, 2, 3}, 0)}, 0}).value == 0);
+  CHECK(std::isnan(trend({{curve({1}, 0)}, 0}).value));
+  CHECK(trend(one(curve({1, 2, 3, 4, 5}, 0))).significance == Approx(0.0143).epsilon(0.01));
+  CHECK(trend(one(curve({1, 2, 3}, 0))).significance > 0.05);
+  Curve backwards = curve({3, 2, 1}, 0);
+  for (CurvePoint& p : backwards) p.x = -p.x;
+  CHECK(trend(one(backwards)).value == 1);
+  for (CurvePoint& p : backwards) p.x_error = 5;
+  CHECK(trend(one(backwards)).uncertainty == 1);
+}
+
+TEST_CASE("slope: of a power law and of a line, with common and with independent errors") {
+  Curve power;
+  for (const double x : {1.0, 2.0, 5.0, 10.0}) power.push_back({x, 3 * std::pow(x, -0.5), 0.01 * x});
+  CHECK(slope(one(power), true).value == Approx(-0.5));
+  CHECK(slope(one(curve({1, 3, 5}, 0)), false).value == Approx(2));
+  Curves linear = one(curve({1, 3, 5}, 0.1)), independent = linear;
+  independent.independent = true;
+  CHECK(slope(linear, false).uncertainty == Approx(0.1));
+  CHECK(slope(independent, false).uncertainty == Approx(0.1 / std::sqrt(2)));
+  Curve in_x = curve({1, 3, 5}, 0);
+  for (CurvePoint& p : in_x) p.x_error = 0.05;
+  CHECK(slope(one(in_x), false).uncertainty == Approx(0.1));
+}
+
+TEST_CASE("plateau, level and fold with their uncertainties") {
+  CHECK(plateau(one(curve({9, 10, 11}, 0.5))).value == Approx(0.2));
+  CHECK(plateau(one(curve({9, 10, 11}, 0.5))).uncertainty == Approx(0.1));
+  CHECK(level({{curve({1, 3}, 0.1), curve({5}, 0.1)}, 0}).value == Approx(3));
+  const Curves bumps{{curve({1, 2, 1.5, 3}, 0.01), curve({1, 2, 3}, 0.01)}, 0};
+  CHECK(fold(bumps).value == Approx(0.25));
+  CHECK(fold(bumps).uncertainty == Approx(0.01));
+  CHECK(fold(one(curve({1, 2, 3}, 0.01))).value == 0);
+}
+
+TEST_CASE("steepest fall: abscissa, slope and width with uncertainties from the spacing of the points") {
+  Curve step;
+  for (const double x : {1.0, 2.0, 4.0, 8.0, 16.0}) step.push_back({x, x < 4 ? 1 : x < 8 ? 0.9 : 0.3, 0});
+  const Measurement place = steepest_fall(one(step));
+  CHECK(place.value == Approx(std::sqrt(32)));
+  CHECK(place.value - place.uncertainty <= 4);
+  CHECK(place.value + place.uncertainty >= 8);
+  CHECK(steepness(one(step)).value == Approx(std::log(3) / std::log(2)));
+  const Measurement width = fall_width(one(step));
+  CHECK(width.value < std::log(2));
+  CHECK(width.uncertainty == Approx(std::log(2)));
+  for (CurvePoint& p : step) p.error = 0.3;
+  CHECK(steepest_fall(one(step)).uncertainty > place.uncertainty);  // its neighbours agree within the errors
+}
+
+TEST_CASE("ordering, concordance and equality of two quantities within the errors") {
+  CHECK(ordering(curve({2, 3}, 0.1), curve({1, 1}, 0.1)).value == 1);
+  CHECK(ordering(curve({2, 1.1}, 0.1), curve({1, 1}, 0.1)).uncertainty == Approx(0.5));
+  CHECK(concordance(curve({1, 2, 3, 4}, 0), curve({10, 20, 30, 40}, 0)).value == 1);
+  CHECK(concordance(curve({1, 2, 3, 4}, 0), curve({4, 3, 2, 1}, 0)).value == -1);
+  CHECK(concordance(curve({1, kNone, 3}, 0), curve({1, 2, 3}, 0)).missing == 1);
+  const Curve a = curve({1, 2, 3, 4}, 0.3), b = curve({1.5, 1.5, 3.5, 3.5}, 0.4);
+  CHECK(equality(a, b, 1).value == Approx(1));
+  CHECK(equality(a, b, 1).uncertainty == Approx(1 / std::sqrt(8)));
+  CHECK(std::isinf(equality(a, b, 0.4).uncertainty));  // with errors this large, agreement is meaningless
+  CHECK(equality(a, curve({3, 0, 5, 2}, 0.4), 1).value == Approx(4));
+}
+
+TEST_CASE("end_ratio and range_ratio, with their uncertainties") {
+  const Measurement ratio = end_ratio({{curve({4, 7, 1}, 0.01)}, 0});
+  CHECK(ratio.value == Approx(0.25));
+  CHECK(ratio.uncertainty == Approx(0.25 * (0.01 / 4 + 0.01)));
+  CHECK(rise({{curve({4, 7, 1}, 0.01)}, 0}).value == Approx(std::log(0.25)));
+  CHECK(rise({{curve({4, 7, 1}, 0.01)}, 0}).uncertainty == Approx(0.01 / 4 + 0.01));
+  const Measurement top = top_ratio({{curve({4, 8, 1}, 0.1), curve({1, 1}, 0.1)}, 0});
+  CHECK(top.value == Approx(std::sqrt(2)));
+  CHECK(top.uncertainty == Approx(std::sqrt(2) * (0.1 / 8 + 0.1 / 4 + 0.2) / 2));
+  const Curves narrow{{curve({1, 2}, 0)}, 0}, wide{{curve({1, 4, 8}, 0)}, 0};
+  CHECK(range_ratio(narrow, wide).value == Approx(1.0 / 3));
+}
+
+TEST_CASE("verdicts: supported, refuted, and undecided if the threshold is within the errors") {
+  const std::string falls = R"("predicate": "end_ratio", "is": "at_most", "threshold": 0.5)";
+  CHECK(verdict({1, 0.7, 0.3}, 1e-3, falls) == Verdict::supported);
+  CHECK(verdict({1, 0.7, 0.8}, 1e-3, falls) == Verdict::refuted);
+  CHECK(verdict({1, 0.7, 0.49}, 0.1, falls) == Verdict::undecided);
+  CHECK(verdict({1, 0.7, 0.51}, 0.1, falls) == Verdict::undecided);
+  const std::string rises = R"("predicate": "trend", "is": "at_least", "threshold": 0.5)";
+  CHECK(verdict({1, 2, 3, 4}, 0.1, rises) == Verdict::supported);
+  CHECK(verdict({4, 3, 2, 1}, 0.1, rises) == Verdict::refuted);
+  CHECK(verdict({1, 2, 3, 4}, 5, rises) == Verdict::undecided);
+}
+
+TEST_CASE("verdicts: near, selections, comparisons, and trends of too few points") {
+  const auto near = [](double threshold) {
+    return R"("predicate": "level", "is": "near", "band": 0.2, "threshold": )" + std::to_string(threshold);
+  };
+  CHECK(verdict({1, 1, 1}, 0.01, near(1.1)) == Verdict::supported);
+  CHECK(verdict({1, 1, 1}, 0.01, near(1.5)) == Verdict::refuted);
+  CHECK(verdict({1, 1, 1}, 0.05, near(1.22)) == Verdict::undecided);
+  CHECK(verdict({1, 2, 3}, 0, R"("predicate": "trend", "is": "at_least", "threshold": 0.5)") ==
+        Verdict::undecided);  // three points in random order are monotonic with probability 1/3
+  CHECK(verdict({9, 1, 1}, 0.01,
+                R"("predicate": "level", "where": {"k_r": [2, 20]}, "is": "at_most", "threshold": 2)") ==
+        Verdict::supported);
+  const std::string falls =
+      R"("predicate": "level", "compare": {"k_r": [10, 1]}, "is": "at_most", "threshold": )";
+  CHECK(verdict({2, 7, 1}, 0.01, falls + "0.6") == Verdict::supported);
+  CHECK(verdict({2, 7, 1}, 0.01, falls + R"(-0.8, "by": "difference")") == Verdict::supported);
+  CHECK(verdict({2, 7, 1}, 0.01, falls + R"(0.6, "divide_by": {"R_n": -1})") ==
+        Verdict::undecided);  // R_n is 0
+}
+
+namespace {
+
+// A check of values 1 to 4 over k_r that is supported or refuted.
+std::string level(bool supported, const std::string& keys) {
+  return std::string(R"({"claim": "x", "statement": "y", "variable": "R_x_norm", "along": "k_r",
+    "predicate": "level", "is": "at_most", "threshold": )") +
+         (supported ? "9" : "1") + keys + "}";
+}
+
+Verdict claim_verdict(const std::vector<std::string>& checks) {
+  const Scratch s;
+  std::string list;
+  for (const std::string& check : checks) list += (list.empty() ? "" : ", ") + check;
+  const auto results = evaluated(s, {1, 2, 3, 4}, 0.1,
+                                 R"("sweep": {"k_r": {"linspace": [1, 10, 4]}}, "checks": [)" + list + "]");
+  CHECK(claim_verdicts(results).size() == 1);
+  return results.front().claim_verdict;
+}
+
+}  // namespace
+
+TEST_CASE("the main checks of one interpretation decide the verdict on a claim, and further checks do not") {
+  const std::string further = R"(, "role": "further")", one = R"(, "interpretation": "one")",
+                    other = R"(, "interpretation": "other")";
+  CHECK(claim_verdict({level(true, ""), level(true, "")}) == Verdict::supported);
+  CHECK(claim_verdict({level(true, ""), level(false, "")}) == Verdict::refuted);
+  CHECK(claim_verdict({level(true, ""), level(false, further)}) == Verdict::supported);
+  CHECK(claim_verdict({level(false, ""), level(true, further)}) == Verdict::refuted);
+  CHECK(claim_verdict({level(false, one), level(true, one), level(true, other)}) == Verdict::supported);
+  CHECK(claim_verdict({level(false, one), level(false, other)}) == Verdict::refuted);
+  CHECK_THROWS_WITH(claim_verdict({level(true, further)}),
+                    Catch::Contains("/checks/0/role: every check of claim x is \"further\""));
+}
+
+TEST_CASE("with checks_for_each, every check has a verdict at each value of the choice") {
+  const Scratch s;
+  const std::string both = R"("sweep": {"azimuth_rate": {"values": ["kinematic", "as_printed"]},
+    "k_r": {"values": [1, 2, 3]}}, "checks": [)" +
+                           level(true, R"(, "where": {"k_r": [1, 2]})") + R"(], "checks_for_each": )";
+  const auto results = evaluated(s, {1, 2, 90, 10, 20, 90}, 0.1, both + R"("azimuth_rate")");
+  REQUIRE(results.size() == 2);
+  CHECK(results[0].check.reading == "kinematic");
+  CHECK(results[0].measured.value == Approx(1.5));
+  CHECK(results[0].claim_verdict == Verdict::supported);
+  CHECK(results[1].check.reading == "as_printed");
+  CHECK(results[1].measured.value == Approx(15));
+  CHECK(results[1].claim_verdict == Verdict::refuted);
+  CHECK(results[1].check.number == 0);
+  const std::string table = checks_table(results);
+  CHECK(table.find("kinematic") < table.find("as_printed"));
+  CHECK(std::count(table.begin(), table.end(), '\n') == 2);  // one line for both verdicts
+  CHECK_THROWS_WITH(evaluated(s, {}, 0, both + R"("k_r")"), Catch::Contains("is not a choice"));
+  CHECK_THROWS_WITH(evaluated(s, {}, 0, both + R"("friction")"), Catch::Contains("is not a choice"));
+}
+
+TEST_CASE("points without values are omitted and counted, and without any value the claim is undecided") {
+  const Scratch s;
+  const std::string falls = R"("predicate": "trend", "is": "at_most", "threshold": -0.5)";
+  const auto some = verdicts(s, {5, 4, kNone, 2, 1}, 0, falls).at(0);
+  CHECK(some.verdict == Verdict::supported);
+  CHECK(some.measured.missing == 1);
+  CHECK(verdicts(s, {kNone, kNone, 1}, 0, falls).at(0).verdict == Verdict::undecided);
+  CHECK(verdicts(s, {3, 2, 1}, kNone, falls).at(0).verdict == Verdict::undecided);
+}
+
+TEST_CASE("a check that names a missing variable, axis or value is an error with the remedy") {
+  const Scratch s;
+  const auto refused = [&](const char* check, const char* why) {
+    CAPTURE(check);
+    CHECK_THROWS_WITH(verdicts(s, {1, 2}, 0, std::string(check) + R"(, "is": "at_most", "threshold": 1)"),
+                      Catch::Contains(why));
+  };
+  refused(R"("predicate": "range_ratio")", "/checks/0/against: is missing; range_ratio needs it");
+  refused(R"("predicate": "range_ratio", "against": "k_rr")", "did you mean k_r?");
+  refused(R"("predicate": "equality", "resolution": 1)", "/checks/0/compare: is missing");
+  refused(R"("predicate": "level", "compare": {})", "/checks/0/compare: {} is not allowed");
+  refused(R"("predicate": "trend", "where": {"k_r": 2.5})",
+          "2.5 is not a value of this axis; allowed: 1, 10");
+  refused(R"("predicate": "trend", "where": {"k_r": [2, 9]})",
+          "[2.0,9.0] contains no value of this axis; allowed: 1, 10");
+  refused(R"("predicate": "level", "compare": {"k_r": [1, [1, 10]]})", "two values of the axis are compared");
+  refused(R"("predicate": "trend", "where": {"gama_1": [1, 2]})", "did you mean gamma_1?");
+  refused(R"("predicate": "trend", "at": {"R_n": 1})", "is allowed for traced curves only");
+  refused(R"("predicate": "trend", "compare": {"k_r": [1, 10, 3]})", "needs two values of the axis");
+  CHECK_THROWS_WITH(verdicts(s, {1, 2}, 0, R"("predicate": "level", "is": "near", "threshold": 1)"),
+                    Catch::Contains("/checks/0/band: is missing"));
+}
+
+TEST_CASE("checks are stored beside the numbers without changing their digest") {
+  const Scratch s;
+  const auto checks =
+      verdicts(s, {5, 4, 3, 2, 1}, 0.1, R"("predicate": "trend", "is": "at_most", "threshold": -0.5)");
+  const std::string before = payload_sha256(h5::open_file(s.path("c.h5"), false));
+  write_checks(s.path("c.h5"), checks);
+  write_checks(s.path("c.h5"), checks);
+  CHECK(payload_sha256(h5::open_file(s.path("c.h5"), false)) == before);
+  CHECK(h5::scale_name(h5::open_dataset(h5::open_file(s.path("c.h5"), false), "checks/verdict"), 0) ==
+        "check");
+  CHECK(checks_table(checks).find("supported") != std::string::npos);
+}
+
+}  // namespace bristle::checks_test

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <unistd.h>
+
+namespace bristle {
+namespace experiment {}
+namespace results {}
+namespace claims {}
+namespace compare {}
+namespace run {}
+namespace assumptions {}
+namespace archive {}
+namespace cli {}
+}  // namespace bristle
+
+namespace bristle::testing {
+
+using namespace experiment;
+using namespace results;
+using namespace claims;
+using namespace compare;
+using namespace run;
+using namespace assumptions;
+using namespace archive;
+using namespace cli;
+
+// A temporary folder, which the destructor removes.
+class Scratch {
+ public:
+  Scratch() {
+    std::string pattern = (std::filesystem::temp_directory_path() / "bristle-XXXXXX").string();
+    folder_ = mkdtemp(pattern.data());
+  }
+  ~Scratch() { std::filesystem::remove_all(folder_); }
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  std::string write(const std::string& name, const std::string& text) const {
+    std::filesystem::create_directories((folder_ / name).parent_path());
+    std::ofstream(folder_ / name) << text;
+    return path(name);
+  }
+
+ private:
+  std::filesystem::path folder_;
+};
+
+inline std::string bytes_of(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+}  // namespace bristle::testing
