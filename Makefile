@@ -114,7 +114,6 @@ bench: build ## benchmarks: ratios against peers in the same run, into docs/perf
 	$$($(PLOT_PYTHON)) benchmarks/port_limit.py $(BUILD)/benchmarks/bench_engine $(BUILD)/bench/engine.json \
 	  >$(BUILD)/bench/kernel.json
 	$(BUILD)/benchmarks/bench_quadrature >$(BUILD)/bench/quadrature.json
-	@ninja -C $(BUILD) --quiet -j $(JOBS) bench_methods && $(BUILD)/benchmarks/bench_methods >$(BUILD)/bench/methods.json
 	$$($(PLOT_PYTHON)) benchmarks/scipy_peer.py $(BUILD)/benchmarks/libscipy_slopes.so >$(BUILD)/bench/scipy.json
 	$$($(PLOT_PYTHON)) scripts/time_figures.py $(BUILD)/bristle $(FIGURES) >$(BUILD)/bench/figures.json
 	@$$($(PLOT_PYTHON)) scripts/performance.py $(BUILD)/bench

@@ -15,7 +15,6 @@ AT = 1e-4  # error at which solvers are compared
 GOAL = 20  # times the speed of the fastest other solver at the error AT
 FAST_ENGINE = ("SIMD", "lanes")  # beginning of its peers' names, and the older one
 REFERENCE = "the reference engine"
-PREVIOUS = os.path.join(os.path.dirname(__file__), "..", "benchmarks", "previous.json")
 
 # Phases of a step, and their shares of the kernel's time in %: samples of `perf record build/benchmarks/bench_engine
 # --kernel`, taken by hand.
@@ -126,16 +125,10 @@ system in each stage, which an explicit solver does not, and the slopes of its s
 so that much is stored and loaded again."""
 
 
-def figure_table(figures, previous):
-    before = {f["figure"]: f for f in previous["figures"]}
-    rows = []
-    for f in figures:
-        old = before.get(f["figure"])
-        rows.append([f["figure"], str(f["points"]), str(f["passages"]), f"{f['cpu_seconds']:.1f}", f"{f['seconds']:.1f}",
-                     *([str(old["points"]), str(old["passages"]),
-                        f"{old['seconds']:g}" + (f" ({old['note']})" if "note" in old else "")] if old else ["", "", ""])])
-    return table(["figure", "points", "passages", "CPU, s", "wall, s",
-                  "points before", "passages before", "wall before, s"], *rows)
+def figure_table(figures):
+    return table(["figure", "points", "passages", "CPU, s", "wall, s"],
+                 *([f["figure"], str(f["points"]), str(f["passages"]), f"{f['cpu_seconds']:.1f}", f"{f['seconds']:.1f}"]
+                   for f in figures))
 
 
 def passage_table(cases):
@@ -160,7 +153,7 @@ def purposes_text(purposes):
             "of the tolerance for the error.")
 
 
-def document(engine, kernel, peers, cases, purposes, figures, previous):
+def document(engine, kernel, peers, cases, purposes, figures):
     everything = engine["all_kinds"]
     scaling = [[str(s["bristles"]), str(s["threads"]), f"{s['ms_per_bristle']:.3f}"] for s in engine["scaling"]]
     return f"""# Performance
@@ -211,58 +204,10 @@ A few bristles do not fill the SIMD lanes; a sweep therefore works on several po
 
 ## Figures, full tier
 
-Every point is computed anew, on {os.cpu_count()} cores. The columns "before" are the numbers of the previous
-release (commit {previous['commit']}), on {previous['machine']}; they are from benchmarks/previous.json.
+Every point is computed anew, on {os.cpu_count()} cores.
 The times of fig4 to fig7 include the location of jumps, whose passages are not counted here.
 
-{figure_table(figures, previous)}
-"""
-
-
-def methods_section(methods):
-    """The scalar comparison of classes of methods; the second one is the engine's method."""
-    def at(method, key, error, percentile="error"):
-        points = sorted((p[percentile], p[key]) for p in method["curve"])
-        x, y = (np.log([p[i] for p in points]) for i in (0, 1))
-        return float(np.exp(np.interp(np.log(error), x, y, left=np.nan, right=np.nan)))
-
-    def cell(value, digits=".0f"):
-        return "not reached" if np.isnan(value) else format(value, digits)
-
-    engine, own, *others = methods
-    rows = [[m["name"], cell(at(m, "evaluations", 1e-3)), cell(at(m, "evaluations", 1e-4)),
-             cell(at(m, "evaluations", 1e-4, "median_error")), cell(at(m, "steps", 1e-4)),
-             cell(at(m, "ms_per_bristle", 1e-4) / at(own, "ms_per_bristle", 1e-4), ".2f")] for m in (own, *others)]
-    classes = [m for m in others if not m["name"].startswith("ARK")]
-    additive = [m for m in others if m not in classes]
-
-    def ratio(m, error, percentile="error"):
-        value = at(m, "evaluations", error, percentile) / at(own, "evaluations", error, percentile)
-        return np.inf if np.isnan(value) else value
-
-    def best(group):
-        m = min(group, key=lambda m: ratio(m, 1e-4))
-        median = ratio(m, 1e-4, "median_error")
-        return f"{m['name']} with {ratio(m, 1e-4):.2f} times (the median bristle: {median:.2f} times; at 1e-3: " \
-               f"{ratio(m, 1e-3):.2f} times) the evaluations of {own['name']}"
-
-    rest = sorted(classes, key=lambda m: ratio(m, 1e-4))[1:]
-    return f"""
-## Other classes of methods
-
-The same bristles in scalar code, with one control of the step size, one norm of the error and one rule
-for the exit: right-hand sides evaluated per passage at equal error of 90 in 100 bristles (in one column of
-half of them), steps attempted, and CPU time as a multiple of that of the engine's method, the first. Its
-variants start Newton's method at the velocity of the stage before, which leaves order 2, or iterate
-twice; neither costs an evaluation. RKC2 is a stabilised explicit method. ROS34PW2 is linearly
-implicit in friction and the azimuth's damper, and ETD4RK solves them exactly, both linearised at the start
-of the step. `bench_methods --orders` measures the order of each.
-
-{table(["method", "evaluations at 1e-3", "at 1e-4", "at 1e-4, median", "steps at 1e-4", "CPU time at 1e-4"], *rows)}
-
-At an error of 1e-4, the best of the other classes is {best(classes)}. The rest of them need
-{"; ".join(f"{m['name']} {ratio(m, 1e-3):.2f} times at 1e-3 and {ratio(m, 1e-4):.2f} times at 1e-4" for m in rest)}.
-Among the additive pairs with other stages, the best is {best(additive)}.
+{figure_table(figures)}
 """
 
 
@@ -275,7 +220,6 @@ def main():
         read_json(os.path.join(arguments.measured, f"{name}.json"), "`make bench` writes it")
         for name in ("engine", "kernel", "quadrature", "scipy", "figures"))
     cases = quadratures["cases"]
-    previous = read_json(PREVIOUS, "it is part of the source")
     peers = [dict(p, ratio=p["ratio_at_1e-4"]) for p in engine["ordinary"]]
     fastest = at_error(peers[0]["curve"], "ms_per_bristle")
     peers += [dict(p, ratio=at_error(p["curve"], "ms_per_bristle") / fastest) for p in scipy]
@@ -284,8 +228,7 @@ def main():
     save_figure(work_precision(peers), images, "work-precision", formats=("png",), bbox_inches="tight")
     save_figure(quadrature(cases), images, "quadrature", formats=("png",), bbox_inches="tight")
     path = os.path.join(arguments.output, "performance.md")
-    methods = read_json(os.path.join(arguments.measured, "methods.json"), "`make bench` writes it")
-    write_text(path, filled(document(engine, kernel, peers, cases, quadratures["purposes"], figures, previous) + methods_section(methods)))
+    write_text(path, filled(document(engine, kernel, peers, cases, quadratures["purposes"], figures)))
     print(path)
 
 

@@ -109,7 +109,7 @@ Declarations read_declarations(const std::vector<std::string>& files) {
   std::vector<std::pair<std::string, Json>> documents;
   for (const std::string& file : files) {
     const experiment::Document document = experiment::Document::stored(read_json_file(file), file);
-    experiment::check_schema(document, assumption_schema());
+    experiment::check_schema(document, Json::parse(assumption_schema()));
     const Json& json = documents.emplace_back(file, document.json()).second;
     if (json.contains("base"))
       out.baseline.declarations.push_back(std::make_shared<const Json>(json["base"]));

@@ -1,9 +1,13 @@
 #include "claims/measure.hpp"
 
+#include "util/error.hpp"
+#include "util/text.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 namespace bristle::claims {
 namespace {
@@ -28,67 +32,69 @@ Measurement difference(const Measurement& a, const Measurement& b) {
   return combined(a, b, a.value - b.value, a.uncertainty + b.uncertainty);
 }
 
+using Check = experiment::Check;
+
 template <Measurement (*Function)(const Curves&)>
-Predicate of_curves(const char* name) {
-  return {name,
-          {{"along", [](const experiment::Check& c) { return !c.along.empty(); }}},
-          [](const CheckedCurves& curves, const experiment::Check&) { return Function(curves.along()); },
-          nullptr};
+Measurement along(const CheckedCurves& curves, const Check&) {
+  return Function(curves.along());
 }
 
-std::vector<Predicate> make_predicates() {
-  std::vector<Predicate> table = {
-      of_curves<trend>("trend"),
-      of_curves<end_ratio>("end_ratio"),
-      of_curves<plateau>("plateau"),
-      of_curves<level>("level"),
-      of_curves<steepness>("steepness"),
-      of_curves<steepest_fall>("steepest_fall"),
-      of_curves<fall_width>("fall_width"),
-      of_curves<fold>("fold"),
-      of_curves<rise>("rise"),
-      of_curves<top_ratio>("top_ratio"),
-  };
-  const Predicate::Need along = table.front().needs.front();
-  table.push_back({"range_ratio",
-                   {along, {"against", [](const experiment::Check& c) { return !c.against.empty(); }}},
-                   [](const CheckedCurves& curves, const experiment::Check& check) {
-                     return range_ratio(curves.along(), curves.along(check.against));
-                   },
-                   nullptr});
-  table.push_back({"slope",
-                   {along},
-                   [](const CheckedCurves& curves, const experiment::Check& check) {
-                     return slope(curves.along(), check.logarithmic);
-                   },
-                   nullptr});
-  table.push_back({"concordance", {}, nullptr, [](const Curve& a, const Curve& b, const experiment::Check&) {
-                     return concordance(a, b);
-                   }});
-  table.push_back({"ordering", {}, nullptr, [](const Curve& a, const Curve& b, const experiment::Check&) {
-                     return ordering(a, b);
-                   }});
-  table.push_back({"equality",
-                   {{"resolution", [](const experiment::Check& c) { return c.resolution.has_value(); }}},
-                   nullptr,
-                   [](const Curve& a, const Curve& b, const experiment::Check& check) {
-                     return equality(a, b, *check.resolution);
-                   }});
-  return table;
+Measurement range_ratio_of(const CheckedCurves& curves, const Check& check) {
+  return range_ratio(curves.along(), curves.along(check.against));
 }
+
+Measurement slope_of(const CheckedCurves& curves, const Check& check) {
+  return slope(curves.along(), check.logarithmic);
+}
+
+template <Measurement (*Function)(const Curve&, const Curve&)>
+Measurement of_pairs(const Curve& first, const Curve& second, const Check&) {
+  return Function(first, second);
+}
+
+Measurement equality_of(const Curve& first, const Curve& second, const Check& check) {
+  return equality(first, second, *check.resolution);
+}
+
+constexpr Need kAlong{"along", [](const Check& c) { return !c.along.empty(); }};
+constexpr Need kAgainst{"against", [](const Check& c) { return !c.against.empty(); }};
+constexpr Need kResolution{"resolution", [](const Check& c) { return c.resolution.has_value(); }};
 
 }  // namespace
 
 const std::vector<Predicate>& predicates() {
-  static const std::vector<Predicate> table = make_predicates();
+  static const std::vector<Predicate> table = {
+      {"trend", {kAlong}, along<trend>, nullptr},
+      {"end_ratio", {kAlong}, along<end_ratio>, nullptr},
+      {"rise", {kAlong}, along<rise>, nullptr},
+      {"top_ratio", {kAlong}, along<top_ratio>, nullptr},
+      {"range_ratio", {kAlong, kAgainst}, range_ratio_of, nullptr},
+      {"slope", {kAlong}, slope_of, nullptr},
+      {"plateau", {kAlong}, along<plateau>, nullptr},
+      {"level", {kAlong}, along<level>, nullptr},
+      {"steepest_fall", {kAlong}, along<steepest_fall>, nullptr},
+      {"steepness", {kAlong}, along<steepness>, nullptr},
+      {"fall_width", {kAlong}, along<fall_width>, nullptr},
+      {"fold", {kAlong}, along<fold>, nullptr},
+      {"ordering", {}, nullptr, of_pairs<ordering>},
+      {"concordance", {}, nullptr, of_pairs<concordance>},
+      {"equality", {kResolution}, nullptr, equality_of},
+  };
   return table;
 }
 
+std::vector<std::string> predicate_names() {
+  std::vector<std::string> names;
+  for (const Predicate& p : predicates()) names.emplace_back(p.name);
+  return names;
+}
+
 const Predicate& find_predicate(const std::string& name) {
-  const auto found = std::find_if(predicates().begin(), predicates().end(),
-                                  [&](const Predicate& p) { return p.name == name; });
-  if (found == predicates().end()) throw std::logic_error("no predicate " + name);
-  return *found;
+  const auto found = std::ranges::find(predicates(), name, &Predicate::name);
+  if (found != predicates().end()) return *found;
+  const auto known = predicate_names();
+  throw InputError(fmt::format("\"{}\" is not a predicate{}; allowed: {}", name, did_you_mean(name, known),
+                               fmt::join(known, ", ")));
 }
 
 Measurement measure(const results::ResultReader& result, const experiment::Check& check) {

@@ -6,14 +6,15 @@
 
 namespace bristle::claims {
 
+// A key that a check needs in addition to variable and criterion, and whether the check has it.
+struct Need {
+  const char* key;
+  bool (*met)(const experiment::Check&);
+};
+
 // A predicate: what a check measures, by the name that experiments use.
 struct Predicate {
-  const char* name;
-  // A key that the check needs in addition to variable and criterion, and whether the check has it.
-  struct Need {
-    const char* key;
-    bool (*met)(const experiment::Check&);
-  };
+  std::string name;
   std::vector<Need> needs;
   // One of the two is null: a predicate measures on curves along one dimension, or on two quantities at the
   // same points.
@@ -21,9 +22,10 @@ struct Predicate {
   Measurement (*on_pairs)(const Curve& first, const Curve& second, const experiment::Check& check);
 };
 
-// All predicates. A test compares the names with the experiment schema.
+// All predicates. docs/claims.md describes them; a test compares the names.
 const std::vector<Predicate>& predicates();
-// Throws std::logic_error for a name that is not in the table.
+std::vector<std::string> predicate_names();
+// Throws InputError for a name that is not in the table.
 const Predicate& find_predicate(const std::string& name);
 
 // The number that the check measures, with its uncertainty. A check with "compare" measures at two values of

@@ -54,13 +54,15 @@ class CheckValidator {
 
   void known(const std::string& key, const std::string& name, const std::vector<std::string>& names) const {
     if (std::find(names.begin(), names.end(), name) == names.end())
-      fail(key, fmt::format("\"{}\" is not in the result{}; allowed: {}", name, did_you_mean(name, names),
+      fail(key, fmt::format("\"{}\" is not {}{}; allowed: {}", name,
+                            key == "predicate" ? "a predicate" : "in the result", did_you_mean(name, names),
                             fmt::join(names, ", ")));
   }
 
   void require_keys() const {
+    known("predicate", check_.predicate, predicate_names());
     const Predicate& predicate = find_predicate(check_.predicate);
-    for (const Predicate::Need& need : predicate.needs)
+    for (const Need& need : predicate.needs)
       if (!need.met(check_)) fail(need.key, fmt::format("is missing; {} needs it", predicate.name));
     if (predicate.on_pairs && !check_.compare && !check_.expected)
       fail("compare",

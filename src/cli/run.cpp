@@ -1,5 +1,6 @@
 #include "cli/run.hpp"
 
+#include "claims/measure.hpp"
 #include "claims/validate.hpp"
 #include "cli/exit_code.hpp"
 #include "experiment/author_schema.hpp"
@@ -86,7 +87,7 @@ int validate_command(const RunOptions& options) {
 }
 
 int schema_command() {
-  fmt::print("{}\n", experiment::author_schema().dump(1));
+  fmt::print("{}\n", experiment::author_schema(claims::predicate_names()).dump(1));
   return kSuccess;
 }
 

@@ -1,8 +1,9 @@
 #pragma once
 
 #include "dynamics/components.hpp"
-#include "model/bristle.hpp"
+#include "model/equations.hpp"
 #include "model/equilibrium.hpp"
+#include "util/words.hpp"
 
 #include <functional>
 #include <vector>
@@ -16,12 +17,22 @@ enum class Outcome {
   step_limit,  // the cap on derivative evaluations was reached
   not_finite   // no step size gave a finite state
 };
+template <>
+inline Words words<Outcome>() {
+  static constexpr const char* list[] = {"left", "pinned", "step_limit", "not_finite"};
+  return list;
+}
 
 enum class Method {
   automatic,
   explicit_only,
   implicit_only
 };
+template <>
+inline Words words<Method>() {
+  static constexpr const char* list[] = {"automatic", "explicit_only", "implicit_only"};
+  return list;
+}
 
 struct IntegratorOptions {
   double rtol = 1e-6;
@@ -29,7 +40,7 @@ struct IntegratorOptions {
   // automatic: explicit until the bristle is stiff, then implicit. In the fast engine, whose only method is
   // implicit in the stiff terms, these are the lanes far from the pole and near it.
   Method method = Method::automatic;
-  long max_evaluations = 2'000'000;   // of derivative() per passage, including rejected steps
+  long max_evaluations = 2'000'000;  // of derivative() per passage, including rejected steps
 };
 
 // Integrals of F_n, F_fx and F_fy from the start of a passage to one instant, see Component.
@@ -70,6 +81,11 @@ enum class Engine {
   fast,      // src/simd: one bristle per SIMD lane
   reference  // run_passage(): one bristle after the other, by Boost.Odeint
 };
+template <>
+inline Words words<Engine>() {
+  static constexpr const char* list[] = {"fast", "reference"};
+  return list;
+}
 
 // Called with time and state at the start, after each step and at the exit.
 using Observer = std::function<void(double xi, const OdeState&)>;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "dynamics/passage.hpp"
+#include "util/words.hpp"
 
 namespace bristle {
 
@@ -11,6 +12,11 @@ enum class Phase {
   side_slip,  // angle between V_R and the slab's motion above kSideSlip
   slip
 };
+template <>
+inline Words words<Phase>() {
+  static constexpr const char* list[] = {"off_slab", "stick", "side_slip", "slip"};
+  return list;
+}
 constexpr double kOffSlabRanges = 10;             // of lambda_z: F_n is then below 0.03
 constexpr double kSideSlip = 0.5235987755982988;  // rad (30 deg)
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "util/words.hpp"
+
 #include <functional>
 
 namespace bristle {
@@ -20,6 +22,11 @@ enum class LoadPath {
   loading,
   unloading
 };
+template <>
+inline Words words<LoadPath>() {
+  static constexpr const char* list[] = {"loading", "unloading"};
+  return list;
+}
 
 enum class LoadStatus {
   reached,      // R_n(z_0) = target within rtol

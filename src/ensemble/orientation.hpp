@@ -1,5 +1,7 @@
 #pragma once
 
+#include "util/words.hpp"
+
 #include <cstdint>
 #include <vector>
 
@@ -9,11 +11,21 @@ enum class Distribution {
   uniform,
   von_mises
 };
+template <>
+inline Words words<Distribution>() {
+  static constexpr const char* list[] = {"uniform", "von_mises"};
+  return list;
+}
 enum class Sampling {
   quadrature,
   lattice,  // Appendix A: rows of bristles with random azimuths, see lattice.hpp
   list
 };
+template <>
+inline Words words<Sampling>() {
+  static constexpr const char* list[] = {"quadrature", "lattice", "list"};
+  return list;
+}
 
 // The distribution of the undeformed azimuths theta_0 over the lattice. Angles in rad.
 struct Orientation {

@@ -4,6 +4,7 @@
 #include "ensemble/ensemble.hpp"
 #include "ensemble/lattice.hpp"
 #include "ensemble/load.hpp"
+#include "util/words.hpp"
 
 #include <array>
 #include <optional>
@@ -38,6 +39,13 @@ enum class PointStatus {
   inaccurate,     // there are values, but the energy residual exceeds kMaxEnergyResidual
   undefined       // there are values, but some or their errors are NaN: ratios to a load or friction of zero
 };
+template <>
+inline Words words<PointStatus>() {
+  static constexpr const char* list[] = {
+      "ok",     "load_jump",  "unreachable", "incomplete", "not_converged", "absent",
+      "failed", "work_limit", "ambiguous",   "inaccurate", "undefined"};
+  return list;
+}
 // Bound on the energy residual of a trustworthy point with the exact closing equation
 // (AzimuthRate::kinematic).
 constexpr double kMaxEnergyResidual = 1e-2;

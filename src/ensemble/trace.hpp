@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ensemble/point.hpp"
+#include "util/words.hpp"
 
 namespace bristle {
 
@@ -14,6 +15,11 @@ enum class Branch {
   both,
   absent  // the curve has fewer nodes
 };
+template <>
+inline Words words<Branch>() {
+  static constexpr const char* list[] = {"unstable", "loading", "unloading", "both", "absent"};
+  return list;
+}
 
 struct CurveNode {
   PointResult result;

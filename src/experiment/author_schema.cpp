@@ -1,7 +1,6 @@
 #include "experiment/author_schema.hpp"
 
 #include "experiment/axes.hpp"
-#include "experiment/parameters_table.hpp"
 #include "experiment/schema.hpp"
 #include "experiment/sweepable.hpp"
 
@@ -11,7 +10,7 @@
 namespace bristle::experiment {
 namespace {
 
-const Json kNull = {{"type", "null"}}, kNotNull = {{"not", kNull}};
+const Json kNull = {{"type", "null"}};
 
 // The schema with null allowed, too: in a merge patch it removes the key.
 Json or_null(Json schema) {
@@ -41,43 +40,6 @@ Json patch(Json schema) {
     for (Json& option : schema["anyOf"]) option = patch(option);
   return schema;
 }
-
-// What a complete object has in addition to its patch: the required keys, also in nested objects.
-Json complete(const Json& schema) {
-  Json out = Json::object();
-  const auto required = schema.value("required", std::vector<std::string>());
-  if (!required.empty()) out["required"] = required;
-  if (schema.contains("properties"))
-    for (const auto& [key, property] : schema["properties"].items()) {
-      Json inner = complete(property);
-      if (std::ranges::count(required, key)) inner.update(kNotNull);
-      if (!inner.empty()) out["properties"][key] = inner;
-    }
-  return out;
-}
-
-// The object has this key, and it is not null.
-Json has(const std::string& key) {
-  return {{"type", "object"}, {"required", {key}}, {"properties", {{key, kNotNull}}}};
-}
-Json has(const std::string& block, const std::string& key) {
-  return {{"required", {block}}, {"properties", {{block, has(key)}}}};
-}
-
-Json any_of(const std::vector<std::string>& keys, const char* keyword = "anyOf") {
-  Json options = Json::array();
-  for (const std::string& key : keys) options.push_back(has(key));
-  return {{keyword, options}};
-}
-
-Json at_most_one(const std::vector<std::string>& keys) {
-  Json pairs = Json::array();
-  for (std::size_t i = 0; i < keys.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j) pairs.push_back({{"allOf", {has(keys[i]), has(keys[j])}}});
-  return {{"not", {{"anyOf", pairs}}}};
-}
-
-const std::vector<std::string> kRanges = {"values", "linspace", "logspace"}, kLoads = {"R_n", "z_0", "trace"};
 
 // An array of these words or numbers, which are all different, as the program requires.
 Json list_of(const Json& items) {
@@ -117,7 +79,6 @@ Json sweep(const Json& take) {
     axes[s.name] = {{"type", "object"},
                     {"additionalProperties", false},
                     {"properties", keys},
-                    {"allOf", {{{"$ref", "#/definitions/one_range"}}}},
                     {"description", s.description}};
   }
   return {{"type", "object"}, {"additionalProperties", false}, {"properties", axes}};
@@ -125,26 +86,9 @@ Json sweep(const Json& take) {
 
 void add_defaults(Json& model) {
   const Parameters defaults;
-  for (const ParameterEntry& p : parameters_table())
-    if (std::string(p.name) != "C") model[p.name]["default"] = defaults.*p.member / p.unit;
-  model["C"]["default"] = "peak_at_V_s";
-  for (const Choice& c : choices_table())
-    model[c.name]["default"] = c.options.at(std::size_t(c.get(defaults)));
-}
-
-// The conditions on a file that extends no other.
-Json whole_file(const Json& schema) {
-  Json out = complete(schema);
-  const Json swept = any_of({"R_n", "R_n_N"}), gap_swept = any_of({"z_0"});
-  const auto in = [](const char* block, const Json& condition) {
-    return Json{{"required", {block}}, {"properties", {{block, condition}}}};
-  };
-  const Json by_load = {{"anyOf", {has("load", "R_n"), has("si", "R_n_N"), in("sweep", swept)}}};
-  const Json by_gap = {{"anyOf", {has("load", "z_0"), in("sweep", gap_swept)}}};
-  out["oneOf"] = {by_load, by_gap, has("load", "trace")};
-  Json axis = any_of(kRanges, "oneOf");
-  out["properties"]["sweep"] = {{"additionalProperties", {{"anyOf", {kNull, axis}}}}};
-  return out;
+  for (const Parameter& p : kParameters)
+    model[p.name]["default"] = p.word ? Json(p.word) : Json(defaults.*p.member / p.unit);
+  for (const Choice& c : choices()) model[c.name]["default"] = c.words[std::size_t(c.get(defaults))];
 }
 
 // Writes the definitions that the experiment schema refers to in their places.
@@ -161,13 +105,13 @@ Json inlined(const Json& schema, const Json& definitions) {
 
 }  // namespace
 
-Json author_schema() {
-  const Json parsed = Json::parse(experiment_schema());
+Json author_schema(const std::vector<std::string>& predicates) {
+  const Json& parsed = experiment_schema();
   Json schema = inlined(parsed, parsed["definitions"]);
+  schema[JsonPointer("/properties/checks/items/properties/predicate/enum")] = predicates;
   const std::vector<std::string> required = schema["required"];
   Json& keys = schema["properties"];
   add_defaults(keys["model"]["properties"]);
-  const Json whole = whole_file(schema);
   keys["sweep"] = sweep(parsed["definitions"]["axis"]["properties"]["take"]);
   Json definitions = Json::object(), tier = Json::object(), file = Json::object();
   file["$schema"] = {{"type", "string"}, {"description", "this schema, for editors; the program ignores it"}};
@@ -177,10 +121,8 @@ Json author_schema() {
     if (key == "tiers") continue;
     definitions[key] = patch(property);
     if (std::ranges::count(required, key) == 0) definitions[key] = or_null(definitions[key]);
-    if (key == "load") definitions[key].update(at_most_one(kLoads));
     tier[key] = file[key] = {{"$ref", "#/definitions/" + key}};
   }
-  definitions["one_range"] = at_most_one(kRanges);
   definitions["tier"] = {{"type", {"object", "null"}}, {"additionalProperties", false}, {"properties", tier}};
   Json tiers = patch(keys["tiers"]);
   for (auto& [name, one] : tiers["properties"].items()) one = {{"$ref", "#/definitions/tier"}};
@@ -190,8 +132,6 @@ Json author_schema() {
           {"type", "object"},
           {"additionalProperties", false},
           {"properties", file},
-          {"if", {{"required", {"extends"}}}},
-          {"else", whole},
           {"definitions", definitions}};
 }
 

@@ -1,8 +1,6 @@
 #include "experiment/canonical.hpp"
 
-#include "experiment/parameters_table.hpp"
 #include "experiment/si_units.hpp"
-#include "experiment/words.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -14,7 +12,6 @@ namespace {
 
 // These fail when a member is added: without the member in the text, different points would be treated as
 // equal.
-static_assert(sizeof(Parameters) == 24 * sizeof(double));
 static_assert(sizeof(Orientation) == 11 * sizeof(double));
 static_assert(sizeof(IntegratorOptions) == 4 * sizeof(double));
 static_assert(sizeof(Setup) ==
@@ -33,7 +30,7 @@ class Text {
     add();
     text_.append(std::string_view("},"));
   }
-  void add(const char* name, const std::string& word) { append(R"("{}":"{}",)", name, word); }
+  void add(const char* name, const char* word) { append(R"("{}":"{}",)", name, word); }
   void add(const char* name, const std::vector<double>& numbers) {
     append(R"("{}":[{}],)", name, fmt::join(numbers, ","));
   }
@@ -53,9 +50,8 @@ class Text {
 };
 
 void add_parameters(Text& out, const Parameters& p) {
-  for (const ParameterEntry& entry : parameters_table()) out.add(entry.name, p.*entry.member);
-  for (const Choice& choice : choices_table())
-    out.add(choice.name, choice.options.at(std::size_t(choice.get(p))));
+  for (const Parameter& one : kParameters) out.add(one.name, p.*one.member);
+  for (const Choice& one : choices()) out.add(one.name, one.words[std::size_t(one.get(p))]);
 }
 
 void add_orientation(Text& out, const Orientation& o) {

@@ -2,10 +2,8 @@
 
 #include "ensemble/lattice.hpp"
 #include "experiment/axes.hpp"
-#include "experiment/parameters_table.hpp"
 #include "experiment/schema.hpp"
 #include "experiment/si_units.hpp"
-#include "experiment/words.hpp"
 #include "model/elementary.hpp"
 #include "model/friction/chi.hpp"
 #include "util/error.hpp"
@@ -22,18 +20,16 @@ namespace {
 
 constexpr double kDegree = M_PI / 180;
 
-int index_of(const std::vector<std::string>& words, const std::string& word) {
-  return int(std::find(words.begin(), words.end(), word) - words.begin());
-}
-
 Parameters read_model(const Document& d) {
   const Json& model = d.json()["model"];
   Parameters p;
-  for (const Choice& choice : choices_table())
-    if (model.contains(choice.name)) choice.set(p, index_of(choice.options, model[choice.name]));
-  for (const ParameterEntry& entry : parameters_table())
-    if (model.contains(entry.name) && model[entry.name].is_number())
-      p.*entry.member = model[entry.name].get<double>() * entry.unit;
+  for (const Choice& choice : choices())
+    if (model.contains(choice.name))
+      choice.set(p, int(std::ranges::find(choice.words, model[choice.name].get<std::string>()) -
+                        choice.words.begin()));
+  for (const Parameter& one : kParameters)
+    if (model.contains(one.name) && model[one.name].is_number())
+      p.*one.member = model[one.name].get<double>() * one.unit;
   return p;
 }
 

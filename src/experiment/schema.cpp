@@ -1,5 +1,6 @@
 #include "experiment/schema.hpp"
 
+#include "experiment/si_units.hpp"
 #include "util/error.hpp"
 #include "util/text.hpp"
 
@@ -14,18 +15,69 @@
 #include <valijson/validator.hpp>
 
 namespace bristle::experiment {
+
+const char* experiment_schema_text();  // experiment.schema.json
+
 namespace {
 
 using Plain = nlohmann::json;  // the type that valijson's adapter requires
 
-const Json& schema_json() {
-  static const Json schema = Json::parse(experiment_schema());
+Json number_schema(const Bounds& limits, const std::string& description) {
+  Json out = {{"type", "number"}};
+  const auto add = [&out](const char* keyword, double value) {
+    if (!std::isfinite(value)) return;
+    if (value == std::floor(value)) out[keyword] = long(value);
+    else out[keyword] = value;
+  };
+  add(limits.above_least ? "exclusiveMinimum" : "minimum", limits.least);
+  add(limits.below_most ? "exclusiveMaximum" : "maximum", limits.most);
+  out["description"] = description;
+  return out;
+}
+
+Json model_properties() {
+  Json out = Json::object();
+  for (const Choice& c : choices()) out[c.name] = {{"enum", c.words}, {"description", c.description}};
+  for (const Parameter& p : kParameters) {
+    Json number = number_schema(p.limits, fmt::format("{}, {}", p.description, p.scale));
+    if (!p.word) {
+      out[p.name] = number;
+      continue;
+    }
+    const Json description = number["description"];
+    number.erase("description");
+    out[p.name] = {{"anyOf", {number, {{"const", p.word}}}}, {"description", description}};
+  }
+  return out;
+}
+
+Json si_properties() {
+  Json out = Json::object();
+  for (const SiQuantity& q : si_quantities()) {
+    const std::string units = std::string(q.units) == "1" ? "dimensionless" : q.units;
+    const std::string remark = q.remark ? fmt::format("; {}", q.remark) : "";
+    out[q.name] = number_schema(q.limits, fmt::format("{}, {}{}", q.description, units, remark));
+  }
+  return out;
+}
+
+Json assemble() {
+  Json schema = Json::parse(experiment_schema_text());
+  const auto set_words = [&](const char* pointer, Words words) {
+    schema[JsonPointer(pointer)]["enum"] = words;
+  };
+  set_words("/properties/load/properties/path", words<LoadPath>());
+  set_words("/properties/orientation/properties/distribution", words<Distribution>());
+  set_words("/properties/orientation/properties/sampling", words<Sampling>());
+  set_words("/properties/integrator/properties/engine", words<Engine>());
+  schema["definitions"]["model"]["properties"] = model_properties();
+  schema["definitions"]["si"]["properties"] = si_properties();
   return schema;
 }
 
 const Json& resolve(const Json& schema) {
   if (!schema.contains("$ref")) return schema;
-  return schema_json().at(JsonPointer(schema["$ref"].get<std::string>().substr(1)));
+  return experiment_schema().at(JsonPointer(schema["$ref"].get<std::string>().substr(1)));
 }
 
 // The subschema of one member or array element, or null.
@@ -109,10 +161,15 @@ bool matches(const Plain& schema_document, const Json& value,
 
 }  // namespace
 
+const Json& experiment_schema() {
+  static const Json schema = assemble();
+  return schema;
+}
+
 const Json& parameter_schema(const std::string& name) {
   for (const char* place : {"/definitions/model/properties", "/properties/load/properties",
                             "/properties/orientation/properties", "/definitions/si/properties"})
-    if (const Json& properties = schema_json()[JsonPointer(place)]; properties.contains(name))
+    if (const Json& properties = experiment_schema()[JsonPointer(place)]; properties.contains(name))
       return properties[name];
   throw std::logic_error("no schema for " + name);
 }
@@ -143,14 +200,13 @@ std::string allowed_by_schema(const Json& schema) {
 
 void check_schema(const Document& document) { check_schema(document, experiment_schema()); }
 
-void check_schema(const Document& document, const char* text) {
+void check_schema(const Document& document, const Json& root) {
   std::vector<std::vector<std::string>> contexts;
-  if (matches(Plain::parse(text), document.json(), &contexts)) return;
+  if (matches(Plain(root), document.json(), &contexts)) return;
   // The deepest mismatch is the cause; those above it follow from it.
   const auto deepest = std::max_element(contexts.begin(), contexts.end(),
                                         [](const auto& a, const auto& b) { return a.size() < b.size(); });
   const JsonPointer at = pointer_from(*deepest);
-  const Json root = Json::parse(text);
   const Json* schema = &resolve(root);
   for (std::size_t i = 1; i < deepest->size(); ++i)
     schema = &subschema(*schema, (*deepest)[i].substr(1, (*deepest)[i].size() - 2));

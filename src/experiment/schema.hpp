@@ -4,15 +4,15 @@
 
 namespace bristle::experiment {
 
-// Checks the merged document against the experiment schema (src/experiment/experiment.schema.json) or against
-// the text of another schema. Throws InputError with source, JSON pointer, the invalid value and what is
-// allowed.
+// Checks the merged document against the experiment schema or against another one. Throws InputError with
+// source, JSON pointer, the invalid value and what is allowed.
 void check_schema(const Document& document);
-void check_schema(const Document& document, const char* schema);
+void check_schema(const Document& document, const Json& schema);
 
-// The text of the experiment schema, and a description of what a subschema allows: "a number greater than 0
-// (radial stiffness, dimensionless)".
-const char* experiment_schema();
+// The experiment schema: experiment.schema.json, with the keys of the blocks "model" and "si" from
+// kParameters, choices() and si_quantities(), and the words of enumerations.
+const Json& experiment_schema();
+// A description of what a subschema allows: "a number greater than 0 (radial stiffness, dimensionless)".
 std::string allowed_by_schema(const Json& schema);
 
 // The schema of a sweepable number: in the model, load, orientation or si block.

@@ -1,6 +1,5 @@
 #include "experiment/si_units.hpp"
 
-#include "experiment/parameters_table.hpp"
 #include "util/error.hpp"
 
 #include <fmt/format.h>
@@ -41,23 +40,37 @@ void apply_material(PointInput& input, const SiScales& scales) {
 const std::vector<SiQuantity>& si_quantities() {
   using S = SiScales;
   static const std::vector<SiQuantity> table = {
-      {"m_kg", "m", "tip mass", "kg", {}},
-      {"r0_m", "r_0", "bristle length", "m", {}},
-      {"V0_m_per_s", "V_0", "slab velocity", "m/s", {}},
-      {"E_Pa", "E", "Young's modulus", "Pa", {}},
-      {"nu", R"(\nu)", "Poisson's ratio", "1", {"E_star"}},
-      {"R_m", "R", "radius of the bristle's shaft", "m", {"k_theta", "k_phi", "k_r"}},
-      {"k_r_over_k_phi", R"(\tilde{k}_r/\tilde{k}_\varphi)", "radial over polar stiffness", "1", {"k_r"}},
-      {"k_r_N_per_m", "k_r", "radial stiffness", "N/m", {"k_r"}, &S::stiffness},
-      {"k_theta_N_m", R"(k_\theta)", "azimuthal stiffness", "N m/rad", {"k_theta"}, &S::energy},
-      {"k_phi_N_m", R"(k_\varphi)", "polar stiffness", "N m/rad", {"k_phi"}, &S::energy},
-      {"E_star_Pa", "E^*", "contact modulus", "Pa", {"E_star"}, &S::stress},
-      {"tau_f_Pa", R"(\tau_f)", "NSS shear stress", "Pa", {"tau_f"}, &S::stress},
-      {"R_c_m", "R_c", "tip radius", "m", {"R_c"}, &S::length},
-      {"V_s_m_per_s", "V_s", "threshold speed", "m/s", {"V_s"}, &S::velocity},
-      {"alpha_J", R"(\alpha)", "strength of the pole repulsion", "J", {"alpha"}, &S::energy},
-      {"beta_J", R"(\beta)", "strength of the slab's wall", "J", {"beta"}, &S::energy},
-      {"R_n_N", "R_n/N_{c,0}", "normal load per bristle", "N", {"R_n"}, &S::force},
+      {"m_kg", "m", "tip mass", "kg", kPositive, {}},
+      {"r0_m", "r_0", "bristle length", "m", kPositive, {}},
+      {"V0_m_per_s", "V_0", "slab velocity", "m/s", kPositive, {}},
+      {"E_Pa", "E", "Young's modulus", "Pa", kPositive, {}},
+      {"nu", R"(\nu)", "Poisson's ratio", "1", {0, 0.5}, {"E_star"}, nullptr, "with E_Pa: contact modulus"},
+      {"R_m",
+       "R",
+       "radius of the bristle's shaft",
+       "m",
+       kPositive,
+       {"k_theta", "k_phi", "k_r"},
+       nullptr,
+       "with E_Pa: bending stiffnesses"},
+      {"k_r_over_k_phi",
+       R"(\tilde{k}_r/\tilde{k}_\varphi)",
+       "radial over polar stiffness",
+       "1",
+       kPositive,
+       {"k_r"},
+       nullptr,
+       "with R_m only"},
+      {"k_r_N_per_m", "k_r", "radial stiffness", "N/m", kPositive, {"k_r"}, &S::stiffness},
+      {"k_theta_N_m", R"(k_\theta)", "azimuthal stiffness", "N m/rad", kPositive, {"k_theta"}, &S::energy},
+      {"k_phi_N_m", R"(k_\varphi)", "polar stiffness", "N m/rad", kPositive, {"k_phi"}, &S::energy},
+      {"E_star_Pa", "E^*", "contact modulus", "Pa", kPositive, {"E_star"}, &S::stress},
+      {"tau_f_Pa", R"(\tau_f)", "NSS shear stress", "Pa", kPositive, {"tau_f"}, &S::stress},
+      {"R_c_m", "R_c", "tip radius", "m", kPositive, {"R_c"}, &S::length},
+      {"V_s_m_per_s", "V_s", "threshold speed", "m/s", kPositive, {"V_s"}, &S::velocity},
+      {"alpha_J", R"(\alpha)", "strength of the pole repulsion", "J", kNotNegative, {"alpha"}, &S::energy},
+      {"beta_J", R"(\beta)", "strength of the slab's wall", "J", kPositive, {"beta"}, &S::energy},
+      {"R_n_N", "R_n/N_{c,0}", "normal load per bristle", "N", kPositive, {"R_n"}, &S::force},
   };
   return table;
 }
@@ -134,7 +147,7 @@ namespace {
 // not.
 std::vector<std::string> replaceable_values(const PointInput& input, bool given) {
   std::vector<std::string> out;
-  for (const ParameterEntry& entry : parameters_table()) {
+  for (const Parameter& entry : kParameters) {
     bool convertible = false, replaced = false;
     for (const SiQuantity& q : si_quantities())
       for (const char* name : q.replaces)

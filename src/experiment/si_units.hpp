@@ -17,17 +17,19 @@ struct SiScales {
   double stress;     // m V0^2/r0^3, Pa
 };
 
-// A quantity of an experiment's si block. Its range is declared in experiment.schema.json; a test compares
-// names and descriptions of the two.
+// A quantity of an experiment's si block. From its row follow the key of the block, its limits, its axis in
+// sweeps, and the attributes of that axis.
 struct SiQuantity {
   const char* name;         // JSON key, which includes the unit
   const char* symbol;       // LaTeX
   const char* description;  // attribute of result files
   const char* units;
+  Bounds limits;
   std::vector<const char*> replaces;  // the dimensionless values that are computed from it
   // The value divided by this scale is the only value that it replaces. Null: apply_si_units() computes the
   // values.
   double SiScales::*scale = nullptr;
+  const char* remark = nullptr;  // after the description of the key
 };
 const std::vector<SiQuantity>& si_quantities();
 

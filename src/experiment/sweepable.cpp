@@ -1,8 +1,6 @@
 #include "experiment/sweepable.hpp"
 
-#include "experiment/parameters_table.hpp"
 #include "experiment/si_units.hpp"
-#include "experiment/words.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -11,18 +9,15 @@
 namespace bristle::experiment {
 namespace {
 
-Sweepable of_model(const ParameterEntry& entry) {
-  const std::string units = std::string(entry.name) == "phi_0_deg" ? "degree" : "1";
-  const auto set = [entry](PointInput& p, double value) {
-    p.setup.parameters.*entry.member = value * entry.unit;
-  };
-  return {entry.name, entry.symbol, entry.description, units, set, {}};
+Sweepable of_model(const Parameter& one) {
+  const auto set = [one](PointInput& p, double value) { p.setup.parameters.*one.member = value * one.unit; };
+  return {one.name, one.symbol, one.description, one.unit == 1 ? "1" : "degree", set, {}};
 }
 
 std::vector<Sweepable> all() {
   using P = PointInput;
   std::vector<Sweepable> out;
-  for (const ParameterEntry& entry : parameters_table()) out.push_back(of_model(entry));
+  for (const Parameter& one : kParameters) out.push_back(of_model(one));
   const auto number = [&](const char* name, const char* symbol, const char* description, auto set,
                           const char* units = "1") {
     out.push_back({name, symbol, description, units, set, {}});
@@ -45,15 +40,14 @@ std::vector<Sweepable> all() {
         q.name, q.symbol, q.description, [key = std::string(q.name)](P& p, double v) { p.si[key] = v; },
         q.units);
 
-  const auto choice = [&](const char* name, const char* description, std::vector<std::string> options,
-                          auto set) {
-    out.push_back({name, name, description, "1", set, options});
+  const auto choice = [&](const char* name, const char* description, Words words, auto set) {
+    out.push_back({name, name, description, "1", set, texts(words)});
   };
-  for (const Choice& c : choices_table())
-    choice(c.name, c.description, c.options, [c](P& p, double v) { c.set(p.setup.parameters, int(v)); });
+  for (const Choice& c : choices())
+    choice(c.name, c.description, c.words, [c](P& p, double v) { c.set(p.setup.parameters, int(v)); });
   choice("path", "path on which the load is reached", words<LoadPath>(),
          [](P& p, double v) { p.loading.path = LoadPath(int(v)); });
-  choice("sampling", "sampling of theta_0 for the ensemble mean", {"quadrature", "lattice"},
+  choice("sampling", "sampling of theta_0 for the ensemble mean", words<Sampling>().first(2),
          [](P& p, double v) { p.setup.orientation.sampling = Sampling(int(v)); });
   return out;
 }

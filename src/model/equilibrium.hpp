@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/bristle.hpp"
+#include "model/equations.hpp"
 
 namespace bristle {
 

@@ -1,14 +1,27 @@
 #pragma once
 
+#include "util/words.hpp"
+
+#include <array>
+#include <cmath>
+#include <limits>
+
 namespace bristle {
 
 enum class FrictionLaw : int;  // model/friction/laws.hpp
+template <>
+Words words<FrictionLaw>();
 
 // theta' from the tip's velocity: kinematically exact, or by Eq. (17) as printed.
 enum class AzimuthRate {
   kinematic,
   as_printed
 };
+template <>
+inline Words words<AzimuthRate>() {
+  static constexpr const char* list[] = {"kinematic", "as_printed"};
+  return list;
+}
 
 // State of the bristle at the slab's leading edge, at rest in the vertical plane theta = theta_0:
 // static_equilibrium: frictionless equilibrium of springs, pole repulsion and wall force;
@@ -21,6 +34,11 @@ enum class InitialState {
   unstretched,
   upright
 };
+template <>
+inline Words words<InitialState>() {
+  static constexpr const char* list[] = {"static_equilibrium", "at_slab", "unstretched", "upright"};
+  return list;
+}
 
 // Rule for a tip that reaches s = s_min: reflect reverses its radial
 // in-plane velocity, cross moves it to the opposite side of the pole.
@@ -28,35 +46,135 @@ enum class PoleRule {
   reflect,
   cross
 };
+template <>
+inline Words words<PoleRule>() {
+  static constexpr const char* list[] = {"reflect", "cross"};
+  return list;
+}
 
-// The parameters of bristle, friction and slab, dimensionless (length r0, time r0/V0, force m V0^2/r0).
-// Values without a source in the paper are assumptions, listed in docs/model.md.
+// The parameters of bristle, friction and slab, dimensionless (length r0, time r0/V0, force m V0^2/r0), with
+// their defaults. kParameters and choices() below describe them. Values without a source in the paper are
+// assumptions, listed in docs/model.md.
 struct Parameters {
-  FrictionLaw friction{};             // nss
-  double k_r = 10;                    // radial stiffness
-  double k_theta = 1;                 // azimuthal (torsional) stiffness
-  double k_phi = 1.9;                 // polar (bending) stiffness
-  double phi_0 = 1.3962634015954636;  // undeformed polar angle from the x-y plane, rad (80 deg)
-  double zeta_theta = 0.1;            // damping ratios, Eq. (11)
-  double zeta_phi = 0.1;
-  double mu_c = 1;          // Coulomb: kinetic friction coefficient, Eq. (14)
-  double tau_f = 3e4;       // NSS: shear stress, Eq. (15)
-  double R_c = 1.0 / 17;    // tip radius, Eq. (16)
-  double E_star = 5.849e4;  // contact modulus, Eq. (16)
-  double A = 1.2;           // chi's maximum, Eq. (7)
-  double C = -5.592;        // chi's shape, Eq. (7)
-  double V_s = 0.01;        // threshold speed between static and kinetic friction, Eq. (7)
-  double lambda = 1e-3;     // range and strength of the pole repulsion, Eq. (4)
-  double alpha = 1;
-  double lambda_z = 1e-3;  // range and strength of the slab's wall, Eq. (3)
-  double beta = 1;
+  FrictionLaw friction{};  // nss
   AzimuthRate azimuth_rate = AzimuthRate::kinematic;
   InitialState initial_state = InitialState::static_equilibrium;
   PoleRule pole_rule = PoleRule::reflect;
-  double s_min = 1e-4;   // distance from the pole at which the pole rule acts
-  double L_x = 5;        // slab length
-  double L_y = 5;        // slab width (lattice sampling only)
-  double spacing = 0.2;  // lattice spacing Delta (lattice sampling only)
+  double k_r = 10;
+  double k_theta = 1;
+  double k_phi = 1.9;
+  double phi_0 = 1.3962634015954636;  // rad (80 deg)
+  double zeta_theta = 0.1;
+  double zeta_phi = 0.1;
+  double mu_c = 1;
+  double tau_f = 3e4;
+  double R_c = 1.0 / 17;
+  double E_star = 5.849e4;
+  double A = 1.2;
+  double C = -5.592;
+  double V_s = 0.01;
+  double lambda = 1e-3;
+  double lambda_z = 1e-3;
+  double alpha = 1;
+  double beta = 1;
+  double s_min = 1e-4;
+  double L_x = 5;
+  double L_y = 5;
+  double spacing = 0.2;
 };
+
+// The values that an experiment may give a number.
+struct Bounds {
+  double least = -std::numeric_limits<double>::infinity(), most = std::numeric_limits<double>::infinity();
+  bool above_least = false, below_most = false;  // the limit itself is excluded
+};
+constexpr Bounds kPositive{.least = 0, .above_least = true}, kNotNegative{.least = 0};
+
+// What experiments, results and documents need to know of a number in Parameters. From its row follow the key
+// of the block "model", its limits, its axis in sweeps, and the attributes of that axis.
+struct Parameter {
+  const char* name;  // JSON key
+  double Parameters::*member;
+  const char* symbol;  // LaTeX
+  const char* description;
+  const char* scale;  // of the JSON value, for its description
+  Bounds limits;
+  double unit = 1;             // member = JSON value * unit
+  const char* word = nullptr;  // in place of a number: the program computes the value
+};
+
+inline constexpr std::array kParameters = {
+    Parameter{"k_r", &Parameters::k_r, R"(\tilde{k}_r)", "radial stiffness", "dimensionless", kPositive},
+    Parameter{"k_theta", &Parameters::k_theta, R"(\tilde{k}_\theta)", "azimuthal stiffness", "dimensionless",
+              kPositive},
+    Parameter{"k_phi", &Parameters::k_phi, R"(\tilde{k}_\varphi)", "polar stiffness", "dimensionless",
+              kPositive},
+    Parameter{"phi_0_deg",
+              &Parameters::phi_0,
+              R"(\varphi_0)",
+              "undeformed polar angle",
+              "degrees",
+              {0, 90, true, true},
+              M_PI / 180},
+    Parameter{"zeta_theta", &Parameters::zeta_theta, R"(\zeta_\theta)", "azimuthal damping ratio", "Eq. (11)",
+              kNotNegative},
+    Parameter{"zeta_phi", &Parameters::zeta_phi, R"(\zeta_\varphi)", "polar damping ratio", "Eq. (11)",
+              kNotNegative},
+    Parameter{"mu_c", &Parameters::mu_c, R"(\mu_c)", "Coulomb friction coefficient", "Eq. (14)",
+              kNotNegative},
+    Parameter{"tau_f", &Parameters::tau_f, R"(\tilde{\tau}_f)", "NSS shear stress", "dimensionless",
+              kNotNegative},
+    Parameter{"R_c", &Parameters::R_c, R"(\tilde{R}_c)", "tip radius", "in units of r0", kPositive},
+    Parameter{"E_star", &Parameters::E_star, R"(\tilde{E}^*)", "contact modulus", "dimensionless", kPositive},
+    Parameter{"A", &Parameters::A, "A", "maximum of chi", "Eq. (7)", {.least = 1}},
+    Parameter{"C", &Parameters::C, "C", "shape of chi", "Eq. (7)", {-1000, 1}, 1, "peak_at_V_s"},
+    Parameter{"V_s", &Parameters::V_s, "V_s/V_0", "threshold speed", "in units of V0", kPositive},
+    Parameter{"lambda", &Parameters::lambda, R"(\lambda)", "range of the pole repulsion", "in units of r0",
+              kPositive},
+    Parameter{"lambda_z", &Parameters::lambda_z, R"(\lambda_z)", "range of the slab's wall", "in units of r0",
+              kPositive},
+    Parameter{"alpha", &Parameters::alpha, R"(\alpha)", "strength of the pole repulsion", "dimensionless",
+              kNotNegative},
+    Parameter{"beta", &Parameters::beta, R"(\beta)", "strength of the slab's wall", "dimensionless",
+              kPositive},
+    Parameter{"s_min", &Parameters::s_min, R"(s_{\min})",
+              "distance from the pole at which the pole rule acts", "in units of r0", kPositive},
+    Parameter{"L_x", &Parameters::L_x, R"(\tilde{L}_x)", "slab length", "in units of r0", kPositive},
+    Parameter{"L_y", &Parameters::L_y, R"(\tilde{L}_y)", "slab width", "in units of r0", kPositive},
+    Parameter{"spacing", &Parameters::spacing, R"(\tilde{\Delta})", "lattice spacing", "in units of r0",
+              kPositive},
+};
+
+// The same for an enumeration in Parameters: one of several words.
+struct Choice {
+  const char* name;  // JSON key
+  const char* description;
+  Words words;
+  int (*get)(const Parameters&);  // index of the word
+  void (*set)(Parameters&, int);
+};
+
+template <auto member>
+Choice choice(const char* name, const char* description) {
+  using Enum = std::remove_reference_t<decltype(std::declval<Parameters&>().*member)>;
+  return {name, description, words<Enum>(), [](const Parameters& p) { return int(p.*member); },
+          [](Parameters& p, int index) { p.*member = Enum(index); }};
+}
+
+inline const auto& choices() {
+  static const std::array table = {
+      choice<&Parameters::friction>("friction", "local friction law"),
+      choice<&Parameters::azimuth_rate>("azimuth_rate", "closing equation for theta', Eq. (17)"),
+      choice<&Parameters::initial_state>("initial_state", "state at the leading edge"),
+      choice<&Parameters::pole_rule>("pole_rule", "rule for a tip that reaches s = s_min"),
+  };
+  static_assert(sizeof(Parameters) == kParameters.size() * sizeof(double) + table.size() * sizeof(int),
+                "kParameters and choices() describe every member of Parameters");
+  return table;
+}
+
+// Constants of a friction law's modulation. Each law documents its own.
+template <class P>
+using FrictionConstants = std::array<P, 4>;
 
 }  // namespace bristle

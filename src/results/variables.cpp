@@ -166,11 +166,8 @@ std::vector<ResultVariable> result_variables(const Experiment& experiment) {
   return variables;
 }
 
-const std::vector<std::string> kPointStatusNames = {
-    "ok",     "load_jump",  "unreachable", "incomplete", "not_converged", "absent",
-    "failed", "work_limit", "ambiguous",   "inaccurate", "undefined"};
-const std::vector<std::string> kBranchNames = {"unstable", "loading", "unloading", "both", "absent"};
-const std::vector<std::string> kOutcomeNames = {"left", "pinned", "step_limit", "not_finite"};
-const std::vector<std::string> kPhaseNames = {"off_slab", "stick", "side_slip", "slip"};
+const std::vector<std::string> kPointStatusNames = texts(words<PointStatus>()),
+                               kBranchNames = texts(words<Branch>()), kOutcomeNames = texts(words<Outcome>()),
+                               kPhaseNames = texts(words<Phase>());
 
 }  // namespace bristle::results

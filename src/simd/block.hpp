@@ -1,7 +1,7 @@
 #pragma once
 
 #include "dynamics/components.hpp"
-#include "model/bristle.hpp"
+#include "model/equations.hpp"
 #include "model/friction/table.hpp"
 
 #include <cstdint>

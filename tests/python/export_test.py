@@ -13,7 +13,7 @@ import pandas
 import xarray
 
 bristle, folder, result = sys.argv[1], pathlib.Path(sys.argv[2]), sys.argv[3]
-experiments = pathlib.Path(__file__).parent.parent / "experiments"
+experiments = pathlib.Path(__file__).parents[2] / "experiments"
 folder.mkdir(parents=True, exist_ok=True)
 
 

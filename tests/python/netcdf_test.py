@@ -12,7 +12,7 @@ import numpy as np
 import xarray
 
 bristle, folder = sys.argv[1], pathlib.Path(sys.argv[2])
-experiments = pathlib.Path(__file__).parent.parent / "experiments"
+experiments = pathlib.Path(__file__).parents[2] / "experiments"
 folder.mkdir(parents=True, exist_ok=True)
 
 

@@ -14,22 +14,23 @@ import sys
 import jsonschema
 
 bristle, folder = sys.argv[1], pathlib.Path(sys.argv[2])
-experiments = pathlib.Path(__file__).parent.parent / "experiments"
+experiments = pathlib.Path(__file__).parents[2] / "experiments"
 MUTATIONS = 200
 VALUES = ["word", -1, 0, 2.5, 1e9, None, True, [], {}, [1, 1], ["nss", "coulomb"]]
 BLOCKS = ["model", "si", "load", "orientation", "integrator", "sweep", "record", "trajectories", "tiers"]
 
-# What the program refuses and the schema cannot, or does not: its message, and the reason.
+# What the program refuses and the schema does not: its message, and the reason.
 PROGRAM_ONLY = {
-    "none of R_n, z_0 and trace is given": "whether the extended file gives a load",
-    "more than one of R_n, z_0 and trace is given": "whether the extended file gives a load",
+    "one of R_n, z_0 and trace is given": "whether the extended file gives a load",
     "found (none|.* and )|needs \"values\" alone": "whether the extended file has this axis",
     "ascending indices": "order of the indices, and number of the axis's values",
     "the values must ascend": "order of the values",
-    "is missing; (a|recording)": "what another value requires, such as a lattice the number of its rows",
+    "cannot start at": "what a logarithmic axis needs",
+    "is missing": "what the extended file or another value requires",
     "a lattice needs a whole number|lattice\" only": "what a lattice requires of other blocks",
     "/si/.* (need it|with R_m only)": "which quantities in SI units belong together",
     "above first contact": "a bound that depends on other values",
+    "appears twice": "whether the words of an axis differ",
 }
 
 

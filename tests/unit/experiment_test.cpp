@@ -34,8 +34,8 @@ std::string error_of(const std::string& text, const DocumentOptions& options = {
   return "(no error)";
 }
 
-std::string laws() { return fmt::format("{}", fmt::join(friction_law_names(), ", ")); }
-std::string quoted_laws() { return fmt::format("\"{}\"", fmt::join(friction_law_names(), "\", \"")); }
+std::string laws() { return fmt::format("{}", fmt::join(texts(words<FrictionLaw>()), ", ")); }
+std::string quoted_laws() { return fmt::format("\"{}\"", fmt::join(texts(words<FrictionLaw>()), "\", \"")); }
 
 std::string with(const std::string& members) { return R"({"extends": "paper.json", )" + members + "}"; }
 
@@ -72,10 +72,9 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
            R"("locate_jumps": "k_r", "sweep": {"k_r": {"values": [1, 2]}}, "load": {"R_n": null, "z_0": 0.5})"),
        "@/e.json: /locate_jumps: needs a load R_n: at a given gap, and along a traced curve, no gap jumps"},
       {with(R"("model": {"k_tehta": 1})"),
-       "@/e.json: /model/k_tehta: unknown key (did you mean k_theta?); allowed: friction, k_r, k_theta, "
-       "k_phi, "
-       "phi_0_deg, zeta_theta, zeta_phi, mu_c, tau_f, R_c, E_star, A, C, V_s, lambda, lambda_z, alpha, beta, "
-       "azimuth_rate, initial_state, pole_rule, s_min, L_x, L_y, spacing"},
+       "@/e.json: /model/k_tehta: unknown key (did you mean k_theta?); allowed: friction, azimuth_rate, "
+       "initial_state, pole_rule, k_r, k_theta, k_phi, phi_0_deg, zeta_theta, zeta_phi, mu_c, tau_f, R_c, E_star, "
+       "A, C, V_s, lambda, lambda_z, alpha, beta, s_min, L_x, L_y, spacing"},
       {with(R"("model": {"k_r": "ten"})"),
        "@/e.json: /model/k_r: \"ten\" is not allowed; allowed: a number greater than 0 (radial stiffness, "
        "dimensionless)"},

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/bristle.hpp"
+#include "model/parameters.hpp"
 #include "model/elementary.hpp"
 
 namespace bristle {

@@ -4,11 +4,10 @@
 #include "model/friction/nss.hpp"
 #include "model/friction/stribeck.hpp"
 
+#include <array>
 #include <cstddef>
-#include <string>
 #include <tuple>
 #include <utility>
-#include <vector>
 
 namespace bristle {
 
@@ -33,9 +32,11 @@ decltype(auto) with_law(FrictionLaw law, const Visit& visit) {
   return visit(std::tuple_element_t<I, FrictionLaws>());
 }
 
-inline std::vector<std::string> friction_law_names() {
-  return std::apply([](auto... law) { return std::vector<std::string>{decltype(law)::name...}; },
-                    FrictionLaws());
+template <>
+inline Words words<FrictionLaw>() {
+  static constexpr auto list =
+      std::apply([](auto... law) { return std::array{decltype(law)::name...}; }, FrictionLaws());
+  return list;
 }
 
 }  // namespace bristle

@@ -41,7 +41,7 @@ ModulationTable::ModulationTable(FrictionLaw law, const FrictionConstants<double
     if (intervals > kMostIntervals)
       throw std::runtime_error(fmt::format(
           "the modulation of the friction law {} changes too steeply with the sliding speed (A, C)",
-          friction_law_names()[std::size_t(law)]));
+          word(law)));
   }
 }
 
