@@ -1,9 +1,10 @@
 # `make` lists the targets. Each installs, builds and computes what it needs and is missing.
 .DEFAULT_GOAL := help
 
-FIGURES := fig2 fig3 fig4 fig5 fig6 fig7 fig8 figA1 figA2 figA3
-# Research of one's own, made as the figures are.
-STUDIES := ski orientation stribeck
+# A figure is a module that draws it and an experiment of the same name: the paper's, then research of one's own.
+DRAWN := $(filter $(basename $(notdir $(wildcard experiments/*.json))),$(basename $(notdir $(wildcard scripts/bristle_plots/figures/*.py))))
+FIGURES := $(sort $(filter fig%,$(DRAWN)))
+STUDIES := $(sort $(filter-out fig%,$(DRAWN)))
 .PHONY: help packages build test bench accuracy clean figures findings assumptions inference report archive verify citation release \
   sanitize fuzz tidy coverage $(FIGURES) $(STUDIES)
 JOBS ?= $(shell nproc 2>/dev/null || echo 1)

@@ -20,7 +20,6 @@ struct Case {
 constexpr Case kCases[] = {{10, 1, 0.1}, {25, 1, 0.5}, {50, 1, 0.62}};
 
 constexpr Observable kControlled[] = {N_C_RATIO, R_N, R_X, GAMMA_1, GAMMA_2, GAMMA_3};
-constexpr const char* kNames[] = {"N_c_ratio", "R_n", "R_x", "gamma_1", "gamma_2", "gamma_3"};
 
 const PassageRunner& runner(Engine engine) {
   static const PassageRunner fast = make_runner(Engine::fast), reference = make_runner(Engine::reference);
@@ -62,7 +61,7 @@ Json integration() {
         for (const Observable k : kControlled)
           worst[k] = std::max(worst[k], std::abs(mean[k] / exact[i][k] - 1));
       }
-      for (std::size_t k = 0; k < std::size(kControlled); ++k) row[kNames[k]] = worst[kControlled[k]];
+      for (const Observable k : kControlled) row[kObservables[k].name] = worst[k];
       rows.push_back(row);
     }
   return rows;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dynamics/components.hpp"
+#include "dynamics/ode.hpp"
 #include "model/equations.hpp"
 #include "model/equilibrium.hpp"
 #include "util/words.hpp"

@@ -12,23 +12,25 @@ constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
-Derived share_of(const PointResult& p, Observable part, Observable total) {
-  const double value = p.value[part] / p.value[total];
-  return {value, (p.error[part] + value * p.error[total]) / p.value[total],
-          (p.load_error[part] + value * p.load_error[total]) / p.value[total]};
+Derived pinned_share(const PointResult& p, Observable k) {
+  const Observable part = pinned(k);
+  const double value = p.value[part] / p.value[k];
+  return {value, (p.error[part] + value * p.error[k]) / p.value[k],
+          (p.load_error[part] + value * p.load_error[k]) / p.value[k]};
 }
 
-Derived mean_of_passing(const PointResult& p, Observable contribution) {
-  const double passing = 1 - p.value[PINNED_FRACTION], value = p.value[contribution] / passing;
-  return {value, (p.error[contribution] + value * p.error[PINNED_FRACTION]) / passing,
-          (p.load_error[contribution] + value * p.load_error[PINNED_FRACTION]) / passing};
+Derived unpinned_mean(const PointResult& p, Observable k) {
+  const Observable part = unpinned(k);
+  const double fraction = 1 - p.value[PINNED_FRACTION], value = p.value[part] / fraction;
+  return {value, (p.error[part] + value * p.error[PINNED_FRACTION]) / fraction,
+          (p.load_error[part] + value * p.load_error[PINNED_FRACTION]) / fraction};
 }
 
-Derived friction_of_passing(const PointResult& p) {
-  const double R_rigid = p.value[R_X] / p.R_x_norm, share = p.value[PASSING_R_X] / p.value[R_X];
+Derived unpinned_friction(const PointResult& p) {
+  const Observable part = unpinned(R_X);
+  const double R_rigid = p.value[R_X] / p.R_x_norm, share = p.value[part] / p.value[R_X];
   const double of_load = p.R_x_norm_error - p.error[R_X] / R_rigid;  // error by that of R_n in R_rigid
-  return {share * p.R_x_norm, p.error[PASSING_R_X] / R_rigid + share * of_load,
-          p.load_error[PASSING_R_X] / R_rigid};
+  return {share * p.R_x_norm, p.error[part] / R_rigid + share * of_load, p.load_error[part] / R_rigid};
 }
 
 Derived friction_coefficient(const PointResult& p) {

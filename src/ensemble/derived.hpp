@@ -10,14 +10,14 @@ struct Derived {
   double value, error, load_error;
 };
 
-// Share of the total that the pinned bristles carry: part over total. Dimensionless.
-Derived share_of(const PointResult& p, Observable part, Observable total);
+// Share of an observable that the pinned bristles carry. Dimensionless.
+Derived pinned_share(const PointResult& p, Observable k);
 
-// Mean over the bristles that pass, from their contribution to the mean over all. Dimensionless.
-Derived mean_of_passing(const PointResult& p, Observable contribution);
+// Mean of an observable over the bristles that are not pinned. Dimensionless.
+Derived unpinned_mean(const PointResult& p, Observable k);
 
-// Friction force of the bristles that pass over that of rigid bristles under the whole load.
-Derived friction_of_passing(const PointResult& p);
+// Friction force of the bristles that are not pinned over that of rigid bristles under the whole load.
+Derived unpinned_friction(const PointResult& p);
 
 // R_x/R_n, Eq. (19). Dimensionless.
 Derived friction_coefficient(const PointResult& p);

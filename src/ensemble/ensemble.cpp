@@ -50,29 +50,18 @@ std::vector<double> with_pole_panels(std::vector<double> edges, const Parameters
 
 ObservableArray observables(const Passage& passage, double L_x) {
   ObservableArray o{};
-  o[N_C_RATIO] = passage.contact_time / L_x;
-  o[R_N] = passage.end[NORMAL] / L_x;
-  o[R_X] = passage.end[FRICTION_X] / L_x;
-  o[R_Y] = passage.end[FRICTION_Y] / L_x;
-  o[GAMMA_1] = passage.gamma_1;
-  o[GAMMA_2] = passage.gamma_2;
-  o[GAMMA_3] = passage.gamma_3;
-  o[ENERGY_RESIDUAL] = passage.energy_residual;
+  for (std::size_t k = 0; k < kObservables.size(); ++k) o[k] = kObservables[k].value(passage, L_x);
   o[WEIGHT] = 1;
   split_by_outcome(o, passage.outcome);
   return o;
 }
 
 void split_by_outcome(ObservableArray& o, Outcome outcome) {
-  const double pinned = outcome == Outcome::pinned ? 1 : 0, passing = 1 - pinned;
-  o[PINNED_FRACTION] = pinned;
-  o[PINNED_R_N] = pinned * o[R_N];
-  o[PINNED_R_X] = pinned * o[R_X];
-  o[PASSING_R_N] = passing * o[R_N];
-  o[PASSING_R_X] = passing * o[R_X];
-  o[PASSING_GAMMA_1] = passing * o[GAMMA_1];
-  o[PASSING_GAMMA_2] = passing * o[GAMMA_2];
-  o[PASSING_GAMMA_3] = passing * o[GAMMA_3];
+  const double is_pinned = outcome == Outcome::pinned ? 1 : 0;
+  for (std::size_t k = 0; k < kObservables.size(); ++k) {
+    if (kObservables[k].unpinned != Unpinned::none) o[unpinned(k)] = (1 - is_pinned) * o[k];
+    if (kObservables[k].unpinned == Unpinned::contribution) o[pinned(k)] = is_pinned * o[k];
+  }
 }
 
 EnsembleMean::EnsembleMean(const Setup& setup, double z_0, PassageRunner run)
@@ -143,8 +132,8 @@ const Ensemble& EnsembleMean::precise_load(double R_n_target) {
 const Ensemble& EnsembleMean::full() {
   Goal all = goal();
   all.max_panel_width = kMaxPanelWidth;
-  for (Observable k : {N_C_RATIO, R_N, R_X, GAMMA_1, GAMMA_2, GAMMA_3}) all.rtol[k] = setup_.orientation.rtol;
-  if (!half_circle_) all.rtol[R_Y] = setup_.orientation.rtol;
+  for (std::size_t k = 0; k < kObservables.size(); ++k)
+    if (kObservables[k].controlled && !(half_circle_ && k == R_Y)) all.rtol[k] = setup_.orientation.rtol;
   return refine(all);
 }
 

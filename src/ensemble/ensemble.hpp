@@ -1,37 +1,14 @@
 #pragma once
 
+#include "ensemble/observables.hpp"
 #include "ensemble/orientation.hpp"
 #include "ensemble/quadrature.hpp"
 #include "simd/runner.hpp"
 
-#include <array>
 #include <optional>
 #include <vector>
 
 namespace bristle {
-
-// Quantities averaged over theta_0. Dimensionless; forces per N_c0.
-enum Observable {
-  N_C_RATIO,  // <T>/L_x
-  R_N,        // <int F_n dxi>/L_x
-  R_X,        // <int F_fx dxi>/L_x
-  R_Y,
-  GAMMA_1,  // Eqs. (24-26)
-  GAMMA_2,
-  GAMMA_3,
-  PINNED_FRACTION,
-  PINNED_R_N,  // contribution of the pinned bristles to R_n and R_x
-  PINNED_R_X,
-  PASSING_R_N,  // contributions of the other bristles, those that pass
-  PASSING_R_X,
-  PASSING_GAMMA_1,
-  PASSING_GAMMA_2,
-  PASSING_GAMMA_3,
-  ENERGY_RESIDUAL,
-  WEIGHT,  // integral of the density of theta_0: 1 up to the error of the quadrature
-  OBSERVABLES
-};
-using ObservableArray = std::array<double, OBSERVABLES>;
 
 // All inputs of an ensemble mean except the gap.
 struct Setup {
@@ -112,11 +89,6 @@ class EnsembleMean {
   std::optional<Ensemble> checked_;                    // with_integrator_error()
   std::optional<Quadrature<OBSERVABLES>> quadrature_;  // none for a list
 };
-
-// Contribution of one passage to the means, for a slab of length L_x.
-ObservableArray observables(const Passage& passage, double L_x);
-// Sets the contributions of pinned and of passing bristles according to those of the passage.
-void split_by_outcome(ObservableArray& contribution, Outcome outcome);
 
 // R_rigid of Eqs. (22, 23) per N_c0, for the normal load R_n per N_c0. Dimensionless.
 double rigid_friction(const Parameters& p, double R_n);

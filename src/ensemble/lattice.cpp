@@ -8,9 +8,6 @@ namespace bristle {
 namespace {
 
 constexpr long kIntervalsPerRow = 4;
-// Means over passages; the others are means over time.
-constexpr Observable kPerPassage[] = {GAMMA_1,         GAMMA_2,         GAMMA_3,         PINNED_FRACTION,
-                                      ENERGY_RESIDUAL, PASSING_GAMMA_1, PASSING_GAMMA_2, PASSING_GAMMA_3};
 constexpr long kBatch = 4096;  // passages whose samples are held at the same time
 
 // Integrals over an interval of the forces on the slab and of the number of bristles in contact, before
@@ -72,6 +69,14 @@ Fluctuation fluctuation_of(const std::vector<double>& series) {
   }
   const double value = std::sqrt(variance) / mean;
   return {value, value * std::sqrt(correlated / double(n))};
+}
+
+// How the mean of an observable, or of its contributions by outcome, is taken.
+Average average_of(Observable k) {
+  for (std::size_t row = 0; row < kObservables.size(); ++row)
+    if (k == row || (kObservables[row].unpinned != Unpinned::none && k == unpinned(row)))
+      return kObservables[row].average;
+  return Average::over_time;
 }
 
 class Lattice {
@@ -141,7 +146,7 @@ class Lattice {
     const double window = double(series_.size() - window_start_) * interval_;
     for (std::size_t k = 0; k < OBSERVABLES; ++k) {
       const double divisor =
-          std::ranges::count(kPerPassage, k) > 0 ? double(contributions_[k].count()) : window * N_c0();
+          average_of(k) == Average::over_passages ? double(contributions_[k].count()) : window * N_c0();
       out_.mean[k] = contributions_[k].sum() / divisor;
       out_.error[k] = contributions_[k].error() / divisor;
     }

@@ -93,6 +93,13 @@ void add_recording(Text& out, const Recording& r) {
   out.add("trajectories", r.trajectories);
 }
 
+// Journals have the values of these observables only.
+std::vector<const char*> observable_names() {
+  std::vector<const char*> names;
+  for (const ObservableRow& row : kObservables) names.push_back(row.name);
+  return names;
+}
+
 }  // namespace
 
 std::string canonical_point(const Experiment& experiment, std::size_t index) {
@@ -106,6 +113,7 @@ std::string canonical_point(const Experiment& experiment, std::size_t index) {
   out.add("engine", word(experiment.engine));
   out.add("max_evaluations_per_point", point.setup.max_evaluations_per_point);
   if (!point.si.empty()) out.add("force_unit", force_unit(point));
+  out.add("observables", fmt::format("{}", fmt::join(observable_names(), ",")).c_str());
   return out.text();
 }
 

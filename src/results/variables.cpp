@@ -2,13 +2,16 @@
 
 #include "ensemble/derived.hpp"
 
+#include <fmt/format.h>
+
 namespace bristle::results {
 namespace {
 
 using Value = ResultVariable::Value;
 
-ResultVariable mean(const char* name, const char* long_name, const char* symbol, const char* equation,
-                    Observable k) {
+// An ensemble mean.
+ResultVariable mean(const std::string& name, const std::string& long_name, const std::string& symbol,
+                    const char* equation, Observable k) {
   return {name,
           long_name,
           symbol,
@@ -18,9 +21,9 @@ ResultVariable mean(const char* name, const char* long_name, const char* symbol,
           [k](const PointResult& p) { return p.load_error[k]; }};
 }
 
-ResultVariable derived(const char* name, const char* long_name, const char* symbol, const char* equation,
-                       const std::function<Derived(const PointResult&)>& of, bool has_load_error = false,
-                       const char* units = "1") {
+ResultVariable derived(const std::string& name, const std::string& long_name, const std::string& symbol,
+                       const char* equation, const std::function<Derived(const PointResult&)>& of,
+                       bool has_load_error = false, const char* units = "1") {
   Value load_error;
   if (has_load_error) load_error = [of](const PointResult& p) { return of(p).load_error; };
   return {name,
@@ -33,17 +36,43 @@ ResultVariable derived(const char* name, const char* long_name, const char* symb
           units};
 }
 
-ResultVariable pinned_share(const char* name, const char* long_name, const char* symbol, Observable part,
-                            Observable total) {
-  return derived(
-      name, long_name, symbol, "", [=](const PointResult& p) { return share_of(p, part, total); }, true);
+// "R_n" as in "R_n/N_c0".
+std::string before_slash(const std::string& symbol) { return symbol.substr(0, symbol.find('/')); }
+
+// The symbol of a dimensional quantity, without the tilde of the dimensionless one.
+std::string without_tilde(std::string symbol) {
+  const std::string tilde = R"(\tilde{)";
+  if (const auto at = symbol.find(tilde); at != std::string::npos) {
+    symbol.erase(symbol.find('}', at), 1);
+    symbol.erase(at, tilde.size());
+  }
+  return symbol;
 }
 
-ResultVariable mean_unpinned(const char* name, const char* long_name, const char* symbol,
-                             Observable contribution) {
+// The symbol with a word added to its first subscript, a single character.
+std::string with_subscript(std::string symbol, const char* word) {
+  const auto at = symbol.find('_') + 1;
+  return symbol.replace(at, 1, fmt::format(R"({{{},\mathrm{{{}}}}})", symbol[at], word));
+}
+
+ResultVariable pinned_share_of(Observable k) {
+  const ObservableRow& row = kObservables[k];
+  const std::string symbol = before_slash(without_tilde(row.symbol));
   return derived(
-      name, long_name, symbol, "", [=](const PointResult& p) { return mean_of_passing(p, contribution); },
-      true);
+      fmt::format("pinned_share_{}", row.name), fmt::format("share of the pinned bristles in {}", row.name),
+      with_subscript(symbol, "pinned") + "/" + symbol, "",
+      [k](const PointResult& p) { return pinned_share(p, k); }, true);
+}
+
+// The variant of an observable for the bristles that are not pinned.
+ResultVariable unpinned_of(Observable k) {
+  const ObservableRow& row = kObservables[k];
+  const std::string name = fmt::format("{}_unpinned", row.name),
+                    symbol = with_subscript(row.symbol, "unpinned"),
+                    long_name = fmt::format("{}, without pinned bristles", row.long_name);
+  if (row.unpinned == Unpinned::contribution) return mean(name, long_name, symbol, "", unpinned(k));
+  return derived(
+      name, long_name, symbol, "", [k](const PointResult& p) { return unpinned_mean(p, k); }, true);
 }
 
 ResultVariable field(const char* name, const char* long_name, const char* symbol, const char* equation,
@@ -69,11 +98,12 @@ ResultVariable fluctuation(const char* name, const char* long_name, const char* 
 }
 
 // An ensemble mean in newtons.
-ResultVariable force(const char* name, const char* long_name, const char* symbol, Observable k) {
-  return {name,
-          long_name,
-          symbol,
-          "Eq. (19)",
+ResultVariable in_newtons(Observable k) {
+  const ObservableRow& row = kObservables[k];
+  return {fmt::format("{}_in_N", row.name),
+          row.long_name,
+          without_tilde(row.symbol),
+          row.equation,
           [k](const PointResult& p) { return p.value[k] * p.force_unit; },
           [k](const PointResult& p) { return p.error[k] * p.force_unit; },
           [k](const PointResult& p) { return p.load_error[k] * p.force_unit; },
@@ -97,11 +127,8 @@ void add_fluctuations(std::vector<ResultVariable>& variables) {
 }
 
 void add_si(std::vector<ResultVariable>& variables) {
-  variables.push_back(force("R_n_in_N", "normal load per bristle", R"(R_n/N_{c,0})", R_N));
-  variables.push_back(
-      force("R_x_in_N", "friction force per bristle along the motion", R"(R_x/N_{c,0})", R_X));
-  variables.push_back(
-      force("R_y_in_N", "friction force per bristle across the motion", R"(R_y/N_{c,0})", R_Y));
+  for (Observable k = 0; k < kObservables.size(); ++k)
+    if (kObservables[k].is_force) variables.push_back(in_newtons(k));
   variables.push_back(derived("friction_coefficient", "friction force over normal load", R"(R_x/R_n)",
                               "Eq. (19)", friction_coefficient));
 }
@@ -118,46 +145,24 @@ void add_direction(std::vector<ResultVariable>& variables) {
 
 std::vector<ResultVariable> result_variables(const Experiment& experiment) {
   using P = PointResult;
-  std::vector<ResultVariable> variables = {
-      field("z_0", "gap between slab and ground", R"(\tilde{z}_0)", "Fig. 3", &P::z_0, &P::z_0_error,
-            &P::z_0_error),
-      mean("R_n", "normal load per bristle", R"(\tilde{R}_n/N_{c,0})", "Eq. (19)", R_N),
-      mean("R_x", "friction force per bristle along the motion", R"(\tilde{R}_x/N_{c,0})", "Eq. (19)", R_X),
-      mean("R_y", "friction force per bristle across the motion", R"(\tilde{R}_y/N_{c,0})", "Eq. (19)", R_Y),
-      field("R_x_norm", "friction force over that of rigid bristles", R"(\check{R}_x)", "Eq. (20)",
-            &P::R_x_norm, &P::R_x_norm_error, &P::R_x_norm_load_error),
-      field("R_y_norm", "transverse force over the friction of rigid bristles", R"(\check{R}_y)", "Eq. (21)",
-            &P::R_y_norm, &P::R_y_norm_error, &P::R_y_norm_load_error),
-      mean("N_c_ratio", "bristles in contact over those of rigid bristles", R"(N_c/N_{c,0})", "Eq. (A2)",
-           N_C_RATIO),
-      mean("gamma_1", "modulation of friction by the sliding speed", R"(\tilde{\gamma}_1)", "Eq. (24)",
-           GAMMA_1),
-      mean("gamma_2", "alignment of friction with the motion", R"(\tilde{\gamma}_2)", "Eq. (25)", GAMMA_2),
-      mean("gamma_3", "reduction of the contact area by load fluctuations", R"(\tilde{\gamma}_3)", "Eq. (26)",
-           GAMMA_3),
-      mean("pinned_fraction", "fraction of bristles pinned upright at the pole", R"(f_\mathrm{pinned})", "",
-           PINNED_FRACTION),
-      pinned_share("pinned_share_R_n", "share of pinned bristles in R_n", R"(R_{n,\mathrm{pinned}}/R_n)",
-                   PINNED_R_N, R_N),
-      pinned_share("pinned_share_R_x", "share of pinned bristles in R_x", R"(R_{x,\mathrm{pinned}}/R_x)",
-                   PINNED_R_X, R_X),
-      mean("R_n_unpinned", "normal load of the bristles that pass, per bristle",
-           R"(\tilde{R}_{n,\mathrm{unpinned}}/N_{c,0})", "", PASSING_R_N),
-      mean("R_x_unpinned", "friction force of the bristles that pass, per bristle",
-           R"(\tilde{R}_{x,\mathrm{unpinned}}/N_{c,0})", "", PASSING_R_X),
-      derived("R_x_norm_unpinned", "friction of the bristles that pass over that of rigid bristles under R_n",
-              R"(\check{R}_{x,\mathrm{unpinned}})", "", friction_of_passing, true),
-      mean_unpinned("gamma_1_unpinned", "gamma_1 of the bristles that pass",
-                    R"(\tilde{\gamma}_{1,\mathrm{unpinned}})", PASSING_GAMMA_1),
-      mean_unpinned("gamma_2_unpinned", "gamma_2 of the bristles that pass",
-                    R"(\tilde{\gamma}_{2,\mathrm{unpinned}})", PASSING_GAMMA_2),
-      mean_unpinned("gamma_3_unpinned", "gamma_3 of the bristles that pass",
-                    R"(\tilde{\gamma}_{3,\mathrm{unpinned}})", PASSING_GAMMA_3),
-      mean("energy_residual", "mean error of the energy budget over the dissipated or initial energy",
-           R"(\epsilon_E)", "Eqs. (13, 17, 18)", ENERGY_RESIDUAL),
-      field("incomplete_theta_0", "undeformed azimuth of the first passage without an exit", R"(\theta_0)",
-            "", &P::incomplete_theta_0),
-  };
+  std::vector<ResultVariable> variables = {field("z_0", "gap between slab and ground", R"(\tilde{z}_0)",
+                                                 "Fig. 3", &P::z_0, &P::z_0_error, &P::z_0_error)};
+  for (Observable k = 0; k < kObservables.size(); ++k) {
+    const ObservableRow& row = kObservables[k];
+    variables.push_back(mean(row.name, row.long_name, row.symbol, row.equation, k));
+    if (row.unpinned == Unpinned::contribution) variables.push_back(pinned_share_of(k));
+    if (row.unpinned != Unpinned::none) variables.push_back(unpinned_of(k));
+  }
+  variables.push_back(field("R_x_norm", "friction force over that of rigid bristles", R"(\check{R}_x)",
+                            "Eq. (20)", &P::R_x_norm, &P::R_x_norm_error, &P::R_x_norm_load_error));
+  variables.push_back(field("R_y_norm", "transverse force over the friction of rigid bristles",
+                            R"(\check{R}_y)", "Eq. (21)", &P::R_y_norm, &P::R_y_norm_error,
+                            &P::R_y_norm_load_error));
+  variables.push_back(derived("R_x_norm_unpinned",
+                              "friction force over that of rigid bristles under R_n, without pinned bristles",
+                              R"(\check{R}_{x,\mathrm{unpinned}})", "", unpinned_friction, true));
+  variables.push_back(field("incomplete_theta_0", "undeformed azimuth of the first passage without an exit",
+                            R"(\theta_0)", "", &P::incomplete_theta_0));
   variables.back().units = "rad";
   if (!experiment.base.loading.z_0 && !experiment.base.loading.trace) add_load_jump(variables);
   if (experiment.on_lattice()) add_fluctuations(variables);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dynamics/components.hpp"
+#include "dynamics/ode.hpp"
 
 namespace bristle {
 

@@ -3,7 +3,7 @@
 #include "assumptions/assumptions.hpp"
 #include "small_archive.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 #include <set>
 
 // What an archive contains beside results of figures: citation, licences, studies, matrices and the report.

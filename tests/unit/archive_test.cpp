@@ -4,7 +4,7 @@
 #include "util/error.hpp"
 #include "small_archive.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 #include <fmt/format.h>
 #include <sys/stat.h>
 

@@ -4,7 +4,7 @@
 #include "util/text.hpp"
 #include "scratch.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>

@@ -3,7 +3,7 @@
 #include "util/error.hpp"
 #include "small_result.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 #include <cmath>
 
 namespace bristle::checks_test {

@@ -2,7 +2,7 @@
 #include "util/error.hpp"
 #include "small_result.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 namespace bristle::diff_test {
 using namespace testing;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include "model/friction/laws.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 #include <cmath>
 
 namespace bristle::ensemble_test {
@@ -54,7 +54,7 @@ TEST_CASE("the range of pinned bristles near theta_0 = 180 degrees is located") 
   const double border = e.jumps.back() * 180 / M_PI;
   CHECK(border == Approx(178.1).margin(0.1));
   CHECK(e.mean[PINNED_FRACTION] == Approx((180 - border) / 180).epsilon(0.02));
-  CHECK(e.mean[PINNED_R_X] / e.mean[R_X] > 0.2);  // 1 % of the bristles cause a quarter of the friction
+  CHECK(e.mean[pinned(R_X)] / e.mean[R_X] > 0.2);  // 1 % of the bristles cause a quarter of the friction
 }
 
 TEST_CASE(

@@ -4,7 +4,7 @@
 #include "util/error.hpp"
 #include "scratch.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <cmath>
@@ -83,7 +83,7 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
        "@/e.json: /model/A: 0.9 is not allowed; allowed: a number at least 1 (maximum of chi, Eq. (7))"},
       {with(R"("model": {"lambda": 0})"),
        "@/e.json: /model/lambda: 0 is not allowed; allowed: a number greater than 0 (range of the pole "
-       "repulsion in units of r0)"},
+       "repulsion, in units of r0)"},
       {with(R"("model": {"C": "peak"})"),
        "@/e.json: /model/C: \"peak\" is not allowed; allowed: a number at least -1000 and at most 1 or "
        "\"peak_at_V_s\" (shape "

@@ -6,7 +6,7 @@
 #include "small_result.hpp"
 
 #include <bit>
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 #include <filesystem>
 #include <rapidcheck.h>
 #include <set>

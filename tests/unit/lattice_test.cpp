@@ -7,7 +7,7 @@
 #include <boost/math/special_functions/bessel.hpp>
 #include "model/friction/laws.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 #include <cmath>
 #include <numeric>
 

@@ -3,7 +3,7 @@
 #include "results/texts.hpp"
 #include "small_result.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 #include <hdf5_hl.h>
 
 // Axes of choices: words in the layout of today, codes in that of version 1.

@@ -1,6 +1,6 @@
 #include "ensemble/load.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 #include <cmath>
 
 namespace bristle::load_test {

@@ -1,6 +1,6 @@
 #include "parts.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 // Deliberately damaged parts: the message names the part, no temporary file remains and an existing file is
 // unchanged.

@@ -1,6 +1,6 @@
 #include "parts.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 #include <rapidcheck/catch.h>
 
 namespace bristle::merge_test {

@@ -4,7 +4,7 @@
 #include "model/friction/table.hpp"
 #include "model/equilibrium.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 namespace bristle::model_test {
 using namespace testing;

@@ -9,7 +9,7 @@
 #include "util/json.hpp"
 #include "small_result.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 #include <sys/stat.h>
 
 // Nothing is replaced but files of the kind that is written, and nothing is read that may never end.

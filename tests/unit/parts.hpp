@@ -6,7 +6,7 @@
 #include "util/error.hpp"
 #include "small_result.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 #include <random>
 
 // Parts of sharded experiments with invented numbers.

@@ -1,7 +1,7 @@
 #include "run/passage_pool.hpp"
 
 #include <array>
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 #include <thread>
 
 namespace bristle::passage_pool_test {

@@ -2,7 +2,7 @@
 #include "dynamics/rules.hpp"
 #include "generators.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 namespace bristle::passage_test {
 using namespace testing;

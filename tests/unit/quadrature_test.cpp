@@ -2,7 +2,7 @@
 #include "generators.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 namespace bristle::quadrature_test {
 using namespace testing;

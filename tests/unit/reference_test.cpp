@@ -4,7 +4,7 @@
 #include "util/error.hpp"
 #include "small_result.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 namespace bristle::reference_test {
 using namespace testing;

@@ -9,7 +9,7 @@
 #include "scratch.hpp"
 
 #include <nlohmann/json.hpp>
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 #include <chrono>
 #include <cmath>
 #include <numeric>

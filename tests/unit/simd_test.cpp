@@ -6,7 +6,7 @@
 #include <hwy/targets.h>
 
 #include <algorithm>
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 #include <deque>
 
 namespace bristle::simd_test {

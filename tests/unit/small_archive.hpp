@@ -8,7 +8,7 @@
 #include "util/text.hpp"
 #include "small_result.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 #include <cstdlib>
 
 // An archive of one small result in a repository of its own, and functions to repack it.

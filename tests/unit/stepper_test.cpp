@@ -3,7 +3,7 @@
 #include "dynamics/rosenbrock.hpp"
 
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 #include <functional>
 
 namespace bristle::stepper_test {

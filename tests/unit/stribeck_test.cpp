@@ -1,7 +1,7 @@
 #include "model/friction/laws.hpp"
 #include "simd/runner.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 
 namespace bristle::stribeck_test {
 

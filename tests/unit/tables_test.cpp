@@ -7,7 +7,7 @@
 #include "model/friction/laws.hpp"
 #include "scratch.hpp"
 
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 #include <nlohmann/json.hpp>
 
 namespace bristle::tables_test {

@@ -4,7 +4,7 @@
 #include "model/friction/laws.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
+#include "catch.hpp"
 #include <cmath>
 
 namespace bristle::trace_test {
