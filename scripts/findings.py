@@ -25,30 +25,6 @@ README.md from the result files; no number in them is typed.
 """
 
 # The claims in short, for the first table. Their checks quote the paper.
-CLAIMS = {
-    "3a": "first contact is stiff, governed by k_r",
-    "3b": "near the ground R_n is proportional to k_phi",
-    "3c": "R_n(z_0) folds: hysteresis",
-    "3d": "z_0 rises with k_r, with the order reversed at another load",
-    "4a": "R_x falls with k_r",
-    "4b": "gamma_3 drops sharply with k_r",
-    "4c": "a long sticky phase near the ground: low gamma_1",
-    "4d": "k_r eventually reduces gamma_2",
-    "4e": "reducing k_theta reduces friction",
-    "4f": "k_theta matters less than k_r",
-    "5a": "N_c falls with k_r",
-    "5b": "reducing k_phi shifts the curve to higher k_r",
-    "5c": "a lower N_c entails lower friction",
-    "6a": "Coulomb friction: trends as under NSS",
-    "6b": "Coulomb friction: a smoother fall with k_r",
-    "7a": "NSS falls steeply, Coulomb over a broader range",
-    "7b": "a larger z_0 entails a lower R_x",
-    "8a": "low k_r: slightly below rigid bristles",
-    "8b": "high k_r: R_x saturates as mu_c grows",
-    "A1": "isotropy: R_y = 0",
-    "A2": "the lattice's mean is the ensemble's; fluctuations vanish",
-    "A3": "more bristles in contact than N_0",
-}
 
 BEGIN, END = "<!-- summary: written by `make findings` -->", "<!-- end of summary -->"
 
@@ -97,7 +73,9 @@ def readings_of(found):
 def overview(found):
     """A row for each claim: what the paper states in short, and the verdict under each reading."""
     readings = readings_of(found)
-    rows = [[claim, CLAIMS.get(claim, ""), *(emphasised(verdicts.get(reading, "")) for reading in readings)]
+    shorts = {check["claim"]: check["short"] for _, claims in found for checks in claims.values() for check, _ in checks
+              if "short" in check}
+    rows = [[claim, shorts.get(claim, ""), *(emphasised(verdicts.get(reading, "")) for reading in readings)]
             for claim, verdicts in all_verdicts(found).items()]
     return table(["claim", "the paper, in short", *(READINGS.get(one, one or "verdict") for one in readings)], *rows) + "\n"
 
@@ -169,8 +147,8 @@ def item(file, check, rows):
     for row in rows:
         reading = f"{READINGS.get(row.reading, row.reading)}: " if row.reading else ""
         measured = f"{number(row.measured, '.3f')} ± {number(row.uncertainty, '.3f')}{p_text(row)}"
-        why = f"; {explain_further(file, check, row)}" if row.role != "main" and row.verdict == "refuted" else ""
-        lines.append(f"  - {reading}{emphasised(row.verdict)}, {measured}{why}")
+        why = explain_further(file, check, row) if row.role != "main" and row.verdict == "refuted" else ""
+        lines.append(f"  - {reading}{emphasised(row.verdict)}, {measured}{why and '; '}{why}")
     return "\n".join(lines)
 
 

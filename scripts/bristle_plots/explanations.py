@@ -7,7 +7,7 @@ import numpy as np
 
 from .results import (axis_names, axis_values, constant, dataset, point_numbers, read, select, select_flags,
                       setting)
-from .verdicts import number, p_text, with_uncertainty
+from .verdicts import number, p_text, threshold_text, with_uncertainty
 
 READINGS = {"kinematic": "exact", "as_printed": "as printed"}  # of Eq. (17)
 
@@ -299,16 +299,22 @@ CLAIMS = {"3a": stiff_first_contact, "3d": order_of_gaps, "5c": order_within_bra
 FURTHER = {("3a", "slope"): slope_at_contact, ("4c", "end_ratio"): sticking_at_low_stiffness,
            ("4d", "trend"): alignment_over_stiffness, ("5c", "slope"): estimate_of_friction,
            ("5c", "plateau"): product_of_gammas, ("6a", "concordance"): jump_of_one_law}
-NOT_YET = "not explained yet."
+
+
+def what_was_measured(pairs):
+    """The explanation of any other claim: what its checks measured, and what they require."""
+    rows = [row for _, row in failing(pairs) or pairs]
+    return " ".join(f"\u201c{row.statement}\u201d: measured is {with_uncertainty(row.measured, row.uncertainty)}{p_text(row)}, "
+                    f"required {threshold_text(row.relation, row.threshold, row.band).strip()}." for row in rows)
 
 
 def explain_claim(file, pairs):
     """Why the claim is refuted or undecided under the reading of these checks."""
-    check = pairs[0][0]
-    return CLAIMS[check["claim"]](file, pairs) if check["claim"] in CLAIMS else NOT_YET.capitalize()
+    explanation = CLAIMS.get(pairs[0][0]["claim"])
+    return explanation(file, pairs) if explanation else what_was_measured([pair for pair in pairs if pair[1].role == "main"])
 
 
 def explain_further(file, check, row):
-    """Why a further check is refuted."""
+    """Why a further check is refuted; empty where its numbers say it."""
     explanation = FURTHER.get((check["claim"], check["predicate"]))
-    return explanation(file, [(check, row)]) if explanation else NOT_YET
+    return explanation(file, [(check, row)]) if explanation else ""

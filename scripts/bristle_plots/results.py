@@ -24,7 +24,7 @@ OPENING = dict(engine="h5netcdf", phony_dims="access")
 NUMBERS = "iuf"  # kinds of data; other variables are texts
 
 # Names of choices in figures.
-CHOICE_NAMES = {"nss": "NSS", "coulomb": "Amontons\u2013Coulomb", "stribeck": "exponential Stribeck"}
+CHOICE_NAMES = {"nss": "NSS", "coulomb": "Amontons\u2013Coulomb"}
 CHOICE_NAMES |= {"kinematic": "Eq. (17) exact", "as_printed": "Eq. (17) as printed"}
 
 

@@ -55,7 +55,7 @@ void joint_sets(const std::vector<Alternative>& all, const Json& choices, std::s
   }
   joint_sets(all, choices, first + 1, chosen, visit);
   for (const Alternative& one : all) {
-    if (one.choice != choices[first]) continue;
+    if (one.choice != choices[first].get<std::string>()) continue;
     chosen.push_back(&one);
     joint_sets(all, choices, first + 1, chosen, visit);
     chosen.pop_back();

@@ -1,4 +1,4 @@
-"""Executes the steps of docs/extending.md: applied to the source without the friction law, they give the source.
+"""Executes docs/extending.md: the friction law and its figure are the source's; the other additions are built and run.
 
 extending_test.py SOURCE BUILD
 """
@@ -10,19 +10,27 @@ import subprocess
 import sys
 import tempfile
 
+import h5py
+
 source, build = map(pathlib.Path, sys.argv[1:3])
 LAW = "stribeck"
+PART_OF_SOURCE = ["A figure", "A friction law"]
 PLACES = ["src", "tests", "experiments", "scripts", "cmake", "benchmarks", "Makefile", "CMakeLists.txt", "packages.txt",
-          "CMakePresets.json"]
+          "CMakePresets.json", "README.md", "LICENSE", "CITATION.cff", "CHANGELOG.md"]
 # The first contains the name of the law to search for it, the others use all laws.
 EXCEPTIONS = {"tests/python/extending_test.py", "tests/program/arm_test.sh", "tests/stress/physics.py"}
 
 page = (source / "docs/extending.md").read_text(encoding="utf-8")
-blocks = re.findall(r"^```(\w+) ?(\S*)\n(.*?)^```$", page, re.M | re.S)
-files = [(path, text) for kind, path, text in blocks if path and kind != "diff"]
-diffs = [(path, text) for kind, path, text in blocks if kind == "diff"]
-commands = [line for kind, _, text in blocks if kind == "sh" for line in text.splitlines()]
-assert len(files) >= 4 and len(diffs) >= 5 and len(commands) >= 5, "the document has too few steps"
+sections = {}  # (files that the heading states, blocks) by title
+for title, count, text in re.findall(r"^## (.*): (\d) files?\n(.*?)(?=^## |\Z)", page, re.M | re.S):
+    sections[title] = int(count), re.findall(r"^```(\w+) ?(\S*)\n(.*?)^```$", text, re.M | re.S)
+assert list(sections) == ["A parameter", "An observable", "A figure", "A claim", "A friction law"], list(sections)
+for title, (count, blocks) in sections.items():
+    assert len({path for _, path, _ in blocks if path}) == count, f"{title} touches another number of files than it says"
+
+
+def blocks_of(titles, *kinds):
+    return [(path, text) for title in titles for kind, path, text in sections[title][1] if kind in kinds]
 
 
 def sides(text):
@@ -37,6 +45,12 @@ def replace(path, old, new):
     path.write_text(text.replace(old, new), encoding="utf-8")
 
 
+def run(command, folder, code=0):
+    done = subprocess.run(command, shell=True, cwd=folder, capture_output=True, text=True)
+    assert done.returncode == code, f"{command}: {done.returncode}: {done.stdout[-3000:]}{done.stderr[-3000:]}"
+    return done.stdout + done.stderr
+
+
 with tempfile.TemporaryDirectory() as folder:
     copy = pathlib.Path(folder)
     for place in PLACES:
@@ -46,7 +60,11 @@ with tempfile.TemporaryDirectory() as folder:
             shutil.copy2(source / place, copy / place)
     copies = [path for path in copy.rglob("*") if path.is_file()]
     times = {path: path.stat().st_mtime for path in copies}
+    files = blocks_of(PART_OF_SOURCE, "cpp", "json", "python")
+    diffs = blocks_of(PART_OF_SOURCE, "diff")
+    assert len(files) == 3 and len(diffs) == 2
 
+    # The friction law and its figure.
     for path, text in files:
         assert (copy / path).read_text(encoding="utf-8") == text, f"{path} differs from the document"
         (copy / path).unlink()
@@ -55,8 +73,7 @@ with tempfile.TemporaryDirectory() as folder:
         replace(copy / path, after, before)
     left = [str(path.relative_to(copy)) for path in copies
             if path.exists() and LAW in path.read_text(encoding="utf-8", errors="ignore").lower()]
-    assert set(left) <= EXCEPTIONS, f"the document lacks the steps that add the law to {left}"
-
+    assert set(left) <= EXCEPTIONS | {"CHANGELOG.md", "README.md"}, f"the document lacks the steps that add the law to {left}"
     for path, text in files:
         (copy / path).write_text(text, encoding="utf-8")
     for path, text in diffs:
@@ -65,11 +82,25 @@ with tempfile.TemporaryDirectory() as folder:
     for path in copies:
         assert path.read_bytes() == (source / path.relative_to(copy)).read_bytes(), path
         os.utime(path, (times[path], times[path]))
-
     shutil.copytree(source / "reference", copy / "reference")
     # The copy equals the source and can use its build.
     (copy / "build").symlink_to(build, target_is_directory=True)
+    commands = [line for _, text in blocks_of(PART_OF_SOURCE, "sh") for line in text.splitlines()]
+    assert len(commands) >= 5
     for command in commands:
-        done = subprocess.run(command, shell=True, cwd=copy, capture_output=True, text=True)
-        assert done.returncode == 0, f"{command}: {done.stdout}{done.stderr}"
+        run(command, copy)
     assert (copy / f"figures-smoke/{LAW}.png").stat().st_size > 15_000
+
+    # The other additions, with a build of their own.
+    for path, text in blocks_of([title for title in sections if title not in PART_OF_SOURCE], "diff"):
+        replace(copy / path, *sides(text))
+    (copy / "build").unlink()
+    run("cmake --preset release -G Ninja && ninja -C build --quiet bristle", copy)
+    run(f"build/bristle run experiments/{LAW}.json --tier smoke --set /model/creep_ratio=4 -o new.h5", copy)
+    with h5py.File(copy / "new.h5") as file:
+        work, error = file["sliding_work"], file["sliding_work_err"][()]
+        assert work.attrs["long_name"] == b"work of sliding friction in a passage" and (work[()] > 0).all()
+        assert (error < 0.05 * work[()]).all(), (work[()], error)
+    assert "creep_ratio: -1" in run(f"build/bristle validate experiments/{LAW}.json --set /model/creep_ratio=-1", copy, 2)
+    checked = run("build/bristle check --report-only --reference reference new.h5 || true", copy)
+    assert re.search(r"^S1 ", checked, re.M), checked

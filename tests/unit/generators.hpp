@@ -1,12 +1,25 @@
 #pragma once
 
+#include "catch.hpp"
 #include "model/energy.hpp"
 #include "model/friction/laws.hpp"
 
 #include <cmath>
-#include <rapidcheck/catch.h>
+#include <rapidcheck.h>
 
 // Random input for property tests.
+namespace rc {
+
+// A property as a section of a test case, for any version of Catch2.
+template <class Testable>
+void prop(const std::string& description, Testable&& testable) {
+  SECTION(description) {
+    CHECK(check(description, std::forward<Testable>(testable)));
+  }
+}
+
+}  // namespace rc
+
 namespace bristle::testing {
 
 inline double uniform(double from, double to) {

@@ -1,7 +1,7 @@
 #include "parts.hpp"
 
 #include "catch.hpp"
-#include <rapidcheck/catch.h>
+#include "generators.hpp"
 
 namespace bristle::merge_test {
 using namespace testing;

@@ -132,7 +132,7 @@ TEST_CASE("deviations: listed in descending order, at most 25 of them") {
   for (hsize_t i = 0; i < 2; ++i)
     for (hsize_t j = 0; j < 3; ++j)
       for (const char* name : {"R_x", "R_n", "gamma_1", "gamma_2", "gamma_3"})
-        put(p.b, name, {i, j}, double(10 * i + j));
+        put(p.b, name, {i, j}, double(10 * i + j) + 0.05);
   const DeviationReport report = p.report();
   CHECK(report.above(1) == 30);
   for (std::size_t i = 1; i < report.deviations.size(); ++i)

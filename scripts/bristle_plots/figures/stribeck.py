@@ -10,6 +10,6 @@ VARIABLES = ["R_x_norm", "gamma_1"]
 
 @one_page
 def draw(file):
-    curves = {f"{CHOICE_NAMES.get(law, law)}, $A$ = {A:g}": {"friction": law, "A": A}
+    curves = {f"{CHOICE_NAMES.get(law, law.capitalize())}, $A$ = {A:g}": {"friction": law, "A": A}
               for A in axis_values(file, "A") for law in axis_values(file, "friction")}
     return draw_panels(file, VARIABLES, "k_r", curves)
