@@ -1,6 +1,6 @@
 #include "assumptions/assumptions.hpp"
 
-#include "claims/validate.hpp"
+#include "claims/checks.hpp"
 #include "results/digest.hpp"
 #include "results/reader.hpp"
 #include "results/version.hpp"

@@ -1,7 +1,6 @@
 #include "claims/checks.hpp"
 
 #include "claims/measure.hpp"
-#include "claims/validate.hpp"
 #include "experiment/experiment.hpp"
 
 #include <nlohmann/json.hpp>

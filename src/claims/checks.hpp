@@ -48,4 +48,8 @@ std::vector<CheckResult> evaluate_checks(
 // reading.
 std::string checks_table(const std::vector<CheckResult>& checks);
 
+// Finds mistakes in checks before anything is computed: throws InputError if a check lacks a key that its
+// predicate needs, or names a variable, an axis or a value that the result of the experiment will not have.
+void validate_checks(const Experiment& experiment);
+
 }  // namespace bristle::claims

@@ -1,4 +1,4 @@
-#include "claims/validate.hpp"
+#include "claims/checks.hpp"
 
 #include "claims/measure.hpp"
 #include "results/reader.hpp"

@@ -1,9 +1,9 @@
 #include "cli/run.hpp"
 
 #include "claims/measure.hpp"
-#include "claims/validate.hpp"
+#include "claims/checks.hpp"
 #include "cli/exit_code.hpp"
-#include "experiment/author_schema.hpp"
+#include "experiment/schema.hpp"
 #include "experiment/experiment.hpp"
 #include "experiment/si_units.hpp"
 #include "run/task.hpp"

@@ -1,7 +1,6 @@
 #include "ensemble/ensemble.hpp"
 
 #include "ensemble/integrator_error.hpp"
-#include "ensemble/quadrature_impl.hpp"
 #include "model/elementary.hpp"
 #include "model/friction/laws.hpp"
 
@@ -93,10 +92,10 @@ std::vector<Passage> EnsembleMean::run(const std::vector<double>& theta_0) {
   return results;
 }
 
-std::vector<Sample<OBSERVABLES>> EnsembleMean::samples(const std::vector<double>& theta_0) {
-  std::vector<Sample<OBSERVABLES>> out;
+std::vector<Sample> EnsembleMean::samples(const std::vector<double>& theta_0) {
+  std::vector<Sample> out;
   for (const Passage& one : run(theta_0)) {
-    Sample<OBSERVABLES> sample;
+    Sample sample;
     sample.label = int(one.outcome);
     sample.valid = one.complete();
     sample.value = observables(one, setup_.parameters.L_x);
@@ -107,37 +106,37 @@ std::vector<Sample<OBSERVABLES>> EnsembleMean::samples(const std::vector<double>
   return out;
 }
 
-EnsembleMean::Goal EnsembleMean::goal() const {
-  Goal goal;
-  for (std::size_t k = 0; k < OBSERVABLES; ++k) goal.scale[k] = int(k);
+QuadratureGoal EnsembleMean::goal() const {
+  QuadratureGoal goal;
+  for (std::size_t k = 0; k < OBSERVABLES; ++k) goal.scale[k] = k;
   goal.scale[R_Y] = R_X;  // R_y is near zero, so its tolerance is relative to R_x
   goal.rtol[WEIGHT] = setup_.orientation.rtol;
   return goal;
 }
 
 const Ensemble& EnsembleMean::rough_load(double R_n_target) {
-  Goal rough = goal();
+  QuadratureGoal rough = goal();
   rough.rtol[R_N] = kRoughFactor * setup_.orientation.rtol;
   rough.threshold = R_n_target;
   return refine(rough);
 }
 
 const Ensemble& EnsembleMean::precise_load(double R_n_target) {
-  Goal precise = goal();
+  QuadratureGoal precise = goal();
   precise.rtol[R_N] = setup_.orientation.rtol / 2;
   precise.threshold = R_n_target;
   return refine(precise);
 }
 
 const Ensemble& EnsembleMean::full() {
-  Goal all = goal();
+  QuadratureGoal all = goal();
   all.max_panel_width = kMaxPanelWidth;
   for (std::size_t k = 0; k < kObservables.size(); ++k)
     if (kObservables[k].controlled && !(half_circle_ && k == R_Y)) all.rtol[k] = setup_.orientation.rtol;
   return refine(all);
 }
 
-const Ensemble& EnsembleMean::refine(const Goal& goal) {
+const Ensemble& EnsembleMean::refine(const QuadratureGoal& goal) {
   if (checked_) return *checked_;
   if (!quadrature_) {
     if (passages_.empty()) average_list();

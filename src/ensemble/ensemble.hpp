@@ -67,17 +67,15 @@ class EnsembleMean {
   const std::vector<Passage>& passages() const { return passages_; }
 
  private:
-  using Goal = QuadratureGoal<OBSERVABLES>;
-
   PassageTask task(double theta_0) const;
   // Weight of a passage in the means, per rad of theta_0.
   double weight(double theta_0) const;
   std::vector<WeightedPassage> weighted_passages() const;
-  std::vector<Sample<OBSERVABLES>> samples(const std::vector<double>& theta_0);
+  std::vector<Sample> samples(const std::vector<double>& theta_0);
   std::vector<Passage> run(const std::vector<double>& theta_0);
-  const Ensemble& refine(const Goal& goal);
+  const Ensemble& refine(const QuadratureGoal& goal);
   void average_list();
-  Goal goal() const;
+  QuadratureGoal goal() const;
 
   const Setup& setup_;
   PassageRunner run_;
@@ -86,8 +84,8 @@ class EnsembleMean {
   bool half_circle_;
   Ensemble out_;
   std::vector<Passage> passages_;
-  std::optional<Ensemble> checked_;                    // with_integrator_error()
-  std::optional<Quadrature<OBSERVABLES>> quadrature_;  // none for a list
+  std::optional<Ensemble> checked_;       // with_integrator_error()
+  std::optional<Quadrature> quadrature_;  // none for a list
 };
 
 // R_rigid of Eqs. (22, 23) per N_c0, for the normal load R_n per N_c0. Dimensionless.

@@ -1,7 +1,6 @@
 #include "ensemble/load.hpp"
 
 #include "ensemble/load_path.hpp"
-#include "ensemble/load_scan.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "ensemble/load_scan.hpp"
+#include "ensemble/load_path.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <array>
+#include "ensemble/observables.hpp"
+
 #include <functional>
 #include <optional>
 #include <vector>
@@ -13,18 +14,16 @@ namespace bristle {
 // 17 nodes becomes two of 9. Each sample has a label. A difference between the labels of neighbours is a jump
 // of the integrand, which is located by bisection on the label (one sample per step). Each batch refines all
 // panels and jumps without which the goal cannot be met.
-template <std::size_t N>
 struct Sample {
-  std::array<double, N> value{};
+  ObservableArray value{};
   int label = 0;
   bool valid = true;  // false ends the quadrature: its result would be invalid
 };
 
-template <std::size_t N>
 struct QuadratureGoal {
-  std::array<double, N> rtol{};  // per component; 0: not controlled
-  std::array<int, N> scale{};    // component whose integral rtol refers to
-  double max_panel_width = 100;  // limits the distance between nodes
+  ObservableArray rtol{};                       // per component; 0: not controlled
+  std::array<Observable, OBSERVABLES> scale{};  // component whose integral rtol refers to
+  double max_panel_width = 100;                 // limits the distance between nodes
   // An error of a quarter of the distance between the integral and this value also suffices, as a root-finder
   // or a scan only needs the side on which the integral lies.
   std::optional<double> threshold;
@@ -36,44 +35,33 @@ enum class QuadratureStatus {
   invalid
 };
 
-template <std::size_t N>
 struct QuadratureResult {
   QuadratureStatus status = QuadratureStatus::converged;
   // error: root of the sum of squares of the errors of the panels and of the uncertain positions of the
   // jumps. The error of a panel is the difference between its rule and the rule of every second node, with a
   // lower bound from the misfit between its nodes and the polynomial through every second node: for a rough
   // integrand the difference can be small by accident (Gonnet 2010).
-  std::array<double, N> integral{}, error{};
+  ObservableArray integral{}, error{};
   std::vector<double> jumps;  // ascending
   long samples = 0;
 };
 
-// Romberg's rules of 2, 3, 5 or 9 equidistant nodes on [0, 1], exact up to degree 1, 3, 5 and 7.
-struct NestedRule {
-  std::vector<double> weight;
-  const NestedRule* coarse;  // the rule of every second node; none for 2 nodes
-  // between[i][j]: weight of the value at node 2 j in the interpolation polynomial at node 2 i + 1.
-  std::vector<std::vector<double>> between;
-};
-const NestedRule& nested_rule(std::size_t nodes);
-
-template <std::size_t N>
 class Quadrature {
  public:
-  using Function = std::function<std::vector<Sample<N>>(const std::vector<double>&)>;
-  using Values = std::array<double, N>;
+  using Function = std::function<std::vector<Sample>(const std::vector<double>&)>;
+  using Values = ObservableArray;
 
   // edges: boundaries of the initial panels, ascending, at least two.
   Quadrature(Function f, std::vector<double> edges, long max_samples = 16000)
       : f_(std::move(f)), edges_(std::move(edges)), max_samples_(max_samples) {}
 
   // Samples until the goal is met. A later call, with another goal, continues from the existing samples.
-  const QuadratureResult<N>& refine(const QuadratureGoal<N>& goal);
+  const QuadratureResult& refine(const QuadratureGoal& goal);
 
  private:
   struct Node {
     double at = 0;
-    Sample<N> sample{};
+    Sample sample{};
   };
   struct Panel {
     std::vector<Node> nodes;  // 2^k + 1, equidistant
@@ -115,10 +103,10 @@ class Quadrature {
   Function f_;
   std::vector<double> edges_;
   long max_samples_;
-  QuadratureGoal<N> goal_;
+  QuadratureGoal goal_;
   std::vector<Panel> panels_;       // ascending
   std::vector<LabelChange> jumps_;  // located
-  QuadratureResult<N> result_;
+  QuadratureResult result_;
 };
 
 }  // namespace bristle

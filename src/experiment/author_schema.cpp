@@ -1,6 +1,5 @@
-#include "experiment/author_schema.hpp"
 
-#include "experiment/axes.hpp"
+#include "experiment/experiment.hpp"
 #include "experiment/schema.hpp"
 #include "experiment/sweepable.hpp"
 

@@ -1,4 +1,4 @@
-#include "experiment/axes.hpp"
+#include "experiment/experiment.hpp"
 
 #include "experiment/schema.hpp"
 #include "model/elementary.hpp"

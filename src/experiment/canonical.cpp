@@ -1,4 +1,4 @@
-#include "experiment/canonical.hpp"
+#include "experiment/experiment.hpp"
 
 #include "experiment/si_units.hpp"
 

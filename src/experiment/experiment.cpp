@@ -1,7 +1,6 @@
 #include "experiment/experiment.hpp"
 
 #include "ensemble/lattice.hpp"
-#include "experiment/axes.hpp"
 #include "experiment/schema.hpp"
 #include "experiment/si_units.hpp"
 #include "model/elementary.hpp"

@@ -46,6 +46,17 @@ Experiment load_experiment(const std::string& path, const DocumentOptions& optio
 // The experiment of a result file, from the document and the tier stored there. Throws as load_experiment().
 Experiment stored_experiment(const Json& document, const std::string& tier, const std::string& source);
 
+// Exactly the input that determines a point's numbers, as text: the same text for equal points of any two
+// experiments, regardless of names, axes and their order. Choices are written as words, so that inserting
+// or reordering friction laws does not change the meaning of stored keys.
+std::string canonical_point(const Experiment& experiment, std::size_t index);
+
+// The sweep's axes with all their values. Throws InputError for an unknown parameter, an empty or unsorted
+// axis, a value outside the parameter's range, and more than kMaxPoints points in total.
+std::vector<Axis> read_axes(const Document& document);
+
+constexpr double kMaxPoints = 1e7;
+
 }  // namespace bristle::experiment
 
 namespace bristle {

@@ -1,6 +1,10 @@
 #pragma once
 
+#include "util/json.hpp"
 #include "experiment/document.hpp"
+
+#include <vector>
+#include <string>
 
 namespace bristle::experiment {
 
@@ -21,5 +25,11 @@ const Json& parameter_schema(const std::string& name);
 // Checks a value of a sweep against the schema of the parameter. Throws InputError if it is out of range.
 void check_parameter(const Document& document, const JsonPointer& at, const std::string& parameter,
                      double value);
+
+// The JSON schema of an experiment file as an author writes it, for editors: with `extends` blocks may be
+// partial and null removes a key; without it the file is complete. The experiment schema describes the merged
+// document; this one is made from it and from the table of what can be swept. predicates: the names that a
+// check may use.
+Json author_schema(const std::vector<std::string>& predicates);
 
 }  // namespace bristle::experiment

@@ -1,6 +1,6 @@
 #include "results/journal.hpp"
 
-#include "experiment/canonical.hpp"
+#include "experiment/experiment.hpp"
 #include "results/version.hpp"
 #include "util/error.hpp"
 #include "util/file.hpp"

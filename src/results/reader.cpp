@@ -1,6 +1,6 @@
 #include "results/reader.hpp"
 
-#include "experiment/axes.hpp"
+#include "experiment/experiment.hpp"
 #include "results/digest.hpp"
 #include "results/inspect.hpp"
 #include "results/texts.hpp"

@@ -1,7 +1,6 @@
 #include "fuzz.hpp"
 
 #include "claims/checks.hpp"
-#include "claims/validate.hpp"
 #include "experiment/experiment.hpp"
 #include "util/error.hpp"
 

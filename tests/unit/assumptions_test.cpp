@@ -1,5 +1,5 @@
 #include "assumptions/assumptions.hpp"
-#include "claims/validate.hpp"
+#include "claims/checks.hpp"
 #include "util/error.hpp"
 #include "util/text.hpp"
 #include "scratch.hpp"

@@ -1,4 +1,4 @@
-#include "ensemble/quadrature_impl.hpp"
+#include "ensemble/quadrature.hpp"
 #include "generators.hpp"
 
 #include <algorithm>
@@ -9,11 +9,11 @@ using namespace testing;
 
 namespace {
 
-using Result = QuadratureResult<1>;
+using Result = QuadratureResult;
 
-Quadrature<1>::Function batched(const std::function<Sample<1>(double)>& f) {
+Quadrature::Function batched(const std::function<Sample(double)>& f) {
   return [f](const std::vector<double>& at) {
-    std::vector<Sample<1>> out;
+    std::vector<Sample> out;
     for (double x : at) out.push_back(f(x));
     return out;
   };
@@ -21,13 +21,13 @@ Quadrature<1>::Function batched(const std::function<Sample<1>(double)>& f) {
 
 Result integrate(const std::function<double(double)>& f, const std::function<int(double)>& label,
                  double rtol) {
-  QuadratureGoal<1> goal;
+  QuadratureGoal goal;
   goal.rtol[0] = rtol;
   goal.max_panel_width = 0.35;
-  return Quadrature<1>(batched([&](double x) {
-                         return Sample<1>{{f(x)}, label(x), true};
-                       }),
-                       {0, 2.6, M_PI})
+  return Quadrature(batched([&](double x) {
+                      return Sample{{f(x)}, label(x), true};
+                    }),
+                    {0, 2.6, M_PI})
       .refine(goal);
 }
 
@@ -58,10 +58,10 @@ TEST_CASE("a second goal reuses the existing samples") {
   std::vector<double> asked;
   const auto f = [&](double x) {
     asked.push_back(x);
-    return Sample<1>{{std::exp(x) + (x > 2 ? 5 : 0)}, x > 2 ? 1 : 0, true};
+    return Sample{{std::exp(x) + (x > 2 ? 5 : 0)}, x > 2 ? 1 : 0, true};
   };
-  Quadrature<1> quadrature(batched(f), {0, 2.6, M_PI});
-  QuadratureGoal<1> rough, fine;
+  Quadrature quadrature(batched(f), {0, 2.6, M_PI});
+  QuadratureGoal rough, fine;
   rough.rtol[0] = 1e-2;
   fine.rtol[0] = 1e-6;
   const long few = quadrature.refine(rough).samples;
@@ -156,23 +156,23 @@ TEST_CASE("a jump that becomes the largest error later is narrowed further") {
 }
 
 TEST_CASE("a tolerance that cannot be reached and an invalid sample are reported") {
-  QuadratureGoal<1> goal;
+  QuadratureGoal goal;
   goal.rtol[0] = 1e-12;
-  const auto rough = batched([](double x) { return Sample<1>{{1 + std::sin(1e4 * x)}, 0, true}; });
-  CHECK(Quadrature<1>(rough, {0, 1}, 100).refine(goal).status == QuadratureStatus::not_converged);
-  const auto broken = batched([](double x) { return Sample<1>{{1}, 0, x < 0.5}; });
-  const auto r = Quadrature<1>(broken, {0, 1}, 100).refine(goal);
+  const auto rough = batched([](double x) { return Sample{{1 + std::sin(1e4 * x)}, 0, true}; });
+  CHECK(Quadrature(rough, {0, 1}, 100).refine(goal).status == QuadratureStatus::not_converged);
+  const auto broken = batched([](double x) { return Sample{{1}, 0, x < 0.5}; });
+  const auto r = Quadrature(broken, {0, 1}, 100).refine(goal);
   CHECK(r.status == QuadratureStatus::invalid);
   CHECK(r.samples < 40);
 }
 
 TEST_CASE("comparing with a threshold needs fewer samples than a precise value") {
-  const auto f = batched([](double x) { return Sample<1>{{1 + std::pow(std::abs(x - 1.3), 0.3)}, 0, true}; });
-  QuadratureGoal<1> goal;
+  const auto f = batched([](double x) { return Sample{{1 + std::pow(std::abs(x - 1.3), 0.3)}, 0, true}; });
+  QuadratureGoal goal;
   goal.rtol[0] = 1e-6;
-  const auto value = Quadrature<1>(f, {0, M_PI}).refine(goal);
+  const auto value = Quadrature(f, {0, M_PI}).refine(goal);
   goal.threshold = 2.0;
-  const auto decision = Quadrature<1>(f, {0, M_PI}).refine(goal);
+  const auto decision = Quadrature(f, {0, M_PI}).refine(goal);
   CHECK(decision.samples < value.samples / 3);
   CHECK(decision.error[0] <= std::abs(decision.integral[0] - 2) / 4);
 }

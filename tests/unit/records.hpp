@@ -1,6 +1,7 @@
 #pragma once
 
 #include "run/sweep.hpp"
+#include "scratch.hpp"
 
 #include <numeric>
 

@@ -2,7 +2,7 @@
 
 #include "compare/reference.hpp"
 #include "claims/store.hpp"
-#include "claims/validate.hpp"
+#include "claims/checks.hpp"
 #include "experiment/experiment.hpp"
 #include "results/digest.hpp"
 #include "results/hdf5.hpp"

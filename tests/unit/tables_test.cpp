@@ -1,7 +1,6 @@
 // What follows from the tables of parameters, choices, SI quantities and words.
 #include "claims/measure.hpp"
-#include "experiment/author_schema.hpp"
-#include "experiment/canonical.hpp"
+#include "experiment/experiment.hpp"
 #include "experiment/schema.hpp"
 #include "experiment/si_units.hpp"
 #include "model/friction/laws.hpp"
