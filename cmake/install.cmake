@@ -21,6 +21,7 @@ install(FILES cmake/completion.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-co
 install(FILES README.md LICENSE CITATION.cff CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 set(CPACK_GENERATOR DEB)
+string(REPLACE - ~ CPACK_PACKAGE_VERSION ${BRISTLE_VERSION})  # 0.2.0~dev is before 0.2.0
 set(CPACK_PACKAGE_DIRECTORY ${PROJECT_SOURCE_DIR}/dist)
 set(CPACK_PACKAGE_CONTACT "the maintainers of bristle")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "friction of a bristle lattice under a sliding slab")

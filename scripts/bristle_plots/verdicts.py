@@ -12,7 +12,6 @@ from .style import BLUE, GREEN, GREY, VERMILION, with_carons, wrapped
 
 NUMBERS = ("measured", "uncertainty", "threshold", "band", "margin", "significance")
 TEXTS = ("claim", "statement", "is", "verdict", "reading", "role", "claim_verdict")
-OPTIONAL = ("band", "margin", "significance", "reading", "role", "claim_verdict", "declared")  # not in older files
 
 # relation: how the measured value must compare with the threshold: at_most, at_least or near.
 # reading: the reading of Eq. (17), if the experiment has several; declared: number of the check in the experiment.
@@ -49,15 +48,7 @@ def read_claims(file):
     group = table(file, "checks")
     if group is None or not is_whole(file):
         return []
-    length = len(read(group, "threshold"))
-    older = {"reading": [""] * length, "role": ["main"] * length, "declared": np.arange(length)}
-
-    def column(name):
-        if name in group or name not in OPTIONAL:
-            return read(group, name)
-        return column("verdict") if name == "claim_verdict" else older.get(name, np.full(length, np.nan))
-
-    columns = [column(name) for name in (*TEXTS, *NUMBERS, "declared")]
+    columns = [read(group, name) for name in (*TEXTS, *NUMBERS, "declared")]
     if len({len(column) for column in columns}) > 1:
         raise BristleError(f"{place_of(file)}: the datasets of /checks differ in length")
     texts = len(TEXTS)

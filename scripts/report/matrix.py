@@ -4,7 +4,7 @@ import os
 from itertools import groupby
 
 import symbols
-from bristle_plots.assumptions import TOGETHER, cells_by_place, read_matrix, reversed_verdict
+from bristle_plots.assumptions import TOGETHER, cells_by_place, read_matrix
 from bristle_plots.errors import BristleError
 from bristle_plots.verdicts import number, threshold_text, with_uncertainty
 from claims import sign
@@ -30,6 +30,7 @@ def matrix(path, document):
     baselines = [j for j, alternative in enumerate(alternatives) if alternative["choice"] == ""]
     if len(baselines) != 1:
         raise BristleError(f"{path}: {len(baselines)} alternatives have no choice; only the baseline has none")
+    conclusions = {one["check"]: one for one in document["conclusions"]}
     order = baselines + [j for j in range(len(alternatives)) if j not in baselines]
     return {
         "path": os.path.basename(path),
@@ -38,7 +39,7 @@ def matrix(path, document):
         "choices": [(choice or "baseline", len(list(group)))
                     for choice, group in groupby(order, lambda j: alternatives[j]["choice"])],
         "alternatives": [{**alternatives[j], "index": j} for j in order],
-        "claims": [claim_rows(claim, rows, cells, alternatives, order) for claim, rows in by_claim(checks)],
+        "claims": [claim_rows(claim, rows, cells, alternatives, order, conclusions) for claim, rows in by_claim(checks)],
     }
 
 
@@ -49,9 +50,9 @@ def by_claim(checks):
     return found.items()
 
 
-def claim_rows(claim, rows, cells, alternatives, order):
+def claim_rows(claim, rows, cells, alternatives, order, conclusions):
     """One claim: its sentence and its checks with their cells; order[0] is the baseline."""
-    return {"claim": claim, "sentence": sentence(rows, cells, alternatives, order[0]),
+    return {"claim": claim, "sentence": sentence(rows, cells, alternatives, conclusions),
             "checks": [{"statement": symbols.prose(check["statement"]), "experiment": check["experiment"],
                         "plain": symbols.plain(check["statement"]),
                         "cells": [cell(cells.get((i, j)), cells.get((i, order[0])), alternatives[j], check)
@@ -80,33 +81,13 @@ def cell(found, baseline, alternative, check):
             "affected": bool(found["affected"]), "alternative": alternative["name"], "details": details}
 
 
-def sentence(rows, cells, alternatives, baseline):
-    """Whether the claim's verdicts are the same under every alternative computed, and on what they depend."""
-    changed, reversing, computed = {}, set(), set()
-    for i, _ in rows:
-        base = cells.get((i, baseline))
-        for j in range(len(alternatives)):
-            found = cells.get((i, j))
-            if j == baseline or found is None or base is None or not found["affected"]:
-                continue
-            computed.add(j)
-            if found["verdict"] != base["verdict"]:
-                changed.setdefault(j, []).append(f"{base['verdict']} \u2192 {found['verdict']}")
-                if reversed_verdict(found, base):
-                    reversing.add(j)
-    if not computed:
-        return {"robust": None, "text": "no alternative that affects it was computed", "changes": []}
-    if not changed:
-        return {"robust": True, "text": f"robust: the same under each of {len(computed)} alternatives",
-                "changes": []}
-    text = f"assumption-dependent: reversed by {choices(reversing, alternatives)}" if reversing else \
-        f"not reversed, but decided or left undecided by {choices(changed, alternatives)}"
-    return {"robust": False, "text": text,
-            "changes": [f"{alternatives[j]['name']}: {', '.join(dict.fromkeys(words))}"
-                        for j, words in changed.items()]}
-
-
-def choices(found, alternatives):
-    """The open choices of these alternatives, without combinations."""
-    single = dict.fromkeys(alternatives[j]["choice"] for j in sorted(found) if alternatives[j]["choice"] != TOGETHER)
-    return ", ".join(single) or "combinations of alternatives"
+def sentence(rows, cells, alternatives, conclusions):
+    """The conclusions on the claim's checks, the open choices on which they depend, and the verdicts that change."""
+    found = [conclusions[i] for i, _ in rows]
+    words = dict.fromkeys(one["conclusion"] for one in found)
+    depends = dict.fromkeys(choice for one in found for choice in one["depends_on"] if choice != TOGETHER)
+    changes = dict.fromkeys(f"{alternatives[j]['name']}: {one['baseline']} \u2192 {cells[one['check'], j]['verdict']}"
+                            for one in found for j, alternative in enumerate(alternatives)
+                            if alternative["name"] in one["other"] + one["undecided"] and (one["check"], j) in cells)
+    text = ", ".join(words) + (f": depends on {', '.join(depends)}" if depends else "")
+    return {"text": text, "changes": list(changes)}

@@ -1,4 +1,4 @@
-"""Plotting scripts refuse damaged results, replace nothing but what they write, and read verdicts of older files.
+"""Plotting scripts refuse damaged results, replace nothing but what they write.
 
 plots_test.py SCRIPTS RESULT FOLDER
 """
@@ -91,7 +91,7 @@ done = subprocess.run([scripts / "plot", "fig4", result, "-o", result], capture_
 assert done.returncode != 0 and "Traceback" not in done.stderr, done.stderr
 assert pathlib.Path(result).read_bytes() == before
 
-# Verdicts under both readings of Eq. (17); in an older file, of one.
+# Verdicts under both readings of Eq. (17).
 with open_result(result) as file:
     claims, pairs = read_claims(file), declared_checks(file)
     assert all(set(check) == {"kinematic", "as_printed"} for check in by_check(claims))
@@ -99,23 +99,6 @@ with open_result(result) as file:
     for checks in by_claim(claims):
         roles = [check["kinematic"].role for check in checks]
         assert roles == sorted(roles, key=lambda role: role != "main") and roles[0] == "main"
-shutil.copy(result, folder / "older.h5")
-with h5py.File(folder / "older.h5", "a") as file:
-    group = file["checks"]
-    rows = numpy.array([reading == b"kinematic" for reading in group["reading"][()]])
-    for name in list(group):
-        values = group[name][()][rows]
-        del group[name]
-        if name not in ("reading", "role", "claim_verdict", "declared"):
-            group[name] = values
-with open_result(folder / "older.h5") as file:
-    older = read_claims(file)
-    assert [claim.declared for claim in older] == list(range(rows.sum())) == [check[""].declared for check in by_check(older)]
-    assert all((one.reading, one.role, one.claim_verdict) == ("", "main", one.verdict) for one in older)
-    assert len(declared_checks(file)) == len(older)
-done = subprocess.run([scripts / "plot", "fig4", folder / "older.h5", "-o", folder / "older"],
-                      capture_output=True, text=True)
-assert done.returncode == 0, done.stderr
 
 # Jumps of the gap between neighbours, but not on a grid that is too coarse to tell them from a slope.
 gaps = numpy.array([[0.1, 0.6, 0.61], [0.1, numpy.nan, 0.6]])

@@ -1,3 +1,4 @@
+#include "ensemble/nested_rule.hpp"
 #include "ensemble/quadrature.hpp"
 #include "generators.hpp"
 
