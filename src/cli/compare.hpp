@@ -1,6 +1,6 @@
 #pragma once
 
-#include "compare/diff.hpp"
+#include "compare/comparison.hpp"
 #include "compare/reference_update.hpp"
 
 #include <string>
@@ -9,9 +9,9 @@ namespace bristle::cli {
 
 struct CheckOptions {
   std::string file, reference;  // folder of the references; empty: ./reference, or else that of the program
-  bool report_only = false;  // claims that are not supported are no failure
-  bool claims_only = false;  // no comparison with the reference
-  bool json = false;         // print JSON: deviations, and the command that computes each point again
+  bool report_only = false;     // claims that are not supported are no failure
+  bool claims_only = false;     // no comparison with the reference
+  bool json = false;            // print JSON: deviations, and the command that computes each point again
 };
 
 struct DiffOptions {

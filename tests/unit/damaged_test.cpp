@@ -1,6 +1,6 @@
 #include "archive/citation.hpp"
 #include "archive/tar.hpp"
-#include "compare/reference_file.hpp"
+#include "compare/reference.hpp"
 #include "cli/inspect.hpp"
 #include "results/journal.hpp"
 #include "util/error.hpp"
