@@ -1,6 +1,6 @@
 #pragma once
 
-#include "archive/tar.hpp"
+#include "archive/bag.hpp"
 #include "util/json.hpp"
 
 #include <map>
@@ -33,6 +33,11 @@ struct Contents {
 // compares bytes. Throws MalformedError, naming the file, if a file is missing.
 Contents describe(Files payload, const std::map<std::string, Json>& facts, const std::string& commit,
                   const std::string& draft);
+
+// The folder of the archive, and all its files: the payload and the tag files of the bag. time: of the
+// commit.
+std::string folder_of(const Contents& contents);
+Files bag_of(const Contents& contents, std::time_t time);
 
 // The name in the payload of the source of a commit.
 std::string source_file(const std::string& commit);

@@ -21,7 +21,7 @@ from report_figures import check_curves_map, check_figures, check_phone, check_r
 root, program, folder, *results = (pathlib.Path(word).absolute() for word in sys.argv[1:])
 named = {re.split("[-_]", path.stem)[0]: path for path in results}
 page = folder / "index.html"
-CONTRAST = (root / "tests" / "contrast.js").read_text()
+CONTRAST = (root / "tests/python/contrast.js").read_text()
 
 
 def report(*files, **options):
