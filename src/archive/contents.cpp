@@ -2,7 +2,6 @@
 
 #include "archive/citation.hpp"
 #include "archive/crate.hpp"
-#include "archive/readme.hpp"
 #include "archive/result_facts.hpp"
 #include "util/error.hpp"
 

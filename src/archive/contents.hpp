@@ -42,6 +42,9 @@ Files bag_of(const Contents& contents, std::time_t time);
 // The name in the payload of the source of a commit.
 std::string source_file(const std::string& commit);
 
+// README.md of the archive: src/archive/README.md.in with the tables of results and of claims.
+std::string archive_readme(const Contents& contents);
+
 // Names in the payload of an experiment file and of the files that it extends, which come first.
 std::vector<std::string> experiment_chain(const Files& payload, const std::string& file);
 

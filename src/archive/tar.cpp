@@ -2,6 +2,7 @@
 
 #include "util/error.hpp"
 #include "util/file.hpp"
+#include "util/json.hpp"
 
 #include <archive.h>
 #include <archive_entry.h>
@@ -12,6 +13,7 @@
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <vector>
 
 namespace bristle::archive {
@@ -62,12 +64,9 @@ std::string part_at(const Files& files, std::size_t offset) {
 
 bool portable(char c) { return std::isalnum(static_cast<unsigned char>(c)) || std::strchr("._-/", c); }
 
-// Escapes what is not ASCII, as names come from an untrusted archive and are printed on the terminal.
+// As ASCII, because names come from an untrusted archive and are printed on the terminal.
 std::string quoted(const std::string& name) {
-  std::string out;
-  for (const char c : name.substr(0, 100))
-    out += c >= ' ' && c <= '~' ? std::string(1, c) : fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
-  return '"' + out + '"';
+  return Json(name.substr(0, 100)).dump(-1, ' ', true, Json::error_handler_t::replace);
 }
 
 // Refuses entries that could do harm if the archive were unpacked.

@@ -1,4 +1,4 @@
-#include "cli/assumptions.hpp"
+#include "cli/commands.hpp"
 
 #include "cli/exit_code.hpp"
 #include "util/error.hpp"

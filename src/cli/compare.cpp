@@ -1,7 +1,7 @@
-#include "cli/compare.hpp"
+#include "cli/commands.hpp"
 
 #include "claims/checks.hpp"
-#include "compare/comparison_text.hpp"
+#include "compare/comparison.hpp"
 #include "compare/reference.hpp"
 #include "compare/replay.hpp"
 #include "cli/exit_code.hpp"

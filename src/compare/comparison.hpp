@@ -1,6 +1,7 @@
 #pragma once
 
 #include "results/datasets.hpp"
+#include "util/json.hpp"
 
 #include <functional>
 #include <map>
@@ -68,5 +69,11 @@ Comparison compare_sides(const results::ResultReader& result, const Side& a, con
 // the error estimates <name>_err of both files. Throws InputError for an invalid tolerance.
 Comparison diff_results(const results::ResultReader& a, const results::ResultReader& b,
                         const Tolerances& tolerances);
+
+// Notes, failures, a table of the differences, the remarks, and a summary in one line.
+std::string comparison_text(const Comparison& comparison, const std::string& remarks = "");
+
+// A comparison with a reference: counts, the five worst variables, failures and notes.
+Json comparison_json(const Comparison& comparison);
 
 }  // namespace bristle::compare

@@ -1,4 +1,4 @@
-#include "compare/comparison_text.hpp"
+#include "compare/comparison.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>

@@ -1,4 +1,3 @@
-#include "compare/reference_update.hpp"
 
 #include "claims/checks.hpp"
 #include "compare/reference.hpp"

@@ -2,7 +2,7 @@
 
 #include "archive/result_facts.hpp"
 #include "archive/tar.hpp"
-#include "compare/comparison_text.hpp"
+#include "compare/comparison.hpp"
 #include "compare/reference.hpp"
 #include "results/plain_hdf5.hpp"
 #include "util/error.hpp"

@@ -1,7 +1,7 @@
 #include "archive/citation.hpp"
 #include "archive/tar.hpp"
 #include "compare/reference.hpp"
-#include "cli/inspect.hpp"
+#include "cli/commands.hpp"
 #include "results/journal.hpp"
 #include "util/error.hpp"
 #include "util/process.hpp"

@@ -1,4 +1,4 @@
-#include "compare/comparison_text.hpp"
+#include "compare/comparison.hpp"
 #include "util/error.hpp"
 #include "small_result.hpp"
 

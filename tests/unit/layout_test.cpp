@@ -1,4 +1,4 @@
-#include "compare/comparison_text.hpp"
+#include "compare/comparison.hpp"
 #include "results/datasets.hpp"
 #include "results/texts.hpp"
 #include "small_result.hpp"

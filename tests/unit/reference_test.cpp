@@ -1,4 +1,4 @@
-#include "compare/comparison_text.hpp"
+#include "compare/comparison.hpp"
 #include "compare/reference.hpp"
 #include "compare/replay.hpp"
 #include "util/error.hpp"

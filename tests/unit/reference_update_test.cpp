@@ -1,5 +1,4 @@
 #include "compare/reference.hpp"
-#include "compare/reference_update.hpp"
 #include "util/error.hpp"
 #include "small_result.hpp"
 
