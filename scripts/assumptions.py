@@ -43,7 +43,7 @@ def main():
 def read(path):
     document = read_matrix(path)
     try:
-        found, alternatives = cells_by_place(path, document), document["alternatives"]
+        found, alternatives = cells_by_place(document), document["alternatives"]
         cells = [[found[i, j] for j in range(len(alternatives))] for i in range(len(document["checks"]))]
         return Matrix(document["tier"], digest_line(document), document["checks"], alternatives, cells, document["conclusions"])
     except (KeyError, TypeError) as error:

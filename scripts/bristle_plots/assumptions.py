@@ -3,18 +3,36 @@
 from .errors import BristleError
 from .files import read_json
 
-SCHEMA = "bristle-assumptions/2"
+SCHEMA = "bristle-assumptions/3"
 REMEDY = "`make assumptions` writes it"
 TOGETHER = "together"  # the choice of alternatives that combine others
 
 
 def read_matrix(path):
-    """The document."""
+    """The document; cells with their place (check, alternative, window) and names of their values."""
     document = read_json(path, REMEDY)
     schema = document.get("schema") if isinstance(document, dict) else None
     if schema != SCHEMA:
         raise BristleError(f"{path}: schema {schema or 'none'}; this script reads {SCHEMA}; {REMEDY}")
-    return document
+    try:
+        return {**document, "cells": list(cells_of(document))}
+    except (KeyError, TypeError, ValueError, IndexError) as error:
+        raise BristleError(f"{path}: not valid as {schema} ({type(error).__name__}: {error})") from error
+
+
+def cells_of(document):
+    windows, size = document["windows"], len(document["alternatives"]) * len(document["windows"])
+    if [row["check"] for row in document["cells"]] != list(range(len(document["checks"]))):
+        raise ValueError("the rows of cells are not those of the checks")
+    for row in document["cells"]:
+        if len(row["under"]) != size:
+            raise ValueError(f"check {row['check']} has {len(row['under'])} cells, not {size}")
+        for i, cell in enumerate(row["under"]):
+            alternative, window = divmod(i, len(windows))
+            # null: the alternative does not change the experiment, so the cell is that of the baseline.
+            values = zip(document["cell_keys"], row["under"][window] if cell is None else cell, strict=True)
+            yield {"check": row["check"], "alternative": alternative, "window": windows[window], **dict(values),
+                   "affected": cell is not None}
 
 
 def digest_line(document):
@@ -22,10 +40,10 @@ def digest_line(document):
     return f"Payload digest of the matrix: {document['payload_sha256'][:16]}.\n\n"
 
 
-def cells_by_place(path, document):
+def cells_by_place(document):
     """(index of the check, index of the alternative) -> cell."""
-    cells = {(cell["check"], cell["alternative"]): cell for cell in document["cells"]}
-    known = {(i, j) for i in range(len(document["checks"])) for j in range(len(document["alternatives"]))}
-    if len(cells) < len(document["cells"]) or not known.issuperset(cells):
-        raise BristleError(f"{path}: a cell occurs twice, or its check or alternative is not there")
-    return cells
+    return {(cell["check"], cell["alternative"]): cell for cell in document["cells"]}
+
+
+def reversed_verdict(cell, baseline):
+    return {cell["verdict"], baseline["verdict"]} == {"supported", "refuted"}

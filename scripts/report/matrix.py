@@ -26,7 +26,7 @@ def read(paths):
 def matrix(path, document):
     """Rows grouped by claim, columns grouped by choice, a sentence for each claim."""
     checks, alternatives = document["checks"], document["alternatives"]
-    cells = cells_by_place(path, document)
+    cells = cells_by_place(document)
     baselines = [j for j, alternative in enumerate(alternatives) if alternative["choice"] == ""]
     if len(baselines) != 1:
         raise BristleError(f"{path}: {len(baselines)} alternatives have no choice; only the baseline has none")
@@ -55,7 +55,7 @@ def claim_rows(claim, rows, cells, alternatives, order, conclusions):
     return {"claim": claim, "sentence": sentence(rows, cells, alternatives, conclusions),
             "checks": [{"statement": symbols.prose(check["statement"]), "experiment": check["experiment"],
                         "plain": symbols.plain(check["statement"]),
-                        "cells": [cell(cells.get((i, j)), cells.get((i, order[0])), alternatives[j], check)
+                        "cells": [cell(cells[i, j], cells[i, order[0]], alternatives[j], check)
                                   for j in order]}
                        for i, check in rows]}
 
@@ -66,9 +66,6 @@ def value(found, key):
 
 def cell(found, baseline, alternative, check):
     """A cell's content, and the text shown when it is selected."""
-    if found is None:
-        return {"letter": "\u2013", "verdict": "missing", "changed": False, "affected": True,
-                "margin": "", "alternative": alternative["name"], "details": "not computed"}
     verdict = found["verdict"]
     margin = number(value(found, "margin"), "+.3f")
     limit = threshold_text(check["is"], check["threshold"], check.get("band"))
@@ -77,7 +74,7 @@ def cell(found, baseline, alternative, check):
     if not found["affected"]:
         details += "; this choice is not in the experiment's input: the numbers are the baseline's"
     return {"letter": LETTERS.get(verdict, "?"), "verdict": verdict, "margin": margin,
-            "changed": baseline is not None and baseline["verdict"] != verdict,
+            "changed": baseline["verdict"] != verdict,
             "affected": bool(found["affected"]), "alternative": alternative["name"], "details": details}
 
 
@@ -88,6 +85,6 @@ def sentence(rows, cells, alternatives, conclusions):
     depends = dict.fromkeys(choice for one in found for choice in one["depends_on"] if choice != TOGETHER)
     changes = dict.fromkeys(f"{alternatives[j]['name']}: {one['baseline']} \u2192 {cells[one['check'], j]['verdict']}"
                             for one in found for j, alternative in enumerate(alternatives)
-                            if alternative["name"] in one["other"] + one["undecided"] and (one["check"], j) in cells)
+                            if alternative["name"] in one["other"] + one["undecided"])
     text = ", ".join(words) + (f": depends on {', '.join(depends)}" if depends else "")
     return {"text": text, "changes": list(changes)}

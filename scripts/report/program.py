@@ -1,7 +1,9 @@
-"""Calls of the program: deviations from the references, replay commands."""
+"""Calls of the program: deviations from the references, replay commands, exported tables."""
 
 import json
+import os
 import subprocess
+import tempfile
 
 from bristle_plots.errors import BristleError
 
@@ -21,7 +23,18 @@ def run(arguments):
 def check(program, path, reference):
     """Deviation from the reference, None without one, and the replay command of each point."""
     found = json.loads(run([program, "check", path, "--json", "--report-only", "--reference", reference]).stdout)
-    return found["deviation" if "deviation" in found else "drift"], found["replay"]  # "drift" in older programs
+    return found["deviation"], found["replay"]
+
+
+def export(program, path, *options):
+    """The text of an exported table."""
+    with tempfile.TemporaryDirectory() as folder:
+        output = os.path.join(folder, "table.csv")
+        done = run([program, "export", path, "-o", output, *options])
+        if done.returncode:
+            raise BristleError(f"{path}: not exported: {done.stderr.strip()}")
+        with open(output, encoding="utf-8") as file:
+            return file.read()
 
 
 def outcome(deviation):

@@ -70,7 +70,7 @@ def figure(path, arguments):
             "drawings": drawings, "claims": rows, "checks": claims.by_check(rows),
             "verdicts": claims.by_claim(rows),
             "points": points.collect(file, replay),
-            "tables": tables.read(file),
+            "tables": tables.read(arguments.program, path, file),
             "deviation": deviation, "outcome": program.outcome(deviation),
             "diagnostics": diagnostics.read(file), "provenance": sources.provenance(file, path),
         }

@@ -15,16 +15,19 @@ using Problems = std::vector<std::string>;
 // Lines of bag-info.txt.
 using BagInfo = std::vector<std::pair<std::string, std::string>>;
 
-// The payload and its tag files. Names in payload are relative
-// to data/; names in the result start with the folder.
-Files make_bag(const std::string& folder, const Files& payload, const BagInfo& info);
+// The payload, in data/, and its tag files. Names in payload are relative to data/.
+Files make_bag(const Files& payload, const BagInfo& info);
+
+// The files in the folder of an archive.
+Files in_folder(const std::string& folder, Files files);
 
 // Removes the folder with which all names start, and returns
 // it. Throws MalformedError if the names differ in it.
 std::string strip_folder(Files& files);
 
-// Compares the files of a bag (names without the folder) with its manifests: hashes, missing and added files.
-Problems check_bag(const Files& files);
+// Compares the files of a bag with its manifests: which are damaged, missing or added. That the manifests are
+// as make_bag() writes them is for a comparison with these to say.
+Problems check_manifests(const Files& files);
 
 // The value of a label in bag-info.txt; empty if it is missing.
 std::string bag_info(const Files& files, const std::string& label);

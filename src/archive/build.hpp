@@ -1,6 +1,6 @@
 #pragma once
 
-#include "archive/options.hpp"
+#include "archive/gather.hpp"
 
 namespace bristle::archive {
 

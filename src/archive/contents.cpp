@@ -2,10 +2,10 @@
 
 #include "archive/citation.hpp"
 #include "archive/crate.hpp"
-#include "archive/readme.hpp"
 #include "archive/result_facts.hpp"
 #include "util/error.hpp"
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <algorithm>
 #include <filesystem>
@@ -43,6 +43,22 @@ Json citation_of(const Contents& contents) {
 }
 
 }  // namespace
+
+std::string folder_of(const Contents& contents) {
+  return "bristle-" + contents.citation["version"].get<std::string>();
+}
+
+Files bag_of(const Contents& contents, std::time_t time) {
+  const Json& citation = contents.citation;
+  const Json& author = citation["authors"][0];
+  BagInfo info = {{"Source-Organization", author.value("name", author.value("family-names", ""))},
+                  {"External-Description", citation["title"]},
+                  {"Bagging-Date", fmt::format("{:%Y-%m-%d}", fmt::gmtime(time))},
+                  {"Bag-Software-Agent", "bristle " + citation["version"].get<std::string>()},
+                  {"Source-Date-Epoch", fmt::format("{}", long(time))}};
+  if (!contents.draft.empty()) info.push_back({"Draft", contents.draft});
+  return make_bag(contents.payload, info);
+}
 
 std::string source_file(const std::string& commit) { return fmt::format("source/bristle-{}.tar", commit); }
 

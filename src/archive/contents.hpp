@@ -1,6 +1,6 @@
 #pragma once
 
-#include "archive/tar.hpp"
+#include "archive/bag.hpp"
 #include "util/json.hpp"
 
 #include <map>
@@ -34,8 +34,16 @@ struct Contents {
 Contents describe(Files payload, const std::map<std::string, Json>& facts, const std::string& commit,
                   const std::string& draft);
 
+// The folder of the archive, and all its files: the payload and the tag files of the bag. time: of the
+// commit.
+std::string folder_of(const Contents& contents);
+Files bag_of(const Contents& contents, std::time_t time);
+
 // The name in the payload of the source of a commit.
 std::string source_file(const std::string& commit);
+
+// README.md of the archive: src/archive/README.md.in with the tables of results and of claims.
+std::string archive_readme(const Contents& contents);
 
 // Names in the payload of an experiment file and of the files that it extends, which come first.
 std::vector<std::string> experiment_chain(const Files& payload, const std::string& file);

@@ -1,7 +1,6 @@
 #include "archive/crate.hpp"
 
 #include "archive/citation.hpp"
-#include "archive/crate_entities.hpp"
 #include "util/sha.hpp"
 #include "util/text.hpp"
 

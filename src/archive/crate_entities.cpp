@@ -1,4 +1,4 @@
-#include "archive/crate_entities.hpp"
+#include "archive/crate.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

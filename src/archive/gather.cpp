@@ -51,7 +51,7 @@ class Gatherer {
       reasons.push_back(fmt::format("{} {}", fmt::join(places, ", "), what));
     try {
       return {describe(std::move(payload), facts, commit, fmt::format("{}", fmt::join(reasons, "; "))),
-              version_, repository_.commit_time()};
+              repository_.commit_time()};
     } catch (const MalformedError& e) {
       throw InputError(e.what());
     }
@@ -72,14 +72,15 @@ class Gatherer {
     if (!repository_.is_top())
       throw InputError(fmt::format("--source {}: not the top folder of its repository", options_.source));
     const std::string file = in_source("CITATION.cff"), text = read_file(file);
+    std::string version;
     try {
-      version_ = dataset_citation(parse_citation(text), "")["version"];
+      version = dataset_citation(parse_citation(text), "")["version"];
     } catch (const MalformedError& e) {
       throw InputError(fmt::format("{}: {}", file, e.what()));
     }
-    if (version_ != options_.version)
+    if (version != options_.version)
       throw InputError(fmt::format("{}: version {}, but this program is {}; build it again with `make build`",
-                                   file, version_, options_.version));
+                                   file, version, options_.version));
     if (const std::string changes = repository_.changes(); !changes.empty())
       refuse_or_record(
           fmt::format("the work tree ({})", without_leading_blanks(changes.substr(0, changes.find('\n')))),
@@ -254,7 +255,6 @@ class Gatherer {
 
   const ArchiveOptions& options_;
   Repository repository_;
-  std::string version_;
   std::vector<std::string> drawn_from_;                          // the files that the report shows
   std::map<std::string, std::vector<std::string>> untraceable_;  // places by reason
 };

@@ -1,6 +1,6 @@
-#include "archive/readme.hpp"
+#include "archive/contents.hpp"
 
-#include "archive/crate_entities.hpp"
+#include "archive/crate.hpp"
 #include "util/text.hpp"
 
 #include <fmt/format.h>

@@ -7,8 +7,6 @@
 
 namespace bristle::archive {
 
-constexpr std::size_t kTarBlock = 512;  // bytes
-
 // Contents of the files of an archive by name. The bytewise order of the names is the order in the archive.
 using Files = std::map<std::string, std::string>;
 
@@ -17,12 +15,17 @@ using Files = std::map<std::string, std::string>;
 void write_tar(const Files& files, std::time_t time,
                const std::function<void(const char*, std::size_t)>& sink);
 
+// Reads an archive, which is not trusted, into memory. Whether it is as write_tar() writes it, is for
+// tar_difference() to say. Throws InputError if there is no such file, MalformedError if it cannot be read,
+// if it has other than plain files, or names that lead out of it.
+Files read_tar(const std::string& path);
+
 // Reads one file of a tar archive written by git. Throws
 // MalformedError if it is missing, or if the archive cannot be read.
 std::string file_in_tar(const std::string& archive, const std::string& name);
 
 // The first part of the archive (a header, a content, padding or the end) with bytes that differ from those
-// of write_tar() for these files. Empty if there is no difference.
+// that write_tar() makes of the files; empty if there is none.
 std::string tar_difference(const std::string& path, const Files& files, std::time_t time);
 
 }  // namespace bristle::archive

@@ -2,7 +2,6 @@
 
 #include "archive/contents.hpp"
 #include "archive/crate.hpp"
-#include "archive/read_tar.hpp"
 #include "archive/result_facts.hpp"
 #include "run/provenance.hpp"
 #include "util/error.hpp"
@@ -57,7 +56,8 @@ class Verifier {
       return out_;
     }
     out_.files = files_.size();
-    add(check_bag(files_));
+    add(check_manifests(files_));
+    read_time();
     // A file with a wrong hash is reported once; its content is then not checked.
     if (out_.problems.empty()) check_content();
     check_bytes();
@@ -104,7 +104,7 @@ class Verifier {
     if (out_.commit.empty()) out_.problems.push_back("data/source: the source of the commit is missing");
   }
 
-  // Generates README, citation and crate again and compares bytes.
+  // Makes README, citation, crate and the files of the bag again, and compares bytes.
   void check_description(const std::map<std::string, Json>& facts) {
     out_.identifier = bag_info(files_, "External-Identifier");
     out_.draft = bag_info(files_, "Draft");
@@ -113,17 +113,26 @@ class Verifier {
       if (name.starts_with("data/") && !is_generated(name.substr(5))) payload[name.substr(5)] = bytes;
     const Contents contents = describe(std::move(payload), facts, out_.commit, out_.draft);
     out_.version = contents.citation["version"];
-    if (out_.folder != "bristle-" + out_.version)
+    if (out_.folder != folder_of(contents))
       out_.problems.push_back(fmt::format("{}: is the folder of another version; the source has version {}",
                                           out_.folder, out_.version));
-    for (const char* name : kGenerated) {
-      const auto file = files_.find(std::string("data/") + name);
-      if (file == files_.end())
-        out_.problems.push_back(fmt::format("data/{}: is missing; every archive contains it", name));
-      else if (const std::string& expected = contents.payload.at(name); file->second != expected)
+    const Files expected = bag_of(contents, time_);
+    for (const char* start : {"data/", ""})  // the files of the bag follow from those of data/
+      if (out_.problems.empty()) compare(expected, start);
+  }
+
+  void compare(const Files& expected, const std::string& start) {
+    for (const auto& [name, bytes] : expected)
+      if (const auto file = files_.find(name); !name.starts_with(start)) continue;
+      else if (file == files_.end())
+        out_.problems.push_back(fmt::format("{}: is missing; every archive contains it", name));
+      else if (file->second != bytes)
         out_.problems.push_back(
-            fmt::format("data/{}: {}{}", name, first_difference(file->second, expected), other_program()));
-    }
+            fmt::format("{}: {}{}", name, first_difference(file->second, bytes), other_program()));
+    for (const auto& [name, bytes] : files_)
+      if (name.starts_with(start) && !expected.contains(name))
+        out_.problems.push_back(
+            fmt::format("{}: does not belong here; an archive has no such file outside data/", name));
   }
 
   // What to do about a difference that may come from another program, which words the files differently.
@@ -166,19 +175,22 @@ class Verifier {
     }
   }
 
+  void read_time() {
+    const std::string text = bag_info(files_, "Source-Date-Epoch");
+    if (text.empty() || text.size() > 11 || !std::all_of(text.begin(), text.end(), ::isdigit))
+      out_.problems.push_back("bag-info.txt: Source-Date-Epoch is not a number of seconds");
+    else time_ = std::stol(text);
+  }
+
   // Compares headers, padding and order, the bytes that no hash covers.
   void check_bytes() {
-    if (!files_.contains("bag-info.txt")) return;
-    const std::string time = bag_info(files_, "Source-Date-Epoch");
-    if (time.empty() || time.size() > 11 || !std::all_of(time.begin(), time.end(), ::isdigit))
-      return out_.problems.push_back("bag-info.txt: Source-Date-Epoch is not a number of seconds");
-    Files named;
-    for (auto& [name, bytes] : files_) named[out_.folder + "/" + name] = std::move(bytes);
-    if (const std::string difference = tar_difference(path_, named, std::stol(time)); !difference.empty())
+    const Files named = in_folder(out_.folder, std::move(files_));
+    if (const std::string difference = tar_difference(path_, named, time_); !difference.empty())
       out_.problems.push_back(difference);
   }
 
   std::string path_;
+  long time_ = 0;  // of the source commit
   Files files_;
   Verification out_;
 };

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "archive/bag.hpp"
+#include "archive/contents.hpp"
 #include "util/json.hpp"
 
 #include <nlohmann/json.hpp>
@@ -21,9 +21,9 @@ struct Verification {
   std::map<std::string, VerifiedResult> results;  // by name
 };
 
-// Checks all hashes and payload digests; that no file is missing, added or changed; that README, citation and
-// crate equal those generated from the other files; and that the program would write the same bytes for these
-// files. The archive is not trusted and is not unpacked to disk. Throws InputError if it does not exist.
+// Checks all hashes and payload digests, and makes the archive again from its results, figures, documents and
+// source: README, citation, crate, manifests and the tar itself must have the same bytes. The archive is not
+// trusted and is not unpacked to disk. Throws InputError if it does not exist.
 Verification verify_archive(const std::string& path);
 
 }  // namespace bristle::archive

@@ -26,18 +26,39 @@ Json check_json(const Matrix::Row& row) {
           {"band", number(c.band.value_or(NAN))}};
 }
 
-Json cell_json(std::size_t check, std::size_t alternative, const std::string& window, const Cell& cell) {
+// What is stored of each cell, in this order.
+const std::vector<std::string> kCellKeys = {"claim_verdict", "verdict", "measured",
+                                            "uncertainty",   "margin",  "missing"};
+
+// null if the cell is that of the baseline.
+Json cell_json(const Cell& cell) {
   const claims::CheckResult& c = cell.result;
-  return {{"check", check},
-          {"alternative", alternative},
-          {"window", window},
-          {"claim_verdict", claims::to_string(c.claim_verdict)},
-          {"verdict", claims::to_string(c.verdict)},
-          {"measured", number(c.measured.value)},
-          {"uncertainty", number(c.measured.uncertainty)},
-          {"margin", number(c.margin)},
-          {"missing", c.measured.missing},
-          {"affected", cell.affected}};
+  if (!cell.affected) return nullptr;
+  return {claims::to_string(c.claim_verdict),
+          claims::to_string(c.verdict),
+          number(c.measured.value),
+          number(c.measured.uncertainty),
+          number(c.margin),
+          c.measured.missing};
+}
+
+// The cells of a document, each with its place and with the names of its values.
+Json named_cells(const Json& document) {
+  Json out = Json::array();
+  const Json &windows = document.at("windows"), &keys = document.at("cell_keys");
+  for (const Json& row : document.at("cells")) {
+    const Json& under = row.at("under");
+    for (std::size_t i = 0; i < under.size(); ++i) {
+      const std::size_t window = i % std::max<std::size_t>(windows.size(), 1);
+      Json one = {
+          {"check", row.at("check")}, {"alternative", i / windows.size()}, {"window", windows.at(window)}};
+      const Json& cell = under[i].is_null() ? under.at(window) : under[i];
+      for (std::size_t k = 0; k < keys.size(); ++k) one[keys[k].get<std::string>()] = cell.at(k);
+      one["affected"] = !under[i].is_null();
+      out.push_back(one);
+    }
+  }
+  return out;
 }
 
 // The verdict on a row's check under an alternative, in the first window.
@@ -92,17 +113,19 @@ Json matrix_json(const Matrix& matrix) {
               {"program", {{"version", run::kVersion}, {"commit", run::kCommit}}},
               {"checks", Json::array()},
               {"alternatives", Json::array()},
+              {"windows", Json::array()},
+              {"cell_keys", kCellKeys},
               {"cells", Json::array()},
               {"conclusions", Json::array()}};
   for (const Alternative& a : matrix.alternatives)
     out["alternatives"].push_back(
         {{"name", a.name}, {"choice", a.choice}, {"description", a.description}, {"members", a.members}});
+  for (const Window& window : matrix.windows) out["windows"].push_back(window.name);
   for (std::size_t i = 0; i < matrix.rows.size(); ++i) {
     out["checks"].push_back(check_json(matrix.rows[i]));
-    const std::size_t windows = matrix.windows.size();
-    for (std::size_t c = 0; c < matrix.rows[i].cells.size(); ++c)
-      out["cells"].push_back(
-          cell_json(i, c / windows, matrix.windows[c % windows].name, matrix.rows[i].cells[c]));
+    Json under = Json::array();  // by alternative, then by window
+    for (const Cell& cell : matrix.rows[i].cells) under.push_back(cell_json(cell));
+    out["cells"].push_back({{"check", i}, {"under", under}});
     out["conclusions"].push_back(conclusion_json(matrix, i));
   }
   out["payload_sha256"] = matrix_payload_sha256(out);
@@ -110,10 +133,14 @@ Json matrix_json(const Matrix& matrix) {
 }
 
 std::string matrix_payload_sha256(const Json& document) {
-  std::string text;
-  for (const char* key : {"checks", "alternatives", "cells", "conclusions"})
-    text += document.value(key, Json::array()).dump() + "\n";
-  return sha256_of(text);
+  try {
+    std::string text;
+    for (const char* key : {"checks", "alternatives", "cells", "conclusions"})
+      text += (key == std::string("cells") ? named_cells(document) : document.at(key)).dump() + "\n";
+    return sha256_of(text);
+  } catch (const Json::exception&) {  // no such document
+    return "";
+  }
 }
 
 }  // namespace bristle::assumptions

@@ -9,7 +9,7 @@
 
 namespace bristle::assumptions {
 
-constexpr const char* kMatrixSchema = "bristle-assumptions/2";
+constexpr const char* kMatrixSchema = "bristle-assumptions/3";
 
 // Result of one check under one alternative.
 struct Cell {
@@ -42,7 +42,7 @@ FileKind replaceable_by_matrix();
 // The document that `bristle assumptions` writes (docs/experiments.md). NaN is null.
 Json matrix_json(const Matrix& matrix);
 
-// SHA-256 of the checks, alternatives, cells and conclusions of such a document.
+// SHA-256 of the checks, alternatives, cells and conclusions of such a document; empty if it has none.
 std::string matrix_payload_sha256(const Json& document);
 
 }  // namespace bristle::assumptions

@@ -10,7 +10,7 @@ namespace bristle::claims {
 namespace {
 
 template <class Value>
-struct Column {
+struct CheckColumn {
   const char* name;
   const char* long_name;
   Value (*value)(const CheckResult&);
@@ -18,7 +18,7 @@ struct Column {
 
 using C = const CheckResult&;
 
-const Column<std::string> kTexts[] = {
+const CheckColumn<std::string> kTexts[] = {
     {"claim", "identifier of the claim", [](C c) { return c.check.claim; }},
     {"statement", "text of the claim", [](C c) { return c.check.statement; }},
     {"reading", "value of the choice at which the check is evaluated", [](C c) { return c.check.reading; }},
@@ -31,7 +31,7 @@ const Column<std::string> kTexts[] = {
      [](C c) { return std::string(to_string(c.claim_verdict)); }},
 };
 
-const Column<double> kNumbers[] = {
+const CheckColumn<double> kNumbers[] = {
     {"declared", "number of the check in the experiment", [](C c) { return double(c.check.number); }},
     {"measured", "measured number", [](C c) { return c.measured.value; }},
     {"uncertainty", "uncertainty of the measured number", [](C c) { return c.measured.uncertainty; }},
@@ -65,7 +65,7 @@ h5::Handle create_column(hid_t group, const std::string& name, const std::vector
 }
 
 template <class Value>
-void write_column(hid_t group, hid_t rows, const Column<Value>& column,
+void write_column(hid_t group, hid_t rows, const CheckColumn<Value>& column,
                   const std::vector<CheckResult>& checks) {
   std::vector<Value> values;
   for (const CheckResult& c : checks) values.push_back(column.value(c));

@@ -1,4 +1,4 @@
-#include "cli/archive.hpp"
+#include "cli/commands.hpp"
 
 #include "archive/build.hpp"
 #include "archive/rerun.hpp"

@@ -1,4 +1,4 @@
-#include "cli/assumptions.hpp"
+#include "cli/commands.hpp"
 
 #include "cli/exit_code.hpp"
 #include "util/error.hpp"
@@ -62,7 +62,7 @@ int assumptions_command(assumptions::AssumptionsOptions options) {
     return kSuccess;
   }
   const assumptions::Matrix matrix = assumptions::run_assumptions(options);
-  write_whole(options.output, assumptions::matrix_json(matrix).dump(1) + "\n",
+  write_whole(options.output, json_lines(assumptions::matrix_json(matrix)),
               assumptions::replaceable_by_matrix());
   print_conclusions(matrix);
   return kSuccess;

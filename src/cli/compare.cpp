@@ -1,9 +1,8 @@
-#include "cli/compare.hpp"
+#include "cli/commands.hpp"
 
 #include "claims/checks.hpp"
-#include "compare/deviation_json.hpp"
-#include "compare/deviation_text.hpp"
-#include "compare/reference_file.hpp"
+#include "compare/comparison.hpp"
+#include "compare/reference.hpp"
 #include "compare/replay.hpp"
 #include "cli/exit_code.hpp"
 #include "run/provenance.hpp"
@@ -14,6 +13,7 @@
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
 namespace bristle::cli {
 namespace {
@@ -49,7 +49,18 @@ std::string reference_of(const CheckOptions& options, const results::ResultReade
   return compare::reference_path(folder.empty() ? "reference" : folder, result.text("name"));
 }
 
-// Prints deviations from the stored reference; returns whether all are within the tolerances.
+// The commands that compute the points of the largest differences again.
+std::string replays(const compare::Comparison& comparison, const results::ResultReader& result) {
+  constexpr std::size_t kMaxShown = 5;
+  std::string text;
+  std::set<std::size_t> listed;
+  for (const compare::Difference& d : comparison.differences)
+    if (listed.size() < kMaxShown && listed.insert(d.where).second)
+      text += fmt::format("To compute {} again:\n  {}\n", d.place, compare::replay_command(result, d.where));
+  return text;
+}
+
+// Compares with the stored reference; returns whether all is within the tolerances.
 bool report_deviations(const CheckOptions& options, const results::ResultReader& result,
                        const std::vector<claims::CheckResult>& checks) {
   const std::string path = reference_of(options, result);
@@ -60,10 +71,10 @@ bool report_deviations(const CheckOptions& options, const results::ResultReader&
         path, options.file);
     return false;
   }
-  const compare::DeviationReport report =
-      compare::compare_with_reference(compare::read_reference(path), compare::make_reference(result, checks));
-  fmt::print("{}", compare::deviation_text(report, result, path));
-  return !report.failed();
+  const auto comparison =
+      compare::compare_with_reference(result, checks, compare::read_reference(path), path);
+  fmt::print("{}", compare::comparison_text(comparison, replays(comparison, result)));
+  return comparison.agree();
 }
 
 // Prints deviations and replay commands as JSON; "deviation" is
@@ -73,9 +84,8 @@ bool print_json(const CheckOptions& options, const results::ResultReader& result
   const std::string path = reference_of(options, result);
   Json out = {{"file", options.file}, {"deviation", nullptr}, {"replay", compare::replay_json(result)}};
   if (std::filesystem::exists(path))
-    out["deviation"] = compare::deviation_json(
-        compare::compare_with_reference(compare::read_reference(path), compare::make_reference(result, checks)),
-        result, path);
+    out["deviation"] = compare::comparison_json(
+        compare::compare_with_reference(result, checks, compare::read_reference(path), path));
   fmt::print("{}\n", out.dump(1));
   const bool reference_failed = out["deviation"].is_null() || out["deviation"]["failed"].get<bool>();
   return (all_supported(checks) || options.report_only) && (!reference_failed || options.claims_only);
@@ -87,9 +97,9 @@ int diff_command(const DiffOptions& options) {
   const results::ResultReader a(options.a), b(options.b);
   a.require_intact();
   b.require_intact();
-  const compare::Diff diff = compare::diff_results(a, b, options.tolerances);
-  fmt::print("{}", compare::diff_text(diff));
-  return diff.agree() ? kSuccess : kCheckFailed;
+  const compare::Comparison comparison = compare::diff_results(a, b, options.tolerances);
+  fmt::print("{}", compare::comparison_text(comparison));
+  return comparison.agree() ? kSuccess : kCheckFailed;
 }
 
 int check_command(const CheckOptions& options) {

@@ -1,4 +1,4 @@
-#include "cli/export.hpp"
+#include "cli/commands.hpp"
 
 #include "claims/store.hpp"
 #include "cli/exit_code.hpp"

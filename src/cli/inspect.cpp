@@ -1,4 +1,4 @@
-#include "cli/inspect.hpp"
+#include "cli/commands.hpp"
 
 #include "cli/exit_code.hpp"
 #include "results/datasets.hpp"
@@ -17,16 +17,16 @@ namespace bristle::cli {
 namespace {
 
 // The values of a variable: words of a choice, or the range of its numbers.
-struct Contents {
+struct Listing {
   std::vector<std::string> dimensions, words;  // words: of the axis of a choice, otherwise empty
   std::vector<std::size_t> shape;
   double low = INFINITY, high = -INFINITY;
   std::size_t values = 0, missing = 0;
 };
 
-Contents contents_of(const results::ResultReader& result, const std::string& name) {
+Listing contents_of(const results::ResultReader& result, const std::string& name) {
   const results::Variable v = result.variable(name);
-  Contents out{v.dimensions, {}, v.shape};
+  Listing out{v.dimensions, {}, v.shape};
   const bool axis = results::kind_of(result, name) == results::DatasetKind::coordinate;
   const bool choice = axis && !result.flag_meanings(name).empty();
   for (const double x : v.values) {
@@ -41,7 +41,7 @@ Contents contents_of(const results::ResultReader& result, const std::string& nam
 }
 
 void print_variable(const results::ResultReader& result, const std::string& name) {
-  const Contents c = contents_of(result, name);
+  const Listing c = contents_of(result, name);
   const std::string where = c.dimensions.empty() ? "" : fmt::format("({})", fmt::join(c.dimensions, ", "));
   if (!c.words.empty()) fmt::print("  {:<22} {:<20} {}\n", name, where, fmt::join(c.words, ", "));
   else if (c.values == 0) fmt::print("  {:<22} {:<20} no values\n", name, where);
@@ -109,7 +109,7 @@ void print_provenance(const results::ResultReader& result) {
 }
 
 Json variable_json(const results::ResultReader& result, const std::string& name) {
-  const Contents c = contents_of(result, name);
+  const Listing c = contents_of(result, name);
   const h5::Handle dataset = h5::open_dataset(result.file(), name);
   Json out = {{"dimensions", c.dimensions}, {"shape", c.shape}};
   for (const char* attribute : {"long_name", "units"})
@@ -129,7 +129,7 @@ void print_json(const results::ResultReader& result) {
   if (const auto shard = result.shard()) out["shard"] = results::shard_text(*shard);
   out["axes"] = Json::object();
   for (const std::string& axis : result.axes()) {
-    const Contents c = contents_of(result, axis);
+    const Listing c = contents_of(result, axis);
     out["axes"][axis] = c.words.empty() ? Json(result.variable(axis).values) : Json(c.words);
   }
   out["points"] = Json::object();

@@ -1,4 +1,4 @@
-#include "cli/new.hpp"
+#include "cli/commands.hpp"
 
 #include "cli/exit_code.hpp"
 #include "experiment/experiment.hpp"

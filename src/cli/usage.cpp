@@ -1,6 +1,6 @@
 #include "cli/usage.hpp"
 
-#include "cli/new.hpp"
+#include "cli/commands.hpp"
 #include "util/text.hpp"
 
 #include <CLI/CLI.hpp>

@@ -1,16 +1,227 @@
 #include "compare/comparison.hpp"
 
+#include "util/error.hpp"
+#include "util/grid.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
+#include <set>
 
 namespace bristle::compare {
+namespace {
 
-double in_tolerances(double a, double b, double tolerance) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  if (!std::isfinite(a) || !std::isfinite(b)) return infinity;
-  const double distance = std::abs(a - b);
-  if (distance == 0) return 0;
-  return tolerance == 0 ? infinity : distance / tolerance;
+using results::DatasetKind;
+
+// How the dimensions of b lie in those of a. A dimension whose coordinates are equal is in neither.
+struct Matches {
+  std::map<std::string, std::vector<std::size_t>> index;  // in a, of each value of b
+  std::set<std::string> different;                        // b has values that a does not have
+};
+
+// Names that are on both sides. Others are failures.
+std::vector<std::string> common_names(const Side& a, const Side& b, Comparison& out) {
+  std::vector<std::string> both;
+  for (const auto& [name, kind] : a.kinds)
+    if (!b.kinds.contains(name)) out.failures.push_back(fmt::format("{}: only in {}", name, a.label));
+    else if (kind == b.kinds.at(name)) both.push_back(name);
+    else out.failures.push_back(fmt::format("{}: different kinds of numbers", name));
+  for (const auto& [name, kind] : b.kinds)
+    if (!a.kinds.contains(name)) out.failures.push_back(fmt::format("{}: only in {}", name, b.label));
+  return both;
+}
+
+void match_coordinates(const std::string& name, const Side& a, const Side& b, Matches& matches,
+                       Comparison& out) {
+  const std::vector<double> in_a = a.read(name).values, in_b = b.read(name).values;
+  if (std::ranges::equal(in_a, in_b, results::same_bits)) return;
+  const std::string dimension = name.substr(name.rfind('/') + 1);
+  std::vector<std::size_t> index;
+  for (const double value : in_b) {
+    const auto same = [=](double other) { return results::same_bits(value, other); };
+    const auto found = std::ranges::find_if(in_a, same);
+    if (found == in_a.end()) {
+      out.failures.push_back(
+          fmt::format("{}: different coordinates: {} of {} is not among the {} values of {}", name, value,
+                      b.label, in_a.size(), a.label));
+      matches.different.insert(dimension);
+      return;
+    }
+    index.push_back(std::size_t(found - in_a.begin()));
+  }
+  out.subsets.push_back(fmt::format("{}: different coordinates: {} values in {}, {} of them in {}", name,
+                                    in_a.size(), a.label, in_b.size(), b.label));
+  matches.index[dimension] = index;
+}
+
+std::string shape_text(const Numbers& n) {
+  if (n.shape.empty()) return "a single value";
+  return fmt::format("{} over {}", fmt::join(n.shape, " x "), fmt::join(n.dimensions, " x "));
+}
+
+// Why two variables cannot be compared; empty if they can be.
+std::string mismatch(const Numbers& a, const Numbers& b, const Matches& matches) {
+  const std::string shapes = fmt::format("different shapes: {} against {}", shape_text(a), shape_text(b));
+  if (a.dimensions != b.dimensions || a.shape.size() != b.shape.size()) return shapes;
+  for (std::size_t d = 0; d < a.shape.size(); ++d) {
+    const std::string& dimension = a.dimensions[d];
+    if (matches.different.contains(dimension))
+      return fmt::format("not compared, because the coordinates of {} differ", dimension);
+    const auto found = matches.index.find(dimension);
+    if (found == matches.index.end() && a.shape[d] == b.shape[d]) continue;
+    if (found == matches.index.end() || b.shape[d] != found->second.size() ||
+        std::ranges::any_of(found->second, [&](std::size_t i) { return i >= a.shape[d]; }))
+      return shapes;
+  }
+  return "";
+}
+
+// The index in a of each value of b.
+std::vector<std::size_t> indices(const Numbers& a, const Numbers& b, const Matches& matches) {
+  const bool all = std::ranges::none_of(
+      b.dimensions, [&](const std::string& dimension) { return matches.index.contains(dimension); });
+  std::vector<std::size_t> out(b.values.size());
+  for (std::size_t j = 0; j < out.size(); ++j) {
+    out[j] = j;
+    if (all) continue;
+    auto at = unravel(j, b.shape);
+    for (std::size_t d = 0; d < at.size(); ++d)
+      if (const auto found = matches.index.find(b.dimensions[d]); found != matches.index.end())
+        at[d] = found->second[at[d]];
+    out[j] = ravel(at, a.shape);
+  }
+  return out;
+}
+
+// The sum of the tolerances of both sides; NaN if it is unknown.
+std::vector<double> tolerances_of(const Numbers& a, const Numbers& b, const std::vector<std::size_t>& at,
+                                  const Tolerances& given) {
+  std::vector<double> out(at.size(), std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t j = 0; j < out.size(); ++j)
+    if (given.given())
+      out[j] = given.atol.value_or(0) +
+               given.rtol.value_or(0) * std::max(std::abs(a.values[at[j]]), std::abs(b.values[j]));
+    else if (!b.tolerance.empty()) out[j] = b.tolerance[j] + (a.tolerance.empty() ? 0 : a.tolerance[at[j]]);
+  return out;
+}
+
+// Adds a pair of values that differ; returns whether it is the worst so far.
+bool add(Difference& d, double a, double b, double tolerance, bool has_size,
+         std::pair<double, double>& worst) {
+  const double size = has_size ? std::abs(a - b) : INFINITY;
+  const double in_tolerances = size == 0 ? 0 : has_size ? size / tolerance : INFINITY;
+  ++d.values;
+  d.above_half += !(in_tolerances <= 0.5);
+  d.above += !(in_tolerances <= 1);
+  if (has_size && size > 0) {
+    d.absolute = std::max(d.absolute, size);
+    d.relative = std::max(d.relative, size / std::max(std::abs(a), std::abs(b)));
+  }
+  const std::pair rank{std::isnan(in_tolerances) ? -1 : in_tolerances, size};
+  if (d.values > 1 && rank <= worst) return false;
+  worst = rank;
+  d.tolerances = in_tolerances;
+  return true;
+}
+
+void compare_values(const std::string& name, const results::ResultReader& result, bool flags,
+                    const Numbers& a, const Numbers& b, const std::vector<std::size_t>& at,
+                    const std::vector<double>& tolerances, Comparison& out) {
+  Difference d;
+  d.name = name;
+  std::pair<double, double> worst;
+  std::size_t in_b = 0;
+  for (std::size_t j = 0; j < at.size(); ++j) {
+    const double x = a.values[at[j]], y = b.values[j];
+    const bool has_size = !flags && std::isfinite(x) && std::isfinite(y);
+    if (!results::same_bits(x, y) && add(d, x, y, tolerances[j], has_size, worst)) in_b = j;
+  }
+  out.values += at.size();
+  if (d.values == 0) return;
+  d.where = at[in_b];
+  d.place = results::place(result, name, d.where);
+  d.a = results::value_text(result, name, a.values[d.where]);
+  d.b = results::value_text(result, name, b.values[in_b]);
+  out.differences.push_back(d);
+}
+
+void check_tolerance(const char* option, const std::optional<double>& value) {
+  if (value && !(*value >= 0 && std::isfinite(*value)))
+    throw InputError(fmt::format("{} {} is not allowed; allowed: 0 or a positive number", option, *value));
+}
+
+// All numeric datasets of a result, with the estimated errors as tolerances.
+Side whole_file(const results::ResultReader& result) {
+  Side side{result.path(), {}, {}};
+  for (const std::string& name : results::numeric_datasets(result))
+    side.kinds[name] = results::kind_of(result, name);
+  side.read = [&result](const std::string& name) {
+    const results::Variable v = result.variable(name);
+    Numbers out{v.dimensions, v.shape, v.values, {}};
+    if (result.has(name + "_err")) out.tolerance = result.variable(name + "_err").values;
+    if (out.tolerance.size() != out.values.size()) out.tolerance.clear();
+    return out;
+  };
+  return side;
+}
+
+}  // namespace
+
+std::size_t Comparison::total(std::size_t Difference::*count) const {
+  std::size_t sum = 0;
+  for (const Difference& d : differences) sum += d.*count;
+  return sum;
+}
+
+bool Comparison::agree() const {
+  return failures.empty() && (exact ? differences.empty() : total(&Difference::above) == 0);
+}
+
+Comparison compare_sides(const results::ResultReader& result, const Side& a, const Side& b,
+                         const Tolerances& tolerances) {
+  Comparison out;
+  out.label = b.label;
+  const std::vector<std::string> names = common_names(a, b, out);
+  Matches matches;
+  for (const std::string& name : names)
+    if (a.kinds.at(name) == DatasetKind::coordinate) match_coordinates(name, a, b, matches, out);
+  std::map<std::string, std::vector<std::string>> not_compared;  // names, by reason
+  for (const std::string& name : names) {
+    if (a.kinds.at(name) == DatasetKind::coordinate) continue;
+    const Numbers in_a = a.read(name), in_b = b.read(name);
+    if (const std::string reason = mismatch(in_a, in_b, matches); !reason.empty()) {
+      not_compared[reason].push_back(name);
+      continue;
+    }
+    const auto at = indices(in_a, in_b, matches);
+    compare_values(name, result, a.kinds.at(name) == DatasetKind::flags, in_a, in_b, at,
+                   tolerances_of(in_a, in_b, at, tolerances), out);
+    if (name == "status") out.points = in_b.values.size(), out.points_in_file = in_a.values.size();
+  }
+  for (const auto& [reason, which] : not_compared)
+    out.failures.push_back(
+        fmt::format("{}{}: {}", which[0],
+                    which.size() > 1 ? fmt::format(" and {} more variables", which.size() - 1) : "", reason));
+  const auto rank = [](const Difference& d) {
+    return std::pair(std::isnan(d.tolerances) ? -1 : d.tolerances, d.relative);
+  };
+  std::ranges::stable_sort(out.differences, std::greater(), rank);
+  return out;
+}
+
+Comparison diff_results(const results::ResultReader& a, const results::ResultReader& b,
+                        const Tolerances& tolerances) {
+  check_tolerance("--rtol", tolerances.rtol);
+  check_tolerance("--atol", tolerances.atol);
+  Comparison out = compare_sides(a, whole_file(a), whole_file(b), tolerances);
+  out.exact = !tolerances.given();
+  out.failures.insert(out.failures.begin(), out.subsets.begin(), out.subsets.end());
+  if (const auto x = a.text("name"), y = b.text("name"); x != y)
+    out.notes.push_back(fmt::format("different experiments: {} and {}", x, y));
+  return out;
 }
 
 }  // namespace bristle::compare

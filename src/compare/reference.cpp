@@ -1,99 +1,126 @@
 #include "compare/reference.hpp"
 
-#include "results/datasets.hpp"
+#include "experiment/document.hpp"
+#include "experiment/schema.hpp"
+#include "util/error.hpp"
 #include "util/grid.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 namespace bristle::compare {
+
+const char* reference_schema();  // the text of reference.schema.json, embedded by the build
+
 namespace {
+
+using results::DatasetKind;
 
 // The relative error of a mean due to the integrator is below 6 rtol (docs/numerics.md, gamma_2 at 1e-5). The
 // larger factor allows for points that are harder than the three measured there.
 constexpr double kIntegrator = 10;
-// Allowance for a different libm (measured in docs/reference.md): last bits, amplified along a trajectory,
-// relative to the size of the variable; and, as the quadrature or the load search may decide differently, the
-// estimated error once more, or three times for the pinned bristles' variables, whose accuracy is not
-// controlled.
-constexpr double kLibm = 1e-8;
-double decision_factor(const std::string& name) { return name.rfind("pinned_", 0) == 0 ? 3 : 1; }
-
-bool has_suffix(const std::string& text, const std::string& suffix) {
-  return text.size() > suffix.size() && text.compare(text.size() - suffix.size(), suffix.size(), suffix) == 0;
-}
-
-// Largest absolute value of the variable, to which the parts are relative: a value near zero is not more
-// accurate than its neighbours.
-double scale_of(const std::vector<double>& values) {
-  double scale = 0;
-  for (const double v : values)
-    if (std::isfinite(v)) scale = std::max(scale, std::abs(v));
-  return scale;
-}
-
-// Values of an error variable; zero if the variable is missing or not finite.
-std::vector<double> errors_of(const results::ResultReader& result, const std::string& name,
-                              std::size_t size) {
-  std::vector<double> values(size, 0);
-  if (!result.has(name)) return values;
-  const auto stored = result.variable(name).values;
-  for (std::size_t i = 0; i < std::min(size, stored.size()); ++i)
-    if (std::isfinite(stored[i])) values[i] = stored[i];
-  return values;
-}
-
-std::string misfit(const results::Variable& v, const std::vector<std::string>& axes,
-                   const std::vector<std::size_t>& shape) {
-  if (v.dimensions == axes && v.shape == shape) return "";
-  return fmt::format("different shape: ({}) over ({}), but the sweep is ({}) over ({})",
-                     fmt::join(v.shape, ", "), fmt::join(v.dimensions, ", "), fmt::join(shape, ", "),
-                     fmt::join(axes, ", "));
-}
-
-void add_to(std::vector<double>& values, double what) {
-  for (double& value : values) value += what;
-}
-
-// Allowed deviation of R_n from the target load, orientation.rtol times the target; 0 without a load search.
-double search_error(const results::ResultReader& result) {
-  const Json experiment = result.experiment();
-  if (!result.has("load_error")) return 0;
-  double largest = experiment["load"].value("R_n", 0.0);
-  if (result.has("R_n_target"))
-    for (const double target : result.variable("R_n_target").values) largest = std::max(largest, target);
-  return experiment["orientation"].value("rtol", 0.0) * largest;
-}
-
-ReferenceVariable make_variable(const results::ResultReader& result, const std::string& name,
-                                const std::vector<double>& values, double rtol, const std::string& misfit) {
-  ReferenceVariable out{name, values, {}, {}, {}, {}, misfit};
-  const std::size_t size = out.values.size();
-  const double scale = scale_of(out.values);
-  out.quadrature = errors_of(result, name + "_err", size);
-  out.load_control.assign(size, 0);
-  if (result.has("load_error")) out.load_control = errors_of(result, "load_error/" + name, size);
-  // energy_residual is itself an error of the integrator.
-  out.integrator.assign(size, (name == "energy_residual" ? 1 : kIntegrator * rtol) * scale);
-  out.libm.assign(size, kLibm * scale);
-  if (name == "R_n") add_to(out.load_control, search_error(result));
-  for (std::size_t i = 0; i < size; ++i) {
-    const double load_error = name == "R_n" ? 0 : out.load_control[i];  // not included in R_n_err
-    out.quadrature[i] = std::max(0.0, out.quadrature[i] - load_error);
-    out.libm[i] += decision_factor(name) * (out.quadrature[i] + out.load_control[i]);
-    if (std::isfinite(out.values[i])) continue;
-    for (const TolerancePart& part : kToleranceParts) (out.*part.values)[i] = 0;
-  }
-  return out;
-}
 
 // Dimensions of the points: those of the variable status, including nodes; those of the sweep if a damaged
 // file has no status.
 std::vector<std::string> dimensions_of(const results::ResultReader& result) {
   return result.has("status") ? result.variable("status").dimensions : result.axes();
+}
+
+// The variables of a result that a reference has: axes, flags and real numbers.
+std::map<std::string, DatasetKind> kinds_of(const results::ResultReader& result) {
+  const std::vector<std::string> axes = dimensions_of(result);
+  std::map<std::string, DatasetKind> out;
+  for (const std::string& name : results::numeric_datasets(result)) {
+    const bool axis = std::ranges::count(axes, name) > 0;
+    const DatasetKind kind = axis ? DatasetKind::coordinate : results::kind_of(result, name);
+    if (name.find('/') == std::string::npos && !name.ends_with("_err") && kind != DatasetKind::integer &&
+        (axis || kind != DatasetKind::coordinate))
+      out[name] = kind;
+  }
+  return out;
+}
+
+// The estimated error of each value; 0 if there is none. The allowed distance of the load from its target,
+// orientation.rtol, is not part of the error of R_n.
+std::vector<double> errors_of(const results::ResultReader& result, const std::string& name,
+                              std::size_t size) {
+  std::vector<double> errors(size, 0);
+  if (result.has(name + "_err")) errors = result.variable(name + "_err").values;
+  errors.resize(size, 0);
+  double distance = 0;
+  if (name == "R_n" && result.has("load_error")) {
+    const Json experiment = result.experiment();
+    double target = experiment["load"].value("R_n", 0.0);
+    if (result.has("R_n_target"))
+      for (const double one : result.variable("R_n_target").values) target = std::max(target, one);
+    distance = experiment["orientation"].value("rtol", 0.0) * target;
+  }
+  for (double& error : errors) error = (std::isfinite(error) ? error : 0) + distance;
+  return errors;
+}
+
+// Rounded down to two digits.
+double rounded_down(double x) {
+  if (!(x > 0)) return 0;
+  const int exponent = int(std::floor(std::log10(x))) - 1;
+  double out = INFINITY;
+  for (int digits = int(x / std::pow(10, exponent)) + 1; out > x; --digits)
+    out = std::stod(fmt::format("{}e{}", digits, exponent));
+  return out;
+}
+
+// The estimated error twice, because both runs may be off by it, and an allowance for the integrator. The
+// latter is relative to the largest value of the variable: a value near zero is not more accurate than its
+// neighbours. energy_residual is itself an error of the integrator.
+std::vector<double> tolerances_of(const results::ResultReader& result, const std::string& name,
+                                  const std::vector<double>& values) {
+  double scale = 0;
+  for (const double v : values)
+    if (std::isfinite(v)) scale = std::max(scale, std::abs(v));
+  const double rtol = result.experiment()["integrator"]["rtol"];
+  const double integrator = (name == "energy_residual" ? 1 : kIntegrator * rtol) * scale;
+  std::vector<double> out = errors_of(result, name, values.size());
+  for (std::size_t i = 0; i < out.size(); ++i)
+    out[i] = std::isfinite(values[i]) ? rounded_down(2 * out[i] + integrator) : 0;
+  return out;
+}
+
+// Numbers by rows of the last axis. A row ends after its last value; values: empty if all have one.
+template <class T>
+Json rows(const std::vector<T>& numbers, std::size_t length, const std::vector<double>& values) {
+  Json out = Json::array();
+  for (std::size_t first = 0; first < numbers.size(); first += length) {
+    std::size_t end = first + length;
+    while (end > first && !values.empty() && std::isnan(values[end - 1])) --end;
+    out.push_back(std::vector<T>(numbers.begin() + long(first), numbers.begin() + long(end)));
+  }
+  return out;
+}
+
+// One number if it is the same at all points that have a value.
+Json tolerance_json(const std::vector<double>& tolerance, std::size_t length,
+                    const std::vector<double>& values) {
+  std::optional<double> same;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (!std::isnan(values[i]) && tolerance[i] != same.value_or(tolerance[i]))
+      return rows(tolerance, length, values);
+    else if (!std::isnan(values[i])) same = tolerance[i];
+  return same.value_or(0);
+}
+
+Json claims_json(const std::vector<claims::CheckResult>& checks) {
+  Json out = Json::array();
+  for (const claims::CheckResult& c : checks)
+    out.push_back({{"claim", c.check.claim},
+                   {"reading", c.check.reading},
+                   {"verdict", claims::to_string(c.verdict)},
+                   {"statement", c.check.statement}});
+  return out;
 }
 
 // Commit of the program that computed the points; a list of commits if several programs did.
@@ -104,49 +131,171 @@ std::string commit_of(const results::ResultReader& result) {
   return "unknown";
 }
 
+std::vector<std::size_t> shape_of(const Json& reference) {
+  std::vector<std::size_t> shape;
+  for (const auto& [name, values] : reference["axes"].items()) shape.push_back(values.size());
+  return shape;
+}
+
+// Length of the rows, which are along the last axis.
+std::size_t row_length(const std::vector<std::size_t>& shape) { return shape.empty() ? 1 : shape.back(); }
+
+// The numbers of rows; NaN where a row ends.
+std::vector<double> numbers_of(const Json& rows, std::size_t length) {
+  std::vector<double> out;
+  for (const Json& row : rows) {
+    const std::size_t end = out.size() + length;
+    for (const Json& value : row) out.push_back(value.is_null() ? NAN : value.get<double>());
+    out.resize(end, NAN);
+  }
+  return out;
+}
+
+// Requires a number for each point, or one less where a row of like ends earlier.
+void require_rows(const experiment::Document& document, const JsonPointer& at, bool may_end,
+                  const Json& like = {}) {
+  const Json& rows = document.json().at(at);
+  const auto shape = shape_of(document.json());
+  const std::size_t length = row_length(shape), count = grid_size(shape) / length;
+  if (rows.size() != count)
+    document.fail(at.to_string(), fmt::format("{} rows, but the axes have {}", rows.size(), count));
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t wanted = like.is_array() ? like[i].size() : length;
+    if (rows[i].size() > wanted || (rows[i].size() < wanted && !may_end))
+      document.fail((at / i).to_string(),
+                    fmt::format("{} numbers, but there are {} points with a value", rows[i].size(), wanted));
+  }
+}
+
+Json read(const std::string& path) {
+  const auto document = experiment::Document::stored(read_json_file(path), path);
+  experiment::check_schema(document, Json::parse(reference_schema()));
+  const Json& json = document.json();
+  for (const auto& [name, codes] : json["flags"].items())
+    require_rows(document, JsonPointer("/flags") / name, false);
+  for (const auto& [name, variable] : json["variables"].items()) {
+    const JsonPointer at = JsonPointer("/variables") / name;
+    require_rows(document, at / "values", true);
+    if (variable["tolerance"].is_array()) require_rows(document, at / "tolerance", false, variable["values"]);
+  }
+  return json;
+}
+
+Side result_side(const results::ResultReader& result) {
+  return {result.path(), kinds_of(result), [&result](const std::string& name) {
+            const results::Variable v = result.variable(name);
+            return Numbers{v.dimensions, v.shape, v.values, {}};
+          }};
+}
+
+Side reference_side(const Json& reference, const std::string& label) {
+  Side side{label, {}, {}};
+  std::vector<std::string> axes;
+  for (const auto& [name, values] : reference["axes"].items()) axes.push_back(name);
+  for (const std::string& name : axes) side.kinds[name] = DatasetKind::coordinate;
+  for (const auto& [name, codes] : reference["flags"].items()) side.kinds[name] = DatasetKind::flags;
+  for (const auto& [name, variable] : reference["variables"].items()) side.kinds[name] = DatasetKind::real;
+  side.read = [&reference, axes](const std::string& name) -> Numbers {
+    const std::vector<std::size_t> shape = shape_of(reference);
+    const std::size_t length = row_length(shape);
+    if (const Json& all = reference["axes"]; all.contains(name))
+      return {{name}, {all[name].size()}, all[name], {}};
+    if (const Json& all = reference["flags"]; all.contains(name))
+      return {axes, shape, numbers_of(all[name], length), {}};
+    const Json& variable = reference["variables"][name];
+    const Json& tolerance = variable["tolerance"];
+    return {axes, shape, numbers_of(variable["values"], length),
+            tolerance.is_array() ? numbers_of(tolerance, length)
+                                 : std::vector<double>(grid_size(shape), tolerance)};
+  };
+  return side;
+}
+
+std::string described(const Json& claim) {
+  const std::string reading = claim.value("reading", "");
+  return fmt::format("claim {}{} \"{}\"", claim["claim"].get<std::string>(),
+                     reading.empty() ? "" : fmt::format(" ({})", reading),
+                     claim["statement"].get<std::string>());
+}
+
+void compare_claims(const Json& now, const Json& reference, Comparison& out) {
+  if (reference.size() != now.size())
+    out.failures.push_back(
+        fmt::format("different checks: the experiment of the file has {}, the reference {}", now.size(),
+                    reference.size()));
+  for (std::size_t i = 0; i < std::min(reference.size(), now.size()); ++i) {
+    const std::string is = described(now[i]), was = described(reference[i]);
+    if (is != was) out.failures.push_back(fmt::format("check {}: {}, in the reference {}", i, is, was));
+    else if (now[i]["verdict"] != reference[i]["verdict"])
+      out.failures.push_back(fmt::format("{}: {}, was {}", is, now[i]["verdict"].get<std::string>(),
+                                         reference[i]["verdict"].get<std::string>()));
+  }
+}
+
 }  // namespace
 
-double ReferenceVariable::tolerance(std::size_t point) const {
-  double sum = 0;
-  for (const TolerancePart& part : kToleranceParts) sum += (this->*part.values)[point];
-  return sum;
-}
-
-std::vector<std::size_t> Reference::shape() const {
-  std::vector<std::size_t> s;
-  for (const experiment::Axis& axis : axes) s.push_back(axis.values.size());
-  return s;
-}
-
-std::size_t Reference::points() const { return grid_size(shape()); }
-
-Reference make_reference(const results::ResultReader& result, const std::vector<claims::CheckResult>& checks) {
-  const Json experiment = result.experiment();
-  Reference out;
-  out.name = result.text("name");
-  out.tier = h5::has_attribute(result.file(), "tier") ? result.text("tier") : "unknown";
-  out.inputs_sha256 = result.text("inputs_sha256");
-  out.payload_sha256 = result.text("payload_sha256");
-  out.commit = commit_of(result);
-  out.numerics_version = h5::read_integer_attribute(result.file(), "numerics_version");
+Json make_reference(const results::ResultReader& result, const std::vector<claims::CheckResult>& checks) {
+  Json out = {{"schema", "bristle-reference/1"},
+              {"name", result.text("name")},
+              {"tier", h5::has_attribute(result.file(), "tier") ? result.text("tier") : "unknown"},
+              {"inputs_sha256", result.text("inputs_sha256")},
+              {"numerics_version", h5::read_integer_attribute(result.file(), "numerics_version")},
+              {"payload_sha256", result.text("payload_sha256")},
+              {"commit", commit_of(result)},
+              {"claims", claims_json(checks)},
+              {"axes", Json::object()},
+              {"flags", Json::object()},
+              {"variables", Json::object()}};
   const std::vector<std::string> axes = dimensions_of(result);
-  for (const std::string& name : axes) out.axes.push_back({name, result.variable(name).values});
-  const double rtol = experiment["integrator"]["rtol"];
-  for (const std::string& name : numeric_datasets(result)) {
-    const results::DatasetKind kind = results::kind_of(result, name);
-    const bool coordinate =
-        kind == results::DatasetKind::coordinate || std::count(axes.begin(), axes.end(), name) > 0;
-    if (coordinate || kind == results::DatasetKind::integer || has_suffix(name, "_err") ||
-        name.find('/') != std::string::npos)
-      continue;
+  for (const std::string& name : axes) out["axes"][name] = result.variable(name).values;
+  const std::vector<std::size_t> shape = shape_of(out);
+  const std::size_t length = row_length(shape);
+  for (const auto& [name, kind] : kinds_of(result)) {
+    if (kind == DatasetKind::coordinate) continue;
     const results::Variable v = result.variable(name);
-    const std::string wrong = misfit(v, axes, out.shape());
-    if (kind == results::DatasetKind::real)
-      out.variables.push_back(make_variable(result, name, v.values, rtol, wrong));
-    else out.flags.push_back({name, std::vector<long>(v.values.begin(), v.values.end()), wrong});
+    if (v.dimensions != axes || v.shape != shape)
+      throw InputError(
+          fmt::format("{}: {}: different shape: ({}) over ({}), but the points are ({}) over ({})",
+                      result.path(), name, fmt::join(v.shape, ", "), fmt::join(v.dimensions, ", "),
+                      fmt::join(shape, ", "), fmt::join(axes, ", ")));
+    if (kind == DatasetKind::flags)
+      out["flags"][name] = rows(std::vector<long>(v.values.begin(), v.values.end()), length, {});
+    else
+      out["variables"][name] = {
+          {"values", rows(v.values, length, v.values)},
+          {"tolerance", tolerance_json(tolerances_of(result, name, v.values), length, v.values)}};
   }
-  for (const claims::CheckResult& c : checks)
-    out.claims.push_back({c.check.claim, c.check.reading, c.check.statement, claims::to_string(c.verdict)});
+  return out;
+}
+
+std::string reference_text(const Json& reference) { return json_lines(reference); }
+
+Json read_reference(const std::string& path) {
+  try {
+    return read(path);
+  } catch (const InputError& e) {
+    throw InputError(fmt::format(
+        "{}; restore the reference with `git checkout`, or write it again with `bristle reference update`",
+        e.what()));
+  }
+}
+
+std::string reference_path(const std::string& folder, const std::string& name) {
+  return (std::filesystem::path(folder) / (name + ".json")).string();
+}
+
+Comparison compare_with_reference(const results::ResultReader& result,
+                                  const std::vector<claims::CheckResult>& checks, const Json& reference,
+                                  const std::string& label) {
+  Comparison out = compare_sides(result, result_side(result), reference_side(reference, label));
+  const long version = h5::read_integer_attribute(result.file(), "numerics_version");
+  if (reference["numerics_version"] != version)
+    out.notes.push_back(fmt::format("numerics_version is {}, that of the reference is {}", version,
+                                    reference["numerics_version"].get<long>()));
+  if (!out.subsets.empty()) return out;
+  if (reference["inputs_sha256"] != result.text("inputs_sha256"))
+    out.notes.emplace_back("computed from different inputs than the reference (inputs_sha256)");
+  compare_claims(claims_json(checks), reference["claims"], out);
   return out;
 }
 

@@ -1,59 +1,44 @@
 #pragma once
 
 #include "claims/checks.hpp"
-
-#include <array>
+#include "compare/comparison.hpp"
+#include "util/json.hpp"
 
 namespace bristle::compare {
 
-// A variable at all points in row-major order, with the parts of its tolerance: a value may change by the sum
-// of the parts (derived in docs/reference.md). NaN: the point has no value.
-struct ReferenceVariable {
-  std::string name;
-  std::vector<double> values;
-  std::vector<double> quadrature, load_control, integrator, libm;
-  std::string misfit;  // difference between the variable's dimensions and those of the sweep; empty if equal
+// A reference is the JSON document of docs/reference.md: numbers, tolerances and verdicts of an experiment
+// that later results are compared with (reference.schema.json).
 
-  double tolerance(std::size_t point) const;
+// The reference made from a result and its verdicts. Errors are omitted because they become tolerances, and
+// counts such as passages because they are cost, not result. Throws InputError for a variable that is not
+// over all points.
+Json make_reference(const results::ResultReader& result, const std::vector<claims::CheckResult>& checks);
+
+// Deterministic JSON text with one variable per line. All numbers read back exactly.
+std::string reference_text(const Json& reference);
+
+// Throws InputError with file and JSON pointer for every mistake.
+Json read_reference(const std::string& path);
+
+// Path of the reference of an experiment: FOLDER/<name>.json.
+std::string reference_path(const std::string& folder, const std::string& name);
+
+// Compares a result, which may have more points, with a reference. Verdicts are compared between equal points
+// only, because they may depend on them. label: names the reference in messages.
+Comparison compare_with_reference(const results::ResultReader& result,
+                                  const std::vector<claims::CheckResult>& checks, const Json& reference,
+                                  const std::string& label);
+
+struct ReferenceUpdate {
+  std::string file, reason;
+  std::string folder = "reference";
+  std::string day;  // of the change, YYYY-MM-DD
 };
 
-struct TolerancePart {
-  const char* name;
-  std::vector<double> ReferenceVariable::*values;
-};
-inline constexpr std::array<TolerancePart, 4> kToleranceParts = {{
-    {"quadrature", &ReferenceVariable::quadrature},
-    {"load_control", &ReferenceVariable::load_control},
-    {"integrator", &ReferenceVariable::integrator},
-    {"libm", &ReferenceVariable::libm},
-}};
-
-// Codes at all points, compared exactly.
-struct ReferenceFlags {
-  std::string name;
-  std::vector<long> values;
-  std::string misfit;
-};
-
-struct ReferenceClaim {
-  std::string claim, reading, statement, verdict;
-};
-
-// The numbers and verdicts of an experiment that later results are compared with.
-struct Reference {
-  std::string name, tier, inputs_sha256, payload_sha256, commit;
-  long numerics_version = 0;
-  std::vector<experiment::Axis> axes;  // in the order of the dimensions, named as in the result file
-  std::vector<ReferenceVariable> variables;
-  std::vector<ReferenceFlags> flags;
-  std::vector<ReferenceClaim> claims;
-
-  std::vector<std::size_t> shape() const;
-  std::size_t points() const;
-};
-
-// The reference made from a result file and its verdicts. Errors are omitted because they become tolerances,
-// and counts such as passages because they are cost, not result.
-Reference make_reference(const results::ResultReader& result, const std::vector<claims::CheckResult>& checks);
+// Writes the result to FOLDER/<name>.json as the new reference, and reason and changes to
+// FOLDER/CHANGELOG.md. Returns the entry of the change log; empty if the reference has these numbers already,
+// in which case nothing is written. Throws InputError, with the remedy, for an empty reason, for a result
+// that is not a whole result of the smoke tier, and if the program or the work tree differs from its commit.
+std::string update_reference(const ReferenceUpdate& update);
 
 }  // namespace bristle::compare

@@ -1,10 +1,7 @@
-#include "compare/reference_update.hpp"
 
 #include "claims/checks.hpp"
-#include "compare/deviation.hpp"
-#include "compare/reference_file.hpp"
+#include "compare/reference.hpp"
 #include "results/datasets.hpp"
-#include "results/digest.hpp"
 #include "results/variables.hpp"
 #include "util/error.hpp"
 #include "util/file.hpp"
@@ -14,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <set>
 
 namespace bristle::compare {
@@ -26,8 +24,9 @@ const std::set<std::string> kMayBeMissing = {"jump_z_0", "jump_R_n", "incomplete
                                              "R_n_fluctuation_of_rows"};
 
 constexpr const char* kLogTitle = "# Changes of the references";
-
-bool status_is(double status, PointStatus wanted) { return status == double(wanted); }
+const std::string kLogStart = kLogTitle + std::string(
+                                              "\n\nWritten by `bristle reference update`, oldest first. "
+                                              "docs/reference.md describes the references.\n");
 
 void require_reason(const std::string& reason) {
   if (reason.find_first_not_of(" \t\n") == std::string::npos || reason.find('\n') != std::string::npos)
@@ -36,83 +35,56 @@ void require_reason(const std::string& reason) {
         "CHANGELOG.md");
 }
 
-void require_origin(const results::ResultReader& result, const Reference& made) {
+void require_origin(const results::ResultReader& result, const Json& made) {
   const std::string run_again =
       fmt::format("`bristle run EXPERIMENT.json --tier smoke --force -o {}`", result.path());
-  if (made.tier != "smoke")
+  const std::string tier = made["tier"], commit = made["commit"];
+  if (tier != "smoke")
     throw InputError(fmt::format("{}: contains the {} tier, but a reference contains the smoke tier; {}",
-                                 result.path(), made.tier, run_again));
-  const bool dirty = made.commit.find("-dirty") != std::string::npos;
-  if (dirty || made.commit.find("unknown") != std::string::npos)
+                                 result.path(), tier, run_again));
+  if (commit.find("-dirty") != std::string::npos || commit.find("unknown") != std::string::npos)
     throw InputError(
         fmt::format("{}: computed by a program of commit {}, which cannot be built again; commit, "
                     "build, then {}",
-                    result.path(), made.commit, run_again));
+                    result.path(), commit, run_again));
 }
 
 const std::set<PointStatus> kUnsound = {PointStatus::incomplete, PointStatus::not_converged,
                                         PointStatus::failed, PointStatus::work_limit, PointStatus::ambiguous};
 
 // Whether a value is infinite, or NaN although the point has values.
-bool is_invalid(const std::string& name, double value, double status) {
-  if (std::isinf(value)) return true;
-  const bool has_values = status_is(status, PointStatus::ok) || status_is(status, PointStatus::load_jump);
-  return std::isnan(value) && has_values && !kMayBeMissing.contains(name);
+bool is_invalid(const std::string& name, double value, PointStatus status) {
+  const bool has_values = status == PointStatus::ok || status == PointStatus::load_jump;
+  return std::isinf(value) || (std::isnan(value) && has_values && !kMayBeMissing.contains(name));
 }
 
-void require_sound_run(const results::ResultReader& result, const Reference& made) {
-  const auto fail = [&](const std::string& name, const std::string& what) {
-    throw InputError(
-        fmt::format("{}: {}: {}; a reference requires a run without failures", result.path(), name, what));
+void require_sound_run(const results::ResultReader& result, const Json& made) {
+  const auto fail = [&](const std::string& name, double value, std::size_t i) {
+    throw InputError(fmt::format("{}: {}: {} at {}; a reference requires a run without failures",
+                                 result.path(), name, results::value_text(result, name, value),
+                                 results::place(result, name, i)));
   };
   const std::vector<double> status = result.variable("status").values;
-  for (const ReferenceFlags& f : made.flags)
-    if (!f.misfit.empty()) fail(f.name, f.misfit);
   for (std::size_t i = 0; i < status.size(); ++i)
-    if (kUnsound.contains(PointStatus(status[i])))
-      fail("status", fmt::format("{} at {}", results::value_text(result, "status", status[i]),
-                                 results::place(result, "status", i)));
-  for (const ReferenceVariable& v : made.variables) {
-    if (!v.misfit.empty()) fail(v.name, v.misfit);
-    for (std::size_t i = 0; i < v.values.size(); ++i)
-      if (is_invalid(v.name, v.values[i], status[i]))
-        fail(v.name, fmt::format("{} at {}", v.values[i], results::place(result, v.name, i)));
+    if (kUnsound.contains(PointStatus(status[i]))) fail("status", status[i], i);
+  for (const auto& [name, variable] : made["variables"].items()) {
+    const std::vector<double> values = result.variable(name).values;
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (is_invalid(name, values[i], PointStatus(status[i]))) fail(name, values[i], i);
   }
 }
 
-// Whether two references contain the same, whichever commit computed them.
-bool equivalent(Reference a, const Reference& b) {
-  a.commit = b.commit;
-  return reference_text(a) == reference_text(b);
-}
-
-std::string change_line(const results::ResultReader& result, const Deviation& d) {
-  const std::string size =
-      std::isfinite(d.tolerances) ? fmt::format(", {:.3g} of the old tolerance", d.tolerances) : "";
-  return fmt::format(
-      "- {}: {} -> {} at {}{}\n", d.variable, results::value_text(result, d.variable, d.reference),
-      results::value_text(result, d.variable, d.now), results::place(result, d.variable, d.point), size);
-}
-
 // The largest change of every variable, and the changes that have no size.
-std::string changes(const results::ResultReader& result, const Reference& old, const Reference& made) {
-  const DeviationReport report = compare_with_reference(old, made);
+std::string changes(const Comparison& comparison) {
   std::string text;
-  for (const std::string& note : report.notes) text += fmt::format("- {}\n", note);
-  for (const std::string& failure : report.failures) text += fmt::format("- {}\n", failure);
-  std::set<std::string> listed;
-  for (const Deviation& d : report.deviations)  // worst first
-    if (listed.insert(d.variable).second) text += change_line(result, d);
-  if (report.deviations.empty() && report.failures.empty())
-    text += "- the same values, but different tolerances, inputs or digests\n";
-  return text;
-}
-
-std::string entry(const ReferenceUpdate& update, const results::ResultReader& result, const Reference* old,
-                  const Reference& made) {
-  return fmt::format("\n## {} {}\n\n{}\n\n- program: {}\n- payload: {} -> {}\n{}", update.day, made.name,
-                     update.reason, made.commit, old ? old->payload_sha256 : "none", made.payload_sha256,
-                     old ? changes(result, *old, made) : std::string("- new reference\n"));
+  for (const auto* lines : {&comparison.notes, &comparison.subsets, &comparison.failures})
+    for (const std::string& line : *lines) text += fmt::format("- {}\n", line);
+  for (const Difference& d : comparison.differences) {
+    const std::string size =
+        std::isfinite(d.tolerances) ? fmt::format(", {:.3g} of the old tolerance", d.tolerances) : "";
+    text += fmt::format("- {}: {} -> {} at {}{}\n", d.name, d.b, d.a, d.place, size);
+  }
+  return text.empty() ? "- the same values, but different tolerances, inputs or digests\n" : text;
 }
 
 // Writes both files under temporary names first, so that a full disk leaves both old files.
@@ -148,22 +120,26 @@ std::string update_reference(const ReferenceUpdate& update) {
   require_reason(update.reason);
   const results::ResultReader result(update.file);
   result.require_intact();
-  const Reference made = make_reference(result, claims::evaluate_checks(result));
+  const auto checks = claims::evaluate_checks(result);
+  const Json made = make_reference(result, checks);
   require_origin(result, made);
   require_sound_run(result, made);
-  const std::string path = reference_path(update.folder, made.name);
-  std::optional<Reference> old;
+  const std::string path = reference_path(update.folder, result.text("name"));
+  Json old;
   if (fs::exists(path)) old = read_reference(path);
-  if (old && equivalent(*old, made)) return "";
+  Json same_commit = made;
+  if (old.is_object()) same_commit["commit"] = old["commit"];
+  if (old == same_commit) return "";
   require_clean_work_tree(update.folder);
+  const std::string added =
+      fmt::format("\n## {} {}\n\n{}\n\n- program: {}\n- payload: {} -> {}\n{}", update.day,
+                  made["name"].get<std::string>(), update.reason, made["commit"].get<std::string>(),
+                  old.is_object() ? old["payload_sha256"].get<std::string>() : "none",
+                  made["payload_sha256"].get<std::string>(),
+                  old.is_object() ? changes(compare_with_reference(result, checks, old, "the old reference"))
+                                  : "- new reference\n");
   const std::string log = (fs::path(update.folder) / "CHANGELOG.md").string();
-  std::string added = entry(update, result, old ? &*old : nullptr, made);
-  const std::string before = fs::exists(log)
-                                 ? read_file(log)
-                                 : kLogTitle + std::string(
-                                                   "\n\nWritten by `bristle reference update`, "
-                                                   "oldest first. docs/reference.md describes the "
-                                                   "references.\n");
+  const std::string before = fs::exists(log) ? read_file(log) : kLogStart;
   write_files(path, reference_text(made), log, before + added);
   return added;
 }

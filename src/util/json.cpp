@@ -6,9 +6,30 @@
 #include <nlohmann/json.hpp>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <set>
+#include <vector>
 
 namespace bristle {
+
+namespace {
+
+std::string layout(const Json& json, const std::string& indent) {
+  const bool objects = json.is_array() && !json.empty() && json[0].is_object();
+  if ((!json.is_object() && !objects) || json.empty()) return json.dump();
+  std::vector<std::string> entries;
+  const std::string inner = indent + " ";
+  for (const auto& [key, value] : json.items()) {
+    const std::string text = objects ? value.dump() : Json(key).dump() + ": " + layout(value, inner);
+    entries.push_back(inner + text);
+  }
+  return fmt::format("{}\n{}\n{}{}", objects ? "[" : "{", fmt::join(entries, ",\n"), indent,
+                     objects ? "]" : "}");
+}
+
+}  // namespace
+
+std::string json_lines(const Json& json) { return layout(json, "") + "\n"; }
 
 std::string json_error(const std::string& message) {
   const auto end = message.find("] ");

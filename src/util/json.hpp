@@ -26,6 +26,9 @@ Json read_json_file(const std::string& path);
 // appears twice in one object, and for nesting deeper than kMaxJsonDepth.
 Json parse_json(const std::string& text);
 
+// JSON text: objects and arrays of objects with one entry per line, arrays of numbers on one line.
+std::string json_lines(const Json& json);
+
 // The value as it appears in messages: JSON, shortened to 60 characters.
 std::string shown(const Json& value);
 

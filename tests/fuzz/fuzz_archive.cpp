@@ -16,10 +16,9 @@ using namespace bristle::testing;
 namespace {
 
 void bag_of(const std::string& text) {
-  Files bag = make_bag("f", {{"a", "x"}}, {{"Draft", "no"}});
-  bag["f/manifest-sha512.txt"] = bag["f/bag-info.txt"] = text;
-  strip_folder(bag);
-  check_bag(bag);
+  Files bag = make_bag({{"a", "x"}}, {{"Draft", "no"}});
+  bag["manifest-sha512.txt"] = bag["bag-info.txt"] = text;
+  check_manifests(bag);
   printable(bag_info(bag, "Draft"));
 }
 

@@ -2,8 +2,8 @@
 
 #include "archive/result_facts.hpp"
 #include "archive/tar.hpp"
-#include "compare/diff.hpp"
-#include "compare/reference_file.hpp"
+#include "compare/comparison.hpp"
+#include "compare/reference.hpp"
 #include "results/plain_hdf5.hpp"
 #include "util/error.hpp"
 #include "small_result.hpp"
@@ -109,7 +109,7 @@ void read(const Original& original, const std::string& path, Reader reader) {
       result_facts(result).dump();
       break;
     case Reader::difference:
-      diff_text(diff_results(result, ResultReader(original.s.path("original.h5")), {}));
+      comparison_text(diff_results(result, ResultReader(original.s.path("original.h5")), {}));
       break;
     case Reader::points: {
       const Experiment experiment = stored_experiment(result.experiment(), result.text("tier"), path);

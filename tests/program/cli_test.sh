@@ -161,7 +161,7 @@ cmp -s experiments/paper.json "$folder/mine.json" || failed "an experiment was r
 # Comparison of two results: equal bits, different numbers, invalid tolerances.
 "$bristle" run "${quick[@]/%r.h5/q.h5}" --quiet --set /model/k_r=11.01
 expect 0 "the same, bit for bit" "$bristle" diff "$folder/r.h5" "$folder/r.h5"
-expect 1 "0 of " "$bristle" diff "$result" "$folder/r.h5"
+expect 1 "only in $result" "$bristle" diff "$result" "$folder/r.h5"
 expect 1 "R_x_norm" "$bristle" diff "$folder/r.h5" "$folder/q.h5"
 expect 0 "within the tolerances" "$bristle" diff "$folder/r.h5" "$folder/q.h5" --rtol 0.5 --atol 0.01
 expect 2 "--rtol -1" "$bristle" diff "$folder/r.h5" "$folder/r.h5" --rtol -1
@@ -193,8 +193,9 @@ expect 0 "refuted, was supported" \
   "$bristle" reference update "$folder/clean.h5" --reference "$reference" --reason "the verdict was edited"
 
 # A deviation is reported with the command that computes only its point, with the same bits.
-sed -i '/"R_x_norm"/,/"quadrature"/ s/"values": \[[0-9.]*,/"values": [0.1,/' "$reference/fig4.json"
-expect 1 "azimuth_rate = kinematic, k_r = 3, k_theta = 0.3  FAILED" "$bristle" check --report-only "$result" --reference "$reference"
+sed -i '/"R_x_norm"/,/"tolerance"/ s/"values": \[\[[0-9.]*,/"values": [[0.1,/' "$reference/fig4.json"
+expect 1 "azimuth_rate = kinematic, k_r = 3, k_theta = 0.3: " "$bristle" check --report-only "$result" --reference "$reference"
+expect 1 " against 0.1  FAILED" "$bristle" check --report-only "$result" --reference "$reference"
 expect 1 '"place": "azimuth_rate = kinematic, k_r = 3, k_theta = 0.3"' "$bristle" check --json --report-only "$result" --reference "$reference"
 replay=$("$bristle" check "$result" --reference "$reference" | grep -A 1 "^To compute azimuth_rate = kinematic, k_r = 3, k_theta = 0.3" | tail -n 1)
 replay=${replay/build\/bristle/$bristle}
@@ -204,8 +205,8 @@ one, all = (h5py.File(name, "r") for name in sys.argv[1:])
 names = [n for n in one if isinstance(one[n], h5py.Dataset) and one[n].shape == (1, 1, 1)]
 assert len(names) > 20
 for n in names: assert one[n][0, 0, 0].tobytes() == all[n][0, 0, 0].tobytes(), n' "$folder/replay.h5" "$result"
-sed -i 's/"values": \[0.1,/"values": ["x",/' "$reference/fig4.json"
-expect 2 "fig4.json: /variables/R_x_norm/values/0: " "$bristle" check "$result" --reference "$reference"
+sed -i 's/"values": \[\[0.1,/"values": [["x",/' "$reference/fig4.json"
+expect 2 "fig4.json: /variables/R_x_norm/values/0/0: " "$bristle" check "$result" --reference "$reference"
 
 # An interrupted run reports the interruption and leaves the previous result unchanged.
 before=$(sha256sum "$result")

@@ -10,7 +10,7 @@ import sys
 
 source, program, folder = pathlib.Path(sys.argv[1]), sys.argv[2], pathlib.Path(sys.argv[3])
 sys.path.append(str(source / "scripts"))
-from bristle_plots.assumptions import OLD_SCHEMA, SCHEMA, read_matrix  # noqa: E402
+from bristle_plots.assumptions import read_matrix  # noqa: E402
 
 recorded = read_matrix(source / "reference/assumptions.json")
 declared, pairs = [], []
@@ -47,16 +47,6 @@ assert "\nPayload digest of the matrix: 0123456789abcdef.\n" in (folder / "diges
 # Compares width and height only, because the bytes depend on the version of the fonts.
 size = [png[16:24] for png in (made[0][1], (source / "docs/images/assumptions.png").read_bytes())]
 assert size[0] == size[1], "docs/images/assumptions.png differs from the figure drawn now: make assumptions"
-# Names of the older schema are upgraded on reading.
-old = {"schema": OLD_SCHEMA, "checks": [], "cells": [],
-       "alternatives": [{"name": "settled", "choice": "", "description": "", "members": []}],
-       "conclusions": [{"check": 0, "settled": "supported", "conclusion": "hangs", "hangs_on": ["phi_0"]}]}
-(folder / "old.json").write_text(json.dumps(old))
-new = read_matrix(folder / "old.json")
-assert new["schema"] == SCHEMA and new["alternatives"][0]["name"] == "baseline", new
-assert new["conclusions"] == [{"check": 0, "baseline": "supported", "conclusion": "assumption-dependent",
-                               "depends_on": ["phi_0"]}], new
-
 (folder / "wrong.json").write_text("{}")
 for wrong in ("none.json", "wrong.json"):
     done = subprocess.run([sys.executable, source / "scripts/assumptions.py", folder / wrong], capture_output=True, text=True)

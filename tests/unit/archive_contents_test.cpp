@@ -146,7 +146,7 @@ TEST_CASE("studies, matrices and the report are archived, and refused with the c
              Contains(matrix + ": not a matrix of the schema") && Contains("`make assumptions`"));
   CHECK_THAT(refused_with([](Json& m) { m.erase("inputs_sha256"); }),
              Contains(matrix + ": lacks inputs_sha256: it was written by an earlier version"));
-  CHECK_THAT(refused_with([](Json& m) { m["cells"][0]["verdict"] = "refuted"; }),
+  CHECK_THAT(refused_with([](Json& m) { m["cells"][0]["under"][0][1] = "refuted"; }),
              Contains(matrix + ": payload_sha256 DOES NOT MATCH the content"));
   CHECK_THAT(refused_with([](Json& m) { m["tier"] = 7; }),
              Contains(matrix + ": ") && Contains("must be string"));
@@ -223,7 +223,7 @@ TEST_CASE("a matrix that contradicts its digest or the results is found even if 
                                .problems;
     return found.empty() ? "" : found.front();
   };
-  CHECK_THAT(changed([](Json& m) { m["cells"][0]["measured"] = 0.123; }),
+  CHECK_THAT(changed([](Json& m) { m["cells"][0]["under"][0][2] = 0.123; }),
              Contains("data/results/assumptions.json: payload_sha256 DOES NOT MATCH the content"));
   CHECK_THAT(changed([](Json& m) { m["numerics_version"] = 1; }),
              Contains("data/results/assumptions.json: has numerics_version 1, but results/small.h5 has"));

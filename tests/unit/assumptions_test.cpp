@@ -91,11 +91,12 @@ TEST_CASE("every check is evaluated under every alternative") {
   CHECK(std::string(conclusion(m, m.rows[1])) == "robust");
 
   const Json json = matrix_json(m);
-  CHECK(json["cells"].size() == 10);
+  CHECK(json["cells"].size() == 2);
+  CHECK(json["cells"][1]["under"].size() == 5);
   CHECK(json["conclusions"][0]["other"] == Json({"impossible", "slow + impossible"}));
   CHECK(json["checks"][0]["band"].is_null());
   CHECK(json["inputs_sha256"] == inputs_sha256(small.options));
-  CHECK(json["payload_sha256"] == matrix_payload_sha256(Json::parse(json.dump(1))));
+  CHECK(json["payload_sha256"] == matrix_payload_sha256(Json::parse(json_lines(json))));
 }
 
 TEST_CASE(

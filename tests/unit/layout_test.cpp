@@ -1,4 +1,4 @@
-#include "compare/diff.hpp"
+#include "compare/comparison.hpp"
 #include "results/datasets.hpp"
 #include "results/texts.hpp"
 #include "small_result.hpp"
@@ -79,8 +79,8 @@ TEST_CASE("results of layout version 1 are read like those of today, but are not
   make_version_1(old);
   const ResultReader a(now), b(old);
   b.require_intact();
-  const Diff diff = diff_results(a, b, {});
-  INFO(diff_text(diff));
+  const Comparison diff = diff_results(a, b, {});
+  INFO(comparison_text(diff));
   CHECK(diff.agree());
   CHECK(b.variable("friction").values == a.variable("friction").values);
   CHECK(evaluate_checks(b).at(0).measured.value == evaluate_checks(a).at(0).measured.value);

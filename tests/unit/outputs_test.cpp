@@ -1,6 +1,6 @@
 #include "archive/build.hpp"
 #include "assumptions/assumptions.hpp"
-#include "compare/reference_file.hpp"
+#include "compare/reference.hpp"
 #include "results/journal.hpp"
 #include "results/version.hpp"
 #include "run/task.hpp"

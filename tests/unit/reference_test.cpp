@@ -1,5 +1,5 @@
-#include "compare/deviation_text.hpp"
-#include "compare/reference_file.hpp"
+#include "compare/comparison.hpp"
+#include "compare/reference.hpp"
 #include "compare/replay.hpp"
 #include "util/error.hpp"
 #include "small_result.hpp"
@@ -12,56 +12,54 @@ using Catch::Contains;
 
 namespace {
 
-template <class Quantities>
-auto& named(Quantities& all, const std::string& name) {
-  for (auto& q : all)
-    if (q.name == name) return q;
-  throw std::out_of_range(name);
+Comparison compare_files(const std::string& file, const Json& reference) {
+  const ResultReader result(file);
+  return compare_with_reference(result, evaluate_checks(result), reference, "reference/small.json");
 }
 
 // A result, its reference, and a copy of the result, which tests change.
 struct Pair {
   Scratch s;
   std::string a = small_result(s, "a.h5"), b = small_result(s, "b.h5");
-  Reference reference = reference_of(a);
+  Json reference = reference_of(a);
 
-  DeviationReport report() const { return compare_with_reference(reference, reference_of(b)); }
-  std::string text() const { return deviation_text(report(), ResultReader(b), "reference/small.json"); }
+  Comparison report() const { return compare_files(b, reference); }
+  std::string text() const { return comparison_text(report()); }
   // Changes R_x at k_r = 20, k_theta = 0.3 by the given number of its tolerances.
   void move_R_x(double tolerances) const {
-    const ReferenceVariable& v = named(reference.variables, "R_x");
-    put(b, "R_x", {1, 0}, v.values[3] + tolerances * v.tolerance(3));
+    const Json& v = reference["variables"]["R_x"];
+    put(b, "R_x", {1, 0}, v["values"][1][0].get<double>() + tolerances * v["tolerance"].get<double>());
   }
 };
 
 }  // namespace
 
-TEST_CASE("reference: its content and the parts of its tolerances") {
+TEST_CASE("reference: its content, and tolerances that are rounded down to two digits") {
   const Scratch s;
   const std::string file = small_result(s, "a.h5");
-  put(file, "load_error/R_x", {0, 0}, 4e-4);
-  put(file, "load_error/R_x", {0, 1}, 1);
-  const Reference r = reference_of(file);
-  CHECK(r.axes.at(0).name == "k_r");
-  CHECK(r.axes.at(1).values == std::vector<double>{0.3, 1, 3});
-  CHECK(r.flags.at(0).values == std::vector<long>(6, 0));
-  CHECK(r.claims.at(0).verdict == "supported");
-  for (const ReferenceVariable& v : r.variables) {
-    CHECK(v.name != "passages");
-    CHECK(v.name.find("_err") == std::string::npos);
+  const double scale = small_point(5).value[bristle::R_X], integrator = 10 * 3e-5 * scale;
+  put(file, "R_x_err", {0, 1}, 5e-3);
+  put(file, "R_x", {1, 1}, kNone);
+  const Json r = reference_of(file);
+  CHECK(r["axes"].items().begin().key() == "k_r");
+  CHECK(r["axes"]["k_theta"] == Json({0.3, 1, 3}));
+  CHECK(r["flags"]["status"] == Json({{0, 0, 0}, {0, 0, 0}}));
+  CHECK(r["claims"][0]["verdict"] == "supported");
+  CHECK_FALSE(r["variables"].contains("passages"));
+  CHECK_FALSE(r["variables"].contains("R_x_err"));
+  const Json& tolerance = r["variables"]["R_x"]["tolerance"];
+  REQUIRE(tolerance.size() == 2);
+  for (const auto& [value, exact] :
+       {std::pair(tolerance[0][0], 2e-3 + integrator), std::pair(tolerance[0][1], 1e-2 + integrator)}) {
+    CHECK(value.get<double>() <= exact);
+    CHECK(value.get<double>() == Approx(exact).epsilon(0.1));
+    CHECK(value.dump().size() <= 6);
   }
-  const ReferenceVariable& R_x = named(r.variables, "R_x");
-  const double scale = small_point(5).value[bristle::R_X];
-  CHECK(R_x.load_control[0] == 4e-4);
-  CHECK(R_x.quadrature[0] == Approx(6e-4));
-  CHECK(R_x.quadrature[1] == 0);  // the load's part is larger than the whole
-  CHECK(R_x.integrator[0] == Approx(10 * 3e-5 * scale));
-  CHECK(R_x.libm[0] == Approx(1e-3 + 1e-8 * scale));
-  CHECK(R_x.tolerance(0) == Approx(2e-3 + (3e-4 + 1e-8) * scale));
-  const ReferenceVariable &R_n = named(r.variables, "R_n"), &pinned = named(r.variables, "pinned_fraction");
-  CHECK(R_n.load_control[0] == Approx(1e-3 * 2));  // orientation.rtol of the target
-  CHECK(pinned.libm[0] == Approx(3 * pinned.quadrature[0]).margin(1e-7));
-  CHECK(named(r.variables, "jump_z_0").tolerance(0) == 0);
+  CHECK(tolerance[1][1] == 0.0);                         // no value
+  const Json& R_n = r["variables"]["R_n"]["tolerance"];  // with orientation.rtol of the target
+  CHECK(R_n ==
+        Approx(2 * (1e-3 + 1e-3 * 2) + integrator / scale * small_point(5).value[bristle::R_N]).epsilon(0.1));
+  CHECK(r["variables"]["jump_z_0"]["tolerance"] == 0.0);
 }
 
 TEST_CASE("reference: a file that is read and written again is unchanged") {
@@ -69,23 +67,39 @@ TEST_CASE("reference: a file that is read and written again is unchanged") {
   const std::string text = reference_text(p.reference);
   CHECK(text.back() == '\n');
   CHECK(reference_text(read_reference(p.s.write("r.json", text))) == text);
-  CHECK_THAT(text, Contains("\"jump_z_0\": {\n   \"values\": [null,null,null,null,null,null],\n"));
+  CHECK_THAT(text, Contains("\"jump_z_0\": {\n   \"values\": [[],[]],\n"));
+}
+
+TEST_CASE("reference: a row ends after its last value, and a point without a value within it is null") {
+  const Pair p;
+  for (const hsize_t j : {0, 2}) put(p.b, "R_x", {1, j}, kNone);
+  const Json r = reference_of(p.b);
+  const Json &values = r["variables"]["R_x"]["values"], old = p.reference["variables"]["R_x"]["values"];
+  CHECK(values[0] == old[0]);
+  REQUIRE(values[1].size() == 2);
+  CHECK(std::isnan(values[1][0].get<double>()));
+  CHECK_THAT(reference_text(r), Contains("[null,"));
+  const Json again = read_reference(p.s.write("r.json", reference_text(r)));
+  CHECK(compare_files(p.b, again).differences.empty());
+  CHECK(compare_files(p.a, again).total(&Difference::above) == 2);
+  CHECK(compare_files(p.b, p.reference).total(&Difference::above) == 2);
 }
 
 TEST_CASE("deviations: none, above half a tolerance, and above the tolerance") {
   const Pair p;
-  CHECK_FALSE(p.report().failed());
-  CHECK(p.report().deviations.empty());
-  CHECK_THAT(p.text(), Contains("the same, bit for bit"));
+  CHECK(p.report().agree());
+  CHECK(p.report().differences.empty());
+  CHECK_THAT(p.text(), Contains("6 points: the same, bit for bit"));
   p.move_R_x(0.6);
-  CHECK_FALSE(p.report().failed());
-  CHECK(p.report().deviations.at(0).tolerances == Approx(0.6));
+  CHECK(p.report().agree());
+  CHECK(p.report().differences.at(0).tolerances == Approx(0.6));
   CHECK_THAT(p.text(), Contains("above half its tolerance") && Contains("k_r = 20, k_theta = 0.3"));
   p.move_R_x(-1.5);
-  CHECK(p.report().failed());
-  CHECK(p.report().deviations.at(0).tolerances == Approx(1.5));
+  CHECK_FALSE(p.report().agree());
+  CHECK(p.report().differences.at(0).tolerances == Approx(1.5));
+  CHECK(p.report().differences[0].where == 3);
   CHECK_THAT(p.text(), Contains("FAILED"));
-  CHECK_THAT(p.text(),
+  CHECK_THAT(replay_command(ResultReader(p.b), p.report().differences[0].where),
              Contains(R"(build/bristle run experiments/small.json --tier smoke --set )"
                       R"('/sweep/k_r={"values":[20.0],"logspace":null,"linspace":null,"take":null}' )"
                       R"(--set '/sweep/k_theta={"values":[0.3],)"));
@@ -127,17 +141,22 @@ TEST_CASE("replay: words of choices, any node of a traced curve, and no checks, 
                           Contains("--set /checks=null"));
 }
 
-TEST_CASE("deviations: listed in descending order, at most 25 of them") {
+TEST_CASE("deviations: the worst value of each variable, in descending order, and how many differ") {
   const Pair p;
   for (hsize_t i = 0; i < 2; ++i)
     for (hsize_t j = 0; j < 3; ++j)
       for (const char* name : {"R_x", "R_n", "gamma_1", "gamma_2", "gamma_3"})
         put(p.b, name, {i, j}, double(10 * i + j) + 0.05);
-  const DeviationReport report = p.report();
-  CHECK(report.above(1) == 30);
-  for (std::size_t i = 1; i < report.deviations.size(); ++i)
-    CHECK(report.deviations[i - 1].tolerances >= report.deviations[i].tolerances);
-  CHECK_THAT(p.text(), Contains("and 5 more above half their tolerances") && Contains("FAILED: 30 above"));
+  const Comparison report = p.report();
+  CHECK(report.total(&Difference::above) == 30);
+  REQUIRE(report.differences.size() == 5);
+  for (std::size_t i = 1; i < report.differences.size(); ++i)
+    CHECK(report.differences[i - 1].tolerances >= report.differences[i].tolerances);
+  CHECK_THAT(p.text(), Contains("FAILED: 30 values differ, 30 of them above their tolerances"));
+  const Json json = comparison_json(report);
+  CHECK(json["failed"] == true);
+  CHECK(json["worst"].size() == 5);
+  CHECK(json["worst"][0]["place"] == report.differences[0].place);
 }
 
 TEST_CASE("deviations: NaN and infinity fail, in either direction") {
@@ -145,9 +164,9 @@ TEST_CASE("deviations: NaN and infinity fail, in either direction") {
   SECTION("a value was lost") { put(p.b, "R_x", {1, 2}, kNone); }
   SECTION("infinite") { put(p.b, "R_x", {1, 2}, INFINITY); }
   SECTION("a new value") { put(p.b, "jump_z_0", {1, 2}, 0.5); }
-  CHECK(p.report().failed());
-  CHECK(p.report().deviations.at(0).tolerances == INFINITY);
-  CHECK_THAT(p.text(), Contains("k_r = 20, k_theta = 3  FAILED"));
+  CHECK_FALSE(p.report().agree());
+  CHECK(p.report().differences.at(0).tolerances == INFINITY);
+  CHECK_THAT(p.text(), Contains("k_r = 20, k_theta = 3: ") && Contains("  FAILED"));
 }
 
 TEST_CASE("deviations: missing and extra variables and different shapes, status and verdicts are failures") {
@@ -155,46 +174,46 @@ TEST_CASE("deviations: missing and extra variables and different shapes, status 
   std::string expected;
   SECTION("missing") {
     remove_dataset(p.b, "R_x");
-    expected = "R_x: missing in the file";
+    expected = "R_x: only in reference/small.json";
   }
   SECTION("extra") {
     add_dataset(p.b, "gamma_4", {2, 3});
-    expected = "gamma_4: not in the reference";
+    expected = "gamma_4: only in " + p.b;
   }
   SECTION("shape") {
     remove_dataset(p.b, "R_x");
     add_dataset(p.b, "R_x", {6});
-    expected = "R_x: different shape: (6)";
+    expected = "R_x: different shapes: 6 over ";
   }
   SECTION("dimensions") {
     remove_dataset(p.b, "R_x");
     add_dataset(p.b, "R_x", {2, 3, 1});
-    expected = "R_x: different shape: (2, 3, 1)";
+    expected = "R_x: different shapes: 2 x 3 x 1 over ";
   }
   SECTION("status") {
     put(p.b, "status", {0, 1}, 1);
-    expected = "ok                load_jump  k_r = 5, k_theta = 1  FAILED";
+    expected = "k_r = 5, k_theta = 1: load_jump against ok  FAILED";
   }
   SECTION("no status") {
     remove_dataset(p.b, "status");
-    expected = "status: missing";
+    expected = "status: only in reference/small.json";
   }
   SECTION("verdict") {
-    p.reference.claims[0].verdict = "refuted";
+    p.reference["claims"][0]["verdict"] = "refuted";
     expected = "claim x \"falls\": supported, was refuted";
   }
   SECTION("fewer claims") {
-    p.reference.claims.push_back({"y", "", "rises", "supported"});
+    p.reference["claims"].push_back(p.reference["claims"][0]);
     expected = "different checks";
   }
-  CHECK(p.report().failed());
+  CHECK_FALSE(p.report().agree());
   CHECK_THAT(p.text(), Contains(expected));
 }
 
 TEST_CASE("deviations: a different number of passages is none, as it is cost") {
   const Pair p;
   put(p.b, "passages", {0, 0}, 9999);
-  CHECK_FALSE(p.report().failed());
+  CHECK(p.report().differences.empty());
 }
 
 TEST_CASE("deviations: the file may have more points, but a missing point or axis is a failure") {
@@ -204,61 +223,72 @@ TEST_CASE("deviations: the file may have more points, but a missing point or axi
   small_experiment(s);
   const Experiment more = load_experiment(
       s.write("more.json", R"({"extends": "small.json", "name": "small")" + sweep + "}"), {{}, "full"});
-  Reference r = reference_of(small_result(s, "a.h5"));
-  r.claims[0].verdict = "refuted";  // not compared between different points
+  Json r = reference_of(small_result(s, "a.h5"));
+  r["claims"][0]["verdict"] = "refuted";  // not compared between different points
   const auto same = [](std::size_t i, PointResult& p) {
     if (i / 4 >= 1 && i % 4 < 3) p = small_point((i / 4 - 1) * 3 + i % 4);
   };
   const std::string all = small_result(s, "b.h5", more, same);
-  const DeviationReport report = compare_with_reference(r, reference_of(all));
-  CHECK_FALSE(report.failed());
+  const Comparison report = compare_files(all, r);
+  CHECK(report.agree());
   CHECK(report.points == 6);
-  CHECK_THAT(deviation_text(report, ResultReader(all), "r.json"), Contains("6 of 12 points"));
+  CHECK_THAT(comparison_text(report), Contains("6 of 12 points: the same, bit for bit"));
+  CHECK_FALSE(compare_files(s.path("a.h5"), reference_of(all)).agree());  // not the other way round
+  put(all, "R_x", {1, 2}, 7);
+  CHECK(compare_files(all, r).differences.at(0).place == "k_r = 5, k_theta = 3");
   put(all, "k_r", {1}, 5.1);
-  CHECK_THAT(compare_with_reference(r, reference_of(all)).failures.at(0),
-             Contains("k_r = 5 of the reference is not among"));
-  r.axes.pop_back();
-  CHECK_THAT(compare_with_reference(r, reference_of(all)).failures.at(0), Contains("different axes"));
+  CHECK_THAT(compare_files(all, r).failures.at(0),
+             Contains("k_r: different coordinates: 5 of reference/small.json is not among the 3 values"));
+  r["axes"].erase("k_theta");
+  CHECK_THAT(compare_files(all, r).failures.at(0), Contains("k_theta: only in"));
 }
 
 TEST_CASE("reference: a malformed file is refused with the JSON pointer of the mistake") {
   const Pair p;
-  Json json = Json::parse(reference_text(p.reference));
+  Json json = p.reference;
+  json["variables"]["R_x"]["tolerance"] = {{1, 1, 1}, {1, 1, 1}};
   std::string expected;
   const auto refused = [&](const std::string& text) {
-    CHECK_THROWS_WITH(read_reference(p.s.write("r.json", text)), Contains("r.json: ") && Contains(expected));
+    CHECK_THROWS_WITH(read_reference(p.s.write("r.json", text)),
+                      Contains("r.json: ") && Contains(expected) && Contains("restore the reference"));
     CHECK_THROWS_AS(read_reference(p.s.path("r.json")), InputError);
   };
-  const auto broken = [&](const std::string& pointer, const Json& value) {
+  CHECK_NOTHROW(read_reference(p.s.write("r.json", json.dump())));
+  const auto broken = [&](const std::string& pointer, const Json& value, const std::string& more = "") {
     Json copy = json;
     copy[JsonPointer(pointer)] = value;
-    expected = pointer;
+    expected = pointer + more;
     refused(copy.dump());
   };
   broken("/schema", "bristle-reference/2");
   broken("/name", 1);
   broken("/numerics_version", "2");
   broken("/axes/k_r/0", nullptr);
-  broken("/variables/R_x/values/2", "1.5");
-  broken("/variables/R_x/values", {1, 2});
-  broken("/variables/R_x/libm", -1);
-  broken("/variables/R_x/quadrature", nullptr);
-  broken("/variables/R_x/quadrature", {1, 2});
-  broken("/flags/status/values/1", 0.5);
-  broken("/claims/0/verdict", "suported");
+  broken("/axes/k_r", Json::array());
+  broken("/variables/R_x/values/1/2", "1.5");
+  broken("/variables/R_x/values", {1, 2}, "/");
+  broken("/variables/R_x/values", {{1, 2}}, ": 1 rows, but the axes have 2");
+  broken("/variables/R_x/values/1", {1, 2, 3, 4}, ": 4 numbers, but there are 3");
+  broken("/variables/R_n/tolerance", -1, ": -1 is not allowed");
+  broken("/variables/R_n/tolerance", nullptr, ": is missing");
+  broken("/variables/R_x/tolerance", {{1, 1, 1}, {1, -1, 1}});
+  broken("/variables/R_x/tolerance/0", {1, 1}, ": 2 numbers, but there are 3");
+  broken("/flags/status/1/1", 0.5);
+  broken("/flags/status/1", {0, 0}, ": 2 numbers");
+  broken("/claims/0/verdict", "suported", ": \"suported\" is not allowed (did you mean supported?)");
   broken("/variables/R_x", 1);
-  broken("/flagz", 1);
+  broken("/flagz", 1, ": unknown key (did you mean flags?)");
   Json short_axis = json;
   short_axis["axes"]["k_r"] = {5};
-  expected = "/flags/status/values: 6 entries, but the axes have 3 points";
+  expected = "/flags/status: 2 rows, but the axes have 1";
   refused(short_axis.dump());
-  json["variables"]["R_x"].erase("quadrature");
-  expected = "/variables/R_x/quadrature: is missing";
+  json["variables"]["R_x"].erase("tolerance");
+  expected = "/variables/R_x/tolerance: is missing";
   refused(json.dump());
   expected = "not JSON";
   refused(reference_text(p.reference).substr(0, 500));
   refused("");
-  expected = "is not an object";
+  expected = "expected a JSON object";
   refused("[1]");
 }
 

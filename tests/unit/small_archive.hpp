@@ -2,7 +2,6 @@
 
 #include "archive/build.hpp"
 #include "archive/citation.hpp"
-#include "archive/read_tar.hpp"
 #include "archive/verify.hpp"
 #include "util/error.hpp"
 #include "util/text.hpp"
@@ -114,14 +113,16 @@ inline std::string tar_of(const Files& files, std::time_t time = 1) {
 inline std::string repacked(const std::string& archive, const std::function<void(Files&)>& change) {
   const Scratch s;
   Files files = read_tar(s.write("a.tar", archive)), payload;
-  const std::string folder = strip_folder(files);
+  const std::string folder = strip_folder(files), draft = bag_info(files, "Draft");
   BagInfo info;
-  for (const char* label : {"Source-Organization", "External-Description", "Source-Date-Epoch"})
+  for (const char* label : {"Source-Organization", "External-Description", "Bagging-Date",
+                            "Bag-Software-Agent", "Source-Date-Epoch"})
     info.push_back({label, bag_info(files, label)});
+  if (!draft.empty()) info.push_back({"Draft", draft});
   for (const auto& [name, bytes] : files)
     if (name.compare(0, 5, "data/") == 0) payload[name.substr(5)] = bytes;
   change(payload);
-  return tar_of(make_bag(folder, payload, info), std::stol(bag_info(files, "Source-Date-Epoch")));
+  return tar_of(in_folder(folder, make_bag(payload, info)), std::stol(bag_info(files, "Source-Date-Epoch")));
 }
 
 }  // namespace bristle::testing

@@ -64,7 +64,7 @@ inline std::string small_result(const Scratch& s, const std::string& file, const
   return small_result(s, file, small_experiment(s), change);
 }
 
-inline Reference reference_of(const std::string& path) {
+inline Json reference_of(const std::string& path) {
   const ResultReader result(path);
   return make_reference(result, evaluate_checks(result));
 }

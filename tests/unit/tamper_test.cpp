@@ -121,7 +121,8 @@ TEST_CASE("a hash in capital letters is reported as a change") {
           break;
         }
     }
-  CHECK_THAT(problems_text(verify_bytes(s, tar_of(files)).problems), Contains("manifest-sha512.txt: line 1"));
+  CHECK_THAT(problems_text(verify_bytes(s, tar_of(files)).problems),
+             Contains("manifest-sha512.txt: its SHA-512") && Contains("data/CITATION.cff: its SHA-512"));
 }
 
 TEST_CASE("missing, added, renamed and exchanged files are named") {
@@ -181,24 +182,63 @@ TEST_CASE("harmful tar entries are refused by name, and nothing is unpacked") {
   const auto refused = [](const std::string& entries) { return problems_of(ended(entries)); };
   CHECK_THAT(refused(entry("../evil", '0', "x")), Contains("\"../evil\": leads out of the archive"));
   CHECK_THAT(refused(entry("b/../../evil", '0', "x")), Contains("leads out of the archive"));
-  CHECK_THAT(refused(entry("/etc/evil", '0', "x")), Contains("\"/etc/evil\": is an absolute path"));
+  CHECK_THAT(refused(entry("/etc/evil", '0', "x")), Contains("\"/etc/evil\": leads out of the archive"));
   CHECK_THAT(refused(entry("b/link", '2', "", "/etc/passwd")), Contains("\"b/link\": is a link"));
   CHECK_THAT(refused(entry("b/link", '1', "", "b/a")), Contains("\"b/link\": is a link"));
-  CHECK_THAT(refused(entry("b/folder/", '5', "")), Contains("is a folder's own entry"));
+  CHECK_THAT(refused(entry("b/folder/", '5', "")),
+             Contains("\"b/folder/\": is a link, a folder or a device"));
   for (const char type : {'3', '4', '6'})
-    CHECK_THAT(refused(entry("b/device", type, "")), Contains("is a device or another special file"));
-  CHECK_THAT(refused(entry("b/a", '0', "x") + entry("b/a", '0', "y")), Contains("\"b/a\": occurs twice"));
-  CHECK_THAT(refused(entry("b/b", '0', "x") + entry("b/a", '0', "y")),
-             Contains("\"b/a\": is out of order: it comes after b/b"));
-  CHECK_THAT(refused(entry("b/\x1b[2Jx", '0', "x")), Contains("\\x1b[2Jx") && Contains("names may contain"));
-  CHECK_THAT(refused(entry("b/\xff", '0', "x")), Contains("b/\\xff"));
-  CHECK_THAT(refused(entry("b//a", '0', "x")), Contains("has empty parts"));
+    CHECK_THAT(refused(entry("b/device", type, "")),
+               Contains("\"b/device\": is a link, a folder or a device"));
+  CHECK_THAT(refused(entry("b/a", '0', "x") + entry("b/a", '0', "y")), Contains("b/a: its tar header"));
+  CHECK_THAT(refused(entry("b/b", '0', "x") + entry("b/a", '0', "y")), Contains("b/a: its tar header"));
+  CHECK_THAT(refused(entry("b/\x1b[2Jx", '0', "x")),
+             Contains("\\u001b[2Jx") && Contains("names may contain"));
+  CHECK_THAT(refused(entry("b/\xff", '0', "x")), Contains("b/\\ufffd"));
+  CHECK_THAT(refused(entry("b//a", '0', "x")),
+             Contains("\"b//a\": leads out of the archive, or is not the shortest form"));
   CHECK_THAT(refused(entry("././@LongLink", 'L', "b/a") + entry("b/a", '0', "x")),
-             Contains("not in the ustar format"));
+             Contains("b/a: its tar header"));
   CHECK_THAT(refused(entry("p", 'x', "16 path=../evil\n") + entry("b/a", '0', "x")),
-             Contains("not in the ustar format"));
+             Contains("\"../evil\": leads out of the archive"));
   CHECK_THAT(refused(entry("p", 'x', "22 GNU.sparse.major=1\n") + entry("b/a", '0', "x")),
-             Contains("not in the ustar format") || Contains("its tar header"));
+             Contains("its tar header"));
+}
+
+TEST_CASE("entries that are exchanged, repeated, or have another time, owner or mode are named") {
+  const Scratch s;
+  const Files files = read_tar(s.write("a.tar", sound()));
+  const auto& [first, content] = *files.begin();
+  const auto& [second, more] = *std::next(files.begin());
+  const std::size_t a = 512 + padded(content.size()), b = 512 + padded(more.size());
+  const std::string one = sound().substr(0, a), two = sound().substr(a, b), rest = sound().substr(a + b);
+  CHECK(problems_of(one + two + rest) == "");
+  CHECK_THAT(problems_of(two + one + rest), Contains(first + ": its tar header"));
+  CHECK_THAT(problems_of(one + one + two + rest), Contains(second + ": its tar header"));
+  for (const auto& [at, digit] : {std::pair(146, '3'), std::pair(114, '1'), std::pair(105, '7')}) {
+    std::string header = one;
+    const int change = digit - header[std::size_t(at)];
+    REQUIRE(change != 0);
+    header[std::size_t(at)] = digit;
+    header.replace(
+        148, 6, fmt::format("{:06o}", std::stoul(header.substr(148, 6), nullptr, 8) + std::size_t(change)));
+    CHECK_THAT(problems_of(header + two + rest), Contains(first + ": its tar header"));
+  }
+}
+
+TEST_CASE("bag-info.txt must follow from the other files, also if the manifest is made for it") {
+  Files files = read_tar(Scratch().write("a.tar", sound()));
+  const std::string folder = strip_folder(files);
+  const std::time_t time = std::stol(bag_info(files, "Source-Date-Epoch"));
+  Files payload;
+  for (const auto& [name, bytes] : files)
+    if (name.starts_with("data/")) payload[name.substr(5)] = bytes;
+  const auto with = [&](const BagInfo& info) {
+    return problems_of(tar_of(in_folder(folder, make_bag(payload, info)), time));
+  };
+  CHECK_THAT(with({{"Source-Organization", "Mallory"}, {"Source-Date-Epoch", fmt::format("{}", time)}}),
+             Contains("bag-info.txt: line 1 is \"Source-Organization: Mallory\""));
+  CHECK_THAT(with({{"Source-Date-Epoch", "x"}}), Contains("Source-Date-Epoch is not a number of seconds"));
 }
 
 TEST_CASE("declared sizes beyond the end of the file are refused") {

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "archive/gather.hpp"
+#include "assumptions/assumptions.hpp"
+#include "compare/reference.hpp"
+
+#include <cstdint>
+#include <string>
+
+// The commands of the program. Each returns the exit code and throws InputError or RunError.
+namespace bristle::cli {
+
+int archive_command(archive::ArchiveOptions options);
+
+struct VerifyOptions {
+  std::string file;
+  std::size_t rerun = 0;   // number of points to compute again
+  std::uint64_t seed = 1;  // for the choice of these points
+};
+int verify_command(const VerifyOptions& options);
+
+int assumptions_command(assumptions::AssumptionsOptions options);
+
+struct CheckOptions {
+  std::string file, reference;  // folder of the references; empty: ./reference, or else that of the program
+  bool report_only = false;     // claims that are not supported are no failure
+  bool claims_only = false;     // no comparison with the reference
+  bool json = false;            // print JSON: deviations, and the command that computes each point again
+};
+int check_command(const CheckOptions& options);
+
+struct DiffOptions {
+  std::string a, b;
+  compare::Tolerances tolerances;
+};
+int diff_command(const DiffOptions& options);
+
+int reference_update_command(compare::ReferenceUpdate update);
+
+struct ExportOptions {
+  std::string file, output;  // empty output: the name of the result with .csv
+  std::string group;         // empty: the variables
+};
+int export_command(const ExportOptions& options);
+
+struct InfoOptions {
+  std::string file;
+  bool json = false;
+};
+int info_command(const InfoOptions& options);
+
+// Writes an experiment to start from, with in_si one of a material in SI units. It extends the paper.json
+// beside it or, if there is none, the one that comes with the program. Throws InputError if the name is not
+// allowed or the file exists.
+int new_command(const std::string& name, bool in_si);
+// experiments/NAME.json or, if there is no such folder, NAME.json
+std::string new_experiment_path(const std::string& name);
+
+}  // namespace bristle::cli
