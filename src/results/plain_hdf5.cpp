@@ -73,7 +73,7 @@ class PlainChecker {
     if (kind != H5T_INTEGER && kind != H5T_FLOAT && !text) refuse(path, "a dataset of other than numbers");
     std::size_t left = H5Dget_storage_size(dataset);
     if (left > size_) refuse(path, "a dataset larger than the file");
-    // A dataset without stored data is that of a part without points, where only /status is stored: one byte
+    // A dataset without stored data has only fill values, while /status of as many points is stored: one byte
     // for each number.
     left = left == 0 ? size_ : left / H5Tget_size(type);
     for (const hsize_t n : h5::shape_of(dataset)) {

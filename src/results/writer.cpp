@@ -24,15 +24,13 @@ constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
-ResultWriter::ResultWriter(const Experiment& experiment, const std::string& path,
-                           const std::optional<Shard>& shard)
+ResultWriter::ResultWriter(const Experiment& experiment, const std::string& path)
     : experiment_(experiment),
       path_(path),
       partial_(path + ".partial"),
-      shard_(shard),
       curves_(experiment.base.loading.trace.has_value()),
       searched_(!curves_ && !experiment.base.loading.z_0) {
-  require_replaceable(path_, replaceable_by(shard_));
+  require_replaceable(path_, result_file());
   lock_ = lock_file(path_, partial_);
   try {
     create();
@@ -53,21 +51,8 @@ void ResultWriter::create() {
                  {"node", "index of the node, from first contact down", "1"});
   }
   create_variables();
-  if (shard_) create_part();
-  for (const std::string& name : RecordFormat(experiment_).tables)
+  for (const std::string& name : PointLayout(experiment_).tables)
     tables_.emplace(name, create_table(file_, name));
-}
-
-void ResultWriter::create_part() {
-  const auto points = shard_points(*shard_, experiment_.points());
-  const std::vector<double> numbers(points.begin(), points.end());
-  h5::Handle group = h5::create_group(file_, "part");
-  h5::Handle dataset = h5::create_dataset(group, "points", H5T_NATIVE_LONG, {points.size()});
-  describe(dataset, "indices of the sweep points in this part, the last axis fastest", "", "");
-  h5::make_scale(dataset, "points");
-  if (!numbers.empty()) h5::write_part(dataset, H5T_NATIVE_DOUBLE, {0}, {numbers.size()}, numbers.data());
-  dataset.close("closing /part/points");
-  group.close("closing /part");
 }
 
 void ResultWriter::create_axis(const experiment::Axis& axis) {
@@ -216,7 +201,7 @@ void ResultWriter::finish(const std::map<std::string, std::string>& provenance) 
   for (auto& [name, table] : tables_) table.close();
   load_error_.close("closing /load_error");
   file_.close("closing the file");
-  annotate(partial_, experiment_, shard_);
+  annotate(partial_, experiment_);
   if (payload_sha256(h5::open_file(partial_, false)) != digest)
     throw RunError("reads back differently from what was written");
 }

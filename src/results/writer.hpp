@@ -1,7 +1,6 @@
 #pragma once
 
 #include "experiment/experiment.hpp"
-#include "results/part.hpp"
 #include "results/record.hpp"
 #include "results/table.hpp"
 
@@ -13,9 +12,8 @@ namespace bristle::results {
 // Without publish() an existing file remains unchanged and the temporary file is removed.
 class ResultWriter {
  public:
-  // With a shard, the file is a part with the points of the shard only. Throws InputError if path cannot be
-  // written.
-  ResultWriter(const Experiment& experiment, const std::string& path, const std::optional<Shard>& shard = {});
+  // Throws InputError if path cannot be written.
+  ResultWriter(const Experiment& experiment, const std::string& path);
   ~ResultWriter();
 
   // Call in ascending order of index, because tables are appended to. Requires fits(record, experiment).
@@ -35,7 +33,6 @@ class ResultWriter {
  private:
   void create();
   void discard();
-  void create_part();
   void write_values(std::size_t index, const PointRecord& record);
   void finish(const std::map<std::string, std::string>& provenance);
   void create_axis(const experiment::Axis& axis);
@@ -53,7 +50,6 @@ class ResultWriter {
 
   const Experiment& experiment_;
   std::string path_, partial_;
-  std::optional<Shard> shard_;
   bool curves_;    // of R_n(z_0), along a last dimension "node"
   bool searched_;  // the gap follows from a load search: errors have a part due to the load
   int lock_ = -1;  // descriptor that holds the lock of the temporary file

@@ -17,7 +17,7 @@ namespace {
 // Enough points to keep the lanes full while most of the points wait for the last passages of a batch.
 constexpr std::size_t kMaxActivePoints = 24;
 
-results::PointRecord solve(const Experiment& experiment, const results::RecordFormat& format,
+results::PointRecord solve(const Experiment& experiment, const results::PointLayout& format,
                            std::size_t index, const PassageRunner& run) {
   const experiment::PointInput input = experiment.point(index);
   if (input.loading.trace)
@@ -29,7 +29,7 @@ results::PointRecord solve(const Experiment& experiment, const results::RecordFo
 }
 
 // An error within a point becomes its status, so that it does not cost the other points.
-PointReport report_of(const Experiment& experiment, const results::RecordFormat& format, std::size_t index,
+PointReport report_of(const Experiment& experiment, const results::PointLayout& format, std::size_t index,
                       const PassageRunner& run) {
   try {
     return {index, solve(experiment, format, index, run)};
@@ -43,7 +43,7 @@ PointReport report_of(const Experiment& experiment, const results::RecordFormat&
 // A point that is being solved, suspended until the requested passages have been computed.
 class SuspendedPoint {
  public:
-  SuspendedPoint(const Experiment& experiment, const results::RecordFormat& format, std::size_t index)
+  SuspendedPoint(const Experiment& experiment, const results::PointLayout& format, std::size_t index)
       : job_([this, &experiment, &format, index](const PassageRunner& run) {
           report_ = report_of(experiment, format, index, run);
         }) {
@@ -164,7 +164,7 @@ class FastWorker {
   bool any_ready() const { return std::ranges::any_of(*points_, &SuspendedPoint::ready); }
 
   const Experiment& experiment_;
-  const results::RecordFormat format_;
+  const results::PointLayout format_;
   PointQueue& queue_;
   PassagePool& pool_;
   const std::size_t max_active_;
@@ -178,7 +178,7 @@ class FastWorker {
 struct Stopped {};
 
 void solve_sequentially(const Experiment& experiment, PointQueue& queue, Engine engine) {
-  const results::RecordFormat format(experiment);
+  const results::PointLayout format(experiment);
   const PassageRunner run = [&queue, runner = make_runner(engine)](const std::vector<PassageTask>& tasks) {
     std::vector<Passage> passages = runner(tasks);
     if (queue.stopped(tasks.size())) throw Stopped{};
