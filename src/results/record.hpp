@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ensemble/trace.hpp"
-#include "results/recorded_tables.hpp"
+#include "results/tables.hpp"
 #include "results/variables.hpp"
 
 #include <map>

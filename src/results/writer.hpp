@@ -2,7 +2,6 @@
 
 #include "experiment/experiment.hpp"
 #include "results/record.hpp"
-#include "results/table.hpp"
 
 #include <map>
 
@@ -16,7 +15,7 @@ class ResultWriter {
   ResultWriter(const Experiment& experiment, const std::string& path);
   ~ResultWriter();
 
-  // Call in ascending order of index, because tables are appended to. Requires fits(record, experiment).
+  // Call for every point, in ascending order of index. Requires fits(record, experiment).
   void write(std::size_t index, const PointRecord& record);
 
   // Call after write(). Adds the group /jumps. rows: as locate_jumps() returns them; along: name of the axis.
@@ -36,17 +35,16 @@ class ResultWriter {
   void write_values(std::size_t index, const PointRecord& record);
   void finish(const std::map<std::string, std::string>& provenance);
   void create_axis(const experiment::Axis& axis);
-  void create_choice(const experiment::Axis& axis, const experiment::Sweepable& what);
-  void create_scale(const std::string& name, hid_t type, const std::vector<double>& values,
-                    const std::array<std::string, 3>& label);  // symbol, description, units
-  void add_scale(h5::Handle dataset, const std::string& name, const std::array<std::string, 3>& label);
+  void create_scale(const Column& column, const std::vector<double>& values);
+  void add_scale(h5::Handle dataset, const std::string& name);
   void create_variables();
-  h5::Handle create_variable(hid_t parent, const std::string& name, hid_t type, const std::string& long_name,
-                             const std::string& symbol, const std::string& equation,
-                             const std::string& units = "1", const std::string& ancillary = "");
-  void add_variable(const std::string& name, h5::Handle dataset, double missing);
-  void create_flags(const std::string& name, const std::string& long_name,
-                    const std::vector<std::string>& meanings, int absent);
+  // missing: the value of nodes that a curve does not have.
+  void add_variable(const Column& column, double missing, const std::string& group = "");
+
+  struct OverSweep {
+    BlockWriter values;
+    double missing;
+  };
 
   const Experiment& experiment_;
   std::string path_, partial_;
@@ -56,7 +54,7 @@ class ResultWriter {
   h5::Handle file_, load_error_;
   h5::Shape shape_;
   std::vector<h5::Handle> axes_;
-  std::map<std::string, BlockWriter> variables_;
+  std::map<std::string, OverSweep> variables_;
   std::map<std::string, Table> tables_;
   std::map<std::size_t, std::string> failures_;  // errors of failed points, by index
   bool published_ = false;

@@ -4,7 +4,7 @@
 #include "archive/tar.hpp"
 #include "compare/diff.hpp"
 #include "compare/reference_file.hpp"
-#include "results/plain_hdf5.hpp"
+#include "results/inspect.hpp"
 #include "util/error.hpp"
 #include "small_result.hpp"
 
