@@ -15,10 +15,9 @@ import xarray
 from .errors import BristleError
 from .integrity import CopiedResult, require_intact
 
-SCHEMAS = ["bristle-result/1", "bristle-result/2"]  # in version 1 the axes of choices have codes
-RENAMED_FLAGS = {"jump": "load_jump"}  # words in files of older programs
+SCHEMA = "bristle-result/2"
 
-# h5netcdf also reads the texts of older files, on which the netCDF library crashes, and datasets without dimensions.
+# h5netcdf also reads datasets without dimensions.
 OPENING = dict(engine="h5netcdf", phony_dims="access")
 
 NUMBERS = "iuf"  # kinds of data; other variables are texts
@@ -49,8 +48,7 @@ def open_result(path):
 
 
 def as_result(ds):
-    """The Dataset with a dimension for each axis of the sweep, also for one of which a value was selected, and with
-    the words of choices as coordinates."""
+    """The Dataset with a dimension for each axis of the sweep, also for one of which a value was selected."""
     if not isinstance(ds, xarray.Dataset):
         raise BristleError(f"a figure is drawn from an xarray Dataset, as open_result(PATH) returns, not from a "
                            f"{type(ds).__name__}")
@@ -58,9 +56,7 @@ def as_result(ds):
     for name, size in ds.sizes.items():
         if size == 0:
             raise BristleError(f"{place_of(ds)}: axis '{name}' has no values")
-    ds = ds.expand_dims([name for name, line in ds.coords.items() if not line.dims])
-    return ds.assign_coords({name: with_words(ds[name]) for name in ds.dims if name in ds.coords
-                             and "flag_meanings" in ds[name].attrs and ds[name].dtype.kind in NUMBERS})
+    return ds.expand_dims([name for name, line in ds.coords.items() if not line.dims])
 
 
 def require_axes(file, figure, axes):
@@ -73,19 +69,8 @@ def require_axes(file, figure, axes):
 
 def require_schema(ds):
     schema = as_text(ds.attrs.get("schema_version", ""))
-    if schema.startswith("bristle-part/"):
-        shard, name = (as_text(ds.attrs.get(key, "?")) for key in ("shard", "name"))
-        raise BristleError(f"{place_of(ds)}: a part ({shard}) of {name}; merge the parts first: "
-                           "bristle merge -o FILE.h5 PARTS...")
-    if schema not in SCHEMAS:
-        raise BristleError(f"{place_of(ds)}: schema version {schema or 'none'}; these figures read {', '.join(SCHEMAS)}")
-
-
-def with_words(line):
-    """The axis of a choice with its words instead of their codes."""
-    words, numbers = flags(line)
-    kept = {key: value for key, value in line.attrs.items() if not key.startswith("flag_")}
-    return xarray.DataArray([words[i] for i in numbers], dims=line.dims, attrs=kept)
+    if schema != SCHEMA:
+        raise BristleError(f"{place_of(ds)}: schema version {schema or 'none'}; these figures read {SCHEMA}")
 
 
 def place_of(data):
@@ -198,7 +183,7 @@ def setting(file, *path):
 
 def flags(data):
     """The words of a dataset of flags, and its values as indices into them."""
-    words = [RENAMED_FLAGS.get(word, word) for word in attribute(data, "flag_meanings").split()]
+    words = attribute(data, "flag_meanings").split()
     codes = np.atleast_1d(data.attrs.get("flag_values", [])).tolist()
     if not codes or len(codes) != len(words):
         raise BristleError(f"{place_of(data)}: attribute 'flag_values' has {len(codes)} values for "

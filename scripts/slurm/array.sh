@@ -1,16 +1,16 @@
 #!/bin/bash
-# Computes an experiment as a Slurm job array and merges the parts; see docs/cluster.md. Called again after a failure, it
-# computes only what is missing.
+# Computes an experiment as a Slurm job array and completes the result; see docs/cluster.md. Called again after a failure,
+# it computes only what is missing.
 set -eu
 
 usage() {
   cat >&2 <<'EOF'
 usage: scripts/slurm/array.sh [-o FILE.h5] EXPERIMENT.json N[%M] [SBATCH OPTIONS ...] [-- RUN OPTIONS ...]
 
-  -o FILE.h5       the result [results/EXPERIMENT.h5]; its parts, FILE.i-of-N.h5, and the jobs' logs lie beside it
+  -o FILE.h5       the result [results/EXPERIMENT.h5]; the journals of the shards and the jobs' logs lie beside it
   N[%M]            number of shards, each a task of the array; at most M run at a time
   SBATCH OPTIONS   for all tasks: --cpus-per-task=8 --time=2:00:00 --partition=... --account=...
-  RUN OPTIONS      for `bristle run`: --tier smoke --set /model/k_r=20
+  RUN OPTIONS      for all jobs, of `bristle run`: --tier smoke --set /model/k_r=20
 BRISTLE names the program [build/bristle of this folder].
 EOF
   exit 2
@@ -66,12 +66,13 @@ done
 
 log=${stem//%/%%}  # sbatch replaces %a
 tasks=$(sbatch --parsable --job-name="$name" --output="$log.%a-of-$shards.log" "${sbatch_options[@]}" \
-  --array="1-$array" "$here/shard.sbatch" "$program" "$experiment" "$stem" "$shards" "${run_options[@]}")
+  --array="1-$array" "$here/shard.sbatch" "$program" "$experiment" "$output" "$shards" "${run_options[@]}")
 tasks=${tasks%%;*}  # "job;cluster" where there are several clusters
-merge=$(sbatch --parsable --job-name="$name-merge" --output="$log.merge.log" "${sbatch_options[@]}" \
-  --dependency="afterok:$tasks" --kill-on-invalid-dep=yes "$here/merge.sbatch" "$program" "$stem" "$shards")
+complete=$(sbatch --parsable --job-name="$name-complete" --output="$log.complete.log" "${sbatch_options[@]}" \
+  --dependency="afterok:$tasks" --kill-on-invalid-dep=yes "$here/complete.sbatch" "$program" "$experiment" "$output" \
+  "${run_options[@]}")
 cat <<EOF
 job $tasks: $shards shards, logs $stem.*-of-$shards.log
-job ${merge%%;*}: merges them into $output once all are done, log $stem.merge.log
+job ${complete%%;*}: completes $output once all are done, log $stem.complete.log
 \`squeue --me\` shows both. If a task fails, the same command again computes what is missing.
 EOF

@@ -118,7 +118,7 @@ class AssumptionsRun {
     for (const Alternative& a : matrix_.alternatives)
       for (const Experiment& e : baseline_) {
         claims::validate_checks(experiment_under(a, e));
-        require_replaceable(result_path(a, e), results::replaceable_by({}));
+        require_replaceable(result_path(a, e), results::result_file());
       }
     run::Progress progress("assumptions", matrix_.alternatives.size() * baseline_.size(), options_.quiet);
     for (const Alternative& a : matrix_.alternatives) {
@@ -154,7 +154,10 @@ class AssumptionsRun {
         experiment.checks != compared.checks;
     const std::string path = result_path(affected ? a : of_baseline, baseline);
     if (affected)
-      run::run_task({experiment, {}, path}, {options_.threads, false, true, options_.command_line});
+      run::run_experiment(experiment, {.output = path,
+                                       .threads = options_.threads,
+                                       .quiet = true,
+                                       .command_line = options_.command_line});
     const results::ResultReader result(path);
     const std::size_t first = row;
     for (const Window& window : matrix_.windows) {

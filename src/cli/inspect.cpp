@@ -4,8 +4,6 @@
 #include "results/datasets.hpp"
 #include "results/reader.hpp"
 #include "results/variables.hpp"
-#include "util/error.hpp"
-#include "util/grid.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -50,25 +48,9 @@ void print_variable(const results::ResultReader& result, const std::string& name
                c.missing > 0 ? fmt::format(" {} without a value", c.missing) : "");
 }
 
-// The status of each point; of a part, only of its own points.
-std::vector<double> statuses_of(const results::ResultReader& result) {
-  const std::vector<double> status = result.variable("status").values;
-  if (!result.shard()) return status;
-  const std::size_t points = grid_size(result.sweep_shape());
-  const auto own = result.part_points();
-  if (points == 0 || status.size() % points != 0 || (!own.empty() && own.back() >= points))
-    throw InputError(
-        fmt::format("{}: damaged: status, part/points and the sweep are inconsistent", result.path()));
-  const std::size_t nodes = status.size() / points;  // of a traced curve; otherwise 1
-  std::vector<double> kept;
-  for (const std::size_t p : own)
-    kept.insert(kept.end(), status.begin() + long(p * nodes), status.begin() + long((p + 1) * nodes));
-  return kept;
-}
-
 // Number of points with each status that occurs.
 std::vector<std::pair<std::string, long>> status_counts(const results::ResultReader& result) {
-  const std::vector<double> status = statuses_of(result);
+  const std::vector<double> status = result.variable("status").values;
   std::vector<std::pair<std::string, long>> counts;
   for (std::size_t s = 0; s < results::kPointStatusNames.size(); ++s)
     if (const auto n = std::count(status.begin(), status.end(), double(s)))
@@ -78,9 +60,6 @@ std::vector<std::pair<std::string, long>> status_counts(const results::ResultRea
 
 void print_statuses(const results::ResultReader& result) {
   const auto counts = status_counts(result);
-  if (const auto shard = result.shard())
-    fmt::print("part {}: {} of {} points; {}\n", results::shard_text(*shard), result.part_points().size(),
-               grid_size(result.sweep_shape()), results::how_to_merge(result.path(), *shard));
   fmt::print("points:{}", counts.empty() ? " none" : "");
   for (const auto& [name, n] : counts) fmt::print(" {} {}", n, name);
   fmt::print("\n");
@@ -126,7 +105,6 @@ void print_json(const results::ResultReader& result) {
     out[name] = result.text(name);
   out["numerics_version"] = h5::read_integer_attribute(result.file(), "numerics_version");
   out["damage"] = result.damage();
-  if (const auto shard = result.shard()) out["shard"] = results::shard_text(*shard);
   out["axes"] = Json::object();
   for (const std::string& axis : result.axes()) {
     const Listing c = contents_of(result, axis);
@@ -146,7 +124,7 @@ void print_json(const results::ResultReader& result) {
 
 int info_command(const InfoOptions& options) {
   const std::string& file = options.file;
-  const results::ResultReader result(file, results::Expected::either);
+  const results::ResultReader result(file);
   const bool intact = result.damage().empty();
   if (options.json) {
     print_json(result);

@@ -1,6 +1,5 @@
 #include "cli/commands.hpp"
 #include "cli/exit_code.hpp"
-#include "cli/merge.hpp"
 #include "cli/run.hpp"
 #include "cli/usage.hpp"
 #include "results/hdf5.hpp"
@@ -23,13 +22,13 @@ namespace {
 using namespace bristle;
 using namespace bristle::cli;
 
-void add_experiment(CLI::App& command, RunOptions& options) {
-  command.add_option("EXPERIMENT", options.experiment, "experiment file (JSON)")->required();
-  command.add_option("--set", options.set, "change a value: /json/pointer=value (repeatable)")
+void add_experiment(CLI::App& command, ExperimentOptions& options) {
+  command.add_option("EXPERIMENT", options.file, "experiment file (JSON)")->required();
+  command.add_option("--set", options.load.set, "change a value: /json/pointer=value (repeatable)")
       ->type_name("PTR=VALUE")
       ->allow_extra_args(false);
   command
-      .add_option("--tier", options.tier,
+      .add_option("--tier", options.load.tier,
                   "smoke: a small subset of the points; study: the subset for `assumptions`; full: all")
       ->check(CLI::IsMember({"smoke", "study", "full"}))
       ->capture_default_str();
@@ -45,24 +44,31 @@ CLI::App* add_new(CLI::App& app, std::string& name, bool& in_si) {
   return command;
 }
 
-CLI::App* add_run(CLI::App& app, RunOptions& run) {
+CLI::App* add_run(CLI::App& app, ExperimentOptions& experiment, run::RunOptions& run,
+                  std::string& instruction_set) {
   auto* command = app.add_subcommand("run", "compute an experiment into an HDF5 result file");
-  add_experiment(*command, run);
+  add_experiment(*command, experiment);
   command->add_option("-o,--output", run.output, "result file [results/<name>.h5]");
-  command->add_option("--shard", run.shard, "compute the i-th of N parts, for `bristle merge`")
-      ->type_name("i/N");
+  auto* shard = command->add_option_function<std::string>(
+      "--shard", [&run](const std::string& text) { run.shard = run::parse_shard(text); },
+      "compute the i-th of N shares of the points into a journal beside the result");
+  shard->type_name("i/N");
   command->add_option("--threads", run.threads, "threads [all cores]")->check(CLI::Range(1, 1024));
   command->add_option(
-      "--instruction-set", run.instruction_set,
+      "--instruction-set", instruction_set,
       "instruction set of the fast engine; does not change the numbers [the widest available]");
-  command->add_flag("--force", run.force, "compute even if the result is up to date");
+  auto* force = command->add_flag("--force", run.force, "compute even if the result is up to date");
+  command
+      ->add_flag("--complete", run.complete,
+                 "write the result of what shards have computed; name what is missing, and compute nothing")
+      ->excludes(shard, force);
   command->add_flag("--quiet", run.quiet, "no progress, no summary");
   return command;
 }
 
-CLI::App* add_validate(CLI::App& app, RunOptions& run) {
+CLI::App* add_validate(CLI::App& app, ExperimentOptions& experiment) {
   auto* command = app.add_subcommand("validate", "check an experiment file without computing it");
-  add_experiment(*command, run);
+  add_experiment(*command, experiment);
   return command;
 }
 
@@ -104,11 +110,10 @@ CLI::App* add_diff(CLI::App& app, DiffOptions& diff) {
   return command;
 }
 
-CLI::App* add_merge(CLI::App& app, MergeOptions& merge) {
-  auto* command = app.add_subcommand("merge", "merge the parts of a sharded run into one result");
-  command->add_option("-o,--output", merge.output, "result file")->required();
-  command->add_option("PARTS", merge.parts, "results of `bristle run --shard i/N`, all N, in any order")
-      ->required();
+CLI::App* add_merge(CLI::App& app, ExperimentOptions& experiment, run::RunOptions& run) {
+  auto* command = app.add_subcommand("merge", "the same as `run --complete`");
+  add_experiment(*command, experiment);
+  command->add_option("-o,--output", run.output, "result file [results/<name>.h5]");
   return command;
 }
 
@@ -169,7 +174,7 @@ class CommandLine {
  public:
   CommandLine(int argc, char** argv) {
     for (int i = 0; i < argc; ++i) command_line_ += fmt::format("{}{}", i ? " " : "", shell_quoted(argv[i]));
-    run_.command_line = merge_.command_line = assumptions_.command_line = command_line_;
+    run_.command_line = assumptions_.command_line = command_line_;
     app_.set_version_flag("--version", fmt::format("bristle {} ({})", run::kVersion, run::kCommit));
     app_.require_subcommand(1);
     app_.footer(
@@ -177,15 +182,19 @@ class CommandLine {
         "3 the run could not finish; 130 interrupted (Ctrl-C).");
     set_action(add_new(app_, new_name_, new_in_si_),
                [this] { return cli::new_command(new_name_, new_in_si_); });
-    set_action(add_run(app_, run_), [this] { return cli::run_command(run_); });
-    set_action(add_validate(app_, run_), [this] { return cli::validate_command(run_); });
+    set_action(add_run(app_, experiment_, run_, instruction_set_),
+               [this] { return cli::run_command(experiment_, run_, instruction_set_); });
+    set_action(add_validate(app_, experiment_), [this] { return cli::validate_command(experiment_); });
     set_action(app_.add_subcommand("schema", "print the JSON schema of experiment files, for editors"),
                [] { return cli::schema_command(); });
     set_action(add_info(app_, info_), [this] { return cli::info_command(info_); });
     set_action(add_export(app_, export_), [this] { return cli::export_command(export_); });
     set_action(add_check(app_, check_), [this] { return cli::check_command(check_); });
     set_action(add_diff(app_, diff_), [this] { return cli::diff_command(diff_); });
-    set_action(add_merge(app_, merge_), [this] { return cli::merge_command(merge_); });
+    set_action(add_merge(app_, experiment_, run_), [this] {
+      run_.complete = true;
+      return cli::run_command(experiment_, run_, "");
+    });
     set_action(add_archive(app_, archive_), [this] { return cli::archive_command(archive_); });
     set_action(add_verify(app_, verify_), [this] { return cli::verify_command(verify_); });
     set_action(add_assumptions(app_, assumptions_),
@@ -219,14 +228,14 @@ class CommandLine {
 
   CLI::App app_{"bristle: dry friction of a lattice of elastic bristles under a sliding slab"};
   Command selected_;
-  std::string command_line_, new_name_;
+  std::string command_line_, new_name_, instruction_set_;
   bool new_in_si_ = false;
-  RunOptions run_;
+  ExperimentOptions experiment_;
+  run::RunOptions run_;
   InfoOptions info_;
   ExportOptions export_;
   CheckOptions check_;
   DiffOptions diff_;
-  MergeOptions merge_;
   archive::ArchiveOptions archive_;
   VerifyOptions verify_;
   assumptions::AssumptionsOptions assumptions_;

@@ -4,9 +4,7 @@
 #include "claims/checks.hpp"
 #include "cli/exit_code.hpp"
 #include "experiment/schema.hpp"
-#include "experiment/experiment.hpp"
 #include "experiment/si_units.hpp"
-#include "run/task.hpp"
 #include "simd/dispatch.hpp"
 #include "util/error.hpp"
 
@@ -25,8 +23,8 @@ void choose_instruction_set(const std::string& name) {
                                fmt::join(names, ", ")));
 }
 
-Experiment load_checked(const RunOptions& options) {
-  Experiment experiment = experiment::load_experiment(options.experiment, {options.set, options.tier});
+Experiment load_checked(const ExperimentOptions& options) {
+  Experiment experiment = experiment::load_experiment(options.file, options.load);
   claims::validate_checks(experiment);
   return experiment;
 }
@@ -56,26 +54,24 @@ void print_conversion(const Experiment& e) {
 
 }  // namespace
 
-int run_command(const RunOptions& options) {
-  choose_instruction_set(options.instruction_set);
-  std::optional<results::Shard> shard;
-  if (options.shard) shard = results::parse_shard(*options.shard);
-  const Experiment experiment = load_checked(options);
-  const std::string whole_path = fmt::format("results/{}.h5", experiment.name);
-  const std::string default_path = shard ? results::part_path(whole_path, *shard) : whole_path;
-  const run::Task task{experiment, shard, options.output.empty() ? default_path : options.output};
+int run_command(const ExperimentOptions& input, const run::RunOptions& options,
+                const std::string& instruction_set) {
+  choose_instruction_set(instruction_set);
+  const Experiment experiment = load_checked(input);
   if (!options.quiet) print_warnings(experiment);
-  run::run_task(task, {options.threads, options.force, options.quiet, options.command_line});
+  run::RunOptions with_output = options;
+  if (options.output.empty()) with_output.output = fmt::format("results/{}.h5", experiment.name);
+  run::run_experiment(experiment, with_output);
   return kSuccess;
 }
 
-int validate_command(const RunOptions& options) {
+int validate_command(const ExperimentOptions& options) {
   const Experiment e = load_checked(options);
   std::string sweep;
   for (const experiment::Axis& axis : e.axes)
     sweep += fmt::format("{}{} ({})", sweep.empty() ? "" : " x ", axis.name, range_text(axis));
   const std::size_t checks = e.checks.empty() ? 0 : e.checks.back().number + 1;
-  fmt::print("{}: valid. {}: {} point{}{}{}, {} check{}\n", options.experiment, e.name, e.points(),
+  fmt::print("{}: valid. {}: {} point{}{}{}, {} check{}\n", options.file, e.name, e.points(),
              e.points() == 1 ? "" : "s", sweep.empty() ? "" : ", ", sweep, checks, checks == 1 ? "" : "s");
   print_warnings(e);
   if (e.base.si.empty()) return kSuccess;

@@ -1,25 +1,23 @@
 #pragma once
 
-#include <optional>
+#include "experiment/experiment.hpp"
+#include "run/task.hpp"
+
 #include <string>
-#include <vector>
 
 namespace bristle::cli {
 
-struct RunOptions {
-  std::string experiment, output;  // empty output: results/<name>.h5
-  std::vector<std::string> set;
-  std::string tier = "full";
-  std::optional<std::string> shard;  // "i/N"; none: all points
-  int threads = 0;                   // 0: all cores
-  std::string instruction_set;       // empty: the widest available
-  bool force = false, quiet = false;
-  std::string command_line;
+// The file of an experiment and the changes to it.
+struct ExperimentOptions {
+  std::string file;
+  experiment::DocumentOptions load;
 };
 
-// The commands `run` and `validate`. They return the exit code and throw InputError or RunError.
-int run_command(const RunOptions& options);
-int validate_command(const RunOptions& options);
+// The commands `run` and `validate`. They return the exit code and throw InputError or RunError. options:
+// without output the result is results/<name>.h5; instruction_set: empty for the widest available.
+int run_command(const ExperimentOptions& experiment, const run::RunOptions& options,
+                const std::string& instruction_set);
+int validate_command(const ExperimentOptions& experiment);
 
 // The command `schema`: prints the schema of experiment files for editors.
 int schema_command();

@@ -99,11 +99,10 @@ void annotate_origin(hid_t file, const Experiment& e) {
 
 }  // namespace
 
-void annotate(const std::string& path, const Experiment& experiment, const std::optional<Shard>& shard) {
+void annotate(const std::string& path, const Experiment& experiment) {
   h5::Handle file = h5::open_file(path, true);
   const std::string document = experiment.document->dump(1);
-  h5::write_attribute(file, "schema_version", shard ? kPartSchema : kResultSchema);
-  if (shard) h5::write_attribute(file, "shard", shard_text(*shard));
+  h5::write_attribute(file, "schema_version", kResultSchema);
   h5::write_attribute(file, "numerics_version", kNumericsVersion);
   h5::write_attribute(file, "name", experiment.name);
   h5::write_attribute(file, "title", experiment.title);

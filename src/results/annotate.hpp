@@ -1,15 +1,13 @@
 #pragma once
 
 #include "experiment/experiment.hpp"
-#include "results/part.hpp"
 
-#include <optional>
 #include <string>
 
 namespace bristle::results {
 
 // Writes the root attributes: versions, title, caption, the experiment with --set and tier applied, digests
 // of the inputs, and the origin by the CF conventions (from /provenance).
-void annotate(const std::string& path, const Experiment& experiment, const std::optional<Shard>& shard = {});
+void annotate(const std::string& path, const Experiment& experiment);
 
 }  // namespace bristle::results

@@ -1,7 +1,7 @@
 #include "results/inspect.hpp"
 
 #include "results/digest.hpp"
-#include "results/plain_hdf5.hpp"
+#include "results/reader.hpp"
 #include "util/error.hpp"
 #include "util/json.hpp"
 #include "util/process.hpp"
@@ -17,6 +17,81 @@ namespace {
 constexpr long kSeconds = 5;
 constexpr std::size_t kBytesPerSecond = 20'000'000;
 constexpr std::size_t kMemory = std::size_t(256) << 20;
+
+constexpr int kMaxGroupDepth = 4;
+constexpr std::size_t kMaxObjects = 10000;
+
+class PlainChecker {
+ public:
+  explicit PlainChecker(std::size_t size) : size_(size) {}
+
+  void check_group(hid_t group, const std::string& path, int depth) {
+    if (depth > kMaxGroupDepth) refuse(path, "groups nested too deeply");
+    check_attributes(group, path);
+    for (const std::string& name : h5::children(group)) {
+      const std::string at = path + "/" + name;
+      if (++objects_ > kMaxObjects) refuse(at, "too many groups and datasets");
+      H5L_info_t link;
+      h5::check(H5Lget_info(group, name.c_str(), &link, H5P_DEFAULT), "reading the link " + at);
+      if (link.type != H5L_TYPE_HARD) refuse(at, "a soft or external link");
+      const h5::Handle object(H5Oopen(group, name.c_str(), H5P_DEFAULT), H5Oclose, "opening " + at);
+      const H5I_type_t kind = H5Iget_type(object);
+      if (kind == H5I_GROUP) check_group(object, at, depth + 1);
+      else if (kind == H5I_DATASET)
+        check_dataset(object, at,
+                      path == "/checks" || (depth == 0 && h5::exists(group, code_variable(name))));
+      else refuse(at, "neither a group nor a dataset");
+    }
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& at, const std::string& what) const {
+    throw MalformedError(fmt::format("{}: {}; a result file has none", at.empty() ? "/" : at, what));
+  }
+
+  // Reads the attributes; rejects those that declare more data than the size of the file.
+  void check_attributes(hid_t object, const std::string& path) {
+    for (const std::string& name : h5::attribute_names(object)) {
+      const h5::Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose,
+                                 "opening an attribute");
+      const h5::Handle type(H5Aget_type(attribute), H5Tclose, "reading an attribute's type");
+      const h5::Handle space(H5Aget_space(attribute), H5Sclose, "reading an attribute's shape");
+      const auto count = h5::check(H5Sget_simple_extent_npoints(space), "reading an attribute's shape");
+      if (H5Tget_size(type) > size_ || (count > 0 && std::size_t(count) > size_ / H5Tget_size(type)))
+        refuse(path + "@" + name, "an attribute larger than the file");
+      std::vector<char> bytes(std::size_t(count) * H5Tget_size(type));
+      h5::check(H5Aread(attribute, type, bytes.data()), "reading attribute " + path + "@" + name);
+      h5::check(H5Dvlen_reclaim(type, space, H5P_DEFAULT, bytes.data()), "freeing an attribute");
+    }
+  }
+
+  void check_dataset(hid_t dataset, const std::string& path, bool may_be_text) {
+    check_attributes(dataset, path);
+    const h5::Handle properties(H5Dget_create_plist(dataset), H5Pclose, "reading how a dataset is stored");
+    const H5D_layout_t layout = H5Pget_layout(properties);
+    if (layout != H5D_CONTIGUOUS && layout != H5D_CHUNKED && layout != H5D_COMPACT)
+      refuse(path, "a virtual dataset");
+    if (H5Pget_nfilters(properties) != 0) refuse(path, "a compressed or filtered dataset");
+    if (H5Pget_external_count(properties) != 0) refuse(path, "a dataset stored in another file");
+    const h5::Handle type(H5Dget_type(dataset), H5Tclose, "reading a dataset's type");
+    const H5T_class_t kind = H5Tget_class(type);
+    // HDF5 1.10 trusts the lengths of texts of variable length. Only this process, which checks the digests,
+    // reads those of the words of a choice and of /checks.
+    const bool text = kind == H5T_STRING && may_be_text;
+    if (kind != H5T_INTEGER && kind != H5T_FLOAT && !text) refuse(path, "a dataset of other than numbers");
+    std::size_t left = H5Dget_storage_size(dataset);
+    if (left > size_) refuse(path, "a dataset larger than the file");
+    // A dataset without stored data has only fill values, while /status of as many points is stored: one byte
+    // for each number.
+    left = left == 0 ? size_ : left / H5Tget_size(type);
+    for (const hsize_t n : h5::shape_of(dataset)) {
+      if (n > left) refuse(path, "a dataset whose declared size exceeds its stored data");
+      if (n > 0) left /= n;
+    }
+  }
+
+  std::size_t size_, objects_ = 0;
+};
 
 // What is wrong with an attribute that holds a digest; empty if it matches.
 std::string mismatch(hid_t file, const char* attribute, const char* what,
@@ -62,6 +137,11 @@ Json inspect(hid_t file, std::size_t size) {
 }
 
 }  // namespace
+
+void require_plain_hdf5(hid_t file, std::size_t size) {
+  const h5::Handle root(H5Gopen2(file, "/", H5P_DEFAULT), H5Gclose, "opening the root");
+  PlainChecker(size).check_group(root, "", 0);
+}
 
 std::vector<std::string> damage_of(const std::function<h5::Handle()>& open, std::size_t size) {
   const Limits limits{kSeconds + long(size / kBytesPerSecond), kMemory + 4 * size};

@@ -4,24 +4,87 @@
 #include "results/version.hpp"
 #include "util/error.hpp"
 #include "util/file.hpp"
+#include "util/json.hpp"
+#include "util/process.hpp"
 #include "util/sha.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <ctime>
 #include <filesystem>
 #include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
 #include <unistd.h>
 
 namespace bristle::results {
 namespace fs = std::filesystem;
 namespace {
 
+constexpr const char* kJournalSchema = "bristle-journal/1";
 constexpr const char* kJournalExtension = ".journal";
 constexpr const char* kAfterChecksum = R"( {"schema":"bristle-journal/)";
+constexpr std::size_t kDigestLength = 64;
 constexpr long kSyncSeconds = 2;
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+// JSON has no numbers that are not finite.
+const std::pair<const char*, double> kNumberWords[] = {{"nan", kNan}, {"inf", INFINITY}, {"-inf", -INFINITY}};
+
+Json to_json(const std::vector<double>& numbers) {
+  Json out = numbers;
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    for (const auto& [word, value] : kNumberWords)
+      if (value == numbers[i] || (std::isnan(value) && std::isnan(numbers[i]))) out[i] = word;
+  return out;
+}
+
+double number_of(const Json& json) {
+  if (json.is_number()) return json;
+  for (const auto& [word, value] : kNumberWords)
+    if (json == word) return value;
+  throw MalformedError("neither a number nor a word for one");
+}
+
+std::vector<double> numbers_of(const Json& list) {
+  if (!list.is_array()) throw MalformedError("not a list of numbers");
+  std::vector<double> out;
+  out.reserve(list.size());
+  for (const Json& number : list) out.push_back(number_of(number));
+  return out;
+}
+
+// The JSON of a line. None if it is truncated or damaged.
+std::optional<Json> parsed(std::string_view line) {
+  if (line.size() <= kDigestLength || line[kDigestLength] != ' ') return {};
+  const std::string_view text = line.substr(kDigestLength + 1);
+  if (sha256_of(text) != line.substr(0, kDigestLength)) return {};
+  Json json = Json::parse(text, nullptr, false);
+  if (!json.is_object() || !json.value("schema", Json()).is_string()) return {};
+  return json;
+}
+
+std::optional<JournalLine> line_of(const Json& json) {
+  if (json.at("schema") != kJournalSchema) return {};
+  try {
+    JournalLine line{json.at("key"), json.at("commit"), json.at("host"), {}};
+    for (const auto& [name, numbers] : json.at("values").items())
+      line.record.values.emplace_hint(line.record.values.end(), name, numbers_of(numbers));
+    for (const auto& [name, columns] : json.at("tables").items())
+      for (Rows& rows = line.record.tables[name]; const Json& column : columns)
+        rows.push_back(numbers_of(column));
+    line.record.failure = json.value("failure", "");
+    return line;
+  } catch (const Json::exception&) {
+    return {};
+  } catch (const MalformedError&) {
+    return {};
+  }
+}
 
 // Calls visit(line, offset) for every line that ends with a line feed. Returns the end of the last of them.
 template <class Visit>
@@ -35,15 +98,19 @@ std::uint64_t each_line(const std::string& path, Visit visit) {
 // Whether the file can be the remainder of a journal after a crash: the start of a line, which is a checksum
 // followed by JSON, or the zeros that a power cut leaves.
 bool may_be_truncated_journal(const std::string& path) {
-  std::string start(64 + std::strlen(kAfterChecksum), '\0');
+  std::string start(kDigestLength + std::strlen(kAfterChecksum), '\0');
   std::ifstream(path, std::ios::binary).read(start.data(), std::streamsize(start.size()));
   for (std::size_t i = 0; i < start.size(); ++i) {
     const char c = start[i];
-    const bool fits = i < 64 ? (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f') : c == kAfterChecksum[i - 64];
+    const bool fits = i < kDigestLength ? (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f')
+                                        : c == kAfterChecksum[i - kDigestLength];
     if (c != '\0' && !fits) return false;
   }
   return true;
 }
+
+// Whether a program of the commit own uses the points that a program of another commit computed.
+bool accepts(const std::string& own, const std::string& other) { return is_dirty(own) || !is_dirty(other); }
 
 }  // namespace
 
@@ -54,8 +121,45 @@ std::string point_key(const Experiment& experiment, std::size_t index) {
 
 bool is_dirty(const std::string& commit) { return commit.ends_with("-dirty") || commit == "unknown"; }
 
-Journal::Journal(const std::string& result, const std::string& commit, bool clear)
-    : path_(result + kJournalExtension), commit_(commit), file_(lock_file(result, path_)) {
+std::string encode(const JournalLine& line) {
+  Json values = Json::object(), tables = Json::object();
+  for (const auto& [name, numbers] : line.record.values) values[name] = to_json(numbers);
+  for (const auto& [name, columns] : line.record.tables)
+    for (Json& table = tables[name] = Json::array(); const auto& column : columns)
+      table.push_back(to_json(column));
+  Json json = {{"schema", kJournalSchema}, {"key", line.key}, {"commit", line.commit}, {"host", line.host}};
+  json["values"] = std::move(values);
+  json["tables"] = std::move(tables);
+  if (!line.record.failure.empty()) json["failure"] = line.record.failure;
+  const std::string text = json.dump();
+  return fmt::format("{} {}\n", sha256_of(text), text);
+}
+
+std::optional<JournalLine> decode(std::string_view line) {
+  const auto json = parsed(line);
+  return json ? line_of(*json) : std::nullopt;
+}
+
+void read_journal(const std::string& path, const std::string& commit,
+                  const std::function<void(JournalLine&&)>& visit) {
+  each_line(path, [&](const std::string& text, std::uint64_t) {
+    if (auto line = decode(text); line && accepts(commit, line->commit)) visit(std::move(*line));
+  });
+}
+
+std::vector<std::string> journals_beside(const std::string& result) {
+  const fs::path folder = fs::path(result).parent_path();
+  std::vector<std::string> paths;
+  std::error_code none;  // the folder may not exist yet
+  for (const auto& entry : fs::directory_iterator(folder.empty() ? "." : folder, none))
+    if (entry.path().extension() == kJournalExtension && entry.is_regular_file(none))
+      paths.push_back((folder / entry.path().filename()).string());
+  std::ranges::sort(paths);
+  return paths;
+}
+
+Journal::Journal(const std::string& path, const std::string& commit, bool clear)
+    : path_(path), commit_(commit), file_(lock_file(path, path)) {
   try {
     scan();
     if (clear) {
@@ -74,22 +178,21 @@ Journal::~Journal() { ::close(file_); }
 
 void Journal::scan() {
   bool known = false;
-  end_ = each_line(path_, [&](const std::string& line, std::uint64_t offset) {
-    const auto head = head_of(line);
-    if (!head) return;
-    if (head->schema != kJournalSchema)
+  end_ = each_line(path_, [&](const std::string& text, std::uint64_t offset) {
+    const auto json = parsed(text);
+    if (!json) return;
+    if (const std::string schema = json->at("schema"); schema != kJournalSchema)
       throw InputError(fmt::format(
           "{}: schema {}, but this program writes {}; move the file, or use the program that wrote it", path_,
-          head->schema, kJournalSchema));
-    if (accepts(*head)) entries_[head->key] = {offset, line.size()};
+          schema, kJournalSchema));
+    const auto line = line_of(*json);
+    if (line && accepts(commit_, line->commit)) entries_[line->key] = {offset, text.size()};
     known = true;
   });
   if (!known && !may_be_truncated_journal(path_))
     throw InputError(fmt::format(
         "{}: not a journal of bristle; move the file: the run writes its journal to this path", path_));
 }
-
-bool Journal::accepts(const LineHead& head) const { return is_dirty(commit_) || !is_dirty(head.commit); }
 
 JournalLine Journal::read(const std::string& key) const {
   const Entry& entry = entries_.at(key);
@@ -98,6 +201,10 @@ JournalLine Journal::read(const std::string& key) const {
   if (got == ssize_t(entry.length))
     if (const auto line = decode(text); line && line->key == key) return *line;
   throw RunError(fmt::format("{}: changed while in use; run the same command again", path_));
+}
+
+void Journal::append(const std::string& key, PointRecord record) {
+  append({key, commit_, host_name(), std::move(record)});
 }
 
 void Journal::append(const JournalLine& line) {
@@ -118,23 +225,34 @@ void Journal::sync() {
   synced_ = std::time(nullptr);
 }
 
-void Journal::adopt(const RecordFormat& format, std::set<std::string> keys) {
-  fs::path folder = fs::path(path_).parent_path();
-  if (folder.empty()) folder = ".";
-  for (const auto& other : fs::directory_iterator(folder)) {
-    const std::string name = other.path().string();
-    if (!name.ends_with(kJournalExtension) || !other.is_regular_file() || fs::equivalent(other.path(), path_))
-      continue;
-    each_line(name, [&](const std::string& text, std::uint64_t) {
-      const auto head = head_of(text);
-      if (!head || !keys.contains(head->key) || !accepts(*head)) return;
-      if (const auto line = decode(text); line && fits(line->record, format)) {
-        append(*line);
-        keys.erase(line->key);
-      }
-    });
-    if (keys.empty()) return;
+void Journal::adopt(const std::string& other, const PointLayout& layout,
+                    const std::map<std::string, std::string>& points) {
+  read_journal(other, commit_, [&](JournalLine&& line) {
+    const auto point = points.find(line.key);
+    if (point == points.end() || !fits(line.record, layout)) return;
+    if (!has(line.key)) return append(line);
+    if (const auto names = differences(read(line.key).record, line.record); !names.empty())
+      throw InputError(fmt::format(
+          "{} and {} differ at the point {}: {}; move one of them away, and run the same command again",
+          path_, other, point->second, fmt::join(names, ", ")));
+  });
+}
+
+void Journal::remove_copied(const std::string& other) const {
+  int lock = -1;
+  try {
+    lock = lock_file(other, other);
+  } catch (const std::exception&) {
+    return;  // another run is writing it
   }
+  bool copied = true;
+  each_line(other, [&](const std::string& text, std::uint64_t) {
+    if (const auto json = parsed(text))
+      if (const auto line = line_of(*json); !line || !has(line->key)) copied = false;
+  });
+  std::error_code ignored;
+  if (copied) fs::remove(other, ignored);
+  ::close(lock);
 }
 
 }  // namespace bristle::results

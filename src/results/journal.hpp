@@ -1,11 +1,15 @@
 #pragma once
 
-#include "results/journal_line.hpp"
+#include "results/record.hpp"
 
 #include <cstdint>
-#include <set>
+#include <functional>
+#include <map>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <unordered_map>
+#include <vector>
 
 namespace bristle::results {
 
@@ -16,17 +20,33 @@ std::string point_key(const Experiment& experiment, std::size_t index);
 // unknown.
 bool is_dirty(const std::string& commit);
 
-// The finished points of a run, in FILE.h5.journal beside the result FILE.h5, from which the next run resumes
-// if this one ends early. One line per point: the SHA-256 of the rest of the line, and JSON with numbers that
-// read back exactly (docs/results-format.md). Truncated and damaged lines are ignored; their points are
-// computed again.
+// A line of a journal: one finished point, and where it was computed.
+struct JournalLine {
+  std::string key, commit, host;
+  PointRecord record;
+};
+
+// The line with its line feed: the SHA-256 of the rest, and JSON with numbers that read back exactly. Numbers
+// that are not finite are words.
+std::string encode(const JournalLine& line);
+// The opposite, of a line without its line feed. None if the line is truncated, damaged or of another schema.
+std::optional<JournalLine> decode(std::string_view line);
+
+// Calls visit for every line of the journal at path that a program of this commit uses. Points computed by
+// programs with uncommitted changes are used by such programs only.
+void read_journal(const std::string& path, const std::string& commit,
+                  const std::function<void(JournalLine&&)>& visit);
+// The paths of all journals in the folder of a result, in ascending order.
+std::vector<std::string> journals_beside(const std::string& result);
+
+// The finished points of a run, from which the next run resumes if this one ends early. Truncated and damaged
+// lines are ignored; their points are computed again.
 class Journal {
  public:
   // Creates the file and its folder if necessary, and locks it until the destructor runs or the process ends.
-  // commit is that of this program; if it is clean, points computed by programs with uncommitted changes are
-  // ignored. clear removes all points. Throws InputError if the file cannot be written or is not a journal,
-  // RunError if another run holds the lock.
-  Journal(const std::string& result, const std::string& commit, bool clear);
+  // commit is that of this program. clear removes all points. Throws InputError if the file cannot be written
+  // or is not a journal, RunError if another run holds the lock.
+  Journal(const std::string& path, const std::string& commit, bool clear);
   ~Journal();
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;
@@ -38,12 +58,15 @@ class Journal {
 
   // Hands the record to the operating system; it is on the disk some seconds later, or after sync(). Throws
   // RunError, for instance if the disk is full; the earlier points remain.
-  void append(const std::string& key, PointRecord record) { append({key, commit_, std::move(record)}); }
+  void append(const std::string& key, PointRecord record);
   void sync();
 
-  // Copies the points with these keys, as far as journals of other results in the same folder contain them in
-  // this format.
-  void adopt(const RecordFormat& format, std::set<std::string> keys);
+  // Copies these points (key -> place, for messages), as far as the other journal has them in this layout.
+  // Throws InputError if both journals have one of them with different numbers.
+  void adopt(const std::string& other, const PointLayout& layout,
+             const std::map<std::string, std::string>& points);
+  // Removes the other journal if this one has all its points, unless a run is writing it. Call sync() before.
+  void remove_copied(const std::string& other) const;
 
  private:
   struct Entry {
@@ -51,7 +74,6 @@ class Journal {
   };
 
   void scan();
-  bool accepts(const LineHead& head) const;
   void append(const JournalLine& line);
 
   std::string path_, commit_;

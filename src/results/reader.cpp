@@ -1,6 +1,5 @@
 #include "results/reader.hpp"
 
-#include "experiment/experiment.hpp"
 #include "results/digest.hpp"
 #include "results/inspect.hpp"
 #include "results/texts.hpp"
@@ -12,7 +11,6 @@
 #include <fmt/ranges.h>
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <cmath>
 #include <filesystem>
 #include <sstream>
 
@@ -24,12 +22,12 @@ constexpr const char* kRemedy = "restore the file, or compute it again with `bri
 
 }  // namespace
 
-ResultReader::ResultReader(const std::string& path, Expected expected) : path_(path) {
+ResultReader::ResultReader(const std::string& path) : path_(path) {
   if (const std::string what = not_a_file(path); !what.empty())
     throw InputError(fmt::format("{}: {}", path, what));
   if (!std::filesystem::is_regular_file(path))
-    throw InputError(fmt::format("{}: no such file; create it with `bristle run EXPERIMENT.json {}-o {}`",
-                                 path, expected == Expected::part ? "--shard i/N " : "", path));
+    throw InputError(
+        fmt::format("{}: no such file; create it with `bristle run EXPERIMENT.json -o {}`", path, path));
   if (H5Fis_hdf5(path.c_str()) <= 0) throw InputError(fmt::format("{}: not an HDF5 file", path));
   const auto open = [&] { return h5::open_file(path, false); };
   try {
@@ -38,18 +36,15 @@ ResultReader::ResultReader(const std::string& path, Expected expected) : path_(p
     throw InputError(fmt::format("{}: damaged, or not written by bristle: {}; {}", path, e.what(), kRemedy));
   }
   file_ = open();
-  if (!h5::has_attribute(file_, "schema_version"))
-    throw InputError(
-        fmt::format("{}: not a result of bristle: the attribute schema_version is missing", path));
-  require(expected);
+  require_schema();
 }
 
 ResultReader::ResultReader(const std::string& name, const std::string& bytes) : path_(name) {
-  if (!bytes.starts_with(replaceable_by({}).start)) throw MalformedError("not an HDF5 file");
+  if (!bytes.starts_with(result_file().start)) throw MalformedError("not an HDF5 file");
   const auto open = [&] { return h5::open_image(bytes); };
   damage_ = damage_of(open, bytes.size());
   file_ = open();
-  require(Expected::whole);
+  require_schema();
 }
 
 void ResultReader::require_intact() const {
@@ -57,37 +52,14 @@ void ResultReader::require_intact() const {
     throw InputError(fmt::format("{}: damaged: {}; {}", path_, fmt::join(damage_, "; "), kRemedy));
 }
 
-void ResultReader::require(Expected expected) const {
-  const std::string version = text("schema_version");
-  const std::vector<std::string> known = {kResultSchema, kOldResultSchema, kPartSchema, kOldPartSchema};
-  if (std::ranges::find(known, version) == known.end())
-    throw InputError(fmt::format("{}: schema version {}, but this program reads {} only", path_, version,
-                                 fmt::join(known, ", ")));
-  const auto part = shard();
-  if (part && expected == Expected::whole)
-    throw InputError(fmt::format("{}: a part ({}) of {}, not a whole result; merge the parts first: {}",
-                                 path_, shard_text(*part), text("name"), how_to_merge(path_, *part)));
-  if (!part && expected == Expected::part)
+void ResultReader::require_schema() const {
+  if (!h5::has_attribute(file_, "schema_version"))
     throw InputError(
-        fmt::format("{}: the whole result of {}, not a part of one (`bristle run --shard` computes parts)",
-                    path_, text("name")));
-}
-
-std::optional<Shard> ResultReader::shard() const {
-  if (!text("schema_version").starts_with("bristle-part/")) return {};
-  return parse_shard(text("shard"));
-}
-
-std::vector<std::size_t> ResultReader::part_points() const {
-  const h5::Handle dataset = h5::open_dataset(file_, "part/points");
-  std::vector<double> numbers(h5::length_of(dataset));
-  if (!numbers.empty()) h5::read_part(dataset, H5T_NATIVE_DOUBLE, {0}, {numbers.size()}, numbers.data());
-  for (std::size_t i = 0; i < numbers.size(); ++i)
-    if (!(numbers[i] >= 0 && numbers[i] < experiment::kMaxPoints) || numbers[i] != std::floor(numbers[i]) ||
-        (i > 0 && numbers[i] <= numbers[i - 1]))
-      throw RunError(
-          fmt::format("part/points: {} is not the index of a point, or not in ascending order", numbers[i]));
-  return {numbers.begin(), numbers.end()};
+        fmt::format("{}: not a result of bristle: the attribute schema_version is missing", path_));
+  if (const std::string version = text("schema_version"); version != kResultSchema)
+    throw InputError(fmt::format(
+        "{}: schema version {}, but this program reads {} only; compute it again with `bristle run`", path_,
+        version, kResultSchema));
 }
 
 std::vector<std::string> ResultReader::variables() const {
@@ -138,12 +110,11 @@ std::string ResultReader::text(const std::string& attribute) const {
   return h5::read_text_attribute(file_, attribute);
 }
 
-bool up_to_date(const std::string& path, const Experiment& experiment, const std::optional<Shard>& shard) {
+bool up_to_date(const std::string& path, const Experiment& experiment) {
   if (!std::filesystem::is_regular_file(path)) return false;
   try {
-    const ResultReader file(path, shard ? Expected::part : Expected::whole);
-    return file.damage().empty() && (!shard || file.text("shard") == shard_text(*shard)) &&
-           file.text("schema_version") == (shard ? kPartSchema : kResultSchema) &&
+    const ResultReader file(path);
+    return file.damage().empty() &&
            h5::read_number_attribute(file.file(), "numerics_version") == double(kNumericsVersion) &&
            file.text("inputs_sha256") == inputs_sha256(*experiment.document);
   } catch (const InputError&) {
@@ -159,11 +130,7 @@ std::string axis_variable(const std::string& name) {
 
 std::string code_variable(const std::string& choice) { return choice + "_code"; }
 
-FileKind replaceable_by(const std::optional<Shard>& shard) {
-  const std::string signature = "\x89HDF\r\n\x1a\n";
-  if (shard) return {"a part of a result of bristle", signature, {"bristle-part/"}};
-  return {"a result of bristle", signature, {"bristle-result/", "bristle-part/"}};
-}
+FileKind result_file() { return {"a result of bristle", "\x89HDF\r\n\x1a\n", {"bristle-result/"}}; }
 
 bool ResultReader::has(const std::string& name) const { return h5::exists(file_, name); }
 

@@ -2,12 +2,10 @@
 
 #include "experiment/experiment.hpp"
 #include "results/hdf5.hpp"
-#include "results/part.hpp"
 #include "results/version.hpp"
 #include "util/file.hpp"
 
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,20 +18,13 @@ struct Variable {
   std::vector<double> values;
 };
 
-// What a file must contain: a whole result, a part of one, or either.
-enum class Expected {
-  whole,
-  part,
-  either
-};
-
 // Reads result files, which are not trusted: a file is opened only after damage_of() has read it in a process
-// of its own. Throws InputError with file and dataset if the file is not a result, cannot be read, has an
-// unknown schema version or is not what is expected, and if a dataset or attribute is missing.
+// of its own. Throws InputError with file and dataset if the file is not a result, cannot be read or has an
+// unknown schema version, and if a dataset or attribute is missing.
 class ResultReader {
  public:
-  explicit ResultReader(const std::string& path, Expected expected = Expected::whole);
-  // Reads a whole result in memory, of an archive. name: for messages. Throws MalformedError if the bytes
+  explicit ResultReader(const std::string& path);
+  // Reads a result in memory, of an archive. name: for messages. Throws MalformedError if the bytes
   // cannot be read.
   ResultReader(const std::string& name, const std::string& bytes);
 
@@ -56,11 +47,9 @@ class ResultReader {
   std::map<std::string, std::string> failures() const { return text_attributes(kFailures); }
   std::vector<std::string> axes() const;         // names of the variables of the sweep's axes
   std::vector<std::size_t> sweep_shape() const;  // without the nodes of traced curves
-  std::optional<Shard> shard() const;            // none for a whole result
-  std::vector<std::size_t> part_points() const;  // ascending indices of the points of a part
 
  private:
-  void require(Expected expected) const;
+  void require_schema() const;
   h5::Handle open_numbers(const std::string& name) const;
   std::map<std::string, std::string> text_attributes(const std::string& group) const;
 
@@ -69,12 +58,11 @@ class ResultReader {
   h5::Handle file_;
 };
 
-// The files that a run may replace: results and parts of any version, or only parts for the run of a shard.
-FileKind replaceable_by(const std::optional<Shard>& shard);
+// The files that a run may replace: results of any version.
+FileKind result_file();
 
-// Whether the file contains the numbers of this experiment, or of this shard of it, complete and undamaged.
-bool up_to_date(const std::string& path, const Experiment& experiment,
-                const std::optional<Shard>& shard = {});
+// Whether the file contains the numbers of this experiment, complete and undamaged.
+bool up_to_date(const std::string& path, const Experiment& experiment);
 
 // The name of an axis in the file. A swept R_n or z_0 becomes R_n_target or z_0_target, because R_n and z_0
 // are the computed values.

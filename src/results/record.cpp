@@ -85,7 +85,7 @@ void add_differences(const Map& a, const Map& b, std::vector<std::string>& out) 
 
 }  // namespace
 
-RecordFormat::RecordFormat(const Experiment& experiment) {
+PointLayout::PointLayout(const Experiment& experiment) {
   const Loading& loading = experiment.base.loading;
   const bool searched = !loading.z_0 && !loading.trace;
   for (const ResultVariable& v : result_variables(experiment)) {
@@ -103,7 +103,7 @@ RecordFormat::RecordFormat(const Experiment& experiment) {
   if (loading.trace) nodes = std::size_t(loading.trace->nodes);
 }
 
-PointRecord record_of(const RecordFormat& format, const PointResult& result, const Recorded& recorded) {
+PointRecord record_of(const PointLayout& format, const PointResult& result, const Recorded& recorded) {
   PointRecord record;
   for (const auto& dataset : format.datasets) add(record, dataset.name, {dataset.value(result)});
   for (const std::string& table : format.tables) {
@@ -117,7 +117,7 @@ PointRecord record_of(const RecordFormat& format, const PointResult& result, con
   return with_unified_nan(std::move(record));
 }
 
-PointRecord record_of(const RecordFormat& format, const std::vector<CurveNode>& curve) {
+PointRecord record_of(const PointLayout& format, const std::vector<CurveNode>& curve) {
   PointRecord record;
   for (const auto& dataset : format.datasets) {
     std::vector<double> numbers;
@@ -128,7 +128,7 @@ PointRecord record_of(const RecordFormat& format, const std::vector<CurveNode>& 
   return with_unified_nan(std::move(record));
 }
 
-PointRecord failed_record(const RecordFormat& format, const std::string& error) {
+PointRecord failed_record(const PointLayout& format, const std::string& error) {
   const PointResult result = without_values(PointStatus::failed);
   PointRecord record =
       format.nodes ? record_of(format, {{result, Branch::unstable}}) : record_of(format, result, {});
@@ -137,7 +137,7 @@ PointRecord failed_record(const RecordFormat& format, const std::string& error) 
 }
 
 PointRecord read_record(hid_t file, const Experiment& experiment, std::size_t index) {
-  const RecordFormat format(experiment);
+  const PointLayout format(experiment);
   PointRecord record;
   h5::Shape at = h5::position(experiment.shape(), index), count(at.size(), 1);
   if (format.nodes) {
@@ -165,11 +165,11 @@ PointRecord read_record(hid_t file, const Experiment& experiment, std::size_t in
 
 std::string failure_name(std::size_t index) { return fmt::format("point_{}", index); }
 
-bool fits(const PointRecord& record, const RecordFormat& format) {
+bool fits(const PointRecord& record, const PointLayout& format) {
   const bool complete =
       std::ranges::equal(
           record.values, format.datasets, {}, [](const auto& v) -> const std::string& { return v.first; },
-          &RecordFormat::Dataset::name) &&
+          &PointLayout::Dataset::name) &&
       record.tables.size() == format.tables.size() &&
       std::ranges::all_of(format.tables,
                           [&](const std::string& name) { return record.tables.contains(name); });

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ensemble/trace.hpp"
-#include "results/recorded_tables.hpp"
+#include "results/tables.hpp"
 #include "results/variables.hpp"
 
 #include <map>
@@ -20,8 +20,8 @@ struct PointRecord {
 };
 
 // The datasets and tables that a result of an experiment has. Make one for all points of a sweep.
-struct RecordFormat {
-  RecordFormat(const Experiment& experiment);
+struct PointLayout {
+  PointLayout(const Experiment& experiment);
 
   struct Dataset {
     std::string name;
@@ -32,10 +32,10 @@ struct RecordFormat {
   std::optional<std::size_t> nodes;  // largest number, of a curve
 };
 
-PointRecord record_of(const RecordFormat& format, const PointResult& result, const Recorded& recorded);
-PointRecord record_of(const RecordFormat& format, const std::vector<CurveNode>& curve);
+PointRecord record_of(const PointLayout& format, const PointResult& result, const Recorded& recorded);
+PointRecord record_of(const PointLayout& format, const std::vector<CurveNode>& curve);
 // A point that an error ended: status failed, no values, a curve with one node.
-PointRecord failed_record(const RecordFormat& format, const std::string& error);
+PointRecord failed_record(const PointLayout& format, const std::string& error);
 
 // Reads a point from a result file of this experiment or from a part. Throws RunError if it cannot be read.
 PointRecord read_record(hid_t file, const Experiment& experiment, std::size_t index);
@@ -44,7 +44,7 @@ PointRecord read_record(hid_t file, const Experiment& experiment, std::size_t in
 std::string failure_name(std::size_t index);
 
 // Whether the record has exactly these datasets and tables, with consistent lengths and valid status codes.
-bool fits(const PointRecord& record, const RecordFormat& format);
+bool fits(const PointRecord& record, const PointLayout& format);
 
 // Datasets and tables whose bits differ, or which only one of the records has.
 std::vector<std::string> differences(const PointRecord& a, const PointRecord& b);

@@ -2,6 +2,7 @@
 
 #include "results/journal.hpp"
 #include "simd/dispatch.hpp"
+#include "util/process.hpp"
 
 #include <boost/version.hpp>
 #include <ctime>
@@ -11,7 +12,6 @@
 #include <openssl/opensslv.h>
 #include <sleef.h>
 #include <sys/utsname.h>
-#include <unistd.h>
 #include <fstream>
 #include <gnu/libc-version.h>
 
@@ -55,8 +55,6 @@ std::string utc_now() {
 }
 
 std::map<std::string, std::string> provenance(const std::string& command_line, int threads) {
-  char host[256] = "";
-  gethostname(host, sizeof host - 1);
   return {
       {"version", kVersion},
       {"commit", kCommit},
@@ -78,7 +76,7 @@ std::map<std::string, std::string> provenance(const std::string& command_line, i
       {"cpu_features", cpu_features()},
       {"cpu", cpu_model()},
       {"system", system_text()},
-      {"host", host},
+      {"host", host_name()},
       {"threads", fmt::format("{}", threads)},
       {"command_line", command_line},
   };

@@ -1,16 +1,23 @@
 #include "run/sweep.hpp"
 
-#include "run/worker.hpp"
+#include "dynamics/jobs.hpp"
+#include "experiment/si_units.hpp"
+#include "run/passage_queue.hpp"
+#include "simd/dispatch.hpp"
+#include "simd/engine.hpp"
 #include "util/error.hpp"
+#include "util/sanitizer.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cstdio>
 #include <exception>
+#include <list>
 #include <map>
-#include <mutex>
 #include <new>
+#include <optional>
 #include <set>
 #include <system_error>
 #include <thread>
@@ -21,84 +28,257 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr double kSlowSeconds = 60, kSlowFactor = 10;
+// Enough points to keep the lanes full while most of the points wait for the last passages of a batch.
+constexpr std::size_t kMaxActivePoints = 24;
 
-// Distributes the points in their order and passes the reports to the sink, one at a time.
-class SweepQueue : public PointQueue {
+// A point that is being solved with its own stack, suspended until the passages that it waits for have been
+// computed.
+struct ActivePoint {
+  explicit ActivePoint(const std::function<PointReport(const PassageRunner&)>& solve)
+      : solving([this, solve](const PassageRunner& run) { report = solve(run); }) {}
+  PointReport report{};
+  SuspendedJob solving;
+  PassageRequest request;
+};
+
+// The points of a sweep: distributes them in their order, and passes the reports to the sink, one at a time.
+class Sweep {
  public:
   using Sink = std::function<void(PointReport&&)>;
-  SweepQueue(const std::vector<std::size_t>& points, const Sink& sink, const std::function<bool()>& stop,
-             const SweepObserver& observer)
-      : points_(points), sink_(sink), stop_(stop), observer_(observer) {}
+  Sweep(const Experiment& experiment, const std::vector<std::size_t>& points, std::size_t threads,
+        const Sink& sink, const std::function<bool()>& stop, const SweepObserver& observer)
+      : experiment_(experiment),
+        layout_(experiment),
+        points_(points),
+        threads_(threads),
+        sink_(sink),
+        stop_(stop),
+        observer_(observer),
+        passages_(threads) {}
 
-  std::optional<std::size_t> next() override {
-    const std::lock_guard lock(mutex_);
-    if (update_stopped() || started_ == points_.size()) return {};
-    active_[points_[started_]] = Clock::now();
-    return points_[started_++];
-  }
-
-  bool all_started() override {
-    const std::lock_guard lock(mutex_);
-    return started_ == points_.size();
-  }
-
-  void deliver(PointReport&& report) override {
-    const std::lock_guard lock(mutex_);
-    if (error_) return;
-    active_.erase(report.index);
-    sink_(std::move(report));
-    ++delivered_;
-  }
-
-  bool stopped(std::size_t passages) override {
-    const std::lock_guard lock(mutex_);
-    observer_.passages(passages);
-    report_slow_points();
-    return update_stopped();
-  }
-
-  // Ends the sweep on all threads; complete() then throws the error.
-  void fail(std::exception_ptr error) {
-    const std::lock_guard lock(mutex_);
-    if (!error_) error_ = std::move(error);
-  }
-
+  // Solves points until all points of the sweep are solved, on one of the threads.
+  void run_thread();
+  // Whether all points have been solved. Throws what ended the sweep. Call it when all threads have ended.
   bool complete() const {
     if (error_) std::rethrow_exception(error_);
-    return delivered_ == points_.size();
+    return solved();
   }
 
  private:
-  // Reports each active point once that has taken longer than a minute and ten times the mean of the others.
-  void report_slow_points() {
-    const auto seconds_since = [now = Clock::now()](Clock::time_point then) {
-      return std::chrono::duration<double>(now - then).count();
-    };
-    const double mean =
-        seconds_since(begin_) * double(most_active_) / double(std::max<std::size_t>(1, delivered_));
-    most_active_ = std::max(most_active_, active_.size());
-    for (const auto& [index, start] : active_)
-      if (const double seconds = seconds_since(start); seconds > kSlowSeconds &&
-                                                       (delivered_ == 0 || seconds > kSlowFactor * mean) &&
-                                                       named_.insert(index).second)
-        observer_.slow(index, seconds);
-  }
+  class Worker;
 
+  std::optional<std::size_t> next_point();
+  PointReport solve(std::size_t index, const PassageRunner& run) const;
+  void solve_sequentially();
+  void deliver(PointReport&& report);
+  bool ended(std::size_t passages);
+  void fail(std::exception_ptr error);
+  void report_slow_points();
+  bool solved() const { return delivered_ == points_.size(); }
   bool update_stopped() { return stopped_ = stopped_ || error_ || stop_(); }
 
+  const Experiment& experiment_;
+  const results::PointLayout layout_;
   const std::vector<std::size_t>& points_;
+  const std::size_t threads_;
   const Sink& sink_;
   const std::function<bool()>& stop_;
-  std::mutex mutex_;
-  std::size_t started_ = 0, delivered_ = 0;
+  const SweepObserver& observer_;
+  PassageQueue passages_;
+
+  std::atomic<std::size_t> delivered_ = 0;
+  std::mutex mutex_;  // of all that follows
+  std::size_t started_ = 0;
   bool stopped_ = false;
   std::exception_ptr error_;
-  const SweepObserver& observer_;
   const Clock::time_point begin_ = Clock::now();
   std::map<std::size_t, Clock::time_point> active_;  // points by index, with their start
   std::size_t most_active_ = 1;                      // at the same time
   std::set<std::size_t> named_;                      // slow points that have been reported
+  // Those of all threads. They live as long as the sweep, because a thread that stops early does not wait for
+  // others that compute passages of its points.
+  std::list<std::list<ActivePoint>> suspended_;
 };
+
+std::optional<std::size_t> Sweep::next_point() {
+  const std::lock_guard lock(mutex_);
+  if (update_stopped() || started_ == points_.size()) return {};
+  active_[points_[started_]] = Clock::now();
+  return points_[started_++];
+}
+
+void Sweep::deliver(PointReport&& report) {
+  const std::lock_guard lock(mutex_);
+  if (error_) return;
+  active_.erase(report.index);
+  sink_(std::move(report));
+  ++delivered_;
+  if (solved()) passages_.notify();
+}
+
+// Counts passages that have been computed. Returns true if the thread must end.
+bool Sweep::ended(std::size_t passages) {
+  const std::lock_guard lock(mutex_);
+  observer_.passages(passages);
+  report_slow_points();
+  return update_stopped() || solved();
+}
+
+// Ends the sweep on all threads.
+void Sweep::fail(std::exception_ptr error) {
+  const std::lock_guard lock(mutex_);
+  if (!error_) error_ = std::move(error);
+}
+
+// Reports each active point once that has taken longer than a minute and ten times the mean of the others.
+void Sweep::report_slow_points() {
+  const auto seconds_since = [now = Clock::now()](Clock::time_point then) {
+    return std::chrono::duration<double>(now - then).count();
+  };
+  const double mean =
+      seconds_since(begin_) * double(most_active_) / double(std::max<std::size_t>(1, delivered_));
+  most_active_ = std::max(most_active_, active_.size());
+  for (const auto& [index, start] : active_)
+    if (const double seconds = seconds_since(start); seconds > kSlowSeconds &&
+                                                     (delivered_ == 0 || seconds > kSlowFactor * mean) &&
+                                                     named_.insert(index).second)
+      observer_.slow(index, seconds);
+}
+
+// An error within a point becomes its status, so that it does not cost the other points.
+PointReport Sweep::solve(std::size_t index, const PassageRunner& run) const {
+  const auto record = [&] {
+    const experiment::PointInput input = experiment_.point(index);
+    if (input.loading.trace)
+      return results::record_of(layout_, trace_curve(input.setup, *input.loading.trace, run));
+    Recorded recorded;
+    PointResult result = solve_point(input.setup, input.loading, run, experiment_.record, &recorded);
+    result.force_unit = experiment::force_unit(input);
+    return results::record_of(layout_, result, recorded);
+  };
+  try {
+    return {index, record()};
+  } catch (const std::bad_alloc&) {
+    throw;  // the other points may be the cause
+  } catch (const std::exception& e) {
+    return {index, results::failed_record(layout_, e.what())};
+  }
+}
+
+// One thread with its SIMD engine. Several points are active at a time: while one waits for passages, the
+// lanes compute those of others. Passages wait in one queue for all threads; a thread resumes its own points.
+class Sweep::Worker {
+ public:
+  explicit Worker(Sweep& sweep)
+      : sweep_(sweep),
+        max_active_(std::min(kMaxActivePoints, (sweep.points_.size() + sweep.threads_ - 1) / sweep.threads_)),
+        engine_(best_kernels(),
+                [this](std::size_t ticket, Passage&& passage) { receive(ticket, std::move(passage)); }) {
+    const std::lock_guard lock(sweep.mutex_);
+    points_ = &sweep.suspended_.emplace_back();
+  }
+
+  void run() {
+    while (!sweep_.ended(std::exchange(computed_, 0))) {
+      start_points();
+      while (const auto chunk = sweep_.passages_.take(tickets_.size() - free_.size())) submit(*chunk);
+      if (!engine_.advance()) sweep_.passages_.wait([this] { return any_ready() || sweep_.solved(); });
+      for (auto it = points_->begin(); it != points_->end();) {
+        const auto point = it++;
+        if (!point->request.complete()) continue;
+        point->solving.resume(point->request.take());
+        request_passages(point);
+      }
+    }
+  }
+
+ private:
+  using Points = std::list<ActivePoint>;
+  struct Ticket {
+    PassageRequest* request;
+    std::size_t index;  // of the passage within the request
+  };
+
+  void start_points() {
+    while (points_->size() < max_active_) {
+      const auto index = sweep_.next_point();
+      if (!index) return;
+      points_->emplace_back([this, i = *index](const PassageRunner& run) { return sweep_.solve(i, run); });
+      request_passages(std::prev(points_->end()));
+    }
+  }
+
+  // Puts the passages that the point waits for into the queue, or delivers the point if it is solved.
+  void request_passages(Points::iterator point) {
+    const std::vector<PassageTask>* tasks = point->solving.waiting_for();
+    if (!tasks) {
+      sweep_.deliver(std::move(point->report));
+      points_->erase(point);
+      return;
+    }
+    point->request.expect(tasks->size());
+    sweep_.passages_.add(*tasks, point->request);
+  }
+
+  void submit(const PassageChunk& chunk) {
+    for (std::size_t i = chunk.first; i < chunk.last; ++i) {
+      std::size_t ticket = tickets_.size();
+      if (free_.empty()) {
+        tickets_.emplace_back();
+      } else {
+        ticket = free_.back();
+        free_.pop_back();
+      }
+      tickets_[ticket] = {chunk.request, i};
+      engine_.submit((*chunk.tasks)[i], ticket);
+    }
+  }
+
+  void receive(std::size_t ticket, Passage&& passage) {
+    const auto [request, index] = tickets_[ticket];
+    free_.push_back(ticket);
+    ++computed_;
+    if (request->deliver(index, std::move(passage))) sweep_.passages_.notify();
+  }
+
+  bool any_ready() const {
+    return std::ranges::any_of(*points_, [](const ActivePoint& p) { return p.request.complete(); });
+  }
+
+  Sweep& sweep_;
+  const std::size_t max_active_;
+  Points* points_ = nullptr;
+  SimdEngine engine_;
+  std::vector<Ticket> tickets_;
+  std::vector<std::size_t> free_;  // tickets to reuse
+  std::size_t computed_ = 0;       // passages that have not been counted
+};
+
+struct Stopped {};
+
+void Sweep::solve_sequentially() {
+  const PassageRunner run = [this, runner = make_runner(experiment_.engine)](const auto& tasks) {
+    std::vector<Passage> passages = runner(tasks);
+    if (ended(tasks.size())) throw Stopped{};
+    return passages;
+  };
+  try {
+    while (const auto index = next_point()) deliver(solve(*index, run));
+  } catch (const Stopped&) {
+  }
+}
+
+void Sweep::run_thread() {
+  try {
+    if (!kSanitized && experiment_.engine == Engine::fast) Worker(*this).run();
+    else solve_sequentially();
+  } catch (const std::bad_alloc&) {
+    fail(std::make_exception_ptr(
+        RunError(fmt::format("not enough memory for {} threads; give fewer with --threads", threads_))));
+  } catch (...) {
+    fail(std::current_exception());
+  }
+}
 
 }  // namespace
 
@@ -107,30 +287,18 @@ int all_cores() { return int(std::max(1u, std::thread::hardware_concurrency()));
 bool run_sweep(const Experiment& experiment, const std::vector<std::size_t>& points, int threads,
                const std::function<void(PointReport&&)>& sink, const std::function<bool()>& stop,
                const SweepObserver& observer) {
-  SweepQueue queue(points, sink, stop, observer);
-  PassagePool pool(threads);
-  const std::size_t share = (points.size() + std::size_t(threads) - 1) / std::size_t(threads);
-  const auto run_thread = [&] {
-    try {
-      run_worker(experiment, queue, pool, share);
-    } catch (const std::bad_alloc&) {
-      queue.fail(std::make_exception_ptr(
-          RunError(fmt::format("not enough memory for {} threads; give fewer with --threads", threads))));
-    } catch (...) {
-      queue.fail(std::current_exception());
-    }
-  };
-  std::vector<std::thread> workers;
-  workers.reserve(std::size_t(threads));
+  Sweep sweep(experiment, points, std::size_t(threads), sink, stop, observer);
+  std::vector<std::thread> others;
+  others.reserve(std::size_t(threads));
   try {
-    for (int i = 1; i < threads; ++i) workers.emplace_back(run_thread);
+    for (int i = 1; i < threads; ++i) others.emplace_back([&] { sweep.run_thread(); });
   } catch (const std::system_error& e) {  // the numbers do not depend on how many there are
-    fmt::print(stderr, "bristle: {} of {} threads could be started: {}\n", workers.size() + 1, threads,
+    fmt::print(stderr, "bristle: {} of {} threads could be started: {}\n", others.size() + 1, threads,
                e.what());
   }
-  run_thread();
-  for (std::thread& worker : workers) worker.join();
-  return queue.complete();
+  sweep.run_thread();
+  for (std::thread& thread : others) thread.join();
+  return sweep.complete();
 }
 
 }  // namespace bristle::run

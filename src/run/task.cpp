@@ -3,9 +3,9 @@
 #include "claims/checks.hpp"
 #include "claims/store.hpp"
 #include "results/annotate.hpp"
-#include "results/journal.hpp"
 #include "results/writer.hpp"
 #include "run/jumps.hpp"
+#include "run/points.hpp"
 #include "run/progress.hpp"
 #include "run/provenance.hpp"
 #include "run/signals.hpp"
@@ -16,7 +16,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -31,51 +30,23 @@ void add_checks(const std::string& path) {
 }
 
 // Updates title, notes and checks of a result whose numbers are up to date.
-void refresh_description(const Task& task) {
-  if (results::ResultReader(task.path, results::Expected::either).experiment() == *task.experiment.document)
-    return;
-  const results::Journal lock(task.path, kCommit, false);
-  WholeFile copy(task.path, results::replaceable_by(task.shard));
-  const std::string bytes = read_file(task.path);
+void refresh_description(const Experiment& experiment, const std::string& path) {
+  if (results::ResultReader(path).experiment() == *experiment.document) return;
+  const results::Journal lock(journal_path(path, {}), kCommit, false);
+  WholeFile copy(path, results::result_file());
+  const std::string bytes = read_file(path);
   copy.write(bytes.data(), bytes.size());
   copy.close();
-  results::annotate(copy.partial(), task.experiment, task.shard);
-  if (!task.shard) add_checks(copy.partial());
+  results::annotate(copy.partial(), experiment);
+  add_checks(copy.partial());
   copy.publish();
 }
 
-// Points of an experiment and their keys in journals.
-class KeyedPoints {
- public:
-  explicit KeyedPoints(const Task& task) : KeyedPoints(task.experiment, task.points()) {}
-  // points: ascending
-  KeyedPoints(const Experiment& experiment, std::vector<std::size_t> points) : points_(std::move(points)) {
-    for (const std::size_t i : points_) keys_.push_back(results::point_key(experiment, i));
-  }
-  const std::vector<std::size_t>& points() const { return points_; }
-  const std::string& key(std::size_t point) const {
-    return keys_[std::size_t(std::ranges::lower_bound(points_, point) - points_.begin())];
-  }
-  std::vector<std::size_t> missing_in(const results::Journal& journal) const {
-    std::vector<std::size_t> missing;
-    for (std::size_t k = 0; k < points_.size(); ++k)
-      if (!journal.has(keys_[k])) missing.push_back(points_[k]);
-    return missing;
-  }
-
- private:
-  std::vector<std::size_t> points_;  // ascending
-  std::vector<std::string> keys_;
-};
-
 // The points that no journal in the folder has. Unless force, copies those of other journals to this one.
-std::vector<std::size_t> missing_points(const Experiment& experiment, const KeyedPoints& points,
-                                        results::Journal& journal, bool force) {
-  std::vector<std::size_t> missing = points.missing_in(journal);
+std::vector<std::size_t> missing_points(const KeyedPoints& points, results::Journal& journal, bool force) {
+  const std::vector<std::size_t> missing = points.missing_in(journal);
   if (force || missing.empty()) return missing;
-  std::set<std::string> keys;
-  for (const std::size_t i : missing) keys.insert(points.key(i));
-  journal.adopt(experiment, std::move(keys));
+  points.adopt_into(journal);
   return points.missing_in(journal);
 }
 
@@ -119,14 +90,14 @@ std::vector<Gap> gaps_of(const std::vector<std::size_t>& indices, const KeyedPoi
 
 // The jumps of the gap between the points, which are all in the journal.
 results::Rows find_jumps(const Experiment& experiment, const KeyedPoints& points, results::Journal& journal,
-                         int threads, const TaskOptions& options) {
+                         const RunOptions& options) {
   if (experiment.locate_jumps.empty()) return {};
   const auto solve = [&](const Experiment& between, const std::vector<std::size_t>& indices) {
     const std::set<std::size_t> ascending(indices.begin(), indices.end());
     const KeyedPoints added(between, {ascending.begin(), ascending.end()});
-    const auto missing = missing_points(between, added, journal, options.force);
+    const auto missing = missing_points(added, journal, options.force);
     Progress progress(between.name, missing.size(), options.quiet);
-    fill_journal(between, added, missing, threads, journal, progress);
+    fill_journal(between, added, missing, options.threads, journal, progress);
     progress.finish();
     return gaps_of(indices, added, journal);
   };
@@ -134,79 +105,114 @@ results::Rows find_jumps(const Experiment& experiment, const KeyedPoints& points
 }
 
 // Writes the result file from the journal, in the order of the points.
-Summary write_result(const Task& task, const KeyedPoints& points, const results::Rows& jumps,
-                     const results::Journal& journal, std::map<std::string, std::string> entries,
-                     Progress& progress) {
-  progress.stage("writing " + task.path);
-  const results::RecordFormat format(task.experiment);
-  Summary summary(task.experiment, task.path);
-  std::set<std::string> commits;
-  results::ResultWriter writer(task.experiment, task.path, task.shard);
+Summary write_result(const Experiment& experiment, const std::string& path, const KeyedPoints& points,
+                     const results::Rows& jumps, const results::Journal& journal,
+                     std::map<std::string, std::string> entries, Progress& progress) {
+  progress.stage("writing " + path);
+  const results::PointLayout layout(experiment);
+  Summary summary(experiment, path);
+  std::set<std::string> commits, hosts;
+  results::ResultWriter writer(experiment, path);
   for (const std::size_t i : points.points()) {
     const results::JournalLine line = journal.read(points.key(i));
-    if (!results::fits(line.record, format))
+    if (!results::fits(line.record, layout))
       throw RunError(fmt::format(
           "{}: its variables differ from those of this program; --force computes all points again",
           journal.path()));
     writer.write(i, line.record);
     summary.add(line.record, i);
     commits.insert(line.commit);
+    hosts.insert(line.host);
   }
-  if (!jumps.empty()) writer.write_jumps(task.experiment.locate_jumps, jumps);
+  if (!jumps.empty()) writer.write_jumps(experiment.locate_jumps, jumps);
   entries["points_commits"] = fmt::format("{}", fmt::join(commits, ", "));
+  entries["points_hosts"] = fmt::format("{}", fmt::join(hosts, ", "));
   entries["finished"] = utc_now();
   writer.close(entries);
-  if (!task.shard && !task.experiment.checks.empty()) progress.stage("evaluating the checks");
-  if (!task.shard) add_checks(writer.partial());
+  if (!experiment.checks.empty()) progress.stage("evaluating the checks");
+  add_checks(writer.partial());
   writer.publish();
   progress.finish();
   return summary;
 }
 
-void compute(const Task& task, int threads, const TaskOptions& options) {
+// The same, with the jumps between the points. The journals of shards, whose points are now all in the
+// journal of the result, are removed.
+Summary finish(const Experiment& experiment, const RunOptions& options, const KeyedPoints& points,
+               results::Journal& journal, const std::map<std::string, std::string>& entries,
+               Progress& progress) {
+  const results::Rows jumps = find_jumps(experiment, points, journal, options);
+  try {
+    Summary summary = write_result(experiment, options.output, points, jumps, journal, entries, progress);
+    for (const auto& [shard, path] : shard_journals(options.output)) journal.remove_copied(path);
+    return summary;
+  } catch (const RunError& e) {
+    progress.finish();
+    throw RunError(fmt::format("{}; all points are saved in {}: the same command writes the result", e.what(),
+                               journal.path()));
+  }
+}
+
+// What the shard's journal has.
+Summary summary_of(const Experiment& experiment, const KeyedPoints& points, const results::Journal& journal) {
+  Summary summary(experiment, journal.path());
+  for (const std::size_t i : points.points()) summary.add(journal.read(points.key(i)).record, i);
+  return summary;
+}
+
+// What remains to be done after a shard.
+void print_rest(const Experiment& experiment, const RunOptions& options) {
+  const KeyedPoints all(experiment, shard_points({}, experiment.points()));
+  if (const std::size_t missing = all.missing_beside(options.output).size(); missing > 0)
+    fmt::print("{} of {} points of {} are not yet in the journals of this folder\n", missing,
+               experiment.points(), experiment.name);
+  else
+    fmt::print("all {} points of {} are in the journals of this folder; to write {}:\n  {}\n",
+               experiment.points(), experiment.name, options.output,
+               command_with(options.command_line, "--complete"));
+}
+
+void compute(const Experiment& experiment, const RunOptions& options) {
   install_signal_handlers();
-  auto entries = provenance(options.command_line, threads);
+  auto entries = provenance(options.command_line, options.threads);
   entries["started"] = utc_now();
-  results::Journal journal(task.path, kCommit, options.force);
-  const KeyedPoints points(task);
-  const std::vector<std::size_t> missing = missing_points(task.experiment, points, journal, options.force);
+  const KeyedPoints points(experiment, shard_points(options.shard, experiment.points()));
+  const auto require_points = [&](const std::vector<std::size_t>& missing) {
+    if (options.complete) require_complete(experiment, missing, options.output, options.command_line);
+  };
+  if (options.complete) require_points(points.missing_beside(options.output));
+  results::Journal journal(journal_path(options.output, options.shard), kCommit, options.force);
+  const std::vector<std::size_t> missing = missing_points(points, journal, options.force);
+  require_points(missing);
   const std::size_t all = points.points().size(), found = all - missing.size();
   entries["points_computed"] = fmt::format("{} of {}", missing.size(), all);
-  Progress progress(task.experiment.name, missing.size(), options.quiet);
-  fill_journal(task.experiment, points, missing, threads, journal, progress);
-  results::Rows jumps;
-  if (!task.shard) jumps = find_jumps(task.experiment, points, journal, threads, options);
-  const Summary summary = [&] {
-    try {
-      return write_result(task, points, jumps, journal, entries, progress);
-    } catch (const RunError& e) {
-      progress.finish();
-      throw RunError(fmt::format("{}; all points are saved in {}: the same command writes the result",
-                                 e.what(), journal.path()));
-    }
-  }();
+  Progress progress(experiment.name, missing.size(), options.quiet);
+  fill_journal(experiment, points, missing, options.threads, journal, progress);
+  const Summary summary = options.shard ? summary_of(experiment, points, journal)
+                                        : finish(experiment, options, points, journal, entries, progress);
+  progress.finish();
   summary.report_failures();
   if (options.quiet) return;
-  fmt::print("{}: points: {}{}\n", task.path, all > 0 ? summary.text() : "none in this shard",
+  fmt::print("{}: points: {}{}\n", options.shard ? journal.path() : options.output,
+             all > 0 ? summary.text() : "none in this shard",
              found > 0 ? fmt::format("; {} computed before", found) : std::string());
   summary.report_points_without_values();
+  if (options.shard) print_rest(experiment, options);
 }
 
 }  // namespace
 
-std::vector<std::size_t> Task::points() const {
-  return results::shard_points(shard.value_or(results::Shard{1, 1}), experiment.points());
-}
-
-void run_task(const Task& task, const TaskOptions& options) {
-  require_replaceable(task.path, results::replaceable_by(task.shard));
-  if (!options.force && up_to_date(task.path, task.experiment, task.shard)) {
-    refresh_description(task);
+void run_experiment(const Experiment& experiment, const RunOptions& options) {
+  require_replaceable(options.output, results::result_file());
+  if (!options.force && results::up_to_date(options.output, experiment)) {
+    if (!options.shard) refresh_description(experiment, options.output);
     if (!options.quiet)
-      fmt::print("{} is up to date: nothing to compute (--force computes it again)\n", task.path);
+      fmt::print("{} is up to date: nothing to compute (--force computes it again)\n", options.output);
     return;
   }
-  compute(task, options.threads > 0 ? options.threads : all_cores(), options);
+  RunOptions with_threads = options;
+  if (options.threads == 0) with_threads.threads = all_cores();
+  compute(experiment, with_threads);
 }
 
 }  // namespace bristle::run

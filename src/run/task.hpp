@@ -1,32 +1,26 @@
 #pragma once
 
 #include "experiment/experiment.hpp"
-#include "results/part.hpp"
+#include "run/shard.hpp"
 
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace bristle::run {
 
-// Input and output of a run.
-struct Task {
-  const Experiment& experiment;
-  std::optional<results::Shard> shard;  // none: all points
-  std::string path;                     // of the result file; the journal is in the same folder
-
-  std::vector<std::size_t> points() const;  // of the shard
-};
-
-struct TaskOptions {
-  int threads = 0;  // 0: all cores
+struct RunOptions {
+  std::string output;            // the result file; journals are in the same folder
+  std::optional<Shard> shard{};  // compute these points into a journal of their own, and write no result
+  bool complete = false;         // write the result of points that are in journals; throw if one is missing
+  int threads = 0;               // 0: all cores
   bool force = false, quiet = false;
-  std::string command_line;  // stored in the provenance
+  std::string command_line{};  // stored in the provenance
 };
 
-// Brings the result file up to date with the experiment. Points that are in its journal, or in another
-// journal in its folder, are not computed again. Prints the number of points with each status unless quiet.
-// Throws RunError if interrupted or if the disk is full; the computed points are then in the journal.
-void run_task(const Task& task, const TaskOptions& options);
+// Brings the result file up to date with the experiment, or computes a shard of its points. Points that are
+// in its journal, or in another journal in its folder, are not computed again. Prints the number of points
+// with each status unless quiet. Throws RunError if interrupted or if the disk is full; the computed points
+// are then in the journal.
+void run_experiment(const Experiment& experiment, const RunOptions& options);
 
 }  // namespace bristle::run

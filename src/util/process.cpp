@@ -17,6 +17,13 @@
 #include <unistd.h>
 
 namespace bristle {
+
+std::string host_name() {
+  char name[256] = "";
+  gethostname(name, sizeof name - 1);
+  return name;
+}
+
 namespace {
 
 constexpr std::size_t kMaxText = std::size_t(64) << 20;  // bytes

@@ -14,6 +14,9 @@ struct ProcessResult {
 // Runs a shell command line. Throws RunError if it cannot be started.
 ProcessResult run_process(const std::string& command);
 
+// The name of this machine.
+std::string host_name();
+
 struct Limits {
   long seconds;        // of processor time
   std::size_t memory;  // bytes, beyond those of this process

@@ -1,6 +1,6 @@
 #!/bin/bash
 # scripts/slurm with a Slurm cluster of one node: tasks fail and are cancelled, the same command computes the rest, and the
-# merge equals the whole result. usage: slurm_test.sh BRISTLE, from the repository's root. Exit code 77 (skipped) if a
+# result equals that of one run. usage: slurm_test.sh BRISTLE, from the repository's root. Exit code 77 (skipped) if a
 # cluster cannot be started.
 set -u
 bristle=$1
@@ -43,8 +43,8 @@ fi
 options=(--set '/sweep/k_r={"values":[2,5,10,20],"logspace":null}' --set '/sweep/k_theta={"values":[0.3,3],"logspace":null}'
   --set /checks=null
   --set /integrator/engine=reference --set '/orientation={"rtol":0.1}')
-whole=$folder/whole/fig4.h5 merged=$folder/parts/fig4.h5
-submit() { BRISTLE=$bristle scripts/slurm/array.sh -o "$merged" experiments/fig4.json "3%3" --cpus-per-task=1 -- "${options[@]}"; }
+whole=$folder/whole/fig4.h5 result=$folder/shards/fig4.h5
+submit() { BRISTLE=$bristle scripts/slurm/array.sh -o "$result" experiments/fig4.json "3%3" --cpus-per-task=1 -- "${options[@]}"; }
 digest() { "$bristle" info "$1" | grep -o '^payload sha256 [0-9a-f]*'; }
 holds() { grep -qF -- "$2" "$1" || { fail "$1 does not contain: $2; it contains:"; cat "$1"; }; }
 
@@ -56,33 +56,32 @@ for mistake in "experiments/fig4.json 0" "experiments/fig4.json three" "nowhere.
 done
 no_jobs || fail "a mistake was submitted"
 
-# Of three tasks, one is cancelled while it computes and one cannot write its output.
-mkdir -p "$folder/parts/fig4.3-of-3.h5"
+# Of three tasks, one is cancelled while it computes and one cannot write its journal.
+mkdir -p "$result.3-of-3.journal"
 submit >"$folder/log" 2>&1 || { fail "submission"; cat "$folder/log"; exit; }
 tasks=$(sed -n 's/^job \([0-9]*\): 3 shards.*/\1/p' "$folder/log")
-merge=$(sed -n 's/^job \([0-9]*\): merges.*/\1/p' "$folder/log")
-within 120 test -s "$folder/parts/fig4.2-of-3.h5.journal" || fail "the second task finishes no point"
+last=$(sed -n 's/^job \([0-9]*\): completes.*/\1/p' "$folder/log")
+within 120 test -s "$result.2-of-3.journal" || fail "the second task finishes no point"
 scancel "${tasks}_2"
 within 240 no_jobs || { fail "jobs do not end"; squeue; }
-[ -f "$folder/parts/fig4.1-of-3.h5" ] || fail "the first task made no part"
-holds "$folder/parts/fig4.2-of-3.log" "interrupted"
-holds "$folder/parts/fig4.3-of-3.log" "is a folder"
-scontrol show job "$merge" | grep -q 'JobState=CANCELLED' || fail "the merge was not cancelled"
-[ ! -e "$merged" ] || fail "there is a result although parts are missing"
-"$bristle" merge -o "$merged" "$folder"/parts/fig4.1-of-3.h5 >"$folder/log" 2>&1
-[ $? = 2 ] || fail "exit code of a merge without all parts"
-holds "$folder/log" "10 of 16 points are missing: 1 (azimuth_rate = kinematic, k_r = 2, k_theta = 3)"
+holds "$folder/shards/fig4.1-of-3.log" "9 of 16 points of fig4 are not yet in the journals"
+holds "$folder/shards/fig4.2-of-3.log" "interrupted"
+holds "$folder/shards/fig4.3-of-3.log" "is a folder"
+scontrol show job "$last" | grep -q 'JobState=CANCELLED' || fail "the last job was not cancelled"
+[ ! -e "$result" ] || fail "there is a result although points are missing"
+"$bristle" run experiments/fig4.json "${options[@]}" --complete -o "$result" >"$folder/log" 2>&1
+[ $? = 2 ] || fail "exit code of a completion without all shards"
+holds "$folder/log" "of 16 points are missing"
 holds "$folder/log" "--shard 2/3"
 
 # The same command computes what the tasks left: nothing, some points, all points.
-rmdir "$folder/parts/fig4.3-of-3.h5"
-before=$(stat -c %Y.%i "$folder/parts/fig4.1-of-3.h5")
+rmdir "$result.3-of-3.journal"
 submit >"$folder/log" 2>&1 || { fail "second submission"; cat "$folder/log"; exit; }
 "$bristle" run experiments/fig4.json "${options[@]}" -o "$whole" --quiet || fail "the run of the whole"
 within 240 no_jobs || { fail "jobs do not end"; squeue; }
-[ "$before" = "$(stat -c %Y.%i "$folder/parts/fig4.1-of-3.h5")" ] || fail "a finished part was written again"
-holds "$folder/parts/fig4.1-of-3.log" "is up to date"
-holds "$folder/parts/fig4.2-of-3.log" "computed before"
-[ -f "$merged" ] || { fail "no result"; cat "$folder"/parts/*.log; exit; }
-[ "$(digest "$merged")" = "$(digest "$whole")" ] || fail "the merge's numbers are not those of the whole"
-"$bristle" diff "$merged" "$whole" || fail "the merge differs from the whole"
+holds "$folder/shards/fig4.1-of-3.log" "6 computed before"
+holds "$folder/shards/fig4.2-of-3.log" "computed before"
+[ -f "$result" ] || { fail "no result"; cat "$folder"/shards/*.log; exit; }
+[ "$(digest "$result")" = "$(digest "$whole")" ] || fail "the numbers are not those of one run"
+"$bristle" diff "$result" "$whole" || fail "the result differs from that of one run"
+[ -z "$(ls "$result".*-of-3.journal 2>/dev/null)" ] || fail "journals of the shards are left"

@@ -92,6 +92,5 @@ def check(path):
 if len(sys.argv) > 3:
     check(sys.argv[3])
 else:
-    check(computed("part.h5", "fig4.json", "--tier", "smoke", "--shard", "1/8"))
     check(computed("recorded.h5", "fig2.json", "--tier", "smoke",
                    "--set", '/record=["observables","bristles","trajectories"]'))

@@ -52,11 +52,11 @@ def prepare_run(folder):
     return ["run", paper, *SMALL, "-o", "r.h5"]
 
 
-def prepare_merge(folder):
+def prepare_complete(folder):
     prepare_run(folder)
     for part in ("1", "2"):
-        expect(["run", paper, *SMALL, "--shard", f"{part}/2", "-o", f"p{part}.h5"], folder)
-    return ["merge", "-o", "r.h5", "p1.h5", "p2.h5"]
+        expect(["run", paper, *SMALL, "--shard", f"{part}/2", "-o", "r.h5"], folder)
+    return ["run", paper, *SMALL, "--complete", "-o", "r.h5"]
 
 
 def attempt(name, command, start, call, at, error):
@@ -87,7 +87,7 @@ with tempfile.TemporaryDirectory() as name:
     subprocess.run(["cc", "-shared", "-fPIC", "-O1", "-o", library, here / "failing_calls.c", "-ldl"], check=True)
     paper = str((here / "../../experiments/paper.json").resolve())
     digests, jobs, outcomes, failures = {}, [], collections.Counter(), []
-    for name, prepare in (("run", prepare_run), ("merge", prepare_merge)):
+    for name, prepare in (("run", prepare_run), ("complete", prepare_complete)):
         start = scratch / name
         start.mkdir()
         command = prepare(start)

@@ -6,7 +6,7 @@
 #include "util/error.hpp"
 #include "util/process.hpp"
 #include "util/sanitizer.hpp"
-#include "parts.hpp"
+#include "small_result.hpp"
 
 #include <random>
 
@@ -48,10 +48,8 @@ TEST_CASE("every reader refuses a file with cycles, links or sizes that have no 
     const std::string path = small_result(s, "r.h5");
     change(h5::open_file(path, true));
     CHECK_FALSE(up_to_date(path, small_experiment(s)));
-    for (const Expected expected : {Expected::whole, Expected::part, Expected::either}) {
-      CHECK_THROWS_AS(ResultReader(path, expected), InputError);
-      CHECK_THROWS_WITH(ResultReader(path, expected), Contains("r.h5: damaged, or not written by bristle: "));
-    }
+    CHECK_THROWS_AS(ResultReader(path), InputError);
+    CHECK_THROWS_WITH(ResultReader(path), Contains("r.h5: damaged, or not written by bristle: "));
     CHECK_THROWS_AS(info_command({path}), InputError);
   };
   refused([](hid_t file) {
@@ -170,29 +168,6 @@ TEST_CASE("malformed: a dataset with more or fewer dimensions than the sweep") {
     replace_dataset(path, "R_x", shape);
     CHECK_THROWS_AS(read_record(ResultReader(path).file(), e, 5), RunError);
   }
-}
-
-TEST_CASE("malformed: a part with invalid or unsorted indices of points") {
-  const Scratch s;
-  const Experiment e = sharded(s);
-  for (const double wrong : {-1.0, 0.5, 1e300, kNone, 4.0}) {
-    const std::string path = write_part(s, e, {1, 2});  // 0, 2, 4
-    remove_dataset(path, "part/points");
-    add_dataset(path, "part/points", {3});
-    const double points[] = {0, wrong, 4};
-    for (hsize_t i = 0; i < 3; ++i) put(path, "part/points", {i}, points[i]);
-    CHECK_THROWS_WITH(ResultReader(path, Expected::part).part_points(), Contains("part/points"));
-  }
-  const std::string path = write_part(s, e, {1, 2});
-  replace_dataset(path, "part/points", {});
-  CHECK_THROWS_AS(ResultReader(path, Expected::part).part_points(), RunError);
-}
-
-TEST_CASE("malformed: info of a part with indices beyond the sweep") {
-  const Scratch s;
-  const std::string path = write_part(s, sharded(s), {1, 2});
-  put(path, "part/points", {2}, 1000);
-  CHECK_THROWS_WITH(info_command({path}), Contains("are inconsistent"));
 }
 
 TEST_CASE("malformed: a result with an invalid experiment or invalid checks") {

@@ -1,6 +1,6 @@
 #include "run/jumps.hpp"
 
-#include "parts.hpp"
+#include "shards.hpp"
 
 #include <cmath>
 
@@ -24,7 +24,7 @@ std::vector<run::Gap> gaps(const Experiment& e, const std::vector<std::size_t>& 
 template <class Law>
 std::pair<Rows, std::size_t> located(const Experiment& e, Law law) {
   std::size_t solved = 0;
-  Rows rows = run::locate_jumps(e, gaps(e, shard_points({1, 1}, e.points()), law),
+  Rows rows = run::locate_jumps(e, gaps(e, shard_points({}, e.points()), law),
                                 [&](const Experiment& between, const std::vector<std::size_t>& points) {
                                   solved += points.size();
                                   return gaps(between, points, law);
@@ -111,28 +111,20 @@ TEST_CASE("a point whose gap was not found is no side of a jump") {
   CHECK(solved == 0);
 }
 
-TEST_CASE("a merged result has the jumps between the points of its parts") {
+TEST_CASE("a result completed from shards has the jumps between their points") {
   const Scratch s;
   const Experiment e = sharded(s, kAlong + std::string(R"(, "orientation": {"rtol": 0.05})"),
                                R"("k_r": {"values": [16, 26]})");
-  const auto solve = [](const Experiment& x, std::size_t i) {
-    const PointInput point = x.point(i);
-    return record_of(RecordFormat(x), solve_point(point.setup, point.loading, make_runner(Engine::fast)), {});
-  };
-  std::vector<std::string> parts;
-  for (const Shard shard : {Shard{1, 2}, Shard{2, 2}}) {
-    ResultWriter writer(e, s.path(part_path("small.h5", shard)), shard);
-    for (const std::size_t i : shard_points(shard, e.points())) writer.write(i, solve(e, i));
-    writer.close(provenance_of(shard));
-    writer.publish();
-    parts.push_back(s.path(part_path("small.h5", shard)));
-  }
-  merged(s, parts);
-  const ResultReader result(s.path("merged.h5"));
+  for (const Shard shard : {Shard{1, 2}, Shard{2, 2}})
+    run_experiment(e, {.output = s.path("small/r.h5"), .shard = shard, .threads = 1, .quiet = true});
+  const std::string digest = completed(s, e);
+  const ResultReader result(s.path("small/r.h5"));
   const auto before = result.variable("jumps/before").values, after = result.variable("jumps/after").values;
   REQUIRE(!before.empty());
   CHECK(h5::read_text_attribute(h5::open_group(result.file(), "jumps"), "along") == "k_r");
   for (std::size_t i = 0; i < before.size(); ++i) CHECK(after[i] / before[i] < 1.021);
+  run_experiment(e, {.output = s.path("whole.h5"), .threads = 2, .quiet = true});
+  CHECK(ResultReader(s.path("whole.h5")).text("payload_sha256") == digest);
 }
 
 }  // namespace bristle::jumps_test

@@ -6,7 +6,6 @@
 #include <condition_variable>
 #include <deque>
 #include <functional>
-#include <memory>
 #include <mutex>
 #include <optional>
 
@@ -40,41 +39,28 @@ struct PassageChunk {
   PassageRequest* request;
 };
 
-// Passages that the threads of a sweep share once there are fewer points than keep all threads busy. All
-// functions may be called from several threads.
-class PassagePool {
+// The passages that the points of a sweep wait for, for all threads. All functions may be called from several
+// threads.
+class PassageQueue {
  public:
-  explicit PassagePool(int threads) : threads_(std::size_t(threads)) {}
-  std::size_t threads() const { return threads_; }
+  explicit PassageQueue(std::size_t threads) : threads_(threads) {}
 
-  // Number of passages in each chunk of a request of this size: whole sets of lanes.
-  std::size_t chunk_size(std::size_t tasks) const;
-  // Offers the passages from first on to all threads.
-  void share(const std::vector<PassageTask>& tasks, std::size_t first, PassageRequest& request);
+  // Both must live until the request is complete or no thread takes chunks any more.
+  void add(const std::vector<PassageTask>& tasks, PassageRequest& request);
   // The next chunk for a thread that has this many passages. None if it has enough, or if it has any while
   // another thread has none.
   std::optional<PassageChunk> take(std::size_t passages);
-
-  // A thread joins before it starts its first point, and leaves when it has solved its last one.
-  void join();
-  void leave();
-  // Waits until there is a chunk, a request for which done() holds, or no thread with points; or for a
-  // moment. Returns false if no thread has points.
-  bool wait(const std::function<bool()>& done);
-  // To be called when a passage completed a request.
+  // Waits until there is a chunk, or done() holds; or for a moment.
+  void wait(const std::function<bool()>& done);
+  // To be called when what done() depends on has changed: a passage completed a request, for example.
   void notify();
-  // Keeps what shared requests refer to until the end of the pool, because a thread that stops early does not
-  // wait for those that compute its passages.
-  void keep(std::shared_ptr<void> object);
 
  private:
   const std::size_t threads_;
   std::mutex mutex_;
   std::condition_variable changed_;
   std::deque<PassageChunk> chunks_;
-  std::size_t solving_ = 0;  // threads with points
   std::size_t waiting_ = 0;  // threads without passages
-  std::vector<std::shared_ptr<void>> kept_;
 };
 
 }  // namespace bristle::run

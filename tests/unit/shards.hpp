@@ -1,15 +1,17 @@
 #pragma once
 
+#include "results/journal.hpp"
 #include "results/writer.hpp"
-#include "run/merge.hpp"
+#include "run/points.hpp"
 #include "run/provenance.hpp"
+#include "run/task.hpp"
 #include "util/error.hpp"
 #include "small_result.hpp"
 
 #include "catch.hpp"
 #include <random>
 
-// Parts of sharded experiments with invented numbers.
+// Journals of shards with invented numbers.
 namespace bristle::testing {
 
 // 2 x 3 points without checks. The strings below change what the experiment records.
@@ -47,9 +49,9 @@ inline PointRecord invented_record(const Experiment& e, std::size_t index) {
   PointRecord record;
   const auto& trace = e.base.loading.trace;
   const std::size_t nodes = trace ? random() % (std::size_t(trace->nodes) + 1) : 1;
-  const RecordFormat format(e);
-  for (const auto& dataset : format.datasets) fill(record.values[dataset.name], dataset.name, nodes);
-  for (const std::string& table : format.tables) {
+  const PointLayout layout(e);
+  for (const auto& dataset : layout.datasets) fill(record.values[dataset.name], dataset.name, nodes);
+  for (const std::string& table : layout.tables) {
     const std::size_t rows = random() % 6;
     for (const std::string& column : table_columns(table))
       fill(record.tables[table].emplace_back(), column, rows);
@@ -57,48 +59,35 @@ inline PointRecord invented_record(const Experiment& e, std::size_t index) {
   return record;
 }
 
-using Provenance = std::map<std::string, std::string>;
-
-inline Provenance provenance_of(const Shard& shard) {
-  const std::string file = part_path("small.h5", shard);
-  return {{"version", kVersion},
-          {"commit", "0123abc"},
-          {"host", "node" + std::to_string(shard.number)},
-          {"command_line", "bristle run small.json --shard " + shard_text(shard) + " -o " + file},
-          {"started", "2026-01-0" + std::to_string(shard.number % 10)},
-          {"finished", "2026-02-01"}};
-}
-
-inline std::string write_file(const Scratch& s, const std::string& file, const Experiment& e,
-                              std::optional<Shard> shard, const Provenance& provenance) {
-  ResultWriter writer(e, s.path(file), shard);
-  for (const std::size_t i : shard_points(shard.value_or(Shard{1, 1}), e.points()))
-    writer.write(i, invented_record(e, i));
-  writer.close(provenance);
+// Writes a result with invented numbers at once. Returns its payload digest.
+inline std::string whole_digest(const Scratch& s, const Experiment& e) {
+  ResultWriter writer(e, s.path("whole.h5"));
+  for (std::size_t i = 0; i < e.points(); ++i) writer.write(i, invented_record(e, i));
+  writer.close({});
   writer.publish();
-  return s.path(file);
+  return ResultReader(s.path("whole.h5")).text("payload_sha256");
 }
 
-inline std::string write_part(const Scratch& s, const Experiment& e, const Shard& shard) {
-  return write_file(s, part_path("small.h5", shard), e, shard, provenance_of(shard));
+// The journal of a shard of the result small/r.h5, with invented numbers. Returns its path.
+inline std::string write_shard(const Scratch& s, const Experiment& e, const Shard& shard,
+                               const std::string& commit = kCommit) {
+  const std::string path = journal_path(s.path("small/r.h5"), shard);
+  Journal journal(path, commit, false);
+  for (const std::size_t i : shard_points(shard, e.points()))
+    journal.append(point_key(e, i), invented_record(e, i));
+  return path;
 }
 
-inline std::vector<std::string> write_parts(const Scratch& s, const Experiment& e, std::size_t count) {
-  std::vector<std::string> paths;
-  for (std::size_t i = 1; i <= count; ++i) paths.push_back(write_part(s, e, {i, count}));
-  return paths;
+inline void write_shards(const Scratch& s, const Experiment& e, std::size_t count) {
+  for (std::size_t i = 1; i <= count; ++i) write_shard(s, e, {i, count});
 }
 
-inline std::string digest(const std::string& path) {
-  const ResultReader result(path);
-  CHECK(payload_sha256(result.file()) == result.text("payload_sha256"));
+// Completes small/r.h5 from the journals beside it. Returns its payload digest.
+inline std::string completed(const Scratch& s, const Experiment& e) {
+  run_experiment(e, {.output = s.path("small/r.h5"), .complete = true, .threads = 1, .quiet = true});
+  const ResultReader result(s.path("small/r.h5"));
+  CHECK(result.damage().empty());
   return result.text("payload_sha256");
-}
-
-inline std::string merged(const Scratch& s, const std::vector<std::string>& paths) {
-  PartSet parts(paths);
-  merge_parts(parts, s.path("merged.h5"), "bristle merge", [] { return false; });
-  return digest(s.path("merged.h5"));
 }
 
 }  // namespace bristle::testing

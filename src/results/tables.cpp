@@ -1,13 +1,19 @@
-#include "results/recorded_tables.hpp"
+#include "results/tables.hpp"
 
 #include "results/variables.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <algorithm>
 #include <map>
+#include <numeric>
 
 namespace bristle::results {
 namespace {
 
-// A column and the function that gives its value for a record.
+constexpr std::size_t kBlock = 16384;  // values
+
+// A column and its value for a record.
 template <class Record>
 struct Field {
   Column column;
@@ -125,12 +131,86 @@ const Layout& layout_of(const std::string& table) {
 
 }  // namespace
 
-Table create_table(hid_t file, const std::string& table) {
-  const Layout& layout = layout_of(table);
-  std::vector<Column> all{
+void describe(hid_t dataset, const Column& column) {
+  h5::write_attribute(dataset, "long_name", column.long_name);
+  h5::write_attribute(dataset, "units", column.units);
+  h5::write_attribute(dataset, "symbol", column.symbol);
+  h5::write_attribute(dataset, "equation", column.equation);
+  if (!column.ancillary.empty()) h5::write_attribute(dataset, "ancillary_variables", column.ancillary);
+  for (const auto& [name, value] : column.constants) h5::write_attribute(dataset, name, value);
+  if (column.flags.empty()) return;
+  std::vector<signed char> values(column.flags.size());
+  std::iota(values.begin(), values.end(), static_cast<signed char>(0));
+  h5::write_attribute(dataset, "flag_values", values);
+  h5::write_attribute(dataset, "flag_meanings", fmt::format("{}", fmt::join(column.flags, " ")));
+}
+
+h5::Handle create_column(hid_t parent, const Column& column, const h5::Shape& shape) {
+  h5::Handle dataset = h5::create_dataset(parent, column.name, column.type, shape);
+  describe(dataset, column);
+  return dataset;
+}
+
+BlockWriter::BlockWriter(h5::Handle dataset, const h5::Shape& shape)
+    : dataset_(std::move(dataset)), shape_(shape.begin(), shape.end()) {}
+
+void BlockWriter::append(const std::vector<double>& values) {
+  if (values_.size() + values.size() > kBlock) flush();
+  values_.insert(values_.end(), values.begin(), values.end());
+}
+
+void BlockWriter::flush() {
+  for (std::size_t done = 0; done < values_.size();) {
+    const std::size_t left = values_.size() - done;
+    const h5::Shape start = h5::position(shape_, first_ + done);
+    // The largest part of the dataset that begins here and whose values follow one another.
+    h5::Shape count(start.size(), 1);
+    std::size_t size = 1;
+    for (std::size_t d = shape_.size(); d-- > 0;) {
+      count[d] = std::min(shape_[d] - std::size_t(start[d]), left / size);
+      size *= std::size_t(count[d]);
+      if (count[d] < shape_[d]) break;
+    }
+    h5::write_part(dataset_, H5T_NATIVE_DOUBLE, start, count, values_.data() + done);
+    done += size;
+  }
+  first_ += values_.size();
+  values_.clear();
+}
+
+Table::Table(hid_t file, const std::string& name) : name_(name), group_(h5::create_group(file, name)) {
+  const h5::Shape open{H5S_UNLIMITED};
+  const Layout& layout = layout_of(name);
+  h5::Handle rows = create_column(group_, {layout.row, "row number", "", "", H5T_NATIVE_LONG}, open);
+  h5::make_scale(rows, layout.row);
+  std::vector<Column> columns{
       {"point", "index of the sweep point, the last axis fastest", "", "", H5T_NATIVE_LONG}};
-  all.insert(all.end(), layout.columns.begin(), layout.columns.end());
-  return {file, table, layout.row, all};
+  columns.insert(columns.end(), layout.columns.begin(), layout.columns.end());
+  const bool has_status = std::ranges::find(columns, "status", &Column::name) != columns.end();
+  for (Column& column : columns) {
+    if (has_status && column.flags.empty()) column.ancillary = "status";
+    h5::Handle dataset = create_column(group_, column, open);
+    h5::attach_scale(dataset, rows, 0);
+    columns_.emplace_back(std::move(dataset), open);
+  }
+  columns_.emplace(columns_.begin(), std::move(rows), open);
+}
+
+void Table::append(const Rows& rows) {
+  std::vector<double> numbers(rows.front().size());
+  std::iota(numbers.begin(), numbers.end(), double(length_));
+  columns_[0].append(numbers);
+  for (std::size_t i = 0; i < rows.size(); ++i) columns_[i + 1].append(rows[i]);
+  length_ += numbers.size();
+}
+
+void Table::flush() {
+  for (BlockWriter& column : columns_) column.flush();
+}
+
+void Table::close() {
+  for (BlockWriter& column : columns_) column.close("closing a column of /" + name_);
+  group_.close("closing /" + name_);
 }
 
 std::vector<std::string> table_columns(const std::string& table) {

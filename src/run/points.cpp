@@ -1,0 +1,118 @@
+#include "run/points.hpp"
+
+#include "run/provenance.hpp"
+#include "run/shard.hpp"
+#include "util/error.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <algorithm>
+#include <regex>
+#include <set>
+#include <unordered_set>
+
+namespace bristle::run {
+namespace {
+
+constexpr std::size_t kMaxNamed = 10;  // points and shards named in a message
+
+// "1/3, 2/3 and 7 more"
+std::string list_of(const std::vector<std::string>& names) {
+  const auto end = names.begin() + long(std::min(names.size(), kMaxNamed));
+  const std::string more = end == names.end() ? "" : fmt::format(" and {} more", names.end() - end);
+  return fmt::format("{}{}", fmt::join(names.begin(), end, ", "), more);
+}
+
+// The shards to which the missing points belong, and the command of the first of them. Journals beside the
+// result tell how many shards there are.
+std::string where_missing(const std::vector<std::size_t>& missing, std::size_t shards,
+                          const std::string& command_line) {
+  std::set<std::size_t> numbers;
+  for (const std::size_t i : missing) numbers.insert(i % shards + 1);
+  std::vector<std::string> names;
+  for (const std::size_t n : numbers) names.push_back(shard_text({n, shards}));
+  return fmt::format("They belong to the shards {}. To compute {}:\n  {}", list_of(names),
+                     names.size() > 1 ? "the first shard (the others likewise)" : "it",
+                     command_with(command_line, "--shard " + names.front()));
+}
+
+// A sentence about each journal of a shard that has points, but none of the experiment.
+std::string foreign_journals(const KeyedPoints& all, const std::string& result) {
+  std::unordered_set<std::string> keys;
+  for (const std::size_t i : all.points()) keys.insert(all.key(i));
+  std::string out;
+  for (const auto& [shard, path] : shard_journals(result)) {
+    std::size_t points = 0, own = 0;
+    // "unknown": also those of programs with uncommitted changes, which this one may not use.
+    results::read_journal(path, "unknown", [&](results::JournalLine&& line) {
+      ++points;
+      own += keys.contains(line.key) && (results::is_dirty(kCommit) || !results::is_dirty(line.commit));
+    });
+    if (points > 0 && own == 0)
+      out += fmt::format(
+          "{} has {} points, none of which can be used: they are of another experiment (other options, for "
+          "example) or numerics version, or were computed by a program with uncommitted changes.\n",
+          path, points);
+  }
+  return out;
+}
+
+}  // namespace
+
+KeyedPoints::KeyedPoints(const Experiment& experiment, std::vector<std::size_t> points)
+    : experiment_(experiment), points_(std::move(points)) {
+  for (const std::size_t i : points_) keys_.push_back(results::point_key(experiment, i));
+}
+
+const std::string& KeyedPoints::key(std::size_t point) const {
+  return keys_[std::size_t(std::ranges::lower_bound(points_, point) - points_.begin())];
+}
+
+std::vector<std::size_t> KeyedPoints::missing_in(const results::Journal& journal) const {
+  std::vector<std::size_t> missing;
+  for (std::size_t k = 0; k < points_.size(); ++k)
+    if (!journal.has(keys_[k])) missing.push_back(points_[k]);
+  return missing;
+}
+
+std::vector<std::size_t> KeyedPoints::missing_beside(const std::string& result) const {
+  std::unordered_set<std::string> found;
+  for (const std::string& path : results::journals_beside(result))
+    results::read_journal(path, kCommit, [&](results::JournalLine&& line) { found.insert(line.key); });
+  std::vector<std::size_t> missing;
+  for (std::size_t k = 0; k < points_.size(); ++k)
+    if (!found.contains(keys_[k])) missing.push_back(points_[k]);
+  return missing;
+}
+
+void KeyedPoints::adopt_into(results::Journal& journal) const {
+  std::map<std::string, std::string> places;
+  for (std::size_t k = 0; k < points_.size(); ++k) places[keys_[k]] = experiment_.place(points_[k]);
+  const results::PointLayout layout(experiment_);
+  for (const std::string& other : results::journals_beside(journal.path()))
+    if (other != journal.path()) journal.adopt(other, layout, places);
+}
+
+void require_complete(const Experiment& experiment, const std::vector<std::size_t>& missing,
+                      const std::string& result, const std::string& command_line) {
+  if (missing.empty()) return;
+  std::vector<std::string> points;
+  for (const std::size_t i : missing) points.push_back(fmt::format("{} ({})", i, experiment.place(i)));
+  const auto shards = shard_journals(result);
+  throw InputError(
+      fmt::format("{}: {} of {} points are missing in the journals of its folder: {}.\n{}{}", result,
+                  missing.size(), experiment.points(), list_of(points),
+                  foreign_journals(KeyedPoints(experiment, shard_points({}, experiment.points())), result),
+                  shards.empty() ? fmt::format("To compute them:\n  {}", command_with(command_line, ""))
+                                 : where_missing(missing, shards.back().first.count, command_line)));
+}
+
+std::string command_with(const std::string& command_line, const std::string& option) {
+  if (command_line.empty()) return "bristle run EXPERIMENT.json " + option;
+  static const std::regex old(" (--complete|--shard[ =]\\d+/\\d+)(?= |$)"), merge(" merge(?= )");
+  const std::string run =
+      std::regex_replace(command_line, merge, " run", std::regex_constants::format_first_only);
+  return std::regex_replace(run, old, "") + (option.empty() ? "" : " " + option);
+}
+
+}  // namespace bristle::run
