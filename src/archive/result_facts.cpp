@@ -89,8 +89,12 @@ Json checked_matrix_facts(const std::string& bytes) {
             fmt::format("not a matrix of the schema {}", assumptions::kMatrixSchema));
     for (const char* key : {"numerics_version", "inputs_sha256", "payload_sha256"})
       require(matrix.contains(key), fmt::format("lacks {}: it was written by an earlier version", key));
-    require(matrix["payload_sha256"] == assumptions::matrix_payload_sha256(matrix),
-            "payload_sha256 DOES NOT MATCH the content");
+    try {
+      require(matrix["payload_sha256"] == assumptions::matrix_payload_sha256(matrix),
+              "payload_sha256 DOES NOT MATCH the content");
+    } catch (const Json::exception& e) {
+      throw MalformedError(fmt::format("not a matrix: {}", json_error(e.what())));
+    }
     Json out;
     for (const char* key : {"numerics_version", "inputs_sha256", "payload_sha256", "tier", "only", "program"})
       out[key] = matrix.value(key, Json());

@@ -42,7 +42,8 @@ FileKind replaceable_by_matrix();
 // The document that `bristle assumptions` writes (docs/experiments.md). NaN is null.
 Json matrix_json(const Matrix& matrix);
 
-// SHA-256 of the checks, alternatives, cells and conclusions of such a document; empty if it has none.
+// SHA-256 of the checks, alternatives, cells and conclusions of such a document. Throws Json::exception if it
+// is none.
 std::string matrix_payload_sha256(const Json& document);
 
 }  // namespace bristle::assumptions

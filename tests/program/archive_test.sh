@@ -30,7 +30,7 @@ touch figures/quick.{pdf,png}
 expect 2 "assumptions.json: no such file; \`make assumptions\` computes it" "$bristle" archive --allow-dirty
 expect 0 "1 checks under 1 alternatives" "$bristle" assumptions --tier full -q
 expect 0 "results/assumptions.json: up to date" "$bristle" assumptions --tier full -q
-for change in 's/"verdict": "supported"/"verdict": "refuted"/' 's/"inputs_sha256": "[^"]*"/"inputs_sha256": 7/'; do
+for change in 's/"under":\[\["[a-z]*"/"under":[["changed"/' 's/"inputs_sha256": "[^"]*"/"inputs_sha256": 7/'; do
   sed -i "$change" results/assumptions.json
   expect 0 "1 checks under 1 alternatives" "$bristle" assumptions --tier full -q
 done

@@ -148,6 +148,11 @@ TEST_CASE("studies, matrices and the report are archived, and refused with the c
              Contains(matrix + ": lacks inputs_sha256: it was written by an earlier version"));
   CHECK_THAT(refused_with([](Json& m) { m["cells"][0]["under"][0][1] = "refuted"; }),
              Contains(matrix + ": payload_sha256 DOES NOT MATCH the content"));
+  CHECK_THAT(refused_with([](Json& m) {
+               m.erase("cells");
+               m["payload_sha256"] = "";
+             }),
+             Contains(matrix + ": not a matrix: "));
   CHECK_THAT(refused_with([](Json& m) { m["tier"] = 7; }),
              Contains(matrix + ": ") && Contains("must be string"));
   CHECK_THAT(refused_with([](Json& m) { m["numerics_version"] = 1; }),
