@@ -1,7 +1,7 @@
 #include "shards.hpp"
 
 #include "catch.hpp"
-#include <rapidcheck/catch.h>
+#include "generators.hpp"
 
 namespace bristle::shards_test {
 using namespace testing;
