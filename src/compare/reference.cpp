@@ -64,14 +64,11 @@ std::vector<double> errors_of(const results::ResultReader& result, const std::st
   return errors;
 }
 
-// Rounded down to two digits.
+// Rounded down to two digits, by its text: "1.2" and "e-05" of 1.2345e-05.
 double rounded_down(double x) {
   if (!(x > 0)) return 0;
-  const int exponent = int(std::floor(std::log10(x))) - 1;
-  double out = INFINITY;
-  for (int digits = int(x / std::pow(10, exponent)) + 1; out > x; --digits)
-    out = std::stod(fmt::format("{}e{}", digits, exponent));
-  return out;
+  const std::string text = fmt::format("{:.17e}", x);
+  return std::stod(text.substr(0, 3) + text.substr(text.find('e')));
 }
 
 // The estimated error twice, because both runs may be off by it, and an allowance for the integrator. The
