@@ -25,7 +25,7 @@ std::optional<std::size_t> whole_number(const std::string& text) {
 Shard parse_shard(const std::string& text) {
   const auto slash = text.find('/');
   const auto number = whole_number(text.substr(0, slash));
-  const auto count = slash == std::string::npos ? std::nullopt : whole_number(text.substr(slash + 1));
+  const auto count = whole_number(slash == std::string::npos ? "" : text.substr(slash + 1));
   if (!number || !count || *count == 0)
     throw InputError(fmt::format(
         "--shard {}: not a shard; give i/N, the i-th of N shards, as two positive integers such as 2/8",
