@@ -46,7 +46,7 @@ $(FIGURES) $(STUDIES): %: build
 	@test -e results/$*$(SUFFIX).h5 || echo "Computing $*, $(if $(SUFFIX),some seconds,about a minute) on two cores ..."
 	$(BUILD)/bristle run experiments/$*.json --tier $(TIER) -o results/$*$(SUFFIX).h5
 	@scripts/plot $* results/$*$(SUFFIX).h5 -o figures$(SUFFIX)
-	@echo "The paper's claims (docs/claims.md), and deviations from the reference (docs/reference.md):"
+	@echo "The paper's claims (docs/claims.md), and deviations from the reference (CONTRIBUTING.md):"
 	@$(BUILD)/bristle check --report-only results/$*$(SUFFIX).h5
 
 figures: $(FIGURES) ## make all figures

@@ -6,7 +6,7 @@
 
 namespace bristle::compare {
 
-// A reference is the JSON document of docs/reference.md: numbers, tolerances and verdicts of an experiment
+// A reference is the JSON document of CONTRIBUTING.md: numbers, tolerances and verdicts of an experiment
 // that later results are compared with (reference.schema.json).
 
 // The reference made from a result and its verdicts. Errors are omitted because they become tolerances, and

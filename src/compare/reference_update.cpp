@@ -26,7 +26,7 @@ const std::set<std::string> kMayBeMissing = {"jump_z_0", "jump_R_n", "incomplete
 constexpr const char* kLogTitle = "# Changes of the references";
 const std::string kLogStart = kLogTitle + std::string(
                                               "\n\nWritten by `bristle reference update`, oldest first. "
-                                              "docs/reference.md describes the references.\n");
+                                              "CONTRIBUTING.md describes the references.\n");
 
 void require_reason(const std::string& reason) {
   if (reason.find_first_not_of(" \t\n") == std::string::npos || reason.find('\n') != std::string::npos)
