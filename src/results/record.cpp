@@ -103,10 +103,10 @@ PointLayout::PointLayout(const Experiment& experiment) {
   if (loading.trace) nodes = std::size_t(loading.trace->nodes);
 }
 
-PointRecord record_of(const PointLayout& format, const PointResult& result, const Recorded& recorded) {
+PointRecord record_of(const PointLayout& layout, const PointResult& result, const Recorded& recorded) {
   PointRecord record;
-  for (const auto& dataset : format.datasets) add(record, dataset.name, {dataset.value(result)});
-  for (const std::string& table : format.tables) {
+  for (const auto& dataset : layout.datasets) add(record, dataset.name, {dataset.value(result)});
+  for (const std::string& table : layout.tables) {
     Rows& rows = record.tables[table];
     if (table == "bristles") rows = bristle_rows(recorded.bristles);
     if (table == "slab_force") rows = slab_force_rows(recorded.slab_force);
@@ -117,9 +117,9 @@ PointRecord record_of(const PointLayout& format, const PointResult& result, cons
   return with_unified_nan(std::move(record));
 }
 
-PointRecord record_of(const PointLayout& format, const std::vector<CurveNode>& curve) {
+PointRecord record_of(const PointLayout& layout, const std::vector<CurveNode>& curve) {
   PointRecord record;
-  for (const auto& dataset : format.datasets) {
+  for (const auto& dataset : layout.datasets) {
     std::vector<double> numbers;
     for (const CurveNode& node : curve)
       numbers.push_back(dataset.value ? dataset.value(node.result) : double(node.branch));
@@ -128,33 +128,33 @@ PointRecord record_of(const PointLayout& format, const std::vector<CurveNode>& c
   return with_unified_nan(std::move(record));
 }
 
-PointRecord failed_record(const PointLayout& format, const std::string& error) {
+PointRecord failed_record(const PointLayout& layout, const std::string& error) {
   const PointResult result = without_values(PointStatus::failed);
   PointRecord record =
-      format.nodes ? record_of(format, {{result, Branch::unstable}}) : record_of(format, result, {});
+      layout.nodes ? record_of(layout, {{result, Branch::unstable}}) : record_of(layout, result, {});
   record.failure = error;
   return record;
 }
 
 PointRecord read_record(hid_t file, const Experiment& experiment, std::size_t index) {
-  const PointLayout format(experiment);
+  const PointLayout layout(experiment);
   PointRecord record;
   h5::Shape at = h5::position(experiment.shape(), index), count(at.size(), 1);
-  if (format.nodes) {
+  if (layout.nodes) {
     at.push_back(0);
-    count.push_back(hsize_t(*format.nodes));
+    count.push_back(hsize_t(*layout.nodes));
   }
   const auto read = [&](const std::string& name) {
-    std::vector<double> out(format.nodes ? count.back() : 1);
+    std::vector<double> out(layout.nodes ? count.back() : 1);
     h5::read_part(h5::open_dataset(file, name), H5T_NATIVE_DOUBLE, at, count, out.data());
     return out;
   };
-  if (format.nodes) {
+  if (layout.nodes) {
     const auto branch = read("branch");
     count.back() = hsize_t(std::find(branch.begin(), branch.end(), double(Branch::absent)) - branch.begin());
   }
-  for (const auto& dataset : format.datasets) add(record, dataset.name, read(dataset.name));
-  for (const std::string& table : format.tables) record.tables[table] = read_rows(file, table, index);
+  for (const auto& dataset : layout.datasets) add(record, dataset.name, read(dataset.name));
+  for (const std::string& table : layout.tables) record.tables[table] = read_rows(file, table, index);
   if (h5::exists(file, kFailures)) {
     const h5::Handle failures = h5::open_group(file, kFailures);
     if (const std::string name = failure_name(index); h5::has_attribute(failures, name))
@@ -165,17 +165,17 @@ PointRecord read_record(hid_t file, const Experiment& experiment, std::size_t in
 
 std::string failure_name(std::size_t index) { return fmt::format("point_{}", index); }
 
-bool fits(const PointRecord& record, const PointLayout& format) {
+bool fits(const PointRecord& record, const PointLayout& layout) {
   const bool complete =
       std::ranges::equal(
-          record.values, format.datasets, {}, [](const auto& v) -> const std::string& { return v.first; },
+          record.values, layout.datasets, {}, [](const auto& v) -> const std::string& { return v.first; },
           &PointLayout::Dataset::name) &&
-      record.tables.size() == format.tables.size() &&
-      std::ranges::all_of(format.tables,
+      record.tables.size() == layout.tables.size() &&
+      std::ranges::all_of(layout.tables,
                           [&](const std::string& name) { return record.tables.contains(name); });
   if (!complete) return false;
   const std::size_t nodes = record.values.begin()->second.size();
-  const bool nodes_valid = format.nodes ? nodes <= *format.nodes : nodes == 1;
+  const bool nodes_valid = layout.nodes ? nodes <= *layout.nodes : nodes == 1;
   const bool equal_lengths = std::all_of(record.values.begin(), record.values.end(),
                                          [&](const auto& v) { return v.second.size() == nodes; });
   const bool tables_valid = std::all_of(record.tables.begin(), record.tables.end(), [](const auto& t) {

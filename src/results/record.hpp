@@ -32,10 +32,10 @@ struct PointLayout {
   std::optional<std::size_t> nodes;  // largest number, of a curve
 };
 
-PointRecord record_of(const PointLayout& format, const PointResult& result, const Recorded& recorded);
-PointRecord record_of(const PointLayout& format, const std::vector<CurveNode>& curve);
+PointRecord record_of(const PointLayout& layout, const PointResult& result, const Recorded& recorded);
+PointRecord record_of(const PointLayout& layout, const std::vector<CurveNode>& curve);
 // A point that an error ended: status failed, no values, a curve with one node.
-PointRecord failed_record(const PointLayout& format, const std::string& error);
+PointRecord failed_record(const PointLayout& layout, const std::string& error);
 
 // Reads a point from a result file of this experiment or from a part. Throws RunError if it cannot be read.
 PointRecord read_record(hid_t file, const Experiment& experiment, std::size_t index);
@@ -44,7 +44,7 @@ PointRecord read_record(hid_t file, const Experiment& experiment, std::size_t in
 std::string failure_name(std::size_t index);
 
 // Whether the record has exactly these datasets and tables, with consistent lengths and valid status codes.
-bool fits(const PointRecord& record, const PointLayout& format);
+bool fits(const PointRecord& record, const PointLayout& layout);
 
 // Datasets and tables whose bits differ, or which only one of the records has.
 std::vector<std::string> differences(const PointRecord& a, const PointRecord& b);
