@@ -22,7 +22,7 @@ EXCEPTIONS = {"tests/python/extending_test.py", "tests/program/arm_test.sh", "te
 
 page = (source / "docs/extending.md").read_text(encoding="utf-8")
 sections = {}  # (files that the heading states, blocks) by title
-for title, count, text in re.findall(r"^## (.*): (\d) files?\n(.*?)(?=^## |\Z)", page, re.M | re.S):
+for title, count, text in re.findall(r"^## ([^\n]*): (\d) files?\n(.*?)(?=^## |\Z)", page, re.M | re.S):
     sections[title] = int(count), re.findall(r"^```(\w+) ?(\S*)\n(.*?)^```$", text, re.M | re.S)
 assert list(sections) == ["A parameter", "An observable", "A figure", "A claim", "A friction law"], list(sections)
 for title, (count, blocks) in sections.items():
