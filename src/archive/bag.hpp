@@ -25,8 +25,8 @@ Files in_folder(const std::string& folder, Files files);
 // it. Throws MalformedError if the names differ in it.
 std::string strip_folder(Files& files);
 
-// Compares the files of a bag with its manifests: which are damaged, missing or added. That the manifests are
-// as make_bag() writes them is for a comparison with these to say.
+// Compares the files of a bag with its manifests: which are damaged, missing or added. It does not check
+// that make_bag() would write the same manifests; verification makes them again and compares.
 Problems check_manifests(const Files& files);
 
 // The value of a label in bag-info.txt; empty if it is missing.
