@@ -2,7 +2,6 @@
 
 #include "archive/build.hpp"
 #include "archive/rerun.hpp"
-#include "cli/exit_code.hpp"
 #include "run/provenance.hpp"
 #include "util/error.hpp"
 

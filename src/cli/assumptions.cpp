@@ -1,6 +1,5 @@
 #include "cli/commands.hpp"
 
-#include "cli/exit_code.hpp"
 #include "util/error.hpp"
 
 #include <fmt/format.h>

@@ -3,12 +3,35 @@
 #include "archive/gather.hpp"
 #include "assumptions/assumptions.hpp"
 #include "compare/reference.hpp"
+#include "experiment/experiment.hpp"
+#include "run/task.hpp"
 
 #include <cstdint>
 #include <string>
 
 // The commands of the program. Each returns the exit code and throws InputError or RunError.
 namespace bristle::cli {
+
+enum ExitCode {
+  kSuccess = 0,
+  kCheckFailed = 1,
+  kBadInput = 2,
+  kCouldNotFinish = 3,
+  kInterrupted = 128  // plus the number of the signal
+};
+
+// The file of an experiment and the changes to it.
+struct ExperimentOptions {
+  std::string file;
+  experiment::DocumentOptions load;
+};
+// options: without output the result is results/<name>.h5; instruction_set: empty for the widest available.
+int run_command(const ExperimentOptions& experiment, const run::RunOptions& options,
+                const std::string& instruction_set);
+int validate_command(const ExperimentOptions& experiment);
+
+// Prints the schema of experiment files for editors.
+int schema_command();
 
 int archive_command(archive::ArchiveOptions options);
 

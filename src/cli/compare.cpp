@@ -4,7 +4,6 @@
 #include "compare/comparison.hpp"
 #include "compare/reference.hpp"
 #include "compare/replay.hpp"
-#include "cli/exit_code.hpp"
 #include "run/provenance.hpp"
 #include "util/data.hpp"
 

@@ -1,7 +1,6 @@
 #include "cli/commands.hpp"
 
 #include "claims/store.hpp"
-#include "cli/exit_code.hpp"
 #include "results/csv.hpp"
 #include "util/file.hpp"
 

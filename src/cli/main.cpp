@@ -1,6 +1,4 @@
 #include "cli/commands.hpp"
-#include "cli/exit_code.hpp"
-#include "cli/run.hpp"
 #include "cli/usage.hpp"
 #include "results/hdf5.hpp"
 #include "run/provenance.hpp"

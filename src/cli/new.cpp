@@ -1,6 +1,5 @@
 #include "cli/commands.hpp"
 
-#include "cli/exit_code.hpp"
 #include "experiment/experiment.hpp"
 #include "util/data.hpp"
 #include "util/error.hpp"

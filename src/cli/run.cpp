@@ -1,8 +1,7 @@
-#include "cli/run.hpp"
+#include "cli/commands.hpp"
 
 #include "claims/measure.hpp"
 #include "claims/checks.hpp"
-#include "cli/exit_code.hpp"
 #include "experiment/schema.hpp"
 #include "experiment/si_units.hpp"
 #include "simd/dispatch.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/number.hpp"
+#include "model/elementary.hpp"
 
 namespace bristle {
 

@@ -31,9 +31,11 @@ std::string where_missing(const std::vector<std::size_t>& missing, std::size_t s
   for (const std::size_t i : missing) numbers.insert(i % shards + 1);
   std::vector<std::string> names;
   for (const std::size_t n : numbers) names.push_back(shard_text({n, shards}));
-  return fmt::format("They belong to the shards {}. To compute {}:\n  {}", list_of(names),
-                     names.size() > 1 ? "the first shard (the others likewise)" : "it",
-                     command_with(command_line, "--shard " + names.front()));
+  const std::string command = command_with(command_line, "--shard " + names.front());
+  if (names.size() == 1)
+    return fmt::format("They belong to shard {}. To compute it:\n  {}", names.front(), command);
+  return fmt::format("They belong to the shards {}. To compute the first (the others likewise):\n  {}",
+                     list_of(names), command);
 }
 
 // A sentence about each journal of a shard that has points, but none of the experiment.

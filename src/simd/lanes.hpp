@@ -2,7 +2,7 @@
 
 // To be included only by sources that are compiled once per
 // instruction set: the namespace has the name of the instruction set.
-#include "model/number.hpp"
+#include "model/elementary.hpp"
 
 #include <hwy/highway.h>
 

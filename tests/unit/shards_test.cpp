@@ -178,6 +178,8 @@ TEST_CASE("missing points are named, with their shards and the command that comp
        "0 (k_r = 5, k_theta = 0.3), 1 (k_r = 5, k_theta = 1), 3 (k_r = 20, k_theta = 0.3)",
        "They belong to the shards 1/3, 2/3.", "\n  bristle run small.json -o small/r.h5 --shard 1/3"});
   CHECK_FALSE(fs::exists(s.path("small/r.h5.journal")));
+  write_shard(s, e, {2, 3});
+  check_holds(refusal(s, e), {"They belong to shard 1/3. To compute it:\n  "});
   fs::remove_all(s.path("small"));
   const Experiment many = sharded(s, "", R"("k_r": {"linspace": [2, 50, 60]})");
   write_shard(s, many, {2, 4});

@@ -2,7 +2,6 @@
 
 #include "model/contact.hpp"
 #include "model/friction/chi.hpp"
-#include "model/number.hpp"
 
 namespace bristle {
 
