@@ -196,7 +196,7 @@ TEST_CASE("a damaged line is a missing point") {
   text[digit] = text[digit] == '1' ? '2' : '1';
   s.write("small/" + fs::path(path).filename().string(), text);
   check_holds(refusal(s, e),
-              {"1 of 6 points are missing in the journals of its folder: 3 (", "the shards 2/2"});
+              {"1 of 6 points are missing in the journals of its folder: 3 (", "shard 2/2"});
 }
 
 TEST_CASE("journals of other experiments, numerics or uncommitted programs are named if points are missing") {
