@@ -3,6 +3,7 @@
 import re
 import textwrap
 import unicodedata
+from functools import lru_cache
 
 import matplotlib
 import numpy as np
@@ -80,6 +81,7 @@ def with_carons(formula):
     return re.sub(r"\\check\{(\w)\}", lambda found: unicodedata.normalize("NFC", found[1] + "\u030c"), formula)
 
 
+@lru_cache(maxsize=1000)
 def is_math(string):
     try:
         mathtext.MathTextParser("path").parse(string)

@@ -1,16 +1,16 @@
 """CITATION.cff gives .zenodo.json, which is up to date, and the report's citations. citation_test.py SOURCE"""
 import json
 import pathlib
-import subprocess
 import sys
 import tempfile
 
 import yaml
 
+from in_process import called
+import sources
+
 source = pathlib.Path(sys.argv[1])
 folder = pathlib.Path(tempfile.mkdtemp())
-sys.path += [str(source / "scripts"), str(source / "scripts/report")]
-import sources  # noqa: E402
 
 cff = yaml.load((source / "CITATION.cff").read_text(encoding="utf-8"), Loader=yaml.BaseLoader)
 
@@ -19,18 +19,16 @@ def zenodo(citation, *options):
     """The exit code, the message and the metadata of scripts/zenodo.py for a citation."""
     path, output = folder / "CITATION.cff", folder / "zenodo.json"
     path.write_text(citation if isinstance(citation, str) else json.dumps(citation), encoding="utf-8")
-    done = subprocess.run([sys.executable, source / "scripts/zenodo.py", path, "-o", output, *options], text=True,
-                          capture_output=True, check=False)
-    return done.returncode, done.stderr, json.loads(output.read_text()) if output.exists() else None
+    done = called("zenodo.py", path, "-o", output, *options)
+    return done.code, done.messages, json.loads(output.read_text()) if output.exists() else None
 
 
 def article(**changes):
     return {**cff, "references": [{**cff["references"][0], **changes}]}
 
 
-done = subprocess.run([sys.executable, source / "scripts/zenodo.py", "--check"], cwd=source, text=True,
-                      capture_output=True, check=False)
-assert done.returncode == 0, done.stderr
+done = called("zenodo.py", source / "CITATION.cff", "-o", source / ".zenodo.json", "--check")
+assert done.code == 0, done.messages
 
 code, message, found = zenodo(article(doi="10.1000/1", volume="7"))
 assert code == 0, message

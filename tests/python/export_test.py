@@ -1,6 +1,6 @@
 """pandas reads exported tables, whose numbers are those of the result; so are those of info --json.
 
-export_test.py BRISTLE FOLDER RESULT: a result of fig4's smoke tier.
+export_test.py BRISTLE FOLDER RESULT RECORDED: results of fig4's and fig2's smoke tiers.
 """
 import csv
 import json
@@ -12,7 +12,7 @@ import numpy as np
 import pandas
 import xarray
 
-bristle, folder, result = sys.argv[1], pathlib.Path(sys.argv[2]), sys.argv[3]
+bristle, folder, result, recorded = sys.argv[1], pathlib.Path(sys.argv[2]), *sys.argv[3:]
 experiments = pathlib.Path(__file__).parents[2] / "experiments"
 folder.mkdir(parents=True, exist_ok=True)
 
@@ -62,8 +62,7 @@ def check_checks(path):
     assert np.array_equal(table["measured"], checks["measured"].values)
 
 
-def check_tables():
-    path = computed("recorded.h5", "fig2.json")
+def check_tables(path):
     table, data = exported(path, "--group", "trajectories"), xarray.open_dataset(path, group="trajectories")
     assert np.array_equal(table["x"], data["x"].values)
     sweep = xarray.open_dataset(path)["azimuth_rate"].values
@@ -98,10 +97,10 @@ def check_outputs(path):
     assert "is not a table exported by bristle" in run("export", path, "-o", folder / "mine.csv", code=2)
     assert (folder / "mine.csv").read_text() == "a,b\n1,2\n"
     assert "is not a table exported by bristle" in run("export", path, "-o", path, code=2)
-    (folder / "recorded.csv").unlink(missing_ok=True)
-    run("export", folder / "recorded.h5")
-    run("export", folder / "recorded.h5")
-    with open(folder / "recorded.csv", encoding="utf-8") as stream:
+    (folder / "curves.csv").unlink(missing_ok=True)
+    run("export", folder / "curves.h5")
+    run("export", folder / "curves.h5")
+    with open(folder / "curves.csv", encoding="utf-8") as stream:
         assert stream.readline().startswith("# bristle export: ")
         rows = [row for row in csv.reader(stream) if not row[0].startswith("#")]
     assert len({len(row) for row in rows}) == 1, "rows of different lengths"
@@ -122,7 +121,7 @@ def check_info(path, data):
 opened = xarray.open_dataset(result)
 check_variables(result, opened)
 check_checks(result)
-check_tables()
+check_tables(recorded)
 check_jumps()
 check_curves()
 check_outputs(result)

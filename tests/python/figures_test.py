@@ -1,9 +1,8 @@
 """Figures are drawn with the same bytes each time, explain why they cannot use a file, and fit into a paper.
 
-figures_test.py SCRIPTS FOLDER RESULTS [FIGURE...]: of RESULTS/FIGURE_smoke.h5. One process draws them all. Without names
-each figure is drawn once, small, and some checks use one figure only; with names, everything is checked of these figures.
+figures_test.py FOLDER RESULTS [FIGURE...]: of RESULTS/FIGURE_smoke.h5. One process draws them all. Without names each
+figure is drawn once, small, and some checks use one figure only; with names, everything is checked of these figures.
 """
-import contextlib
 import hashlib
 import io
 import pathlib
@@ -18,28 +17,24 @@ import xarray
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.text import Text
 
-scripts, folder, results = map(pathlib.Path, sys.argv[1:4])
+from in_process import called
+import bristle_plots
+from bristle_plots import BristleError, open_result
+from bristle_plots.integrity import read_group
+from bristle_plots.layout import HEADER
+from bristle_plots.page import LEAST_POINTS
+from bristle_plots.verdicts import STRIP
+
+folder, results = map(pathlib.Path, sys.argv[1:3])
 EVERY_COMMIT = ["fig2", "fig4", "fig7", "fig8", "figA1", "figA2"]
-FULL = sys.argv[4:]
-sys.path.insert(0, str(scripts))
-import bristle_plots  # noqa: E402
-from bristle_plots import BristleError, command_line, open_result  # noqa: E402
-from bristle_plots.integrity import read_group  # noqa: E402
-from bristle_plots.layout import HEADER  # noqa: E402
-from bristle_plots.page import LEAST_POINTS  # noqa: E402
-from bristle_plots.verdicts import STRIP  # noqa: E402
+FULL = sys.argv[3:]
+BY_COMMAND = ["fig8"]  # of every commit's: all pages, twice
 
 
 def plot(name, source, target, *options):
-    """Exit code and messages of the command, in this process."""
-    sys.argv = ["plot", name, str(source), "-o", str(target), *options]
-    messages = io.StringIO()
-    try:
-        with contextlib.redirect_stderr(messages):
-            command_line.run(command_line.draw_figure)
-    except SystemExit as end:
-        return end.code, messages.getvalue()
-    return 0, messages.getvalue()
+    """Exit code and messages of the command."""
+    done = called("plot", name, source, "-o", target, *options)
+    return done.code, done.messages
 
 
 def drawn(name, result, target, *options):
@@ -57,14 +52,27 @@ def drawn(name, result, target, *options):
     return [hashlib.sha256(p.read_bytes()).hexdigest() for p in made]
 
 
+def check_draws(name, result):
+    """A page of each of the figure's drawings."""
+    with open_result(result) as ds:
+        for draw in drawings(name):
+            draw(ds).savefig(png := io.BytesIO(), format="png", dpi=40)
+            assert len(png.getvalue()) > 5_000
+
+
+def drawings(name):
+    module = getattr(bristle_plots, name)
+    return [module.draw, *getattr(module, "FURTHER", {}).values()]
+
+
 def named_in(module, result):
     """Datasets that the figure's module names, columns of tables first."""
     source = pathlib.Path(module.__file__).read_text(encoding="utf-8")
     with h5py.File(result) as f:
-        columns = [f"{group}/{name}" for group in f if isinstance(f[group], h5py.Group) and f'"{group}"' in source
-                   for name in f[group] if f'"{name}"' in source]
-    with open_result(result) as file:
-        return columns + [name for name in file.data_vars if f'"{name}"' in source]
+        named = [name for name in f if f'"{name}"' in source]
+        columns = [f"{name}/{column}" for name in named if isinstance(f[name], h5py.Group)
+                   for column in f[name] if f'"{column}"' in source]
+        return columns + [name for name in named if isinstance(f[name], h5py.Dataset) and "CLASS" not in f[name].attrs]
 
 
 def lacks(source, target, needed):
@@ -81,16 +89,20 @@ def lacks(source, target, needed):
 
 
 def check_refusals(name, result):
-    """A file that lacks a dataset or has another version, and what is no result."""
+    """A file that lacks a dataset that the figure needs."""
     refused = []
     for needed in named_in(getattr(bristle_plots, name), result):
         lacks(result, folder / "lacking.h5", needed)
-        code, message = plot(name, folder / "lacking.h5", folder / "lacking")
+        code, message = plot(name, folder / "lacking.h5", folder / "lacking", "--format", "png", "--dpi", "30")
         refused += [needed] if code == 2 and needed in message else []
         assert code == 0 or refused, message
         if refused:
             break
     assert refused, f"{name} can be drawn without any of the datasets that it names"
+
+
+def check_other_files(name, result):
+    """A result of another version, and what is no result."""
     shutil.copy(result, folder / "old.h5")
     with h5py.File(folder / "old.h5", "a") as f:
         f.attrs["schema_version"] = "bristle-result/0"
@@ -164,7 +176,7 @@ def check_page(figure, inches):
 def check_paper(name, result):
     module = getattr(bristle_plots, name)
     with open_result(result) as ds:
-        for draw in (module.draw, *getattr(module, "FURTHER", {}).values()):
+        for draw in drawings(name):
             standard = draw(ds)
             assert not bare(standard) and bare(draw(ds, plain=True))
             check_edges(standard)
@@ -182,10 +194,13 @@ shutil.rmtree(folder, ignore_errors=True)
 folder.mkdir(parents=True)
 for name in FULL or EVERY_COMMIT:
     result = results / f"{name}_smoke.h5"
-    look = () if FULL else ("--dpi", "60")
-    first = drawn(name, result, folder / "first", *look)
-    if FULL or name == "fig8":
+    if FULL or name in BY_COMMAND:
+        look = () if FULL else ("--dpi", "40")
+        first = drawn(name, result, folder / "first", *look)
         assert drawn(name, result, folder / "second", *look) == first, "two runs gave different bytes"
+        check_other_files(name, result)
+    else:
+        check_draws(name, result)
     check_refusals(name, result)
     if FULL or name in ("fig2", "fig7"):
         check_dataset(name, result)

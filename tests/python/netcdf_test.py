@@ -1,6 +1,6 @@
 """Programs of netCDF read and extend result files: ncdump, nccopy, netCDF4-python and xarray.
 
-netcdf_test.py BRISTLE FOLDER [RESULT]: without RESULT, of a part and of a result with all recorded tables.
+netcdf_test.py BRISTLE FOLDER RESULT...: of these, and of a result with all recorded tables of single bristles.
 """
 import pathlib
 import shutil
@@ -89,8 +89,7 @@ def check(path):
     print(f"{path}: {len(found)} groups and variables")
 
 
-if len(sys.argv) > 3:
-    check(sys.argv[3])
-else:
-    check(computed("recorded.h5", "fig2.json", "--tier", "smoke",
-                   "--set", '/record=["observables","bristles","trajectories"]'))
+for result in sys.argv[3:]:
+    check(result)
+check(computed("recorded.h5", "fig2.json", "--tier", "smoke",
+               "--set", '/record=["observables","bristles","trajectories"]'))

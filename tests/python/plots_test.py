@@ -1,6 +1,6 @@
 """Plotting scripts refuse damaged results, replace nothing but what they write.
 
-plots_test.py SCRIPTS RESULT FOLDER
+plots_test.py RESULT FOLDER
 """
 import hashlib
 import inspect
@@ -20,15 +20,16 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.collections import PolyCollection
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
-scripts, result, folder = pathlib.Path(sys.argv[1]), sys.argv[2], pathlib.Path(sys.argv[3])
-sys.path.insert(0, str(scripts))
-from bristle_plots import BristleError, curve, fig4, open_result, pages, ski  # noqa: E402
-from bristle_plots.files import read_json, write_text, write_whole  # noqa: E402
-from bristle_plots.integrity import read_group  # noqa: E402
-from bristle_plots.jumps import jumps_between_neighbours, located_jumps, read_jumps  # noqa: E402
-from bristle_plots.maps import Grid, cells_at, draw_jumps, read_grid, torn_faces  # noqa: E402
-from bristle_plots.verdicts import STRIP, by_check, in_symbols, by_claim, declared_checks, read_claims, symbols  # noqa: E402
+from in_process import SCRIPTS, called
+from bristle_plots import BristleError, curve, fig4, open_result, pages, ski
+from bristle_plots.files import read_json, write_text, write_whole
+from bristle_plots.integrity import read_group
+from bristle_plots.jumps import jumps_between_neighbours, located_jumps, read_jumps
+from bristle_plots.maps import Grid, cells_at, draw_jumps, read_grid, torn_faces
+from bristle_plots.verdicts import STRIP, by_check, in_symbols, by_claim, declared_checks, read_claims, symbols
 
+result, folder = sys.argv[1], pathlib.Path(sys.argv[2])
+fig4.VARIABLES = fig4.VARIABLES[:2]  # two maps show what is tested here; figures_test.py draws all
 shutil.rmtree(folder, ignore_errors=True)
 folder.mkdir(parents=True)
 
@@ -87,7 +88,7 @@ assert not list(folder.rglob("*.part"))
 
 # The command line: the result as its own output.
 before = pathlib.Path(result).read_bytes()
-done = subprocess.run([scripts / "plot", "fig4", result, "-o", result], capture_output=True, text=True)
+done = subprocess.run([SCRIPTS / "plot", "curve", result, "-o", result, "--dpi", "30"], capture_output=True, text=True)
 assert done.returncode != 0 and "Traceback" not in done.stderr, done.stderr
 assert pathlib.Path(result).read_bytes() == before
 
@@ -179,7 +180,7 @@ with xarray.open_dataset(result) as ds:
     assert not any(has_verdicts(fig4.draw(part)) for part in printed)
     assert "k_theta" in refusal(fig4.draw, ds.isel(k_theta=0)) and "at least 2 values" in refusal(fig4.draw, ds.isel(k_theta=0))
     assert "axis 'k_r' has no values" in refusal(fig4.draw, ds.sel(k_r=slice(200, 300)))
-    assert "gamma_2" in refusal(fig4.draw, ds.drop_vars("gamma_2"))
+    assert "gamma_1" in refusal(fig4.draw, ds.drop_vars("gamma_1"))
     assert "DataArray" in refusal(fig4.draw, ds["R_x"])
     assert "schema version none" in refusal(fig4.draw, ds.assign_attrs(schema_version=""))
     # A reading by its word; the options of the look.
@@ -193,7 +194,7 @@ with xarray.open_dataset(result) as ds:
     thick = fig4.draw(ds, style={"axes.linewidth": 3})
     assert {3} == {axes.spines["left"].get_linewidth() for axes in thick.axes if axes.name == "rectilinear"}
     grey = [numpy.atleast_2d(collection.get_facecolor()) for collection in grey_ones(fig4.draw(ds, cmap="gray"))]
-    assert len(grey) == 8 and all((numpy.ptp(colours[:, :3], axis=1) < 1e-9).all() for colours in grey)
+    assert len(grey) == 4 and all((numpy.ptp(colours[:, :3], axis=1) < 1e-9).all() for colours in grey)
 
     # Maps have the sweep's range, without a margin.
     for drawn in (fig4.draw(ds), fig4.draw_energy(ds)):
@@ -214,11 +215,11 @@ assert in_symbols("R_n(z_0), N_c/N_c0", table) == r"$\tilde{R}_n$($\tilde{z}_0$)
 
 # Options of the command line.
 def plot(*options):
-    return subprocess.run([scripts / "plot", "fig4", result, "-o", folder / "paper", *options], capture_output=True, text=True)
+    return called("plot", "fig4", result, "-o", folder / "paper", *options)
 
 
 done = plot("--width", "89mm", "--format", "svg,png", "--dpi", "100")
-assert done.returncode == 0, done.stderr
+assert done.code == 0, done.messages
 made = {path.name for path in (folder / "paper").iterdir()}
 assert made == {f"fig4{ending}.{kind}" for ending in ("", "-as-printed", "-energy-as-printed") for kind in ("svg", "png")}, made
 pixels = matplotlib.image.imread(folder / "paper/fig4.png").shape[1]
@@ -230,9 +231,9 @@ for options, words in ((["--width", "3"], "a number with its unit"), (["--width"
                        (["--dpi", "0"], "from 30 to 2400"), (["--dpi", "-1"], "from 30 to 2400"), (["--dpi", "1e3"], "from 30 to 2400"),
                        (["--format", "jpg"], "allowed are pdf, png, svg")):
     done = plot(*options)
-    assert done.returncode == 2 and words in done.stderr and options[-1] in done.stderr, done.stderr
+    assert done.code == 2 and words in done.messages and options[-1] in done.messages, done.messages
 done = plot("--y", "gamma_1")
-assert done.returncode == 2 and "only the figure curve" in done.stderr, done.stderr
+assert done.code == 2 and "only the figure curve" in done.messages, done.messages
 with xarray.open_dataset(result) as ds:
     drawn = curve.draw(ds, "gamma_1")
     assert len(drawn.axes) == 2 and r"$\tilde{\gamma}_1$" in texts(drawn), texts(drawn)
@@ -241,8 +242,8 @@ with xarray.open_dataset(result) as ds:
     assert "no dataset '/gamma_9'" in refusal(lambda: curve.draw(ds, "gamma_9"))
     assert "a curve needs" in refusal(lambda: curve.draw(ds, "status"))
 done = plot("--caption")
-assert done.returncode == 0 and done.stdout.count("\\caption{") == 2 and done.stdout.count("{") == done.stdout.count("}"), done.stdout
-exact, printed = done.stdout.split("% page 2")
+assert done.code == 0 and done.out.count("\\caption{") == 2 and done.out.count("{") == done.out.count("}"), done.out
+exact, printed = done.out.split("% page 2")
 assert r"$\check{R}_x$; (b) " in exact and r"$\tilde{k}_r =$ 3, " in exact and "exact" in exact and "as printed" not in exact
 assert "as printed" in printed and "exact" not in printed
 assert "width 3: " in refusal(lambda: fig4.draw(open_result(result), width="3"))

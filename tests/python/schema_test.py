@@ -61,17 +61,18 @@ def places(value, path=()):
 
 
 def mutations(document):
-    """(description, changed document)"""
+    """(description, document, path, change of the value there): of thousands few are made."""
     for path in places(document):
         for value in VALUES:
-            yield f"{path} = {json.dumps(value)}", changed(document, path, lambda at, key, v=value: at.__setitem__(key, v))
-        yield f"{path} removed", changed(document, path, lambda at, key: at.pop(key))
+            yield f"{path} = {json.dumps(value)}", document, path, lambda at, key, v=value: at.__setitem__(key, v)
+        yield f"{path} removed", document, path, lambda at, key: at.pop(key)
         if isinstance(path[-1], str):
-            yield f"{path} misspelt", changed(document, path, lambda at, key: at.__setitem__(key + "x", at.pop(key)))
-            yield f"{path} beside another axis", changed(document, path, add_range)
+            yield f"{path} misspelt", document, path, lambda at, key: at.__setitem__(key + "x", at.pop(key))
+            yield f"{path} beside another axis", document, path, add_range
     for key in ("R_n", "z_0", "trace"):
         for value in (None, 0.5, {}):
-            yield f"/load/{key} = {value}", {**document, "load": {**(document.get("load") or {}), key: value}}
+            yield (f"/load/{key} = {value}", document, ("load",),
+                   lambda at, _, k=key, v=value: at.update(load={**(at.get("load") or {}), k: v}))
 
 
 def add_range(at, key):
@@ -102,10 +103,11 @@ def check_mutations(validator):
         document = json.loads(path.read_text(encoding="utf-8"))
         document.pop("checks", None)
         document.pop("checks_for_each", None)
-        found += [(f"{path.name}: {what}", one) for what, one in mutations(document)]
+        found += [(f"{path.name}: {what}", *change) for what, *change in mutations(document)]
     refused, excused = 0, dict.fromkeys(PROGRAM_ONLY, 0)
     wrong = []
-    for what, document in random.Random(18).sample(found, MUTATIONS):
+    for what, *change in random.Random(18).sample(found, MUTATIONS):
+        document = changed(*change)
         (folder / "mutated.json").write_text(json.dumps(document), encoding="utf-8")
         by_schema, by_program = not validator.is_valid(document), refusal(folder / "mutated.json")
         refused += bool(by_program)
