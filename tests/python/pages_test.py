@@ -1,0 +1,105 @@
+"""Scripts that no other test runs write their pages, with the numbers of what they read.
+
+pages_test.py BRISTLE FOLDER RESULT...: results of the smoke tier. The matrix and the benchmarks are invented.
+"""
+import json
+import pathlib
+import shutil
+import subprocess
+import sys
+from xml.etree import ElementTree
+
+import h5py
+
+from in_process import SCRIPTS, called
+
+bristle, folder, *results = [pathlib.Path(word).absolute() for word in sys.argv[1:]]
+SUMMARY = "<!-- summary: written by `make findings` -->", "<!-- end of summary -->"
+
+
+def written(script, page, *words):
+    """What the script writes to the page, in one line."""
+    done = called(script, *words)
+    assert done.code == 0, done.messages
+    return " ".join((folder / page).read_text(encoding="utf-8").split())
+
+
+def write(name, document):
+    (folder / name).write_text(json.dumps(document), encoding="utf-8")
+    return folder / name
+
+
+def check_findings():
+    """Each measured number and each digest are in the page, and its summary is in README.md."""
+    (folder / "README.md").write_text("\n".join(["before", *SUMMARY, "after"]))
+    page = written("findings.py", "findings.md", *results, "-o", folder / "findings.md", "--readme", folder / "README.md")
+    for path in results:
+        with h5py.File(path) as file:
+            assert f"`{file.attrs['payload_sha256'].decode()[:16]}`" in page, path
+            for measured, uncertain in zip(*(file["checks"][name][()] for name in ("measured", "uncertainty"))):
+                assert f"{measured:.3f} ± {uncertain:.3f}".replace("-", "\u2212") in page, (path, measured)
+    readme = " ".join((folder / "README.md").read_text(encoding="utf-8").split())
+    summary = readme[readme.index(SUMMARY[0]):readme.index(SUMMARY[1])]
+    assert "Of the paper's" in summary and summary in page and readme.startswith("before") and readme.endswith("after")
+    (folder / "README.md").write_text("no place")
+    done = called("findings.py", *results[:1], "-o", folder / "findings.md", "--readme", folder / "README.md")
+    assert done.code == 2 and "has no summary to replace" in done.messages, done.messages
+
+
+def check_inference():
+    """Of two sets and windows: the printed one is best in the second window, with two claims and a further check."""
+    checks = [{"claim": claim, "role": role} for claim, role in (("1", "main"), ("2", "main"), ("2", "further"))]
+    no, yes = "refuted", "supported"
+    under = [[no, no, yes, yes], [no, no, no, yes], [no, no, no, yes]]  # of each check: the sets, each in both windows
+    cells = [{"check": i, "under": [[verdict, verdict] for verdict in row]} for i, row in enumerate(under)]
+    path = write("matrix.json", {"schema": "bristle-assumptions/3", "payload_sha256": "0123456789abcdef0123", "checks": checks,
+                                 "alternatives": [{"name": name, "members": []} for name in ("baseline", "printed")],
+                                 "windows": ["wide", "narrow"], "cell_keys": ["claim_verdict", "verdict"], "cells": cells})
+    page = written("inference.py", "inference.md", path, "-o", folder)
+    assert "| 1 | printed | narrow | 2, 1 | none | none | | 2 | baseline | wide | 0, 0 | 1, 2 | none |" in page, page
+    assert "as printed supports 2 claims and 1 further checks, the best with the exact equation 0 and 0." in page
+    assert "0123456789abcdef." in page and (folder / "images/inference.png").stat().st_size > 5_000
+
+
+def check_performance():
+    """The times of a figure are those that time_figures.py measures."""
+    experiments = folder / "experiments"
+    shutil.rmtree(experiments, ignore_errors=True)
+    experiments.mkdir()
+    shutil.copy(SCRIPTS.parent / "experiments/paper.json", experiments)
+    (experiments / "one.json").write_text('{"extends": "paper.json", "name": "one", "orientation": {"rtol": 0.1}}')
+    done = subprocess.run([sys.executable, SCRIPTS / "time_figures.py", bristle, "one"], cwd=folder, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    (folder / "figures.json").write_text(done.stdout)
+    (figure,) = json.loads(done.stdout)
+    assert figure["points"] == 1 and figure["passages"] > 10 and 0 < figure["seconds"] < 60, figure
+    curve = [{"error": error, "ms_per_bristle": cost, "evaluations": 100} for error, cost in ((1e-5, 0.4), (1e-4, 0.2), (1e-3, 0.1))]
+    slow = [{**point, "ms_per_bristle": 7 * point["ms_per_bristle"]} for point in curve]
+    write("engine.json", {
+        "processor": "a processor", "instruction_set": "AVX2", "scaling": [{"bristles": 64, "threads": 2, "ms_per_bristle": 0.123}],
+        "ordinary": [{"name": "SIMD, 8 lanes", "curve": curve, "ratio_at_1e-4": 1}, {"name": "Odeint", "curve": slow, "ratio_at_1e-4": 7}],
+        "all_kinds": {"bristles": 321, "error": 1e-5, "odeint_error": 2e-5, "ms_per_bristle": 0.456, "ratio": 9.8, "lane_utilisation": 0.87}})
+    write("scipy.json", [{"name": "SciPy", "curve": [{**point, "ms_per_bristle": 50 * point["ms_per_bristle"]} for point in curve]}])
+    write("kernel.json", {})
+    means = [{"passages": 128, "error": 1e-3, "estimate": 1e-3}, {"passages": 543, "error": 3e-4, "estimate": 4e-4}]
+    write("quadrature.json", {"cases": [{"k_r": 10, "z_0": 0.5, **dict.fromkeys(("quadrature", "grid", "lattice"), means)}] * 2,
+                              "purposes": {"scan": 30, "crossing": 50, "values": 20, "points": 2}})
+    page = written("performance.py", "performance.md", folder, "-o", folder)
+    for words in ("| Odeint | 1.4 | 7 |", "| SciPy | 10 | 50 |", "321 of all kinds", "takes 0.456 ms per bristle", "9.8 times as long",
+                  "| 64 | 2 | 0.123 |", "a factor of 2.9 is missing", "| 10 | 0.5 | 128 | 1.0e-03 | 543 | 3.0e-04 |", "50 passages",
+                  f"| one | 1 | {figure['passages']} | {figure['cpu_seconds']:.1f} | {figure['seconds']:.1f} |"):
+        assert words in page, (words, page)
+    assert {path.name for path in (folder / "images").iterdir()} >= {"work-precision.png", "quadrature.png"}
+
+
+def check_drawing():
+    done = called("drawing.py", "-o", folder / "bristle.svg")
+    assert done.code == 0, done.messages
+    assert len(list(ElementTree.parse(folder / "bristle.svg").iter())) > 100
+
+
+folder.mkdir(parents=True, exist_ok=True)
+check_findings()
+check_inference()
+check_performance()
+check_drawing()
