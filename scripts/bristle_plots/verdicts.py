@@ -28,9 +28,10 @@ PAIRED_PREDICATES = ("ordering", "concordance", "equality")
 
 VERDICT_HEADINGS = {"kinematic": "verdict, exact Eq. (17)", "as_printed": "verdict, Eq. (17) as printed"}
 
-# Of quantities that a statement may name and the result may not have.
+# Of quantities that a sentence may name and the result may not have as a variable or an axis.
 FURTHER_SYMBOLS = {"k_r": r"\tilde{k}_r", "k_theta": r"\tilde{k}_\theta", "k_phi": r"\tilde{k}_\varphi", "N_c": "N_c",
-                   "N_0": "N_0", "N_c0": "N_{c,0}", "theta_0": r"\theta_0", "phi_0": r"\varphi_0", "mu_c": r"\mu_c"}
+                   "N_0": "N_0", "N_c0": "N_{c,0}", "theta_0": r"\theta_0", "phi_0": r"\varphi_0", "mu_c": r"\mu_c",
+                   "V_s": "V_s"}
 
 LINE_INCHES = 0.2
 BASELINE_INCHES = 0.13  # below the top of a line
@@ -189,17 +190,18 @@ def strip_height(claims, width):
 
 
 def symbols(file):
-    """The symbols of quantities by their names in statements: those of the axes of the panels."""
+    """The symbols of quantities by their names in sentences: those of the axes of the panels."""
     found = {name: attribute(data, "symbol") for name, data in file.variables.items() if "symbol" in data.attrs}
-    return FURTHER_SYMBOLS | {name: with_carons(symbol) for name, symbol in found.items()
-                              if symbol not in ("", name)}
+    return FURTHER_SYMBOLS | {name: symbol for name, symbol in found.items() if symbol not in ("", name)}
 
 
 def in_symbols(text, symbols):
-    """A statement with mathtext for the names of quantities."""
+    """A sentence with $...$ for the names of quantities, as mathtext and the report's HTML read it."""
     def symbol(found):
-        before_bracket = found.end() < len(text) and text[found.end()] == "("
-        return f"${symbols[found.group()].partition('/')[0] if before_bracket else symbols[found.group()]}$"
+        name = symbols[found.group()]
+        if text[found.end():].startswith(("(", "/", "^")):  # R_n(z_0), R_n/N_c0: the quantity without its unit
+            name = name.partition("/")[0]
+        return f"${with_carons(name)}$"
 
     names = "|".join(map(re.escape, sorted(symbols, key=len, reverse=True)))
     return re.sub(rf"(?<!\w)(?:{names})(?!\w)", symbol, text)

@@ -12,18 +12,18 @@ from bristle_plots.verdicts import (VERDICT_SIGNS, declared_checks, number, p_te
 ORDER = ["supported", "refuted", "undecided"]
 
 
-def read(figure, file):
-    """One row for each check of the experiment, in its order, and each reading."""
+def read(figure, file, names):
+    """One row for each check of the experiment, in its order, and each reading; names: the symbols of quantities."""
     if table(file, "checks") is None:
         return []
-    return [row(figure, check, claim) for check, claim in declared_checks(file)]
+    return [row(figure, check, claim, names) for check, claim in declared_checks(file)]
 
 
-def row(figure, check, claim):
+def row(figure, check, claim, names):
     return {
         "figure": figure,
         "claim": claim.claim,
-        "statement": symbols.prose(claim.statement),
+        "statement": symbols.prose(claim.statement, names),
         "quantity": quantity(check),
         "measured": with_uncertainty(claim.measured, claim.uncertainty) + p_text(claim),
         "measured_value": sortable(claim.measured),
@@ -38,9 +38,7 @@ def row(figure, check, claim):
         "reading_word": claim.reading,
         "further": claim.role != "main",
         "claim_verdict": claim.claim_verdict,
-        "quote": symbols.prose(check.get("quote", "")),
-        "interpretation": symbols.prose(check.get("interpretation", "")),
-        "leaves_open": symbols.prose(check.get("leaves_open", "")),
+        **{key: symbols.prose(check.get(key, ""), names) for key in ("quote", "interpretation", "leaves_open")},
     }
 
 

@@ -6,24 +6,24 @@ from itertools import groupby
 import symbols
 from bristle_plots.assumptions import TOGETHER, cells_by_place, read_matrix
 from bristle_plots.errors import BristleError
-from bristle_plots.verdicts import number, threshold_text, with_uncertainty
+from bristle_plots.verdicts import FURTHER_SYMBOLS, number, threshold_text, with_uncertainty
 from claims import sign
 
 LETTERS = {"supported": "S", "refuted": "R", "undecided": "U"}
 
 
-def read(paths):
-    """The matrix of the first file that exists; None without one."""
+def read(paths, names):
+    """The matrix of the first file that exists; None without one. names: by experiment the symbols of quantities."""
     path = next(filter(os.path.exists, paths), None)
     if path is None:
         return None
     try:
-        return matrix(path, read_matrix(path))
+        return matrix(path, read_matrix(path), names)
     except (KeyError, TypeError, IndexError, AttributeError) as error:
         raise BristleError(f"{path}: not a valid matrix ({type(error).__name__}: {error})") from error
 
 
-def matrix(path, document):
+def matrix(path, document, names):
     """Rows grouped by claim, columns grouped by choice, a sentence for each claim."""
     checks, alternatives = document["checks"], document["alternatives"]
     cells = cells_by_place(document)
@@ -39,7 +39,7 @@ def matrix(path, document):
         "choices": [(choice or "baseline", len(list(group)))
                     for choice, group in groupby(order, lambda j: alternatives[j]["choice"])],
         "alternatives": [{**alternatives[j], "index": j} for j in order],
-        "claims": [claim_rows(claim, rows, cells, alternatives, order, conclusions) for claim, rows in by_claim(checks)],
+        "claims": [claim_rows(claim, rows, cells, alternatives, order, conclusions, names) for claim, rows in by_claim(checks)],
     }
 
 
@@ -50,11 +50,14 @@ def by_claim(checks):
     return found.items()
 
 
-def claim_rows(claim, rows, cells, alternatives, order, conclusions):
+def claim_rows(claim, rows, cells, alternatives, order, conclusions, names):
     """One claim: its sentence and its checks with their cells; order[0] is the baseline."""
+    def statement(check):
+        return check["statement"], names.get(check["experiment"], FURTHER_SYMBOLS)
+
     return {"claim": claim, "sentence": sentence(rows, cells, alternatives, conclusions),
-            "checks": [{"statement": symbols.prose(check["statement"]), "experiment": check["experiment"],
-                        "plain": symbols.plain(check["statement"]),
+            "checks": [{"statement": symbols.prose(*statement(check)), "experiment": check["experiment"],
+                        "plain": symbols.plain(*statement(check)),
                         "cells": [cell(cells[i, j], cells[i, order[0]], alternatives[j], check)
                                   for j in order]}
                        for i, check in rows]}

@@ -21,6 +21,7 @@ import program  # noqa: E402
 import sources  # noqa: E402
 import symbols  # noqa: E402
 import tables  # noqa: E402
+from bristle_plots import verdicts  # noqa: E402
 from bristle_plots.command_line import run  # noqa: E402
 from bristle_plots.errors import BristleError  # noqa: E402
 from bristle_plots.files import write_text  # noqa: E402
@@ -58,15 +59,16 @@ def figure(path, arguments):
     """All data of one result for the page."""
     with open_result(path) as file:
         name = as_text(file.attrs["name"])
-        rows = claims.read(name, file)
+        names = verdicts.symbols(file)
+        rows = claims.read(name, file, names)
         deviation, replay = program.check(arguments.program, path, arguments.reference)
         drawings = plots.draw(name, file, claims.by_claim(rows))
         return {
-            "name": name, "path": path, "present": True, **labels(name, as_text(file.attrs.get("figure", ""))),
+            "name": name, "path": path, "present": True, "symbols": names, **labels(name, as_text(file.attrs.get("figure", ""))),
             "title": symbols.prose(heading(file)),
             "caption": symbols.prose(as_text(file.attrs.get("caption", ""))),
             "tier": as_text(file.attrs.get("tier", "full")),
-            "notes": [symbols.prose(note) for note in experiment(file).get("notes", [])],
+            "notes": [symbols.prose(note, names) for note in experiment(file).get("notes", [])],
             "drawings": drawings, "claims": rows, "checks": claims.by_check(rows),
             "verdicts": claims.by_claim(rows),
             "points": points.collect(file, replay),
@@ -103,11 +105,12 @@ def render(figures, arguments):
     rows = [row for figure in figures for row in figure["claims"]]
     shown = [figure for figure in figures if figure["present"]]
     citation = sources.citation(arguments.citation)
+    names = {figure["name"]: figure["symbols"] for figure in shown}
     words = [drawing["reading"] for figure in shown for drawing in figure["drawings"] if drawing["reading"]]
     return environment.get_template("page.html.j2").render(
         figures=figures, shown=shown, readings={word: CHOICE_NAMES.get(word, readable(word)) for word in words}, missing=[figure for figure in figures if not figure["present"]],
         claims=rows, count=claims.count(rows), tiers=sorted({figure["tier"] for figure in shown}),
-        matrix=matrix.read(arguments.assumptions), citation=citation,
+        matrix=matrix.read(arguments.assumptions, names), citation=citation,
         paper=next((entry["link"] for entry in citation if entry["kind"] == "article"), ""),
         provenance=sources.compare([figure["provenance"] for figure in shown]),
         colours=points.embedded([colors.to_hex(colormaps[COLORMAP](i / 32)) for i in range(33)]),
