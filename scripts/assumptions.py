@@ -1,15 +1,13 @@
 """How the verdicts depend on what the paper leaves open: the matrix as a figure, and docs/assumptions.md."""
 
 import argparse
-from collections import namedtuple
 from itertools import groupby
 
 from matplotlib import patches
 from matplotlib.figure import Figure
 
-from bristle_plots.assumptions import TOGETHER, cells_by_place, digest_line, read_matrix, reversed_verdict
+from bristle_plots.assumptions import TOGETHER, digest_line, read_matrix, reversed_verdict
 from bristle_plots.command_line import run
-from bristle_plots.errors import BristleError
 from bristle_plots.files import save_figure, write_text
 from bristle_plots.markdown import filled
 from bristle_plots.style import BLUE, GREEN, GREY, VERMILION, apply_look, wrapped
@@ -22,9 +20,6 @@ CELL_INCHES = 0.27
 LEFT_INCHES, RIGHT_INCHES, TOP_INCHES, BOTTOM_INCHES = 6.1, 1.3, 2.7, 0.75
 STATEMENT_LETTERS = 62
 
-# cells[check][alternative]; the first alternative is the baseline.
-Matrix = namedtuple("Matrix", "tier digest checks alternatives cells conclusions")
-
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
@@ -33,26 +28,16 @@ def main():
                         help="where to write assumptions.pdf and .png (default: %(default)s)")
     parser.add_argument("--text", metavar="FILE", help="where to write the account in words (Markdown)")
     arguments = parser.parse_args()
-    matrix = read(arguments.matrix)
+    matrix = read_matrix(arguments.matrix)
     apply_look()
     save_figure(draw(matrix), arguments.directory, "assumptions")
     if arguments.text:
         write_text(arguments.text, account(matrix))
 
 
-def read(path):
-    document = read_matrix(path)
-    try:
-        found, alternatives = cells_by_place(document), document["alternatives"]
-        cells = [[found[i, j] for j in range(len(alternatives))] for i in range(len(document["checks"]))]
-        return Matrix(document["tier"], digest_line(document), document["checks"], alternatives, cells, document["conclusions"])
-    except (KeyError, TypeError) as error:
-        raise BristleError(f"{path}: incomplete ({type(error).__name__}: {error})") from error
-
-
 def draw(matrix):
     """Rows are checks, columns alternatives; pale: the alternative does not affect the check."""
-    rows, columns = len(matrix.checks), len(matrix.alternatives)
+    rows, columns = len(matrix["checks"]), len(matrix["alternatives"])
     width = LEFT_INCHES + CELL_INCHES * columns + RIGHT_INCHES
     height = TOP_INCHES + CELL_INCHES * rows + BOTTOM_INCHES
     figure = Figure(figsize=(width, height))
@@ -60,9 +45,9 @@ def draw(matrix):
     axes.axis("off")
     axes.text(width / 2, 0.15, "How the verdicts depend on what the paper leaves open", ha="center", va="top",
               fontsize=14)
-    for index, check in enumerate(matrix.checks):
+    for index, check in enumerate(matrix["checks"]):
         draw_row(axes, matrix, index, check)
-    for index, alternative in enumerate(matrix.alternatives):
+    for index, alternative in enumerate(matrix["alternatives"]):
         axes.text(column_x(index) + CELL_INCHES / 2, TOP_INCHES - 0.08, alternative["name"], rotation=60,
                   rotation_mode="anchor", fontsize=8.5, va="center")
     draw_borders(axes, matrix)
@@ -85,9 +70,9 @@ def draw_row(axes, matrix, index, check):
         statement = statement[:STATEMENT_LETTERS - 1].rsplit(" ", 1)[0] + " \u2026"
     axes.text(0.15, y, check["claim"], va="center", fontsize=9, weight="bold")
     axes.text(0.55, y, wrapped(statement, 200), va="center", fontsize=8.5)
-    axes.text(LEFT_INCHES - 0.1, y, matrix.conclusions[index]["conclusion"], va="center", ha="right",
+    axes.text(LEFT_INCHES - 0.1, y, matrix["conclusions"][index]["conclusion"], va="center", ha="right",
               fontsize=8.5, color=GREY)
-    for column, cell in enumerate(matrix.cells[index]):
+    for column, cell in enumerate(matrix["grid"][index]):
         draw_cell(axes, column_x(column), row_y(index), cell)
 
 
@@ -102,14 +87,14 @@ def draw_cell(axes, x, y, cell):
 
 def draw_borders(axes, matrix):
     """A line before each group of alternatives, and between figures."""
-    bottom = row_y(len(matrix.checks))
+    bottom = row_y(len(matrix["checks"]))
     column = 0
-    for _, group in groupby(matrix.alternatives, key=lambda a: a["choice"]):
+    for _, group in groupby(matrix["alternatives"], key=lambda a: a["choice"]):
         axes.plot([column_x(column)] * 2, [TOP_INCHES - 0.05, bottom], color="black", linewidth=0.8)
         column += len(list(group))
     row = 0
-    for _, group in groupby(matrix.checks, key=lambda c: c["experiment"]):
-        axes.plot([0.15, column_x(len(matrix.alternatives))], [row_y(row)] * 2, color=GREY, linewidth=0.5)
+    for _, group in groupby(matrix["checks"], key=lambda c: c["experiment"]):
+        axes.plot([0.15, column_x(len(matrix["alternatives"]))], [row_y(row)] * 2, color=GREY, linewidth=0.5)
         row += len(list(group))
 
 
@@ -144,13 +129,13 @@ gives, the threshold, and the range of the numbers over the alternatives that af
 
 
 def account(matrix):
-    parts = [TEXT.format(tier=matrix.tier), matrix.digest + influence(matrix)]
+    parts = [TEXT.format(tier=matrix["tier"]), digest_line(matrix) + influence(matrix)]
     for name in CONCLUSIONS:
-        found = [c for c in matrix.conclusions if c["conclusion"] == name]
-        parts.append(f"## {name.capitalize()}: {len(found)} of {len(matrix.conclusions)}\n")
+        found = [c for c in matrix["conclusions"] if c["conclusion"] == name]
+        parts.append(f"## {name.capitalize()}: {len(found)} of {len(matrix['conclusions'])}\n")
         parts += [check_item(matrix, c) for c in found] + [""] if found else []
     parts.append("## The alternatives\n")
-    for choice, group in groupby(range(1, len(matrix.alternatives)), key=lambda i: matrix.alternatives[i]["choice"]):
+    for choice, group in groupby(range(1, len(matrix["alternatives"])), key=lambda i: matrix["alternatives"][i]["choice"]):
         parts += [f"### {choice}\n", *(alternative_item(matrix, i) for i in group), ""]
     return filled("\n".join(parts))
 
@@ -158,8 +143,8 @@ def account(matrix):
 def influence(matrix):
     """The open choices, by the largest number of verdicts that one of their alternatives reverses."""
     most = {}
-    for index, alternative in enumerate(matrix.alternatives[1:], 1):
-        reversals = sum(reversed_verdict(cells[index], cells[0]) for cells in matrix.cells)
+    for index, alternative in enumerate(matrix["alternatives"][1:], 1):
+        reversals = sum(reversed_verdict(cells[index], cells[0]) for cells in matrix["grid"])
         most[alternative["choice"]] = max(most.get(alternative["choice"], 0), reversals)
     ranked = sorted((choice for choice in most if most[choice] and choice != TOGETHER), key=lambda c: -most[c])
     harmless = [choice for choice in most if not most[choice]]
@@ -170,10 +155,10 @@ def influence(matrix):
 
 def check_item(matrix, conclusion):
     """An item of a list: the statement, its numbers, and the alternatives that give another verdict."""
-    check, cells = matrix.checks[conclusion["check"]], matrix.cells[conclusion["check"]]
+    check, cells = matrix["checks"][conclusion["check"]], matrix["grid"][conclusion["check"]]
     lines = [f"- **{check['claim']}**, {conclusion['baseline']}: {check['statement']}", f"  - {numbers(check, cells)}"]
     for verdict in SIGNS:
-        names = [a["name"] for a, cell in zip(matrix.alternatives, cells) if cell["verdict"] == verdict]
+        names = [a["name"] for a, cell in zip(matrix["alternatives"], cells) if cell["verdict"] == verdict]
         if names and verdict != conclusion["baseline"]:
             lines.append(f"  - {verdict} under: {'; '.join(names)}")
     return "\n".join(lines)
@@ -189,8 +174,8 @@ def numbers(check, cells):
 
 
 def alternative_item(matrix, index):
-    alternative = matrix.alternatives[index]
-    changed = [f"{check['claim']} {cells[index]['verdict']}" for check, cells in zip(matrix.checks, matrix.cells)
+    alternative = matrix["alternatives"][index]
+    changed = [f"{check['claim']} {cells[index]['verdict']}" for check, cells in zip(matrix["checks"], matrix["grid"])
                if cells[index]["verdict"] != cells[0]["verdict"]]
     return (f"- **{alternative['name']}**: {alternative['description']}\n"
             f"  - other verdicts than the baseline's: {', '.join(changed) or 'none'}")

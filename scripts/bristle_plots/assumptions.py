@@ -9,13 +9,18 @@ TOGETHER = "together"  # the choice of alternatives that combine others
 
 
 def read_matrix(path):
-    """The document; cells with their place (check, alternative, window) and names of their values."""
+    """The document; cells: those of all windows, with their place and the names of their values; grid[check][alternative]:
+    those of the last window, or of the only one. The first alternative is the baseline."""
     document = read_json(path, REMEDY)
     schema = document.get("schema") if isinstance(document, dict) else None
     if schema != SCHEMA:
         raise BristleError(f"{path}: schema {schema or 'none'}; this script reads {SCHEMA}; {REMEDY}")
     try:
-        return {**document, "cells": list(cells_of(document))}
+        cells = list(cells_of(document))
+        width = len(document["alternatives"])
+        last = [cell for cell in cells if cell["window"] == document["windows"][-1]]
+        grid = [last[i:i + width] for i in range(0, len(last), width)]
+        return {**document, "cells": cells, "grid": grid, "conclusions": document["conclusions"], "tier": document["tier"]}
     except (KeyError, TypeError, ValueError, IndexError) as error:
         raise BristleError(f"{path}: not valid as {schema} ({type(error).__name__}: {error})") from error
 
@@ -38,11 +43,6 @@ def cells_of(document):
 def digest_line(document):
     """The paragraph by which `bristle archive` knows which matrix a page describes."""
     return f"Payload digest of the matrix: {document['payload_sha256'][:16]}.\n\n"
-
-
-def cells_by_place(document):
-    """(index of the check, index of the alternative) -> cell."""
-    return {(cell["check"], cell["alternative"]): cell for cell in document["cells"]}
 
 
 def reversed_verdict(cell, baseline):

@@ -4,7 +4,7 @@ import os
 from itertools import groupby
 
 import symbols
-from bristle_plots.assumptions import TOGETHER, cells_by_place, read_matrix
+from bristle_plots.assumptions import TOGETHER, read_matrix
 from bristle_plots.errors import BristleError
 from bristle_plots.verdicts import FURTHER_SYMBOLS, number, threshold_text, with_uncertainty
 from claims import sign
@@ -25,21 +25,14 @@ def read(paths, names):
 
 def matrix(path, document, names):
     """Rows grouped by claim, columns grouped by choice, a sentence for each claim."""
-    checks, alternatives = document["checks"], document["alternatives"]
-    cells = cells_by_place(document)
-    baselines = [j for j, alternative in enumerate(alternatives) if alternative["choice"] == ""]
-    if len(baselines) != 1:
-        raise BristleError(f"{path}: {len(baselines)} alternatives have no choice; only the baseline has none")
-    conclusions = {one["check"]: one for one in document["conclusions"]}
-    order = baselines + [j for j in range(len(alternatives)) if j not in baselines]
     return {
         "path": os.path.basename(path),
-        "tier": document.get("tier", ""),
-        "program": {"version": "", "commit": "", **document.get("program", {})},
+        "tier": document["tier"],
+        "program": document["program"],
         "choices": [(choice or "baseline", len(list(group)))
-                    for choice, group in groupby(order, lambda j: alternatives[j]["choice"])],
-        "alternatives": [{**alternatives[j], "index": j} for j in order],
-        "claims": [claim_rows(claim, rows, cells, alternatives, order, conclusions, names) for claim, rows in by_claim(checks)],
+                    for choice, group in groupby(document["alternatives"], lambda alternative: alternative["choice"])],
+        "alternatives": document["alternatives"],
+        "claims": [claim_rows(claim, rows, document, names) for claim, rows in by_claim(document["checks"])],
     }
 
 
@@ -50,16 +43,16 @@ def by_claim(checks):
     return found.items()
 
 
-def claim_rows(claim, rows, cells, alternatives, order, conclusions, names):
-    """One claim: its sentence and its checks with their cells; order[0] is the baseline."""
+def claim_rows(claim, rows, document, names):
+    """One claim: its sentence and its checks with their cells."""
     def statement(check):
         return check["statement"], names.get(check["experiment"], FURTHER_SYMBOLS)
 
-    return {"claim": claim, "sentence": sentence(rows, cells, alternatives, conclusions),
+    return {"claim": claim, "sentence": sentence(rows, document),
             "checks": [{"statement": symbols.prose(*statement(check)), "experiment": check["experiment"],
                         "plain": symbols.plain(*statement(check)),
-                        "cells": [cell(cells[i, j], cells[i, order[0]], alternatives[j], check)
-                                  for j in order]}
+                        "cells": [cell(found, document["grid"][i][0], alternative, check)
+                                  for found, alternative in zip(document["grid"][i], document["alternatives"])]}
                        for i, check in rows]}
 
 
@@ -81,13 +74,13 @@ def cell(found, baseline, alternative, check):
             "affected": bool(found["affected"]), "alternative": alternative["name"], "details": details}
 
 
-def sentence(rows, cells, alternatives, conclusions):
+def sentence(rows, document):
     """The conclusions on the claim's checks, the open choices on which they depend, and the verdicts that change."""
-    found = [conclusions[i] for i, _ in rows]
+    found = [document["conclusions"][i] for i, _ in rows]
     words = dict.fromkeys(one["conclusion"] for one in found)
     depends = dict.fromkeys(choice for one in found for choice in one["depends_on"] if choice != TOGETHER)
-    changes = dict.fromkeys(f"{alternatives[j]['name']}: {one['baseline']} \u2192 {cells[one['check'], j]['verdict']}"
-                            for one in found for j, alternative in enumerate(alternatives)
+    changes = dict.fromkeys(f"{alternative['name']}: {one['baseline']} \u2192 {cell['verdict']}" for one in found
+                            for alternative, cell in zip(document["alternatives"], document["grid"][one["check"]])
                             if alternative["name"] in one["other"] + one["undecided"])
     text = ", ".join(words) + (f": depends on {', '.join(depends)}" if depends else "")
     return {"text": text, "changes": list(changes)}
