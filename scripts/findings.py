@@ -8,7 +8,7 @@ import numpy as np
 
 from bristle_plots.command_line import run
 from bristle_plots.errors import BristleError
-from bristle_plots.explanations import (READINGS, at_most, chosen_at, ends, explain_claim, explain_further, listed,
+from bristle_plots.explanations import (PROGRAM, READINGS, at_most, chosen_at, explain_claim, explain_further, falls, listed,
                                         percent, periodic_part, short, span, where_saturated)
 from bristle_plots.files import write_text
 from bristle_plots.markdown import filled, table
@@ -24,8 +24,6 @@ choices for what the paper leaves open. `make findings` writes this page and the
 README.md from the result files; no number in them is typed.
 """
 
-# The claims in short, for the first table. Their checks quote the paper.
-
 BEGIN, END = "<!-- summary: written by `make findings` -->", "<!-- end of summary -->"
 
 
@@ -34,7 +32,9 @@ def main():
     parser.add_argument("results", metavar="RESULT.h5", nargs="+", help="result files in the figures' order")
     parser.add_argument("-o", dest="output", metavar="FILE", default="docs/findings.md")
     parser.add_argument("--readme", metavar="FILE", help="document whose summary is replaced")
+    parser.add_argument("--program", default=PROGRAM.get(), help="what measures on the results (default: %(default)s)")
     arguments = parser.parse_args()
+    PROGRAM.set(arguments.program)
     files = [open_result(path) for path in arguments.results]
     images = os.path.join(os.path.dirname(arguments.output), "images")
     found = [(file, claims_of(file)) for file in files]
@@ -191,7 +191,7 @@ def on_claim(what, claim, verdicts):
 def fall_with_stiffness(file, _):
     k_r = axis_values(file, "k_r")
     def factor(name, law):
-        return of_both(lambda reading: short(1 / ends(file, name, azimuth_rate=reading, friction=law)))
+        return of_both(lambda reading: short(*falls(file, reading, name, friction=law)))
     return (f"From k_r = {chosen_at(k_r[0])} to {chosen_at(k_r[-1])} the normalised friction R_x_norm falls by a factor of "
             f"{factor('R_x_norm', 'nss')} under nominal shear stress, and the contact area, gamma_3, by "
             f"{factor('gamma_3', 'nss')}; under Coulomb friction R_x_norm falls by {factor('R_x_norm', 'coulomb')}.")

@@ -1,15 +1,19 @@
-"""Why a claim is not supported: texts with the numbers behind them, read from the result files.
+"""Why a claim is not supported: texts with the numbers behind them, read from the result files or measured by the program.
 
 A function takes the file of the claim's figure and (check, claim as measured) for the checks of one reading.
 """
 
+from contextvars import ContextVar
+
 import numpy as np
 
-from .results import (axis_names, axis_values, constant, dataset, point_numbers, read, select, select_flags,
-                      setting)
+from .program import DEFAULT, measure
+from .results import axis_names, axis_values, constant, dataset, place_of, point_numbers, read, select, setting
 from .verdicts import number, p_text, threshold_text, with_uncertainty
 
 READINGS = {"kinematic": "exact", "as_printed": "as printed"}  # of Eq. (17)
+
+PROGRAM = ContextVar("program", default=DEFAULT)  # what measures
 
 CHANCE = 0.05  # significance that a trend needs (docs/claims.md)
 NEAR_GROUND = 0.02  # the gap z_0 of claim 3b
@@ -62,23 +66,16 @@ def geometric_mean(file, name, **chosen):
     return np.exp(np.log(select(dataset(file, name), ["k_r", "k_theta"], **chosen)).mean(axis=1))
 
 
-def interpolated(file, variable, abscissa, target, **chosen):
-    """The variable where the abscissa first has this value on a traced curve; R_n on the loading path."""
-    x, y = (select(dataset(file, name), ["node"], **chosen) for name in (abscissa, variable))
-    words, branch = select_flags(file, "branch", ["node"], **chosen)
-    on = np.isfinite(y) & (np.isin(np.array(words)[branch], ["loading", "both"]) | (abscissa != "R_n"))
-    x, y = x[on], y[on]
-    crossed = np.flatnonzero((x[:-1] - target) * (x[1:] - target) <= 0)
-    if not len(crossed):
-        return np.nan
-    i = crossed[0]
-    return y[i] + (y[i + 1] - y[i]) * (target - x[i]) / (x[i + 1] - x[i])
+def measured(file, reading, *quantities):
+    """What the program measures: the number of each quantity, described by the keys of a check."""
+    return np.array(measure(PROGRAM.get(), place_of(file), reading, quantities))
 
 
-def over_k_r(file, stiffness, *arguments, reading):
-    """interpolated() for each k_r at the paper's k_phi."""
+def over_k_r(file, stiffness, variable, abscissa, target, *, reading):
+    """For each k_r the variable where the abscissa first has this value, at the paper's k_phi."""
     k_phi = setting(file, "model", "k_phi")
-    return np.array([interpolated(file, *arguments, azimuth_rate=reading, k_phi=k_phi, k_r=k_r) for k_r in stiffness])
+    return measured(file, reading, *({"predicate": "level", "variable": variable, "along": "k_phi", "at": {abscissa: target},
+                                      "where": {"k_phi": k_phi, "k_r": k_r}} for k_r in stiffness))
 
 
 def nearest(values, wanted):
@@ -255,28 +252,26 @@ def alignment_over_stiffness(file, pairs):
     return f"along k_r gamma_2 falls and rises more than once: {turns(axis_values(file, 'k_r'), mean)}."
 
 
-def ends(file, name, **chosen):
-    """Last over first value along k_r, geometric mean over the curves."""
-    other = [axis for axis in axis_names(dataset(file, name)) if axis not in ("k_r", *chosen)]
-    y = select(dataset(file, name), ["k_r", *other], **chosen)
-    return float(np.exp(np.mean(np.log(y[-1] / y[0]))))
+def falls(file, reading, *names, **chosen):
+    """The factor by which each variable falls along k_r, geometric mean over the curves."""
+    return 1 / measured(file, reading, *({"predicate": "end_ratio", "variable": name, "along": "k_r", "where": chosen}
+                                         for name in names))
 
 
 def estimate_of_friction(file, pairs):
-    chosen = {"azimuth_rate": pairs[0][1].reading}
-    friction, count, area = (ends(file, name, **chosen) for name in ("R_x_norm", "N_c_ratio", "gamma_3"))
-    return (f"over the range of k_r R_x_norm falls by a factor of {short(1 / friction)} and N_c/N_c0 by "
-            f"{short(1 / count)}, whose cube root is {short(count ** (-1 / 3))}; gamma_3, the contact area under "
-            f"a fluctuating load, falls by {short(1 / area)}.")
+    friction, count, area = falls(file, pairs[0][1].reading, "R_x_norm", "N_c_ratio", "gamma_3")
+    return (f"over the range of k_r R_x_norm falls by a factor of {short(friction)} and N_c/N_c0 by "
+            f"{short(count)}, whose cube root is {short(count ** (1 / 3))}; gamma_3, the contact area under "
+            f"a fluctuating load, falls by {short(area)}.")
 
 
 def product_of_gammas(file, pairs):
     check, row = pairs[0]
-    names = {check["variable"]: 1, **{name: -power for name, power in check["divide_by"].items()}}
-    product = 1
-    for name, power in names.items():
-        product = product * select(dataset(file, name), ["k_r", "k_phi"], azimuth_rate=row.reading) ** power
-    return (f"the quotient is {span(product[0])} at the lowest k_r and {span(product[-1])} at the highest, over all k_phi: "
+    quotient = {"predicate": "level", "along": "k_r", **{key: check[key] for key in ("variable", "divide_by")}}
+    lowest, highest = (measured(file, row.reading, *({**quotient, "where": {"k_r": k_r, "k_phi": k_phi}}
+                                                     for k_phi in axis_values(file, "k_phi")))
+                       for k_r in axis_values(file, "k_r")[[0, -1]])
+    return (f"the quotient is {span(lowest)} at the lowest k_r and {span(highest)} at the highest, over all k_phi: "
             "the mean over the bristles of a product is not the product of the means.")
 
 

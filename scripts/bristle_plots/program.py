@@ -1,11 +1,14 @@
-"""Calls of the program: deviations from the references, replay commands, exported tables."""
+"""Calls of the program: measurements, deviations from the references, replay commands, exported tables."""
 
+import csv
 import json
 import os
 import subprocess
 import tempfile
 
-from bristle_plots.errors import BristleError
+from .errors import BristleError
+
+DEFAULT = "build/bristle"
 
 
 def run(arguments):
@@ -35,6 +38,18 @@ def export(program, path, *options):
             raise BristleError(f"{path}: not exported: {done.stderr.strip()}")
         with open(output, encoding="utf-8") as file:
             return file.read()
+
+
+def measure(program, path, reading, quantities):
+    """What the program measures on a result under a reading: the number of each quantity, which is described by the keys
+    of a check (docs/claims.md); NaN without a value."""
+    unjudged = {"claim": "-", "statement": "-", "is": "at_least", "threshold": 0}
+    with tempfile.NamedTemporaryFile("w", suffix=".json", encoding="utf-8") as file:
+        json.dump({"checks": [{**unjudged, **one} for one in quantities]}, file, default=float)
+        file.flush()
+        lines = export(program, path, "--group", "checks", "--checks", file.name).splitlines()
+    rows = csv.DictReader(line for line in lines if not line.startswith("#"))
+    return [float(row["measured"] or "nan") for row in rows if row["reading"] == reading]
 
 
 def outcome(deviation):

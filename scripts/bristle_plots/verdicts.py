@@ -4,8 +4,6 @@ import re
 from collections import namedtuple
 from math import floor, isfinite, log10
 
-import numpy as np
-
 from .errors import BristleError
 from .results import as_text, attribute, experiment, is_whole, place_of, read, readable, table
 from .style import BLUE, GREEN, GREY, VERMILION, with_carons, wrapped

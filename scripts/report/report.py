@@ -17,11 +17,10 @@ import diagnostics  # noqa: E402
 import matrix  # noqa: E402
 import plots  # noqa: E402
 import points  # noqa: E402
-import program  # noqa: E402
 import sources  # noqa: E402
 import symbols  # noqa: E402
 import tables  # noqa: E402
-from bristle_plots import verdicts  # noqa: E402
+from bristle_plots import program, verdicts  # noqa: E402
 from bristle_plots.command_line import run  # noqa: E402
 from bristle_plots.errors import BristleError  # noqa: E402
 from bristle_plots.files import write_text  # noqa: E402
@@ -37,7 +36,7 @@ def main():
     parser.add_argument("results", metavar="RESULT.h5", nargs="+",
                         help="result files in the figures' order; a missing file is named on the page")
     parser.add_argument("-o", dest="output", metavar="FILE", default="report/index.html")
-    parser.add_argument("--program", default="build/bristle",
+    parser.add_argument("--program", default=program.DEFAULT,
                         help="for the comparison with the references (default: %(default)s)")
     parser.add_argument("--reference", default="reference",
                         help="folder of the references (default: %(default)s)")

@@ -5,7 +5,7 @@ import base64
 import gzip
 import re
 
-import program
+from bristle_plots import program
 from bristle_plots.results import as_text, table
 
 RECORDED = ["trajectories", "slab_force"]

@@ -2,6 +2,8 @@
 
 #include "claims/measure.hpp"
 #include "experiment/experiment.hpp"
+#include "util/error.hpp"
+#include "util/json.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -44,6 +46,12 @@ Verdict worse(Verdict a, Verdict b) {
   return a == Verdict::supported ? b : a;
 }
 
+Json checks_of(const std::string& file) {
+  const Json content = read_json_file(file);
+  if (!content.contains("checks")) throw InputError(file + ": has no /checks to evaluate");
+  return content["checks"];
+}
+
 // The verdict on a claim under one reading (CheckResult::claim_verdict).
 Verdict verdict_on_claim(const std::vector<CheckResult>& checks, const std::string& claim,
                          const std::string& reading) {
@@ -81,10 +89,14 @@ const char* to_string(experiment::Criterion criterion) {
 
 std::vector<CheckResult> evaluate_checks(
     const results::ResultReader& result,
-    const std::vector<std::pair<std::string, std::array<double, 2>>>& within) {
+    const std::vector<std::pair<std::string, std::array<double, 2>>>& within,
+    const std::string& checks_file) {
   std::vector<CheckResult> out;
   // The checks of a file are untrusted, and the predicates rely on the validation.
-  Experiment experiment = experiment::stored_experiment(result.experiment(), "full", result.path());
+  Json document = result.experiment();
+  if (!checks_file.empty()) document["checks"] = checks_of(checks_file);
+  Experiment experiment =
+      experiment::stored_experiment(document, "full", checks_file.empty() ? result.path() : checks_file);
   for (experiment::Check& check : experiment.checks)
     for (const auto& [axis, range] : within)
       if (experiment.swept(axis) && !selects(check, axis)) check.where.emplace_back(axis, range);

@@ -39,10 +39,12 @@ std::vector<ClaimVerdict> claim_verdicts(const std::vector<CheckResult>& checks)
 
 // Evaluates the checks of the experiment that is stored in the result. Throws InputError if a check names a
 // variable, an axis or a value that the result does not have.
-// within limits the axes that a check neither selects nor compares to ranges [from, to].
+// within limits the axes that a check neither selects nor compares to ranges [from, to]. The checks of
+// checks_file, a JSON file such as an experiment, are taken in place of the result's if it is named.
 std::vector<CheckResult> evaluate_checks(
     const results::ResultReader& result,
-    const std::vector<std::pair<std::string, std::array<double, 2>>>& within = {});
+    const std::vector<std::pair<std::string, std::array<double, 2>>>& within = {},
+    const std::string& checks_file = "");
 
 // A human-readable table with one line per check of the experiment, and a column of verdicts for each
 // reading.

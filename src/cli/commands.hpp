@@ -63,6 +63,7 @@ int reference_update_command(compare::ReferenceUpdate update);
 struct ExportOptions {
   std::string file, output;  // empty output: the name of the result with .csv
   std::string group;         // empty: the variables
+  std::string checks;        // of the group checks: a file with others; empty: those of the result
 };
 int export_command(const ExportOptions& options);
 

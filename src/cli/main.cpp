@@ -83,6 +83,10 @@ CLI::App* add_export(CLI::App& app, ExportOptions& options) {
   command->add_option("-o,--output", options.output, "table [the name of FILE with .csv]");
   command->add_option("--group", options.group,
                       "checks, jumps, load_error or a recorded table in place of the variables");
+  command->add_option(
+      "--checks", options.checks,
+      "with --group checks: evaluate the checks of this file, such as an experiment, in place "
+      "of the result's");
   return command;
 }
 

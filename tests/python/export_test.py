@@ -60,6 +60,14 @@ def check_checks(path):
     assert table["statement"].tolist() == checks["statement"].values.tolist()
     assert table["verdict"].tolist() == checks["verdict"].values.tolist()
     assert np.array_equal(table["measured"], checks["measured"].values)
+    # Another question to the same numbers.
+    one = {"claim": "4a", "statement": "level", "predicate": "level", "variable": "R_x", "along": "k_r", "is": "at_least", "threshold": 0}
+    (folder / "checks.json").write_text(json.dumps({"checks": [one]}))
+    table, data = exported(path, "--group", "checks", "--checks", folder / "checks.json"), xarray.open_dataset(path)
+    assert np.allclose(table["measured"], data["R_x"].mean(["k_r", "k_theta"])), table
+    (folder / "checks.json").write_text("{}")
+    assert "has no /checks" in run("export", path, "-o", folder / "table.csv", "--group", "checks", "--checks", folder / "checks.json", code=2)
+    assert "--checks needs --group checks" in run("export", path, "--checks", folder / "checks.json", code=2)
 
 
 def check_tables(path):

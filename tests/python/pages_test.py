@@ -1,6 +1,6 @@
 """Scripts that no other test runs write their pages, with the numbers of what they read.
 
-pages_test.py BRISTLE FOLDER RESULT...: results of the smoke tier. The matrix and the benchmarks are invented.
+pages_test.py BRISTLE FOLDER RESULT...: results of the smoke tier, fig7 first. The matrix and the benchmarks are invented.
 """
 import json
 import pathlib
@@ -12,6 +12,8 @@ from xml.etree import ElementTree
 import h5py
 
 from in_process import SCRIPTS, called
+from bristle_plots import BristleError
+from bristle_plots.program import measure
 
 bristle, folder, *results = [pathlib.Path(word).absolute() for word in sys.argv[1:]]
 SUMMARY = "<!-- summary: written by `make findings` -->", "<!-- end of summary -->"
@@ -32,7 +34,8 @@ def write(name, document):
 def check_findings():
     """Each measured number and each digest are in the page, and its summary is in README.md."""
     (folder / "README.md").write_text("\n".join(["before", *SUMMARY, "after"]))
-    page = written("findings.py", "findings.md", *results, "-o", folder / "findings.md", "--readme", folder / "README.md")
+    page = written("findings.py", "findings.md", *results, "-o", folder / "findings.md", "--readme", folder / "README.md",
+                   "--program", bristle)
     for path in results:
         with h5py.File(path) as file:
             assert f"`{file.attrs['payload_sha256'].decode()[:16]}`" in page, path
@@ -44,6 +47,22 @@ def check_findings():
     (folder / "README.md").write_text("no place")
     done = called("findings.py", *results[:1], "-o", folder / "findings.md", "--readme", folder / "README.md")
     assert done.code == 2 and "has no summary to replace" in done.messages, done.messages
+
+
+def check_measure():
+    """What the program measures for an explanation is what a check of the result measured, under the same reading."""
+    with h5py.File(results[0]) as file:
+        names = [name.decode() for name in file["checks/claim"]]
+        row = names.index("7a")
+        reading, measured = file["checks/reading"][row].decode(), file["checks/measured"][row]
+    end_ratio = {"predicate": "end_ratio", "variable": "R_x_norm", "along": "k_r", "where": {"friction": "nss"}}
+    assert measure(bristle, results[0], reading, [end_ratio] * 2) == [measured] * 2
+    try:
+        measure(bristle, results[0], reading, [{**end_ratio, "variable": "R_z"}])
+    except BristleError as error:
+        assert "R_z" in str(error), error
+    else:
+        raise AssertionError("an unknown variable was measured")
 
 
 def check_inference():
@@ -100,6 +119,7 @@ def check_drawing():
 
 folder.mkdir(parents=True, exist_ok=True)
 check_findings()
+check_measure()
 check_inference()
 check_performance()
 check_drawing()
