@@ -18,12 +18,12 @@ PROGRAM = "plot"
 DPI_RANGE = 30, 2400
 
 
-def run(main, program=os.path.basename(sys.argv[0])):
+def run(main, program=None):
     """Calls main(); an error becomes one line on stderr and the exit code (2: wrong input, 3: not written)."""
     try:
         main()
     except BristleError as error:
-        print(f"{program}: error: {error}", file=sys.stderr)
+        print(f"{program or os.path.basename(sys.argv[0])}: error: {error}", file=sys.stderr)
         raise SystemExit(error.exit_code) from None
 
 

@@ -61,8 +61,7 @@ Measurement exponential(Measurement m) {
 
 Measurement mean_log_range(const Curves& in) {
   return mean_over(in, [](const Curve& curve) {
-    const auto less = [](const CurvePoint& a, const CurvePoint& b) { return a.value < b.value; };
-    const auto [low, high] = std::minmax_element(curve.begin(), curve.end(), less);
+    const auto [low, high] = std::ranges::minmax_element(curve, {}, &CurvePoint::value);
     return Estimate{log(high->value / low->value), relative_error(*low) + relative_error(*high)};
   });
 }
@@ -109,8 +108,7 @@ std::vector<Estimate> log_slopes(const Curve& curve) {
 }
 
 std::size_t steepest(const std::vector<Estimate>& slopes) {
-  const auto less = [](const Estimate& a, const Estimate& b) { return a.value < b.value; };
-  return std::size_t(std::min_element(slopes.begin(), slopes.end(), less) - slopes.begin());
+  return std::size_t(std::ranges::min_element(slopes, {}, &Estimate::value) - slopes.begin());
 }
 
 // ln(abscissa) at which the curve first falls to a level after the point from, and half the distance of the
@@ -194,8 +192,7 @@ Measurement slope(const Curves& in, bool logarithmic) {
 
 Measurement plateau(const Curves& in) {
   return mean_over(in, [](const Curve& curve) {
-    const auto less = [](const CurvePoint& a, const CurvePoint& b) { return a.value < b.value; };
-    const auto [low, high] = std::minmax_element(curve.begin(), curve.end(), less);
+    const auto [low, high] = std::ranges::minmax_element(curve, {}, &CurvePoint::value);
     double mean = 0;
     for (const CurvePoint& p : curve) mean += p.value / double(curve.size());
     return Estimate{(high->value - low->value) / mean, (high->error + low->error) / mean};
@@ -247,9 +244,8 @@ Measurement steepness(const Curves& in) {
 
 Measurement fall_width(const Curves& in) {
   return mean_over(in, [](const Curve& curve) {
-    const auto less = [](const CurvePoint& a, const CurvePoint& b) { return a.value < b.value; };
-    const auto high = std::max_element(curve.begin(), curve.end(), less);
-    const auto low = std::min_element(high, curve.end(), less);
+    const auto high = std::ranges::max_element(curve, {}, &CurvePoint::value);
+    const auto low = std::ranges::min_element(high, curve.end(), {}, &CurvePoint::value);
     const double range = high->value - low->value;
     const auto from = std::size_t(high - curve.begin());
     const Estimate begin = falls_to(curve, from, high->value - range / 4);
@@ -279,16 +275,14 @@ Measurement fold(const Curves& in) {
 
 Measurement ordering(const Curve& first, const Curve& second) {
   Pairs pairs;
-  Measurement out;
+  std::size_t missing = 0;
   for (std::size_t i = 0; i < first.size(); ++i) {
     if (std::isfinite(first[i].value) && std::isfinite(second[i].value))
       pairs.add(sign_of(first[i].value - second[i].value, first[i].error + second[i].error));
-    else ++out.missing;
+    else ++missing;
   }
-  out.curves = 2;
-  if (pairs.all == 0) return out;
-  out.value = double(pairs.rising - pairs.falling) / double(pairs.all);
-  out.uncertainty = double(pairs.all - pairs.rising - pairs.falling) / double(pairs.all);
+  Measurement out = pairs.measurement(2, missing);
+  out.significance = NAN;  // of a rank correlation only
   return out;
 }
 

@@ -71,7 +71,8 @@ def check_inference():
     no, yes = "refuted", "supported"
     under = [[no, no, yes, yes], [no, no, no, yes], [no, no, no, yes]]  # of each check: the sets, each in both windows
     cells = [{"check": i, "under": [[verdict, verdict] for verdict in row]} for i, row in enumerate(under)]
-    path = write("matrix.json", {"schema": "bristle-assumptions/3", "payload_sha256": "0123456789abcdef0123", "checks": checks,
+    path = write("matrix.json", {"schema": "bristle-assumptions/3", "payload_sha256": "0123456789abcdef0123", "tier": "study",
+                                 "conclusions": [], "checks": checks,
                                  "alternatives": [{"name": name, "members": []} for name in ("baseline", "printed")],
                                  "windows": ["wide", "narrow"], "cell_keys": ["claim_verdict", "verdict"], "cells": cells})
     page = written("inference.py", "inference.md", path, "-o", folder)
