@@ -1,5 +1,7 @@
 #include "ensemble/quadrature.hpp"
 
+#include "ensemble/nested_rule.hpp"
+
 #include <algorithm>
 #include <cmath>
 
