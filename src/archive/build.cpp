@@ -1,29 +1,285 @@
 #include "archive/build.hpp"
 
+#include "archive/citation.hpp"
+#include "archive/contents.hpp"
+#include "archive/result_facts.hpp"
 #include "archive/verify.hpp"
+#include "assumptions/assumptions.hpp"
+#include "experiment/experiment.hpp"
+#include "results/digest.hpp"
+#include "results/journal.hpp"
+#include "results/version.hpp"
 #include "util/error.hpp"
 #include "util/file.hpp"
+#include "util/git.hpp"
 #include "util/sha.hpp"
+#include "util/text.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <filesystem>
+#include <nlohmann/json.hpp>
 
 namespace bristle::archive {
+namespace fs = std::filesystem;
+namespace {
+
+// Removes leading blanks from a line of `git status`.
+std::string without_leading_blanks(const std::string& line) {
+  return line.substr(line.find_first_not_of(' '));
+}
+
+// Collects the contents of the archive.
+class Gatherer {
+ public:
+  explicit Gatherer(const ArchiveOptions& options)
+      : options_(options),
+        repository_(options.source, "--source " + options.source,
+                    "an archive contains the source of its commit") {}
+
+  Contents run() {
+    check_program();
+    Files payload;
+    for (const char* folder : {"experiments", "reference", "docs", "LICENSE", "LICENSE-DATA"})
+      for (const std::string& name : repository_.files(folder)) payload[name] = read_file(in_source(name));
+    const std::string commit = repository_.commit();
+    payload[source_file(commit)] = repository_.source_archive(fmt::format("bristle-{}/", commit));
+    const auto facts = add_results(payload);
+    auto figures = facts;  // studies have no claims, of which the page is a list
+    std::erase_if(figures, [](const auto& one) { return one.second["figure"] == ""; });
+    check_page("docs/findings.md", payload, figures, "make findings");
+    for (const char* name : {"assumptions", "inference"}) add_matrix(name, payload);
+    add_report(payload);
+    std::vector<std::string> reasons;
+    for (const auto& [what, places] : untraceable_)
+      reasons.push_back(fmt::format("{} {}", fmt::join(places, ", "), what));
+    try {
+      return describe(std::move(payload), facts, commit, repository_.commit_time(),
+                      fmt::format("{}", fmt::join(reasons, "; ")));
+    } catch (const MalformedError& e) {
+      throw InputError(e.what());
+    }
+  }
+
+ private:
+  std::string in_source(const std::string& name) const { return (fs::path(options_.source) / name).string(); }
+
+  // For contents that cannot be traced to their origin: throws,
+  // or with allow_dirty records the reason for the draft.
+  void refuse_or_record(const std::string& place, const std::string& what, const std::string& remedy) {
+    if (!options_.allow_dirty)
+      throw InputError(fmt::format("{} {}; {} (--allow-dirty archives it as a draft)", place, what, remedy));
+    untraceable_[what].push_back(place);
+  }
+
+  void check_program() {
+    if (!repository_.is_top())
+      throw InputError(fmt::format("--source {}: not the top folder of its repository", options_.source));
+    const std::string file = in_source("CITATION.cff"), text = read_file(file);
+    std::string version;
+    try {
+      version = dataset_citation(parse_citation(text), "")["version"];
+    } catch (const MalformedError& e) {
+      throw InputError(fmt::format("{}: {}", file, e.what()));
+    }
+    if (version != options_.version)
+      throw InputError(fmt::format("{}: version {}, but this program is {}; build it again with `make build`",
+                                   file, version, options_.version));
+    if (const std::string changes = repository_.changes(); !changes.empty())
+      refuse_or_record(
+          fmt::format("the work tree ({})", without_leading_blanks(changes.substr(0, changes.find('\n')))),
+          "differs from its commit", "commit or stash first; `git status` lists the changes");
+    else if (options_.commit != repository_.commit())
+      refuse_or_record(fmt::format("this program, of commit {},", options_.commit),
+                       "was not built from the archived source", "build it again with `make build`");
+    if (const auto lines = placeholders(text); !lines.empty())
+      refuse_or_record(fmt::format("CITATION.cff ({})", fmt::join(lines, ", ")), "has placeholders",
+                       "fill them in, run `make citation`, and commit");
+  }
+
+  // Adds results and figures; returns the facts of each result by its file.
+  std::map<std::string, Json> add_results(Files& payload) {
+    std::vector<Experiment> experiments;
+    for (const std::string& name : json_files("experiments"))
+      if (Experiment e = experiment::load_experiment(name, {}); !e.figure.empty() || is_study(e))
+        experiments.push_back(std::move(e));
+    const auto exists = [&](const Experiment& e) { return fs::exists(result_path(e)); };
+    if (std::none_of(experiments.begin(), experiments.end(), exists))
+      throw InputError(
+          fmt::format("{}: there are no results of the figures' experiments; `make figures` computes them",
+                      options_.results));
+    std::map<std::string, Json> facts;
+    for (const Experiment& experiment : experiments)
+      facts["results/" + experiment.name + ".h5"] = add_result(experiment, payload);
+    return facts;
+  }
+
+  // The files NAME.json under version control in a folder, without those of its folders.
+  std::vector<std::string> json_files(const std::string& folder) const {
+    std::vector<std::string> files;
+    for (const std::string& name : repository_.files(folder))
+      if (fs::path(name).parent_path() == folder && fs::path(name).extension() == ".json")
+        files.push_back(in_source(name));
+    return files;
+  }
+
+  // Studies are no figures of the paper, but have a module that draws them.
+  bool is_study(const Experiment& e) const {
+    return !repository_.files(fmt::format("scripts/bristle_plots/figures/{}.py", e.name)).empty();
+  }
+
+  std::string result_path(const Experiment& e) const {
+    return (fs::path(options_.results) / (e.name + ".h5")).string();
+  }
+
+  Json add_result(const Experiment& experiment, Files& payload) {
+    const std::string path = result_path(experiment);
+    if (!fs::exists(path))
+      throw InputError(fmt::format("{}: no such file: the result of {} is missing; `make {}` computes it",
+                                   path, experiment.path, experiment.name));
+    const results::ResultReader result(path);
+    result.require_intact();
+    check_current(result, experiment);
+    Json facts = result_facts(result);
+    check_origin(path, facts["provenance"]);
+    payload["results/" + experiment.name + ".h5"] = read_file(path);
+    const std::string remedy = fmt::format("`make {}` draws it", experiment.name);
+    const auto add_figure = [&](const std::string& name) {
+      add_drawn((fs::path(options_.figures) / name).string(), "figures/" + name, {path}, remedy, payload);
+    };
+    for (const char* suffix : {".pdf", ".png"}) add_figure(experiment.name + suffix);
+    for (const auto& entry : fs::directory_iterator(options_.figures)) {  // further pages: NAME-*
+      const std::string figure = entry.path().filename().string();
+      if (figure.starts_with(experiment.name + "-") && (figure.ends_with(".pdf") || figure.ends_with(".png")))
+        add_figure(figure);
+    }
+    drawn_from_.push_back(path);
+    return facts;
+  }
+
+  void check_current(const results::ResultReader& result, const Experiment& experiment) const {
+    const auto refuse = [&](const std::string& what) {
+      throw InputError(
+          fmt::format("{}: {}; `make {}` computes it again", result.path(), what, experiment.name));
+    };
+    if (result.text("tier") != "full")
+      refuse(fmt::format("is of the {} tier, not of the full tier", result.text("tier")));
+    if (const long made = h5::read_integer_attribute(result.file(), "numerics_version");
+        made != results::kNumericsVersion)
+      refuse(
+          fmt::format("has numerics_version {}, but this program has {}", made, results::kNumericsVersion));
+    if (result.text("inputs_sha256") != results::inputs_sha256(*experiment.document))
+      refuse(fmt::format("is out of date: {} has changed since", experiment.path));
+    if (result.experiment() != *experiment.document)
+      refuse(fmt::format("is out of date: title, notes or checks of {} have changed since", experiment.path));
+  }
+
+  void check_origin(const std::string& path, const Json& provenance) {
+    for (const char* key : {"version", "commit", "started", "finished", "command_line"})
+      if (provenance.value(key, "").empty())
+        throw InputError(fmt::format(
+            "{}: /provenance lacks {}; only results of `bristle run` can be archived", path, key));
+    std::vector<std::string> commits = split_list(provenance.value("points_commits", ""));
+    commits.insert(commits.begin(), provenance["commit"].get<std::string>());
+    for (const std::string& commit : commits)
+      if (!check_commit(path, commit, "compute it again with `bristle run --force`")) return;
+  }
+
+  // Whether the commit of the program that wrote the file belongs to the archived history.
+  bool check_commit(const std::string& path, const std::string& commit, const std::string& remedy) {
+    const bool dirty = results::is_dirty(commit);
+    if (!dirty && repository_.descends_from(commit)) return true;
+    refuse_or_record(fmt::format("{} (commit {})", path, commit),
+                     dirty ? "was computed by a program with uncommitted changes"
+                           : "was computed by a program that is not in this commit's history",
+                     "commit, then " + remedy);
+    return false;
+  }
+
+  // The matrix of verdicts under the alternatives of experiments/<name>/.
+  void add_matrix(const std::string& name, Files& payload) {
+    assumptions::AssumptionsOptions options;
+    options.files = json_files("experiments/" + name);
+    if (options.files.empty()) return;
+    options.experiments = in_source("experiments");
+    const std::string path = (fs::path(options_.results) / (name + ".json")).string();
+    const auto refuse = [&](const std::string& what) {
+      throw InputError(fmt::format("{}: {}; `make {}` computes it", path, what, name));
+    };
+    if (!fs::exists(path)) refuse("no such file");
+    const std::string bytes = read_file(path, kMaxJsonBytes);
+    Json facts;
+    try {
+      facts = checked_matrix_facts(bytes);
+      options.tier = facts["tier"];
+      options.only = facts["only"].get<std::vector<std::string>>();
+    } catch (const MalformedError& e) {
+      refuse(e.what());
+    } catch (const Json::exception& e) {
+      refuse(json_error(e.what()));
+    }
+    if (facts["numerics_version"] != results::kNumericsVersion)
+      refuse(fmt::format("has numerics_version {}, but this program has {}", shown(facts["numerics_version"]),
+                         results::kNumericsVersion));
+    if (facts["inputs_sha256"] != assumptions::inputs_sha256(options))
+      refuse(fmt::format("is out of date: experiments/ or experiments/{}/ have changed since", name));
+    check_commit(path, facts["program"].value("commit", ""),
+                 fmt::format("remove it and run `make {}`", name));
+    payload[fmt::format("results/{}.json", name)] = bytes;
+    check_page(fmt::format("docs/{}.md", name), payload, {{path, facts}}, fmt::format("make {}", name));
+    if (name == "assumptions") drawn_from_.push_back(path);
+  }
+
+  // The page that scripts/report writes from results, matrix and citation.
+  void add_report(Files& payload) {
+    if (repository_.files("scripts/report").empty()) return;
+    add_drawn(options_.report, "report/index.html", drawn_from_, "`make report` writes it", payload);
+  }
+
+  // Adds a file that a script made from others.
+  static void add_drawn(const std::string& path, const std::string& name,
+                        const std::vector<std::string>& from, const std::string& remedy, Files& payload) {
+    if (!fs::exists(path)) throw InputError(fmt::format("{}: no such file; {}", path, remedy));
+    for (const std::string& source : from)
+      if (fs::last_write_time(path) < fs::last_write_time(source))
+        throw InputError(fmt::format("{}: is older than {}; {} again", path, source, remedy));
+    payload[name] = read_file(path);
+  }
+
+  // A page of docs/ states the payload digests of the files that it describes.
+  void check_page(const std::string& name, const Files& payload, const std::map<std::string, Json>& facts,
+                  const std::string& command) {
+    const auto page = payload.find(name);
+    if (page == payload.end()) return;
+    for (const auto& [file, of_file] : facts)
+      if (page->second.find(of_file["payload_sha256"].get<std::string>().substr(0, 16)) == std::string::npos)
+        return refuse_or_record(name, fmt::format("does not describe {}", file),
+                                fmt::format("run `{}` and commit the page", command));
+  }
+
+  const ArchiveOptions& options_;
+  Repository repository_;
+  std::vector<std::string> drawn_from_;                          // the files that the report shows
+  std::map<std::string, std::vector<std::string>> untraceable_;  // places by reason
+};
+
+}  // namespace
+
 BuiltArchive build_archive(const ArchiveOptions& options) {
   const FileKind kind = {"an archive of bristle", "bristle-", {"/bag-info.txt"}};
   if (!options.output.empty()) require_replaceable(options.output, kind);
-  const Gathered gathered = gather(options);
-  const std::string folder = folder_of(gathered.contents);
+  const Contents contents = Gatherer(options).run();
+  const std::string folder = folder_of(contents);
   BuiltArchive built;
   built.path = options.output.empty() ? "dist/" + folder + ".tar" : options.output;
-  built.draft = gathered.contents.draft;
+  built.draft = contents.draft;
   WholeFile out(built.path, kind);
   Digest digest(Sha::bits_512);
-  write_tar(in_folder(folder, bag_of(gathered.contents, gathered.time)), gathered.time,
-            [&](const char* bytes, std::size_t size) {
-              out.write(bytes, size);
-              digest.add(bytes, size);
-              built.bytes += size;
-            });
+  write_tar(in_folder(folder, bag_of(contents)), contents.time, [&](const char* bytes, std::size_t size) {
+    out.write(bytes, size);
+    digest.add(bytes, size);
+    built.bytes += size;
+  });
   out.close();
   const Verification verified = verify_archive(out.partial());
   if (!verified.problems.empty())

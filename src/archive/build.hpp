@@ -1,8 +1,17 @@
 #pragma once
 
-#include "archive/gather.hpp"
+#include <string>
 
 namespace bristle::archive {
+
+struct ArchiveOptions {
+  std::string source = ".";  // source repository
+  std::string results = "results", figures = "figures";
+  std::string report = "report/index.html";
+  std::string output;           // empty: dist/bristle-<version>.tar
+  bool allow_dirty = false;     // archive, as a draft, results that cannot be traced to a commit
+  std::string version, commit;  // of this program
+};
 
 struct BuiltArchive {
   std::string path, sha512, draft;
@@ -10,7 +19,8 @@ struct BuiltArchive {
 };
 
 // Gathers the files, writes the archive under a temporary name, verifies it, and renames it. Equal inputs
-// give equal bytes. Throws InputError if an input cannot be archived, or the output cannot be written.
+// give equal bytes. Throws InputError if a file is missing, out of date, damaged or cannot be traced to a
+// commit, or if the output cannot be written.
 BuiltArchive build_archive(const ArchiveOptions& options);
 
 }  // namespace bristle::archive

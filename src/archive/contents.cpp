@@ -48,14 +48,14 @@ std::string folder_of(const Contents& contents) {
   return "bristle-" + contents.citation["version"].get<std::string>();
 }
 
-Files bag_of(const Contents& contents, std::time_t time) {
+Files bag_of(const Contents& contents) {
   const Json& citation = contents.citation;
   const Json& author = citation["authors"][0];
   BagInfo info = {{"Source-Organization", author.value("name", author.value("family-names", ""))},
                   {"External-Description", citation["title"]},
-                  {"Bagging-Date", fmt::format("{:%Y-%m-%d}", fmt::gmtime(time))},
+                  {"Bagging-Date", fmt::format("{:%Y-%m-%d}", fmt::gmtime(contents.time))},
                   {"Bag-Software-Agent", "bristle " + citation["version"].get<std::string>()},
-                  {"Source-Date-Epoch", fmt::format("{}", long(time))}};
+                  {"Source-Date-Epoch", fmt::format("{}", long(contents.time))}};
   if (!contents.draft.empty()) info.push_back({"Draft", contents.draft});
   return make_bag(contents.payload, info);
 }
@@ -81,11 +81,12 @@ std::vector<std::string> experiment_chain(const Files& payload, const std::strin
 }
 
 Contents describe(Files payload, const std::map<std::string, Json>& facts, const std::string& commit,
-                  const std::string& draft) {
+                  std::time_t time, const std::string& draft) {
   Contents contents;
   contents.payload = std::move(payload);
   contents.commit = commit;
   contents.source = source_file(commit);
+  contents.time = time;
   contents.draft = draft;
   contents.citation = citation_of(contents);
   for (const char* license : {"LICENSE", "LICENSE-DATA"}) file_of(contents.payload, license);

@@ -3,6 +3,7 @@
 #include "archive/bag.hpp"
 #include "util/json.hpp"
 
+#include <ctime>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -24,6 +25,7 @@ struct Contents {
   std::vector<ArchivedResult> results;  // ascending by file
   Json citation;                        // of the dataset
   std::string commit, source;           // the source commit and the file that contains it
+  std::time_t time = 0;                 // of the commit
   std::string draft;                    // why the archive must not be cited; empty if it may be cited
 };
 
@@ -32,12 +34,11 @@ struct Contents {
 // these: CITATION.cff, README.md and the crate. Verification calls it again and
 // compares bytes. Throws MalformedError, naming the file, if a file is missing.
 Contents describe(Files payload, const std::map<std::string, Json>& facts, const std::string& commit,
-                  const std::string& draft);
+                  std::time_t time, const std::string& draft);
 
-// The folder of the archive, and all its files: the payload and the tag files of the bag. time: of the
-// commit.
+// The folder of the archive, and all its files: the payload and the tag files of the bag.
 std::string folder_of(const Contents& contents);
-Files bag_of(const Contents& contents, std::time_t time);
+Files bag_of(const Contents& contents);
 
 // The name in the payload of the source of a commit.
 std::string source_file(const std::string& commit);

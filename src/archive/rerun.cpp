@@ -57,7 +57,7 @@ Json compare_point(const std::string& bytes, const std::string& name, std::size_
 void rerun(const Verification& archive, std::size_t count, std::uint64_t seed,
            const std::function<void(const Rerun&)>& report) {
   for (const auto& [name, result] : archive.results)
-    if (const double version = result.facts["numerics_version"]; version != results::kNumericsVersion)
+    if (const long version = result.facts["numerics_version"]; version != results::kNumericsVersion)
       throw InputError(fmt::format(
           "--rerun: {} has numerics_version {}, but this program has {}, so its numbers may differ; "
           "build and use the program in the archive's data/source",

@@ -15,9 +15,9 @@ using Files = std::map<std::string, std::string>;
 void write_tar(const Files& files, std::time_t time,
                const std::function<void(const char*, std::size_t)>& sink);
 
-// Reads an archive, which is not trusted, into memory. It does not check that write_tar() would write the same
-// bytes; tar_difference() does. Throws InputError if there is no such file, MalformedError if it cannot be read,
-// if it has other than plain files, or names that lead out of it.
+// Reads an archive, which is not trusted, into memory. It does not check that write_tar() would write the
+// same bytes; tar_difference() does. Throws InputError if there is no such file, MalformedError if it cannot
+// be read, if it has other than plain files, or names that lead out of it.
 Files read_tar(const std::string& path);
 
 // Reads one file of a tar archive written by git. Throws

@@ -111,12 +111,12 @@ class Verifier {
     Files payload;
     for (const auto& [name, bytes] : files_)
       if (name.starts_with("data/") && !is_generated(name.substr(5))) payload[name.substr(5)] = bytes;
-    const Contents contents = describe(std::move(payload), facts, out_.commit, out_.draft);
+    const Contents contents = describe(std::move(payload), facts, out_.commit, time_, out_.draft);
     out_.version = contents.citation["version"];
     if (out_.folder != folder_of(contents))
       out_.problems.push_back(fmt::format("{}: is the folder of another version; the source has version {}",
                                           out_.folder, out_.version));
-    const Files expected = bag_of(contents, time_);
+    const Files expected = bag_of(contents);
     for (const char* start : {"data/", ""})  // the files of the bag follow from those of data/
       if (out_.problems.empty()) compare(expected, start);
   }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "archive/gather.hpp"
+#include "archive/build.hpp"
 #include "assumptions/assumptions.hpp"
 #include "compare/reference.hpp"
 #include "experiment/experiment.hpp"
