@@ -1,7 +1,6 @@
 #include "claims/store.hpp"
 
 #include "results/hdf5.hpp"
-#include "results/texts.hpp"
 
 #include <cmath>
 #include <numeric>
@@ -55,7 +54,7 @@ h5::Handle write_rows(hid_t group, std::size_t size) {
 }
 
 h5::Handle create_column(hid_t group, const std::string& name, const std::vector<std::string>& values) {
-  return results::create_texts(group, name, values);
+  return h5::create_texts(group, name, values);
 }
 
 h5::Handle create_column(hid_t group, const std::string& name, const std::vector<double>& values) {

@@ -20,8 +20,6 @@ constexpr const char* kPaper =
     "N. Menga, F. Bottiglione, G. Carbone: Exploiting surface textures dynamics for dry friction control, "
     "Nonlinear Dynamics (2022)";
 
-bool fixed(const Experiment& e, const std::string& name) { return !e.swept(name); }
-
 // A value with symbol and unit as mathtext, with powers of ten: "$m = 10^{-4}$ kg".
 std::string quantity(const experiment::SiQuantity& q, double value) {
   std::string number = fmt::format("{:.4g}", value);
@@ -38,30 +36,31 @@ std::string quantity(const experiment::SiQuantity& q, double value) {
 std::vector<std::string> si_parts(const Experiment& e) {
   std::vector<std::string> parts;
   for (const experiment::SiQuantity& q : experiment::si_quantities())
-    if (fixed(e, q.name) && e.base.si.contains(q.name)) parts.push_back(quantity(q, e.base.si.at(q.name)));
+    if (!e.swept(q.name) && e.base.si.contains(q.name)) parts.push_back(quantity(q, e.base.si.at(q.name)));
   return parts;
 }
 
 std::vector<std::string> dimensionless_parts(const Experiment& e) {
   const Parameters& p = e.base.setup.parameters;
   std::vector<std::string> parts;
-  const auto add = [&](const char* name, const char* symbol, double value) {
-    if (fixed(e, name)) parts.push_back(fmt::format("${} = {:.6g}$", symbol, value));
+  const auto add = [&](const char* name, double value) {
+    if (!e.swept(name))
+      parts.push_back(fmt::format("${} = {:.6g}$", experiment::find_sweepable(name)->symbol, value));
   };
-  add("k_r", R"(\tilde{k}_r)", p.k_r);
-  add("k_theta", R"(\tilde{k}_\theta)", p.k_theta);
-  add("k_phi", R"(\tilde{k}_\varphi)", p.k_phi);
-  if (p.friction != FrictionLaw::nss) add("mu_c", R"(\mu_c)", p.mu_c);
+  add("k_r", p.k_r);
+  add("k_theta", p.k_theta);
+  add("k_phi", p.k_phi);
+  if (p.friction != FrictionLaw::nss) add("mu_c", p.mu_c);
   const Loading& load = e.base.loading;
-  if (load.z_0) add("z_0", R"(\tilde{z}_0)", *load.z_0);
-  else if (!load.trace) add("R_n", R"(\tilde{R}_n/N_{c,0})", load.R_n);
+  if (load.z_0) add("z_0", *load.z_0);
+  else if (!load.trace) add("R_n", load.R_n);
   return parts;
 }
 
 // The values that are fixed in the sweep, as mathtext for the caption of the figure.
 std::string caption(const Experiment& e) {
   std::vector<std::string> parts;
-  if (fixed(e, "friction"))
+  if (!e.swept("friction"))
     parts.emplace_back(with_law(e.base.setup.parameters.friction, [](auto law) { return law.title; }));
   for (std::string& part : e.base.si.empty() ? dimensionless_parts(e) : si_parts(e))
     parts.push_back(std::move(part));
@@ -72,7 +71,7 @@ std::string caption(const Experiment& e) {
 // Constants for plots of the lattice's forces, if all points have the same: t_1 of Eq. (A4), in units of
 // r0/V0, and N_c0/L_y, in units of 1/r0.
 void annotate_slab_force(hid_t file, const Experiment& e) {
-  if (!h5::exists(file, "slab_force") || !fixed(e, "L_x") || !fixed(e, "spacing")) return;
+  if (!h5::exists(file, "slab_force") || e.swept("L_x") || e.swept("spacing")) return;
   const Setup& setup = e.base.setup;
   h5::write_attribute(h5::open_dataset(file, "slab_force/t"), "t_1", lattice_start(setup));
   h5::write_attribute(h5::open_dataset(file, "slab_force/R_n"), "N_c0_per_L_y",

@@ -1,7 +1,6 @@
 #include "results/csv.hpp"
 
 #include "results/datasets.hpp"
-#include "results/texts.hpp"
 #include "util/error.hpp"
 #include "util/grid.hpp"
 #include "util/text.hpp"

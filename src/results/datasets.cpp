@@ -1,7 +1,6 @@
 #include "results/datasets.hpp"
 
 #include "results/digest.hpp"
-#include "results/texts.hpp"
 #include "util/grid.hpp"
 
 #include <fmt/format.h>
@@ -11,11 +10,6 @@
 
 namespace bristle::results {
 namespace {
-
-H5T_class_t class_of(hid_t dataset) {
-  const h5::Handle type(H5Dget_type(dataset), H5Tclose, "reading a dataset's type");
-  return H5Tget_class(type);
-}
 
 // The coordinate at index i of a dimension. Coordinates are datasets in the folder of the variable or, for
 // the axes of the sweep, in the root.
@@ -37,7 +31,7 @@ std::string coordinate(const ResultReader& result, const std::string& folder, co
 std::vector<std::string> numeric_datasets(const ResultReader& result) {
   std::vector<std::string> names = payload_datasets(result.file());
   for (const std::string& name : std::vector(names))
-    if (is_text(h5::open_dataset(result.file(), name)) && std::erase(names, code_variable(name)) == 0)
+    if (h5::is_text(h5::open_dataset(result.file(), name)) && std::erase(names, code_variable(name)) == 0)
       std::erase(names, name);
   return names;
 }
@@ -45,7 +39,7 @@ std::vector<std::string> numeric_datasets(const ResultReader& result) {
 DatasetKind kind_of(const ResultReader& result, const std::string& name) {
   const h5::Handle dataset = h5::open_dataset(result.file(), name);
   if (h5::is_scale(dataset)) return DatasetKind::coordinate;
-  if (class_of(dataset) != H5T_INTEGER) return DatasetKind::real;
+  if (H5Tget_class(h5::type_of(dataset)) != H5T_INTEGER) return DatasetKind::real;
   return h5::has_attribute(dataset, "flag_meanings") ? DatasetKind::flags : DatasetKind::integer;
 }
 

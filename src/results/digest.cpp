@@ -1,7 +1,6 @@
 #include "results/digest.hpp"
 
 #include "results/hdf5.hpp"
-#include "results/texts.hpp"
 #include "results/version.hpp"
 #include "util/sha.hpp"
 
@@ -14,7 +13,7 @@ namespace {
 
 // Adds the values of a dataset to the digest, in blocks of rows.
 void add_values(Digest& digest, hid_t dataset, const h5::Shape& shape) {
-  const h5::Handle type(H5Dget_type(dataset), H5Tclose, "reading a dataset's type");
+  const h5::Handle type = h5::type_of(dataset);
   const std::size_t bytes = H5Tget_size(type);
   hsize_t row = 1;
   for (std::size_t d = 1; d < shape.size(); ++d) row *= shape[d];
@@ -44,16 +43,16 @@ void collect(hid_t group, const std::string& prefix, std::vector<std::string>& p
 
 void add_dataset(Digest& digest, hid_t file, const std::string& path) {
   const h5::Handle dataset = h5::open_dataset(file, path);
-  const h5::Handle type(H5Dget_type(dataset), H5Tclose, "reading the type of " + path);
+  const h5::Handle type = h5::type_of(dataset);
   const h5::Shape shape = h5::shape_of(dataset);
-  const bool text = is_text(dataset);
+  const bool text = h5::is_text(dataset);
   std::string head =
       text ? fmt::format("/{} s", path)
            : fmt::format("/{} {}{}", path, H5Tget_class(type) == H5T_FLOAT ? "f" : "i", H5Tget_size(type));
   for (const hsize_t n : shape) head += fmt::format(" {}", n);
   digest.add(head + "\n");
-  if (text) add_texts(digest, dataset);
-  else add_values(digest, dataset, shape);
+  if (!text) return add_values(digest, dataset, shape);
+  for (const std::string& one : h5::read_texts(dataset)) digest.add(one.c_str(), one.size() + 1);
 }
 
 }  // namespace

@@ -22,6 +22,13 @@ herr_t keep_innermost(unsigned, const H5E_error2_t* error, void* out) {
   return 0;
 }
 
+// A visitor of links or attributes.
+template <class Info>
+herr_t add_name(hid_t, const char* name, const Info*, void* names) {
+  static_cast<std::vector<std::string>*>(names)->push_back(name);
+  return 0;
+}
+
 Handle space_of(hid_t dataset) { return {H5Dget_space(dataset), H5Sclose, "reading a dataset's shape"}; }
 
 Handle selection(hid_t dataset, const Shape& start, const Shape& count) {
@@ -38,6 +45,13 @@ Handle selection(hid_t dataset, const Shape& start, const Shape& count) {
 Handle memory_space(const Shape& count) {
   if (count.empty()) return {H5Screate(H5S_SCALAR), H5Sclose, "creating a scalar space"};
   return {H5Screate_simple(int(count.size()), count.data(), nullptr), H5Sclose, "creating a space"};
+}
+
+Handle text_type(std::size_t length) {
+  Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "creating a string type");
+  check(H5Tset_size(type, length), "sizing a string type");
+  check(H5Tset_cset(type, H5T_CSET_UTF8), "choosing UTF-8");
+  return type;
 }
 
 void put_attribute(hid_t object, const std::string& name, hid_t type, hid_t space, const void* data) {
@@ -64,6 +78,12 @@ Handle open_attribute(hid_t object, const std::string& name) {
   if (H5Sget_simple_extent_npoints(space) != 1)
     throw RunError(fmt::format("HDF5: attribute {} is not a single value", name));
   return attribute;
+}
+
+Handle file_access() {
+  Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "creating file properties");
+  check(H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V18), "choosing the file format");
+  return access;
 }
 
 // Properties for creating an object: without time stamps, and with the creation order of its attributes,
@@ -130,21 +150,17 @@ void Handle::close(const std::string& what) {
 }
 
 Handle create_file(const std::string& path) {
-  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "creating file properties");
-  check(H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V18), "choosing the file format");
   const Handle creation = group_properties(H5P_FILE_CREATE);
-  return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access), H5Fclose, "creating " + path};
+  return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, file_access()), H5Fclose, "creating " + path};
 }
 
 Handle open_file(const std::string& path, bool writable) {
-  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "creating file properties");
-  check(H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V18), "choosing the file format");
-  return {H5Fopen(path.c_str(), writable ? H5F_ACC_RDWR : H5F_ACC_RDONLY, access), H5Fclose,
+  return {H5Fopen(path.c_str(), writable ? H5F_ACC_RDWR : H5F_ACC_RDONLY, file_access()), H5Fclose,
           "opening " + path};
 }
 
 Handle open_image(const std::string& bytes) {
-  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "creating file properties");
+  const Handle access = file_access();
   check(H5Pset_fapl_core(access, std::size_t(1) << 16, false), "reading a file in memory");
   check(H5Pset_file_image(access, const_cast<char*>(bytes.data()), bytes.size()), "reading a file in memory");
   return {H5Fopen("in memory", H5F_ACC_RDONLY, access), H5Fclose, "opening a file in memory"};
@@ -188,6 +204,10 @@ Shape position(const std::vector<std::size_t>& shape, std::size_t index) {
   return {at.begin(), at.end()};
 }
 
+Handle type_of(hid_t dataset) { return {H5Dget_type(dataset), H5Tclose, "reading a dataset's type"}; }
+
+bool is_text(hid_t dataset) { return H5Tget_class(type_of(dataset)) == H5T_STRING; }
+
 Shape shape_of(hid_t dataset) {
   const Handle space = space_of(dataset);
   Shape shape(std::size_t(check(H5Sget_simple_extent_ndims(space), "reading a dataset's rank")));
@@ -217,16 +237,31 @@ void read_part(hid_t dataset, hid_t type, const Shape& start, const Shape& count
   check(H5Dread(dataset, type, memory, file, H5P_DEFAULT, data), "reading a dataset");
 }
 
-void write_attribute(hid_t object, const std::string& name, const std::string& text) {
-  const Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "creating a string type");
-  check(H5Tset_size(type, std::max<std::size_t>(1, text.size())), "sizing a string type");
-  check(H5Tset_cset(type, H5T_CSET_UTF8), "choosing UTF-8");
-  check(H5Tset_strpad(type, H5T_STR_NULLPAD), "choosing string padding");
-  put_attribute(object, name, type, memory_space({}), text.empty() ? "\0" : text.data());
+Handle create_texts(hid_t parent, const std::string& name, const std::vector<std::string>& texts) {
+  const Handle type = text_type(H5T_VARIABLE);
+  Handle dataset = create_dataset(parent, name, type, {texts.size()});
+  std::vector<const char*> pointers;
+  for (const std::string& text : texts) pointers.push_back(text.c_str());
+  write_part(dataset, type, {0}, {texts.size()}, pointers.data());
+  return dataset;
 }
 
-void write_attribute(hid_t object, const std::string& name, const char* text) {
-  write_attribute(object, name, std::string(text));
+std::vector<std::string> read_texts(hid_t dataset) {
+  const Handle type = text_type(H5T_VARIABLE), space = space_of(dataset);
+  const Shape shape = shape_of(dataset);
+  std::vector<char*> pointers(std::size_t(H5Sget_simple_extent_npoints(space)), nullptr);
+  if (pointers.empty()) return {};
+  read_part(dataset, type, Shape(shape.size(), 0), shape, pointers.data());
+  std::vector<std::string> texts;
+  for (const char* text : pointers) texts.emplace_back(text ? text : "");
+  check(H5Dvlen_reclaim(type, space, H5P_DEFAULT, pointers.data()), "freeing texts");
+  return texts;
+}
+
+void write_attribute(hid_t object, const std::string& name, const std::string& text) {
+  const Handle type = text_type(std::max<std::size_t>(1, text.size()));
+  check(H5Tset_strpad(type, H5T_STR_NULLPAD), "choosing string padding");
+  put_attribute(object, name, type, memory_space({}), text.empty() ? "\0" : text.data());
 }
 
 void write_attribute(hid_t object, const std::string& name, long value) {
@@ -253,12 +288,6 @@ std::string read_text_attribute(hid_t object, const std::string& name) {
   return text;
 }
 
-double read_number_attribute(hid_t object, const std::string& name) {
-  double value = 0;
-  check(H5Aread(open_attribute(object, name), H5T_NATIVE_DOUBLE, &value), "reading attribute " + name);
-  return value;
-}
-
 long read_integer_attribute(hid_t object, const std::string& name) {
   long value = 0;
   check(H5Aread(open_attribute(object, name), H5T_NATIVE_LONG, &value), "reading attribute " + name);
@@ -271,21 +300,15 @@ bool has_attribute(hid_t object, const std::string& name) {
 
 std::vector<std::string> attribute_names(hid_t object) {
   std::vector<std::string> names;
-  const auto add = [](hid_t, const char* name, const H5A_info_t*, void* out) -> herr_t {
-    static_cast<std::vector<std::string>*>(out)->push_back(name);
-    return 0;
-  };
-  check(H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_INC, nullptr, add, &names), "listing attributes");
+  check(H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_INC, nullptr, add_name<H5A_info_t>, &names),
+        "listing attributes");
   return names;
 }
 
 std::vector<std::string> children(hid_t group) {
   std::vector<std::string> names;
-  const auto add = [](hid_t, const char* name, const H5L_info_t*, void* out) -> herr_t {
-    static_cast<std::vector<std::string>*>(out)->push_back(name);
-    return 0;
-  };
-  check(H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, nullptr, add, &names), "listing a group");
+  check(H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, nullptr, add_name<H5L_info_t>, &names),
+        "listing a group");
   return names;
 }
 

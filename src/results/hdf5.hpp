@@ -57,6 +57,8 @@ bool exists(hid_t parent, const std::string& name);
 // Creates a dataset without time stamps. An empty shape creates a scalar, a first extent of H5S_UNLIMITED a
 // dataset that can grow. Doubles are filled with NaN, which the attribute _FillValue states.
 Handle create_dataset(hid_t parent, const std::string& name, hid_t type, const Shape& shape);
+Handle type_of(hid_t dataset);
+bool is_text(hid_t dataset);
 Shape shape_of(hid_t dataset);
 hsize_t length_of(hid_t dataset);  // throws RunError unless the dataset has one dimension
 // Part of a dataset: count elements along each dimension from start. Throws RunError if the number of
@@ -64,14 +66,19 @@ hsize_t length_of(hid_t dataset);  // throws RunError unless the dataset has one
 void write_part(hid_t dataset, hid_t type, const Shape& start, const Shape& count, const void* data);
 void read_part(hid_t dataset, hid_t type, const Shape& start, const Shape& count, void* data);
 
+// Datasets of texts: the words of a swept choice, and columns of /checks. Their texts have a variable length,
+// because the netCDF library crashes on arrays of texts of fixed length.
+Handle create_texts(hid_t parent, const std::string& name, const std::vector<std::string>& texts);
+// HDF5 trusts the lengths that the file states: call it for a file of unknown origin only in a process of its
+// own.
+std::vector<std::string> read_texts(hid_t dataset);
+
 void write_attribute(hid_t object, const std::string& name, const std::string& text);
-void write_attribute(hid_t object, const std::string& name, const char* text);
 void write_attribute(hid_t object, const std::string& name, long value);
 void write_attribute(hid_t object, const std::string& name, double value);
 void write_attribute(hid_t object, const std::string& name, const std::vector<signed char>& values);
 // These throw RunError if the attribute is not a single value.
 std::string read_text_attribute(hid_t object, const std::string& name);
-double read_number_attribute(hid_t object, const std::string& name);
 long read_integer_attribute(hid_t object, const std::string& name);
 bool has_attribute(hid_t object, const std::string& name);
 std::vector<std::string> attribute_names(hid_t object);

@@ -73,7 +73,7 @@ class PlainChecker {
       refuse(path, "a virtual dataset");
     if (H5Pget_nfilters(properties) != 0) refuse(path, "a compressed or filtered dataset");
     if (H5Pget_external_count(properties) != 0) refuse(path, "a dataset stored in another file");
-    const h5::Handle type(H5Dget_type(dataset), H5Tclose, "reading a dataset's type");
+    const h5::Handle type = h5::type_of(dataset);
     const H5T_class_t kind = H5Tget_class(type);
     // HDF5 1.10 trusts the lengths of texts of variable length. Only this process, which checks the digests,
     // reads those of the words of a choice and of /checks.
@@ -111,7 +111,7 @@ std::string unreadable_checks(hid_t file) {
     const h5::Handle group = h5::open_group(file, "checks");
     for (const std::string& name : h5::children(group)) {
       const h5::Handle dataset = h5::open_dataset(group, name);
-      const h5::Handle type(H5Dget_type(dataset), H5Tclose, "reading the type of " + name);
+      const h5::Handle type = h5::type_of(dataset);
       const h5::Shape shape = h5::shape_of(dataset);
       std::vector<char> values(H5Dget_storage_size(dataset));
       if (values.empty()) continue;

@@ -2,7 +2,6 @@
 
 #include "results/digest.hpp"
 #include "results/inspect.hpp"
-#include "results/texts.hpp"
 #include "results/version.hpp"
 #include "util/error.hpp"
 #include "util/text.hpp"
@@ -67,14 +66,14 @@ std::vector<std::string> ResultReader::variables() const {
   for (const std::string& name : h5::children(file_))
     if (!h5::is_group(file_, name)) names.push_back(name);
   for (const std::string& name : std::vector(names))
-    if (is_text(h5::open_dataset(file_, name))) std::erase(names, code_variable(name));
+    if (h5::is_text(h5::open_dataset(file_, name))) std::erase(names, code_variable(name));
   return names;
 }
 
 // The dataset; for the axis of a choice, that of its codes.
 h5::Handle ResultReader::open_numbers(const std::string& name) const {
   h5::Handle dataset = h5::open_dataset(file_, name);
-  return is_text(dataset) ? h5::open_dataset(file_, code_variable(name)) : std::move(dataset);
+  return h5::is_text(dataset) ? h5::open_dataset(file_, code_variable(name)) : std::move(dataset);
 }
 
 Variable ResultReader::variable(const std::string& name) const {
@@ -115,7 +114,7 @@ bool up_to_date(const std::string& path, const Experiment& experiment) {
   try {
     const ResultReader file(path);
     return file.damage().empty() &&
-           h5::read_number_attribute(file.file(), "numerics_version") == double(kNumericsVersion) &&
+           h5::read_integer_attribute(file.file(), "numerics_version") == kNumericsVersion &&
            file.text("inputs_sha256") == inputs_sha256(*experiment.document);
   } catch (const InputError&) {
     return false;  // unreadable, or of another version: to be computed again

@@ -24,16 +24,6 @@ PointRecord with_unified_nan(PointRecord record) {
   return record;
 }
 
-// Adds numbers whose name follows those that the record has.
-void add(PointRecord& record, const std::string& name, std::vector<double> numbers) {
-  record.values.emplace_hint(record.values.end(), name, std::move(numbers));
-}
-
-void append(Rows& rows, const Rows& more) {
-  if (rows.empty()) rows.resize(more.size());
-  for (std::size_t i = 0; i < more.size(); ++i) rows[i].insert(rows[i].end(), more[i].begin(), more[i].end());
-}
-
 // The first row of this point or of a later one, by bisection: tables may be too long to be read for every
 // point.
 hsize_t first_row(hid_t points, std::size_t index) {
@@ -88,32 +78,49 @@ void add_differences(const Map& a, const Map& b, std::vector<std::string>& out) 
 PointLayout::PointLayout(const Experiment& experiment) {
   const Loading& loading = experiment.base.loading;
   const bool searched = !loading.z_0 && !loading.trace;
-  for (const ResultVariable& v : result_variables(experiment)) {
-    datasets.push_back({v.name, v.value});
-    if (v.error) datasets.push_back({v.name + "_err", v.error});
-    if (searched && v.load_error) datasets.push_back({"load_error/" + v.name, v.load_error});
-  }
-  datasets.push_back({"passages", [](const PointResult& p) { return double(p.passages); }});
-  datasets.push_back({"status", [](const PointResult& p) { return double(p.status); }});
-  if (loading.trace) datasets.push_back({"branch", {}});
-  std::ranges::sort(datasets, {}, &Dataset::name);
+  if (searched) groups.emplace_back("load_error");
+  for (const ResultVariable& variable : result_variables(experiment)) add(variable, searched);
+  datasets.push_back({{"passages", "number of passages computed for the point", "N", "", H5T_NATIVE_LONG},
+                      [](const PointResult& p) { return double(p.passages); },
+                      0});
+  datasets.push_back({{"status", "outcome of the point", "", "", H5T_NATIVE_SCHAR, kPointStatusNames},
+                      [](const PointResult& p) { return double(p.status); },
+                      double(PointStatus::absent)});
+  if (loading.trace)
+    datasets.push_back(
+        {{"branch", "paths of the slab on which the node lies", "", "", H5T_NATIVE_SCHAR, kBranchNames},
+         {},
+         double(Branch::absent)});
   if (experiment.record.bristles) tables.emplace_back("bristles");
   if (!experiment.record.trajectories.empty()) tables.emplace_back("trajectories");
   if (experiment.record.slab_force) tables.emplace_back("slab_force");
   if (loading.trace) nodes = std::size_t(loading.trace->nodes);
 }
 
+// Adds the variable, its error, and the part of the error due to the load, if the gap follows from a search.
+void PointLayout::add(const ResultVariable& variable, bool searched) {
+  Dataset value{variable, variable.value};
+  value.ancillary = variable.error ? variable.name + "_err status" : "status";
+  datasets.push_back(value);
+  const auto add_error = [&](const std::string& name, const std::string& long_name,
+                             const ResultVariable::Value& of) {
+    Dataset error{variable, of};
+    error.name = name;
+    error.long_name = long_name;
+    error.symbol = R"(\delta )" + variable.symbol;
+    if (of) datasets.push_back(error);
+  };
+  if (searched)
+    add_error("load_error/" + variable.name,
+              "part of " + variable.name + "_err due to the deviation of the load from its target",
+              variable.load_error);
+  add_error(variable.name + "_err", "estimated numerical error of " + variable.name, variable.error);
+}
+
 PointRecord record_of(const PointLayout& layout, const PointResult& result, const Recorded& recorded) {
   PointRecord record;
-  for (const auto& dataset : layout.datasets) add(record, dataset.name, {dataset.value(result)});
-  for (const std::string& table : layout.tables) {
-    Rows& rows = record.tables[table];
-    if (table == "bristles") rows = bristle_rows(recorded.bristles);
-    if (table == "slab_force") rows = slab_force_rows(recorded.slab_force);
-    if (table == "trajectories")
-      for (const Trajectory& trajectory : recorded.trajectories) append(rows, trajectory_rows(trajectory));
-    if (rows.empty()) rows.resize(table_columns(table).size());
-  }
+  for (const auto& dataset : layout.datasets) record.values[dataset.name] = {dataset.value(result)};
+  for (const std::string& table : layout.tables) record.tables[table] = table_rows(table, recorded);
   return with_unified_nan(std::move(record));
 }
 
@@ -123,7 +130,7 @@ PointRecord record_of(const PointLayout& layout, const std::vector<CurveNode>& c
     std::vector<double> numbers;
     for (const CurveNode& node : curve)
       numbers.push_back(dataset.value ? dataset.value(node.result) : double(node.branch));
-    add(record, dataset.name, std::move(numbers));
+    record.values[dataset.name] = std::move(numbers);
   }
   return with_unified_nan(std::move(record));
 }
@@ -153,7 +160,7 @@ PointRecord read_record(hid_t file, const Experiment& experiment, std::size_t in
     const auto branch = read("branch");
     count.back() = hsize_t(std::find(branch.begin(), branch.end(), double(Branch::absent)) - branch.begin());
   }
-  for (const auto& dataset : layout.datasets) add(record, dataset.name, read(dataset.name));
+  for (const auto& dataset : layout.datasets) record.values[dataset.name] = read(dataset.name);
   for (const std::string& table : layout.tables) record.tables[table] = read_rows(file, table, index);
   if (h5::exists(file, kFailures)) {
     const h5::Handle failures = h5::open_group(file, kFailures);
@@ -167,12 +174,9 @@ std::string failure_name(std::size_t index) { return fmt::format("point_{}", ind
 
 bool fits(const PointRecord& record, const PointLayout& layout) {
   const bool complete =
-      std::ranges::equal(
-          record.values, layout.datasets, {}, [](const auto& v) -> const std::string& { return v.first; },
-          &PointLayout::Dataset::name) &&
-      record.tables.size() == layout.tables.size() &&
-      std::ranges::all_of(layout.tables,
-                          [&](const std::string& name) { return record.tables.contains(name); });
+      record.values.size() == layout.datasets.size() && record.tables.size() == layout.tables.size() &&
+      std::ranges::all_of(layout.datasets, [&](const auto& d) { return record.values.contains(d.name); }) &&
+      std::ranges::all_of(layout.tables, [&](const auto& name) { return record.tables.contains(name); });
   if (!complete) return false;
   const std::size_t nodes = record.values.begin()->second.size();
   const bool nodes_valid = layout.nodes ? nodes <= *layout.nodes : nodes == 1;

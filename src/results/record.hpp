@@ -4,6 +4,7 @@
 #include "results/tables.hpp"
 #include "results/variables.hpp"
 
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -23,13 +24,18 @@ struct PointRecord {
 struct PointLayout {
   PointLayout(const Experiment& experiment);
 
-  struct Dataset {
-    std::string name;
-    ResultVariable::Value value;  // empty for the branch of a curve's nodes
+  // A dataset over the sweep. Its name is the path from the root.
+  struct Dataset : Column {
+    ResultVariable::Value value;                                // empty for the branch of a curve's nodes
+    double missing = std::numeric_limits<double>::quiet_NaN();  // for nodes that a curve does not have
   };
-  std::vector<Dataset> datasets;  // over the sweep, ascending by name
+  std::vector<Dataset> datasets;    // in the order in which the file is made
+  std::vector<std::string> groups;  // of these datasets
   std::vector<std::string> tables;
   std::optional<std::size_t> nodes;  // largest number, of a curve
+
+ private:
+  void add(const ResultVariable& variable, bool searched);
 };
 
 PointRecord record_of(const PointLayout& layout, const PointResult& result, const Recorded& recorded);

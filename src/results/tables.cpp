@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <numeric>
 
@@ -13,11 +14,39 @@ namespace {
 
 constexpr std::size_t kBlock = 16384;  // values
 
-// A column and its value for a record.
-template <class Record>
+// A column of a table and how to read it from the recorded data: for each bristle, for each point of each
+// trajectory, or for each interval of the force on the slab.
 struct Field {
+  using Values = std::function<std::vector<double>(const Recorded&)>;
+
+  explicit Field(Column c) : column(std::move(c)) {}
+  Field(Column c, double (*value)(const Passage&)) : column(std::move(c)) {
+    values = [value](const Recorded& recorded) {
+      std::vector<double> out;
+      for (const Passage& bristle : recorded.bristles) out.push_back(value(bristle));
+      return out;
+    };
+  }
+  Field(Column c, double (*value)(const Passage&, const TrajectoryPoint&)) : column(std::move(c)) {
+    values = [value](const Recorded& recorded) {
+      std::vector<double> out;
+      for (const Trajectory& trajectory : recorded.trajectories)
+        for (const TrajectoryPoint& point : trajectory.points)
+          out.push_back(value(trajectory.passage, point));
+      return out;
+    };
+  }
+  Field(Column c, double (*value)(const SlabForce&, std::size_t)) : column(std::move(c)) {
+    values = [value](const Recorded& recorded) {
+      std::vector<double> out;
+      for (std::size_t i = 0; i < recorded.slab_force.R_n.size(); ++i)
+        out.push_back(value(recorded.slab_force, i));
+      return out;
+    };
+  }
+
   Column column;
-  double (*value)(const Record&);
+  Values values;  // empty for jumps, which are not recorded but located between points
 };
 
 Column flag(const char* name, const char* long_name, const std::vector<std::string>& meanings) {
@@ -28,23 +57,9 @@ Column angle(const char* name, const char* long_name, const char* symbol, const 
   return {name, long_name, symbol, equation, H5T_NATIVE_DOUBLE, {}, "rad"};
 }
 
-template <class Record>
-std::vector<Column> columns(const std::vector<Field<Record>>& fields, std::vector<Column> first = {}) {
-  for (const auto& field : fields) first.push_back(field.column);
-  return first;
-}
-
-template <class Record>
-void add(Rows& rows, const std::vector<Field<Record>>& fields, const std::vector<Record>& records) {
-  for (const auto& field : fields) {
-    rows.emplace_back();
-    for (const Record& record : records) rows.back().push_back(field.value(record));
-  }
-}
-
 using B = const Passage&;
-const std::vector<Field<Passage>>& bristle_fields() {
-  static const std::vector<Field<Passage>> fields = {
+std::vector<Field> bristle_fields() {
+  return {
       {flag("status", "how the passage ended", kOutcomeNames), [](B b) { return double(b.outcome); }},
       {angle("theta_0", "undeformed azimuth", R"(\theta_0)", ""), [](B b) { return b.theta_0; }},
       {{"contact_time", "contact time", R"(\Delta\xi)", "Eq. (A2)"}, [](B b) { return b.contact_time; }},
@@ -67,7 +82,6 @@ const std::vector<Field<Passage>>& bristle_fields() {
       {{"steps", "integration steps", "", ""}, [](B b) { return double(b.steps); }},
       {{"reflections", "arrivals at the pole, s = s_min", "", ""}, [](B b) { return double(b.reflections); }},
   };
-  return fields;
 }
 
 Column phase_column() {
@@ -77,55 +91,69 @@ Column phase_column() {
 }
 
 using T = const TrajectoryPoint&;
-const std::vector<Field<TrajectoryPoint>>& trajectory_fields() {
-  static const std::vector<Field<TrajectoryPoint>> fields = {
+std::vector<Field> trajectory_fields() {
+  return {
+      {angle("theta_0", "undeformed azimuth", R"(\theta_0)", ""), [](B b, T) { return b.theta_0; }},
+      {flag("status", "how the passage ended", kOutcomeNames), [](B b, T) { return double(b.outcome); }},
       {{"xi", "time since the leading edge reached the bristle", R"(\xi)", "Eq. (A1)"},
-       [](T p) { return p.xi; }},
-      {{"x", "tip position along the motion", R"(\tilde{x})", "Eq. (2)"}, [](T p) { return p.y[X]; }},
-      {{"y", "tip position across the motion", R"(\tilde{y})", "Eq. (2)"}, [](T p) { return p.y[Y]; }},
-      {{"z", "tip position, vertical", R"(\tilde{z})", "Eq. (2)"}, [](T p) { return p.y[Z]; }},
-      {{"v_x", "tip velocity along the motion", R"(\tilde{v}_x)", "Eq. (18)"}, [](T p) { return p.y[VX]; }},
-      {{"v_y", "tip velocity across the motion", R"(\tilde{v}_y)", "Eq. (18)"}, [](T p) { return p.y[VY]; }},
-      {{"v_z", "vertical tip velocity", R"(\tilde{v}_z)", "Eq. (18)"}, [](T p) { return p.y[VZ]; }},
-      {angle("theta", "azimuth", R"(\theta)", "Eq. (17)"), [](T p) { return p.y[THETA]; }},
-      {angle("phi", "polar angle", R"(\varphi)", "Eq. (18)"), [](T p) { return p.y[PHI]; }},
-      {{"F_n", "normal force", R"(\tilde{F}_n)", "Eq. (3)"}, [](T p) { return p.F_n; }},
+       [](B, T p) { return p.xi; }},
+      {{"x", "tip position along the motion", R"(\tilde{x})", "Eq. (2)"}, [](B, T p) { return p.y[X]; }},
+      {{"y", "tip position across the motion", R"(\tilde{y})", "Eq. (2)"}, [](B, T p) { return p.y[Y]; }},
+      {{"z", "tip position, vertical", R"(\tilde{z})", "Eq. (2)"}, [](B, T p) { return p.y[Z]; }},
+      {{"v_x", "tip velocity along the motion", R"(\tilde{v}_x)", "Eq. (18)"},
+       [](B, T p) { return p.y[VX]; }},
+      {{"v_y", "tip velocity across the motion", R"(\tilde{v}_y)", "Eq. (18)"},
+       [](B, T p) { return p.y[VY]; }},
+      {{"v_z", "vertical tip velocity", R"(\tilde{v}_z)", "Eq. (18)"}, [](B, T p) { return p.y[VZ]; }},
+      {angle("theta", "azimuth", R"(\theta)", "Eq. (17)"), [](B, T p) { return p.y[THETA]; }},
+      {angle("phi", "polar angle", R"(\varphi)", "Eq. (18)"), [](B, T p) { return p.y[PHI]; }},
+      {{"F_n", "normal force", R"(\tilde{F}_n)", "Eq. (3)"}, [](B, T p) { return p.F_n; }},
       {{"F_fx", "friction force along the motion", R"(\tilde{F}_{f,x})", "Eq. (5)"},
-       [](T p) { return p.F_fx; }},
+       [](B, T p) { return p.F_fx; }},
       {{"F_fy", "friction force across the motion", R"(\tilde{F}_{f,y})", "Eq. (5)"},
-       [](T p) { return p.F_fy; }},
-      {{"V_R", "speed relative to the slab", R"(V_R/V_0)", "Eq. (6)"}, [](T p) { return p.V_R; }},
-      {phase_column(), [](T p) { return double(p.phase); }},
+       [](B, T p) { return p.F_fy; }},
+      {{"V_R", "speed relative to the slab", R"(V_R/V_0)", "Eq. (6)"}, [](B, T p) { return p.V_R; }},
+      {phase_column(), [](B, T p) { return double(p.phase); }},
   };
-  return fields;
 }
 
-// A recorded table: the name of its row numbers, and its columns after "point".
+using S = const SlabForce&;
+std::vector<Field> slab_force_fields() {
+  return {
+      {{"t", "time at the middle of the interval", R"(\tilde{t})", "Eq. (A1)"},
+       [](S f, std::size_t i) { return (double(i) + 0.5) * f.interval; }},
+      {{"R_n", "normal load per bristle", R"(\tilde{R}_n/N_{c,0})", "Eq. (A3)"},
+       [](S f, std::size_t i) { return f.R_n[i]; }},
+      {{"R_x", "friction force per bristle along the motion", R"(\tilde{R}_x/N_{c,0})", "Eq. (A3)"},
+       [](S f, std::size_t i) { return f.R_x[i]; }},
+      {{"R_y", "friction force per bristle across the motion", R"(\tilde{R}_y/N_{c,0})", "Eq. (A3)"},
+       [](S f, std::size_t i) { return f.R_y[i]; }},
+      {{"N_c_ratio", "bristles in contact over those of rigid bristles", R"(N_c/N_{c,0})", "Eq. (A3)"},
+       [](S f, std::size_t i) { return f.N_c[i]; }},
+  };
+}
+
+// Filled by run/jumps.cpp.
+std::vector<Field> jump_fields() {
+  return {
+      Field({"before", "value of the axis before the jump", "", ""}),
+      Field({"after", "value of the axis after the jump", "", ""}),
+      Field({"z_0_before", "gap before the jump; NaN: no gap carries the load", R"(\tilde{z}_0)", ""}),
+      Field({"z_0_after", "gap after the jump; NaN: no gap carries the load", R"(\tilde{z}_0)", ""}),
+  };
+}
+
+// A table: the name of its row numbers, and its columns after "point".
 struct Layout {
   std::string row;
-  std::vector<Column> columns;
+  std::vector<Field> fields;
 };
 
 const Layout& layout_of(const std::string& table) {
-  static const std::map<std::string, Layout> layouts = {
-      {"bristles", {"bristle", columns(bristle_fields())}},
-      {"trajectories",
-       {"step", columns(trajectory_fields(), {angle("theta_0", "undeformed azimuth", R"(\theta_0)", ""),
-                                              flag("status", "how the passage ended", kOutcomeNames)})}},
-      {"slab_force",
-       {"interval",
-        {{"t", "time at the middle of the interval", R"(\tilde{t})", "Eq. (A1)"},
-         {"R_n", "normal load per bristle", R"(\tilde{R}_n/N_{c,0})", "Eq. (A3)"},
-         {"R_x", "friction force per bristle along the motion", R"(\tilde{R}_x/N_{c,0})", "Eq. (A3)"},
-         {"R_y", "friction force per bristle across the motion", R"(\tilde{R}_y/N_{c,0})", "Eq. (A3)"},
-         {"N_c_ratio", "bristles in contact over those of rigid bristles", R"(N_c/N_{c,0})", "Eq. (A3)"}}}},
-      {"jumps",
-       {"jump",
-        {{"before", "value of the axis before the jump", "", ""},
-         {"after", "value of the axis after the jump", "", ""},
-         {"z_0_before", "gap before the jump; NaN: no gap carries the load", R"(\tilde{z}_0)", ""},
-         {"z_0_after", "gap after the jump; NaN: no gap carries the load", R"(\tilde{z}_0)", ""}}}},
-  };
+  static const std::map<std::string, Layout> layouts = {{"bristles", {"bristle", bristle_fields()}},
+                                                        {"trajectories", {"step", trajectory_fields()}},
+                                                        {"slab_force", {"interval", slab_force_fields()}},
+                                                        {"jumps", {"jump", jump_fields()}}};
   return layouts.at(table);
 }
 
@@ -178,25 +206,26 @@ void BlockWriter::flush() {
   values_.clear();
 }
 
-Table::Table(hid_t file, const std::string& name) : name_(name), group_(h5::create_group(file, name)) {
+TableWriter::TableWriter(hid_t file, const std::string& name) {
   const h5::Shape open{H5S_UNLIMITED};
   const Layout& layout = layout_of(name);
-  h5::Handle rows = create_column(group_, {layout.row, "row number", "", "", H5T_NATIVE_LONG}, open);
+  const h5::Handle group = h5::create_group(file, name);
+  h5::Handle rows = create_column(group, {layout.row, "row number", "", "", H5T_NATIVE_LONG}, open);
   h5::make_scale(rows, layout.row);
   std::vector<Column> columns{
       {"point", "index of the sweep point, the last axis fastest", "", "", H5T_NATIVE_LONG}};
-  columns.insert(columns.end(), layout.columns.begin(), layout.columns.end());
+  for (const Field& field : layout.fields) columns.push_back(field.column);
   const bool has_status = std::ranges::find(columns, "status", &Column::name) != columns.end();
   for (Column& column : columns) {
     if (has_status && column.flags.empty()) column.ancillary = "status";
-    h5::Handle dataset = create_column(group_, column, open);
+    h5::Handle dataset = create_column(group, column, open);
     h5::attach_scale(dataset, rows, 0);
     columns_.emplace_back(std::move(dataset), open);
   }
   columns_.emplace(columns_.begin(), std::move(rows), open);
 }
 
-void Table::append(const Rows& rows) {
+void TableWriter::append(const Rows& rows) {
   std::vector<double> numbers(rows.front().size());
   std::iota(numbers.begin(), numbers.end(), double(length_));
   columns_[0].append(numbers);
@@ -204,39 +233,20 @@ void Table::append(const Rows& rows) {
   length_ += numbers.size();
 }
 
-void Table::flush() {
+void TableWriter::flush() {
   for (BlockWriter& column : columns_) column.flush();
-}
-
-void Table::close() {
-  for (BlockWriter& column : columns_) column.close("closing a column of /" + name_);
-  group_.close("closing /" + name_);
 }
 
 std::vector<std::string> table_columns(const std::string& table) {
   std::vector<std::string> names;
-  for (const Column& column : layout_of(table).columns) names.push_back(column.name);
+  for (const Field& field : layout_of(table).fields) names.push_back(field.column.name);
   return names;
 }
 
-Rows bristle_rows(const std::vector<Passage>& bristles) {
+Rows table_rows(const std::string& table, const Recorded& recorded) {
   Rows rows;
-  add(rows, bristle_fields(), bristles);
+  for (const Field& field : layout_of(table).fields) rows.push_back(field.values(recorded));
   return rows;
-}
-
-Rows trajectory_rows(const Trajectory& trajectory) {
-  const std::size_t n = trajectory.points.size();
-  Rows rows{std::vector<double>(n, trajectory.passage.theta_0),
-            std::vector<double>(n, double(trajectory.passage.outcome))};
-  add(rows, trajectory_fields(), trajectory.points);
-  return rows;
-}
-
-Rows slab_force_rows(const SlabForce& force) {
-  std::vector<double> t;
-  for (std::size_t i = 0; i < force.R_n.size(); ++i) t.push_back((double(i) + 0.5) * force.interval);
-  return {t, force.R_n, force.R_x, force.R_y, force.N_c};
 }
 
 }  // namespace bristle::results

@@ -31,8 +31,6 @@ class BlockWriter {
   // The values are in the file after flush(). HDF5 converts them to the dataset's type.
   void append(const std::vector<double>& values);
   void flush();
-  // Call flush() before.
-  void close(const std::string& what) { dataset_.close(what); }
 
  private:
   h5::Handle dataset_;
@@ -43,28 +41,24 @@ class BlockWriter {
 
 using Rows = std::vector<std::vector<double>>;  // by column, then by row
 
-// A table of a result: a group of columns of equal length, with a dimension scale of row numbers. There are
-// bristles, trajectories and slab_force, which an experiment may record, and jumps. The first column in the
-// file is "point", the index of the sweep point; table_columns() and the *_rows() functions omit it.
-class Table {
+// Writes a table of a result: a group of columns of equal length, with a dimension scale of row numbers.
+// There are bristles, trajectories and slab_force, which an experiment may record, and jumps. The first
+// column in the file is "point", the index of the sweep point; table_columns() and table_rows() omit it.
+class TableWriter {
  public:
-  Table(hid_t file, const std::string& name);
+  TableWriter(hid_t file, const std::string& name);
 
   // Appends rows, which are in the file after flush(). Columns of equal length, "point" first.
   void append(const Rows& rows);
   void flush();
-  void close();
 
  private:
-  std::string name_;
-  h5::Handle group_;
   std::vector<BlockWriter> columns_;  // after the row numbers
   std::size_t length_ = 0;
 };
 
 std::vector<std::string> table_columns(const std::string& table);
-Rows bristle_rows(const std::vector<Passage>& bristles);
-Rows slab_force_rows(const SlabForce& force);
-Rows trajectory_rows(const Trajectory& trajectory);
+// The rows of one point; of a table that an experiment may record.
+Rows table_rows(const std::string& table, const Recorded& recorded);
 
 }  // namespace bristle::results

@@ -10,30 +10,18 @@ namespace {
 using Value = ResultVariable::Value;
 
 // An ensemble mean.
-ResultVariable mean(const std::string& name, const std::string& long_name, const std::string& symbol,
-                    const char* equation, Observable k) {
-  return {name,
-          long_name,
-          symbol,
-          equation,
-          [k](const PointResult& p) { return p.value[k]; },
+ResultVariable mean(const Column& column, Observable k) {
+  return {column, [k](const PointResult& p) { return p.value[k]; },
           [k](const PointResult& p) { return p.error[k]; },
           [k](const PointResult& p) { return p.load_error[k]; }};
 }
 
-ResultVariable derived(const std::string& name, const std::string& long_name, const std::string& symbol,
-                       const char* equation, const std::function<Derived(const PointResult&)>& of,
-                       bool has_load_error = false, const char* units = "1") {
+ResultVariable derived(const Column& column, const std::function<Derived(const PointResult&)>& of,
+                       bool has_load_error = false) {
   Value load_error;
   if (has_load_error) load_error = [of](const PointResult& p) { return of(p).load_error; };
-  return {name,
-          long_name,
-          symbol,
-          equation,
-          [of](const PointResult& p) { return of(p).value; },
-          [of](const PointResult& p) { return of(p).error; },
-          load_error,
-          units};
+  return {column, [of](const PointResult& p) { return of(p).value; },
+          [of](const PointResult& p) { return of(p).error; }, load_error};
 }
 
 // "R_n" as in "R_n/N_c0".
@@ -58,40 +46,35 @@ std::string with_subscript(std::string symbol, const char* word) {
 ResultVariable pinned_share_of(Observable k) {
   const ObservableRow& row = kObservables[k];
   const std::string symbol = before_slash(without_tilde(row.symbol));
+  const Column column = {fmt::format("pinned_share_{}", row.name),
+                         fmt::format("share of the pinned bristles in {}", row.name),
+                         with_subscript(symbol, "pinned") + "/" + symbol, ""};
   return derived(
-      fmt::format("pinned_share_{}", row.name), fmt::format("share of the pinned bristles in {}", row.name),
-      with_subscript(symbol, "pinned") + "/" + symbol, "",
-      [k](const PointResult& p) { return pinned_share(p, k); }, true);
+      column, [k](const PointResult& p) { return pinned_share(p, k); }, true);
 }
 
 // The variant of an observable for the bristles that are not pinned.
 ResultVariable unpinned_of(Observable k) {
   const ObservableRow& row = kObservables[k];
-  const std::string name = fmt::format("{}_unpinned", row.name),
-                    symbol = with_subscript(row.symbol, "unpinned"),
-                    long_name = fmt::format("{}, without pinned bristles", row.long_name);
-  if (row.unpinned == Unpinned::contribution) return mean(name, long_name, symbol, "", unpinned(k));
+  const Column column = {fmt::format("{}_unpinned", row.name),
+                         fmt::format("{}, without pinned bristles", row.long_name),
+                         with_subscript(row.symbol, "unpinned"), ""};
+  if (row.unpinned == Unpinned::contribution) return mean(column, unpinned(k));
   return derived(
-      name, long_name, symbol, "", [k](const PointResult& p) { return unpinned_mean(p, k); }, true);
+      column, [k](const PointResult& p) { return unpinned_mean(p, k); }, true);
 }
 
-ResultVariable field(const char* name, const char* long_name, const char* symbol, const char* equation,
-                     double PointResult::*value, double PointResult::*error = nullptr,
+ResultVariable field(const Column& column, double PointResult::*value, double PointResult::*error = nullptr,
                      double PointResult::*load_error = nullptr) {
   const auto read = [](double PointResult::*member) -> Value {
     if (!member) return {};
     return [member](const PointResult& p) { return p.*member; };
   };
-  ResultVariable v{name, long_name, symbol, equation, read(value), read(error), read(load_error)};
-  return v;
+  return {column, read(value), read(error), read(load_error)};
 }
 
-ResultVariable fluctuation(const char* name, const char* long_name, const char* symbol,
-                           Fluctuation PointResult::*member) {
-  return {name,
-          long_name,
-          symbol,
-          "Eq. (A3)",
+ResultVariable fluctuation(const Column& column, Fluctuation PointResult::*member) {
+  return {column,
           [member](const PointResult& p) { return (p.*member).value; },
           [member](const PointResult& p) { return (p.*member).error; },
           {}};
@@ -100,70 +83,91 @@ ResultVariable fluctuation(const char* name, const char* long_name, const char* 
 // An ensemble mean in newtons.
 ResultVariable in_newtons(Observable k) {
   const ObservableRow& row = kObservables[k];
-  return {fmt::format("{}_in_N", row.name),
-          row.long_name,
-          without_tilde(row.symbol),
-          row.equation,
+  return {{.name = fmt::format("{}_in_N", row.name),
+           .long_name = row.long_name,
+           .symbol = without_tilde(row.symbol),
+           .equation = row.equation,
+           .units = "N"},
           [k](const PointResult& p) { return p.value[k] * p.force_unit; },
           [k](const PointResult& p) { return p.error[k] * p.force_unit; },
-          [k](const PointResult& p) { return p.load_error[k] * p.force_unit; },
-          "N"};
+          [k](const PointResult& p) { return p.load_error[k] * p.force_unit; }};
 }
 
-void add_load_jump(std::vector<ResultVariable>& variables) {
-  variables.push_back(field("jump_z_0", "last gap before R_n(z_0) jumps across the target",
-                            R"(\tilde{z}_{0,\mathrm{jump}})", "Fig. 3", &PointResult::jump_z_0));
-  variables.push_back(field("jump_R_n", "normal load at jump_z_0", R"(\tilde{R}_{n,\mathrm{jump}}/N_{c,0})",
-                            "Fig. 3", &PointResult::jump_R_n));
+using Variables = std::vector<ResultVariable>;
+using P = PointResult;
+
+void add_observables(Variables& variables) {
+  for (Observable k = 0; k < kObservables.size(); ++k) {
+    const ObservableRow& row = kObservables[k];
+    variables.push_back(mean({row.name, row.long_name, row.symbol, row.equation}, k));
+    if (row.unpinned == Unpinned::contribution) variables.push_back(pinned_share_of(k));
+    if (row.unpinned != Unpinned::none) variables.push_back(unpinned_of(k));
+  }
 }
 
-void add_fluctuations(std::vector<ResultVariable>& variables) {
-  variables.push_back(fluctuation("R_n_fluctuation", "standard deviation of R_n(t) over its mean",
-                                  R"(\sigma(R_n)/R_n)", &PointResult::fluctuation));
+void add_load_jump(Variables& variables) {
+  variables.push_back(field({"jump_z_0", "last gap before R_n(z_0) jumps across the target",
+                             R"(\tilde{z}_{0,\mathrm{jump}})", "Fig. 3"},
+                            &P::jump_z_0));
   variables.push_back(
-      fluctuation("R_n_fluctuation_of_rows",
-                  "standard deviation of R_n(t), averaged over the passing time of a row, over its mean",
-                  R"(\sigma(\langle R_n\rangle_{\mathrm{row}})/R_n)", &PointResult::fluctuation_of_rows));
+      field({"jump_R_n", "normal load at jump_z_0", R"(\tilde{R}_{n,\mathrm{jump}}/N_{c,0})", "Fig. 3"},
+            &P::jump_R_n));
 }
 
-void add_si(std::vector<ResultVariable>& variables) {
+void add_fluctuations(Variables& variables) {
+  variables.push_back(fluctuation(
+      {"R_n_fluctuation", "standard deviation of R_n(t) over its mean", R"(\sigma(R_n)/R_n)", "Eq. (A3)"},
+      &P::fluctuation));
+  variables.push_back(
+      fluctuation({"R_n_fluctuation_of_rows",
+                   "standard deviation of R_n(t), averaged over the passing time of a row, over its mean",
+                   R"(\sigma(\langle R_n\rangle_{\mathrm{row}})/R_n)", "Eq. (A3)"},
+                  &P::fluctuation_of_rows));
+}
+
+void add_si(Variables& variables) {
   for (Observable k = 0; k < kObservables.size(); ++k)
     if (kObservables[k].is_force) variables.push_back(in_newtons(k));
-  variables.push_back(derived("friction_coefficient", "friction force over normal load", R"(R_x/R_n)",
-                              "Eq. (19)", friction_coefficient));
+  variables.push_back(
+      derived({"friction_coefficient", "friction force over normal load", R"(R_x/R_n)", "Eq. (19)"},
+              friction_coefficient));
 }
 
 // If the azimuths are not uniformly distributed, the friction force is not parallel to the motion.
-void add_direction(std::vector<ResultVariable>& variables) {
-  variables.push_back(derived("R_norm", "magnitude of friction over that of rigid bristles", R"(|\check{R}|)",
-                              "Eqs. (20, 21)", friction_magnitude));
-  variables.push_back(derived("direction", "angle of the friction force relative to the motion",
-                              R"(\angle R)", "Eq. (19)", friction_direction, false, "degree"));
+void add_direction(Variables& variables) {
+  variables.push_back(derived(
+      {"R_norm", "magnitude of friction over that of rigid bristles", R"(|\check{R}|)", "Eqs. (20, 21)"},
+      friction_magnitude));
+  variables.push_back(derived({.name = "direction",
+                               .long_name = "angle of the friction force relative to the motion",
+                               .symbol = R"(\angle R)",
+                               .equation = "Eq. (19)",
+                               .units = "degree"},
+                              friction_direction));
 }
 
 }  // namespace
 
 std::vector<ResultVariable> result_variables(const Experiment& experiment) {
-  using P = PointResult;
-  std::vector<ResultVariable> variables = {field("z_0", "gap between slab and ground", R"(\tilde{z}_0)",
-                                                 "Fig. 3", &P::z_0, &P::z_0_error, &P::z_0_error)};
-  for (Observable k = 0; k < kObservables.size(); ++k) {
-    const ObservableRow& row = kObservables[k];
-    variables.push_back(mean(row.name, row.long_name, row.symbol, row.equation, k));
-    if (row.unpinned == Unpinned::contribution) variables.push_back(pinned_share_of(k));
-    if (row.unpinned != Unpinned::none) variables.push_back(unpinned_of(k));
-  }
-  variables.push_back(field("R_x_norm", "friction force over that of rigid bristles", R"(\check{R}_x)",
-                            "Eq. (20)", &P::R_x_norm, &P::R_x_norm_error, &P::R_x_norm_load_error));
-  variables.push_back(field("R_y_norm", "transverse force over the friction of rigid bristles",
-                            R"(\check{R}_y)", "Eq. (21)", &P::R_y_norm, &P::R_y_norm_error,
-                            &P::R_y_norm_load_error));
-  variables.push_back(derived("R_x_norm_unpinned",
-                              "friction force over that of rigid bristles under R_n, without pinned bristles",
-                              R"(\check{R}_{x,\mathrm{unpinned}})", "", unpinned_friction, true));
-  variables.push_back(field("incomplete_theta_0", "undeformed azimuth of the first passage without an exit",
-                            R"(\theta_0)", "", &P::incomplete_theta_0));
-  variables.back().units = "rad";
+  Variables variables = {field({"z_0", "gap between slab and ground", R"(\tilde{z}_0)", "Fig. 3"}, &P::z_0,
+                               &P::z_0_error, &P::z_0_error)};
+  add_observables(variables);
+  variables.push_back(
+      field({"R_x_norm", "friction force over that of rigid bristles", R"(\check{R}_x)", "Eq. (20)"},
+            &P::R_x_norm, &P::R_x_norm_error, &P::R_x_norm_load_error));
+  variables.push_back(field(
+      {"R_y_norm", "transverse force over the friction of rigid bristles", R"(\check{R}_y)", "Eq. (21)"},
+      &P::R_y_norm, &P::R_y_norm_error, &P::R_y_norm_load_error));
+  variables.push_back(derived(
+      {"R_x_norm_unpinned", "friction force over that of rigid bristles under R_n, without pinned bristles",
+       R"(\check{R}_{x,\mathrm{unpinned}})", ""},
+      unpinned_friction, true));
+  variables.push_back(field({.name = "incomplete_theta_0",
+                             .long_name = "undeformed azimuth of the first passage without an exit",
+                             .symbol = R"(\theta_0)",
+                             .equation = "",
+                             .units = "rad"},
+                            &P::incomplete_theta_0));
   if (!experiment.base.loading.z_0 && !experiment.base.loading.trace) add_load_jump(variables);
   if (experiment.on_lattice()) add_fluctuations(variables);
   if (!experiment.base.si.empty()) add_si(variables);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "experiment/experiment.hpp"
+#include "results/tables.hpp"
 
 #include <functional>
 #include <string>
@@ -9,13 +10,11 @@
 namespace bristle::results {
 
 // A variable of the result file, with one value per sweep point.
-struct ResultVariable {
+struct ResultVariable : Column {
   using Value = std::function<double(const PointResult&)>;
-  std::string name, long_name, symbol, equation;
   Value value;
   Value error;       // written as <name>_err; empty: none
   Value load_error;  // the part of error due to the deviation of the load from its target; empty: none
-  std::string units = "1";
 };
 // The variables of a result of this experiment.
 std::vector<ResultVariable> result_variables(const Experiment& experiment);

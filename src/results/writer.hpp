@@ -2,6 +2,7 @@
 
 #include "experiment/experiment.hpp"
 #include "results/record.hpp"
+#include "util/file.hpp"
 
 #include <map>
 
@@ -13,7 +14,6 @@ class ResultWriter {
  public:
   // Throws InputError if path cannot be written.
   ResultWriter(const Experiment& experiment, const std::string& path);
-  ~ResultWriter();
 
   // Call for every point, in ascending order of index. Requires fits(record, experiment).
   void write(std::size_t index, const PointRecord& record);
@@ -25,39 +25,26 @@ class ResultWriter {
   // back.
   void close(const std::map<std::string, std::string>& provenance);
   // Temporary name of the closed file, for additions before publish().
-  const std::string& partial() const { return partial_; }
+  const std::string& partial() const { return whole_.partial(); }
   // Renames the closed file to its final name.
-  void publish();
+  void publish() { whole_.publish(); }
 
  private:
-  void create();
-  void discard();
-  void write_values(std::size_t index, const PointRecord& record);
-  void finish(const std::map<std::string, std::string>& provenance);
   void create_axis(const experiment::Axis& axis);
   void create_scale(const Column& column, const std::vector<double>& values);
   void add_scale(h5::Handle dataset, const std::string& name);
   void create_variables();
-  // missing: the value of nodes that a curve does not have.
-  void add_variable(const Column& column, double missing, const std::string& group = "");
-
-  struct OverSweep {
-    BlockWriter values;
-    double missing;
-  };
+  void finish(const std::map<std::string, std::string>& provenance);
 
   const Experiment& experiment_;
-  std::string path_, partial_;
-  bool curves_;    // of R_n(z_0), along a last dimension "node"
-  bool searched_;  // the gap follows from a load search: errors have a part due to the load
-  int lock_ = -1;  // descriptor that holds the lock of the temporary file
-  h5::Handle file_, load_error_;
-  h5::Shape shape_;
+  const PointLayout layout_;
+  WholeFile whole_;
+  h5::Handle file_;
+  h5::Shape shape_;  // of the sweep, and of the nodes of traced curves
   std::vector<h5::Handle> axes_;
-  std::map<std::string, OverSweep> variables_;
-  std::map<std::string, Table> tables_;
-  std::map<std::size_t, std::string> failures_;  // errors of failed points, by index
-  bool published_ = false;
+  std::vector<BlockWriter> variables_;  // in the order of layout_.datasets
+  std::map<std::string, TableWriter> tables_;
+  std::vector<std::pair<std::string, std::string>> failures_;  // errors of failed points, by failure_name()
 };
 
 }  // namespace bristle::results

@@ -131,9 +131,8 @@ TEST_CASE("malformed: an attribute that is an array instead of one value") {
   make_list(path, "title", 1000, true);
   const ResultReader result(path);
   for (const char* name : {"numerics_version", "title"}) CHECK(h5::has_attribute(result.file(), name));
-  CHECK_THROWS_WITH(h5::read_number_attribute(result.file(), "numerics_version"),
+  CHECK_THROWS_WITH(h5::read_integer_attribute(result.file(), "numerics_version"),
                     Contains("numerics_version is not a single value"));
-  CHECK_THROWS_AS(h5::read_integer_attribute(result.file(), "numerics_version"), RunError);
   CHECK_THROWS_WITH(result.text("title"), Contains("title is not a single value"));
 }
 

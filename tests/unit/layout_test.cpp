@@ -1,5 +1,4 @@
 #include "results/datasets.hpp"
-#include "results/texts.hpp"
 #include "small_result.hpp"
 
 #include "catch.hpp"
@@ -26,8 +25,8 @@ TEST_CASE("the axis of a choice contains words, and readers get their codes") {
   const Scratch s;
   const ResultReader result(small_result(s, "laws.h5", with_choice(s)));
   result.require_intact();
-  CHECK(results::is_text(h5::open_dataset(result.file(), "friction")));
-  CHECK_FALSE(results::is_text(h5::open_dataset(result.file(), code_variable("friction"))));
+  CHECK(h5::is_text(h5::open_dataset(result.file(), "friction")));
+  CHECK_FALSE(h5::is_text(h5::open_dataset(result.file(), code_variable("friction"))));
   CHECK(result.variable("friction").values == std::vector<double>{1, 0});
   const auto laws = result.flag_meanings("friction");
   CHECK(std::vector(laws.begin(), laws.begin() + 2) == std::vector<std::string>{"nss", "coulomb"});
