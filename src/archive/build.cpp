@@ -24,11 +24,6 @@ namespace bristle::archive {
 namespace fs = std::filesystem;
 namespace {
 
-// Removes leading blanks from a line of `git status`.
-std::string without_leading_blanks(const std::string& line) {
-  return line.substr(line.find_first_not_of(' '));
-}
-
 // Collects the contents of the archive.
 class Gatherer {
  public:
@@ -85,11 +80,11 @@ class Gatherer {
     if (version != options_.version)
       throw InputError(fmt::format("{}: version {}, but this program is {}; build it again with `make build`",
                                    file, version, options_.version));
-    if (const std::string changes = repository_.changes(); !changes.empty())
-      refuse_or_record(
-          fmt::format("the work tree ({})", without_leading_blanks(changes.substr(0, changes.find('\n')))),
-          "differs from its commit", "commit or stash first; `git status` lists the changes");
-    else if (options_.commit != repository_.commit())
+    if (const std::string changes = repository_.changes(); !changes.empty()) {
+      const std::string first = changes.substr(0, changes.find('\n'));
+      refuse_or_record(fmt::format("the work tree ({})", first.substr(first.find_first_not_of(' '))),
+                       "differs from its commit", "commit or stash first; `git status` lists the changes");
+    } else if (options_.commit != repository_.commit())
       refuse_or_record(fmt::format("this program, of commit {},", options_.commit),
                        "was not built from the archived source", "build it again with `make build`");
     if (const auto lines = placeholders(text); !lines.empty())
@@ -274,12 +269,8 @@ BuiltArchive build_archive(const ArchiveOptions& options) {
   built.path = options.output.empty() ? "dist/" + folder + ".tar" : options.output;
   built.draft = contents.draft;
   WholeFile out(built.path, kind);
-  Digest digest(Sha::bits_512);
-  write_tar(in_folder(folder, bag_of(contents)), contents.time, [&](const char* bytes, std::size_t size) {
-    out.write(bytes, size);
-    digest.add(bytes, size);
-    built.bytes += size;
-  });
+  const std::string bytes = write_tar(in_folder(folder, bag_of(contents)), contents.time);
+  out.write(bytes.data(), bytes.size());
   out.close();
   const Verification verified = verify_archive(out.partial());
   if (!verified.problems.empty())
@@ -287,7 +278,8 @@ BuiltArchive build_archive(const ArchiveOptions& options) {
                                verified.problems.front()));
   out.publish();
   built.files = verified.files;
-  built.sha512 = digest.hex();
+  built.bytes = bytes.size();
+  built.sha512 = sha512_of(bytes);
   return built;
 }
 

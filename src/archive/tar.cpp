@@ -11,10 +11,8 @@
 #include <cctype>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <vector>
 
 namespace bristle::archive {
 namespace fs = std::filesystem;
@@ -27,13 +25,11 @@ constexpr std::size_t kRecord = 20 * kTarBlock;
 
 std::size_t padded(std::size_t size) { return (size + kTarBlock - 1) / kTarBlock * kTarBlock; }
 
-using Reader = std::unique_ptr<::archive, int (*)(::archive*)>;
-using Writer = std::unique_ptr<::archive, int (*)(::archive*)>;
+using Handle = std::unique_ptr<::archive, int (*)(::archive*)>;
 using Entry = std::unique_ptr<archive_entry, void (*)(archive_entry*)>;
-using Sink = std::function<void(const char*, std::size_t)>;
 
-la_ssize_t write_to_sink(::archive*, void* sink, const void* bytes, std::size_t size) {
-  (*static_cast<const Sink*>(sink))(static_cast<const char*>(bytes), size);
+la_ssize_t append(::archive*, void* out, const void* bytes, std::size_t size) {
+  static_cast<std::string*>(out)->append(static_cast<const char*>(bytes), size);
   return la_ssize_t(size);
 }
 
@@ -101,16 +97,15 @@ std::string read_content(::archive* in, archive_entry* entry, const std::string&
   return content;
 }
 
-[[noreturn]] void broken_header(::archive* in, const std::string& path, const std::string& last) {
-  const la_int64_t at = std::max<la_int64_t>(archive_read_header_position(in), 0);
-  std::string name(100, '\0');  // in the raw header, which may be damaged
-  std::ifstream(path, std::ios::binary).seekg(at).read(name.data(), 100);
+[[noreturn]] void broken_header(::archive* in, const std::string& bytes, const std::string& last) {
+  const auto at = std::size_t(std::max<la_int64_t>(archive_read_header_position(in), 0));
+  const std::string name = bytes.substr(std::min(at, bytes.size()), 100);  // of a header that may be damaged
   throw MalformedError(fmt::format("{}: its tar header (byte {}{}) is damaged, or this is no tar archive: {}",
                                    quoted(name.c_str()), at, last.empty() ? "" : ", after " + last,
                                    archive_error_string(in)));
 }
 
-void require_not_compressed(const std::string& path) {
+void require_not_compressed(const std::string& bytes) {
   const std::pair<const char*, std::string> known[] = {{"gzip", "\x1f\x8b"},
                                                        {"xz",
                                                         "\xfd"
@@ -118,95 +113,83 @@ void require_not_compressed(const std::string& path) {
                                                        {"zstd", "\x28\xb5\x2f\xfd"},
                                                        {"bzip2", "BZh"},
                                                        {"zip", "PK"}};
-  std::string start(8, '\0');
-  std::ifstream(path, std::ios::binary).read(start.data(), 8);
   for (const auto& [name, magic] : known)
-    if (start.starts_with(magic))
+    if (bytes.starts_with(magic))
       throw MalformedError(fmt::format(
           "the file is compressed ({}); archives are uncompressed tar files: unpack it first", name));
 }
 
-std::uintmax_t checked_size(const std::string& path) {
+Handle open_tar(const std::string& bytes) {
+  Handle in(archive_read_new(), archive_read_free);
+  archive_read_support_format_tar(in.get());
+  archive_read_support_filter_none(in.get());
+  if (archive_read_open_memory(in.get(), bytes.data(), bytes.size()) != ARCHIVE_OK)
+    throw MalformedError(fmt::format("not a tar archive: {}", archive_error_string(in.get())));
+  return in;
+}
+
+}  // namespace
+
+std::string write_tar(const Files& files, std::time_t time) {
+  std::string bytes;
+  const Handle out(archive_write_new(), archive_write_free);
+  archive_write_set_format_ustar(out.get());
+  archive_write_add_filter_none(out.get());
+  archive_write_set_bytes_per_block(out.get(), kRecord);
+  archive_write_set_bytes_in_last_block(out.get(), kRecord);
+  if (archive_write_open(out.get(), &bytes, nullptr, append, nullptr) != ARCHIVE_OK)
+    throw RunError(fmt::format("libarchive: {}", archive_error_string(out.get())));
+  for (const auto& [name, content] : files) write_file(out.get(), name, content, time);
+  if (archive_write_close(out.get()) != ARCHIVE_OK)
+    throw RunError(fmt::format("libarchive: {}", archive_error_string(out.get())));
+  return bytes;
+}
+
+std::string read_archive(const std::string& path) {
   std::error_code error;
   if (!fs::exists(path, error))
     throw InputError(fmt::format("{}: no such file; `make archive` makes one", path));
   if (const std::string what = not_a_file(path); !what.empty())
     throw InputError(fmt::format("{}: {}", path, what));
-  const std::uintmax_t size = fs::file_size(path, error);
-  if (error || !std::ifstream(path)) throw InputError(fmt::format("{}: cannot be read", path));
-  if (size == 0) throw MalformedError("the file is empty");
-  if (size > kMaxArchiveBytes)
+  if (const std::uintmax_t size = fs::file_size(path, error); !error && size > kMaxArchiveBytes)
     throw MalformedError(
         fmt::format("{} bytes exceed the maximum of {} for an archive", size, kMaxArchiveBytes));
-  return size;
+  return read_file(path, kMaxArchiveBytes);
 }
 
-}  // namespace
-
-void write_tar(const Files& files, std::time_t time, const Sink& sink) {
-  const Writer out(archive_write_new(), archive_write_free);
-  archive_write_set_format_ustar(out.get());
-  archive_write_add_filter_none(out.get());
-  archive_write_set_bytes_per_block(out.get(), kRecord);
-  archive_write_set_bytes_in_last_block(out.get(), kRecord);
-  void* const context = const_cast<Sink*>(&sink);
-  if (archive_write_open(out.get(), context, nullptr, write_to_sink, nullptr) != ARCHIVE_OK)
-    throw RunError(fmt::format("libarchive: {}", archive_error_string(out.get())));
-  for (const auto& [name, content] : files) write_file(out.get(), name, content, time);
-  if (archive_write_close(out.get()) != ARCHIVE_OK)
-    throw RunError(fmt::format("libarchive: {}", archive_error_string(out.get())));
-}
-
-Files read_tar(const std::string& path) {
-  const std::uintmax_t size = checked_size(path);
-  require_not_compressed(path);
-  const Reader in(archive_read_new(), archive_read_free);
-  archive_read_support_format_tar(in.get());
-  archive_read_support_filter_none(in.get());
+Files read_tar(const std::string& bytes) {
+  if (bytes.empty()) throw MalformedError("the file is empty");
+  require_not_compressed(bytes);
+  const Handle in = open_tar(bytes);
   Files files;
   std::string last;
   archive_entry* entry = nullptr;
-  int code = archive_read_open_filename(in.get(), path.c_str(), 1 << 16);
-  while (code == ARCHIVE_OK && (code = archive_read_next_header(in.get(), &entry)) == ARCHIVE_OK) {
+  int code = ARCHIVE_OK;
+  while ((code = archive_read_next_header(in.get(), &entry)) == ARCHIVE_OK) {
     last = checked_name(entry);
-    files[last] = read_content(in.get(), entry, last, size);
+    files[last] = read_content(in.get(), entry, last, bytes.size());
     if (files.size() > kMaxFiles) throw MalformedError(fmt::format("more than {} files", kMaxFiles));
   }
-  if (code != ARCHIVE_EOF) broken_header(in.get(), path, last);
+  if (code != ARCHIVE_EOF) broken_header(in.get(), bytes, last);
   if (files.empty()) throw MalformedError("the archive contains no files");
   return files;
 }
 
 std::string file_in_tar(const std::string& bytes, const std::string& name) {
-  const Reader in(archive_read_new(), archive_read_free);
-  archive_read_support_format_tar(in.get());
-  if (archive_read_open_memory(in.get(), bytes.data(), bytes.size()) != ARCHIVE_OK)
-    throw MalformedError("not a tar archive");
+  const Handle in = open_tar(bytes);
   archive_entry* entry = nullptr;
   while (archive_read_next_header(in.get(), &entry) == ARCHIVE_OK)
     if (name == archive_entry_pathname(entry)) return read_content(in.get(), entry, name, bytes.size());
   throw MalformedError("is missing");
 }
 
-std::string tar_difference(const std::string& path, const Files& files, std::time_t time) {
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
-  if (!file) throw InputError(fmt::format("{}: cannot be read", path));
-  std::vector<char> existing;
-  std::size_t at = 0;
-  std::string found;
-  write_tar(files, time, [&](const char* bytes, std::size_t size) {
-    existing.resize(size);
-    const std::size_t got = found.empty() ? std::fread(existing.data(), 1, size, file.get()) : 0;
-    const auto same =
-        std::mismatch(existing.begin(), existing.begin() + long(got), bytes).first - existing.begin();
-    if (found.empty() && std::size_t(same) < size)
-      found = fmt::format("{} (byte {}) differs from what the program writes",
-                          part_at(files, at + std::size_t(same)), at + std::size_t(same));
-    at += size;
-  });
-  if (found.empty() && std::fgetc(file.get()) != EOF)
-    found = fmt::format("the end of the archive: there are bytes after it (byte {})", at);
-  return found;
+std::string tar_difference(const std::string& bytes, const Files& files, std::time_t time) {
+  const std::string written = write_tar(files, time);
+  const auto at = std::size_t(std::ranges::mismatch(bytes, written).in1 - bytes.begin());
+  if (at < written.size())
+    return fmt::format("{} (byte {}) differs from what the program writes", part_at(files, at), at);
+  return at == bytes.size() ? ""
+                            : fmt::format("the end of the archive: there are bytes after it (byte {})", at);
 }
 
 }  // namespace bristle::archive

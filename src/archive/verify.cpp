@@ -9,19 +9,11 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <array>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
 namespace bristle::archive {
 namespace {
-
-// Files that are generated from the rest of the payload.
-constexpr std::array kGenerated = {"CITATION.cff", "README.md", kCrateFile};
-
-bool is_generated(const std::string& name) {
-  return std::find(kGenerated.begin(), kGenerated.end(), name) != kGenerated.end();
-}
 
 // The first line of a text that differs from the expected text, with both versions.
 std::string first_difference(const std::string& text, const std::string& expected) {
@@ -49,7 +41,8 @@ class Verifier {
 
   Verification run() {
     try {
-      files_ = read_tar(path_);
+      bytes_ = read_archive(path_);
+      files_ = read_tar(bytes_);
       out_.folder = strip_folder(files_);
     } catch (const MalformedError& e) {
       out_.problems.push_back(e.what());
@@ -68,16 +61,15 @@ class Verifier {
   void add(const Problems& more) { out_.problems.insert(out_.problems.end(), more.begin(), more.end()); }
 
   void check_content() {
-    std::map<std::string, Json> facts;
     for (const auto& [name, bytes] : files_)
-      if (is_result(name, ".h5")) check_result(name, bytes, facts);
+      if (is_result(name, ".h5")) check_result(name, bytes);
     for (const auto& [name, bytes] : files_)
-      if (is_result(name, ".json")) check_matrix(name, bytes, facts);
-    if (facts.empty()) out_.problems.push_back("data/results: there are no results");
+      if (is_result(name, ".json")) check_matrix(name, bytes);
+    if (facts_.empty()) out_.problems.push_back("data/results: there are no results");
     find_commit();
     if (!out_.problems.empty()) return;
     try {
-      check_description(facts);
+      check_description();
     } catch (const MalformedError& e) {
       out_.problems.push_back(e.what() + other_program());
     } catch (
@@ -105,13 +97,14 @@ class Verifier {
   }
 
   // Makes README, citation, crate and the files of the bag again, and compares bytes.
-  void check_description(const std::map<std::string, Json>& facts) {
+  void check_description() {
     out_.identifier = bag_info(files_, "External-Identifier");
     out_.draft = bag_info(files_, "Draft");
     Files payload;
     for (const auto& [name, bytes] : files_)
-      if (name.starts_with("data/") && !is_generated(name.substr(5))) payload[name.substr(5)] = bytes;
-    const Contents contents = describe(std::move(payload), facts, out_.commit, time_, out_.draft);
+      if (name.starts_with("data/")) payload[name.substr(5)] = bytes;
+    payload.erase(kCrateFile);  // which lists the others
+    const Contents contents = describe(std::move(payload), facts_, out_.commit, time_, out_.draft);
     out_.version = contents.citation["version"];
     if (out_.folder != folder_of(contents))
       out_.problems.push_back(fmt::format("{}: is the folder of another version; the source has version {}",
@@ -147,11 +140,10 @@ class Verifier {
   }
 
   // A matrix of assumptions has the numerics_version of the results, and the content of its digest.
-  void check_matrix(const std::string& name, const std::string& bytes,
-                    const std::map<std::string, Json>& facts) {
+  void check_matrix(const std::string& name, const std::string& bytes) {
     try {
       const Json matrix = checked_matrix_facts(bytes)["numerics_version"];
-      for (const auto& [file, of_result] : facts)
+      for (const auto& [file, of_result] : facts_)
         if (of_result["numerics_version"] != matrix)
           return out_.problems.push_back(fmt::format("{}: has numerics_version {}, but {} has {}", name,
                                                      shown(matrix), file,
@@ -161,14 +153,14 @@ class Verifier {
     }
   }
 
-  void check_result(const std::string& name, const std::string& bytes, std::map<std::string, Json>& facts) {
+  void check_result(const std::string& name, const std::string& bytes) {
     try {
       const Json found = checked_result_facts(bytes);
       if ("data/results/" + found["name"].get<std::string>() + ".h5" != name)
         out_.problems.push_back(fmt::format("{}: contains the result of {}", name, shown(found["name"])));
       if (found["tier"] != "full")
         out_.problems.push_back(fmt::format("{}: has the tier {}, not \"full\"", name, shown(found["tier"])));
-      facts[name.substr(5)] = found;
+      facts_[name.substr(5)] = found;
       out_.results[name] = {bytes, found};
     } catch (const MalformedError& e) {
       out_.problems.push_back(fmt::format("{}: {}", name, e.what()));
@@ -185,13 +177,14 @@ class Verifier {
   // Compares headers, padding and order, the bytes that no hash covers.
   void check_bytes() {
     const Files named = in_folder(out_.folder, std::move(files_));
-    if (const std::string difference = tar_difference(path_, named, time_); !difference.empty())
+    if (const std::string difference = tar_difference(bytes_, named, time_); !difference.empty())
       out_.problems.push_back(difference);
   }
 
-  std::string path_;
+  std::string path_, bytes_;
   long time_ = 0;  // of the source commit
   Files files_;
+  std::map<std::string, Json> facts_;  // of the results, by name in data/
   Verification out_;
 };
 

@@ -1,6 +1,5 @@
 #include "cli/commands.hpp"
 
-#include "results/datasets.hpp"
 #include "results/reader.hpp"
 #include "results/variables.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "results/datasets.hpp"
+#include "results/reader.hpp"
 #include "util/json.hpp"
 
 #include <functional>

@@ -1,7 +1,7 @@
 
 #include "claims/checks.hpp"
 #include "compare/reference.hpp"
-#include "results/datasets.hpp"
+#include "results/reader.hpp"
 #include "results/variables.hpp"
 #include "util/error.hpp"
 #include "util/file.hpp"

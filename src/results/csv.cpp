@@ -1,6 +1,5 @@
 #include "results/csv.hpp"
 
-#include "results/datasets.hpp"
 #include "util/error.hpp"
 #include "util/grid.hpp"
 #include "util/text.hpp"
@@ -28,10 +27,8 @@ CsvColumn column_of(const ResultReader& result, const std::string& path) {
                    attribute_of(result, path, "long_name"),
                    {}};
   const std::vector<std::string> words = result.flag_meanings(path);
-  for (const double value : result.variable(path).values) {
-    const bool word = value >= 0 && value < double(words.size()) && value == std::floor(value);
-    column.cells.push_back(word ? words[std::size_t(value)] : csv_number(value));
-  }
+  for (const double value : result.variable(path).values)
+    column.cells.push_back(words.empty() ? csv_number(value) : value_text(words, value));
   return column;
 }
 

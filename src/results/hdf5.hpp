@@ -9,15 +9,25 @@
 // Thin wrapper of HDF5's C interface: closes every handle and checks every return code.
 namespace bristle::h5 {
 
-// Returns code. If it is negative, throws RunError with what, the operation that failed, and HDF5's innermost
-// reason.
-template <class Code>
-Code check(Code code, const std::string& what);
+// Throws RunError with what, the operation that failed, and HDF5's innermost reason.
 [[noreturn]] void fail(const std::string& what);
+
+// Returns code; fails if it is negative.
+template <class Code>
+Code check(Code code, const std::string& what) {
+  if (code < 0) fail(what);
+  return code;
+}
 
 // Does the work, which is on the file at path, and adds the path to the message of a RunError.
 template <class Work>
-void in_file(const std::string& path, const Work& work);
+void in_file(const std::string& path, const Work& work) {
+  try {
+    work();
+  } catch (const RunError& e) {
+    throw RunError(path + ": " + e.what());
+  }
+}
 
 // Call before all other functions. Prevents HDF5 from printing its error stack, as errors become exceptions,
 // and from cleaning up at exit.
@@ -92,20 +102,5 @@ void attach_scale(hid_t dataset, hid_t scale, unsigned dimension);
 bool is_scale(hid_t dataset);
 // Name of the dimension scale of a dimension; empty if there is none.
 std::string scale_name(hid_t dataset, unsigned dimension);
-
-template <class Work>
-void in_file(const std::string& path, const Work& work) {
-  try {
-    work();
-  } catch (const RunError& e) {
-    throw RunError(path + ": " + e.what());
-  }
-}
-
-template <class Code>
-Code check(Code code, const std::string& what) {
-  if (code < 0) fail(what);
-  return code;
-}
 
 }  // namespace bristle::h5

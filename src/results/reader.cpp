@@ -4,20 +4,34 @@
 #include "results/inspect.hpp"
 #include "results/version.hpp"
 #include "util/error.hpp"
+#include "util/grid.hpp"
 #include "util/text.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <algorithm>
-#include <nlohmann/json.hpp>
+#include <cmath>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 namespace bristle::results {
-
 namespace {
 
 constexpr const char* kRemedy = "restore the file, or compute it again with `bristle run`";
+
+// The coordinate at index i of a dimension. Coordinates are datasets in the folder of the variable or, for
+// the axes of the sweep, in the root.
+std::string coordinate(const ResultReader& result, const std::string& folder, const std::string& dimension,
+                       std::size_t i) {
+  if (dimension.empty()) return fmt::format("row {}", i);
+  const std::string name = result.has(folder + dimension) ? folder + dimension : dimension;
+  if (!result.has(name)) return fmt::format("{}[{}]", dimension, i);
+  const auto values = result.variable(name).values;
+  if (i >= values.size()) return fmt::format("{}[{}]", dimension, i);
+  const std::vector<std::string> words = result.flag_meanings(name);
+  return fmt::format("{} = {}", dimension,
+                     words.empty() ? fmt::format("{:.6g}", values[i]) : value_text(words, values[i]));
+}
 
 }  // namespace
 
@@ -62,11 +76,8 @@ void ResultReader::require_schema() const {
 }
 
 std::vector<std::string> ResultReader::variables() const {
-  std::vector<std::string> names;
-  for (const std::string& name : h5::children(file_))
-    if (!h5::is_group(file_, name)) names.push_back(name);
-  for (const std::string& name : std::vector(names))
-    if (h5::is_text(h5::open_dataset(file_, name))) std::erase(names, code_variable(name));
+  std::vector<std::string> names = numeric_datasets(*this);
+  std::erase_if(names, [](const std::string& name) { return name.find('/') != std::string::npos; });
   return names;
 }
 
@@ -121,6 +132,48 @@ bool up_to_date(const std::string& path, const Experiment& experiment) {
   } catch (const RunError&) {
     return false;
   }
+}
+
+std::vector<std::string> numeric_datasets(const ResultReader& result) {
+  std::vector<std::string> names = payload_datasets(result.file());
+  for (const std::string& name : std::vector(names))
+    if (h5::is_text(h5::open_dataset(result.file(), name)) && std::erase(names, code_variable(name)) == 0)
+      std::erase(names, name);
+  return names;
+}
+
+DatasetKind kind_of(const ResultReader& result, const std::string& name) {
+  const h5::Handle dataset = h5::open_dataset(result.file(), name);
+  if (h5::is_scale(dataset)) return DatasetKind::coordinate;
+  if (H5Tget_class(h5::type_of(dataset)) != H5T_INTEGER) return DatasetKind::real;
+  return h5::has_attribute(dataset, "flag_meanings") ? DatasetKind::flags : DatasetKind::integer;
+}
+
+std::string place(const ResultReader& result, const std::string& name, std::size_t index) {
+  const Variable v = result.variable(name);
+  if (v.shape.empty()) return "the only point";
+  const auto slash = name.rfind('/');
+  const std::string folder = slash == std::string::npos ? "" : name.substr(0, slash + 1);
+  const auto at = unravel(index, v.shape);
+  std::vector<std::string> parts;
+  for (std::size_t d = 0; d < at.size(); ++d)
+    parts.push_back(coordinate(result, folder, v.dimensions[d], at[d]));
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::string value_text(const std::vector<std::string>& flag_meanings, double value) {
+  for (std::size_t code = 0; code < flag_meanings.size(); ++code)
+    if (double(code) == value) return flag_meanings[code];
+  return fmt::format("{}", value);
+}
+
+std::string value_text(const ResultReader& result, const std::string& name, double value) {
+  return value_text(result.flag_meanings(name), value);
+}
+
+bool same_bits(double a, double b) {
+  if (std::isnan(a) || std::isnan(b)) return std::isnan(a) && std::isnan(b);
+  return a == b && std::signbit(a) == std::signbit(b);
 }
 
 std::string axis_variable(const std::string& name) {

@@ -64,6 +64,29 @@ FileKind result_file();
 // Whether the file contains the numbers of this experiment, complete and undamaged.
 bool up_to_date(const std::string& path, const Experiment& experiment);
 
+enum class DatasetKind {
+  coordinate,  // values along a dimension (a dimension scale)
+  flags,       // codes with meanings, such as status: a difference has no size
+  integer,     // counts and indices
+  real
+};
+// Names of datasets are paths from the root, such as "R_x" and "bristles/theta_0".
+DatasetKind kind_of(const ResultReader& result, const std::string& name);
+
+// The datasets of the payload. The axis of a choice stands for its words and codes.
+std::vector<std::string> numeric_datasets(const ResultReader& result);
+
+// Coordinates of a value, such as "k_r = 2, k_theta = 0.3"; the row number for a dimension without
+// coordinates.
+std::string place(const ResultReader& result, const std::string& name, std::size_t index);
+
+// A value as text: the meaning of a flag, or a number with enough digits to identify it.
+std::string value_text(const std::vector<std::string>& flag_meanings, double value);
+std::string value_text(const ResultReader& result, const std::string& name, double value);
+
+// NaN equals NaN; zeros of opposite signs differ.
+bool same_bits(double a, double b);
+
 // The name of an axis in the file. A swept R_n or z_0 becomes R_n_target or z_0_target, because R_n and z_0
 // are the computed values.
 std::string axis_variable(const std::string& name);

@@ -1,6 +1,6 @@
 #include "results/record.hpp"
 
-#include "results/datasets.hpp"
+#include "results/reader.hpp"
 #include "results/version.hpp"
 
 #include <fmt/format.h>
@@ -54,20 +54,18 @@ Rows read_rows(hid_t file, const std::string& table, std::size_t index) {
   return rows;
 }
 
-bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](double x, double y) { return results::same_bits(x, y); });
+bool same(const std::vector<double>& a, const std::vector<double>& b) {
+  return std::ranges::equal(a, b, same_bits);
 }
 
-bool same_bits(const Rows& a, const Rows& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](const auto& x, const auto& y) { return same_bits(x, y); });
+bool same(const Rows& a, const Rows& b) {
+  return std::ranges::equal(a, b, [](const auto& x, const auto& y) { return same(x, y); });
 }
 
 template <class Map>
 void add_differences(const Map& a, const Map& b, std::vector<std::string>& out) {
   for (const auto& [name, values] : a)
-    if (const auto other = b.find(name); other == b.end() || !same_bits(values, other->second))
+    if (const auto other = b.find(name); other == b.end() || !same(values, other->second))
       out.push_back(name);
   for (const auto& [name, values] : b)
     if (!a.contains(name)) out.push_back(name);

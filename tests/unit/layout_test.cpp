@@ -1,4 +1,3 @@
-#include "results/datasets.hpp"
 #include "small_result.hpp"
 
 #include "catch.hpp"

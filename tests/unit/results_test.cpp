@@ -1,5 +1,4 @@
 #include "claims/checks.hpp"
-#include "results/datasets.hpp"
 #include "results/reader.hpp"
 #include "results/variables.hpp"
 #include "results/writer.hpp"

@@ -103,16 +103,9 @@ inline const std::string& sound() {
   return bytes;
 }
 
-inline std::string tar_of(const Files& files, std::time_t time = 1) {
-  std::string bytes;
-  write_tar(files, time, [&](const char* part, std::size_t size) { bytes.append(part, size); });
-  return bytes;
-}
-
 // The archive with a changed payload and matching manifests, as made by someone who intends to deceive.
 inline std::string repacked(const std::string& archive, const std::function<void(Files&)>& change) {
-  const Scratch s;
-  Files files = read_tar(s.write("a.tar", archive)), payload;
+  Files files = read_tar(archive), payload;
   const std::string folder = strip_folder(files), draft = bag_info(files, "Draft");
   BagInfo info;
   for (const char* label : {"Source-Organization", "External-Description", "Bagging-Date",
@@ -122,7 +115,8 @@ inline std::string repacked(const std::string& archive, const std::function<void
   for (const auto& [name, bytes] : files)
     if (name.compare(0, 5, "data/") == 0) payload[name.substr(5)] = bytes;
   change(payload);
-  return tar_of(in_folder(folder, make_bag(payload, info)), std::stol(bag_info(files, "Source-Date-Epoch")));
+  return write_tar(in_folder(folder, make_bag(payload, info)),
+                   std::stol(bag_info(files, "Source-Date-Epoch")));
 }
 
 }  // namespace bristle::testing

@@ -71,7 +71,7 @@ TEST_CASE("a flipped bit is found anywhere in the archive, and its place is name
   const Scratch s;
   const std::string path = s.write("a.tar", sound());
   const int file = open(path.c_str(), O_RDWR);
-  const Files files = read_tar(path);
+  const Files files = read_tar(bytes_of(path));
   std::size_t tried = 0;
   const auto flip = [&](std::size_t at, char mask, const std::vector<std::string>& names) {
     const char changed = char(sound()[at] ^ mask);
@@ -112,7 +112,7 @@ TEST_CASE("a flipped bit is found anywhere in the archive, and its place is name
 
 TEST_CASE("a hash in capital letters is reported as a change") {
   const Scratch s;
-  Files files = read_tar(s.write("a.tar", sound()));
+  Files files = read_tar(sound());
   for (auto& [name, content] : files)
     if (name.find("/manifest-sha512.txt") != std::string::npos) {
       for (char& c : content)
@@ -121,18 +121,18 @@ TEST_CASE("a hash in capital letters is reported as a change") {
           break;
         }
     }
-  CHECK_THAT(problems_text(verify_bytes(s, tar_of(files)).problems),
+  CHECK_THAT(problems_text(verify_bytes(s, write_tar(files, 1)).problems),
              Contains("manifest-sha512.txt: its SHA-512") && Contains("data/CITATION.cff: its SHA-512"));
 }
 
 TEST_CASE("missing, added, renamed and exchanged files are named") {
   const Scratch s;
-  const Files files = read_tar(s.write("a.tar", sound()));
+  const Files files = read_tar(sound());
   const std::string folder = files.begin()->first.substr(0, files.begin()->first.find('/') + 1);
   const auto after = [&](const std::function<void(Files&)>& change) {
     Files changed = files;
     change(changed);
-    return problems_text(verify_bytes(s, tar_of(changed)).problems);
+    return problems_text(verify_bytes(s, write_tar(changed, 1)).problems);
   };
   for (const auto& [name, content] : files) {
     CAPTURE(name);
@@ -160,21 +160,22 @@ TEST_CASE("a file that was added to the manifest and a folder of another version
   CHECK_THAT(problems_of(repacked(sound(), [](Files& payload) { payload["new.txt"] = "x"; })),
              Contains("ro-crate-metadata.json: line") && Contains("new.txt"));
   const Scratch s;
-  Files files = read_tar(s.write("a.tar", sound())), renamed;
+  Files files = read_tar(sound()), renamed;
   strip_folder(files);
   for (const auto& [name, content] : files) renamed["bristle-9.9.9/" + name] = content;
-  CHECK_THAT(problems_text(
-                 verify_bytes(s, tar_of(renamed, std::stol(bag_info(files, "Source-Date-Epoch")))).problems),
-             Contains("bristle-9.9.9: is the folder of another version"));
+  CHECK_THAT(
+      problems_text(
+          verify_bytes(s, write_tar(renamed, std::stol(bag_info(files, "Source-Date-Epoch")))).problems),
+      Contains("bristle-9.9.9: is the folder of another version"));
 }
 
 TEST_CASE("control characters of an archive do not reach the terminal") {
   const Scratch s;
-  Files files = read_tar(s.write("a.tar", sound()));
+  Files files = read_tar(sound());
   for (auto& [name, content] : files)
     if (name.find("/manifest-sha512.txt") != std::string::npos)
       content = std::string(128, 'f') + "  data/\x1b]0;evil\x07\n" + content;
-  CHECK_THAT(problems_text(verify_bytes(s, tar_of(files)).problems),
+  CHECK_THAT(problems_text(verify_bytes(s, write_tar(files, 1)).problems),
              Contains("data/\\x1b]0;evil\\x07: is missing") && !Contains("\x1b"));
 }
 
@@ -206,8 +207,7 @@ TEST_CASE("harmful tar entries are refused by name, and nothing is unpacked") {
 }
 
 TEST_CASE("entries that are exchanged, repeated, or have another time, owner or mode are named") {
-  const Scratch s;
-  const Files files = read_tar(s.write("a.tar", sound()));
+  const Files files = read_tar(sound());
   const auto& [first, content] = *files.begin();
   const auto& [second, more] = *std::next(files.begin());
   const std::size_t a = 512 + padded(content.size()), b = 512 + padded(more.size());
@@ -226,14 +226,14 @@ TEST_CASE("entries that are exchanged, repeated, or have another time, owner or 
 }
 
 TEST_CASE("bag-info.txt must follow from the other files, also if the manifest is made for it") {
-  Files files = read_tar(Scratch().write("a.tar", sound()));
+  Files files = read_tar(sound());
   const std::string folder = strip_folder(files);
   const std::time_t time = std::stol(bag_info(files, "Source-Date-Epoch"));
   Files payload;
   for (const auto& [name, bytes] : files)
     if (name.starts_with("data/")) payload[name.substr(5)] = bytes;
   const auto with = [&](const BagInfo& info) {
-    return problems_of(tar_of(in_folder(folder, make_bag(payload, info)), time));
+    return problems_of(write_tar(in_folder(folder, make_bag(payload, info)), time));
   };
   CHECK_THAT(with({{"Source-Organization", "Mallory"}, {"Source-Date-Epoch", fmt::format("{}", time)}}),
              Contains("bag-info.txt: line 1 is \"Source-Organization: Mallory\""));
