@@ -119,12 +119,10 @@ void require_not_compressed(const std::string& bytes) {
           "the file is compressed ({}); archives are uncompressed tar files: unpack it first", name));
 }
 
-Handle open_tar(const std::string& bytes) {
+Handle tar_reader() {
   Handle in(archive_read_new(), archive_read_free);
   archive_read_support_format_tar(in.get());
   archive_read_support_filter_none(in.get());
-  if (archive_read_open_memory(in.get(), bytes.data(), bytes.size()) != ARCHIVE_OK)
-    throw MalformedError(fmt::format("not a tar archive: {}", archive_error_string(in.get())));
   return in;
 }
 
@@ -160,12 +158,12 @@ std::string read_archive(const std::string& path) {
 Files read_tar(const std::string& bytes) {
   if (bytes.empty()) throw MalformedError("the file is empty");
   require_not_compressed(bytes);
-  const Handle in = open_tar(bytes);
+  const Handle in = tar_reader();
   Files files;
   std::string last;
   archive_entry* entry = nullptr;
-  int code = ARCHIVE_OK;
-  while ((code = archive_read_next_header(in.get(), &entry)) == ARCHIVE_OK) {
+  int code = archive_read_open_memory(in.get(), bytes.data(), bytes.size());
+  while (code == ARCHIVE_OK && (code = archive_read_next_header(in.get(), &entry)) == ARCHIVE_OK) {
     last = checked_name(entry);
     files[last] = read_content(in.get(), entry, last, bytes.size());
     if (files.size() > kMaxFiles) throw MalformedError(fmt::format("more than {} files", kMaxFiles));
@@ -176,7 +174,9 @@ Files read_tar(const std::string& bytes) {
 }
 
 std::string file_in_tar(const std::string& bytes, const std::string& name) {
-  const Handle in = open_tar(bytes);
+  const Handle in = tar_reader();
+  if (archive_read_open_memory(in.get(), bytes.data(), bytes.size()) != ARCHIVE_OK)
+    throw MalformedError("not a tar archive");
   archive_entry* entry = nullptr;
   while (archive_read_next_header(in.get(), &entry) == ARCHIVE_OK)
     if (name == archive_entry_pathname(entry)) return read_content(in.get(), entry, name, bytes.size());

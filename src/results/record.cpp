@@ -24,20 +24,6 @@ PointRecord with_unified_nan(PointRecord record) {
   return record;
 }
 
-// The first row of this point or of a later one, by bisection: tables may be too long to be read for every
-// point.
-hsize_t first_row(hid_t points, std::size_t index) {
-  hsize_t low = 0, high = h5::length_of(points);
-  while (low < high) {
-    const hsize_t middle = low + (high - low) / 2;
-    double point = 0;
-    h5::read_part(points, H5T_NATIVE_DOUBLE, {middle}, {1}, &point);
-    if (point < double(index)) low = middle + 1;
-    else high = middle;
-  }
-  return low;
-}
-
 // The rows of one point. Requires that the table is sorted by points.
 Rows read_rows(hid_t file, const std::string& table, std::size_t index) {
   const h5::Handle group = h5::open_group(file, table);
@@ -47,10 +33,11 @@ Rows read_rows(hid_t file, const std::string& table, std::size_t index) {
       h5::read_part(h5::open_dataset(group, column), H5T_NATIVE_DOUBLE, {from}, {count}, out.data());
     return out;
   };
-  const h5::Handle points = h5::open_dataset(group, "point");
-  const hsize_t first = first_row(points, index), last = std::max(first, first_row(points, index + 1));
+  const std::vector<double> points = read("point", 0, h5::length_of(h5::open_dataset(group, "point")));
+  const auto here = std::ranges::equal_range(points, double(index));
+  const auto first = hsize_t(here.begin() - points.begin());
   Rows rows;
-  for (const std::string& column : table_columns(table)) rows.push_back(read(column, first, last - first));
+  for (const std::string& column : table_columns(table)) rows.push_back(read(column, first, here.size()));
   return rows;
 }
 
@@ -97,22 +84,23 @@ PointLayout::PointLayout(const Experiment& experiment) {
 
 // Adds the variable, its error, and the part of the error due to the load, if the gap follows from a search.
 void PointLayout::add(const ResultVariable& variable, bool searched) {
-  Dataset value{variable, variable.value};
-  value.ancillary = variable.error ? variable.name + "_err status" : "status";
-  datasets.push_back(value);
-  const auto add_error = [&](const std::string& name, const std::string& long_name,
-                             const ResultVariable::Value& of) {
-    Dataset error{variable, of};
-    error.name = name;
-    error.long_name = long_name;
-    error.symbol = R"(\delta )" + variable.symbol;
-    if (of) datasets.push_back(error);
+  const auto add_part = [&](Column column, double Derived::*part) {
+    datasets.push_back(
+        {std::move(column), [of = variable.of, part](const PointResult& p) { return of(p).*part; }});
   };
-  if (searched)
-    add_error("load_error/" + variable.name,
-              "part of " + variable.name + "_err due to the deviation of the load from its target",
-              variable.load_error);
-  add_error(variable.name + "_err", "estimated numerical error of " + variable.name, variable.error);
+  Column column = variable;
+  column.ancillary = variable.errors == Errors::none ? "status" : variable.name + "_err status";
+  add_part(column, &Derived::value);
+  column.ancillary = "";
+  column.symbol = R"(\delta )" + variable.symbol;
+  if (searched && variable.errors == Errors::with_load) {
+    column.name = "load_error/" + variable.name;
+    column.long_name = "part of " + variable.name + "_err due to the deviation of the load from its target";
+    add_part(column, &Derived::load_error);
+  }
+  column.name = variable.name + "_err";
+  column.long_name = "estimated numerical error of " + variable.name;
+  if (variable.errors != Errors::none) add_part(column, &Derived::error);
 }
 
 PointRecord record_of(const PointLayout& layout, const PointResult& result, const Recorded& recorded) {

@@ -4,6 +4,7 @@
 #include "results/tables.hpp"
 #include "results/variables.hpp"
 
+#include <functional>
 #include <limits>
 #include <map>
 #include <optional>
@@ -26,7 +27,7 @@ struct PointLayout {
 
   // A dataset over the sweep. Its name is the path from the root.
   struct Dataset : Column {
-    ResultVariable::Value value;                                // empty for the branch of a curve's nodes
+    std::function<double(const PointResult&)> value;            // empty for the branch of a curve's nodes
     double missing = std::numeric_limits<double>::quiet_NaN();  // for nodes that a curve does not have
   };
   std::vector<Dataset> datasets;    // in the order in which the file is made

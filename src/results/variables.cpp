@@ -1,27 +1,16 @@
 #include "results/variables.hpp"
 
-#include "ensemble/derived.hpp"
-
 #include <fmt/format.h>
 
 namespace bristle::results {
 namespace {
 
-using Value = ResultVariable::Value;
+using Variables = std::vector<ResultVariable>;
+using P = const PointResult&;
 
 // An ensemble mean.
 ResultVariable mean(const Column& column, Observable k) {
-  return {column, [k](const PointResult& p) { return p.value[k]; },
-          [k](const PointResult& p) { return p.error[k]; },
-          [k](const PointResult& p) { return p.load_error[k]; }};
-}
-
-ResultVariable derived(const Column& column, const std::function<Derived(const PointResult&)>& of,
-                       bool has_load_error = false) {
-  Value load_error;
-  if (has_load_error) load_error = [of](const PointResult& p) { return of(p).load_error; };
-  return {column, [of](const PointResult& p) { return of(p).value; },
-          [of](const PointResult& p) { return of(p).error; }, load_error};
+  return {column, [k](P p) { return Derived{p.value[k], p.error[k], p.load_error[k]}; }, Errors::with_load};
 }
 
 // "R_n" as in "R_n/N_c0".
@@ -49,8 +38,7 @@ ResultVariable pinned_share_of(Observable k) {
   const Column column = {fmt::format("pinned_share_{}", row.name),
                          fmt::format("share of the pinned bristles in {}", row.name),
                          with_subscript(symbol, "pinned") + "/" + symbol, ""};
-  return derived(
-      column, [k](const PointResult& p) { return pinned_share(p, k); }, true);
+  return {column, [k](P p) { return pinned_share(p, k); }, Errors::with_load};
 }
 
 // The variant of an observable for the bristles that are not pinned.
@@ -60,41 +48,23 @@ ResultVariable unpinned_of(Observable k) {
                          fmt::format("{}, without pinned bristles", row.long_name),
                          with_subscript(row.symbol, "unpinned"), ""};
   if (row.unpinned == Unpinned::contribution) return mean(column, unpinned(k));
-  return derived(
-      column, [k](const PointResult& p) { return unpinned_mean(p, k); }, true);
-}
-
-ResultVariable field(const Column& column, double PointResult::*value, double PointResult::*error = nullptr,
-                     double PointResult::*load_error = nullptr) {
-  const auto read = [](double PointResult::*member) -> Value {
-    if (!member) return {};
-    return [member](const PointResult& p) { return p.*member; };
-  };
-  return {column, read(value), read(error), read(load_error)};
-}
-
-ResultVariable fluctuation(const Column& column, Fluctuation PointResult::*member) {
-  return {column,
-          [member](const PointResult& p) { return (p.*member).value; },
-          [member](const PointResult& p) { return (p.*member).error; },
-          {}};
+  return {column, [k](P p) { return unpinned_mean(p, k); }, Errors::with_load};
 }
 
 // An ensemble mean in newtons.
 ResultVariable in_newtons(Observable k) {
   const ObservableRow& row = kObservables[k];
-  return {{.name = fmt::format("{}_in_N", row.name),
-           .long_name = row.long_name,
-           .symbol = without_tilde(row.symbol),
-           .equation = row.equation,
-           .units = "N"},
-          [k](const PointResult& p) { return p.value[k] * p.force_unit; },
-          [k](const PointResult& p) { return p.error[k] * p.force_unit; },
-          [k](const PointResult& p) { return p.load_error[k] * p.force_unit; }};
+  return {
+      {.name = fmt::format("{}_in_N", row.name),
+       .long_name = row.long_name,
+       .symbol = without_tilde(row.symbol),
+       .equation = row.equation,
+       .units = "N"},
+      [k](P p) {
+        return Derived{p.value[k] * p.force_unit, p.error[k] * p.force_unit, p.load_error[k] * p.force_unit};
+      },
+      Errors::with_load};
 }
-
-using Variables = std::vector<ResultVariable>;
-using P = PointResult;
 
 void add_observables(Variables& variables) {
   for (Observable k = 0; k < kObservables.size(); ++k) {
@@ -105,69 +75,100 @@ void add_observables(Variables& variables) {
   }
 }
 
-void add_load_jump(Variables& variables) {
-  variables.push_back(field({"jump_z_0", "last gap before R_n(z_0) jumps across the target",
-                             R"(\tilde{z}_{0,\mathrm{jump}})", "Fig. 3"},
-                            &P::jump_z_0));
+void add_norms(Variables& variables) {
   variables.push_back(
-      field({"jump_R_n", "normal load at jump_z_0", R"(\tilde{R}_{n,\mathrm{jump}}/N_{c,0})", "Fig. 3"},
-            &P::jump_R_n));
+      {{"R_x_norm", "friction force over that of rigid bristles", R"(\check{R}_x)", "Eq. (20)"},
+       [](P p) {
+         return Derived{p.R_x_norm, p.R_x_norm_error, p.R_x_norm_load_error};
+       },
+       Errors::with_load});
+  variables.push_back(
+      {{"R_y_norm", "transverse force over the friction of rigid bristles", R"(\check{R}_y)", "Eq. (21)"},
+       [](P p) {
+         return Derived{p.R_y_norm, p.R_y_norm_error, p.R_y_norm_load_error};
+       },
+       Errors::with_load});
+  variables.push_back(
+      {{"R_x_norm_unpinned", "friction force over that of rigid bristles under R_n, without pinned bristles",
+        R"(\check{R}_{x,\mathrm{unpinned}})", ""},
+       unpinned_friction,
+       Errors::with_load});
+}
+
+void add_load_jump(Variables& variables) {
+  variables.push_back({{"jump_z_0", "last gap before R_n(z_0) jumps across the target",
+                        R"(\tilde{z}_{0,\mathrm{jump}})", "Fig. 3"},
+                       [](P p) {
+                         return Derived{p.jump_z_0, 0, 0};
+                       },
+                       Errors::none});
+  variables.push_back(
+      {{"jump_R_n", "normal load at jump_z_0", R"(\tilde{R}_{n,\mathrm{jump}}/N_{c,0})", "Fig. 3"},
+       [](P p) {
+         return Derived{p.jump_R_n, 0, 0};
+       },
+       Errors::none});
 }
 
 void add_fluctuations(Variables& variables) {
-  variables.push_back(fluctuation(
-      {"R_n_fluctuation", "standard deviation of R_n(t) over its mean", R"(\sigma(R_n)/R_n)", "Eq. (A3)"},
-      &P::fluctuation));
   variables.push_back(
-      fluctuation({"R_n_fluctuation_of_rows",
-                   "standard deviation of R_n(t), averaged over the passing time of a row, over its mean",
-                   R"(\sigma(\langle R_n\rangle_{\mathrm{row}})/R_n)", "Eq. (A3)"},
-                  &P::fluctuation_of_rows));
+      {{"R_n_fluctuation", "standard deviation of R_n(t) over its mean", R"(\sigma(R_n)/R_n)", "Eq. (A3)"},
+       [](P p) {
+         return Derived{p.fluctuation.value, p.fluctuation.error, 0};
+       },
+       Errors::estimated});
+  variables.push_back(
+      {{"R_n_fluctuation_of_rows",
+        "standard deviation of R_n(t), averaged over the passing time of a row, over its mean",
+        R"(\sigma(\langle R_n\rangle_{\mathrm{row}})/R_n)", "Eq. (A3)"},
+       [](P p) {
+         return Derived{p.fluctuation_of_rows.value, p.fluctuation_of_rows.error, 0};
+       },
+       Errors::estimated});
 }
 
 void add_si(Variables& variables) {
   for (Observable k = 0; k < kObservables.size(); ++k)
     if (kObservables[k].is_force) variables.push_back(in_newtons(k));
-  variables.push_back(
-      derived({"friction_coefficient", "friction force over normal load", R"(R_x/R_n)", "Eq. (19)"},
-              friction_coefficient));
+  variables.push_back({{"friction_coefficient", "friction force over normal load", R"(R_x/R_n)", "Eq. (19)"},
+                       friction_coefficient,
+                       Errors::estimated});
 }
 
 // If the azimuths are not uniformly distributed, the friction force is not parallel to the motion.
 void add_direction(Variables& variables) {
-  variables.push_back(derived(
-      {"R_norm", "magnitude of friction over that of rigid bristles", R"(|\check{R}|)", "Eqs. (20, 21)"},
-      friction_magnitude));
-  variables.push_back(derived({.name = "direction",
-                               .long_name = "angle of the friction force relative to the motion",
-                               .symbol = R"(\angle R)",
-                               .equation = "Eq. (19)",
-                               .units = "degree"},
-                              friction_direction));
+  variables.push_back(
+      {{"R_norm", "magnitude of friction over that of rigid bristles", R"(|\check{R}|)", "Eqs. (20, 21)"},
+       friction_magnitude,
+       Errors::estimated});
+  variables.push_back({{.name = "direction",
+                        .long_name = "angle of the friction force relative to the motion",
+                        .symbol = R"(\angle R)",
+                        .equation = "Eq. (19)",
+                        .units = "degree"},
+                       friction_direction,
+                       Errors::estimated});
 }
 
 }  // namespace
 
 std::vector<ResultVariable> result_variables(const Experiment& experiment) {
-  Variables variables = {field({"z_0", "gap between slab and ground", R"(\tilde{z}_0)", "Fig. 3"}, &P::z_0,
-                               &P::z_0_error, &P::z_0_error)};
+  Variables variables = {{{"z_0", "gap between slab and ground", R"(\tilde{z}_0)", "Fig. 3"},
+                          [](P p) {
+                            return Derived{p.z_0, p.z_0_error, p.z_0_error};
+                          },
+                          Errors::with_load}};
   add_observables(variables);
-  variables.push_back(
-      field({"R_x_norm", "friction force over that of rigid bristles", R"(\check{R}_x)", "Eq. (20)"},
-            &P::R_x_norm, &P::R_x_norm_error, &P::R_x_norm_load_error));
-  variables.push_back(field(
-      {"R_y_norm", "transverse force over the friction of rigid bristles", R"(\check{R}_y)", "Eq. (21)"},
-      &P::R_y_norm, &P::R_y_norm_error, &P::R_y_norm_load_error));
-  variables.push_back(derived(
-      {"R_x_norm_unpinned", "friction force over that of rigid bristles under R_n, without pinned bristles",
-       R"(\check{R}_{x,\mathrm{unpinned}})", ""},
-      unpinned_friction, true));
-  variables.push_back(field({.name = "incomplete_theta_0",
-                             .long_name = "undeformed azimuth of the first passage without an exit",
-                             .symbol = R"(\theta_0)",
-                             .equation = "",
-                             .units = "rad"},
-                            &P::incomplete_theta_0));
+  add_norms(variables);
+  variables.push_back({{.name = "incomplete_theta_0",
+                        .long_name = "undeformed azimuth of the first passage without an exit",
+                        .symbol = R"(\theta_0)",
+                        .equation = "",
+                        .units = "rad"},
+                       [](P p) {
+                         return Derived{p.incomplete_theta_0, 0, 0};
+                       },
+                       Errors::none});
   if (!experiment.base.loading.z_0 && !experiment.base.loading.trace) add_load_jump(variables);
   if (experiment.on_lattice()) add_fluctuations(variables);
   if (!experiment.base.si.empty()) add_si(variables);

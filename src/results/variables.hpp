@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ensemble/derived.hpp"
 #include "experiment/experiment.hpp"
 #include "results/tables.hpp"
 
@@ -9,12 +10,18 @@
 
 namespace bristle::results {
 
+// What is written beside a variable: nothing; its error, as <name>_err; or the error and, for the gap of a
+// load, its part due to the deviation of the load from its target, as load_error/<name>.
+enum class Errors {
+  none,
+  estimated,
+  with_load
+};
+
 // A variable of the result file, with one value per sweep point.
 struct ResultVariable : Column {
-  using Value = std::function<double(const PointResult&)>;
-  Value value;
-  Value error;       // written as <name>_err; empty: none
-  Value load_error;  // the part of error due to the deviation of the load from its target; empty: none
+  std::function<Derived(const PointResult&)> of;
+  Errors errors;
 };
 // The variables of a result of this experiment.
 std::vector<ResultVariable> result_variables(const Experiment& experiment);
