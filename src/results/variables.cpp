@@ -1,5 +1,7 @@
 #include "results/variables.hpp"
 
+#include "ensemble/trace.hpp"
+
 #include <fmt/format.h>
 
 namespace bristle::results {
