@@ -34,10 +34,10 @@ Rows read_rows(hid_t file, const std::string& table, std::size_t index) {
     return out;
   };
   const std::vector<double> points = read("point", 0, h5::length_of(h5::open_dataset(group, "point")));
-  const auto here = std::ranges::equal_range(points, double(index));
-  const auto first = hsize_t(here.begin() - points.begin());
+  const auto [from, to] = std::equal_range(points.begin(), points.end(), double(index));
+  const auto first = hsize_t(from - points.begin()), count = hsize_t(to - from);
   Rows rows;
-  for (const std::string& column : table_columns(table)) rows.push_back(read(column, first, here.size()));
+  for (const std::string& column : table_columns(table)) rows.push_back(read(column, first, count));
   return rows;
 }
 
