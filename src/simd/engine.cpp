@@ -106,7 +106,8 @@ class SimdEngine::LaneSet {
   double handover_distance(const ActivePassage& active) const {
     const PassageTask& task = active.task;
     const bool automatic = task.integrator.method == Method::automatic;
-    const double near = kStiffRanges * task.parameters->lambda;
+    // The lanes far from the pole do not test for s_min, so they end well before it, too.
+    const double near = kStiffRanges * std::max(task.parameters->lambda, task.parameters->s_min);
     if (!near_pole_) return automatic ? near : task.parameters->s_min;
     return automatic ? kReturnFactor * near : std::numeric_limits<double>::infinity();
   }
