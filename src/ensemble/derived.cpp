@@ -9,21 +9,25 @@ namespace bristle {
 namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+// A fraction of the bristles below this is none: a sum of weights that should be 1 deviates by less.
+constexpr double kNoFraction = 1e-12;
 
 }  // namespace
 
 Derived pinned_share(const PointResult& p, Observable k) {
   const Observable part = pinned(k);
   const double value = p.value[part] / p.value[k];
-  return {value, (p.error[part] + value * p.error[k]) / p.value[k],
-          (p.load_error[part] + value * p.load_error[k]) / p.value[k]};
+  const double total = std::abs(p.value[k]);
+  return {value, (p.error[part] + std::abs(value) * p.error[k]) / total,
+          (p.load_error[part] + std::abs(value) * p.load_error[k]) / total};
 }
 
 Derived unpinned_mean(const PointResult& p, Observable k) {
   const Observable part = unpinned(k);
   const double fraction = 1 - p.value[PINNED_FRACTION], value = p.value[part] / fraction;
-  return {value, (p.error[part] + value * p.error[PINNED_FRACTION]) / fraction,
-          (p.load_error[part] + value * p.load_error[PINNED_FRACTION]) / fraction};
+  if (fraction < kNoFraction) return {kUnknown, kUnknown, kUnknown};
+  return {value, (p.error[part] + std::abs(value) * p.error[PINNED_FRACTION]) / fraction,
+          (p.load_error[part] + std::abs(value) * p.load_error[PINNED_FRACTION]) / fraction};
 }
 
 Derived unpinned_friction(const PointResult& p) {
@@ -46,9 +50,11 @@ Derived friction_magnitude(const PointResult& p) {
 }
 
 Derived friction_direction(const PointResult& p) {
-  const double x = p.value[R_X], y = p.value[R_Y];  // x is positive: friction opposes the motion
+  const double x = p.value[R_X], y = p.value[R_Y];
   const double error = (std::abs(y) * p.error[R_X] + std::abs(x) * p.error[R_Y]) / (x * x + y * y);
-  return {atan(y / x) * (180 / M_PI), error * (180 / M_PI), kUnknown};
+  // x is negative where the springs push the slab forward more than friction holds it back.
+  const double angle = x < 0 ? atan(y / x) + std::copysign(M_PI, y) : atan(y / x);
+  return {angle * (180 / M_PI), error * (180 / M_PI), kUnknown};
 }
 
 }  // namespace bristle

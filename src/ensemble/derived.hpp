@@ -25,7 +25,7 @@ Derived friction_coefficient(const PointResult& p);
 // Magnitude of the in-plane friction force over that of rigid bristles, from Eqs. (20, 21). Dimensionless.
 Derived friction_magnitude(const PointResult& p);
 
-// Angle from the direction opposite to the motion to the friction force, in degrees.
+// Angle from the direction opposite to the motion to the friction force, in degrees: from -180 to 180.
 Derived friction_direction(const PointResult& p);
 
 }  // namespace bristle
