@@ -16,6 +16,7 @@
 #include <chrono>
 #include <filesystem>
 #include <iterator>
+#include <map>
 
 namespace bristle::assumptions {
 namespace {
@@ -98,6 +99,23 @@ std::string folder_name(std::string name) {
   return name;
 }
 
+// Throws InputError if the results of an alternative would lie outside the folder of the matrix or in that of
+// another alternative.
+void check_folders(const std::vector<Alternative>& alternatives) {
+  std::map<std::string, std::string> names;  // by folder
+  for (const Alternative& a : alternatives) {
+    const std::string folder = folder_name(a.name);
+    if (folder.find_first_not_of('.') == folder.npos)
+      throw InputError(fmt::format(
+          "alternative {}: its name cannot be that of a folder; give it another name", Json(a.name).dump()));
+    if (const auto [same, is_new] = names.emplace(folder, a.name); !is_new)
+      throw InputError(
+          fmt::format("alternatives {} and {}: both have the folder {} for their results; give one "
+                      "of them another name",
+                      Json(same->second).dump(), Json(a.name).dump(), folder));
+  }
+}
+
 class AssumptionsRun {
  public:
   explicit AssumptionsRun(const AssumptionsOptions& options)
@@ -109,6 +127,7 @@ class AssumptionsRun {
     check_names(declared, experiments_with_claims(options));
     matrix_.alternatives = {std::move(declared.baseline)};
     std::ranges::move(declared.alternatives, std::back_inserter(matrix_.alternatives));
+    check_folders(matrix_.alternatives);
     matrix_.windows = std::move(declared.windows);
   }
 

@@ -25,7 +25,8 @@ struct ExperimentOptions {
   std::string file;
   experiment::DocumentOptions load;
 };
-// options: without output the result is results/<name>.h5; instruction_set: empty for the widest available.
+// options: without output the result is results/<name>.h5 or, of another tier, results/<name>-<tier>.h5;
+// instruction_set: empty for the widest available.
 int run_command(const ExperimentOptions& experiment, const run::RunOptions& options,
                 const std::string& instruction_set);
 int validate_command(const ExperimentOptions& experiment);

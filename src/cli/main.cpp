@@ -11,9 +11,12 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <fcntl.h>
 #include <functional>
 #include <iostream>
+#include <unistd.h>
 
 namespace {
 
@@ -46,7 +49,8 @@ CLI::App* add_run(CLI::App& app, ExperimentOptions& experiment, run::RunOptions&
                   std::string& instruction_set) {
   auto* command = app.add_subcommand("run", "compute an experiment into an HDF5 result file");
   add_experiment(*command, experiment);
-  command->add_option("-o,--output", run.output, "result file [results/<name>.h5]");
+  command->add_option("-o,--output", run.output,
+                      "result file [results/<name>.h5 or, of another tier, results/<name>-<tier>.h5]");
   auto* shard = command->add_option_function<std::string>(
       "--shard", [&run](const std::string& text) { run.shard = run::parse_shard(text); },
       "compute the i-th of N shares of the points into a journal beside the result");
@@ -115,7 +119,7 @@ CLI::App* add_diff(CLI::App& app, DiffOptions& diff) {
 CLI::App* add_merge(CLI::App& app, ExperimentOptions& experiment, run::RunOptions& run) {
   auto* command = app.add_subcommand("merge", "the same as `run --complete`");
   add_experiment(*command, experiment);
-  command->add_option("-o,--output", run.output, "result file [results/<name>.h5]");
+  command->add_option("-o,--output", run.output, "result file [as of `run`]");
   return command;
 }
 
@@ -208,7 +212,7 @@ class CommandLine {
   // Runs the selected command; returns the exit code.
   int dispatch(int argc, char** argv) {
     if (argc == 1) {
-      fmt::print(stderr, "{}\n\n{}", app_.get_description(), cli::first_steps());
+      write_message(fmt::format("{}\n\n{}", app_.get_description(), cli::first_steps()));
       return cli::kBadInput;
     }
     try {
@@ -244,6 +248,13 @@ class CommandLine {
   compare::ReferenceUpdate update_;
 };
 
+// A standard stream that is closed would give its number to the first file that is opened, and messages would
+// go into that file. /dev/null takes its place, opened for reading: what is written still fails.
+void reserve_standard_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (fcntl(stream, F_GETFD) < 0 && open("/dev/null", O_RDONLY) < 0) std::abort();
+}
+
 // Throws RunError if what was printed did not reach standard output: small outputs are written only here.
 void finish_output() {
   std::cout.flush();
@@ -254,6 +265,7 @@ void finish_output() {
 }  // namespace
 
 int main(int argc, char** argv) {
+  reserve_standard_streams();
   h5::silence();
   std::signal(SIGXFSZ, SIG_IGN);  // a write beyond the file-size limit then fails with an error message
   try {
@@ -261,13 +273,13 @@ int main(int argc, char** argv) {
     finish_output();
     return code;
   } catch (const InputError& e) {
-    fmt::print(stderr, "bristle: {}\n", e.what());
+    write_message(fmt::format("bristle: {}\n", e.what()));
     return cli::kBadInput;
   } catch (const Interrupted& e) {
-    fmt::print(stderr, "bristle: {}\n", e.what());
+    write_message(fmt::format("bristle: {}\n", e.what()));
     return cli::kInterrupted + run::received_signal();
   } catch (const std::exception& e) {
-    fmt::print(stderr, "bristle: {}\n", e.what());
+    write_message(fmt::format("bristle: {}\n", e.what()));
     return cli::kCouldNotFinish;
   }
 }

@@ -6,6 +6,7 @@
 #include "experiment/si_units.hpp"
 #include "simd/dispatch.hpp"
 #include "util/error.hpp"
+#include "util/text.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -40,7 +41,7 @@ std::string range_text(const experiment::Axis& axis) {
 }
 
 void print_warnings(const Experiment& e) {
-  for (const std::string& warning : e.warnings) fmt::print(stderr, "warning: {}\n", warning);
+  for (const std::string& warning : e.warnings) write_message(fmt::format("warning: {}\n", warning));
 }
 
 // The first and the last point of an experiment in SI units, in dimensionless form.
@@ -59,7 +60,8 @@ int run_command(const ExperimentOptions& input, const run::RunOptions& options,
   const Experiment experiment = load_checked(input);
   if (!options.quiet) print_warnings(experiment);
   run::RunOptions with_output = options;
-  if (options.output.empty()) with_output.output = fmt::format("results/{}.h5", experiment.name);
+  const std::string suffix = experiment.tier == "full" ? "" : "-" + experiment.tier;
+  if (options.output.empty()) with_output.output = fmt::format("results/{}{}.h5", experiment.name, suffix);
   run::run_experiment(experiment, with_output);
   return kSuccess;
 }

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -32,7 +33,11 @@ class AxisReader {
       if (!(axis.values[i] > axis.values[i - 1]))
         fail(at_,
              fmt::format("the values must ascend, but {} follows {}", axis.values[i], axis.values[i - 1]));
-    for (const double value : axis.values) check_parameter(document_, at_, name_, value);
+    // The values ascend, so that the limits hold for all if they hold for the first and the last.
+    for (const double value : {axis.values.front(), axis.values.back()})
+      check_parameter(document_, at_, name_, value);
+    const auto fraction = std::ranges::find_if(axis.values, [](double v) { return v != std::floor(v); });
+    if (fraction != axis.values.end()) check_parameter(document_, at_, name_, *fraction);
     if (json_.contains("take")) axis.values = values_at_taken_indices(axis.values);
     return axis;
   }

@@ -54,14 +54,14 @@ void add_parameters(Text& out, const Parameters& p) {
   for (const Choice& one : choices()) out.add(one.name, one.words[std::size_t(one.get(p))]);
 }
 
-void add_orientation(Text& out, const Orientation& o) {
+void add_orientation(Text& out, const Orientation& o, const std::string& azimuths_sha256) {
   out.add("distribution", word(o.distribution));
   out.add("mean", o.mean);
   out.add("concentration", o.concentration);
   out.add("sampling", word(o.sampling));
   out.add("full_circle", o.full_circle);
   out.add("rtol", o.rtol);
-  out.add("theta_0", o.theta_0);
+  out.add("theta_0_sha256", azimuths_sha256.c_str());
   out.add("seed", o.seed);
   out.add("rows", o.rows);
   out.add("t_1", o.t_1);
@@ -106,7 +106,8 @@ std::string canonical_point(const Experiment& experiment, std::size_t index) {
   const PointInput point = experiment.point(index);
   Text out;
   out.object("model", [&] { add_parameters(out, point.setup.parameters); });
-  out.object("orientation", [&] { add_orientation(out, point.setup.orientation); });
+  out.object("orientation",
+             [&] { add_orientation(out, point.setup.orientation, experiment.azimuths_sha256); });
   out.object("integrator", [&] { add_integrator(out, point.setup.integrator); });
   out.object("load", [&] { add_loading(out, point.loading); });
   out.object("record", [&] { add_recording(out, experiment.record); });

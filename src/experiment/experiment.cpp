@@ -8,8 +8,10 @@
 #include "util/error.hpp"
 #include "util/grid.hpp"
 #include "util/random.hpp"
+#include "util/sha.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -32,16 +34,23 @@ Parameters read_model(const Document& d) {
   return p;
 }
 
-// A list in degrees, or a number of azimuths drawn uniformly from the circle; rad.
-std::vector<double> read_azimuths(const Json& json) {
+// A list in degrees, or a number of azimuths drawn from the distribution; rad.
+std::vector<double> read_azimuths(const Document& d, const Json& json, Orientation o) {
+  const bool uniform = o.distribution == Distribution::uniform;
   std::vector<double> out;
   if (json.is_array()) {
+    if (!uniform)
+      d.fail(
+          "/orientation/theta_0_deg",
+          "is a list, and the distribution is von_mises; allowed: {\"random\": N, \"seed\": S}, which draws "
+          "azimuths from the distribution, or a list with \"distribution\": \"uniform\"");
     for (const double degrees : json) out.push_back(degrees * kDegree);
     return out;
   }
-  const std::uint64_t seed = json["seed"];
+  o.seed = json["seed"];
   for (std::uint64_t i = 0; i < json["random"]; ++i)
-    out.push_back(2 * M_PI * double(split_mix(seed + i * kSplitMixStep) >> 11) * 0x1p-53);
+    out.push_back(uniform ? 2 * M_PI * double(split_mix(o.seed + i * kSplitMixStep) >> 11) * 0x1p-53
+                          : random_azimuth(o, i));
   return out;
 }
 
@@ -63,7 +72,7 @@ Orientation read_orientation(const Document& d) {
   if (o.sampling == Sampling::list) {
     if (!json.contains("theta_0_deg"))
       d.fail("/orientation/theta_0_deg", "is missing; sampling by list needs the azimuths in degrees");
-    o.theta_0 = read_azimuths(json["theta_0_deg"]);
+    o.theta_0 = read_azimuths(d, json["theta_0_deg"], o);
   } else if (json.contains("theta_0_deg")) {
     d.fail("/orientation/theta_0_deg", "is allowed with \"sampling\": \"list\" only");
   }
@@ -181,7 +190,9 @@ void check_chi(const Document& d, const Experiment& experiment) {
 
 // Checks at every point that the slab is a whole number of lattice spacings wide and that rows still enter
 // after t_1.
-void check_lattice(const Document& d, const Experiment& e) {
+void check_lattice(const Document& d, const Experiment& experiment) {
+  constexpr double most = 1e7;  // bristles, which memory holds
+  const Experiment e = along(experiment, {"L_x", "L_y", "spacing", "rows", "sampling"});
   const bool used = e.on_lattice();
   if (used && e.base.loading.trace)
     d.fail("/load/trace", "cannot be combined with \"sampling\": \"lattice\"; use quadrature or list");
@@ -196,6 +207,10 @@ void check_lattice(const Document& d, const Experiment& e) {
     if (std::abs(across - std::round(across)) > 1e-6 || across < 0.5)
       d.fail("/model/L_y", fmt::format("{} is {:.6g} times the spacing {}; a lattice needs a whole number",
                                        p.L_y, across, p.spacing));
+    if (const double bristles = across * double(point.orientation.rows); bristles > most)
+      d.fail("/orientation/rows",
+             fmt::format("{} rows of {:.0f} bristles are {:.3g} bristles; allowed: at most {:.0e}",
+                         point.orientation.rows, across, bristles, most));
     if (point.orientation.rows == 0)
       d.fail("/orientation/rows", "is missing; a lattice needs the number of rows that enter");
     if (lattice_end(point) <= lattice_start(point))
@@ -239,6 +254,7 @@ Experiment read(const Document& d) {
     d.fail("/model/C", "is swept; its value here must be a number");
   e.engine = from_word<Engine>(json["integrator"].value("engine", "fast"));
   e.base.setup = {read_model(d), read_orientation(d), read_integrator(d)};
+  e.azimuths_sha256 = sha256_of(fmt::format("{}", fmt::join(e.base.setup.orientation.theta_0, ",")));
   e.base.setup.max_evaluations_per_point =
       json["integrator"].value("max_evaluations_per_point", e.base.setup.max_evaluations_per_point);
   e.base.loading = read_loading(d, e.axes);
@@ -251,6 +267,13 @@ Experiment read(const Document& d) {
   check_gap(d, e);
   check_chi(d, e);
   e.warnings = si_warnings(d, e);
+  for (const std::string& name : axes_without_effect(e)) {
+    const JsonPointer at = JsonPointer("/sweep") / name;
+    e.warnings.push_back(
+        fmt::format("{}: {}: has no effect with these choices of friction, load and "
+                    "orientation: all points along this axis are the same",
+                    d.origin(at), at.to_string()));
+  }
   return e;
 }
 

@@ -29,6 +29,7 @@ struct Experiment {
   std::vector<std::string> warnings;  // values that have no effect, or another unit than the rest
   Recording record;
   Engine engine = Engine::fast;
+  std::string azimuths_sha256;  // of base.setup.orientation.theta_0, which may have many values
   std::vector<Check> checks;
   std::shared_ptr<const Json> document;  // with extends, tier and --set applied
 
@@ -56,6 +57,9 @@ std::string canonical_point(const Experiment& experiment, std::size_t index);
 std::vector<Axis> read_axes(const Document& document);
 
 constexpr double kMaxPoints = 1e7;
+
+// The axes along which all points have the same numbers, such as mu_c where no friction law reads it.
+std::vector<std::string> axes_without_effect(const Experiment& experiment);
 
 }  // namespace bristle::experiment
 

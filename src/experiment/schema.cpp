@@ -144,6 +144,16 @@ JsonPointer pointer_from(const std::vector<std::string>& context) {
   return pointer;
 }
 
+// valijson matches the name's pattern by std::regex, which needs stack for each character: a long name would
+// end the program.
+void require_short_name(const Document& d) {
+  const std::size_t most = experiment_schema()["properties"]["name"]["maxLength"];
+  if (!d.json().contains("name") || !d.json()["name"].is_string()) return;
+  if (const std::size_t length = d.json()["name"].get_ref<const std::string&>().size(); length > most)
+    d.fail("/name",
+           fmt::format("{} has {} characters; allowed: at most {}", shown(d.json()["name"]), length, most));
+}
+
 bool matches(const Plain& schema_document, const Json& value,
              std::vector<std::vector<std::string>>* contexts) {
   valijson::Schema schema;
@@ -201,6 +211,7 @@ std::string allowed_by_schema(const Json& schema) {
 void check_schema(const Document& document) { check_schema(document, experiment_schema()); }
 
 void check_schema(const Document& document, const Json& root) {
+  require_short_name(document);
   std::vector<std::vector<std::string>> contexts;
   if (matches(Plain(root), document.json(), &contexts)) return;
   // The deepest mismatch is the cause; those above it follow from it.

@@ -230,7 +230,7 @@ void Journal::adopt(const std::string& other, const PointLayout& layout,
   read_journal(other, commit_, [&](JournalLine&& line) {
     const auto point = points.find(line.key);
     if (point == points.end() || !fits(line.record, layout)) return;
-    if (!has(line.key)) return append(line);
+    if (!has(line.key) || !fits(read(line.key).record, layout)) return append(line);
     if (const auto names = differences(read(line.key).record, line.record); !names.empty())
       throw InputError(fmt::format(
           "{} and {} differ at the point {}: {}; move one of them away, and run the same command again",

@@ -2,6 +2,7 @@
 
 #include "run/provenance.hpp"
 #include "run/shard.hpp"
+#include "run/signals.hpp"
 #include "util/error.hpp"
 
 #include <fmt/format.h>
@@ -63,7 +64,10 @@ std::string foreign_journals(const KeyedPoints& all, const std::string& result) 
 
 KeyedPoints::KeyedPoints(const Experiment& experiment, std::vector<std::size_t> points)
     : experiment_(experiment), points_(std::move(points)) {
-  for (const std::size_t i : points_) keys_.push_back(results::point_key(experiment, i));
+  for (const std::size_t i : points_) {
+    if (interrupted()) throw Interrupted("interrupted before the first point");
+    keys_.push_back(results::point_key(experiment, i));
+  }
 }
 
 const std::string& KeyedPoints::key(std::size_t point) const {
@@ -71,9 +75,11 @@ const std::string& KeyedPoints::key(std::size_t point) const {
 }
 
 std::vector<std::size_t> KeyedPoints::missing_in(const results::Journal& journal) const {
+  const results::PointLayout layout(experiment_);
   std::vector<std::size_t> missing;
   for (std::size_t k = 0; k < points_.size(); ++k)
-    if (!journal.has(keys_[k])) missing.push_back(points_[k]);
+    if (!journal.has(keys_[k]) || !results::fits(journal.read(keys_[k]).record, layout))
+      missing.push_back(points_[k]);
   return missing;
 }
 

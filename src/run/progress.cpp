@@ -1,5 +1,7 @@
 #include "run/progress.hpp"
 
+#include "util/text.hpp"
+
 #include <fmt/format.h>
 #include <cmath>
 #include <cstdio>
@@ -49,7 +51,8 @@ void Progress::show_if_due() {
 }
 
 void Progress::note(const std::string& text) {
-  fmt::print(stderr, "{}{}\n", !quiet_ && terminal_ ? "\r\033[K" : "", text);
+  if (!quiet_ && terminal_) write_stderr("\r\033[K");
+  write_message(text + "\n");
 }
 
 void Progress::show(double seconds) {
@@ -62,26 +65,25 @@ void Progress::show(double seconds) {
   if (done_ == total_) text += ", took " + duration_text(seconds);
   else if (done_ > 0) text += fmt::format(", {} left", duration_text(double(total_ - done_) / rate));
   if (!terminal_) {
-    fmt::print(stderr, "{}\n", text);
+    write_message(text + "\n");
     return;
   }
   constexpr std::size_t width = 30;
   const std::size_t full = width * done_ / total_;
-  fmt::print(stderr, "\r\033[K[{}{}] {}", std::string(full, '#'), std::string(width - full, '.'), text);
-  std::fflush(stderr);
+  write_stderr(
+      fmt::format("\r\033[K[{}{}] {}", std::string(full, '#'), std::string(width - full, '.'), text));
 }
 
 void Progress::stage(const std::string& text) {
   if (quiet_) return;
   finish();
   bar_ = false;
-  if (terminal_) fmt::print(stderr, "{}: {}", name_, text);
-  else if (shown_) fmt::print(stderr, "{}: {}\n", name_, text);
-  std::fflush(stderr);
+  if (terminal_) write_message(fmt::format("{}: {}", name_, text));
+  else if (shown_) write_message(fmt::format("{}: {}\n", name_, text));
 }
 
 void Progress::finish() {
-  if (!quiet_ && terminal_) fmt::print(stderr, "{}", bar_ ? shown_ ? "\n" : "" : "\r\033[K");
+  if (!quiet_ && terminal_) write_stderr(bar_ ? shown_ ? "\n" : "" : "\r\033[K");
 }
 
 }  // namespace bristle::run

@@ -1,6 +1,7 @@
 #include "run/summary.hpp"
 
 #include "util/error.hpp"
+#include "util/text.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -40,9 +41,10 @@ void Summary::report_failures() const {
   if (points_ > 0 && failures_.size() == points_)
     throw RunError(fmt::format("{}: no point could be computed; {}", path_, failures_.front()));
   for (std::size_t i = 0; i < std::min(most, failures_.size()); ++i)
-    fmt::print(stderr, "{}: failed: {}\n", path_, failures_[i]);
+    write_message(fmt::format("{}: failed: {}\n", path_, failures_[i]));
   if (failures_.size() > most)
-    fmt::print(stderr, "... and {} more; `bristle info {}` names all\n", failures_.size() - most, path_);
+    write_message(
+        fmt::format("... and {} more; `bristle info {}` names all\n", failures_.size() - most, path_));
 }
 
 std::string Summary::cause_and_remedy(PointStatus status, const Example& example) const {
@@ -71,8 +73,9 @@ void Summary::report_points_without_values() const {
   for (const auto& [status, example] : first_) {
     const std::string& name = results::kPointStatusNames[std::size_t(status)];
     const long more = counts_[std::size_t(status)] - 1;
-    fmt::print(stderr, "{}: {} at {}{}: {}\n", path_, name, experiment_.place(example.index),
-               more > 0 ? fmt::format(" and {} more", more) : "", cause_and_remedy(status, example));
+    write_message(fmt::format("{}: {} at {}{}: {}\n", path_, name, experiment_.place(example.index),
+                              more > 0 ? fmt::format(" and {} more", more) : "",
+                              cause_and_remedy(status, example)));
   }
 }
 

@@ -6,6 +6,7 @@
 #include "simd/dispatch.hpp"
 #include "simd/engine.hpp"
 #include "util/error.hpp"
+#include "util/text.hpp"
 #include "util/sanitizer.hpp"
 
 #include <fmt/format.h>
@@ -149,11 +150,15 @@ void Sweep::report_slow_points() {
 PointReport Sweep::solve(std::size_t index, const PassageRunner& run) const {
   const auto record = [&] {
     const experiment::PointInput input = experiment_.point(index);
-    if (input.loading.trace)
-      return results::record_of(layout_, trace_curve(input.setup, *input.loading.trace, run));
+    const double force_unit = experiment::force_unit(input);
+    if (input.loading.trace) {
+      std::vector<CurveNode> curve = trace_curve(input.setup, *input.loading.trace, run);
+      for (CurveNode& node : curve) node.result.force_unit = force_unit;
+      return results::record_of(layout_, curve);
+    }
     Recorded recorded;
     PointResult result = solve_point(input.setup, input.loading, run, experiment_.record, &recorded);
-    result.force_unit = experiment::force_unit(input);
+    result.force_unit = force_unit;
     return results::record_of(layout_, result, recorded);
   };
   try {
@@ -293,8 +298,8 @@ bool run_sweep(const Experiment& experiment, const std::vector<std::size_t>& poi
   try {
     for (int i = 1; i < threads; ++i) others.emplace_back([&] { sweep.run_thread(); });
   } catch (const std::system_error& e) {  // the numbers do not depend on how many there are
-    fmt::print(stderr, "bristle: {} of {} threads could be started: {}\n", others.size() + 1, threads,
-               e.what());
+    write_message(fmt::format("bristle: {} of {} threads could be started: {}\n", others.size() + 1, threads,
+                              e.what()));
   }
   sweep.run_thread();
   for (std::thread& thread : others) thread.join();

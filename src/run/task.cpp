@@ -29,6 +29,23 @@ void add_checks(const std::string& path) {
   claims::write_checks(path, checks);
 }
 
+// Throws InputError if the path holds the result of all points, and this run would replace it by a few.
+void require_no_loss(const Experiment& experiment, const std::string& path) {
+  if (experiment.tier == "full" || !is_of_kind(path, results::result_file())) return;
+  std::string held;
+  try {
+    const results::ResultReader old(path);
+    if (h5::has_attribute(old.file(), "tier")) held = old.text("tier");
+  } catch (const InputError&) {  // damaged: nothing is lost
+  }
+  if (held == "full")
+    throw InputError(
+        fmt::format("{}: holds the result of the full tier, which the {} tier would replace; give another "
+                    "file with -o, or "
+                    "replace it by --force",
+                    path, experiment.tier));
+}
+
 // Updates title, notes and checks of a result whose numbers are up to date.
 void refresh_description(const Experiment& experiment, const std::string& path) {
   if (results::ResultReader(path).experiment() == *experiment.document) return;
@@ -109,16 +126,11 @@ Summary write_result(const Experiment& experiment, const std::string& path, cons
                      const results::Rows& jumps, const results::Journal& journal,
                      std::map<std::string, std::string> entries, Progress& progress) {
   progress.stage("writing " + path);
-  const results::PointLayout layout(experiment);
   Summary summary(experiment, path);
   std::set<std::string> commits, hosts;
   results::ResultWriter writer(experiment, path);
   for (const std::size_t i : points.points()) {
     const results::JournalLine line = journal.read(points.key(i));
-    if (!results::fits(line.record, layout))
-      throw RunError(fmt::format(
-          "{}: its variables differ from those of this program; --force computes all points again",
-          journal.path()));
     writer.write(i, line.record);
     summary.add(line.record, i);
     commits.insert(line.commit);
@@ -210,6 +222,7 @@ void run_experiment(const Experiment& experiment, const RunOptions& options) {
       fmt::print("{} is up to date: nothing to compute (--force computes it again)\n", options.output);
     return;
   }
+  if (!options.force && !options.shard) require_no_loss(experiment, options.output);
   RunOptions with_threads = options;
   if (options.threads == 0) with_threads.threads = all_cores();
   compute(experiment, with_threads);

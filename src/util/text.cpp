@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cctype>
+#include <cstdio>
 #include <cstring>
 #include <numeric>
 
@@ -49,13 +50,14 @@ std::string shell_quoted(const std::string& text) {
   return quoted + "'";
 }
 
-std::string printable(const std::string& text) {
+std::string printable(const std::string& text, const std::string& kept) {
   std::string out;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const auto byte = static_cast<unsigned char>(text[i]);
     // ASCII control characters, and those of Unicode that UTF-8 encodes as 0xc2 0x80 to 0xc2 0x9f.
     const bool second = byte >= 0x80 && byte < 0xa0 && i > 0 && text[i - 1] == '\xc2';
-    out += byte < 0x20 || byte == 0x7f || second ? fmt::format("\\x{:02x}", byte) : std::string(1, text[i]);
+    const bool control = (byte < 0x20 || byte == 0x7f || second) && kept.find(text[i]) == kept.npos;
+    out += control ? fmt::format("\\x{:02x}", byte) : std::string(1, text[i]);
   }
   return out;
 }
@@ -64,6 +66,13 @@ std::string replace_all(std::string text, const std::string& what, const std::st
   for (auto at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size()))
     text.replace(at, what.size(), by);
   return text;
+}
+
+void write_message(const std::string& text) { write_stderr(printable(text, "\n")); }
+
+void write_stderr(const std::string& text) {
+  std::fwrite(text.data(), 1, text.size(), stderr);
+  std::fflush(stderr);
 }
 
 std::vector<std::string> split_list(const std::string& text) {

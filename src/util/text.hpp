@@ -11,10 +11,18 @@ std::string did_you_mean(const std::string& word, const std::vector<std::string>
 // The text quoted as one word of a shell command.
 std::string shell_quoted(const std::string& text);
 
-// Untrusted text with control characters replaced by escapes such as \x1b, as a terminal would execute them.
-std::string printable(const std::string& text);
+// Untrusted text with control characters, except those to be kept, replaced by escapes such as \x1b, as a
+// terminal would execute them.
+std::string printable(const std::string& text, const std::string& kept = "");
 
 std::string replace_all(std::string text, const std::string& what, const std::string& by);
+
+// Writes the text to standard error. If that is closed or on a full disk the text is lost, and nothing else:
+// a message must not end the command that it is about.
+void write_stderr(const std::string& text);
+// The same for lines that may hold untrusted text: with its control characters, except line feeds, replaced
+// by escapes.
+void write_message(const std::string& text);
 
 // Splits "a, b, c", the format of lists of commits in /provenance, into {a, b, c}.
 std::vector<std::string> split_list(const std::string& text);

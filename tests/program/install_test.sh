@@ -18,7 +18,7 @@ expect 0 "fresh.json: written" in_empty bristle new fresh
 expect 0 "10 points" in_empty bristle validate fresh.json
 expect 0 "30 ok" in_empty bristle run "$prefix/share/bristle/experiments/fig4.json" --tier smoke
 expect 0 "$prefix/share/bristle/reference/fig4.json: 720 values at 30 points: the same, bit for bit" \
-  in_empty bristle check results/fig4.h5 --report-only
+  in_empty bristle check results/fig4-smoke.h5 --report-only
 sed 's/paper.json/papr.json/' "$empty/mine.json" >"$empty/wrong.json"
 expect 2 'wrong.json: /extends: "papr.json" does not exist' in_empty bristle run wrong.json
 
@@ -38,7 +38,7 @@ expect 1 "z_0" in_empty bristle diff results/mine.h5 supplied.h5
 rm "$empty/paper.json"
 
 # The figures, from the installed package.
-expect 0 "" in_empty env PYTHONPATH="$prefix/lib/python3/dist-packages" "$python" -m bristle_plots fig4 results/fig4.h5 -o plots
+expect 0 "" in_empty env PYTHONPATH="$prefix/lib/python3/dist-packages" "$python" -m bristle_plots fig4 results/fig4-smoke.h5 -o plots
 [ -s "$empty/plots/fig4.pdf" ] || failed "no plots/fig4.pdf"
 
 # The manual page names each command and option of the help; the completion completes them.

@@ -1,0 +1,60 @@
+#include "experiment/experiment.hpp"
+#include "experiment/si_units.hpp"
+#include "model/equations.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+
+namespace bristle::experiment {
+namespace {
+
+// All that a point's numbers depend on, beside what the points of an experiment have in common.
+std::vector<double> effective_input(const PointInput& point) {
+  const auto& [setup, loading, si] = point;
+  const Parameters& p = setup.parameters;
+  const Orientation& o = setup.orientation;
+  constexpr double any_gap = 0.5, any_azimuth = 1;
+  const Bristle<double> bristle = make_bristle(p, loading.z_0.value_or(any_gap), any_azimuth);
+  std::vector<double> out = {p.L_x, p.s_min, double(o.sampling)};
+  for (const double* constant : constants_of(bristle)) out.push_back(*constant);
+  out.insert(out.end(), bristle.friction_constants.begin(), bristle.friction_constants.end());
+  for (const Choice& c : choices()) out.push_back(c.get(p));
+  if (!loading.z_0 && !loading.trace) out.insert(out.end(), {loading.R_n, double(loading.path)});
+  if (o.distribution == Distribution::von_mises && o.sampling != Sampling::list)
+    out.insert(out.end(), {o.mean, o.concentration});
+  if (o.sampling == Sampling::lattice)
+    out.insert(out.end(), {p.L_y, p.spacing, double(o.seed), double(o.rows)});
+  if (!si.empty()) out.push_back(force_unit(point));
+  return out;
+}
+
+// The experiment with only the first and the last value of this axis, all words of choices, and the first
+// value of each other axis.
+Experiment ends_of(const Experiment& e, std::size_t axis) {
+  Experiment out = e;
+  for (std::size_t d = 0; d < out.axes.size(); ++d) {
+    std::vector<double>& values = out.axes[d].values;
+    if (d == axis) values = {values.front(), values.back()};
+    else if (find_sweepable(out.axes[d].name)->options.empty()) values.resize(1);
+  }
+  // The axis varies fastest, so that its two values are neighbours.
+  std::rotate(out.axes.begin() + long(axis), out.axes.begin() + long(axis) + 1, out.axes.end());
+  return out;
+}
+
+}  // namespace
+
+std::vector<std::string> axes_without_effect(const Experiment& experiment) {
+  std::vector<std::string> out;
+  for (std::size_t axis = 0; axis < experiment.axes.size(); ++axis) {
+    if (experiment.axes[axis].values.size() < 2) continue;
+    const Experiment ends = ends_of(experiment, axis);
+    bool differ = false;
+    for (std::size_t i = 0; i < ends.points() && !differ; i += 2)
+      differ = effective_input(ends.point(i)) != effective_input(ends.point(i + 1));
+    if (!differ) out.push_back(experiment.axes[axis].name);
+  }
+  return out;
+}
+
+}  // namespace bristle::experiment
