@@ -7,6 +7,13 @@ from .jumps import LEAST_CHANGE, located_axis
 from .readings import AXIS, reading_name, readings
 from .results import CHOICE_NAMES, as_text, attribute, axis_names, axis_values, dataset, readable, status_counts
 
+# Signs of the result's own texts that mean something to LaTeX, as characters that no text has until in_latex().
+SPECIAL = {"\\": r"\textbackslash{}", "{": r"\{", "}": r"\}", "$": r"\$", "&": r"\&", "#": r"\#", "^": r"\^{}",
+           "~": r"\textasciitilde{}"}
+HELD = {sign: chr(0xE000 + ord(sign)) for sign in SPECIAL}
+# What symbols of quantities are made of. Another command would be executed.
+SYMBOL = re.compile(r"(\\(tilde|check|mathrm|langle|rangle|angle|min|Delta|alpha|beta|gamma|epsilon|zeta|theta|kappa|"
+                    r"lambda|mu|nu|sigma|tau|varphi)(?![A-Za-z])|[^\\$%#&~])*")
 LATEX = {"%": r"\%", "\u2013": "--", "\u00b0": r"$^\circ$", "theta_0 ": r"$\theta_0$ "}
 
 
@@ -17,16 +24,16 @@ def captions(module, file):
 
 
 def caption(module, file, reading, page):
-    title = re.sub(r"^(Figure|Appendix) \w+: ", "", as_text(file.attrs.get("title", "")))
+    title = re.sub(r"^(Figure|Appendix) \w+: ", "", plain(file.attrs.get("title", "")))
     names = [name for name in getattr(module, "VARIABLES", []) if name in file]
-    shown = [f"{attribute(file[name], 'long_name')}, ${attribute(file[name], 'symbol')}$" for name in names]
+    shown = [f"{plain(attribute(file[name], 'long_name'))}, {latex_symbol(attribute(file[name], 'symbol'))}" for name in names]
     if len(names) > 1 and hasattr(module.draw, "shown"):  # a panel for each
         shown = [f"({letter}) {text}" for letter, text in zip("abcdefg", shown)]
     part = file.sel({axis: [value] for axis, value in {**getattr(module, "CHOSEN", {}), **reading}.items()})
     axes = [name for name in axis_names(dataset(part, "status")) if name not in (AXIS, "node")]
     over, fixed = ([axis_range(part, name) for name in axes if (part.sizes[name] > 1) == several] for several in (True, False))
     sentences = [title, "; ".join(shown), f"Over {'; '.join(over)}" if over else "",
-                 f"Fixed: {'; '.join([*fixed, as_text(file.attrs.get('caption', ''))])}",
+                 f"Fixed: {'; '.join([*fixed, plain(file.attrs.get('caption', ''))])}",
                  ", and ".join(filter(None, map(reading_name, readings(part)))), marks(module, file), statuses(part)]
     text = in_latex(". ".join(sentence[0].upper() + sentence[1:] for sentence in sentences if sentence))
     return f"% page {page}\n" * bool(page) + f"\\caption{{{text}.}}"
@@ -34,13 +41,13 @@ def caption(module, file, reading, page):
 
 def axis_range(file, name):
     data, line = dataset(file, name), axis_values(file, name)
-    title = as_text(data.attrs.get("long_name", readable(name)))
+    title = plain(data.attrs.get("long_name", readable(name)))
     if isinstance(line[0], str):
         return f"{title}: {', '.join(CHOICE_NAMES.get(word, readable(word)) for word in line)}"
-    symbol, units = as_text(data.attrs.get("symbol", "")), as_text(data.attrs.get("units", "1"))
+    symbol, units = as_text(data.attrs.get("symbol", "")), plain(data.attrs.get("units", "1"))
     values = f"{line[0]:.4g} to {line[-1]:.4g}" if len(line) > 5 else ", ".join(f"{value:.4g}" for value in line)
     values += "" if units == "1" else f" {units}"
-    return f"{title}, ${symbol} =$ {values}" if symbol not in ("", name) else f"{title}, {values}"
+    return f"{title}, {latex_symbol(symbol + ' =')} {values}" if symbol not in ("", name) else f"{title}, {values}"
 
 
 def marks(module, file):
@@ -59,10 +66,19 @@ def statuses(file):
     return f"Markers, or hatches without a value: {', '.join(found)}" if found else ""
 
 
+def plain(text):
+    """A text of the result, which may be a stranger's, without a meaning to LaTeX."""
+    return as_text(text).translate(str.maketrans(HELD))
+
+
+def latex_symbol(symbol):
+    return f"${symbol}$" if SYMBOL.fullmatch(symbol) and symbol.count("{") == symbol.count("}") else plain(symbol)
+
+
 def in_latex(sentence):
     """The sentence with the signs that LaTeX needs outside $...$."""
     for sign, latex in LATEX.items():
         sentence = sentence.replace(sign, latex)
     parts = sentence.split("$")
     parts[::2] = [part.replace("_", r"\_") for part in parts[::2]]
-    return "$".join(parts)
+    return "$".join(parts).translate(str.maketrans({HELD[sign]: latex for sign, latex in SPECIAL.items()}))

@@ -21,7 +21,7 @@ from matplotlib.collections import PolyCollection
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
 from in_process import SCRIPTS, called
-from bristle_plots import BristleError, curve, fig4, open_result, pages, ski
+from bristle_plots import BristleError, captions, curve, fig4, open_result, pages, ski
 from bristle_plots.files import read_json, write_text, write_whole
 from bristle_plots.integrity import read_group
 from bristle_plots.jumps import jumps_between_neighbours, located_jumps, read_jumps
@@ -246,4 +246,7 @@ assert done.code == 0 and done.out.count("\\caption{") == 2 and done.out.count("
 exact, printed = done.out.split("% page 2")
 assert r"$\check{R}_x$; (b) " in exact and r"$\tilde{k}_r =$ 3, " in exact and "exact" in exact and "as printed" not in exact
 assert "as printed" in printed and "exact" not in printed
+told = captions.in_latex(captions.plain(r"50 % of \input{x} & $ # x_y"))  # a stranger's title
+assert told == r"50 \% of \textbackslash{}input\{x\} \& \$ \# x\_y", told
+assert captions.latex_symbol(r"\tilde{k}_r") == r"$\tilde{k}_r$" and "$" not in captions.latex_symbol(r"\input{x}")
 assert "width 3: " in refusal(lambda: fig4.draw(open_result(result), width="3"))
