@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 namespace {
 
 // Variables without a value at some points: only points with a jump, an incomplete passage or a lattice have
-// one.
+// one. So are means over the bristles that are not pinned, where all are.
 const std::set<std::string> kMayBeMissing = {"jump_z_0", "jump_R_n", "incomplete_theta_0", "R_n_fluctuation",
                                              "R_n_fluctuation_of_rows"};
 
@@ -52,10 +52,16 @@ void require_origin(const results::ResultReader& result, const Json& made) {
 const std::set<PointStatus> kUnsound = {PointStatus::incomplete, PointStatus::not_converged,
                                         PointStatus::failed, PointStatus::work_limit, PointStatus::ambiguous};
 
+bool may_be_missing(const std::string& name) {
+  return kMayBeMissing.contains(name) || std::ranges::any_of(kObservables, [&](const ObservableRow& row) {
+           return row.unpinned == Unpinned::mean && name == fmt::format("{}_unpinned", row.name);
+         });
+}
+
 // Whether a value is infinite, or NaN although the point has values.
 bool is_invalid(const std::string& name, double value, PointStatus status) {
   const bool has_values = status == PointStatus::ok || status == PointStatus::load_jump;
-  return std::isinf(value) || (std::isnan(value) && has_values && !kMayBeMissing.contains(name));
+  return std::isinf(value) || (std::isnan(value) && has_values && !may_be_missing(name));
 }
 
 void require_sound_run(const results::ResultReader& result, const Json& made) {

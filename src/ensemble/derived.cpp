@@ -25,7 +25,7 @@ Derived pinned_share(const PointResult& p, Observable k) {
 Derived unpinned_mean(const PointResult& p, Observable k) {
   const Observable part = unpinned(k);
   const double fraction = 1 - p.value[PINNED_FRACTION], value = p.value[part] / fraction;
-  if (fraction < kNoFraction) return {kUnknown, kUnknown, kUnknown};
+  if (std::abs(fraction) < kNoFraction) return {kUnknown, kUnknown, kUnknown};
   return {value, (p.error[part] + std::abs(value) * p.error[PINNED_FRACTION]) / fraction,
           (p.load_error[part] + std::abs(value) * p.load_error[PINNED_FRACTION]) / fraction};
 }
