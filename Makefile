@@ -126,14 +126,9 @@ accuracy: build ## errors of the methods, measured: docs/accuracy.md
 	$(BUILD)/benchmarks/accuracy >$(BUILD)/bench/accuracy.json
 	@$$($(PLOT_PYTHON)) scripts/accuracy.py $(BUILD)/bench/accuracy.json
 
-# Before an hour of computing.
-.PHONY: no-placeholders
-no-placeholders:
-	@scripts/release --placeholders
-
 # The report shows the matrix of assumptions, so it comes last.
-archive: no-placeholders figures $(STUDIES) assumptions-matrix inference-matrix report ## one citable file of all results: dist/bristle-<version>.tar
-	$(BUILD)/bristle archive
+archive: figures $(STUDIES) $(if $(SUFFIX),,assumptions-matrix inference-matrix) report ## one citable file of all results: dist/bristle-<version>.tar
+	$(BUILD)/bristle archive --tier $(TIER) --figures figures$(SUFFIX) --report report$(SUFFIX)/index.html
 
 # ARCHIVE=FILE is another archive, RERUN=N computes N of its points again.
 ARCHIVE ?= dist/bristle-$(shell sed -n 's/^version: //p' CITATION.cff).tar

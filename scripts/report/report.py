@@ -103,7 +103,8 @@ def render(figures, arguments):
                               undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True)
     rows = [row for figure in figures for row in figure["claims"]]
     shown = [figure for figure in figures if figure["present"]]
-    citation = sources.citation(arguments.citation)
+    provenance = sources.compare([figure["provenance"] for figure in shown])
+    citation = sources.citation(arguments.citation, provenance["same"].get("commit", ""))
     names = {figure["name"]: figure["symbols"] for figure in shown}
     words = [drawing["reading"] for figure in shown for drawing in figure["drawings"] if drawing["reading"]]
     return environment.get_template("page.html.j2").render(
@@ -111,7 +112,7 @@ def render(figures, arguments):
         claims=rows, count=claims.count(rows), tiers=sorted({figure["tier"] for figure in shown}),
         matrix=matrix.read(arguments.assumptions, names), citation=citation,
         paper=next((entry["link"] for entry in citation if entry["kind"] == "article"), ""),
-        provenance=sources.compare([figure["provenance"] for figure in shown]),
+        provenance=provenance,
         colours=points.embedded([colors.to_hex(colormaps[COLORMAP](i / 32)) for i in range(33)]),
         packed=lambda data: tables.packed(points.embedded(data)), **{kind: asset(names) for kind, names in ASSETS.items()})
 

@@ -55,12 +55,14 @@ def duration(found):
     return f"{minutes} min {seconds} s" if minutes else f"{seconds} s"
 
 
-def citation(path):
-    """The software and the paper, as text and as BibTeX, from CITATION.cff."""
+def citation(path, commit):
+    """The software, with the commit that computed all results if they have one, and the paper: text and BibTeX."""
     try:
         with open(path, encoding="utf-8") as file:
             cff = yaml.safe_load(file)
         software = {**cff, "year": str(cff["date-released"])[:4], "kind": "software"}
+        if commit and "doi" not in cff:
+            software["commit"] = f"commit {commit}"
         entries = [software, *({**reference, "kind": "article"} for reference in cff.get("references", []))]
         return [{"text": citation_text(entry), "bibtex": bibtex(entry), "kind": entry["kind"], "link": link(entry)}
                 for entry in entries]
@@ -74,7 +76,8 @@ def authors(entry):
 
 
 def citation_text(entry):
-    where = f"Version {entry['version']}" if entry["kind"] == "software" else journal_text(entry)
+    where = ", ".join(filter(None, [f"Version {entry['version']}", entry.get("commit")])) \
+        if entry["kind"] == "software" else journal_text(entry)
     who = ", ".join(authors(entry))
     return f"{who[0].upper()}{who[1:]} ({entry['year']}). {entry['title']}. {where}."
 
@@ -96,7 +99,7 @@ def bibtex(entry):
     people = [f"{{{name}}}" if "name" in author else f"{author['family-names']}, {author['given-names']}"
               for name, author in zip(authors(entry), entry["authors"])]
     fields = {"author": " and ".join(people), "title": f"{{{entry['title']}}}", "year": entry["year"]}
-    names = {"journal": "journal", "volume": "volume", "issue": "number", "version": "version", "doi": "doi"}
+    names = {"journal": "journal", "volume": "volume", "issue": "number", "version": "version", "doi": "doi", "commit": "note"}
     fields |= {name: entry[key] for key, name in names.items() if key in entry}
     if "end" in entry:
         fields["pages"] = f"{entry['start']}--{entry['end']}"

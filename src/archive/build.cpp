@@ -42,8 +42,10 @@ class Gatherer {
     const auto facts = add_results(payload);
     auto figures = facts;  // studies have no claims, of which the page is a list
     std::erase_if(figures, [](const auto& one) { return one.second["figure"] == ""; });
-    check_page("docs/findings.md", payload, figures, "make findings");
-    for (const char* name : {"assumptions", "inference"}) add_matrix(name, payload);
+    if (full()) {  // the page and the matrices are of the full tier
+      check_page("docs/findings.md", payload, figures, "make findings");
+      for (const char* name : {"assumptions", "inference"}) add_matrix(name, payload);
+    }
     add_report(payload);
     std::vector<std::string> reasons;
     for (const auto& [what, places] : untraceable_)
@@ -57,6 +59,7 @@ class Gatherer {
   }
 
  private:
+  bool full() const { return options_.tier == "full"; }
   std::string in_source(const std::string& name) const { return (fs::path(options_.source) / name).string(); }
 
   // For contents that cannot be traced to their origin: throws,
@@ -87,16 +90,15 @@ class Gatherer {
     } else if (options_.commit != repository_.commit())
       refuse_or_record(fmt::format("this program, of commit {},", options_.commit),
                        "was not built from the archived source", "build it again with `make build`");
-    if (const auto lines = placeholders(text); !lines.empty())
-      refuse_or_record(fmt::format("CITATION.cff ({})", fmt::join(lines, ", ")), "has placeholders",
-                       "fill them in, run `make citation`, and commit");
+    if (!full()) untraceable_[fmt::format("are of the {} tier", options_.tier)].emplace_back("the results");
   }
 
   // Adds results and figures; returns the facts of each result by its file.
   std::map<std::string, Json> add_results(Files& payload) {
     std::vector<Experiment> experiments;
     for (const std::string& name : json_files("experiments"))
-      if (Experiment e = experiment::load_experiment(name, {}); !e.figure.empty() || is_study(e))
+      if (Experiment e = experiment::load_experiment(name, {{}, options_.tier});
+          !e.figure.empty() || is_study(e))
         experiments.push_back(std::move(e));
     const auto exists = [&](const Experiment& e) { return fs::exists(result_path(e)); };
     if (std::none_of(experiments.begin(), experiments.end(), exists))
@@ -124,7 +126,7 @@ class Gatherer {
   }
 
   std::string result_path(const Experiment& e) const {
-    return (fs::path(options_.results) / (e.name + ".h5")).string();
+    return (fs::path(options_.results) / (e.name + (full() ? "" : "-" + options_.tier) + ".h5")).string();
   }
 
   Json add_result(const Experiment& experiment, Files& payload) {
@@ -157,8 +159,8 @@ class Gatherer {
       throw InputError(
           fmt::format("{}: {}; `make {}` computes it again", result.path(), what, experiment.name));
     };
-    if (result.text("tier") != "full")
-      refuse(fmt::format("is of the {} tier, not of the full tier", result.text("tier")));
+    if (result.text("tier") != options_.tier)
+      refuse(fmt::format("is of the {} tier, not of the {} tier", result.text("tier"), options_.tier));
     if (const long made = h5::read_integer_attribute(result.file(), "numerics_version");
         made != results::kNumericsVersion)
       refuse(
@@ -266,7 +268,9 @@ BuiltArchive build_archive(const ArchiveOptions& options) {
   const Contents contents = Gatherer(options).run();
   const std::string folder = folder_of(contents);
   BuiltArchive built;
-  built.path = options.output.empty() ? "dist/" + folder + ".tar" : options.output;
+  built.path = options.output;
+  if (built.path.empty())
+    built.path = fmt::format("dist/{}{}.tar", folder, options.tier == "full" ? "" : "-" + options.tier);
   built.draft = contents.draft;
   WholeFile out(built.path, kind);
   const std::string bytes = write_tar(in_folder(folder, bag_of(contents)), contents.time);

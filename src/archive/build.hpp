@@ -8,7 +8,8 @@ struct ArchiveOptions {
   std::string source = ".";  // source repository
   std::string results = "results", figures = "figures";
   std::string report = "report/index.html";
-  std::string output;           // empty: dist/bristle-<version>.tar
+  std::string tier = "full";    // of another one the archive is a draft, without the matrices
+  std::string output;           // empty: dist/bristle-<version>.tar or, of another tier, dist/...-<tier>.tar
   bool allow_dirty = false;     // archive, as a draft, results that cannot be traced to a commit
   std::string version, commit;  // of this program
 };

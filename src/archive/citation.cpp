@@ -3,10 +3,8 @@
 #include "util/error.hpp"
 
 #include <fmt/format.h>
-#include <algorithm>
 #include <charconv>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <yaml-cpp/yaml.h>
 
 namespace bristle::archive {
@@ -86,23 +84,6 @@ std::string citation_text(const Json& citation) try {
   return std::string(out.c_str()) + "\n";
 } catch (const Json::exception& e) {
   throw MalformedError(json_error(e.what()));
-}
-
-std::vector<std::string> placeholders(const std::string& text) {
-  std::vector<std::string> found;
-  std::istringstream in(text);
-  int number = 0;
-  for (std::string line; std::getline(in, line);) {
-    ++number;
-    const std::string value = line.substr(0, line.find('#'));
-    const std::size_t start = std::min(value.find_first_not_of(" -"), value.size());
-    // scripts/release has the same pattern.
-    for (const char* mark : {"FILL-IN", "0000-0000-0000-0000"})
-      if (value.find(mark) != std::string::npos)
-        found.push_back(
-            fmt::format("line {}: {}", number, value.substr(start, value.find(':', start) - start)));
-  }
-  return found;
 }
 
 Json dataset_citation(const Json& software, const std::string& commit) try {

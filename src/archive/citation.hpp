@@ -3,7 +3,6 @@
 #include "util/json.hpp"
 
 #include <string>
-#include <vector>
 
 namespace bristle::archive {
 
@@ -14,9 +13,6 @@ constexpr const char* kDataLicense = "CC-BY-4.0";
 // it is not a YAML object in UTF-8, or if it is too large.
 Json parse_citation(const std::string& text);
 std::string citation_text(const Json& citation);
-
-// What the owner has not filled in yet: "line 13: repository-code" and so on.
-std::vector<std::string> placeholders(const std::string& text);
 
 // Derives the citation of the dataset from that of the software: it has the same authors, date, version and
 // DOI, the licence of the data, and the software as the first reference. Throws MalformedError if one of

@@ -23,16 +23,19 @@ namespace {
 using namespace bristle;
 using namespace bristle::cli;
 
+void add_tier(CLI::App& command, std::string& tier, const std::string& description) {
+  command.add_option("--tier", tier, description)
+      ->check(CLI::IsMember({"smoke", "study", "full"}))
+      ->capture_default_str();
+}
+
 void add_experiment(CLI::App& command, ExperimentOptions& options) {
   command.add_option("EXPERIMENT", options.file, "experiment file (JSON)")->required();
   command.add_option("--set", options.load.set, "change a value: /json/pointer=value (repeatable)")
       ->type_name("PTR=VALUE")
       ->allow_extra_args(false);
-  command
-      .add_option("--tier", options.load.tier,
-                  "smoke: a small subset of the points; study: the subset for `assumptions`; full: all")
-      ->check(CLI::IsMember({"smoke", "study", "full"}))
-      ->capture_default_str();
+  add_tier(command, options.load.tier,
+           "smoke: a small subset of the points; study: the subset for `assumptions`; full: all");
 }
 
 CLI::App* add_new(CLI::App& app, std::string& name, bool& in_si) {
@@ -134,9 +137,7 @@ CLI::App* add_assumptions(CLI::App& app, assumptions::AssumptionsOptions& option
       ->add_option("-o,--output", options.output,
                    "file of the matrix; the results go to a folder of the same name")
       ->capture_default_str();
-  command->add_option("--tier", options.tier, "tier of the experiments")
-      ->check(CLI::IsMember({"smoke", "study", "full"}))
-      ->capture_default_str();
+  add_tier(*command, options.tier, "tier of the experiments");
   command->add_option("--threads", options.threads, "threads [all cores]")->check(CLI::Range(1, 1024));
   command->add_flag("-q,--quiet", options.quiet, "no progress");
   return command;
@@ -161,6 +162,7 @@ CLI::App* add_archive(CLI::App& app, archive::ArchiveOptions& archive) {
   command->add_option("--figures", archive.figures, "folder of the figures")->capture_default_str();
   command->add_option("--report", archive.report, "the report")->capture_default_str();
   command->add_option("--source", archive.source, "source repository")->capture_default_str();
+  add_tier(*command, archive.tier, "full; of another tier the archive is a draft, to try it");
   command->add_flag("--allow-dirty", archive.allow_dirty,
                     "archive results that cannot be traced to a commit, as a draft");
   return command;

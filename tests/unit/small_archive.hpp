@@ -22,8 +22,10 @@ struct Release {
     const std::string root = std::string(BRISTLE_EXPERIMENTS) + "/../";
     for (const char* name : {"LICENSE", "LICENSE-DATA", "experiments/paper.json"})
       s.write(name, bytes_of(root + name));
-    std::string citation = replace_all(bytes_of(root + "CITATION.cff"), "FILL-IN", "Somebody");
-    s.write("CITATION.cff", replace_all(citation, "0000-0000-0000-0000", "0000-0001-2345-6789"));
+    s.write("CITATION.cff", replace_all(bytes_of(root + "CITATION.cff"), "  - name: The bristle developers",
+                                        "  - family-names: Somebody\n    given-names: Somebody\n"
+                                        "    affiliation: Somebody\n    orcid: "
+                                        "https://orcid.org/0000-0001-2345-6789"));
     s.write("experiments/small.json",
             R"({"extends": "paper.json", "name": "small", "title": "Small", "figure": "9",
       "load": {"R_n": null, "z_0": 0.5}, "orientation": {"sampling": "list", "theta_0_deg": [10, 100]},
