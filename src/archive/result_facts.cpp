@@ -24,7 +24,7 @@ void require(bool condition, const std::string& what) {
 
 void check_digests(const results::ResultReader& result) {
   require(result.damage().empty(), fmt::format("{}", fmt::join(result.damage(), "; ")));
-  const Json experiment = parse_untrusted(result.text("experiment"));
+  const Json experiment = parse_untrusted(result.raw_text("experiment"));
   require(experiment.is_object() && results::inputs_sha256(experiment) == result.text("inputs_sha256"),
           "its experiment does not match the attribute inputs_sha256");
 }

@@ -1,5 +1,7 @@
 #include "claims/checks.hpp"
 
+#include "util/text.hpp"
+
 #include <fmt/format.h>
 #include <algorithm>
 
@@ -37,9 +39,10 @@ std::string checks_table(const std::vector<CheckResult>& checks) {
   for (auto first = checks.begin(); first != checks.end();) {
     const auto next = std::find_if(
         first, checks.end(), [&](const CheckResult& c) { return c.check.number != first->check.number; });
-    text += fmt::format("{:<9}", first->check.main ? first->check.claim : " further");
+    text += fmt::format("{:<9}", first->check.main ? printable(first->check.claim) : " further");
     for (auto c = first; c != next; ++c) text += "  " + measured(*c);
-    text += fmt::format("  {:<14}  {}{}\n", claimed(first->check), first->check.statement, missing(*first));
+    text += fmt::format("  {:<14}  {}{}\n", claimed(first->check), printable(first->check.statement),
+                        missing(*first));
     first = next;
   }
   return text;

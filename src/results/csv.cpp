@@ -7,7 +7,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <cstring>
 #include <iterator>
 
 namespace bristle::results {
@@ -15,17 +17,10 @@ namespace {
 
 constexpr const char* kStart = "# bristle export";
 
-std::string attribute_of(const ResultReader& result, const std::string& name, const char* attribute) {
-  const h5::Handle dataset = h5::open_dataset(result.file(), name);
-  return h5::has_attribute(dataset, attribute) ? h5::read_text_attribute(dataset, attribute) : "";
-}
-
 // A column of one cell for each value of the dataset: words for codes.
 CsvColumn column_of(const ResultReader& result, const std::string& path) {
-  CsvColumn column{path.substr(path.rfind('/') + 1),
-                   attribute_of(result, path, "units"),
-                   attribute_of(result, path, "long_name"),
-                   {}};
+  CsvColumn column{
+      path.substr(path.rfind('/') + 1), result.text_of(path, "units"), result.text_of(path, "long_name"), {}};
   const std::vector<std::string> words = result.flag_meanings(path);
   for (const double value : result.variable(path).values)
     column.cells.push_back(words.empty() ? csv_number(value) : value_text(words, value));
@@ -95,8 +90,14 @@ void drop_absent(std::vector<CsvColumn>& columns) {
   for (CsvColumn& column : columns) column = at(std::move(column), kept);
 }
 
-std::string quoted(const std::string& cell) {
-  if (cell.find_first_of(",\"\n#") == std::string::npos) return cell;
+// A cell that is no number but begins like a formula gets an apostrophe: spreadsheets would evaluate it.
+std::string quoted(std::string cell) {
+  double number = 0;
+  const char* end = cell.data() + cell.size();
+  const bool is_number = std::from_chars(cell.data(), end, number).ptr == end;
+  if (!cell.empty() && !is_number && std::strchr("=+-@", cell.front())) cell.insert(0, "'");
+  cell = printable(cell);
+  if (cell.find_first_of(",\"#") == std::string::npos) return cell;
   return "\"" + replace_all(cell, "\"", "\"\"") + "\"";
 }
 
@@ -125,14 +126,14 @@ std::vector<CsvColumn> csv_columns(const ResultReader& result, const std::string
 }
 
 std::string csv_text(const ResultReader& result, const std::vector<CsvColumn>& columns) {
-  std::string text = fmt::format("{}: {}\n# experiment {}, tier {}, payload_sha256 {}\n", kStart,
-                                 printable(result.text("title")), result.text("name"), result.text("tier"),
-                                 result.text("payload_sha256"));
+  std::string text =
+      fmt::format("{}: {}\n# experiment {}, tier {}, payload_sha256 {}\n", kStart, result.text("title"),
+                  result.text("name"), result.text("tier"), result.text("payload_sha256"));
   std::vector<std::string> names;
   for (const CsvColumn& column : columns) {
     names.push_back(quoted(column.name));
-    text += fmt::format("# {}{}: {}\n", column.name, column.units.empty() ? "" : " [" + column.units + "]",
-                        printable(column.meaning));
+    text += fmt::format("# {}{}: {}\n", printable(column.name),
+                        column.units.empty() ? "" : " [" + column.units + "]", column.meaning);
   }
   text += fmt::format("{}\n", fmt::join(names, ","));
   const std::size_t rows = columns.empty() ? 0 : columns.front().cells.size();

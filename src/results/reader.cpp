@@ -110,14 +110,21 @@ std::vector<std::string> ResultReader::flag_meanings(const std::string& name) co
   std::vector<std::string> words;
   if (!h5::has_attribute(dataset, "flag_meanings")) return words;
   std::istringstream text(h5::read_text_attribute(dataset, "flag_meanings"));
-  for (std::string word; text >> word;) words.push_back(word);
+  for (std::string word; text >> word;) words.push_back(printable(word));
   return words;
 }
 
-std::string ResultReader::text(const std::string& attribute) const {
+std::string ResultReader::raw_text(const std::string& attribute) const {
   if (!h5::has_attribute(file_, attribute))
     throw InputError(fmt::format("{}: there is no attribute {}", path_, attribute));
   return h5::read_text_attribute(file_, attribute);
+}
+
+std::string ResultReader::text(const std::string& attribute) const { return printable(raw_text(attribute)); }
+
+std::string ResultReader::text_of(const std::string& name, const std::string& attribute) const {
+  const h5::Handle dataset = h5::open_dataset(file_, name);
+  return h5::has_attribute(dataset, attribute) ? printable(h5::read_text_attribute(dataset, attribute)) : "";
 }
 
 bool up_to_date(const std::string& path, const Experiment& experiment) {
@@ -191,7 +198,7 @@ std::map<std::string, std::string> ResultReader::text_attributes(const std::stri
   if (!has(name)) return out;
   const h5::Handle group = h5::open_group(file_, name);
   for (const std::string& attribute : h5::attribute_names(group))
-    out[attribute] = h5::read_text_attribute(group, attribute);
+    out[printable(attribute)] = printable(h5::read_text_attribute(group, attribute));
   return out;
 }
 
@@ -210,7 +217,7 @@ std::vector<std::size_t> ResultReader::sweep_shape() const {
 
 Json ResultReader::experiment() const {
   try {
-    Json document = parse_json(text("experiment"));
+    Json document = parse_json(raw_text("experiment"));
     if (!document.is_object()) throw InputError(fmt::format("{} is not an object", shown(document)));
     return document;
   } catch (const InputError& e) {

@@ -40,7 +40,10 @@ class ResultReader {
   // Meanings of the values 0, 1, ... of a flag variable; empty for other variables.
   std::vector<std::string> flag_meanings(const std::string& name) const;
   bool has(const std::string& name) const;  // a dataset or group
+  // Texts, also those of /provenance and /failures, are a stranger's: control characters in them are escaped.
   std::string text(const std::string& attribute) const;
+  std::string raw_text(const std::string& attribute) const;  // as it is, such as JSON
+  std::string text_of(const std::string& dataset, const std::string& attribute) const;  // empty: none
   Json experiment() const;
   // Attributes of the groups /provenance and /failures; empty if there is no such group.
   std::map<std::string, std::string> provenance() const { return text_attributes("provenance"); }

@@ -159,6 +159,25 @@ def test_no_tier_replaces_all_points():
     assert "3 ok" in bristle("info", "results/small.h5")
 
 
+def test_texts_of_a_stranger_are_only_texts():
+    experiment = json.loads((hostile / "small.json").read_text(encoding="utf-8"))
+    experiment |= {"title": "\x1b]0;owned\x07\nsecond line", "checks": [
+        {"claim": '=HYPERLINK("http://example.org")', "statement": "\x1b[2Ja\nb", "predicate": "end_ratio",
+         "along": "k_r", "variable": "R_n", "is": "at_least", "threshold": 0}]}
+    pathlib.Path("esc.json").write_text(json.dumps(experiment), encoding="utf-8")
+    bristle("run", "esc.json", "-o", "esc.h5", "--quiet")
+    with h5py.File("esc.h5", "a") as file:
+        file.attrs["name"] = np.bytes_("small\nk_r,R_n\n=1+2,666")
+        file["R_n"].attrs["units"] = np.bytes_("1]\n9,9\n[")
+    shown = bristle("info", "esc.h5") + bristle("check", "esc.h5", "--claims-only")
+    assert "\x1b" not in shown and "\nsecond line" not in shown and "\n=1+2" not in shown, shown
+    for options in [[], ["--group", "checks"]]:
+        bristle("export", "esc.h5", "-o", "esc.csv", *options)
+        lines = pathlib.Path("esc.csv").read_text(encoding="utf-8").splitlines()
+        rows = [line for line in lines if not line.startswith("#")]
+        assert len(rows) == (2 if options else 4) and not any(row.lstrip('"').startswith(("=", "9,9")) for row in rows), lines
+
+
 tests = [value for name, value in list(globals().items()) if name.startswith("test_")]
 for test in tests:
     test()
