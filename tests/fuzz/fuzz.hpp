@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scratch.hpp"
+#include "unit/scratch.hpp"
 
 #include <cstdint>
 #include <cstdlib>

@@ -6,7 +6,7 @@
 #include "compare/reference.hpp"
 #include "results/inspect.hpp"
 #include "util/error.hpp"
-#include "small_result.hpp"
+#include "unit/small_result.hpp"
 
 #include <fuzzer/FuzzedDataProvider.h>
 
