@@ -9,10 +9,13 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <cerrno>
 #include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <unistd.h>
 
 namespace bristle::results {
 namespace {
@@ -41,6 +44,8 @@ ResultReader::ResultReader(const std::string& path) : path_(path) {
   if (!std::filesystem::is_regular_file(path))
     throw InputError(
         fmt::format("{}: no such file; create it with `bristle run EXPERIMENT.json -o {}`", path, path));
+  if (::access(path.c_str(), R_OK) != 0)
+    throw InputError(fmt::format("{}: cannot be read: {}", path, std::strerror(errno)));
   if (H5Fis_hdf5(path.c_str()) <= 0) throw InputError(fmt::format("{}: not an HDF5 file", path));
   const auto open = [&] { return h5::open_file(path, false); };
   try {

@@ -123,6 +123,13 @@ expect 3 "File too large" limited "$bristle" run "${quick[@]}" --force
 [ ! -e "$folder/r.h5.partial" ] || failed "a partial file was left"
 [ "$before" = "$(sha256sum "$folder/r.h5")" ] || failed "the result changed"
 
+# A result without permission to read it.
+chmod 755 "$folder"
+cp "$result" "$folder/secret.h5" && chmod 000 "$folder/secret.h5"
+as_user=()
+[ "$(id -u)" = 0 ] && as_user=(setpriv --reuid=65534 --regid=65534 --clear-groups)
+expect 2 "secret.h5: cannot be read: Permission denied" "${as_user[@]}" "$bristle" info "$folder/secret.h5"
+
 # Standard output that cannot be written is an error of every command.
 full() { "$@" >/dev/full; }
 expect 3 "standard output cannot be written" full "$bristle" --help

@@ -199,6 +199,22 @@ TEST_CASE("a damaged line is a missing point") {
               {"1 of 6 points are missing in the journals of its folder: 3 (", "shard 2/2"});
 }
 
+TEST_CASE("a line with other variables is a missing point, which another journal may have") {
+  const Scratch s;
+  const Experiment e = sharded(s);
+  {
+    Journal journal(s.path("small/r.h5.journal"), kCommit, false);
+    for (std::size_t i = 0; i < e.points(); ++i) {
+      PointRecord record = invented_record(e, i);
+      if (i == 2) record.values.erase("R_n");
+      journal.append(point_key(e, i), record);
+    }
+  }
+  check_holds(refusal(s, e), {"1 of 6 points are missing in the journals of its folder: 2 ("});
+  write_shard(s, e, {1, 1});
+  CHECK(completed(s, e) == whole_digest(s, e));
+}
+
 TEST_CASE("journals of other experiments, numerics or uncommitted programs are named if points are missing") {
   const Scratch s;
   const Experiment e = sharded(s);
