@@ -195,8 +195,7 @@ TEST_CASE("a damaged line is a missing point") {
   const auto digit = text.find("\"passages\":[", text.find('\n')) + 12;
   text[digit] = text[digit] == '1' ? '2' : '1';
   s.write("small/" + fs::path(path).filename().string(), text);
-  check_holds(refusal(s, e),
-              {"1 of 6 points are missing in the journals of its folder: 3 (", "shard 2/2"});
+  check_holds(refusal(s, e), {"1 of 6 points are missing in the journals of its folder: 3 (", "shard 2/2"});
 }
 
 TEST_CASE("a line with other variables is a missing point, which another journal may have") {
