@@ -55,7 +55,7 @@ def duration(found):
     return f"{minutes} min {seconds} s" if minutes else f"{seconds} s"
 
 
-def citation(path, commit):
+def citation(path, commit=""):
     """The software, with the commit that computed all results if they have one, and the paper: text and BibTeX."""
     try:
         with open(path, encoding="utf-8") as file:
