@@ -51,9 +51,19 @@ std::string Summary::cause_and_remedy(PointStatus status, const Example& example
   const Setup& setup = experiment_.base.setup;
   const bool si = !experiment_.base.si.empty();
   switch (status) {
-    case PointStatus::unreachable:
-      return "no gap carries the load; use a lower one "
-             "(\"load\": {\"R_n\": null, \"trace\": {}} computes R_n over the gap, with its maximum)";
+    case PointStatus::unreachable: {
+      // With these starts the tip is at the slab or in it at any gap.
+      const InitialState start = setup.parameters.initial_state;
+      const bool from_zero = start == InitialState::static_equilibrium && !experiment_.swept("initial_state");
+      return fmt::format(
+          "no gap carries the load; use a lower one{} ({}\"load\": {{\"R_n\": null, \"path\": null, "
+          "\"trace\": "
+          "{{}}}} computes R_n over the gap, with its maximum)",
+          from_zero
+              ? ""
+              : " or, as R_n does not rise from 0 at first contact with this initial_state, a higher one",
+          si ? "\"si\": {\"R_n_N\": null}, " : "");
+    }
     case PointStatus::incomplete:
       return fmt::format(
           "the bristle with theta_0 = {:.4g} deg did not leave the slab within {} evaluations of the "

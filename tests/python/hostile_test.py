@@ -73,6 +73,20 @@ def test_direction_of_a_force_that_pushes_the_slab():
     assert result["R_x"] < 0 and abs(result["direction"] - angle) < 1e-9, (result["direction"], angle)
 
 
+def test_the_remedy_of_a_load_that_no_gap_carries():
+    experiment = json.loads((hostile / "small.json").read_text(encoding="utf-8"))
+    experiment |= {"load": {"R_n": 0.1, "path": "loading"}, "model": {"initial_state": "at_slab"}}
+    pathlib.Path("unreachable.json").write_text(json.dumps(experiment), encoding="utf-8")
+    message = bristle("run", "unreachable.json", "-o", "u.h5")
+    assert "use a lower one or, as R_n does not rise from 0" in message and "a higher one" in message, message
+    bristle("new", "heavy", "--si")
+    heavy = ["run", "heavy.json", "-o", "h.h5", "--force", "--set", "/sweep=null", "--set", "/orientation/rtol=0.1"]
+    message = bristle(*heavy, "--set", "/si/R_n_N=1000")
+    assert 'use a lower one ("si": {"R_n_N": null}, "load": {"R_n": null, "path": null, "trace": {}}' in message, message
+    # The remedy, as it is written, is a valid experiment.
+    bristle(*heavy, "--set", '/si={"R_n_N":null}', "--set", '/load={"R_n":null,"path":null,"trace":{}}')
+
+
 def test_errors_are_not_negative_and_means_over_no_bristle_are_missing():
     result = values("neg-err")
     for key, value in result.items():
