@@ -40,7 +40,7 @@ TEST_CASE("jumps of the gap are located within 1 percent, each on its line of th
   const auto place = [](double k_theta) { return 11 + k_theta; };
   const auto [rows, solved] =
       located(e, [&](double k_r, double k_theta) { return gap(k_r < place(k_theta) ? 0.1 : 0.6); });
-  REQUIRE(rows.size() == 5);
+  REQUIRE(rows.size() == 8);
   CHECK(rows[0] == std::vector<double>{0, 1, 2});
   for (std::size_t i = 0; i < 3; ++i) {
     const double k_theta = e.axes[1].values[i];
