@@ -34,7 +34,8 @@ Derived unpinned_friction(const PointResult& p) {
   const Observable part = unpinned(R_X);
   const double R_rigid = p.value[R_X] / p.R_x_norm, share = p.value[part] / p.value[R_X];
   const double of_load = p.R_x_norm_error - p.error[R_X] / R_rigid;  // error by that of R_n in R_rigid
-  return {share * p.R_x_norm, p.error[part] / R_rigid + share * of_load, p.load_error[part] / R_rigid};
+  return {share * p.R_x_norm, p.error[part] / R_rigid + std::abs(share) * of_load,
+          p.load_error[part] / R_rigid};
 }
 
 Derived friction_coefficient(const PointResult& p) {

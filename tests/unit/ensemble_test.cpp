@@ -1,3 +1,4 @@
+#include "ensemble/derived.hpp"
 #include "ensemble/point.hpp"
 
 #include <algorithm>
@@ -279,6 +280,20 @@ TEST_CASE("rigid friction: Eqs. (22, 23)") {
   p.friction = FrictionLaw::coulomb;
   p.mu_c = 0.7;
   CHECK(rigid_friction(p, 2) == Approx(1.4));
+}
+
+TEST_CASE("derived values: errors are positive where the unpinned bristles push the slab forward") {
+  PointResult p;
+  p.value[R_X] = 1;
+  p.value[unpinned(R_X)] = -0.5;
+  p.value[pinned(R_X)] = 1.5;
+  p.R_x_norm = 0.2;
+  p.R_x_norm_error = 0.05;
+  const Derived friction = unpinned_friction(p);
+  CHECK(friction.value == Approx(-0.1));
+  CHECK(friction.error == Approx(0.025));
+  p.error[R_X] = 0.1;
+  CHECK(pinned_share(p, R_X).error == Approx(0.15));
 }
 
 }  // namespace bristle::ensemble_test
