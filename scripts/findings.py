@@ -13,6 +13,7 @@ from bristle_plots.explanations import (PROGRAM, READINGS, at_most, chosen_at, e
 from bristle_plots.files import write_text
 from bristle_plots.markdown import filled, table
 from bristle_plots.results import as_text, axis_values, dataset, experiment, open_result, read, select, status_counts
+from bristle_plots.starts import start_note
 from bristle_plots.verdicts import declared_checks, number, p_text, quantity, threshold_text, with_uncertainty
 
 INTRODUCTION = """\
@@ -99,7 +100,7 @@ def section(file, claims, images):
         lines += ["The paper leaves open, and it matters here:", ""]
         lines += [f"- {what} ({', '.join(dict.fromkeys(claims))})" for what, claims in left_open.items()]
         lines.append("")
-    for note in experiment(file).get("notes", []):
+    for note in [*filter(None, [start_note(file)]), *experiment(file).get("notes", [])]:
         lines += [note, ""]
     return "\n".join(lines)
 

@@ -18,12 +18,13 @@ from .style import COLOURS, GREY, label, log_ticks, status_marker
 
 # status: index of each point's status into `meanings`; 0 is a point without remark.
 # jumps: whether the loading path jumps between each point and the next.
-# located: (index of the point before, x) of each jump that the run located.
+# located: each Jump that the run located.
 # along, title: symbols of x and y; chosen: the values of further axes, as text.
 Curve = namedtuple("Curve", "x y error status meanings jumps located along title chosen")
 
 BANDS = "Bands, often thinner than the lines, are the estimated errors of the values."
-LOCATED_JUMPS = "Lines are broken where the loading path jumps; dotted lines mark the places, located to 1 %."
+LOCATED_JUMPS = ("Lines are broken where the loading path jumps; dotted lines mark the places, located to 1 %, "
+                 "pale areas where less than 0.5 % of the load decides between two gaps.")
 JUMPS = (f"Lines are broken where $z_0$ jumps by more than {LEAST_CHANGE:g} between points less than {WIDEST_STEP:g} "
          "decades apart.")
 BARS = "Bars are the standard errors of the lattices' time means."
@@ -37,7 +38,7 @@ def read_curve(file, name, along, **chosen):
     meanings, status = select_flags(file, "status", [along], **chosen)
     located = located_jumps(file, [along], **chosen) if located_axis(file) == along else []
     return Curve(axis_values(file, along), y, select_errors(file, name, [along], **chosen), status, meanings,
-                 read_jumps(file, [along], **chosen)[0], [(index, x) for (index,), x in located],
+                 read_jumps(file, [along], **chosen)[0], located,
                  label(dataset(file, along)), label(dataset(file, name)), in_words(file, chosen))
 
 
@@ -74,8 +75,10 @@ def draw_curve(axes, curve, colour, text=None, line="-", marker="o", width=1.6):
     keep(axes, curve)
     axes.plot(x, y, line, color=colour, linewidth=width, marker=marker, markersize=2 * width, label=text)
     axes.fill_between(x, y - error, y + error, color=colour, alpha=0.3, linewidth=0)
-    for index, place_x in curve.located:
-        axes.plot([place_x, place_x], curve.y[index:index + 2], ":", color=colour, linewidth=0.7 * width)
+    for (index,), place, start, end in curve.located:
+        sides = curve.y[index:index + 2]
+        axes.plot([place, place], sides, ":", color=colour, linewidth=0.7 * width)
+        axes.fill_between([start, end], *sides, color=colour, alpha=0.2, linewidth=0)
     return draw_statuses(axes, curve, colour)
 
 

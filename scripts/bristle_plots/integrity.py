@@ -86,7 +86,7 @@ def damage_of(file):
 
 
 def read_group(group, prefix, depth, digest):
-    """Adds names, types, shapes and values of the payload to the digest (docs/results-format.md); reads the rest."""
+    """Adds names, types, shapes, units, meanings of flags and values of the payload to the digest (docs/results-format.md); reads the rest."""
     if depth > MAX_DEPTH:
         raise ValueError(f"{prefix}: groups nested too deeply")
     read_attributes(group)
@@ -111,6 +111,8 @@ def read_dataset(data, path, digest):
         text_data = data.dtype.kind in "OS"
         kind = "s" if text_data else f"{'f' if data.dtype.kind == 'f' else 'i'}{data.dtype.itemsize}"
         digest.update(" ".join([f"/{path} {kind}", *map(str, data.shape)]).encode() + b"\n")
+        for name in [name for name in ("units", "flag_meanings") if name in data.attrs]:
+            digest.update(f"{name} {text(data.attrs[name])}\n".encode())
         digest.update(b"".join(word + b"\0" for word in values) if text_data else values.tobytes())
 
 

@@ -1,8 +1,14 @@
 """Where the loading path jumps from one gap to another: no line or face may join the two sides."""
 
+from collections import namedtuple
+
 import numpy as np
 
 from .results import as_text, axis_names, axis_values, dataset, read, select, table, whole
+
+# index: of the point before the jump. place: the value of the axis, within 1 %.
+# start, end: of the ambiguous points around the place; equal to it if there are none.
+Jump = namedtuple("Jump", "index place start end")
 
 LEAST_CHANGE = 0.15  # of z_0 between neighbouring points
 WIDEST_STEP = 0.1  # decades between neighbours; a coarser grid cannot tell a jump from a slope
@@ -23,9 +29,8 @@ def located_axis(file):
 
 
 def located_jumps(file, along, **chosen):
-    """(index, place) of each jump that the run located, at the chosen values of the axes beside `along`.
+    """Each Jump that the run located, at the chosen values of the axes beside `along`; its index is over the axes `along`.
 
-    index: that of the point before the jump, over the axes `along`. place: the value of the axis, within 1 %.
     Jumps to or from points without a gap are left out.
     """
     jumping, everything = located_axis(file), whole(file)
@@ -34,15 +39,19 @@ def located_jumps(file, along, **chosen):
     places = np.sqrt(read(file, "jumps/before") * read(file, "jumps/after"))
     finite = np.isfinite(read(file, "jumps/z_0_before") + read(file, "jumps/z_0_after"))
     found = []
-    for point, place in zip(read(file, "jumps/point")[finite].astype(int), places[finite]):
-        at = dict(zip(lines, np.unravel_index(point, [len(line) for line in lines.values()])))
+    before, after, start, end = (read(file, f"jumps/{name}") for name in ("before", "after", "from", "to"))
+    decided = (start == before) & (end == after)
+    start, end = np.where(decided, places, start), np.where(decided, places, end)
+    rows = np.transpose([read(file, "jumps/point"), places, start, end])[finite]
+    for point, place, start, end in rows:
+        at = dict(zip(lines, np.unravel_index(int(point), [len(line) for line in lines.values()])))
         at = {name: lines[name][i] for name, i in at.items()}
         # The Dataset may be a part of the file: the jump may lie between points that are no neighbours there.
         index = {name: np.flatnonzero(here[name] == value) for name, value in at.items()}
         index[jumping] = np.flatnonzero(here[jumping] < place)[-1:]
         inside = index[jumping].size and index[jumping][0] + 1 < len(here[jumping])
         if inside and all(i.size for i in index.values()) and all(at[name] == value for name, value in chosen.items()):
-            found.append((tuple(int(index[name][0]) for name in along), float(place)))
+            found.append(Jump(tuple(int(index[name][0]) for name in along), float(place), float(start), float(end)))
     return found
 
 
@@ -57,6 +66,6 @@ def read_jumps(file, along, **chosen):
     if located_axis(file) in along:
         here = found[along.index(located_axis(file))]
         here[...] = False
-        for index, _ in located_jumps(file, along, **chosen):
-            here[index] = True
+        for jump in located_jumps(file, along, **chosen):
+            here[jump.index] = True
     return found

@@ -26,12 +26,13 @@ HATCHES = ["....", "----", "////", "xxxx", "\\\\\\\\", "||||", "++++"]
 # log10 of the axes x and y by name, and the index of each point's status into `meanings`.
 # chosen: the values of further axes at which the quantities are drawn.
 # jumps: whether the loading path jumps between neighbours along y, and along x.
-# located: (row, log10 x) of each jump along x that the run located; None if it located none.
+# located: row and log10 of place, start and end of each Jump along x that the run located; None if it located none.
 Grid = namedtuple("Grid", "x y status meanings axes chosen jumps located")
 
 # In grey, vermilion is as bright as the middle of viridis: the white rim tells the line from the map.
 JUMP_LOOK = dict(color=VERMILION, linewidth=1.4, solid_capstyle="butt",
                  path_effects=[patheffects.Stroke(linewidth=2.7, foreground="white"), patheffects.Normal()])
+BAND_LOOK = dict(facecolor=VERMILION, alpha=0.45, linewidth=0)
 JUMP_TEXT = "jump of the loading path,"
 
 
@@ -40,8 +41,7 @@ def read_grid(file, x_name, y_name, chosen):
     meanings, status = select_flags(file, "status", [y_name, x_name], **chosen)
     located = None
     if located_axis(file) == x_name:
-        located = [(row, np.log10(value))
-                   for (row, _), value in located_jumps(file, [y_name, x_name], **chosen)]
+        located = [(jump.index[0], *np.log10(jump[1:])) for jump in located_jumps(file, [y_name, x_name], **chosen)]
     return Grid(x, y, status, meanings, (x_name, y_name), chosen, read_jumps(file, [y_name, x_name], **chosen),
                 located)
 
@@ -208,15 +208,21 @@ def draw_jumps(flat, grid):
     """
     _, along_x = grid.jumps
     x, y = cell_edges(grid.x), cell_edges(grid.y)
-    places = [(j, x[i + 1]) for j, i in np.argwhere(along_x)] if grid.located is None else grid.located
+    bands = grid.located or []
+    places = [(j, x[i + 1]) for j, i in np.argwhere(along_x)] if grid.located is None else [band[:2] for band in bands]
     if not places:
         return {}
     # One line with gaps: a rim would else cover the end of the line below.
     path = np.array([(point, height) for j, point in places
                      for point, height in ((point, y[j]), (point, y[j + 1]), (np.nan, np.nan))])
     flat.plot(*path.T, **JUMP_LOOK)
+    for j, _, start, end in bands:
+        flat.fill_between([start, end], y[j], y[j + 1], **BAND_LOOK)
     how = f"$z_0$ of neighbours differs by more than {LEAST_CHANGE:g}" if grid.located is None else "located to 1 %"
-    return {f"{JUMP_TEXT} {how}": Line2D([], [], **JUMP_LOOK)}
+    entries = {f"{JUMP_TEXT} {how}": Line2D([], [], **JUMP_LOOK)}
+    if any(end > start for _, _, start, end in bands):
+        entries["less than 0.5 % of the load decides"] = patches.Patch(**BAND_LOOK)
+    return entries
 
 
 def cell_edges(line):
@@ -228,7 +234,7 @@ def cell_edges(line):
 def cells_at(grid, places):
     """Left, low, right and upper end of the cells at (row, column): a located jump between two points ends a cell."""
     x, y = np.tile(cell_edges(grid.x), (len(grid.y), 1)), cell_edges(grid.y)
-    for row, place_x in grid.located or []:
+    for row, place_x, *_ in grid.located or []:
         x[row, np.searchsorted(grid.x, place_x)] = place_x
     return [(x[j, i], y[j], x[j, i + 1], y[j + 1]) for j, i in places]
 

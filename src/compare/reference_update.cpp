@@ -19,7 +19,8 @@ namespace fs = std::filesystem;
 namespace {
 
 // Variables without a value at some points: only points with a jump, an incomplete passage or a lattice have
-// one. So are means over the bristles that are not pinned, where all are.
+// one. So are the values at the other gap of an ambiguous point, and means over the bristles that are not
+// pinned, where all are.
 const std::set<std::string> kMayBeMissing = {"jump_z_0", "jump_R_n", "incomplete_theta_0", "R_n_fluctuation",
                                              "R_n_fluctuation_of_rows"};
 
@@ -50,10 +51,11 @@ void require_origin(const results::ResultReader& result, const Json& made) {
 }
 
 const std::set<PointStatus> kUnsound = {PointStatus::incomplete, PointStatus::not_converged,
-                                        PointStatus::failed, PointStatus::work_limit, PointStatus::ambiguous};
+                                        PointStatus::failed, PointStatus::work_limit};
 
 bool may_be_missing(const std::string& name) {
-  return kMayBeMissing.contains(name) || std::ranges::any_of(kObservables, [&](const ObservableRow& row) {
+  return kMayBeMissing.contains(name) || name.ends_with("_other") ||
+         std::ranges::any_of(kObservables, [&](const ObservableRow& row) {
            return row.unpinned == Unpinned::mean && name == fmt::format("{}_unpinned", row.name);
          });
 }
@@ -135,7 +137,8 @@ std::string update_reference(const ReferenceUpdate& update) {
   if (fs::exists(path)) old = read_reference(path);
   Json same_commit = made;
   if (old.is_object()) same_commit["commit"] = old["commit"];
-  if (old == same_commit) return "";
+  // As text: a value that is missing is NaN in one and null in the other.
+  if (old.is_object() && reference_text(old) == reference_text(same_commit)) return "";
   require_clean_work_tree(update.folder);
   const std::string added =
       fmt::format("\n## {} {}\n\n{}\n\n- program: {}\n- payload: {} -> {}\n{}", update.day,

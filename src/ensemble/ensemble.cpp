@@ -13,9 +13,22 @@ namespace {
 // rough_load() refines to at most this multiple of the tolerance.
 constexpr double kRoughFactor = 4;
 
-// Maximum panel width (rad) of precise_load() and full(). Nodes are then at most 2.5 degrees apart, which
-// resolves the intervals in which the number of bounces changes (measured in docs/numerics.md).
-constexpr double kMaxPanelWidth = 0.35;
+// Maximum panel widths (rad) of full(), for bristles that point forward and backward. Nodes are then at most
+// 2.5 and 1.25 degrees apart, which resolves the intervals in which the number of bounces changes (measured
+// in docs/numerics.md). Beside the bristle that points exactly against the motion a panel is at most as wide
+// as its distance from it, but need not be narrower than kHeadOnPanel: there lie narrow intervals of azimuths
+// whose bristles are pinned or chatter.
+constexpr double kForwardPanel = 0.35, kBackwardPanel = 0.175, kHeadOnPanel = 0.01;
+
+double from_head_on(double theta_0) { return std::remainder(theta_0 - M_PI, 2 * M_PI); }
+
+bool too_wide(double left, double right) {
+  const double from = from_head_on(left), to = from_head_on(right);
+  const double distance = from * to < 0 ? 0 : std::min(std::abs(from), std::abs(to));
+  const double rounding = 1e-9;
+  const double most = std::max(distance + rounding, kHeadOnPanel);
+  return right - left > std::min(most, distance < M_PI / 2 - rounding ? kBackwardPanel : kForwardPanel);
+}
 
 // Edges of the first panels. A narrow distribution is integrated around its mean only, over panels of 3 or 4
 // standard deviations; beyond the last edge its density is below exp(-40) of the peak.
@@ -130,10 +143,47 @@ const Ensemble& EnsembleMean::precise_load(double R_n_target) {
 
 const Ensemble& EnsembleMean::full() {
   QuadratureGoal all = goal();
-  all.max_panel_width = kMaxPanelWidth;
+  all.too_wide = too_wide;
   for (std::size_t k = 0; k < kObservables.size(); ++k)
     if (kObservables[k].controlled && !(half_circle_ && k == R_Y)) all.rtol[k] = setup_.orientation.rtol;
   return refine(all);
+}
+
+// The fraction of bristles whose outcome the nodes may not have seen: half of the gap between nodes beside
+// the bristle that points exactly against the motion, where such intervals of azimuths are common, and a
+// share of any other gap beside a node whose bristle came near the pole, where they are rare
+// (docs/numerics.md).
+double EnsembleMean::hidden_fraction() const {
+  constexpr double common = 1. / 2, rare = 1. / 32;
+  std::vector<const Passage*> nodes;
+  for (const Passage& one : passages_) nodes.push_back(&one);
+  std::ranges::sort(nodes, {}, &Passage::theta_0);
+  const auto near_pole = [](const Passage& p) { return p.implicit || p.reflections > 0; };
+  double hidden = 0;
+  for (std::size_t i = 1; i < nodes.size(); ++i) {
+    const Passage &left = *nodes[i - 1], &right = *nodes[i];
+    if (!near_pole(left) && !near_pole(right)) continue;
+    const double from = from_head_on(left.theta_0), to = from_head_on(right.theta_0);
+    const double share = from * to <= 0 ? common : rare;
+    hidden =
+        std::max(hidden, share * (right.theta_0 - left.theta_0) * weight((left.theta_0 + right.theta_0) / 2));
+  }
+  return hidden;
+}
+
+void EnsembleMean::add_hidden_errors() {
+  const double hidden = hidden_fraction(), pinned_part = out_.mean[PINNED_FRACTION];
+  out_.error[PINNED_FRACTION] += hidden;
+  for (Observable k = 0; k < kObservables.size(); ++k) {
+    if (kObservables[k].unpinned != Unpinned::contribution) continue;
+    double of_pinned = 0;  // contribution of a pinned bristle; as large as that of any, if none is pinned
+    if (pinned_part > 0) of_pinned = std::abs(out_.mean[pinned(k)]) / pinned_part;
+    else
+      for (const Passage& one : passages_)
+        of_pinned = std::max(of_pinned, std::abs(kObservables[k].value(one, setup_.parameters.L_x)));
+    out_.error[pinned(k)] += hidden * of_pinned;
+    out_.error[unpinned(k)] += hidden * std::abs(out_.mean[unpinned(k)]) / std::max(1e-3, 1 - pinned_part);
+  }
 }
 
 const Ensemble& EnsembleMean::refine(const QuadratureGoal& goal) {
@@ -149,6 +199,7 @@ const Ensemble& EnsembleMean::refine(const QuadratureGoal& goal) {
   out_.converged = result.status == QuadratureStatus::converged &&
                    missing <= std::max(setup_.orientation.rtol, out_.error[WEIGHT]);
   out_.jumps = result.jumps;
+  add_hidden_errors();
   return out_;
 }
 

@@ -73,6 +73,10 @@ class EnsembleMean {
   std::vector<WeightedPassage> weighted_passages() const;
   std::vector<Sample> samples(const std::vector<double>& theta_0);
   std::vector<Passage> run(const std::vector<double>& theta_0);
+  double hidden_fraction() const;
+  // Adds to the errors of what is averaged over the pinned or the other bristles what the nodes may not have
+  // seen.
+  void add_hidden_errors();
   const Ensemble& refine(const QuadratureGoal& goal);
   void average_list();
   QuadratureGoal goal() const;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 namespace bristle {
 namespace {
@@ -29,7 +30,6 @@ class CrossingFinder {
   LoadPoint run() {
     narrow(Accuracy::precise);
     move_to_earlier_crossings();
-    if (solution_ && only_touches(solution_->z_0)) loads_.reaches_by_noise = true;
     if (!solution_) {
       // A jump, or the noise of the means: the reported loads decide.
       bracket_ = loads_.between(bracket_.near.z_0, bracket_.far.z_0, Accuracy::reported);
@@ -116,9 +116,6 @@ class CrossingFinder {
       if (probe.excess >= -kDistinct * probe.load.error) {
         probe = loads_.at(z_0, Accuracy::precise);
         if (probe.excess >= 0) return probe;
-        // On an even slope the load there would be below the target beyond doubt.
-        if (slope * distance > loads_.allowed() + kDistinct * probe.load.error && loads_.near_target(probe))
-          loads_.reaches_by_noise = true;
       }
       if (probe.excess + probe.load.error < -kEven * slope * distance) break;
     }
@@ -135,16 +132,6 @@ class CrossingFinder {
     });
   }
 
-  // Whether no load between the crossing and the far end of the scan's bracket exceeds the target by more
-  // than the errors, and the load is below the target again beyond.
-  bool only_touches(double crossing) {
-    const auto [low, high] = std::minmax({crossing, scan_.far.z_0});
-    const bool exceeds = std::ranges::any_of(loads_.computed(), [low = low, high = high](const GapLoad& one) {
-      return low <= one.z_0 && one.z_0 <= high && one.excess > kDistinct * one.load.error;
-    });
-    return !exceeds && loads_.one_step_beyond(scan_.far.z_0, Accuracy::rough).excess < 0;
-  }
-
   // The reported loads at the ends of the bracket do not enclose the target, as the precise ones misled the
   // search. Locates the crossing by reported loads, between the bracket and an end of the scan's.
   void locate_again() {
@@ -156,7 +143,7 @@ class CrossingFinder {
       bracket_.far = loads_.one_step_beyond(bracket_.far.z_0, Accuracy::reported);
     }
     if (bracket_.encloses()) narrow(Accuracy::reported);
-    else loads_.reaches_by_noise = true;
+    else by_noise_ = true;
   }
 
   LoadPoint result() const {
@@ -166,7 +153,7 @@ class CrossingFinder {
     out.load = final.load;
     out.z_0_near = scan_.near.z_0;
     out.z_0_far = scan_.far.z_0;
-    out.ambiguous = loads_.reaches_by_noise;
+    out.ambiguous = by_noise_;
     const double noise = bracket_.near.load.error + bracket_.far.load.error;
     const bool at_target = solution_ || bracket_.far.excess <= 2 * bracket_.far.load.error;
     const bool jumps = !at_target && bracket_.far.excess - bracket_.near.excess > 2 * noise;
@@ -182,20 +169,79 @@ class CrossingFinder {
   const LoadSearch& search_;
   LoadBracket scan_, bracket_;
   std::optional<GapLoad> solution_;  // within rtol of the target
+  bool by_noise_ = false;            // no reported loads enclose the target
 };
+
+// The first gap before the crossing with a load that is below the target by no more than decides, if the load
+// falls again between that gap and the crossing.
+std::optional<double> undecided_before(LoadsOnPath& loads, double crossing) {
+  std::vector<GapLoad> before;
+  for (const GapLoad& one : loads.computed())
+    if (loads.is_before(one.z_0, crossing)) before.push_back(one);
+  std::ranges::stable_sort(before,
+                           [&](const GapLoad& a, const GapLoad& b) { return loads.is_before(a.z_0, b.z_0); });
+  const auto below = [&](const GapLoad& one) { return one.excess < -loads.undecided(one); };
+  while (!before.empty() && !below(before.back())) before.pop_back();  // the slope to the crossing
+  for (const GapLoad& one : before) {
+    if (below(one)) continue;
+    const GapLoad precise = loads.at(one.z_0, Accuracy::precise);
+    if (!below(precise)) return precise.z_0;
+  }
+  return {};
+}
+
+// The gap beyond the crossing at which the load is below the target beyond doubt, if before that gap it has
+// not been above it beyond doubt.
+std::optional<double> falls_beyond(LoadsOnPath& loads, const LoadPoint& crossing) {
+  const double end =
+      loads.search.path == LoadPath::loading ? loads.search.ground : loads.search.first_contact;
+  const auto above = [&](const GapLoad& at) { return at.excess > loads.undecided(at); };
+  GapLoad last = loads.at(crossing.z_0, Accuracy::precise);
+  while (!above(last) && loads.is_before(last.z_0, end)) {
+    // The next gap: that of a load computed already, or an eighth of the scan's step further.
+    double next = loads.beyond(last.z_0, loads.search.step / 8);
+    if (!loads.is_before(next, end)) next = end;
+    for (const GapLoad& one : loads.computed())
+      if (loads.is_before(last.z_0, one.z_0) && loads.is_before(one.z_0, next)) next = one.z_0;
+    const GapLoad at = loads.at(next, Accuracy::rough);
+    if (at.excess < -loads.undecided(at)) {
+      const GapLoad between = loads.at(last.z_0 + (next - last.z_0) / 2, Accuracy::precise);
+      return above(between) ? std::optional<double>() : next;
+    }
+    last = at;
+  }
+  return {};
+}
+
+// The first crossing. other: whether to look for another gap that might be it.
+LoadPoint search_crossing(const LoadCurve& curve, const LoadSearch& search, bool other) {
+  LoadsOnPath loads(curve, search);
+  const auto bracket = scan_for_crossing(loads);
+  if (!bracket) return {};
+  LoadPoint out = CrossingFinder(loads, *bracket).run();
+  if (!other) return out;
+  out.z_0_other = undecided_before(loads, out.z_0);
+  if (out.z_0_other) out.ambiguous = true;
+  else if (const auto fallen = falls_beyond(loads, out)) {
+    out.ambiguous = true;
+    LoadSearch rest = search;
+    (search.path == LoadPath::loading ? rest.first_contact : rest.ground) = *fallen;
+    const LoadPoint next = search_crossing(curve, rest, false);
+    if (next.status != LoadStatus::unreachable) out.z_0_other = next.z_0;
+  }
+  return out;
+}
 
 }  // namespace
 
 LoadPoint first_crossing(const LoadCurve& curve, const LoadSearch& search) {
-  LoadsOnPath loads(curve, search);
-  LoadPoint out;
   try {
-    if (const auto bracket = scan_for_crossing(loads)) return CrossingFinder(loads, *bracket).run();
-    out.status = LoadStatus::unreachable;
+    return search_crossing(curve, search, true);
   } catch (const LoadsOnPath::NotComputable&) {
+    LoadPoint out;
     out.status = LoadStatus::failed;
+    return out;
   }
-  return out;
 }
 
 }  // namespace bristle

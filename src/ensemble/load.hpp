@@ -3,6 +3,7 @@
 #include "util/words.hpp"
 
 #include <functional>
+#include <optional>
 
 namespace bristle {
 
@@ -43,7 +44,8 @@ struct LoadSearch {
   double first_contact = 0.985;  // sin(phi_0)
   double wall_range = 1e-3;      // lambda_z
   double ground = 0.01;          // lowest z_0 of the search
-  double step = 0.05;            // of the scan; narrower humps of R_n(z_0) may be missed
+  // Of the scan. Near the target it is an eighth of it; narrower humps of R_n(z_0) may be missed.
+  double step = 0.05;
   double z_0_resolution = 1e-6;  // a crossing of the target within this is a jump
 };
 
@@ -55,9 +57,12 @@ struct LoadPoint {
   double z_0_far = 0;
   double jump_z_0 = 0;  // last gap before a jump, and its R_n
   double jump_R_n = 0;
-  // The errors do not decide whether this crossing is the first: R_n(z_0) has a maximum here, or before, that
-  // equals the target within its error (a minimum on the unloading path).
+  // Less than the errors, or than 0.5 % of the target, decides whether this crossing is the first: R_n(z_0)
+  // has a maximum here, or before, that equals the target within that (a minimum on the unloading path).
   bool ambiguous = false;
+  // The gap that is the first, if the loads are a little smaller or larger; none if no other gap carries the
+  // target then.
+  std::optional<double> z_0_other;
 };
 
 // Finds the gap at which R_n(z_0) first reaches the target when the slab is lowered from

@@ -5,10 +5,6 @@
 
 namespace bristle {
 
-// A load may be that of the target if its distance is below this multiple of its error; the errors of means
-// that are decided are smaller.
-constexpr double kMaybe = 3;
-
 GapLoad LoadsOnPath::at(double z_0, Accuracy accuracy) {
   const Load load = curve_(z_0, accuracy);
   if (!std::isfinite(load.R_n)) throw NotComputable{};
@@ -19,12 +15,6 @@ GapLoad LoadsOnPath::at(double z_0, Accuracy accuracy) {
 
 GapLoad LoadsOnPath::one_step_beyond(double z_0, Accuracy accuracy) {
   return at(std::clamp(beyond(z_0, search.step), search.ground, search.first_contact), accuracy);
-}
-
-bool LoadsOnPath::near_target(const GapLoad& gap) {
-  if (std::abs(gap.excess) > allowed() + kMaybe * gap.load.error) return false;
-  const GapLoad reported = at(gap.z_0, Accuracy::reported);
-  return std::abs(reported.excess) <= std::max(allowed(), kDistinct * reported.load.error);
 }
 
 }  // namespace bristle

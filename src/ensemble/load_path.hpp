@@ -2,6 +2,7 @@
 
 #include "ensemble/load.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -10,6 +11,8 @@ namespace bristle {
 // The load is above or below the target beyond doubt if its distance from the target exceeds this multiple of
 // its error.
 constexpr double kDistinct = 2;
+// Of the target. The loads of a lattice fluctuate by more in time.
+constexpr double kUndecided = 0.005;
 
 // R_n at one gap. excess is R_n minus the target on the loading path, the target minus R_n on the unloading
 // path: negative before the crossing.
@@ -44,13 +47,17 @@ class LoadsOnPath {
   double beyond(double z_0, double distance) const {
     return z_0 + (search.path == LoadPath::loading ? -distance : distance);
   }
+  // The gaps before z_0 on the path, and those beyond it.
+  bool is_before(double one, double z_0) const {
+    return search.path == LoadPath::loading ? one > z_0 : one < z_0;
+  }
   double allowed() const { return search.rtol * search.target; }
-  // Whether the load at this gap equals the target within its tolerance or its error.
-  bool near_target(const GapLoad& at);
+  // Within this distance from the target, the fluctuation of the loads decides on which side of it they lie.
+  double undecided(const GapLoad& at) const {
+    return std::max(kUndecided * search.target, kDistinct * at.load.error);
+  }
 
   const LoadSearch& search;
-  // A maximum of the load on the path equals the target within its error (a minimum on the unloading path).
-  bool reaches_by_noise = false;
 
  private:
   const LoadCurve& curve_;

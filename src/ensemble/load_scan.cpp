@@ -8,10 +8,13 @@
 namespace bristle {
 namespace {
 
-// A hump is searched if it may reach the target to within this share of the target, in at most kHumpSteps
-// steps.
-constexpr double kHumpBelow = 0.05;
-constexpr int kHumpSteps = 4;
+// A hump is searched if its parabola reaches the target to within this share of the target, by gaps that are
+// at least this share of the scan's step apart.
+constexpr double kHumpBelow = 0.01, kHumpStep = 1. / 16;
+// Humps of R_n(z_0) are a few per cent high and down to 0.01 wide. Between two gaps below the target the scan
+// goes on in steps of half the distance, down to this share of its step, as long as a load comes within
+// kNear of the target, times the distance in steps.
+constexpr double kFinest = 1. / 8, kNear = 0.08;
 
 std::vector<double> scan_gaps(const LoadSearch& search) {
   const double length = search.first_contact - search.ground;
@@ -39,14 +42,13 @@ GapLoad top_of_hump(LoadsOnPath& loads, GapLoad a, GapLoad top, GapLoad c) {
     const GapLoad probe = loads.at(z_0, Accuracy::rough);
     return probe.excess < 0 ? probe : loads.at(z_0, Accuracy::precise);
   };
-  for (int i = 0; i < kHumpSteps && !found(); ++i) {
+  while (!found() && std::abs(c.z_0 - a.z_0) > 3 * kHumpStep * loads.search.step) {
     if (parabola_top(a, top, c) < -kHumpBelow * loads.search.target) return top;
     const GapLoad left = between(a, top), right = between(top, c);
     if (left.excess > std::max(top.excess, right.excess)) c = std::exchange(top, left);
     else if (right.excess > top.excess) a = std::exchange(top, right);
     else a = left, c = right;
   }
-  if (!found() && loads.near_target(top)) loads.reaches_by_noise = true;
   return top;
 }
 
@@ -59,14 +61,6 @@ std::optional<GapLoad> find_in_hump(LoadsOnPath& loads, const GapLoad& a, const 
   const GapLoad top = top_of_hump(loads, a, b, c);
   if (top.excess < 0) return {};
   return top;
-}
-
-// The load at this gap of the scan is above the target. If it equals the target within its error, and is
-// below it at the next gap, looks for the top of the hump between the neighbouring gaps.
-void examine_top(LoadsOnPath& loads, const GapLoad& before, const GapLoad& at) {
-  if (!loads.near_target(at)) return;
-  const GapLoad next = loads.one_step_beyond(at.z_0, Accuracy::rough);
-  if (next.excess < 0) top_of_hump(loads, before, at, next);
 }
 
 // The wall is soft: a load below R_n at first contact occurs a few wall ranges lambda_z above it.
@@ -100,30 +94,62 @@ std::optional<LoadBracket> bracket_before(LoadsOnPath& loads, GapLoad far,
   return if_encloses({above_contact(loads), far});
 }
 
+// The scan along the path: gaps a step apart, and finer where the load comes near the target.
+class Scan {
+ public:
+  explicit Scan(LoadsOnPath& loads) : loads_(loads) {}
+
+  // A crossing found with rough loads is confirmed with precise loads.
+  std::optional<LoadBracket> run() {
+    for (const double z_0 : scan_gaps(loads_.search)) {
+      const GapLoad next = loads_.at(z_0, Accuracy::rough);
+      if (!scanned_.empty()) {
+        const GapLoad last = scanned_.back();
+        if (const auto found = between(last, next)) return found;
+      }
+      if (const auto found = add(next)) return found;
+    }
+    return {};
+  }
+
+ private:
+  // Scans between two neighbouring gaps, in the order of the path.
+  std::optional<LoadBracket> between(const GapLoad& from, const GapLoad& to) {
+    const double steps = std::abs(to.z_0 - from.z_0) / loads_.search.step;
+    const double nearest = to.excess < 0 ? std::max(from.excess, to.excess) : from.excess;
+    if (steps <= kFinest || nearest < -kNear * steps * loads_.search.target) return {};
+    const GapLoad middle = loads_.at(from.z_0 + (to.z_0 - from.z_0) / 2, Accuracy::rough);
+    if (const auto found = between(from, middle)) return found;
+    if (const auto found = add(middle)) return found;
+    return between(middle, to);
+  }
+
+  // Adds the next gap of the path: the crossing before it, or in the hump between the last three gaps, if
+  // any.
+  std::optional<LoadBracket> add(GapLoad next) {
+    scanned_.push_back(next);
+    const std::size_t n = scanned_.size();
+    if (n >= 3)
+      if (const auto far = find_in_hump(loads_, scanned_[n - 3], scanned_[n - 2], scanned_[n - 1])) {
+        scanned_.resize(n - 2);
+        return bracket_before(loads_, *far, scanned_);
+      }
+    if (next.excess < 0) return {};
+    const GapLoad far = loads_.at(next.z_0, Accuracy::precise);
+    if (far.excess < 0) {
+      scanned_.back() = far;
+      return {};
+    }
+    scanned_.pop_back();
+    return bracket_before(loads_, far, scanned_);
+  }
+
+  LoadsOnPath& loads_;
+  std::vector<GapLoad> scanned_;
+};
+
 }  // namespace
 
-// A crossing found with rough loads is confirmed with precise loads.
-std::optional<LoadBracket> scan_for_crossing(LoadsOnPath& loads) {
-  std::vector<GapLoad> scanned;
-  for (double z_0 : scan_gaps(loads.search)) {
-    scanned.push_back(loads.at(z_0, Accuracy::rough));
-    const std::size_t n = scanned.size();
-    if (n >= 3)
-      if (const auto far = find_in_hump(loads, scanned[n - 3], scanned[n - 2], scanned[n - 1])) {
-        scanned.resize(n - 2);
-        return bracket_before(loads, *far, scanned);
-      }
-    if (scanned.back().excess < 0) continue;
-    const GapLoad far = loads.at(z_0, Accuracy::precise);
-    if (far.excess < 0) {
-      scanned.back() = far;
-      continue;
-    }
-    scanned.pop_back();
-    if (!scanned.empty()) examine_top(loads, scanned.back(), far);
-    return bracket_before(loads, far, scanned);
-  }
-  return {};
-}
+std::optional<LoadBracket> scan_for_crossing(LoadsOnPath& loads) { return Scan(loads).run(); }
 
 }  // namespace bristle

@@ -12,9 +12,6 @@ namespace bristle {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-// R_n counts as different from the target if their distance exceeds this multiple of the error. rough_load()
-// achieves a multiple of 4 unless it stops at its limit.
-constexpr double kDecided = 3;
 
 // Adds the effect of a deviation of the load from its target (in units of R_n) to the errors, by the secant
 // to another gap. Larger errors remain.
@@ -67,6 +64,7 @@ class PointSolver {
     }
     if (setup_.orientation.sampling == Sampling::lattice && std::isfinite(out.z_0)) out = lattice_values(out);
     if (std::isfinite(out.z_0)) record_trajectories(out.z_0);
+    out.start = start_of(setup_.parameters);
     out.passages = lattice_passages_;
     for (const auto& [z_0, mean] : means_) out.passages += mean.count();
     out.passages_for = passages_for_;
@@ -88,6 +86,13 @@ class PointSolver {
       add_load_errors(out, found);
     }
     if (found.ambiguous) out.status = PointStatus::ambiguous;
+    if (found.z_0_other) {
+      const PointResult other =
+          values_of(setup_.parameters, mean_at(*found.z_0_other).with_integrator_error());
+      out.z_0_other = other.z_0;
+      out.value_other = other.value;
+      out.R_x_norm_other = other.R_x_norm;
+    }
     return out;
   }
 
@@ -124,16 +129,15 @@ class PointSolver {
     return first_crossing([this](double z_0, Accuracy accuracy) { return load_at(z_0, accuracy); }, search);
   }
 
-  // Rough: accurate enough to decide on which side of the target R_n
-  // lies. If R_n is at the target, as accurate as the reported values.
+  // Precise: if R_n is at the target, as accurate as the reported values.
   Load load_at(double z_0, Accuracy accuracy) {
     EnsembleMean& mean = mean_at(z_0);
     purpose_ = accuracy == Accuracy::rough ? SCAN : CROSSING;
     const Ensemble* e = &mean.rough_load(loading_.R_n);
     const auto distance = [&] { return std::abs(e->mean[R_N] - loading_.R_n); };
-    const bool decided = distance() > kDecided * e->error[R_N];
-    if (e->incomplete == 0 && (accuracy != Accuracy::rough || !decided)) e = &mean.precise_load(loading_.R_n);
-    if (e->incomplete == 0 && distance() <= 2 * setup_.orientation.rtol * loading_.R_n) {
+    const bool rough = accuracy == Accuracy::rough;
+    if (e->incomplete == 0 && !rough) e = &mean.precise_load(loading_.R_n);
+    if (e->incomplete == 0 && !rough && distance() <= 2 * setup_.orientation.rtol * loading_.R_n) {
       purpose_ = VALUES;
       e = &mean.full();
     }
@@ -229,6 +233,8 @@ PointResult without_values(PointStatus status) {
   out.load_error.fill(kNone);
   out.fluctuation = out.fluctuation_of_rows = {kNone, kNone};
   out.jump_z_0 = out.jump_R_n = out.incomplete_theta_0 = kNone;
+  out.z_0_other = out.R_x_norm_other = kNone;
+  out.value_other.fill(kNone);
   return out;
 }
 
@@ -244,6 +250,7 @@ PointResult values_of(const Parameters& parameters, const Ensemble& ensemble) {
   out.value = ensemble.mean;
   out.error = ensemble.error;
   out.load_error.fill(0);
+  out.start = start_of(parameters);
   normalise(out, parameters);
   if (out.status == PointStatus::ok) out.status = quality(parameters, out);
   return out;

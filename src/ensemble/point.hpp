@@ -70,7 +70,11 @@ struct PointResult {
   double R_x_norm = 0, R_x_norm_error = 0;       // Eqs. (20, 21), for the computed R_n
   double R_y_norm = 0, R_y_norm_error = 0;
   double R_x_norm_load_error = 0, R_y_norm_load_error = 0;
-  double jump_z_0 = 0, jump_R_n = 0;          // last gap before a jump, and its R_n; NaN without a jump
+  double jump_z_0 = 0, jump_R_n = 0;  // last gap before a jump, and its R_n; NaN without a jump
+  // At the other gap of an ambiguous point, see LoadPoint::z_0_other; NaN without one.
+  double z_0_other = 0, R_x_norm_other = 0;
+  ObservableArray value_other{};
+  Start start = Start::undetermined;
   double incomplete_theta_0 = 0;              // rad; NaN if complete
   long passages = 0;                          // number of passages computed for this point
   std::array<long, PURPOSES> passages_for{};  // those of its means; the rest are of the lattice

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 
 namespace bristle {
 
@@ -125,25 +126,37 @@ void Quadrature::sort_panels() {
             [](const Panel& a, const Panel& b) { return a.nodes.front().at < b.nodes.front().at; });
 }
 
-std::optional<Quadrature::LabelChange> Quadrature::change_in(const Panel& panel) const {
+std::vector<Quadrature::LabelChange> Quadrature::changes_in(const Panel& panel) {
+  std::vector<LabelChange> changes;
+  for (std::size_t i = 1; i < panel.nodes.size(); ++i)
+    if (panel.nodes[i - 1].sample.label != panel.nodes[i].sample.label)
+      changes.push_back({panel.nodes[i - 1], panel.nodes[i]});
+  if (changes.empty()) return changes;
+  Values spread{};
+  for (std::size_t k = 0; k < OBSERVABLES; ++k) {
+    const auto [least, most] = std::ranges::minmax(
+        panel.nodes | std::views::transform([k](const Node& node) { return node.sample.value[k]; }));
+    spread[k] = most - least;
+  }
+  for (LabelChange& change : changes) change.spread = spread;
+  return changes;
+}
+
+std::optional<Quadrature::LabelChange> Quadrature::largest_change(const Panel& panel) const {
   std::optional<LabelChange> worst;
   double largest = -1;
-  for (std::size_t i = 1; i < panel.nodes.size(); ++i) {
-    const LabelChange change{panel.nodes[i - 1], panel.nodes[i]};
-    if (change.left.sample.label == change.right.sample.label) continue;
+  for (const LabelChange& change : changes_in(panel))
     if (const double s = severity(uncertainty(change)); s > largest) {
       largest = s;
       worst = change;
     }
-  }
   return worst;
 }
 
 Quadrature::Values Quadrature::uncertainty(const LabelChange& change) {
   Values error;
   for (std::size_t k = 0; k < OBSERVABLES; ++k)
-    error[k] = std::abs(change.left.sample.value[k] - change.right.sample.value[k]) *
-               (change.right.at - change.left.at) / 2;
+    error[k] = change.spread[k] * (change.right.at - change.left.at) / 2;
   return error;
 }
 
@@ -169,7 +182,7 @@ void Quadrature::split_at_changes(const std::vector<std::size_t>& panels) {
   std::vector<Panel> sides;
   for (const std::size_t i : panels) {
     const std::vector<Node>& nodes = panels_[i].nodes;
-    const LabelChange jump = *change_in(panels_[i]);
+    const LabelChange jump = *largest_change(panels_[i]);
     const auto right =
         std::find_if(nodes.begin(), nodes.end(), [&](const Node& n) { return n.at == jump.right.at; });
     append_panels(sides, {nodes.begin(), right}, false);
@@ -190,9 +203,8 @@ Quadrature::Values Quadrature::squares(const Values& error) {
 // Squares of the errors of a panel, including the uncertain positions of the changes in it.
 Quadrature::Values Quadrature::squares(const Panel& panel) {
   Values out = squares(panel.error);
-  for (std::size_t i = 1; i < panel.nodes.size(); ++i) {
-    if (panel.nodes[i - 1].sample.label == panel.nodes[i].sample.label) continue;
-    const Values more = squares(uncertainty({panel.nodes[i - 1], panel.nodes[i]}));
+  for (const LabelChange& change : changes_in(panel)) {
+    const Values more = squares(uncertainty(change));
     for (std::size_t k = 0; k < OBSERVABLES; ++k) out[k] += more[k];
   }
   return out;
@@ -243,7 +255,7 @@ double Quadrature::unmet_severity(Values error) const {
 
 double Quadrature::unmet_severity(const Panel& panel) const {
   const double own = unmet_severity(panel.error);
-  const auto change = change_in(panel);
+  const auto change = largest_change(panel);
   return change ? std::max(own, unmet_severity(uncertainty(*change))) : own;
 }
 
@@ -291,16 +303,16 @@ void Quadrature::refine_largest() {
   }
   std::vector<std::size_t> initial, changing, others;
   for (const std::size_t i : chosen.panels)
-    (panels_[i].initial ? initial : change_in(panels_[i]) ? changing : others).push_back(i);
+    (panels_[i].initial ? initial : largest_change(panels_[i]) ? changing : others).push_back(i);
   if (!initial.empty()) return refine_in_batch(initial, {});
   if (!changing.empty()) return split_at_changes(changing);
   refine_in_batch(others, chosen.jumps);
 }
 
-std::vector<std::size_t> Quadrature::wider_than(double width) const {
+std::vector<std::size_t> Quadrature::too_wide() const {
   std::vector<std::size_t> wide;
   for (std::size_t i = 0; i < panels_.size(); ++i)
-    if (panels_[i].width() > width) wide.push_back(i);
+    if (goal_.too_wide(panels_[i].nodes.front().at, panels_[i].nodes.back().at)) wide.push_back(i);
   return wide;
 }
 
@@ -309,8 +321,7 @@ const QuadratureResult& Quadrature::refine(const QuadratureGoal& goal) {
   if (result_.status == QuadratureStatus::invalid) return result_;
   result_.status = QuadratureStatus::converged;
   if (panels_.empty()) sample_initial_panels();
-  for (auto wide = wider_than(goal.max_panel_width); !wide.empty(); wide = wider_than(goal.max_panel_width))
-    refine_in_batch(wide, {});
+  for (auto wide = too_wide(); !wide.empty(); wide = too_wide()) refine_in_batch(wide, {});
   sum();
   while (result_.status == QuadratureStatus::converged && severity(result_.error) > 1) {
     if (result_.samples >= max_samples_) {

@@ -23,7 +23,8 @@ struct Sample {
 struct QuadratureGoal {
   ObservableArray rtol{};                       // per component; 0: not controlled
   std::array<Observable, OBSERVABLES> scale{};  // component whose integral rtol refers to
-  double max_panel_width = 100;                 // limits the distance between nodes
+  // Limits the distance between nodes: whether a panel from left to right is to be divided.
+  std::function<bool(double left, double right)> too_wide = [](double, double) { return false; };
   // An error of a quarter of the distance between the integral and this value also suffices, as a root-finder
   // or a scan only needs the side on which the integral lies.
   std::optional<double> threshold;
@@ -38,9 +39,10 @@ enum class QuadratureStatus {
 struct QuadratureResult {
   QuadratureStatus status = QuadratureStatus::converged;
   // error: root of the sum of squares of the errors of the panels and of the uncertain positions of the
-  // jumps. The error of a panel is the difference between its rule and the rule of every second node, with a
-  // lower bound from the misfit between its nodes and the polynomial through every second node: for a rough
-  // integrand the difference can be small by accident (Gonnet 2010).
+  // jumps, which count by the spread of the values beside them. The error of a panel is the difference
+  // between its rule and the rule of every second node, with a lower bound from the misfit between its nodes
+  // and the polynomial through every second node: for a rough integrand the difference can be small by
+  // accident (Gonnet 2010).
   ObservableArray integral{}, error{};
   std::vector<double> jumps;  // ascending
   long samples = 0;
@@ -70,8 +72,11 @@ class Quadrature {
     double width() const { return nodes.back().at - nodes.front().at; }
   };
   // Neighbouring nodes with different labels. For a located jump: panels end at left and continue at right.
+  // spread: of the values in the panel in which the change was found; the values beside the change may be
+  // equal by accident.
   struct LabelChange {
     Node left, right;
+    Values spread{};
   };
 
   struct Selection {
@@ -87,10 +92,11 @@ class Quadrature {
   void split_at_changes(const std::vector<std::size_t>& panels);
   void sort_panels();
   Selection largest() const;
-  std::vector<std::size_t> wider_than(double width) const;
+  std::vector<std::size_t> too_wide() const;
   void refine_largest();
   void append_panels(std::vector<Panel>& out, const std::vector<Node>& nodes, bool from_right) const;
-  std::optional<LabelChange> change_in(const Panel& panel) const;
+  static std::vector<LabelChange> changes_in(const Panel& panel);
+  std::optional<LabelChange> largest_change(const Panel& panel) const;
   static Values uncertainty(const LabelChange& change);
   static Values squares(const Values& error);
   static Values squares(const Panel& panel);

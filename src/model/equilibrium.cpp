@@ -2,7 +2,6 @@
 
 #include "model/energy.hpp"
 
-#include <boost/math/tools/minima.hpp>
 #include <algorithm>
 #include <fmt/format.h>
 #include <limits>
@@ -81,61 +80,95 @@ class Bent {
   double phi_, sin_, cos_, r_;
 };
 
-// Minimum of the energy of springs and pole repulsion over 0 < phi <= phi_0, with the tip held at z = z_0.
-Equilibrium equilibrium_at_slab(const Bristle<double>& b) {
-  const auto tip_at = [&](double phi) { return Equilibrium{b.z_0 / sin(phi), phi}; };
-  const auto U = [&](double phi) {
-    const Equilibrium e = tip_at(phi);
-    return potential_energy(b, {e.r * cos(phi), 0, b.z_0}, b.theta_0, phi);
-  };
-  constexpr int scan = 64;
-  int least = 1;
-  double U_least = U(b.phi_0 / scan);
-  for (int i = 2; i <= scan; ++i)
-    if (const double U_i = U(b.phi_0 * i / scan); U_i < U_least) {
-      least = i;
-      U_least = U_i;
+// The bristle with its tip at the slab, z = z_0, for a polar angle.
+class AtSlab {
+ public:
+  AtSlab(const Bristle<double>& b, double phi) : b_(b), phi_(phi), tan_(tan(phi)), r_(b.z_0 / sin(phi)) {}
+
+  double r() const { return r_; }
+
+  // dU/dphi of springs and pole repulsion along z = z_0, and its derivative.
+  Tangent polar() const {
+    const double pole = short_range_force(r_ * cos(phi_), b_.pole_peak, b_.pole_rate);
+    const double s_slope = b_.z_0 / (sin(phi_) * sin(phi_));  // -ds/dphi
+    return {b_.k_phi * (phi_ - b_.phi_0) - b_.k_r * (r_ - 1) * r_ / tan_ + pole * s_slope,
+            b_.k_phi + b_.k_r * ((2 * r_ - 1) * r_ / (tan_ * tan_) + (r_ - 1) * s_slope / sin(phi_)) +
+                pole * s_slope * (b_.pole_rate * s_slope - 2 / tan_)};
+  }
+
+ private:
+  const Bristle<double>& b_;
+  double phi_, tan_, r_;
+};
+
+// The minimum of the energy over 0 < phi <= phi_0 that is downhill from this angle: dU/dphi is negative below
+// it and not negative above it. The search goes in steps, so that it does not step over a maximum to another
+// minimum. NaN if there is none.
+template <class Polar>
+double downhill(Polar polar, double phi, double phi_0) {
+  const double step = phi_0 / 64, least = 1e-9;
+  double lower = phi, upper = phi, slope = polar(phi).value;
+  if (slope < 0) {
+    while (upper < phi_0 && slope < 0) {
+      lower = upper;
+      upper = std::min(phi_0, upper + step);
+      slope = polar(upper).value;
     }
-  const double from = b.phi_0 * (least - 1) / scan, to = b.phi_0 * std::min(least + 1, scan) / scan;
-  return tip_at(boost::math::tools::brent_find_minima(U, std::max(from, 1e-6), to, 40).first);
+    if (slope < 0) return phi_0;
+  } else {
+    while (!(slope < 0)) {
+      if (lower <= least) return std::numeric_limits<double>::quiet_NaN();
+      upper = lower;
+      lower = std::max(least, lower - step);
+      slope = polar(lower).value;
+    }
+  }
+  return bracketed_root(polar, lower, upper, phi);
+}
+
+// Follows the minimum from first contact, z_0 = sin(phi_0), down to the gap of b, as the polar angle of a
+// bristle does under a slab that comes down slowly: soft bristles have two minima under the slab.
+// minimum(b, phi) is the polar angle of the minimum downhill from phi.
+template <class Minimum>
+double follow(const Bristle<double>& b, Minimum minimum) {
+  constexpr double step = 1. / 64;  // of the gap
+  Bristle<double> above = b;
+  double phi = b.phi_0;
+  for (above.z_0 = sin(b.phi_0); above.z_0 > b.z_0 && !std::isnan(phi); above.z_0 -= step)
+    phi = minimum(above, phi);
+  return std::isnan(phi) ? phi : minimum(b, phi);
+}
+
+double followed_at_slab(const Bristle<double>& b) {
+  return follow(b, [](const Bristle<double>& at, double from) {
+    return downhill([&](double angle) { return AtSlab(at, angle).polar(); }, from, at.phi_0);
+  });
+}
+
+double followed_under_slab(const Bristle<double>& b) {
+  double z = sin(b.phi_0);
+  return follow(b, [&](const Bristle<double>& at, double from) {
+    return downhill(
+        [&](double angle) {
+          const Bent bent(at, angle, z);
+          z = std::isnan(bent.z()) ? at.z_0 : bent.z();
+          return bent.polar();
+        },
+        from, at.phi_0);
+  });
 }
 
 }  // namespace
 
-// A minimum of the energy along the balanced radius lies where dU/dphi changes from negative to positive as
-// phi increases. The scan finds all such changes that are further apart than its steps.
 Equilibrium static_equilibrium(const Bristle<double>& b) {
-  constexpr int scan = 64;
-  Equilibrium best{};
-  double least = std::numeric_limits<double>::infinity(), z = b.z_0;
-  const auto bent_at = [&](double phi) {
-    const Bent bent(b, phi, z);
-    z = std::isnan(bent.z()) ? b.z_0 : bent.z();
-    return bent;
-  };
-  double upper = b.phi_0, at_upper = bent_at(upper).polar().value;
-  for (int i = 1; i <= scan; ++i) {
-    const double lower = b.phi_0 * (scan - i) / scan, at_lower = bent_at(lower).polar().value;
-    if (at_upper >= 0 && at_lower < 0) {
-      const double phi = bracketed_root([&](double at) { return bent_at(at).polar(); }, lower, upper,
-                                        lower + (upper - lower) * at_lower / (at_lower - at_upper));
-      const double r = bent_at(phi).r();
-      const Vector3<double> position{r * cos(phi), 0, r * sin(phi)};
-      const double U = potential_energy(b, position, b.theta_0, phi);
-      if (U < least) {
-        least = U;
-        best = {r, phi};
-      }
-    }
-    upper = lower;
-    at_upper = at_lower;
-  }
-  if (!std::isfinite(least))
+  const double phi = followed_under_slab(b);
+  const double r = std::isnan(phi) ? phi : Bent(b, phi, b.z_0).r();
+  if (std::isnan(r))
     throw std::runtime_error(fmt::format(
         "no static equilibrium of the bristle under the slab at z_0 = {:.6g}: the wall (lambda_z, beta) is "
         "stronger than the springs (k_r, k_phi)",
         b.z_0));
-  return best;
+  return {r, phi};
 }
 
 // Undeformed radius, and a tip just out of the wall's reach: the springs' only energy is that of bending.
@@ -147,12 +180,27 @@ Equilibrium unstretched(const Parameters& p, double z_0) {
 Equilibrium initial_state(const Parameters& p, double z_0) {
   const Bristle<double> b = make_bristle(p, z_0, 0);
   switch (p.initial_state) {
-    case InitialState::at_slab: return equilibrium_at_slab(b);
+    case InitialState::at_slab: {
+      const double phi = followed_at_slab(b);
+      return {AtSlab(b, phi).r(), phi};
+    }
     case InitialState::unstretched: return unstretched(p, z_0);
     case InitialState::upright: return {z_0 / sin(p.phi_0), p.phi_0};
     case InitialState::static_equilibrium: break;
   }
   return static_equilibrium(b);
+}
+
+Start start_of(const Parameters& p) {
+  constexpr double ground = 0.01;
+  const Bristle<double> b = make_bristle(p, ground, 0);
+  double phi = 0;
+  switch (p.initial_state) {
+    case InitialState::static_equilibrium: phi = followed_under_slab(b); break;
+    case InitialState::at_slab: phi = followed_at_slab(b); break;
+    default: return Start::undetermined;
+  }
+  return std::isnan(phi) ? Start::undetermined : phi > p.phi_0 / 2 ? Start::crushed : Start::bent;
 }
 
 State<double> state_at_rest(const Bristle<double>& b, const Equilibrium& e) {

@@ -51,6 +51,9 @@ void add_dataset(Digest& digest, hid_t file, const std::string& path) {
            : fmt::format("/{} {}{}", path, H5Tget_class(type) == H5T_FLOAT ? "f" : "i", H5Tget_size(type));
   for (const hsize_t n : shape) head += fmt::format(" {}", n);
   digest.add(head + "\n");
+  for (const char* name : {"units", "flag_meanings"})
+    if (h5::has_attribute(dataset, name))
+      digest.add(fmt::format("{} {}\n", name, h5::read_text_attribute(dataset, name)));
   if (!text) return add_values(digest, dataset, shape);
   for (const std::string& one : h5::read_texts(dataset)) digest.add(one.c_str(), one.size() + 1);
 }

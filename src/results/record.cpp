@@ -71,6 +71,10 @@ PointLayout::PointLayout(const Experiment& experiment) {
   datasets.push_back({{"status", "outcome of the point", "", "", H5T_NATIVE_SCHAR, kPointStatusNames},
                       [](const PointResult& p) { return double(p.status); },
                       double(PointStatus::absent)});
+  datasets.push_back({{"start", "whether bristles bend or are crushed as the slab comes down", "", "",
+                       H5T_NATIVE_SCHAR, kStartNames},
+                      [](const PointResult& p) { return double(p.start); },
+                      double(Start::undetermined)});
   if (loading.trace)
     datasets.push_back(
         {{"branch", "paths of the slab on which the node lies", "", "", H5T_NATIVE_SCHAR, kBranchNames},

@@ -19,7 +19,6 @@ constexpr std::size_t kBlock = 16384;  // values
 struct Field {
   using Values = std::function<std::vector<double>(const Recorded&)>;
 
-  explicit Field(Column c) : column(std::move(c)) {}
   Field(Column c, double (*value)(const Passage&)) : column(std::move(c)) {
     values = [value](const Recorded& recorded) {
       std::vector<double> out;
@@ -46,7 +45,7 @@ struct Field {
   }
 
   Column column;
-  Values values;  // empty for jumps, which are not recorded but located between points
+  Values values;
 };
 
 Column flag(const char* name, const char* long_name, const std::vector<std::string>& meanings) {
@@ -133,27 +132,22 @@ std::vector<Field> slab_force_fields() {
   };
 }
 
-// Filled by run/jumps.cpp.
-std::vector<Field> jump_fields() {
-  return {
-      Field({"before", "value of the axis before the jump", "", ""}),
-      Field({"after", "value of the axis after the jump", "", ""}),
-      Field({"z_0_before", "gap before the jump; NaN: no gap carries the load", R"(\tilde{z}_0)", ""}),
-      Field({"z_0_after", "gap after the jump; NaN: no gap carries the load", R"(\tilde{z}_0)", ""}),
-  };
-}
-
 // A table: the name of its row numbers, and its columns after "point".
 struct Layout {
   std::string row;
   std::vector<Field> fields;
 };
 
+std::vector<Column> columns_of(const Layout& layout) {
+  std::vector<Column> columns;
+  for (const Field& field : layout.fields) columns.push_back(field.column);
+  return columns;
+}
+
 const Layout& layout_of(const std::string& table) {
   static const std::map<std::string, Layout> layouts = {{"bristles", {"bristle", bristle_fields()}},
                                                         {"trajectories", {"step", trajectory_fields()}},
-                                                        {"slab_force", {"interval", slab_force_fields()}},
-                                                        {"jumps", {"jump", jump_fields()}}};
+                                                        {"slab_force", {"interval", slab_force_fields()}}};
   return layouts.at(table);
 }
 
@@ -206,15 +200,17 @@ void BlockWriter::flush() {
   values_.clear();
 }
 
-TableWriter::TableWriter(hid_t file, const std::string& name) {
+TableWriter::TableWriter(hid_t file, const std::string& name)
+    : TableWriter(file, name, layout_of(name).row, columns_of(layout_of(name))) {}
+
+TableWriter::TableWriter(hid_t file, const std::string& name, const std::string& row,
+                         std::vector<Column> columns) {
   const h5::Shape open{H5S_UNLIMITED};
-  const Layout& layout = layout_of(name);
   const h5::Handle group = h5::create_group(file, name);
-  h5::Handle rows = create_column(group, {layout.row, "row number", "", "", H5T_NATIVE_LONG}, open);
-  h5::make_scale(rows, layout.row);
-  std::vector<Column> columns{
-      {"point", "index of the sweep point, the last axis fastest", "", "", H5T_NATIVE_LONG}};
-  for (const Field& field : layout.fields) columns.push_back(field.column);
+  h5::Handle rows = create_column(group, {row, "row number", "", "", H5T_NATIVE_LONG}, open);
+  h5::make_scale(rows, row);
+  columns.insert(columns.begin(),
+                 {"point", "index of the sweep point, the last axis fastest", "", "", H5T_NATIVE_LONG});
   const bool has_status = std::ranges::find(columns, "status", &Column::name) != columns.end();
   for (Column& column : columns) {
     if (has_status && column.flags.empty()) column.ancillary = "status";

@@ -43,10 +43,14 @@ using Rows = std::vector<std::vector<double>>;  // by column, then by row
 
 // Writes a table of a result: a group of columns of equal length, with a dimension scale of row numbers.
 // There are bristles, trajectories and slab_force, which an experiment may record, and jumps. The first
-// column in the file is "point", the index of the sweep point; table_columns() and table_rows() omit it.
+// column in the file is "point", the index of the sweep point; table_columns(), table_rows() and
+// jump_columns() omit it.
 class TableWriter {
  public:
+  // A table that an experiment may record.
   TableWriter(hid_t file, const std::string& name);
+  // row: the name of the row numbers; columns: without "point".
+  TableWriter(hid_t file, const std::string& name, const std::string& row, std::vector<Column> columns);
 
   // Appends rows, which are in the file after flush(). Columns of equal length, "point" first.
   void append(const Rows& rows);

@@ -112,6 +112,26 @@ void add_load_jump(Variables& variables) {
        Errors::none});
 }
 
+// The values at the other gap of an ambiguous point, with the same errors as those of the point.
+void add_other_gap(Variables& variables) {
+  const auto add = [&](const std::string& name, const std::string& long_name, const std::string& symbol,
+                       const char* equation, std::function<double(P)> value) {
+    const auto subscript = symbol.find('_') == std::string::npos ? symbol : with_subscript(symbol, "other");
+    variables.push_back(
+        {{name + "_other", long_name + ", at the other gap of an ambiguous point", subscript, equation},
+         [value](P p) {
+           return Derived{value(p), 0, 0};
+         },
+         Errors::none});
+  };
+  add("z_0", "gap between slab and ground", R"(\tilde{z}_0)", "Fig. 3", [](P p) { return p.z_0_other; });
+  for (Observable k = 0; k < kObservables.size(); ++k)
+    if (const ObservableRow& row = kObservables[k]; row.controlled)
+      add(row.name, row.long_name, row.symbol, row.equation, [k](P p) { return p.value_other[k]; });
+  add("R_x_norm", "friction force over that of rigid bristles", R"(\check{R}_x)", "Eq. (20)",
+      [](P p) { return p.R_x_norm_other; });
+}
+
 void add_fluctuations(Variables& variables) {
   variables.push_back(
       {{"R_n_fluctuation", "standard deviation of R_n(t) over its mean", R"(\sigma(R_n)/R_n)", "Eq. (A3)"},
@@ -171,7 +191,10 @@ std::vector<ResultVariable> result_variables(const Experiment& experiment) {
                          return Derived{p.incomplete_theta_0, 0, 0};
                        },
                        Errors::none});
-  if (!experiment.base.loading.z_0 && !experiment.base.loading.trace) add_load_jump(variables);
+  if (!experiment.base.loading.z_0 && !experiment.base.loading.trace) {
+    add_load_jump(variables);
+    add_other_gap(variables);
+  }
   if (experiment.on_lattice()) add_fluctuations(variables);
   if (!experiment.base.si.empty()) add_si(variables);
   if (experiment.base.setup.orientation.distribution == Distribution::von_mises) add_direction(variables);
@@ -180,6 +203,6 @@ std::vector<ResultVariable> result_variables(const Experiment& experiment) {
 
 const std::vector<std::string> kPointStatusNames = texts(words<PointStatus>()),
                                kBranchNames = texts(words<Branch>()), kOutcomeNames = texts(words<Outcome>()),
-                               kPhaseNames = texts(words<Phase>());
+                               kPhaseNames = texts(words<Phase>()), kStartNames = texts(words<Start>());
 
 }  // namespace bristle::results

@@ -27,13 +27,46 @@ ResultWriter::ResultWriter(const Experiment& experiment, const std::string& path
   for (const std::string& name : layout_.tables) tables_.try_emplace(name, file_, name);
 }
 
+namespace {
+
+Column axis_column(const experiment::Axis& axis) {
+  const experiment::Sweepable& what = *experiment::find_sweepable(axis.name);
+  return {.name = axis_variable(axis.name),
+          .long_name = what.description,
+          .symbol = what.symbol,
+          .equation = "",
+          .units = what.units};
+}
+
+Column code_column(const experiment::Axis& axis) {
+  return {code_variable(axis.name),
+          "code of " + axis.name,
+          "",
+          "",
+          H5T_NATIVE_SCHAR,
+          experiment::find_sweepable(axis.name)->options};
+}
+
+}  // namespace
+
+std::vector<Column> jump_columns(const Experiment& experiment) {
+  std::vector<Column> columns = {
+      {"before", "value of the axis before the jump", "", ""},
+      {"after", "value of the axis after the jump", "", ""},
+      {"z_0_before", "gap before the jump; NaN: no gap carries the load", R"(\tilde{z}_0)", ""},
+      {"z_0_after", "gap after the jump; NaN: no gap carries the load", R"(\tilde{z}_0)", ""},
+      {"from", "least value of the axis around the jump with an ambiguous gap, or before", "", ""},
+      {"to", "greatest value of the axis around the jump with an ambiguous gap, or after", "", ""}};
+  for (const experiment::Axis& axis : experiment.axes)
+    if (axis.name != experiment.locate_jumps)
+      columns.push_back(experiment::find_sweepable(axis.name)->options.empty() ? axis_column(axis)
+                                                                               : code_column(axis));
+  return columns;
+}
+
 void ResultWriter::create_axis(const experiment::Axis& axis) {
   const experiment::Sweepable& what = *experiment::find_sweepable(axis.name);
-  const Column scale{.name = axis_variable(axis.name),
-                     .long_name = what.description,
-                     .symbol = what.symbol,
-                     .equation = "",
-                     .units = what.units};
+  const Column scale = axis_column(axis);
   if (what.options.empty()) return create_scale(scale, axis.values);
   // The dimension scale contains the words, so that programs select by them. The codes are a variable over
   // it.
@@ -42,9 +75,7 @@ void ResultWriter::create_axis(const experiment::Axis& axis) {
   h5::Handle dataset = h5::create_texts(file_, axis.name, words);
   describe(dataset, scale);
   add_scale(std::move(dataset), axis.name);
-  const Column code = {
-      code_variable(axis.name), "code of " + axis.name, "", "", H5T_NATIVE_SCHAR, what.options};
-  const h5::Handle codes = create_column(file_, code, {words.size()});
+  const h5::Handle codes = create_column(file_, code_column(axis), {words.size()});
   h5::write_part(codes, H5T_NATIVE_DOUBLE, {0}, {words.size()}, axis.values.data());
   h5::attach_scale(codes, axes_.back(), 0);
 }
@@ -88,7 +119,8 @@ void ResultWriter::write(std::size_t index, const PointRecord& record) {
 
 void ResultWriter::write_jumps(const std::string& along, const Rows& rows) {
   h5::in_file(partial(), [&] {
-    tables_.try_emplace("jumps", file_, "jumps").first->second.append(rows);
+    tables_.try_emplace("jumps", file_, "jumps", "jump", jump_columns(experiment_))
+        .first->second.append(rows);
     h5::write_attribute(h5::open_group(file_, "jumps"), "along", axis_variable(along));
   });
 }

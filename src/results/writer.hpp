@@ -8,6 +8,9 @@
 
 namespace bristle::results {
 
+// The columns of /jumps but "point"; those of the axes beside the one of the jumps are the last.
+std::vector<Column> jump_columns(const Experiment& experiment);
+
 // Writes a result file point by point under a temporary name, which publish() replaces by the final name.
 // Without publish() an existing file remains unchanged and the temporary file is removed.
 class ResultWriter {

@@ -1,9 +1,11 @@
 #include "run/jumps.hpp"
 
+#include "results/writer.hpp"
 #include "util/grid.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 namespace bristle::run {
@@ -48,9 +50,21 @@ std::vector<Interval> intervals_of(const Experiment& experiment, std::size_t axi
   return out;
 }
 
+// The first point of the point's line along the axis.
+std::size_t line_of(const Experiment& experiment, std::size_t axis, std::size_t point) {
+  auto at = unravel(point, experiment.shape());
+  at[axis] = 0;
+  return ravel(at, experiment.shape());
+}
+
+// All computed points of a line of the sweep along the axis: by the value of the axis, whether undecided.
+using Line = std::map<double, bool>;
+
 // Halves the intervals. Returns the halves across which the gap jumps.
+// Adds the points between to their lines.
 std::vector<Interval> halve(const Experiment& experiment, std::size_t axis,
-                            const std::vector<Interval>& intervals, const SolvePoints& solve) {
+                            const std::vector<Interval>& intervals, const SolvePoints& solve,
+                            std::map<std::size_t, Line>& lines) {
   std::set<double> middles;
   for (const Interval& interval : intervals) middles.insert(interval.middle());
   Experiment between = experiment;
@@ -67,6 +81,7 @@ std::vector<Interval> halve(const Experiment& experiment, std::size_t axis,
   std::vector<Interval> out;
   for (std::size_t i = 0; i < intervals.size(); ++i) {
     const Interval& whole = intervals[i];
+    lines[line_of(experiment, axis, whole.point)][whole.middle()] = found[i].undecided;
     for (const Interval& half :
          {Interval{whole.point, whole.low, whole.middle(), whole.at_low, found[i], whole.halvings + 1},
           Interval{whole.point, whole.middle(), whole.high, found[i], whole.at_high, whole.halvings + 1}})
@@ -75,12 +90,23 @@ std::vector<Interval> halve(const Experiment& experiment, std::size_t axis,
   return out;
 }
 
+// From the outermost points in a row with undecided gaps on both sides of the interval.
+std::pair<double, double> band_of(const Line& line, const Interval& jump) {
+  double from = jump.low, to = jump.high;
+  for (auto at = line.find(jump.low); at->second; --at) {
+    from = at->first;
+    if (at == line.begin()) break;
+  }
+  for (auto at = line.find(jump.high); at != line.end() && at->second; ++at) to = at->first;
+  return {from, to};
+}
+
 }  // namespace
 
 Gap gap_of(const results::PointRecord& record) {
   const double z_0 = record.values.at("z_0").front();
-  const bool unreachable = PointStatus(int(record.values.at("status").front())) == PointStatus::unreachable;
-  return {unreachable || std::isfinite(z_0), z_0};
+  const auto status = PointStatus(int(record.values.at("status").front()));
+  return {status == PointStatus::unreachable || std::isfinite(z_0), z_0, status == PointStatus::ambiguous};
 }
 
 results::Rows locate_jumps(const Experiment& experiment, const std::vector<Gap>& gaps,
@@ -89,17 +115,25 @@ results::Rows locate_jumps(const Experiment& experiment, const std::vector<Gap>&
   const auto axis =
       std::size_t(std::ranges::find(experiment.axes, experiment.locate_jumps, &experiment::Axis::name) -
                   experiment.axes.begin());
+  std::map<std::size_t, Line> lines;
+  for (std::size_t point = 0; point < gaps.size(); ++point)
+    lines[line_of(experiment, axis, point)]
+         [experiment.axes[axis].values[unravel(point, experiment.shape())[axis]]] = gaps[point].undecided;
   std::vector<Interval> open = intervals_of(experiment, axis, gaps), located;
   while (!open.empty()) {
     const auto narrow = std::partition(open.begin(), open.end(), [](const Interval& i) { return i.wide(); });
     located.insert(located.end(), narrow, open.end());
     open.erase(narrow, open.end());
-    if (!open.empty()) open = halve(experiment, axis, open, solve);
+    if (!open.empty()) open = halve(experiment, axis, open, solve, lines);
   }
   std::ranges::sort(located, {}, [](const Interval& i) { return std::pair(i.point, i.low); });
-  results::Rows rows(results::table_columns("jumps").size() + 1);
+  results::Rows rows(results::jump_columns(experiment).size() + 1);
   for (const Interval& i : located) {
-    const double row[] = {double(i.point), i.low, i.high, i.at_low.z_0, i.at_high.z_0};
+    const auto [from, to] = band_of(lines.at(line_of(experiment, axis, i.point)), i);
+    std::vector<double> row = {double(i.point), i.low, i.high, i.at_low.z_0, i.at_high.z_0, from, to};
+    const auto at = unravel(i.point, experiment.shape());
+    for (std::size_t other = 0; other < at.size(); ++other)
+      if (other != axis) row.push_back(experiment.axes[other].values[at[other]]);
     for (std::size_t column = 0; column < rows.size(); ++column) rows[column].push_back(row[column]);
   }
   return rows;

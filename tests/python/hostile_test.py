@@ -182,9 +182,13 @@ def test_texts_of_a_stranger_are_only_texts():
     bristle("run", "esc.json", "-o", "esc.h5", "--quiet")
     with h5py.File("esc.h5", "a") as file:
         file.attrs["name"] = np.bytes_("small\nk_r,R_n\n=1+2,666")
-        file["R_n"].attrs["units"] = np.bytes_("1]\n9,9\n[")
+        file["R_n"].attrs["long_name"] = np.bytes_("load\n9,9\n[")
     shown = bristle("info", "esc.h5") + bristle("check", "esc.h5", "--claims-only")
     assert "\x1b" not in shown and "\nsecond line" not in shown and "\n=1+2" not in shown, shown
+    shutil.copy("esc.h5", "units.h5")
+    with h5py.File("units.h5", "a") as file:
+        file["R_n"].attrs["units"] = np.bytes_("N")
+    assert "DOES NOT MATCH" in bristle("info", "units.h5", code=1)
     for options in [[], ["--group", "checks"]]:
         bristle("export", "esc.h5", "-o", "esc.csv", *options)
         lines = pathlib.Path("esc.csv").read_text(encoding="utf-8").splitlines()

@@ -119,7 +119,8 @@ with h5py.File(folder / "jumps.h5", "a") as file:
     group = file.create_group("jumps")
     group.attrs["along"] = numpy.bytes_("k_r")
     columns = {"point": at, "before": [1.2 * k_r[1], 1.1 * k_r[2], 1.2 * k_r[1]],
-               "after": [1.21 * k_r[1], 1.11 * k_r[2], 1.21 * k_r[1]], "z_0_before": [0.1, 0.1, 0.1],
+               "after": [1.21 * k_r[1], 1.11 * k_r[2], 1.21 * k_r[1]], "from": [1.1 * k_r[1], 1.1 * k_r[2], 1.2 * k_r[1]], "to": [1.25 * k_r[1], 1.11 * k_r[2], 1.21 * k_r[1]],
+               "z_0_before": [0.1, 0.1, 0.1],
                "z_0_after": [0.6, numpy.nan, 0.6], "jump": [0, 1, 2]}
     for name, column in columns.items():
         group[name] = column
@@ -132,15 +133,16 @@ with h5py.File(folder / "jumps.h5", "a") as file:
     file.attrs["payload_sha256"] = numpy.bytes_(digest.hexdigest())
 with open_result(folder / "jumps.h5") as file:
     found = located_jumps(file, ["k_theta", "k_r"], azimuth_rate="kinematic")
-    assert [index for index, _ in found] == [(0, 1)]  # the second has no gap on one side, the third another reading
-    assert abs(found[0][1] / k_r[1] - 1.205) < 1e-3
+    assert [jump.index for jump in found] == [(0, 1)]  # the second has no gap on one side, the third another reading
+    assert abs(found[0].place / k_r[1] - 1.205) < 1e-3
+    assert numpy.allclose([found[0].start / k_r[1], found[0].end / k_r[1]], [1.1, 1.25])
     along_y, along_x = read_jumps(file, ["k_theta", "k_r"], azimuth_rate="kinematic")
     assert numpy.argwhere(along_x).tolist() == [[0, 1]]
     part = file.isel(k_r=[0, 2, 3], k_theta=[0, 1])
     assert located_jumps(part, ["k_theta", "k_r"], azimuth_rate="kinematic")[0][0] == (0, 0)
     grid = read_grid(file, "k_r", "k_theta", {"azimuth_rate": "kinematic"})
     axes = matplotlib.figure.Figure().add_subplot()
-    assert ["located to 1 %" in text for text in draw_jumps(axes, grid)] == [True]
+    assert ["located to 1 %" in text for text in draw_jumps(axes, grid)] == [True, False]  # the line and the band
     (line,) = axes.lines
     assert numpy.allclose(line.get_xdata()[:2], numpy.log10(found[0][1]))
     rim = line.get_path_effects()[0]._gc  # in grey, only a rim tells the line from the map
@@ -244,7 +246,7 @@ with xarray.open_dataset(result) as ds:
 done = plot("--caption")
 assert done.code == 0 and done.out.count("\\caption{") == 2 and done.out.count("{") == done.out.count("}"), done.out
 exact, printed = done.out.split("% page 2")
-assert r"$\check{R}_x$; (b) " in exact and r"$\tilde{k}_r =$ 3, " in exact and "exact" in exact and "as printed" not in exact
+assert r"$\check{R}_x$; (b) " in exact and r"$\tilde{k}_r =$ 5, " in exact and "exact" in exact and "as printed" not in exact
 assert "as printed" in printed and "exact" not in printed
 told = captions.in_latex(captions.plain(r"50 % of \input{x} & $ # x_y"))  # a stranger's title
 assert told == r"50 \% of \textbackslash{}input\{x\} \& \$ \# x\_y", told

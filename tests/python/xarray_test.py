@@ -14,7 +14,7 @@ NAMES = ["z_0", "R_n", "R_x", "R_y", "R_x_norm", "R_y_norm", "N_c_ratio", "gamma
 def check_axes(data):
     assert data["R_x_norm"].dims == ("azimuth_rate", "k_r", "k_theta"), data["R_x_norm"].dims
     assert data["k_r"].shape == (5,) and data["k_r"].attrs["units"] == "1"
-    assert np.isclose(data["k_r"][0], 3) and np.isclose(data["k_r"][-1], 100)
+    assert np.isclose(data["k_r"][0], 5) and np.isclose(data["k_r"][-1], 100)
     point = data.sel(azimuth_rate="kinematic").isel(k_theta=0).sel(k_r=3, method="nearest")
     assert abs(float(point["R_n"]) - 2) < 0.005, float(point["R_n"])
     codes = data["azimuth_rate_code"]

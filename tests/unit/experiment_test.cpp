@@ -73,7 +73,8 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
        "@/e.json: /locate_jumps: needs a load R_n: at a given gap, and along a traced curve, no gap jumps"},
       {with(R"("model": {"k_tehta": 1})"),
        "@/e.json: /model/k_tehta: unknown key (did you mean k_theta?); allowed: friction, azimuth_rate, "
-       "initial_state, pole_rule, k_r, k_theta, k_phi, phi_0_deg, zeta_theta, zeta_phi, mu_c, tau_f, R_c, E_star, "
+       "initial_state, pole_rule, k_r, k_theta, k_phi, phi_0_deg, zeta_theta, zeta_phi, mu_c, tau_f, R_c, "
+       "E_star, "
        "A, C, V_s, lambda, lambda_z, alpha, beta, s_min, L_x, L_y, spacing"},
       {with(R"("model": {"k_r": "ten"})"),
        "@/e.json: /model/k_r: \"ten\" is not allowed; allowed: a number greater than 0 (radial stiffness, "
@@ -304,9 +305,9 @@ TEST_CASE(
   CHECK(full.axes[0].name == "azimuth_rate");
   CHECK(full.points() == 1600);
   const std::vector<double>& k_r = full.axes[1].values;
-  CHECK(k_r.front() == 3);
+  CHECK(k_r.front() == 5);
   CHECK(k_r.back() == 100);
-  for (std::size_t i = 1; i < 40; ++i) CHECK(k_r[i] / k_r[i - 1] == Approx(std::pow(100.0 / 3, 1.0 / 39)));
+  for (std::size_t i = 1; i < 40; ++i) CHECK(k_r[i] / k_r[i - 1] == Approx(std::pow(100.0 / 5, 1.0 / 39)));
   for (std::size_t d = 0; d < 3; ++d)
     for (const double value : smoke.axes[d].values)
       CHECK(std::count(full.axes[d].values.begin(), full.axes[d].values.end(), value) == 1);

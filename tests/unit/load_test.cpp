@@ -135,7 +135,7 @@ TEST_CASE("load control: a soft wall is followed far above first contact") {
   CHECK(p.z_0 == Approx(kContact + 0.2 * std::log(2.6)).margin(1e-3));
 }
 
-TEST_CASE("load control: a maximum that equals the target within the errors is ambiguous") {
+TEST_CASE("load control: a maximum that is within the errors or 0.5 % of the target is ambiguous") {
   double top = 0;
   for (double z_0 = 0.8; z_0 > 0.5; z_0 -= 1e-5) top = std::max(top, folded(z_0));
   const auto search_with_error = [&](double target, double error) {
@@ -144,10 +144,17 @@ TEST_CASE("load control: a maximum that equals the target within the errors is a
     s.first_contact = kContact;
     return first_crossing([&](double z_0, Accuracy) { return Load{folded(z_0), error}; }, s);
   };
-  for (const double distance : {-0.003, 0.003}) {
-    CAPTURE(distance);
-    CHECK(search_with_error(top + distance, 0.01).ambiguous);
-    CHECK(!search_with_error(top + distance, 1e-6).ambiguous);
+  for (const double share : {-0.004, 0.004, -0.008, 0.008}) {
+    CAPTURE(share);
+    const double target = top * (1 + share);
+    const bool close = std::abs(share) < 0.005;
+    const LoadPoint inaccurate = search_with_error(target, 0.01), accurate = search_with_error(target, 1e-6);
+    CHECK(inaccurate.ambiguous);
+    CHECK(accurate.ambiguous == close);
+    CHECK(accurate.z_0_other.has_value() == close);
+    // The gap and the other one are on both sides of the range in which the load falls.
+    CHECK((share < 0 ? accurate.z_0 > 0.6 : accurate.z_0 < 0.4));
+    if (close) CHECK((share > 0 ? *accurate.z_0_other > 0.6 : *accurate.z_0_other < 0.4));
   }
   CHECK(!search_with_error(1.2, 0.01).ambiguous);
 }
@@ -164,6 +171,22 @@ TEST_CASE("load control: noise of the precise means is not taken for a jump") {
   CHECK(p.status == LoadStatus::reached);
   CHECK(p.load.R_n == Approx(2).epsilon(1e-3));
   CHECK(p.z_0 == Approx(kContact - 0.5).margin(5e-4));
+}
+
+TEST_CASE(
+    "load control: humps of a hundredth near the target are found, and an earlier one is not passed over") {
+  for (double at = 0.5; at < 0.56; at += 0.0037) {
+    CAPTURE(at);
+    // A plateau 2 % below the target with one hump.
+    const auto curve = [at](double z_0) {
+      const double plateau = z_0 > 0.4 ? std::min(1.96, rising(z_0) * 1.2) : 1.96 + 10 * (0.4 - z_0);
+      return plateau + 0.075 * std::exp(-std::pow((z_0 - at) / 0.006, 2));
+    };
+    const LoadPoint p = search(curve, 2);
+    CHECK(p.status == LoadStatus::reached);
+    CHECK(p.z_0 == Approx(at).margin(0.006));
+    CHECK(!p.ambiguous);
+  }
 }
 
 TEST_CASE("load control: an earlier crossing within the same step of the scan is found") {

@@ -24,7 +24,7 @@ Result integrate(const std::function<double(double)>& f, const std::function<int
                  double rtol) {
   QuadratureGoal goal;
   goal.rtol[0] = rtol;
-  goal.max_panel_width = 0.35;
+  goal.too_wide = [](double left, double right) { return right - left > 0.35; };
   return Quadrature(batched([&](double x) {
                       return Sample{{f(x)}, label(x), true};
                     }),
