@@ -142,11 +142,15 @@ const Ensemble& EnsembleMean::precise_load(double R_n_target) {
 }
 
 const Ensemble& EnsembleMean::full() {
+  if (full_) return known();
   QuadratureGoal all = goal();
   all.too_wide = too_wide;
   for (std::size_t k = 0; k < kObservables.size(); ++k)
     if (kObservables[k].controlled && !(half_circle_ && k == R_Y)) all.rtol[k] = setup_.orientation.rtol;
-  return refine(all);
+  refine(all);
+  full_ = true;
+  if (quadrature_) add_hidden_errors();
+  return out_;
 }
 
 // The fraction of bristles whose outcome the nodes may not have seen: half of the gap between nodes beside
@@ -187,7 +191,7 @@ void EnsembleMean::add_hidden_errors() {
 }
 
 const Ensemble& EnsembleMean::refine(const QuadratureGoal& goal) {
-  if (checked_) return *checked_;
+  if (full_) return known();  // the load that decided on this gap stays the same
   if (!quadrature_) {
     if (passages_.empty()) average_list();
     return out_;
@@ -199,7 +203,6 @@ const Ensemble& EnsembleMean::refine(const QuadratureGoal& goal) {
   out_.converged = result.status == QuadratureStatus::converged &&
                    missing <= std::max(setup_.orientation.rtol, out_.error[WEIGHT]);
   out_.jumps = result.jumps;
-  add_hidden_errors();
   return out_;
 }
 

@@ -38,9 +38,8 @@ struct WeightedPassage {
 };
 
 // Ensemble mean, by quadrature or over a list, of single passages at the gap z_0 (docs/model.md, section "The
-// slab"). Each call refines the result of the calls before it and reuses all passages; after
-// with_integrator_error() nothing is refined any more. A numerical failure is reported in the result. The
-// setup must outlive the object.
+// slab"). Each call refines the result of the calls before it and reuses all passages; after full() nothing
+// is refined any more. A numerical failure is reported in the result. The setup must outlive the object.
 class EnsembleMean {
  public:
   EnsembleMean(const Setup& setup, double z_0, PassageRunner run);
@@ -88,6 +87,7 @@ class EnsembleMean {
   bool half_circle_;
   Ensemble out_;
   std::vector<Passage> passages_;
+  bool full_ = false;                     // whether full() has been called
   std::optional<Ensemble> checked_;       // with_integrator_error()
   std::optional<Quadrature> quadrature_;  // none for a list
 };

@@ -230,6 +230,17 @@ TEST_CASE("comparing with a target load needs fewer passages, which a later prec
   CHECK(std::adjacent_find(theta_0.begin(), theta_0.end()) == theta_0.end());
 }
 
+TEST_CASE("the load of a gap stays what it was when its reported values were computed") {
+  const Setup setup = paper(50);
+  for (const double z_0 : {0.6, 0.62, 0.64, 0.66}) {
+    EnsembleMean mean(setup, z_0, make_runner(Engine::fast));
+    const double R_n = mean.full().mean[R_N];
+    CHECK(mean.precise_load(R_n).mean[R_N] == R_n);
+    CHECK(mean.rough_load(R_n).mean[R_N] == R_n);
+    CHECK(mean.with_integrator_error().mean[R_N] == R_n);
+  }
+}
+
 TEST_CASE("both engines agree on a point within the errors of integrator and quadrature") {
   for (const double k_r : {5.0, 30.0}) {
     const Setup setup = paper(k_r, 3e-3);
