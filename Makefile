@@ -158,8 +158,8 @@ fuzz: packages ## the readers of files on random changes of tests/fuzz/corpus, S
 # docs/hardening.md describes the parts of the campaign.
 .PHONY: stress
 stress: SECONDS ?= 600
-stress: build test-packages ## random physics, damaged files, mutated experiments, kills, failing system calls: SECONDS=600
-	@$$(scripts/find-python numpy h5py) tests/stress/run.py $(BUILD)/bristle --seconds $(SECONDS) $(if $(SEED),--seed $(SEED))
+stress: build test-packages report-packages ## random physics, damaged files, archives and pages, kills, failing calls, Slurm: SECONDS=600
+	@$$(scripts/find-python numpy h5py matplotlib xarray h5netcdf jinja2 yaml) tests/stress/run.py $(BUILD)/bristle --seconds $(SECONDS) $(if $(SEED),--seed $(SEED))
 
 # SINCE=REVISION limits it to the source files that changed since then.
 tidy: packages ## clang-tidy over src/ with the checks of .clang-tidy; SINCE=REV: over what changed since REV

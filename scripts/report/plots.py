@@ -8,10 +8,11 @@ import numpy as np
 from markupsafe import Markup, escape
 from matplotlib.transforms import Bbox
 
+from bristle_plots import FIGURES
 from bristle_plots.curves import kept
 from bristle_plots.layout import CAPTION_INCHES, HEADER, NOTE
 from bristle_plots.readings import reading_name, readings
-from bristle_plots.results import as_text, axis_names, axis_values, dataset, read, readable
+from bristle_plots.results import as_text, axis_names, axis_values, dataset, read, readable, require_axes
 from bristle_plots.style import METADATA
 from bristle_plots.verdicts import STRIP, read_claims, strip_height
 from symbols import plain, prose
@@ -30,7 +31,8 @@ def draw(name, file, verdicts):
     note. Both have the same ids: a page has one of them at a time.
     verdicts: the claims with their verdicts under each reading, for the description.
     """
-    module = importlib.import_module(f"bristle_plots.figures.{name}")
+    module = importlib.import_module(f"bristle_plots.figures.{name if name in FIGURES else 'curve'}")
+    require_axes(file, name, module.AXES)
     title, description = plain(as_text(file.attrs["title"])), describe(module, file, verdicts)
     out = []
     for ending, function in {"": module.draw, **getattr(module, "FURTHER", {})}.items():

@@ -5,24 +5,7 @@ set -u
 bristle=$1 source=$2
 . "$(dirname "$0")/shell.sh"
 
-cd "$folder" && git init -q . && mkdir experiments figures
-cp "$source"/{CITATION.cff,LICENSE,LICENSE-DATA} . && cp "$source/experiments/paper.json" experiments/
-sed -i "s/^version: .*/version: $("$bristle" --version | cut -d' ' -f2)/" CITATION.cff
-cat >experiments/quick.json <<END
-{ "extends": "paper.json", "name": "quick", "title": "Quick", "figure": "0", "load": { "R_n": null, "z_0": 0.5 },
-  "orientation": { "sampling": "list", "theta_0_deg": [10, 100] }, "record": ["observables", "bristles"],
-  "sweep": { "k_r": { "values": [5, 20] }, "friction": { "values": ["nss", "coulomb"] } },
-  "checks": [{ "claim": "x", "statement": "R_x is positive", "predicate": "level", "variable": "R_x", "along": "k_r",
-    "is": "at_least", "threshold": 0 }] }
-END
-mkdir experiments/assumptions
-cat >experiments/assumptions/V_s.json <<END
-{ "schema": "bristle-assumption/1", "choice": "V_s", "question": "how large",
-  "alternatives": [{ "name": "twice", "description": "twice V_s", "patch": { "model": { "V_s": 0.02 } } }] }
-END
-printf '/results/\n/figures/\n/dist/\n/*.tar\n' >.gitignore
-git add . && git -c user.name=n -c user.email=e commit -qm m
-
+cd "$folder" && "$source/tests/program/small_repository.sh" "$bristle" "$source" || failed "no repository"
 expect 2 "there are no results" "$bristle" archive --allow-dirty
 expect 0 "4 ok" "$bristle" run experiments/quick.json
 expect 2 "figures/quick.pdf: no such file" "$bristle" archive --allow-dirty

@@ -7,6 +7,7 @@ with 0 and the whole new file; the file must be the old or the new one; and the 
 """
 import collections
 import errno
+import hashlib
 import os
 import pathlib
 import random
@@ -40,41 +41,60 @@ def expect(command, folder):
     assert done.returncode == 0, (command, done.stderr)
 
 
-def digest(path):
-    """Of the whole result; none if it cannot be read or its numbers do not match."""
+# The digest of a whole output; none if it is not there, cannot be read or does not verify.
+def of_result(path):
     lines = run(["info", str(path)], path.parent).stdout.splitlines()
     return next((line for line in lines if line.endswith("(verified)")), None)
 
 
+def of_archive(path):
+    verified = run(["verify", str(path)], path.parent).returncode == 0
+    return hashlib.sha256(path.read_bytes()).hexdigest() if verified else None
+
+
+# Each prepares a folder and returns the command, its output and the digest of that.
 def prepare_run(folder):
     expect(["run", paper, *SMALL, "-o", "r.h5", "--set", "/model/k_phi=2.5"], folder)
     (folder / "r.h5.journal").unlink()
-    return ["run", paper, *SMALL, "-o", "r.h5"]
+    return ["run", paper, *SMALL, "-o", "r.h5"], "r.h5", of_result
 
 
 def prepare_complete(folder):
     prepare_run(folder)
     for part in ("1", "2"):
         expect(["run", paper, *SMALL, "--shard", f"{part}/2", "-o", "r.h5"], folder)
-    return ["run", paper, *SMALL, "--complete", "-o", "r.h5"]
+    return ["run", paper, *SMALL, "--complete", "-o", "r.h5"], "r.h5", of_result
 
 
-def attempt(name, command, start, call, at, error):
+def prepare_archive(folder):
+    """The archive of before had other figures."""
+    subprocess.run([here / "../program/small_repository.sh", bristle, here.parents[1]], cwd=folder, check=True)
+    expect(["run", "experiments/quick.json", "--quiet"], folder)
+    expect(["assumptions", "--tier", "full", "-q"], folder)
+    for content in ("before", "now"):
+        for ending in ("pdf", "png"):
+            (folder / f"figures/quick.{ending}").write_text(content)
+        if content == "before":
+            expect(["archive", "--allow-dirty", "-o", "a.tar"], folder)
+    return ["archive", "--allow-dirty", "-o", "a.tar"], "a.tar", of_archive
+
+
+def attempt(name, command, output, digest, start, call, at, error):
     """What is wrong after this failure; none if nothing is."""
     folder = scratch / "here"
     shutil.rmtree(folder, ignore_errors=True)
     shutil.copytree(start, folder)
     done = run(command, folder, {"FAIL_CALL": call, "FAIL_AT": str(at), "FAIL_ERRNO": str(error)})
-    left, (old, new) = digest(folder / "r.h5"), digests[name]
+    left, (old, new) = digest(folder / output), digests[name]
     outcomes[name, call, done.returncode] += 1
     if done.returncode not in (0, 2, 3):
         return f"exit code {done.returncode}: {done.stderr[-300:]}"
-    if done.returncode and "r.h5" not in done.stderr:
+    if done.returncode and not any(word in done.stderr for word in (output, "results", "figures")):
         return f"the message names no file: {done.stderr[-300:]}"
     if left not in (old, new) or (done.returncode == 0 and left != new):
-        return f"exit code {done.returncode}, and the result is neither the old nor the new one: {left}"
+        return f"exit code {done.returncode}, and the output is neither the old nor the new one: {left}"
     again = run(command, folder)
-    if again.returncode or digest(folder / "r.h5") != new:
+    if again.returncode or digest(folder / output) != new:
         return f"the same command again: exit code {again.returncode}: {again.stderr[-300:]}"
     if any(path.name.endswith(".partial") for path in folder.iterdir()):
         return "a partial file is left"
@@ -87,20 +107,20 @@ with tempfile.TemporaryDirectory() as name:
     subprocess.run(["cc", "-shared", "-fPIC", "-O1", "-o", library, here / "failing_calls.c", "-ldl"], check=True)
     paper = str((here / "../../experiments/paper.json").resolve())
     digests, jobs, outcomes, failures = {}, [], collections.Counter(), []
-    for name, prepare in (("run", prepare_run), ("complete", prepare_complete)):
+    for name, prepare in (("run", prepare_run), ("complete", prepare_complete), ("archive", prepare_archive)):
         start = scratch / name
         start.mkdir()
-        command = prepare(start)
-        old = digest(start / "r.h5")
+        command, output, digest = prepare(start)
+        old = digest(start / output)
         for call, errors in CALLS.items():
             count = scratch / "count"
             shutil.copytree(start, scratch / "tried")
             done = run(command, scratch / "tried", {"FAIL_CALL": call, "FAIL_AT": "0", "FAIL_COUNT": str(count)})
             assert done.returncode == 0, done.stderr
-            digests[name] = old, digest(scratch / "tried" / "r.h5")
+            digests[name] = old, digest(scratch / "tried" / output)
             total = int(count.read_text())
             print(f"{name}: {total} calls of {call}")
-            jobs += [(name, command, start, call, at, error) for at in range(1, total + 1) for error in errors]
+            jobs += [(name, command, output, digest, start, call, at, error) for at in range(1, total + 1) for error in errors]
             shutil.rmtree(scratch / "tried")
         assert None not in digests[name] and len({*digests[name]}) == 2, digests
     random.shuffle(jobs)
@@ -111,7 +131,7 @@ with tempfile.TemporaryDirectory() as name:
         tried += 1
         wrong = attempt(*job)
         if wrong:
-            failures.append(f"{job[0]}: {job[3]} number {job[4]} fails with {errno.errorcode[job[5]]}: {wrong}")
+            failures.append(f"{job[0]}: {job[-3]} number {job[-2]} fails with {errno.errorcode[job[-1]]}: {wrong}")
             print("FAILED:", failures[-1])
 
 for (name, call, code), count in sorted(outcomes.items()):

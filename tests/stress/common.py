@@ -63,3 +63,33 @@ class Campaign:
         for failure in self.failures[:20]:
             print("FAILED:", failure)
         return not self.failures
+
+
+def damaged(data, r):
+    """A copy, drawn from r, with a few random changes of the kind that disks, networks and editors make."""
+    data = bytearray(data)
+    for _ in range(r.choice([1, 1, 1, 2, 5, 20])):
+        at, size = r.randrange(len(data)), r.choice([1, 1, 2, 4, 8, 256, 4096])
+        end = min(len(data), at + size)
+        kind = r.choice(["random", "zero", "ones", "bit", "swap", "copy", "cut", "insert"])
+        if kind == "random":
+            data[at:end] = r.randbytes(end - at)
+        elif kind == "zero":
+            data[at:end] = bytes(end - at)
+        elif kind == "ones":
+            data[at:end] = b"\xff" * (end - at)
+        elif kind == "bit":
+            data[at] ^= 1 << r.randrange(8)
+        elif kind in ("swap", "copy"):
+            other = r.randrange(len(data) - (end - at) + 1)
+            block = data[other:other + end - at]
+            if kind == "swap":
+                data[other:other + end - at] = data[at:end]
+            data[at:end] = block
+        elif kind == "cut":
+            del data[at if r.random() < 0.3 else max(at, len(data) - size):]
+        else:
+            data[at:at] = r.randbytes(size)
+        if not data:
+            data = bytearray(b"\0")
+    return bytes(data)

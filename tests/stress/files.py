@@ -10,7 +10,7 @@ import sys
 import h5py
 import numpy
 
-from common import Campaign, Failure, Program
+from common import Campaign, Failure, Program, damaged
 
 bristle, seconds, seed, folder = Program(sys.argv[1]), float(sys.argv[2]), sys.argv[3], pathlib.Path(sys.argv[4])
 experiments = pathlib.Path(__file__).resolve().parents[2] / "experiments"
@@ -25,36 +25,6 @@ bristle("run", experiments / "paper.json", *few, "--set", '/record=["bristles"]'
 journal = pathlib.Path(f"{whole}.journal")
 intact = {"result": whole, "journal": journal}
 digest = {whole: bristle("info", whole, allowed={0})[1].split("payload sha256 ")[1].split()[0]}
-
-
-def damaged(data):
-    """A copy with a few random changes of the kind that disks, networks and editors make."""
-    data = bytearray(data)
-    for _ in range(r.choice([1, 1, 1, 2, 5, 20])):
-        at, size = r.randrange(len(data)), r.choice([1, 1, 2, 4, 8, 256, 4096])
-        end = min(len(data), at + size)
-        kind = r.choice(["random", "zero", "ones", "bit", "swap", "copy", "cut", "insert"])
-        if kind == "random":
-            data[at:end] = r.randbytes(end - at)
-        elif kind == "zero":
-            data[at:end] = bytes(end - at)
-        elif kind == "ones":
-            data[at:end] = b"\xff" * (end - at)
-        elif kind == "bit":
-            data[at] ^= 1 << r.randrange(8)
-        elif kind in ("swap", "copy"):
-            other = r.randrange(len(data) - (end - at) + 1)
-            block = data[other:other + end - at]
-            if kind == "swap":
-                data[other:other + end - at] = data[at:end]
-            data[at:end] = block
-        elif kind == "cut":
-            del data[at if r.random() < 0.3 else max(at, len(data) - size):]
-        else:
-            data[at:at] = r.randbytes(size)
-        if not data:
-            data = bytearray(b"\0")
-    return bytes(data)
 
 
 def crafted(path):
@@ -93,7 +63,7 @@ def crafted(path):
             f[name][...] = values
         elif kind == "experiment":
             text = f.attrs["experiment"]
-            f.attrs["experiment"] = numpy.bytes_(damaged(text if isinstance(text, bytes) else text.encode()))
+            f.attrs["experiment"] = numpy.bytes_(damaged(text if isinstance(text, bytes) else text.encode(), r))
         elif kind == "wrong type":
             f.attrs[r.choice(list(f.attrs))] = r.choice([1, 2.5, [1, 2, 3], "x", numpy.zeros(3)])
         elif kind == "long attribute":
@@ -126,13 +96,13 @@ def step():
         return f"crafted files"
     if what == "journal":
         ending = r.choice(["journal", "1-of-2.journal"])  # its own, or one of which it takes over points
-        pathlib.Path(f"{victim}.{ending}").write_bytes(damaged(journal.read_bytes()))
+        pathlib.Path(f"{victim}.{ending}").write_bytes(damaged(journal.read_bytes(), r))
         code, out, error = bristle("run", experiments / "paper.json", *few, "--set", '/record=["bristles"]', "-o", victim,
                                    seconds=SECONDS)
         if code == 0 and digest[whole] not in bristle("info", victim)[1]:
             raise Failure(f"a damaged journal changed the numbers: {out}{error}")
         return "damaged journals"
-    victim.write_bytes(damaged(source.read_bytes()))
+    victim.write_bytes(damaged(source.read_bytes(), r))
     for command in [["info", victim], ["check", "--claims-only", victim], ["diff", whole, victim],
                     ["run", experiments / "paper.json", *few, "--set", '/record=["bristles"]', "-o", victim]]:
         code, out, error = bristle(*command, seconds=SECONDS)

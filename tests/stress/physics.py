@@ -31,6 +31,7 @@ ROUNDING = 1e-9
 # Measures of the integrator's error: tight tolerances are meant to change them.
 DIAGNOSTICS = ("energy_residual",)
 STATUS_WITH_VALUES = ("ok",)
+UNITS = 1e-9  # relative rounding of forces in newtons
 
 
 class Draw(random.Random):
@@ -63,12 +64,12 @@ def experiment(seed):
         "V_s": r.or_default(0.01, r.log(1e-3, 0.1), 0.3),
         "lambda": lam,
         "lambda_z": r.or_default(1e-3, r.log(3e-4, 2e-2), 0.3),
-        "alpha": r.or_default(1, r.choice([0, r.uniform(0, 10)]), 0.3),
-        "beta": r.or_default(1, r.log(0.3, 100), 0.3),
+        "alpha": r.or_default(1, r.choice([0, r.log(0.01, 100)]), 0.3),
+        "beta": r.or_default(1, r.log(0.03, 100), 0.3),
         "azimuth_rate": r.choice(["kinematic", "kinematic", "as_printed"]),
         "initial_state": r.choice(["static_equilibrium", "static_equilibrium", "at_slab", "unstretched", "upright"]),
         "pole_rule": r.choice(["reflect", "reflect", "cross"]),
-        "s_min": r.or_default(1e-4, lam * r.log(0.01, 0.5), 0.3),
+        "s_min": r.or_default(1e-4, lam * r.log(0.01, 10), 0.3),
         "L_x": r.or_default(5, r.log(0.5, 15), 0.3), "L_y": 5, "spacing": 0.2,
     }
     if r.chance(0.1):
@@ -82,13 +83,36 @@ def experiment(seed):
     if r.chance(0.2):
         orientation.update(distribution="von_mises", concentration=r.log(0.1, 1e5),
                            mean_deg=r.choice([0, 180, r.uniform(-180, 180)]))
+        if r.chance(0.2):
+            orientation.update(sampling="list", theta_0_deg={"random": r.randint(1, 20), "seed": r.randint(1, 99)})
     elif r.chance(0.15):
-        orientation.update(sampling="list", theta_0_deg=[r.uniform(-180, 180) for _ in range(r.randint(1, 12))])
+        # Azimuths anywhere, beside the head-on bristle, exactly head-on and exactly forward.
+        azimuths = [r.choice([r.uniform(-180, 180), 180 - r.log(1e-3, 5), -180 + r.log(1e-3, 5), 180, 0])
+                    for _ in range(r.randint(1, 12))]
+        orientation.update(sampling="list", theta_0_deg=azimuths)
     elif r.chance(0.1):
         orientation["full_circle"] = True
     rtol = r.log(1e-6, 1e-4)
-    return {"schema": "bristle-experiment/1", "name": "random", "model": model, "load": load,
-            "orientation": orientation, "integrator": {"rtol": rtol, "atol": rtol / 100}, "record": ["observables"]}
+    document = {"schema": "bristle-experiment/1", "name": "random", "model": model, "load": load,
+                "orientation": orientation, "integrator": {"rtol": rtol, "atol": rtol / 100}, "record": ["observables"]}
+    if r.chance(0.15):
+        document["si"] = material(r, model)
+    return document
+
+
+def material(r, model):
+    """A brush in SI units, near the paper's section 3; the model's values that follow from it are removed."""
+    for key in ("k_r", "k_theta", "k_phi", "R_c", "E_star", "tau_f", "V_s", "alpha", "beta"):
+        del model[key]
+    r_0 = r.log(1e-3, 0.1)
+    velocity = r.log(2, 30)
+    shaft = r_0 * r.log(0.04, 0.09)
+    # k_phi = 1.9 for a bristle of mass m, at this velocity, if E is that of the paper's bristle.
+    mass = 1e-4 * (10 / velocity) ** 2 * (r_0 / 0.017) ** 3 * r.log(0.5, 2)
+    energy = mass * velocity ** 2
+    return {"m_kg": mass, "r0_m": r_0, "V0_m_per_s": velocity, "E_Pa": 1e8 * r.log(0.5, 2), "nu": 0.4, "R_m": shaft,
+            "k_r_over_k_phi": r.log(3, 30), "R_c_m": r_0 * r.log(0.01, 0.2), "tau_f_Pa": r.log(1e6, 2e8),
+            "V_s_m_per_s": velocity * r.log(1e-3, 0.1), "alpha_J": energy * r.log(0.1, 10), "beta_J": energy * r.log(0.1, 10)}
 
 
 def converged(document):
@@ -124,7 +148,7 @@ def load_tolerance(document):
 def invariants(document, v):
     """What must hold for a point with the status ok."""
     model = document["model"]
-    bad = [name for name in v if not name.startswith(("incomplete", "jump")) and not math.isfinite(v[name])]
+    bad = [name for name in v if not name.startswith(("incomplete", "jump")) and not name.endswith("_other") and not math.isfinite(v[name])]
     bad = [f"{name} is {v[name]}" for name in bad]
     slack = lambda name: 1 + 2 * v[name + "_err"] + 1e-9
     if model["A"] >= 1 and v["gamma_1"] > model["A"] * slack("gamma_1"):
@@ -141,6 +165,11 @@ def invariants(document, v):
     symmetric = o["sampling"] == "quadrature" and (o["distribution"] == "uniform" or o["mean_deg"] % 180 == 0)
     if symmetric and abs(v["R_y"]) > 2 * v["R_y_err"] + 1e-12:
         bad.append(f"R_y = {v['R_y']} +- {v['R_y_err']}")
+    if "si" in document:
+        newton = document["si"]["m_kg"] * document["si"]["V0_m_per_s"] ** 2 / document["si"]["r0_m"]
+        bad += [f"{name} = {v[name]} is not {v[name.removesuffix('_in_N')]} x {newton} N" for name in v
+                if name.endswith("_in_N") and not math.isclose(v[name], newton * v[name.removesuffix("_in_N")],
+                                                               rel_tol=UNITS, abs_tol=1e-300)]
     target = document["load"].get("R_n")
     if target and abs(v["R_n"] - target) > load_tolerance(document) * (1 + 1e-9):
         bad.append(f"R_n = {v['R_n']} is not within rtol of {target}")
@@ -162,7 +191,7 @@ class Table:
             error = fast[name + "_err"] + exact[name + "_err"]
             if name == "R_n":
                 error += allowed
-            distance = abs(a - b)
+            distance = abs(math.remainder(a - b, 360) if name == "direction" else a - b)
             if math.isnan(a) and math.isnan(b):
                 continue
             ratio = 0 if distance <= ROUNDING * max(abs(a), abs(b), 1e-3) else distance / error if error > 0 else math.inf

@@ -1,4 +1,5 @@
-"""The stress campaign: random physics, damaged and crafted files, mutated experiments, kills, failing system calls.
+"""The stress campaign: random physics, equal bits, damaged and crafted files, archives and pages, mutated experiments,
+kills, failing system calls, job arrays.
 
 run.py BRISTLE [--seconds S] [--seed SEED] [PART ...]: runs the parts one after the other, each for its share of the
 time, and ends with their counts. Exit code 1 if a part found a failure; its files then stay in the printed folder.
@@ -16,7 +17,9 @@ import time
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 # The share of the time of each part.
-SHARES = {"physics": 0.45, "files": 0.2, "experiments": 0.15, "kills": 0.1, "calls": 0.1}
+SHARES = {"physics": 0.35, "ways": 0.1, "files": 0.1, "archives": 0.07, "pages": 0.1, "experiments": 0.1, "kills": 0.06,
+          "calls": 0.06, "slurm": 0.06}
+SKIPPED = 77  # exit code of a test whose programs are not installed
 
 
 def python(script, *arguments):
@@ -37,6 +40,23 @@ def kills(bristle, seconds, seed):
             return 1
     print(f"kills: at least {killed} kills of running programs, {times} times each: interrupts, limited file sizes, "
           "a full disk, two runs at once")
+    return 0
+
+
+def slurm(bristle, seconds):
+    """Repeats the test of a cluster of one node, in which tasks fail and are cancelled."""
+    begin, times = time.monotonic(), 0
+    while times == 0 or time.monotonic() - begin < seconds:
+        done = subprocess.run([str(ROOT / "tests/program/slurm_test.sh"), bristle], cwd=ROOT, text=True,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        if done.returncode == SKIPPED:
+            print(f"slurm: {done.stdout.strip()}")
+            return 0
+        times += 1
+        if done.returncode != 0:
+            print(f"slurm: FAILED:\n{done.stdout}")
+            return 1
+    print(f"slurm: {times} job arrays with failed and cancelled tasks, each completed by the same command")
     return 0
 
 
@@ -63,6 +83,8 @@ def main():
                           "--folder", folder / part)
         elif part == "kills":
             code = kills(str(bristle), seconds, seed)
+        elif part == "slurm":
+            code = slurm(str(bristle), seconds)
         elif part == "calls":
             os.environ["SEED"] = str(seed)
             code = python("calls.py", bristle, seconds)
