@@ -3,11 +3,18 @@
 // JSON to standard output, from which scripts/accuracy.py generates docs/accuracy.md.
 #include "dynamics/jacobian.hpp"
 #include "ensemble/lattice.hpp"
+#include "ensemble/point.hpp"
+#include "model/elementary.hpp"
 #include "sample.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <fmt/format.h>
+#include <array>
+#include <future>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <random>
 
 using namespace bristle;
 using Json = nlohmann::ordered_json;
@@ -189,6 +196,144 @@ Json quadrature() {
   return out;
 }
 
+// Random points at given gaps: near the paper's values, or over the range of the schema.
+struct RandomPoint {
+  Setup setup;
+  double z_0;
+};
+
+RandomPoint random_point(bool near_paper, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  const auto share = [&] { return double(random() >> 11) * 0x1p-53; };
+  const auto uniform = [&](double from, double to) { return from + (to - from) * share(); };
+  const auto logarithmic = [&](double from, double to) {
+    return bristle::exp(uniform(bristle::log(from), bristle::log(to)));
+  };
+  Setup setup = setup_of({}, 3e-5);
+  Parameters& p = setup.parameters;
+  p.friction = share() < 0.5 ? FrictionLaw::nss : FrictionLaw::coulomb;
+  p.azimuth_rate = share() < 0.5 ? AzimuthRate::kinematic : AzimuthRate::as_printed;
+  if (near_paper) {
+    p.k_r = logarithmic(4, 200);
+    p.k_theta = logarithmic(0.1, 3);
+    p.k_phi = uniform(1, 4);
+    p.phi_0 = uniform(72, 84) * M_PI / 180;
+    p.tau_f = logarithmic(5e3, 6e4);
+    p.mu_c = logarithmic(0.3, 8);
+  } else {
+    p.k_r = logarithmic(1, 1000);
+    p.k_theta = logarithmic(0.05, 20);
+    p.k_phi = logarithmic(0.1, 10);
+    p.phi_0 = uniform(30, 87) * M_PI / 180;
+    p.tau_f = logarithmic(1e3, 3e5);
+    p.mu_c = logarithmic(0.1, 10);
+    p.L_x = logarithmic(0.5, 10);
+    p.V_s = logarithmic(1e-3, 0.1);
+    constexpr InitialState states[] = {InitialState::static_equilibrium, InitialState::static_equilibrium,
+                                       InitialState::at_slab, InitialState::unstretched,
+                                       InitialState::upright};
+    p.initial_state = states[random() % std::size(states)];
+    p.pole_rule = share() < 0.8 ? PoleRule::reflect : PoleRule::cross;
+    p.alpha = share() < 0.3 ? 0 : logarithmic(0.01, 3);
+    p.lambda = logarithmic(1e-4, 1e-2);
+    p.s_min = p.lambda * logarithmic(0.01, 1);
+    setup.orientation.rtol = logarithmic(1e-3, 2e-2);
+  }
+  return {setup, uniform(0.05, 0.98) * bristle::sin(p.phi_0)};
+}
+
+// Values of bristles by azimuth, from 0 to pi.
+using Curve = std::map<double, std::pair<Outcome, ObservableArray>>;
+
+ObservableArray trapezoids(const Curve& curve, std::size_t stride) {
+  ObservableArray mean{};
+  auto left = curve.begin();
+  while (std::next(left) != curve.end()) {
+    auto right = left;
+    for (std::size_t i = 0; i < stride && std::next(right) != curve.end(); ++i) ++right;
+    for (std::size_t k = 0; k < OBSERVABLES; ++k)
+      mean[k] +=
+          (left->second.second[k] + right->second.second[k]) * (right->first - left->first) / (2 * M_PI);
+    left = right;
+  }
+  return mean;
+}
+
+// The bristles of 2161 equidistant azimuths at a tenth of the integrator's tolerance, and those between which
+// the outcome changes, closer and closer. None if a passage fails.
+std::optional<Curve> dense(const RandomPoint& point) {
+  constexpr int kAzimuths = 2160, kHalvings = 10, kMostChanges = 200;
+  Setup setup = point.setup;
+  setup.integrator.rtol /= 10;
+  setup.integrator.atol /= 10;
+  const Equilibrium start = initial_state(setup.parameters, point.z_0);
+  Curve curve;
+  const auto compute = [&](const std::vector<double>& azimuths) {
+    std::vector<PassageTask> tasks;
+    for (const double theta_0 : azimuths)
+      tasks.push_back(
+          {&setup.parameters, make_bristle(setup.parameters, point.z_0, theta_0), start, setup.integrator});
+    bool complete = true;
+    for (const Passage& one : runner(Engine::fast)(tasks)) {
+      complete = complete && one.complete();
+      curve[one.theta_0] = {one.outcome, observables(one, setup.parameters.L_x)};
+    }
+    return complete;
+  };
+  std::vector<double> azimuths;
+  for (int i = 0; i <= kAzimuths; ++i) azimuths.push_back(M_PI * i / kAzimuths);
+  if (!compute(azimuths)) return {};
+  for (int halving = 0; halving < kHalvings; ++halving) {
+    azimuths.clear();
+    for (auto right = std::next(curve.begin()); right != curve.end(); ++right)
+      if (const auto left = std::prev(right); left->second.first != right->second.first)
+        azimuths.push_back((left->first + right->first) / 2);
+    if (azimuths.empty() || azimuths.size() > kMostChanges) break;
+    if (!compute(azimuths)) return {};
+  }
+  return curve;
+}
+
+// How often the difference between a mean at a random point and that of many equidistant azimuths is within
+// the error estimates; that of the azimuths is the difference to every second one.
+Json random_means(bool near_paper) {
+  constexpr int kPoints = 300;
+  const std::vector<std::size_t> shown = {
+      R_N, R_X, N_C_RATIO, GAMMA_1, GAMMA_2, GAMMA_3, PINNED_FRACTION, unpinned(R_N), unpinned(R_X)};
+  int points = 0, values = 0, within[3] = {};
+  long passages = 0;
+  for (int i = 0; i < kPoints; ++i) {
+    const RandomPoint point = random_point(near_paper, std::uint64_t(i + 1));
+    const auto curve = dense(point);
+    if (!curve) continue;
+    EnsembleMean mean(point.setup, point.z_0, runner(Engine::fast));
+    const Ensemble& e = mean.with_integrator_error();
+    if (values_of(point.setup.parameters, e).status != PointStatus::ok) continue;
+    ++points;
+    passages += e.passages;
+    const ObservableArray exact = trapezoids(*curve, 1), half = trapezoids(*curve, 2);
+    for (const std::size_t k : shown) {
+      const double apart = std::abs(e.mean[k] - exact[k]), rounding = 1e-9 * std::max(1., std::abs(exact[k]));
+      const double error = e.error[k] + std::abs(half[k] - exact[k]) / 3;
+      ++values;
+      for (int j = 0; j < 3; ++j) within[j] += apart <= std::max(rounding, (std::array{1, 2, 8})[j] * error);
+    }
+  }
+  return {{"near", near_paper},
+          {"points", points},
+          {"values", values},
+          {"within", within[0]},
+          {"within_two", within[1]},
+          {"beyond_eight", values - within[2]},
+          {"passages", double(passages) / points}};
+}
+
+Json azimuths_between_nodes() {
+  auto whole = std::async(std::launch::async, random_means, false);
+  const Json near_paper = random_means(true);
+  return {near_paper, whole.get()};
+}
+
 // Root mean square over seeds of the deviation of the lattice mean from the mean over theta_0, in standard
 // errors.
 Json lattice() {
@@ -240,6 +385,7 @@ int main() {
   measure("head_on", head_on);
   measure("stiffness", stiffness);
   measure("quadrature", quadrature);
+  measure("random_means", azimuths_between_nodes);
   measure("lattice", lattice);
   fmt::print("{}\n", out.dump(1));
 }

@@ -86,7 +86,8 @@ def damage_of(file):
 
 
 def read_group(group, prefix, depth, digest):
-    """Adds names, types, shapes, units, meanings of flags and values of the payload to the digest (docs/results-format.md); reads the rest."""
+    """Adds names, types, shapes, units, meanings of flags and values of the payload to the digest
+    (docs/results-format.md); reads the rest."""
     if depth > MAX_DEPTH:
         raise ValueError(f"{prefix}: groups nested too deeply")
     read_attributes(group)

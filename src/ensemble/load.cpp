@@ -20,6 +20,9 @@ constexpr int kMaxSlow = 3;
 // jump, or the noise of the means misled the search.
 constexpr double kNarrow = 1. / 64;
 constexpr int kMaxEarlier = 4;  // number of times that the search moves to an earlier crossing
+// Of the target. A rough load that does not decide whether the load falls beyond the crossing is made precise
+// if it is uncertain by more than this, as it is under a large rtol.
+constexpr double kRoughEnough = 0.02;
 
 // Locates the crossing within the bracket of the scan.
 class CrossingFinder {
@@ -203,7 +206,10 @@ std::optional<double> falls_beyond(LoadsOnPath& loads, const LoadPoint& crossing
     if (!loads.is_before(next, end)) next = end;
     for (const GapLoad& one : loads.computed())
       if (loads.is_before(last.z_0, one.z_0) && loads.is_before(one.z_0, next)) next = one.z_0;
-    const GapLoad at = loads.at(next, Accuracy::rough);
+    GapLoad at = loads.at(next, Accuracy::rough);
+    if (std::abs(at.excess) <= loads.undecided(at) &&
+        loads.undecided(at) > kRoughEnough * loads.search.target)
+      at = loads.at(next, Accuracy::precise);
     if (at.excess < -loads.undecided(at)) {
       const GapLoad between = loads.at(last.z_0 + (next - last.z_0) / 2, Accuracy::precise);
       return above(between) ? std::optional<double>() : next;

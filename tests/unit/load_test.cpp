@@ -159,6 +159,26 @@ TEST_CASE("load control: a maximum that is within the errors or 0.5 % of the tar
   CHECK(!search_with_error(1.2, 0.01).ambiguous);
 }
 
+TEST_CASE("load control: a fall beyond the crossing by more than the precise errors makes it ambiguous") {
+  const auto dipping = [](double z_0) {
+    const double x = kContact - z_0;
+    if (x < 0.25) return 4 * x;
+    return x < 0.45 ? 1 - 0.04 * std::pow(std::sin((x - 0.25) / 0.2 * M_PI), 2) : 1 + 4 * (x - 0.45);
+  };
+  LoadSearch s;
+  s.target = 0.998;
+  s.rtol = 0.02;
+  s.first_contact = kContact;
+  const LoadPoint p = first_crossing(
+      [&](double z_0, Accuracy accuracy) {
+        return Load{dipping(z_0), accuracy == Accuracy::rough ? 0.08 : 0.01};
+      },
+      s);
+  CHECK(p.ambiguous);
+  REQUIRE(p.z_0_other);
+  CHECK(*p.z_0_other < kContact - 0.4);
+}
+
 TEST_CASE("load control: noise of the precise means is not taken for a jump") {
   // The precise means are too high beyond a gap where the reported ones have no jump.
   LoadSearch s;
