@@ -45,6 +45,18 @@ def test_engines_agree_where_s_min_exceeds_the_range_of_the_repulsion():
             assert apart <= 3 * errors + 1e-4 * abs(reference[key]), (name, key, fast[key], reference[key], errors)
 
 
+def test_errors_cover_what_lies_between_the_nodes():
+    """The second number is that of 3600 equidistant azimuths."""
+    for name, variable, exact in [("off-mean", "R_n", 1.4948), ("mean-291", "R_x", 4.994), ("mean-355", "R_x", 5.312),
+                                  ("pinned-84", "pinned_fraction", 0.0264), ("pinned-910", "pinned_fraction", 0.0139),
+                                  ("pinned-969", "pinned_fraction", 0.00833), ("pinned-1160", "pinned_fraction", 0.0047)]:
+        result = values(name)
+        value, error = result[variable], result[f"{variable}_err"]
+        # Nearly all values lie within twice their error, and none beyond 8 times (docs/accuracy.md).
+        allowed = 8 if name == "mean-291" else 2
+        assert 0 < error and abs(value - exact) <= allowed * error, (name, variable, value, error, exact)
+
+
 def test_random_azimuths_follow_their_distribution():
     values("vonmises-list")
     with h5py.File("r.h5") as file:

@@ -230,6 +230,19 @@ TEST_CASE("comparing with a target load needs fewer passages, which a later prec
   CHECK(std::adjacent_find(theta_0.begin(), theta_0.end()) == theta_0.end());
 }
 
+TEST_CASE("the pinned fraction is uncertain although no node is pinned") {
+  Setup setup = paper(30);
+  setup.parameters.alpha = 0;
+  for (const double z_0 : {0.5, 0.6, 0.7}) {
+    EnsembleMean mean(setup, z_0, make_runner(Engine::fast));
+    const Ensemble& e = mean.full();
+    CHECK(e.error[PINNED_FRACTION] > 0);
+    CHECK(e.error[PINNED_FRACTION] < 0.05);
+    CHECK(e.error[pinned(R_X)] > 0);
+    CHECK(e.error[unpinned(R_X)] > e.error[R_X] / 2);
+  }
+}
+
 TEST_CASE("the load of a gap stays what it was when its reported values were computed") {
   const Setup setup = paper(50);
   for (const double z_0 : {0.6, 0.62, 0.64, 0.66}) {

@@ -55,6 +55,35 @@ TEST_CASE("nested rules and their interpolation from every second node are exact
   }
 }
 
+TEST_CASE("a change of outcome counts by the spread of the values in its panel") {
+  // The nodes on both sides of the change, at 0.25 and 0.5, have the same value.
+  const auto f = [](double x) { return Sample{{x > 0.6 ? 1.0 : 0.0}, x > 0.3 ? 1 : 0, true}; };
+  QuadratureGoal anything;
+  anything.rtol[0] = 100;
+  const auto r = Quadrature(batched(f), {0, 1}).refine(anything);
+  CHECK(r.samples == 5);
+  CHECK(r.error[0] >= 0.125);  // half of the gap between these nodes
+}
+
+TEST_CASE("panels that are too wide are divided whatever the errors are") {
+  const auto f = [](double) { return Sample{{1.0}, 0, true}; };
+  QuadratureGoal goal;
+  goal.rtol[0] = 1;
+  // Nodes near 1 must be closer than elsewhere.
+  goal.too_wide = [](double left, double right) { return right - left > std::max(0.02, 1 - right); };
+  std::vector<double> asked;
+  Quadrature quadrature(
+      [&](const std::vector<double>& at) {
+        asked.insert(asked.end(), at.begin(), at.end());
+        return batched(f)(at);
+      },
+      {0, 1});
+  quadrature.refine(goal);
+  std::sort(asked.begin(), asked.end());
+  CHECK(asked[asked.size() - 1] - asked[asked.size() - 2] <= 0.02 / 4);
+  CHECK(asked[1] - asked[0] > 0.02);
+}
+
 TEST_CASE("a second goal reuses the existing samples") {
   std::vector<double> asked;
   const auto f = [&](double x) {
