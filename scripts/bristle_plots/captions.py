@@ -14,6 +14,7 @@ HELD = {sign: chr(0xE000 + ord(sign)) for sign in SPECIAL}
 # What symbols of quantities are made of. Another command would be executed.
 SYMBOL = re.compile(r"(\\(tilde|check|mathrm|langle|rangle|angle|min|Delta|alpha|beta|gamma|epsilon|zeta|theta|kappa|"
                     r"lambda|mu|nu|sigma|tau|varphi)(?![A-Za-z])|[^\\$%#&~])*")
+CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f\u2028\u2029]")
 LATEX = {"%": r"\%", "\u2013": "--", "\u00b0": r"$^\circ$", "theta_0 ": r"$\theta_0$ "}
 
 
@@ -33,7 +34,7 @@ def caption(module, file, reading, page):
     axes = [name for name in axis_names(dataset(part, "status")) if name not in (AXIS, "node")]
     over, fixed = ([axis_range(part, name) for name in axes if (part.sizes[name] > 1) == several] for several in (True, False))
     sentences = [title, "; ".join(shown), f"Over {'; '.join(over)}" if over else "",
-                 f"Fixed: {'; '.join([*fixed, plain(file.attrs.get('caption', ''))])}",
+                 f"Fixed: {'; '.join([*fixed, with_symbols(file.attrs.get('caption', ''))])}",
                  ", and ".join(filter(None, map(reading_name, readings(part)))), marks(module, file), statuses(part)]
     text = in_latex(". ".join(sentence[0].upper() + sentence[1:] for sentence in sentences if sentence))
     return f"% page {page}\n" * bool(page) + f"\\caption{{{text}.}}"
@@ -67,8 +68,17 @@ def statuses(file):
 
 
 def plain(text):
-    """A text of the result, which may be a stranger's, without a meaning to LaTeX."""
-    return as_text(text).translate(str.maketrans(HELD))
+    """A text of the result, which may be a stranger's, without a meaning to LaTeX and to a terminal."""
+    shown = CONTROL.sub(lambda one: " " if one[0].isspace() else f"\\x{ord(one[0]):02x}", as_text(text))
+    return shown.translate(str.maketrans(HELD))
+
+
+def with_symbols(text):
+    """The same, but the symbols of quantities in it, between dollar signs, are set as such."""
+    parts = as_text(text).split("$")
+    if len(parts) % 2 == 0:
+        return plain(text)
+    return "".join(latex_symbol(part) if i % 2 else plain(part) for i, part in enumerate(parts))
 
 
 def latex_symbol(symbol):

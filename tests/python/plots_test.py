@@ -250,5 +250,9 @@ assert r"$\check{R}_x$; (b) " in exact and r"$\tilde{k}_r =$ 5, " in exact and "
 assert "as printed" in printed and "exact" not in printed
 told = captions.in_latex(captions.plain(r"50 % of \input{x} & $ # x_y"))  # a stranger's title
 assert told == r"50 \% of \textbackslash{}input\{x\} \& \$ \# x\_y", told
+told = captions.in_latex(captions.plain("a\x1b[2J\u2028b\nc"))  # control characters reach neither LaTeX nor a terminal
+assert told == r"a\textbackslash{}x1b[2J b c", told
+told = [captions.in_latex(captions.with_symbols(text)) for text in (r"$\tilde{k}_r = 2$, 3 %", r"5 $, $\input{x}$")]
+assert told[0] == r"$\tilde{k}_r = 2$, 3 \%" and told[1].startswith(r"5 \$, \$\textbackslash{}input"), told
 assert captions.latex_symbol(r"\tilde{k}_r") == r"$\tilde{k}_r$" and "$" not in captions.latex_symbol(r"\input{x}")
 assert "width 3: " in refusal(lambda: fig4.draw(open_result(result), width="3"))
