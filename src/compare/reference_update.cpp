@@ -7,6 +7,7 @@
 #include "util/file.hpp"
 #include "util/git.hpp"
 
+#include <boost/algorithm/string/replace.hpp>
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
@@ -82,8 +83,9 @@ void require_sound_run(const results::ResultReader& result, const Json& made) {
   }
 }
 
-// The largest change of every variable, and the changes that have no size.
-std::string changes(const Comparison& comparison) {
+// The largest change of every variable, and the changes that have no size. The result's folder, which is of one
+// machine, is not recorded.
+std::string changes(const Comparison& comparison, const std::string& result) {
   std::string text;
   for (const auto* lines : {&comparison.notes, &comparison.subsets, &comparison.failures})
     for (const std::string& line : *lines) text += fmt::format("- {}\n", line);
@@ -92,6 +94,7 @@ std::string changes(const Comparison& comparison) {
         std::isfinite(d.tolerances) ? fmt::format(", {:.3g} of the old tolerance", d.tolerances) : "";
     text += fmt::format("- {}: {} -> {} at {}{}\n", d.name, d.b, d.a, d.place, size);
   }
+  boost::replace_all(text, result, fs::path(result).filename().string());
   return text.empty() ? "- the same values, but different tolerances, inputs or digests\n" : text;
 }
 
@@ -145,7 +148,7 @@ std::string update_reference(const ReferenceUpdate& update) {
                   made["name"].get<std::string>(), update.reason, made["commit"].get<std::string>(),
                   old.is_object() ? old["payload_sha256"].get<std::string>() : "none",
                   made["payload_sha256"].get<std::string>(),
-                  old.is_object() ? changes(compare_with_reference(result, checks, old, "the old reference"))
+                  old.is_object() ? changes(compare_with_reference(result, checks, old, "the old reference"), update.file)
                                   : "- new reference\n");
   const std::string log = (fs::path(update.folder) / "CHANGELOG.md").string();
   const std::string before = fs::exists(log) ? read_file(log) : kLogStart;

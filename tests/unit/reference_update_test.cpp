@@ -3,6 +3,7 @@
 #include "small_result.hpp"
 
 #include "catch.hpp"
+#include <boost/algorithm/string.hpp>
 #include <cstdlib>
 #include <filesystem>
 
@@ -64,13 +65,20 @@ TEST_CASE("update: writes reference and change log, but nothing if the numbers a
     if (i == 3) p.value[bristle::R_X] += 0.5;
     if (i < 3) p.R_x_norm = 0.1;
   });
+  // A variable that the old reference does not have.
+  std::string old = bytes_of(r.json());
+  REQUIRE(boost::contains(old, "\"gamma_1\""));
+  boost::replace_all(old, "\"gamma_1\"", "\"gamma_0\"");
+  r.s.write("reference/small.json", old);
   r.update.reason = "a better quadrature";
   update_reference(r.update);
+  CHECK_THAT(r.log(), Contains("- gamma_1: only in r.h5\n"));
   CHECK(r.log().substr(0, log.size()) == log);
   CHECK_THAT(r.log(), Contains("## 2026-12-01 small\n\na better quadrature\n") &&
                           Contains("of the old tolerance") && Contains("at k_r = 20, k_theta = 0.3") &&
                           Contains("refuted, was supported"));
   CHECK_FALSE(std::filesystem::exists(r.json() + ".new"));
+  CHECK_THAT(r.log(), !Contains(r.s.path("")));
 }
 
 TEST_CASE("update: refused without a reason, with uncommitted changes, and outside a work tree") {
