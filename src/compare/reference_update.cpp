@@ -83,8 +83,8 @@ void require_sound_run(const results::ResultReader& result, const Json& made) {
   }
 }
 
-// The largest change of every variable, and the changes that have no size. The result's folder, which is of one
-// machine, is not recorded.
+// The largest change of every variable, and the changes that have no size. The result's folder, which is of
+// one machine, is not recorded.
 std::string changes(const Comparison& comparison, const std::string& result) {
   std::string text;
   for (const auto* lines : {&comparison.notes, &comparison.subsets, &comparison.failures})
@@ -143,13 +143,13 @@ std::string update_reference(const ReferenceUpdate& update) {
   // As text: a value that is missing is NaN in one and null in the other.
   if (old.is_object() && reference_text(old) == reference_text(same_commit)) return "";
   require_clean_work_tree(update.folder);
-  const std::string added =
-      fmt::format("\n## {} {}\n\n{}\n\n- program: {}\n- payload: {} -> {}\n{}", update.day,
-                  made["name"].get<std::string>(), update.reason, made["commit"].get<std::string>(),
-                  old.is_object() ? old["payload_sha256"].get<std::string>() : "none",
-                  made["payload_sha256"].get<std::string>(),
-                  old.is_object() ? changes(compare_with_reference(result, checks, old, "the old reference"), update.file)
-                                  : "- new reference\n");
+  const std::string added = fmt::format(
+      "\n## {} {}\n\n{}\n\n- program: {}\n- payload: {} -> {}\n{}", update.day,
+      made["name"].get<std::string>(), update.reason, made["commit"].get<std::string>(),
+      old.is_object() ? old["payload_sha256"].get<std::string>() : "none",
+      made["payload_sha256"].get<std::string>(),
+      old.is_object() ? changes(compare_with_reference(result, checks, old, "the old reference"), update.file)
+                      : "- new reference\n");
   const std::string log = (fs::path(update.folder) / "CHANGELOG.md").string();
   const std::string before = fs::exists(log) ? read_file(log) : kLogStart;
   write_files(path, reference_text(made), log, before + added);
