@@ -13,8 +13,9 @@ RANDOM=${SEED:-$$}
 echo "seed $RANDOM (SEED=... repeats)"
 
 # 32 points that take about a second; the old result is the same experiment with a different stiffness.
+azimuths=[10,20,40,55,70,85,100,115,130,145,160,170]
 options=(--set '/sweep={"k_r":{"logspace":[2,20,8]},"k_theta":{"values":[0.5,1,2,4]}}' --set '/load={"R_n":null,"z_0":0.5}'
-  --set '/orientation={"sampling":"list","theta_0_deg":[10,100,170]}' --set /integrator/engine=reference --quiet)
+  --set '/orientation={"sampling":"list","theta_0_deg":'"$azimuths"'}' --set /integrator/engine=reference --quiet)
 run() { "$bristle" run experiments/paper.json "${options[@]}" "$@"; }
 run -o "$folder/undisturbed.h5" || failed "the undisturbed run"
 run -o "$folder/old.h5" --set /model/k_phi=2.5 || failed "the old result"
@@ -43,7 +44,8 @@ finish() {
   [ ! -e "$r.partial" ] || failed "$1: a partial file is left"
 }
 
-# Killed at random times repeatedly, until one run finishes.
+# Killed repeatedly after a random number of further points and a random time, until one run finishes. The number of
+# points, not the time alone, decides: however busy the machine is, most kills come between the first point and the last.
 kills=0 kept=0
 while [ $kills -lt "$wanted" ]; do
   begin
@@ -51,7 +53,9 @@ while [ $kills -lt "$wanted" ]; do
     before=$(points)
     "${again[@]}" &
     pid=$!
-    sleep "0.$(printf %03d $((RANDOM % 450)))"
+    until=$((before + RANDOM % (34 - before)))
+    while [ "$(points)" -lt "$until" ] && kill -0 $pid 2>/dev/null; do sleep 0.005; done
+    sleep "0.0$(printf %02d $((RANDOM % 30)))"
     if kill -KILL $pid 2>/dev/null; then kills=$((kills + 1)); fi
     wait $pid 2>/dev/null && break
     whole "kill -9"
