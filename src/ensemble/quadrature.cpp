@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 
 namespace bristle {
 
@@ -134,9 +133,9 @@ std::vector<Quadrature::LabelChange> Quadrature::changes_in(const Panel& panel) 
   if (changes.empty()) return changes;
   Values spread{};
   for (std::size_t k = 0; k < OBSERVABLES; ++k) {
-    const auto [least, most] = std::ranges::minmax(
-        panel.nodes | std::views::transform([k](const Node& node) { return node.sample.value[k]; }));
-    spread[k] = most - least;
+    const auto [least, most] =
+        std::ranges::minmax_element(panel.nodes, {}, [k](const Node& node) { return node.sample.value[k]; });
+    spread[k] = most->sample.value[k] - least->sample.value[k];
   }
   for (LabelChange& change : changes) change.spread = spread;
   return changes;

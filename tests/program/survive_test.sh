@@ -44,7 +44,7 @@ finish() {
   [ ! -e "$r.partial" ] || failed "$1: a partial file is left"
 }
 
-# Killed repeatedly after a random number of further points and a random time, until one run finishes. The number of
+# Killed repeatedly after up to seven further points and a random time, until one run finishes. The number of
 # points, not the time alone, decides: however busy the machine is, most kills come between the first point and the last.
 kills=0 kept=0
 while [ $kills -lt "$wanted" ]; do
@@ -53,7 +53,7 @@ while [ $kills -lt "$wanted" ]; do
     before=$(points)
     "${again[@]}" &
     pid=$!
-    until=$((before + RANDOM % (34 - before)))
+    until=$((before + RANDOM % 8))
     while [ "$(points)" -lt "$until" ] && kill -0 $pid 2>/dev/null; do sleep 0.005; done
     sleep "0.0$(printf %02d $((RANDOM % 30)))"
     if kill -KILL $pid 2>/dev/null; then kills=$((kills + 1)); fi
