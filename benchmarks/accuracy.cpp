@@ -212,7 +212,7 @@ RandomPoint random_point(bool near_paper, std::uint64_t seed) {
   Setup setup = setup_of({}, 3e-5);
   Parameters& p = setup.parameters;
   p.friction = share() < 0.5 ? FrictionLaw::nss : FrictionLaw::coulomb;
-  p.azimuth_rate = share() < 0.5 ? AzimuthRate::kinematic : AzimuthRate::as_printed;
+  p.bending = share() < 0.5 ? Bending::polar : Bending::polar_as_printed;
   if (near_paper) {
     p.k_r = logarithmic(4, 200);
     p.k_theta = logarithmic(0.1, 3);

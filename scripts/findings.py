@@ -172,7 +172,7 @@ def counts(verdicts, readings):
         for claim, found in verdicts.items():
             by_verdict.setdefault(found.get(reading), []).append(claim)
         rest = [f"{verdict}: {', '.join(by_verdict[verdict])}" for verdict in ("refuted", "undecided") if verdict in by_verdict]
-        under = {"kinematic": " under the exact equations", "as_printed": " with Eq. (17) as printed"}.get(reading, "")
+        under = {"polar": " under the exact equations", "polar_as_printed": " with Eq. (17) as printed"}.get(reading, "")
         parts.append(f"{len(by_verdict.get('supported', []))} are supported{under}" + (f" ({'; '.join(rest)})" if rest else ""))
     return f"Of the paper's {len(verdicts)} claims, {', and '.join(parts)}."
 
@@ -210,7 +210,7 @@ def saturation(file, verdicts):
 
 def isotropy(file, verdicts):
     def largest(reading):
-        values = select(dataset(file, "R_y_norm"), ["k_r", "seed"], azimuth_rate=reading, sampling="quadrature")
+        values = select(dataset(file, "R_y_norm"), ["k_r", "seed"], bending=reading, sampling="quadrature")
         return number(np.abs(values).max(), ".1g")
     return (f"{on_claim('Isotropy, R_y = 0 for uniform azimuths', 'A1', verdicts)}: |R_y_norm| of the ensemble mean is at most "
             f"{of_both(largest)}.")

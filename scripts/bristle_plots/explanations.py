@@ -11,7 +11,7 @@ from .program import DEFAULT, measure
 from .results import axis_names, axis_values, constant, dataset, place_of, point_numbers, read, select, setting
 from .verdicts import number, p_text, threshold_text, with_uncertainty
 
-READINGS = {"kinematic": "exact", "as_printed": "as printed"}  # of Eq. (17)
+READINGS = {"polar": "exact", "polar_as_printed": "as printed"}  # of Eq. (17)
 
 PROGRAM = ContextVar("program", default=DEFAULT)  # what measures
 
@@ -88,7 +88,7 @@ def failing(pairs):
 
 
 def others(file, reading):
-    return [one for one in axis_values(file, "azimuth_rate") if one != reading]
+    return [one for one in axis_values(file, "bending") if one != reading]
 
 
 def stiff_first_contact(file, pairs):
@@ -110,7 +110,7 @@ def stiff_first_contact(file, pairs):
 
 def slope_at_contact(file, pairs):
     check, row = pairs[0]
-    chosen = {"azimuth_rate": row.reading, "k_phi": setting(file, "model", "k_phi")}
+    chosen = {"bending": row.reading, "k_phi": setting(file, "model", "k_phi")}
     k_r = check["compare"]["k_r"]
     load = [select(dataset(file, "R_n"), ["node"], k_r=one, **chosen)[0] for one in k_r]
     return (f"at first contact, where the range of this check begins, R_n is {listed(load)} for k_r = "
@@ -161,7 +161,7 @@ def periodic_part(file, reading):
     widths, part, whole = axis_values(file, "L_y"), [], []
     for width in widths:
         found = []
-        for number in select(numbers, ["seed"], azimuth_rate=reading, L_y=width, sampling="lattice"):
+        for number in select(numbers, ["seed"], bending=reading, L_y=width, sampling="lattice"):
             series = load[later & (point == number)]
             phases = [series[i::intervals].mean() for i in range(intervals)]
             found.append((np.std(phases) / series.mean(), series.std() / series.mean()))
@@ -193,7 +193,7 @@ def where_saturated(file, reading):
     k_r, mu_c = max(axis_values(file, "k_r")), axis_values(file, "mu_c")
     at = nearest(mu_c, [2.5, 5, 10])
     names = ("pinned_fraction", "pinned_share_R_x", "R_x", "R_x_unpinned")
-    found = {name: select(dataset(file, name), ["mu_c"], azimuth_rate=reading, k_r=k_r)[at] for name in names}
+    found = {name: select(dataset(file, name), ["mu_c"], bending=reading, k_r=k_r)[at] for name in names}
     with np.errstate(invalid="ignore"):
         per_bristle = found["pinned_share_R_x"] * found["R_x"] / found["pinned_fraction"]
     return {**found, "R_x_pinned": per_bristle, "k_r": k_r, "mu_c": mu_c[at]}
@@ -202,7 +202,7 @@ def where_saturated(file, reading):
 def order_within_branches(file, pairs):
     """A trend over k_r that holds across the fall of R_x_norm, but not before and behind it."""
     check, row = failing(pairs)[0]
-    chosen = {"azimuth_rate": row.reading, **check.get("where", {})}
+    chosen = {"bending": row.reading, **check.get("where", {})}
     other = [name for name in axis_names(dataset(file, "R_x_norm")) if name not in ("k_r", *chosen)]
     curves = [{}] if not other else [{other[0]: value} for value in axis_values(file, other[0])]
     taus, falls, first, top, elsewhere = [], [], [], [], {}
@@ -215,7 +215,7 @@ def order_within_branches(file, pairs):
         first.append(y[0])
         top.append(max(y[:fall]))
         for one in others(file, row.reading):
-            there = select(dataset(file, check["variable"]), ["k_r"], **{**chosen, "azimuth_rate": one}, **curve)
+            there = select(dataset(file, check["variable"]), ["k_r"], **{**chosen, "bending": one}, **curve)
             elsewhere.setdefault(READINGS[one], []).append(there[0])
         taus.append(tau_by_side(x, y, np.arange(len(y)) >= fall))
     across, before, behind = (number(tau, ".2f") for tau in np.nanmean(taus, axis=0))
@@ -238,7 +238,7 @@ def tau_by_side(x, y, behind):
 
 
 def sticking_at_low_stiffness(file, pairs):
-    chosen = {"azimuth_rate": pairs[0][1].reading}
+    chosen = {"bending": pairs[0][1].reading}
     k_r = axis_values(file, "k_r")
     every, passing = (geometric_mean(file, name, **chosen)[0] for name in ("gamma_1", "gamma_1_unpinned"))
     pinned = select(dataset(file, "pinned_fraction"), ["k_r", "k_theta"], **chosen).mean(axis=1)[0]
@@ -248,7 +248,7 @@ def sticking_at_low_stiffness(file, pairs):
 
 
 def alignment_over_stiffness(file, pairs):
-    mean = geometric_mean(file, "gamma_2", azimuth_rate=pairs[0][1].reading)
+    mean = geometric_mean(file, "gamma_2", bending=pairs[0][1].reading)
     return f"along k_r gamma_2 falls and rises more than once: {turns(axis_values(file, 'k_r'), mean)}."
 
 
@@ -277,7 +277,7 @@ def product_of_gammas(file, pairs):
 
 def jump_of_one_law(file, pairs):
     check, row = pairs[0]
-    chosen = {"azimuth_rate": row.reading}
+    chosen = {"bending": row.reading}
     nss, coulomb = (select(dataset(file, check["variable"]), ["k_r", "k_theta"], friction=law, **chosen)
                     for law in ("nss", "coulomb"))
     friction = select(dataset(file, "R_x_norm"), ["k_r", "k_theta"], friction="nss", **chosen)

@@ -7,7 +7,7 @@ from .errors import BristleError
 from .page import drawn_on
 from .results import CHOICE_NAMES, as_result, axis_names, axis_values, dataset, place_of, readable, require_axes
 
-AXIS = "azimuth_rate"
+AXIS = "bending"
 
 OPTIONS = """
 file: a Dataset from open_result(PATH) or xarray.open_dataset(PATH), or a part of it.
@@ -19,7 +19,7 @@ style: matplotlib's rcParams over those of the look, for what the figure does no
 Returns a matplotlib Figure; raises BristleError if something is wrong with the Dataset or an option.
 """
 READING = """
-reading: of Eq. (17), "kinematic" (exact) or "as_printed"; without it, the {which} one of the Dataset.
+reading: of Eq. (17), "polar" (exact) or "polar_as_printed"; without it, the {which} one of the Dataset.
 """
 
 

@@ -24,7 +24,7 @@ RELATION_SIGNS = {"at_most": "\u2264", "at_least": "\u2265", "near": "near"}
 # Predicates that compare both sides of "compare" in one number.
 PAIRED_PREDICATES = ("ordering", "concordance", "equality")
 
-VERDICT_HEADINGS = {"kinematic": "verdict, exact Eq. (17)", "as_printed": "verdict, Eq. (17) as printed"}
+VERDICT_HEADINGS = {"polar": "verdict, exact Eq. (17)", "polar_as_printed": "verdict, Eq. (17) as printed"}
 
 # Of quantities that a sentence may name and the result may not have as a variable or an axis.
 FURTHER_SYMBOLS = {"k_r": r"\tilde{k}_r", "k_theta": r"\tilde{k}_\theta", "k_phi": r"\tilde{k}_\varphi", "N_c": "N_c",

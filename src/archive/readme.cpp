@@ -26,8 +26,8 @@ std::string results_table(const Contents& contents) {
 
 std::string reading_title(const std::string& reading) {
   if (reading.empty()) return "verdict";
-  if (reading == "kinematic") return "exact Eq. (17)";
-  return reading == "as_printed" ? "Eq. (17) as printed" : reading;
+  if (reading == "polar") return "exact Eq. (17)";
+  return reading == "polar_as_printed" ? "Eq. (17) as printed" : reading;
 }
 
 std::string claims_table(const Contents& contents) {

@@ -50,8 +50,9 @@ void slopes_of(const Bristle<P>& b, const State<T>& state, const Motion<T>& m, O
     dydt[X + i] = state.v[i];
     dydt[VX + i] = m.acceleration[i];
   }
-  dydt[THETA] = m.rates.theta;
-  dydt[PHI] = m.rates.phi;
+  const bool angles = has_pole(b.bending);
+  dydt[THETA] = angles ? m.rates.theta : T(0.0);
+  dydt[PHI] = angles ? m.rates.phi : T(0.0);
   dydt[NORMAL] = m.wall.F_n;
   dydt[FRICTION_X] = m.friction[0];
   dydt[FRICTION_Y] = m.friction[1];

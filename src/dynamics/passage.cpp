@@ -127,7 +127,8 @@ class PassageIntegrator {
     ExplicitStepper stepper(ControlledDopri5(ErrorChecker(options_.atol, options_.rtol)));
     return advance(stepper, [this] {
       return options_.method == Method::automatic &&
-             (steps_ >= kExplicitSteps || in_plane_distance(y_) < kStiffRanges * p_.lambda);
+             (steps_ >= kExplicitSteps ||
+              (has_pole(p_.bending) && in_plane_distance(y_) < kStiffRanges * p_.lambda));
     });
   }
 
@@ -145,7 +146,9 @@ class PassageIntegrator {
       const auto [from, to] = stepper.do_step(std::ref(system_));
       ++steps_;
       const auto dense_output = [&stepper](double t) { return state_at(stepper, t); };
-      const double pole_time = pole_contact(dense_output, p_.s_min, from, to, kTimeTolerance);
+      const double pole_time = has_pole(p_.bending)
+                                   ? pole_contact(dense_output, p_.s_min, from, to, kTimeTolerance)
+                                   : std::numeric_limits<double>::infinity();
       const double end = std::min(pole_time, to);
       const OdeState at_end = end < to ? state_at(stepper, end) : stepper.current_state();
       const bool exits = slip(end, at_end) >= p_.L_x;

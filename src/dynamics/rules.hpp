@@ -9,7 +9,8 @@ namespace bristle {
 
 // Rules shared by the SIMD engine and the reference engine: outcome, change of method, pole rule.
 
-// A tip whose distance from the pole at the exit is less than this many repulsion ranges lambda is pinned.
+// A tip whose distance from the pole, if there is one, is less than this many repulsion ranges lambda at the
+// exit is pinned.
 constexpr double kPinnedRanges = 20;
 // Distance from the pole in repulsion ranges lambda at which c_theta/s^2 makes the equations stiff: there the
 // reference engine's implicit method, or the fast engine's lanes near the pole, take over.
@@ -22,7 +23,8 @@ inline double in_plane_distance(const OdeState& y) { return std::sqrt(y[X] * y[X
 inline double radial_product(const OdeState& y) { return y[X] * y[VX] + y[Y] * y[VY]; }
 
 inline Outcome outcome_at_exit(const Parameters& p, const OdeState& y) {
-  return in_plane_distance(y) < kPinnedRanges * p.lambda ? Outcome::pinned : Outcome::left;
+  const bool pinned = has_pole(p.bending) && in_plane_distance(y) < kPinnedRanges * p.lambda;
+  return pinned ? Outcome::pinned : Outcome::left;
 }
 
 // Applies the pole rule to a tip at s = s_min that approaches the pole; otherwise returns false. reflect

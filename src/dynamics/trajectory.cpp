@@ -13,6 +13,21 @@ Phase phase_of(const Parameters& p, const Bristle<double>& b, const State<double
   return -sliding.e_x < cos(kSideSlip) ? Phase::side_slip : Phase::slip;
 }
 
+// Angle from one in-plane position to another, in (-pi, pi], rad.
+double angle_between(const OdeState& a, const OdeState& b) {
+  const double cross = a[X] * b[Y] - a[Y] * b[X], dot = a[X] * b[X] + a[Y] * b[Y];
+  const double half_turn = dot >= 0 ? 0 : cross >= 0 ? M_PI : -M_PI;
+  return cross == 0 ? half_turn : half_turn + atan(cross / dot);
+}
+
+// The state with the azimuth, unwrapped since the point before, and the polar angle of its position: a rod's
+// own state has none.
+OdeState with_angles(OdeState y, const OdeState& before) {
+  y[THETA] = before[THETA] + angle_between(before, y);
+  y[PHI] = asin(y[Z] / std::sqrt(y[X] * y[X] + y[Y] * y[Y] + y[Z] * y[Z]));
+  return y;
+}
+
 }  // namespace
 
 Trajectory record_trajectory(const PassageTask& task) {
@@ -20,7 +35,9 @@ Trajectory record_trajectory(const PassageTask& task) {
   out.passage = run_passage(task, [&](double xi, const OdeState& y) {
     const auto state = unpack<double>(y);
     const auto [acceleration, rates, wall, sliding, friction] = motion(task.bristle, state);
-    out.points.push_back({xi, y, wall.F_n, friction[0], friction[1], sliding.V_R,
+    const bool has_angles = has_pole(task.bristle.bending) || out.points.empty();
+    const OdeState shown = has_angles ? y : with_angles(y, out.points.back().y);
+    out.points.push_back({xi, shown, wall.F_n, friction[0], friction[1], sliding.V_R,
                           phase_of(*task.parameters, task.bristle, state, sliding)});
   });
   return out;

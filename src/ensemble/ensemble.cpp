@@ -50,7 +50,7 @@ std::vector<double> initial_edges(const Orientation& o, bool half_circle) {
 // head-on, at a node of the quadrature: they may become pinned as they pass the pole within its range, or
 // cross it and stay. These azimuths get panels of their own, of 1, 16 and 40 ranges lambda.
 std::vector<double> with_pole_panels(std::vector<double> edges, const Parameters& p) {
-  if (p.pole_rule != PoleRule::cross) return edges;
+  if (!has_pole(p.bending) || p.pole_rule != PoleRule::cross) return edges;
   for (const double ranges : {1., 16., 40.})
     for (const double edge : {-M_PI + ranges * p.lambda, M_PI - ranges * p.lambda})
       if (edges.front() < edge && edge < edges.back())
@@ -159,6 +159,7 @@ const Ensemble& EnsembleMean::full() {
 // (docs/numerics.md).
 double EnsembleMean::hidden_fraction() const {
   constexpr double common = 1. / 2, rare = 1. / 32;
+  if (!has_pole(setup_.parameters.bending)) return 0;
   std::vector<const Passage*> nodes;
   for (const Passage& one : passages_) nodes.push_back(&one);
   std::ranges::sort(nodes, {}, &Passage::theta_0);

@@ -13,6 +13,10 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
+// Where an observable has an extremum over the gap, neighbouring gaps show no change with the load. Its
+// relative change is then taken to be this share of the load's.
+constexpr double kLeastSensitivity = 0.01;
+
 // Adds the effect of a deviation of the load from its target (in units of R_n) to the errors, by the secant
 // to another gap. Larger errors remain.
 void add_load_error(PointResult& out, const Ensemble& other, double deviation) {
@@ -39,7 +43,7 @@ void normalise(PointResult& out, const Parameters& p) {
 
 // The status of a converged point.
 PointStatus quality(const Parameters& p, const PointResult& out) {
-  if (p.azimuth_rate == AzimuthRate::kinematic && out.value[ENERGY_RESIDUAL] > kMaxEnergyResidual)
+  if (conserves_energy(p.bending) && out.value[ENERGY_RESIDUAL] > kMaxEnergyResidual)
     return PointStatus::inaccurate;
   const auto finite = [](double value) { return std::isfinite(value); };
   const bool defined = std::isfinite(out.R_x_norm) && std::ranges::all_of(out.value, finite) &&
@@ -102,7 +106,11 @@ class PointSolver {
       add_load_error(out, mean_at(z_0).known(), deviation);
     add_nearest(out, std::make_reverse_iterator(means_.find(out.z_0)), means_.rend(), deviation);
     add_nearest(out, std::next(means_.find(out.z_0)), means_.end(), deviation);
-    for (std::size_t k = 0; k < OBSERVABLES; ++k) out.error[k] += out.load_error[k];
+    for (std::size_t k = 0; k < OBSERVABLES; ++k) {
+      const double least = kLeastSensitivity * std::abs(out.value[k]) * deviation / loading_.R_n;
+      if (k != R_N) out.load_error[k] = std::max(out.load_error[k], least);
+      out.error[k] += out.load_error[k];
+    }
     normalise(out, setup_.parameters);
     if (out.status == PointStatus::ok && distance > setup_.orientation.rtol * loading_.R_n)
       out.status = PointStatus::not_converged;

@@ -46,8 +46,7 @@ inline Words words<PointStatus>() {
       "failed", "work_limit", "ambiguous",   "inaccurate", "undefined"};
   return list;
 }
-// Bound on the energy residual of a trustworthy point with the exact closing equation
-// (AzimuthRate::kinematic).
+// Bound on the energy residual of a trustworthy point, where conserves_energy().
 constexpr double kMaxEnergyResidual = 1e-2;
 
 // What the mean of a passage is for: to decide on which side of the target R_n lies, to locate the crossing,

@@ -4,11 +4,17 @@
 
 namespace bristle {
 
-// Potential energy: springs, slab wall and pole repulsion. Dimensionless (m V0^2).
+// Potential energy: springs, slab wall and, in polar coordinates, pole repulsion. Dimensionless (m V0^2).
 template <class T, class P>
 T potential_energy(const Bristle<P>& b, const Vector3<T>& position, const T& theta, const T& phi) {
-  const Frame<T> f = frame_at(position);
-  const T stretch = f.r - 1.0, twist = theta - b.theta_0, bend = phi - b.phi_0;
+  const Frame<T> f = frame_at(b.bending, position);
+  const T stretch = f.r - 1.0;
+  if (!has_pole(b.bending)) {
+    const RodBending<T> rod = rod_bending(b, position, f.one_r, Vector3<T>{});
+    return b.k_r * stretch * stretch / 2 + b.k_theta * rod.u_s * rod.u_s / 2 + b.k_phi * rod.u_p * rod.u_p / 2 +
+           short_range_energy(T(b.z_0 - position[2]), b.wall_peak, b.wall_rate);
+  }
+  const T twist = theta - b.theta_0, bend = phi - b.phi_0;
   return b.k_r * stretch * stretch / 2 + b.k_theta * twist * twist / 2 + b.k_phi * bend * bend / 2 +
          short_range_energy(T(b.z_0 - position[2]), b.wall_peak, b.wall_rate) +
          short_range_energy(f.s, b.pole_peak, b.pole_rate);
@@ -22,7 +28,7 @@ T energy(const Bristle<P>& b, const State<T>& state) {
 }
 
 // dE/dt from the forces: power of the slab on the tip (F_fx V0) minus friction and damping losses. Equals the
-// time derivative of energy() if theta' is kinematic. Dimensionless.
+// time derivative of energy() if conserves_energy(). Dimensionless.
 template <class T, class P>
 T power(const Bristle<P>& b, const Motion<T>& m) {
   const T friction = m.friction[0] * m.sliding.V_x + m.friction[1] * m.sliding.V_y;

@@ -1,100 +1,31 @@
 #pragma once
 
+#include "model/bristle.hpp"
 #include "model/contact.hpp"
-#include "model/friction/laws.hpp"
-
-#include <array>
-#include <cmath>
-#include <utility>
+#include "model/rod.hpp"
 
 namespace bristle {
 
-// Constants of one bristle under the slab, precomputed for the equations. P is the number type: double, or a
-// SIMD vector with one bristle per lane. Dimensionless, angles in rad.
-template <class P>
-struct Bristle {
-  FrictionLaw friction;
-  AzimuthRate azimuth_rate;
-  P k_r, k_theta, k_phi, c_theta, c_phi, theta_0, phi_0;
-  FrictionConstants<P> friction_constants;
-  P friction_factor;                 // Eqs. (14-16): F_f = friction_factor * modulation(V_R) * load(F_n)
-  P pole_peak, pole_rate;            // Eq. (4): alpha/(2 lambda), 1/lambda
-  P wall_peak, wall_rate;            // Eq. (3): beta/(2 lambda_z), 1/lambda_z
-  P wall_root_peak, wall_root_rate;  // cube root of wall_peak, wall_rate/3
-  P z_0;
-};
-
-// Pointers to all numbers of a Bristle, in a fixed order.
-// The SIMD engine uses them to copy a bristle into a lane.
-template <class B>
-constexpr auto constants_of(B& b) {
-  auto& friction = b.friction_constants;
-  return std::array{&b.k_r,       &b.k_theta,         &b.k_phi,          &b.c_theta,   &b.c_phi,
-                    &b.theta_0,   &b.phi_0,           &friction[0],      &friction[1], &friction[2],
-                    &friction[3], &b.friction_factor, &b.pole_peak,      &b.pole_rate, &b.wall_peak,
-                    &b.wall_rate, &b.wall_root_peak,  &b.wall_root_rate, &b.z_0};
-}
-constexpr std::size_t kConstants =
-    std::tuple_size_v<decltype(constants_of(std::declval<Bristle<double>&>()))>;
-static_assert(sizeof(Bristle<double>) ==
-                  sizeof(FrictionLaw) + sizeof(AzimuthRate) + kConstants * sizeof(double),
-              "constants_of() must list every number of Bristle");
-
-// Evaluates Eqs. (11, 12) and the derived constants of Eqs. (3, 4, 7, 14-16) for the gap z_0 (dimensionless)
-// and the undeformed azimuth theta_0 (rad).
-inline Bristle<double> make_bristle(const Parameters& p, double z_0, double theta_0) {
-  Bristle<double> b{};
-  b.friction = p.friction;
-  b.azimuth_rate = p.azimuth_rate;
-  b.k_r = p.k_r;
-  b.k_theta = p.k_theta;
-  b.k_phi = p.k_phi;
-  b.c_theta = 2 * p.zeta_theta * std::sqrt(p.k_theta) * cos(p.phi_0);
-  b.c_phi = 2 * p.zeta_phi * std::sqrt(p.k_phi);
-  b.theta_0 = theta_0;
-  b.phi_0 = p.phi_0;
-  with_law(p.friction, [&](auto law) {
-    b.friction_constants = law.constants(p);
-    b.friction_factor = law.factor(p);
-  });
-  b.pole_peak = p.alpha / (2 * p.lambda);
-  b.pole_rate = 1 / p.lambda;
-  b.wall_peak = p.beta / (2 * p.lambda_z);
-  b.wall_rate = 1 / p.lambda_z;
-  b.wall_root_peak = cbrt(b.wall_peak);
-  b.wall_root_rate = b.wall_rate / 3;
-  b.z_0 = z_0;
-  return b;
-}
-
-// (x, y, z), in units of r0 or V0.
-template <class T>
-using Vector3 = std::array<T, 3>;
-
-// Tip position and velocity, azimuth theta (unwrapped) and polar angle phi (from the x-y plane), rad.
-template <class T>
-struct State {
-  Vector3<T> r, v;
-  T theta, phi;
-};
-
-// Lengths and unit vectors of Eq. (2) at a position away from the pole (s > 0): e_s = (cos_theta, sin_theta,
+// Lengths and unit vectors of Eq. (2) at a position. Those that are singular at the pole, s = 0, have values
+// only for bristles with a pole: e_s = (cos_theta, sin_theta,
 // 0), e_theta = (-sin_theta, cos_theta, 0), e_r = cos_phi e_s + sin_phi k, e_phi = -sin_phi e_s + cos_phi k.
 template <class T>
 struct Frame {
-  T s, r, one_s, one_r;  // one_s = 1/s
+  T r, one_r;  // one_r = 1/r
+  T s, one_s;
   T cos_theta, sin_theta, cos_phi, sin_phi;
 };
 
 template <class T>
-Frame<T> frame_at(const Vector3<T>& position) {
+Frame<T> frame_at(Bending bending, const Vector3<T>& position) {
   const T &x = position[0], &y = position[1], &z = position[2];
   const T s2 = x * x + y * y, r2 = s2 + z * z;
-  Frame<T> f;
-  f.one_s = inverse_sqrt(s2);
+  Frame<T> f{};
   f.one_r = inverse_sqrt(r2);
-  f.s = s2 * f.one_s;
   f.r = r2 * f.one_r;
+  if (!has_pole(bending)) return f;
+  f.one_s = inverse_sqrt(s2);
+  f.s = s2 * f.one_s;
   f.cos_theta = x * f.one_s;
   f.sin_theta = y * f.one_s;
   f.cos_phi = f.s * f.one_r;
@@ -104,22 +35,22 @@ Frame<T> frame_at(const Vector3<T>& position) {
 
 // theta' per velocity along e_theta: 1/s, kinematically exact, or s/r^2 by Eq. (17) as printed.
 template <class T>
-T azimuth_rate_factor(AzimuthRate rule, const Frame<T>& f) {
-  return rule == AzimuthRate::kinematic ? f.one_s : T(f.s * T(f.one_r * f.one_r));
+T azimuth_rate_factor(Bending bending, const Frame<T>& f) {
+  return bending == Bending::polar ? f.one_s : T(f.s * T(f.one_r * f.one_r));
 }
 
-// theta', Eq. (17), and phi', Eq. (18).
+// theta', Eq. (17), and phi', Eq. (18). For a rod, the rates of the bending angles u_s and u_p.
 template <class T>
 struct AngularRates {
   T theta, phi;
 };
 
 template <class T>
-AngularRates<T> angular_rates(AzimuthRate rule, const Frame<T>& f, const Vector3<T>& v) {
+AngularRates<T> angular_rates(Bending bending, const Frame<T>& f, const Vector3<T>& v) {
   const T along_s = f.cos_theta * v[0] + f.sin_theta * v[1];
   const T along_theta = f.cos_theta * v[1] - f.sin_theta * v[0];  // (x v_y - y v_x)/s
   const T along_phi = f.cos_phi * v[2] - f.sin_phi * along_s;     // r phi', equivalent to Eq. (18)
-  return {T(along_theta * azimuth_rate_factor(rule, f)), T(along_phi * f.one_r)};
+  return {T(along_theta * azimuth_rate_factor(bending, f)), T(along_phi * f.one_r)};
 }
 
 // What the equations need of the tip's position.
@@ -134,7 +65,7 @@ template <class T, class P>
 Place<T> place_at(const Bristle<P>& b, const Vector3<T>& position) {
   const WallForce<T> wall = wall_force(T(b.z_0 - position[2]), b.wall_root_peak, b.wall_root_rate);
   const T load = with_law(b.friction, [&](auto law) -> T { return law.load(wall); });
-  return {frame_at(position), wall, T(b.friction_factor * load)};
+  return {frame_at(b.bending, position), wall, T(b.friction_factor * load)};
 }
 
 // Motion of the tip relative to the slab. V_R = 0 is a regular point: modulation/V_R keeps its finite limit.
@@ -188,20 +119,40 @@ struct Motion {
   InPlane<T> friction;
 };
 
-// Eq. (13), resolved along e_s, e_theta and k, with Eqs. (17, 18), for a given friction force.
+// Sets the acceleration, Eq. (13) resolved along e_s, e_theta and k, and the rates, Eqs. (17, 18).
 template <class T, class P>
-Motion<T> motion(const Bristle<P>& b, const State<T>& state, const Place<T>& place, const Sliding<T>& sliding,
-                 const InPlane<T>& friction) {
-  const Frame<T>& f = place.frame;
-  Motion<T> m{{}, angular_rates(b.azimuth_rate, f, state.v), place.wall, sliding, friction};
+void set_polar_motion(const Bristle<P>& b, const State<T>& state, const Frame<T>& f, Motion<T>& m) {
+  m.rates = angular_rates(b.bending, f, state.v);
   const T radial = b.k_r * T(f.r - 1.0);
   const T azimuthal = T(b.k_theta * T(state.theta - b.theta_0) + b.c_theta * m.rates.theta) * f.one_s;
   const T polar = T(b.k_phi * T(state.phi - b.phi_0) + b.c_phi * m.rates.phi) * f.one_r;
   const T pole = short_range_force(f.s, b.pole_peak, b.pole_rate);
   const T along_s = pole - radial * f.cos_phi + polar * f.sin_phi;
-  m.acceleration[0] = along_s * f.cos_theta + azimuthal * f.sin_theta + friction[0];
-  m.acceleration[1] = along_s * f.sin_theta - azimuthal * f.cos_theta + friction[1];
-  m.acceleration[2] = -radial * f.sin_phi - polar * f.cos_phi - place.wall.F_n;
+  m.acceleration[0] = along_s * f.cos_theta + azimuthal * f.sin_theta + m.friction[0];
+  m.acceleration[1] = along_s * f.sin_theta - azimuthal * f.cos_theta + m.friction[1];
+  m.acceleration[2] = -radial * f.sin_phi - polar * f.cos_phi - m.wall.F_n;
+}
+
+// The same for a rod.
+template <class T, class P>
+void set_rod_motion(const Bristle<P>& b, const State<T>& state, const Frame<T>& f, Motion<T>& m) {
+  const RodBending<T> bending = rod_bending(b, state.r, f.one_r, state.v);
+  m.rates = {bending.u_s_rate, bending.u_p_rate};
+  const T radial = b.k_r * T(T(f.r - 1.0) * f.one_r);  // per position
+  m.acceleration[0] = bending.force[0] - radial * state.r[0] + m.friction[0];
+  m.acceleration[1] = bending.force[1] - radial * state.r[1] + m.friction[1];
+  m.acceleration[2] = bending.force[2] - radial * state.r[2] - m.wall.F_n;
+}
+
+// Eq. (13) with Eqs. (17, 18), for a given friction force.
+template <class T, class P>
+Motion<T> motion(const Bristle<P>& b, const State<T>& state, const Place<T>& place, const Sliding<T>& sliding,
+                 const InPlane<T>& friction) {
+  Motion<T> m{{}, {}, place.wall, sliding, friction};
+  if (has_pole(b.bending))
+    set_polar_motion(b, state, place.frame, m);
+  else
+    set_rod_motion(b, state, place.frame, m);
   return m;
 }
 
@@ -216,7 +167,7 @@ Motion<T> motion(const Bristle<P>& b, const State<T>& state) {
 // -polar_damping() v_phi along e_phi.
 template <class T, class P>
 T azimuth_damping(const Bristle<P>& b, const Frame<T>& f) {
-  return b.c_theta * T(azimuth_rate_factor(b.azimuth_rate, f) * f.one_s);
+  return b.c_theta * T(azimuth_rate_factor(b.bending, f) * f.one_s);
 }
 template <class T, class P>
 T polar_damping(const Bristle<P>& b, const Frame<T>& f) {

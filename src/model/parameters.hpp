@@ -12,16 +12,25 @@ enum class FrictionLaw : int;  // model/friction/laws.hpp
 template <>
 Words words<FrictionLaw>();
 
-// theta' from the tip's velocity: kinematically exact, or by Eq. (17) as printed.
-enum class AzimuthRate {
-  kinematic,
-  as_printed
+// The springs against bending. polar: those of the paper in the angles theta and phi, Eq. (13), with theta'
+// kinematically exact; polar_as_printed: with theta' by Eq. (17) as printed; rod: the same stiffnesses in
+// coordinates without a pole (model/rod.hpp).
+enum class Bending {
+  polar,
+  polar_as_printed,
+  rod
 };
 template <>
-inline Words words<AzimuthRate>() {
-  static constexpr const char* list[] = {"kinematic", "as_printed"};
+inline Words words<Bending>() {
+  static constexpr const char* list[] = {"polar", "polar_as_printed", "rod"};
   return list;
 }
+
+// Whether the coordinates of bending are singular upright, at s = 0: there the pole repulsion and the pole rule
+// act. A rod knows neither.
+constexpr bool has_pole(Bending bending) { return bending != Bending::rod; }
+// Whether dE/dt is exactly the power of forces and dampers (model/energy.hpp).
+constexpr bool conserves_energy(Bending bending) { return bending != Bending::polar_as_printed; }
 
 // State of the bristle at the slab's leading edge, at rest in the vertical plane theta = theta_0:
 // static_equilibrium: frictionless equilibrium of springs, pole repulsion and wall force;
@@ -57,7 +66,7 @@ inline Words words<PoleRule>() {
 // assumptions, listed in docs/model.md.
 struct Parameters {
   FrictionLaw friction{};  // nss
-  AzimuthRate azimuth_rate = AzimuthRate::kinematic;
+  Bending bending = Bending::polar;
   InitialState initial_state = InitialState::static_equilibrium;
   PoleRule pole_rule = PoleRule::reflect;
   double k_r = 10;
@@ -164,7 +173,7 @@ Choice choice(const char* name, const char* description) {
 inline const auto& choices() {
   static const std::array table = {
       choice<&Parameters::friction>("friction", "local friction law"),
-      choice<&Parameters::azimuth_rate>("azimuth_rate", "closing equation for theta', Eq. (17)"),
+      choice<&Parameters::bending>("bending", "springs against bending: coordinates and Eq. (17)"),
       choice<&Parameters::initial_state>("initial_state", "state at the leading edge"),
       choice<&Parameters::pole_rule>("pole_rule", "rule for a tip that reaches s = s_min"),
   };

@@ -18,7 +18,7 @@ struct alignas(64) Row {
 // per instruction set, advance it; the engine, compiled once, fills lanes and handles events.
 struct Block {
   FrictionLaw friction;
-  AzimuthRate azimuth_rate;
+  Bending bending;
   const ModulationTable* modulation;
   std::uint32_t occupied = 0;    // lanes that hold a passage, one bit each
   std::uint64_t lane_steps = 0;  // attempted steps, counted for occupied and empty lanes

@@ -40,20 +40,20 @@ long max_steps(const IntegratorOptions& options) { return options.max_evaluation
 
 }  // namespace
 
-// The lanes for one friction law with its parameters and one AzimuthRate, near the pole or far from it, and
-// the queue of passages for them.
+// The lanes for one friction law with its parameters and one Bending, near the pole, or far from it or without
+// one, and the queue of passages for them.
 class SimdEngine::LaneSet {
  public:
   LaneSet(SimdEngine& engine, const PassageTask& task, std::shared_ptr<const ModulationTable> modulation,
           bool near_pole)
       : engine_(engine), modulation_(std::move(modulation)), near_pole_(near_pole) {
     block_.friction = task.bristle.friction;
-    block_.azimuth_rate = task.bristle.azimuth_rate;
+    block_.bending = task.bristle.bending;
     block_.modulation = modulation_.get();
   }
 
   bool serves(const PassageTask& task, bool near_pole) const {
-    return near_pole == near_pole_ && task.bristle.azimuth_rate == block_.azimuth_rate &&
+    return near_pole == near_pole_ && task.bristle.bending == block_.bending &&
            has_modulation_of(task);
   }
   bool has_modulation_of(const PassageTask& task) const {
@@ -74,13 +74,18 @@ class SimdEngine::LaneSet {
       start(lane, std::move(waiting_.front()));
       waiting_.pop_front();
     }
-    const auto steps = near_pole_ ? engine_.kernels_.near_steps : engine_.kernels_.far_steps;
-    const Events events = steps(block_);
+    const Events events = kernel()(block_);
     for (int lane = 0; lane < kLanes; ++lane)
       if (events.any() >> lane & 1) handle_events(lane, events);
   }
 
  private:
+  auto kernel() const {
+    const Kernels& kernels = engine_.kernels_;
+    if (!has_pole(block_.bending)) return kernels.rod_steps;
+    return near_pole_ ? kernels.near_steps : kernels.far_steps;
+  }
+
   void start(int lane, ActivePassage&& active) {
     const PassageTask& task = active.task;
     const double factor = near_pole_ ? kPinnedToleranceFactor : 1;
@@ -286,7 +291,7 @@ void SimdEngine::remove_idle_sets() {
 void SimdEngine::submit(const PassageTask& task, std::size_t ticket) {
   ActivePassage active{task, ticket, pack(state_at_rest(task.bristle, task.start))};
   active.x_0 = active.y[X];
-  active.near_pole = task.integrator.method == Method::implicit_only;
+  active.near_pole = has_pole(task.bristle.bending) && task.integrator.method == Method::implicit_only;
   remove_idle_sets();
   lane_set_for(task, active.near_pole).add(std::move(active));
 }

@@ -155,7 +155,7 @@ class Kernel {
   static void load(const Block& block, int first, Group& g) {
     const auto row = [first](const Row& r) { return Lanes::load(r.lane + first); };
     g.bristle.friction = block.friction;
-    g.bristle.azimuth_rate = block.azimuth_rate;
+    g.bristle.bending = block.bending;
     g.modulation = block.modulation;
     int i = 0;
     for (Lanes* constant : constants_of(g.bristle)) *constant = row(block.constants[i++]);

@@ -14,6 +14,7 @@ namespace bristle::HWY_NAMESPACE {
 extern const Kernels kKernels;
 const Kernels kKernels = {hwy::TargetName(HWY_TARGET), Lanes::kWidth,
                           AdditiveKernel<KennedyCarpenter4, FarFromPole>::run,
-                          AdditiveKernel<KennedyCarpenter4, NearPole>::run};
+                          AdditiveKernel<KennedyCarpenter4, NearPole>::run,
+                          AdditiveKernel<KennedyCarpenter4, WithoutPole>::run};
 
 }  // namespace bristle::HWY_NAMESPACE

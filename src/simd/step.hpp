@@ -12,10 +12,10 @@ namespace bristle::HWY_NAMESPACE {
 // of a stage is known before its velocity, so that a stage solves a 2 x 2 system. One iteration of Newton's
 // method suffices, from the velocity that the two stages before extrapolate to: the stage's equation then
 // holds exactly for a friction force that is linearised about that velocity. From the velocity of one stage
-// before, the error of the linearisation would reduce the order of the pair to 2. If ImplicitPolarDamper, the
-// damper of the polar angle is implicit, too, in all of the velocity: with c_phi/r^2 it is stiff for a tip
-// near the base.
-template <class Tableau, bool ImplicitPolarDamper>
+// before, the error of the linearisation would reduce the order of the pair to 2. Near the pole the damper of
+// the polar angle is implicit, too, in all of the velocity: with c_phi/r^2 it is stiff for a tip near the
+// base. The dampers of a rod are explicit.
+template <class Tableau, class Region>
 class AdditiveStep {
  public:
   static constexpr double kExponent = Tableau::exponent;
@@ -30,7 +30,9 @@ class AdditiveStep {
 
  private:
   static constexpr int S = Tableau::stages;
-  static constexpr int kImplicit = ImplicitPolarDamper ? 3 : 2;  // components of the velocity
+  static constexpr bool kAzimuthDamper = Region::kImplicitAzimuthDamper;
+  static constexpr bool kPolarDamper = Region::kImplicitPolarDamper;
+  static constexpr int kImplicit = kPolarDamper ? 3 : 2;  // components of the velocity
 
   struct Work {
     Slopes<S> k;
@@ -80,9 +82,13 @@ class AdditiveStep {
     set_modulation(g, w);
     w.friction = friction_force(w.place, w.sliding);
     const Frame<Lanes>& f = w.place.frame;
-    const Lanes damper = azimuth_damping(g.bristle, f) * along_theta(f, w.state.v[0], w.state.v[1]);
-    w.implicit[0] = {w.friction[0] + damper * f.sin_theta, w.friction[1] - damper * f.cos_theta};
-    if constexpr (ImplicitPolarDamper) {
+    w.implicit[0] = {w.friction[0], w.friction[1]};
+    if constexpr (kAzimuthDamper) {
+      const Lanes damper = azimuth_damping(g.bristle, f) * along_theta(f, w.state.v[0], w.state.v[1]);
+      w.implicit[0][0] += damper * f.sin_theta;
+      w.implicit[0][1] -= damper * f.cos_theta;
+    }
+    if constexpr (kPolarDamper) {
       const Vector3<Lanes> e_phi = e_phi_of(f);
       const Lanes force = -polar_damping(g.bristle, f) * dot(e_phi, w.state.v);
       w.implicit[0][2] = force * e_phi[2];
@@ -117,23 +123,31 @@ class AdditiveStep {
     const Frame<Lanes>& f = w.place.frame;
     const Sliding<Lanes>& s = w.sliding;
     const Lanes limit = w.h_gamma * w.place.friction_limit;
-    const Lanes h_damping = w.h_gamma * azimuth_damping(b, f);
     const Lanes from_x = w.state.v[0], from_y = w.state.v[1];
     const Lanes v_x = s.V_x + 1.0, v_y = s.V_y;
-    const Lanes secant = limit * w.secant, damper = h_damping * along_theta(f, v_x, v_y);
-    const Lanes residual_x = (v_x - from_x) + secant * s.V_x - damper * f.sin_theta;
-    const Lanes residual_y = (v_y - from_y) + secant * s.V_y + damper * f.cos_theta;
+    const Lanes secant = limit * w.secant;
+    Lanes residual_x = (v_x - from_x) + secant * s.V_x;
+    Lanes residual_y = (v_y - from_y) + secant * s.V_y;
     const Lanes diagonal = 1.0 + secant;
     // Where the modulation falls steeply with the speed, a smaller slope keeps the matrix regular.
     const Lanes along_e = max(limit * w.slope - secant, 0.1 - diagonal);
-    const Lanes e_x = along_e * s.e_x, t_x = h_damping * f.sin_theta, t_y = h_damping * f.cos_theta;
-    const Lanes m_xx = diagonal + e_x * s.e_x + t_x * f.sin_theta;
-    const Lanes m_yy = diagonal + Lanes(along_e * s.e_y) * s.e_y + t_y * f.cos_theta;
-    const Lanes m_xy = e_x * s.e_y - t_x * f.cos_theta;
+    const Lanes e_x = along_e * s.e_x;
+    Lanes m_xx = diagonal + e_x * s.e_x, m_yy = diagonal + Lanes(along_e * s.e_y) * s.e_y;
+    Lanes m_xy = e_x * s.e_y;
+    if constexpr (kAzimuthDamper) {
+      const Lanes h_damping = w.h_gamma * azimuth_damping(b, f);
+      const Lanes damper = h_damping * along_theta(f, v_x, v_y);
+      residual_x -= damper * f.sin_theta;
+      residual_y += damper * f.cos_theta;
+      const Lanes t_x = h_damping * f.sin_theta, t_y = h_damping * f.cos_theta;
+      m_xx += t_x * f.sin_theta;
+      m_yy += t_y * f.cos_theta;
+      m_xy -= t_x * f.cos_theta;
+    }
     const Lanes inverse = 1.0 / (m_xx * m_yy - m_xy * m_xy);
     Lanes change_x = Lanes(m_xy * residual_y - m_yy * residual_x) * inverse;
     Lanes change_y = Lanes(m_xy * residual_x - m_xx * residual_y) * inverse;
-    if constexpr (ImplicitPolarDamper) {  // adds a matrix of rank one, by the formula of Sherman and Morrison
+    if constexpr (kPolarDamper) {  // adds a matrix of rank one, by the formula of Sherman and Morrison
       const Vector3<Lanes> e = e_phi_of(f);
       const Lanes damping = w.h_gamma * polar_damping(b, f);
       const Vector3<Lanes> across = {Lanes(m_yy * e[0] - m_xy * e[1]) * inverse,
@@ -205,13 +219,16 @@ class AdditiveStep {
   }
 };
 
+inline Lanes::Mask none() { return Lanes(0.0) < Lanes(0.0); }
+
 // Far from the pole: its neighbourhood is an event, as a step could cross it.
 struct FarFromPole {
+  static constexpr bool kImplicitAzimuthDamper = true;
   static constexpr bool kImplicitPolarDamper = false;
   static Lanes::Mask pole_event(const Group& g) {
     return (in_plane_distance_squared(g.y_new) < Lanes(g.s_handover * g.s_handover)) | passes_pole(g);
   }
-  static Lanes::Mask leaves_pole(const Group&) { return Lanes(0.0) < Lanes(0.0); }
+  static Lanes::Mask leaves_pole(const Group&) { return none(); }
 
  private:
   // The tip approached the pole, now recedes, and its straight path would have come within s_handover.
@@ -225,6 +242,7 @@ struct FarFromPole {
 };
 
 struct NearPole {
+  static constexpr bool kImplicitAzimuthDamper = true;
   static constexpr bool kImplicitPolarDamper = true;
 
   // The tip may have reached s_min: it is inside at the end of the step and
@@ -250,7 +268,15 @@ struct NearPole {
   }
 };
 
+// Of a rod: nothing happens at s = 0.
+struct WithoutPole {
+  static constexpr bool kImplicitAzimuthDamper = false;
+  static constexpr bool kImplicitPolarDamper = false;
+  static Lanes::Mask pole_event(const Group&) { return none(); }
+  static Lanes::Mask leaves_pole(const Group&) { return none(); }
+};
+
 template <class Tableau, class Region>
-using AdditiveKernel = Kernel<AdditiveStep<Tableau, Region::kImplicitPolarDamper>, Region>;
+using AdditiveKernel = Kernel<AdditiveStep<Tableau, Region>, Region>;
 
 }  // namespace bristle::HWY_NAMESPACE

@@ -38,7 +38,7 @@ expect 2 "/dev/null: a device, pipe or socket" "$bristle" info /dev/null
 expect 2 "not an HDF5 file" "$bristle" check CMakeLists.txt
 expect 0 "(verified)" "$bristle" info "$result"
 expect 0 "R_x_norm" "$bristle" info "$result"
-expect 1 "claims, kinematic: 5 supported, 0 refuted, 1 undecided" "$bristle" check --claims-only "$result"
+expect 1 "claims, polar: 5 supported, 0 refuted, 1 undecided" "$bristle" check --claims-only "$result"
 expect 0 "refuted" "$bristle" check --claims-only --report-only "$result"
 
 # A new experiment is valid at once, runs in seconds, with and without paper.json beside it, and replaces nothing.
@@ -202,10 +202,10 @@ expect 0 "refuted, was supported" \
 
 # A deviation is reported with the command that computes only its point, with the same bits.
 sed -i '/"R_x_norm"/,/"tolerance"/ s/"values": \[\[[0-9.]*,/"values": [[0.1,/' "$reference/fig4.json"
-expect 1 "azimuth_rate = kinematic, k_r = 5, k_theta = 0.3: " "$bristle" check --report-only "$result" --reference "$reference"
+expect 1 "bending = polar, k_r = 5, k_theta = 0.3: " "$bristle" check --report-only "$result" --reference "$reference"
 expect 1 " against 0.1  FAILED" "$bristle" check --report-only "$result" --reference "$reference"
-expect 1 '"place": "azimuth_rate = kinematic, k_r = 5, k_theta = 0.3"' "$bristle" check --json --report-only "$result" --reference "$reference"
-replay=$("$bristle" check "$result" --reference "$reference" | grep -A 1 "^To compute azimuth_rate = kinematic, k_r = 5, k_theta = 0.3" | tail -n 1)
+expect 1 '"place": "bending = polar, k_r = 5, k_theta = 0.3"' "$bristle" check --json --report-only "$result" --reference "$reference"
+replay=$("$bristle" check "$result" --reference "$reference" | grep -A 1 "^To compute bending = polar, k_r = 5, k_theta = 0.3" | tail -n 1)
 replay=${replay/build\/bristle/$bristle}
 eval "${replay/results\/replay.h5/$folder/replay.h5 --quiet}"
 expect 0 "" "$(scripts/find-python)" -c 'import h5py, sys

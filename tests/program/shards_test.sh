@@ -36,7 +36,7 @@ rm "$r.2-of-4.journal" "$r.37-of-37.journal"
 for complete in run merge; do
   command=("$bristle" $complete "${run[@]:2}" -o "$r")
   [ $complete = merge ] || command+=(--complete)
-  expect 2 "15 of 30 points are missing in the journals of its folder: 1 (azimuth_rate = kinematic, k_r = 5, k_theta = 1.00795)" \
+  expect 2 "15 of 30 points are missing in the journals of its folder: 1 (bending = polar, k_r = 5, k_theta = 1.00795)" \
     "${command[@]}"
   { [ ! -e "$r" ] && [ ! -e "$r.journal" ]; } || failed "a completion with too few points left a file"
 done

@@ -73,8 +73,8 @@ def check_checks(path):
 def check_tables(path):
     table, data = exported(path, "--group", "trajectories"), xarray.open_dataset(path, group="trajectories")
     assert np.array_equal(table["x"], data["x"].values)
-    sweep = xarray.open_dataset(path)["azimuth_rate"].values
-    assert table["azimuth_rate"].tolist() == sweep[data["point"].values].tolist()
+    sweep = xarray.open_dataset(path)["bending"].values
+    assert table["bending"].tolist() == sweep[data["point"].values].tolist()
     assert {*table["phase"]} <= {"off_slab", "stick", "side_slip", "slip"}
     text = run("export", path, "--group", "trajectory", code=2)
     assert "there is no table trajectory (did you mean trajectories?); it has: " in text, text
@@ -117,11 +117,11 @@ def check_outputs(path):
 def check_info(path, data):
     info = json.loads(run("info", "--json", path))
     assert info["payload_sha256"] == data.attrs["payload_sha256"] and info["damage"] == []
-    assert info["axes"]["azimuth_rate"] == ["kinematic", "as_printed"]
+    assert info["axes"]["bending"] == ["polar", "polar_as_printed"]
     assert info["axes"]["k_r"] == data["k_r"].values.tolist()
     assert info["points"] == {"ok": 29, "ambiguous": 1} and info["failures"] == {}
     assert info["variables"]["R_x"]["max"] == float(data["R_x"].max())
-    assert info["variables"]["R_x"]["dimensions"] == ["azimuth_rate", "k_r", "k_theta"]
+    assert info["variables"]["R_x"]["dimensions"] == ["bending", "k_r", "k_theta"]
     assert info["variables"]["incomplete_theta_0"]["missing"] == 30
     assert "run" in info["provenance"]["command_line"]
 

@@ -39,7 +39,7 @@ assert [check[:2] for check in now] == before, f"the verdicts of the reference a
 shape = [len(values) for values in reference["axes"].values()]
 stored = reference["variables"][variable]
 values, tolerance = grid(stored["values"], shape), grid(stored["tolerance"], shape)
-first = file["azimuth_rate"].asstr()[...].tolist().index(reading)  # azimuth_rate is the first axis
+first = file["bending"].asstr()[...].tolist().index(reading)  # bending is the first axis
 deviation = np.abs(file[variable][first] - values[first]) / tolerance[first]
 print(f"{variable}: {deviation.size} values, at most {np.nanmax(deviation):.2g} tolerances from the reference")
 assert (np.isfinite(values[first]) == np.isfinite(file[variable][first])).all()

@@ -95,10 +95,10 @@ assert pathlib.Path(result).read_bytes() == before
 # Verdicts under both readings of Eq. (17).
 with open_result(result) as file:
     claims, pairs = read_claims(file), declared_checks(file)
-    assert all(set(check) == {"kinematic", "as_printed"} for check in by_check(claims))
+    assert all(set(check) == {"polar", "polar_as_printed"} for check in by_check(claims))
     assert all(check["statement"] == claim.statement for check, claim in pairs) and len(pairs) == len(claims)
     for checks in by_claim(claims):
-        roles = [check["kinematic"].role for check in checks]
+        roles = [check["polar"].role for check in checks]
         assert roles == sorted(roles, key=lambda role: role != "main") and roles[0] == "main"
 
 # Jumps of the gap between neighbours, but not on a grid that is too coarse to tell them from a slope.
@@ -114,7 +114,7 @@ assert torn_faces(Grid(*[None] * 6, jumps, None)).tolist() == [[True, True]]
 shutil.copy(result, folder / "jumps.h5")
 with h5py.File(folder / "jumps.h5", "a") as file:
     k_r = file["k_r"][()]
-    shape = file["status"].shape  # azimuth_rate, k_r, k_theta
+    shape = file["status"].shape  # bending, k_r, k_theta
     at = numpy.ravel_multi_index([[0, 0, 1], [1, 2, 1], [0, 2, 1]], shape)
     group = file.create_group("jumps")
     group.attrs["along"] = numpy.bytes_("k_r")
@@ -132,15 +132,15 @@ with h5py.File(folder / "jumps.h5", "a") as file:
     read_group(file, "", 0, digest)
     file.attrs["payload_sha256"] = numpy.bytes_(digest.hexdigest())
 with open_result(folder / "jumps.h5") as file:
-    found = located_jumps(file, ["k_theta", "k_r"], azimuth_rate="kinematic")
+    found = located_jumps(file, ["k_theta", "k_r"], bending="polar")
     assert [jump.index for jump in found] == [(0, 1)]  # the second has no gap on one side, the third another reading
     assert abs(found[0].place / k_r[1] - 1.205) < 1e-3
     assert numpy.allclose([found[0].start / k_r[1], found[0].end / k_r[1]], [1.1, 1.25])
-    along_y, along_x = read_jumps(file, ["k_theta", "k_r"], azimuth_rate="kinematic")
+    along_y, along_x = read_jumps(file, ["k_theta", "k_r"], bending="polar")
     assert numpy.argwhere(along_x).tolist() == [[0, 1]]
     part = file.isel(k_r=[0, 2, 3], k_theta=[0, 1])
-    assert located_jumps(part, ["k_theta", "k_r"], azimuth_rate="kinematic")[0][0] == (0, 0)
-    grid = read_grid(file, "k_r", "k_theta", {"azimuth_rate": "kinematic"})
+    assert located_jumps(part, ["k_theta", "k_r"], bending="polar")[0][0] == (0, 0)
+    grid = read_grid(file, "k_r", "k_theta", {"bending": "polar"})
     axes = matplotlib.figure.Figure().add_subplot()
     assert ["located to 1 %" in text for text in draw_jumps(axes, grid)] == [True, False]  # the line and the band
     (line,) = axes.lines
@@ -176,7 +176,7 @@ with xarray.open_dataset(result) as ds:
     for engine in ("netcdf4", "h5netcdf"):
         with xarray.open_dataset(result, engine=engine) as same:
             assert texts(fig4.draw(same)) == expected, engine
-    printed = [ds.sel(azimuth_rate="as_printed"), ds.isel(azimuth_rate=[1]).transpose("k_theta", ...)]
+    printed = [ds.sel(bending="polar_as_printed"), ds.isel(bending=[1]).transpose("k_theta", ...)]
     drawn = [texts(fig4.draw(part, plain=True)) for part in printed]
     assert drawn[0] == drawn[1] == texts(pages(fig4.draw, open_result(result), plain=True)[1][2])
     assert not any(has_verdicts(fig4.draw(part)) for part in printed)
@@ -186,8 +186,8 @@ with xarray.open_dataset(result) as ds:
     assert "DataArray" in refusal(fig4.draw, ds["R_x"])
     assert "schema version none" in refusal(fig4.draw, ds.assign_attrs(schema_version=""))
     # A reading by its word; the options of the look.
-    assert texts(fig4.draw(ds, reading="as_printed")) == texts(fig4.draw(ds, reading={"azimuth_rate": "as_printed"}))
-    assert "no reading 'printed'" in (said := refusal(lambda: fig4.draw(ds, reading="printed"))) and "as_printed" in said
+    assert texts(fig4.draw(ds, reading="polar_as_printed")) == texts(fig4.draw(ds, reading={"bending": "polar_as_printed"}))
+    assert "no reading 'printed'" in (said := refusal(lambda: fig4.draw(ds, reading="printed"))) and "polar_as_printed" in said
     assert list(inspect.signature(fig4.draw).parameters) == ["file", "reading", "plain", "width", "cmap", "style"]
     assert "Fig. 4" in fig4.draw.__doc__ and "cmap" in fig4.draw.__doc__ and "energy budget" in fig4.draw_energy.__doc__
     assert "did you mean viridis?" in refusal(lambda: fig4.draw(ds, cmap="virids"))
@@ -210,7 +210,7 @@ with xarray.open_dataset(result) as ds:
         assert not has_verdicts(drawn := fig4.draw(copy)) and len(texts(drawn)) > 50
 
     # A result without the axes that a figure needs.
-    assert "figure ski needs the axes friction, R_n_N, V0_m_per_s; this result has azimuth_rate, k_r" in refusal(ski.draw, ds)
+    assert "figure ski needs the axes friction, R_n_N, V0_m_per_s; this result has bending, k_r" in refusal(ski.draw, ds)
     table = symbols(ds)
 assert in_symbols("R_x_norm falls as k_r grows", table) == "$\u0158_x$" r" falls as $\tilde{k}_r$ grows"
 assert in_symbols("R_n(z_0), N_c/N_c0", table) == r"$\tilde{R}_n$($\tilde{z}_0$), $N_c$/$N_{c,0}$"

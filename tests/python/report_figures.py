@@ -134,7 +134,7 @@ def check_saved(driver, saved, fig4):
     driver.execute_cdp_cmd("Browser.setDownloadBehavior", {"behavior": "allow", "downloadPath": str(saved)})
     for selector in ("#fig4 a.data", "#fig2 a.data:nth-of-type(2)", "#fig4 button.save"):
         driver.execute_script("document.querySelector(arguments[0]).click()", selector)
-    wanted = [saved / name for name in ("fig4.csv", "fig2-trajectories.csv", "fig4-kinematic.svg")]
+    wanted = [saved / name for name in ("fig4.csv", "fig2-trajectories.csv", "fig4-polar.svg")]
     for _ in range(100):
         if all(path.exists() for path in wanted):
             break
@@ -153,15 +153,15 @@ def check_readings(driver):
     """The switch leaves one reading of figures, verdicts and map."""
     readings = """return [...new Set([...document.querySelectorAll('main [data-reading]')]
       .filter(e => e.checkVisibility()).map(e => e.dataset.reading))].sort()"""
-    assert driver.execute_script(readings) == ["as_printed", "kinematic"]
-    for word in ("as_printed", "kinematic"):
+    assert driver.execute_script(readings) == ["polar_as_printed", "polar"]
+    for word in ("polar_as_printed", "polar"):
         driver.execute_script(f"document.querySelector('[name=reading][value={word}]').click()")
         assert driver.execute_script(readings) == [word]
         assert len(set(texts(driver, "#all-claims tbody td:nth-child(8)"))) == 1
-        axis = driver.execute_script("return document.querySelector('[data-axis=azimuth_rate]').value")
-        assert axis == {"kinematic": "0", "as_printed": "1"}[word]
+        axis = driver.execute_script("return document.querySelector('[data-axis=bending]').value")
+        assert axis == {"polar": "0", "polar_as_printed": "1"}[word]
     driver.execute_script("document.querySelector('[name=reading][value=\"\"]').click()")
-    assert driver.execute_script(readings) == ["as_printed", "kinematic"]
+    assert driver.execute_script(readings) == ["polar_as_printed", "polar"]
 
 
 def check_curves_map(driver):

@@ -12,20 +12,20 @@ NAMES = ["z_0", "R_n", "R_x", "R_y", "R_x_norm", "R_y_norm", "N_c_ratio", "gamma
 
 
 def check_axes(data):
-    assert data["R_x_norm"].dims == ("azimuth_rate", "k_r", "k_theta"), data["R_x_norm"].dims
+    assert data["R_x_norm"].dims == ("bending", "k_r", "k_theta"), data["R_x_norm"].dims
     assert data["k_r"].shape == (5,) and data["k_r"].attrs["units"] == "1"
     assert np.isclose(data["k_r"][0], 5) and np.isclose(data["k_r"][-1], 100)
-    point = data.sel(azimuth_rate="kinematic").isel(k_theta=0).sel(k_r=3, method="nearest")
+    point = data.sel(bending="polar").isel(k_theta=0).sel(k_r=3, method="nearest")
     assert abs(float(point["R_n"]) - 2) < 0.005, float(point["R_n"])
-    codes = data["azimuth_rate_code"]
+    codes = data["bending_code"]
     words = codes.attrs["flag_meanings"].split()
-    assert [words[code] for code in codes.values] == data["azimuth_rate"].values.tolist() == ["kinematic", "as_printed"]
+    assert [words[code] for code in codes.values] == data["bending"].values.tolist() == ["polar", "polar_as_printed"]
 
 
 def check_variables(data):
     for name in NAMES:
         for variable in (name, name + "_err"):
-            assert data[variable].dims == ("azimuth_rate", "k_r", "k_theta"), variable
+            assert data[variable].dims == ("bending", "k_r", "k_theta"), variable
             for attribute in ("long_name", "units", "symbol", "equation"):
                 assert attribute in data[variable].attrs, (variable, attribute)
             assert np.isnan(data[variable].encoding["_FillValue"]), variable
@@ -52,7 +52,7 @@ def check_attributes(attributes):
 def check_frames(data, point):
     frame = data.to_dataframe()
     assert len(frame) == data["status"].size
-    assert frame.loc["kinematic"].shape[0] == frame.loc["as_printed"].shape[0] == len(frame) / 2
+    assert frame.loc["polar"].shape[0] == frame.loc["polar_as_printed"].shape[0] == len(frame) / 2
     assert point["R_x"].shape == ()
     frame = point.expand_dims("point").to_dataframe()  # as docs/results-format.md says
     assert len(frame) == 1 and np.isfinite(frame["R_x"][0])

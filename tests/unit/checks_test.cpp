@@ -206,20 +206,20 @@ TEST_CASE("the main checks of one interpretation decide the verdict on a claim, 
 
 TEST_CASE("with checks_for_each, every check has a verdict at each value of the choice") {
   const Scratch s;
-  const std::string both = R"("sweep": {"azimuth_rate": {"values": ["kinematic", "as_printed"]},
+  const std::string both = R"("sweep": {"bending": {"values": ["polar", "polar_as_printed"]},
     "k_r": {"values": [1, 2, 3]}}, "checks": [)" +
                            level(true, R"(, "where": {"k_r": [1, 2]})") + R"(], "checks_for_each": )";
-  const auto results = evaluated(s, {1, 2, 90, 10, 20, 90}, 0.1, both + R"("azimuth_rate")");
+  const auto results = evaluated(s, {1, 2, 90, 10, 20, 90}, 0.1, both + R"("bending")");
   REQUIRE(results.size() == 2);
-  CHECK(results[0].check.reading == "kinematic");
+  CHECK(results[0].check.reading == "polar");
   CHECK(results[0].measured.value == Approx(1.5));
   CHECK(results[0].claim_verdict == Verdict::supported);
-  CHECK(results[1].check.reading == "as_printed");
+  CHECK(results[1].check.reading == "polar_as_printed");
   CHECK(results[1].measured.value == Approx(15));
   CHECK(results[1].claim_verdict == Verdict::refuted);
   CHECK(results[1].check.number == 0);
   const std::string table = checks_table(results);
-  CHECK(table.find("kinematic") < table.find("as_printed"));
+  CHECK(table.find("polar") < table.find("polar_as_printed"));
   CHECK(std::count(table.begin(), table.end(), '\n') == 2);  // one line for both verdicts
   CHECK_THROWS_WITH(evaluated(s, {}, 0, both + R"("k_r")"), Catch::Contains("is not a choice"));
   CHECK_THROWS_WITH(evaluated(s, {}, 0, both + R"("friction")"), Catch::Contains("is not a choice"));

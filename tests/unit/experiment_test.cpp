@@ -72,7 +72,7 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
            R"("locate_jumps": "k_r", "sweep": {"k_r": {"values": [1, 2]}}, "load": {"R_n": null, "z_0": 0.5})"),
        "@/e.json: /locate_jumps: needs a load R_n: at a given gap, and along a traced curve, no gap jumps"},
       {with(R"("model": {"k_tehta": 1})"),
-       "@/e.json: /model/k_tehta: unknown key (did you mean k_theta?); allowed: friction, azimuth_rate, "
+       "@/e.json: /model/k_tehta: unknown key (did you mean k_theta?); allowed: friction, bending, "
        "initial_state, pole_rule, k_r, k_theta, k_phi, phi_0_deg, zeta_theta, zeta_phi, mu_c, tau_f, R_c, "
        "E_star, "
        "A, C, V_s, lambda, lambda_z, alpha, beta, s_min, L_x, L_y, spacing"},
@@ -125,7 +125,7 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
        "R_m, "
        "k_r_over_k_phi, k_r_N_per_m, k_theta_N_m, k_phi_N_m, E_star_Pa, tau_f_Pa, R_c_m, V_s_m_per_s, "
        "alpha_J, "
-       "beta_J, R_n_N, friction, azimuth_rate, initial_state, pole_rule, path, sampling"},
+       "beta_J, R_n_N, friction, bending, initial_state, pole_rule, path, sampling"},
       {with(R"("sweep": {"friction": {"values": ["nss", "coulom"]}})"),
        "@/e.json: /sweep/friction/values: \"coulom\" is not known (did you mean coulomb?); allowed: " +
            laws()},
@@ -302,7 +302,7 @@ TEST_CASE(
   const Experiment full = load_experiment(kExperiments + "/fig4.json", {});
   const Experiment smoke = load_experiment(kExperiments + "/fig4.json", {{}, "smoke"});
   REQUIRE(full.axes.size() == 3);
-  CHECK(full.axes[0].name == "azimuth_rate");
+  CHECK(full.axes[0].name == "bending");
   CHECK(full.points() == 1600);
   const std::vector<double>& k_r = full.axes[1].values;
   CHECK(k_r.front() == 5);

@@ -129,7 +129,7 @@ TEST_CASE("keys of points contain choices as words, whose codes may change") {
   const Scratch s;
   const Experiment e = small_experiment(s);
   const std::string text = canonical_point(e, 0);
-  for (const char* word : {R"("friction":"nss")", R"("azimuth_rate":"kinematic")", R"("engine":"fast")",
+  for (const char* word : {R"("friction":"nss")", R"("bending":"polar")", R"("engine":"fast")",
                            R"("initial_state":"static_equilibrium")", R"("pole_rule":"reflect")"}) {
     CAPTURE(word, text);
     CHECK(text.find(word) != std::string::npos);

@@ -96,8 +96,8 @@ TEST_CASE("closing equations: theta' kinematically exact or as printed, phi' exa
   rc::prop("against differences along the motion", [] {
     const State<double> s = random_state(0.6);
     const auto f = frame_at(s.r);
-    const auto exact = angular_rates(AzimuthRate::kinematic, f, s.v);
-    const auto printed = angular_rates(AzimuthRate::as_printed, f, s.v);
+    const auto exact = angular_rates(Bending::polar, f, s.v);
+    const auto printed = angular_rates(Bending::polar_as_printed, f, s.v);
     const double cross = s.r[0] * s.v[1] - s.r[1] * s.v[0];
     RC_ASSERT(std::abs(exact.theta - cross / (f.s * f.s)) < 1e-10 * (1 + std::abs(exact.theta)));
     RC_ASSERT(std::abs(printed.theta - cross / (f.r * f.r)) < 1e-10 * (1 + std::abs(printed.theta)));
@@ -130,8 +130,8 @@ TEST_CASE("the power of the forces equals the rate of the energy for the exact c
     const double z_0 = 0.6;
     State<double> s = random_state(z_0);
     const double h = 1e-7;
-    for (const auto rule : {AzimuthRate::kinematic, AzimuthRate::as_printed}) {
-      p.azimuth_rate = rule;
+    for (const auto rule : {Bending::polar, Bending::polar_as_printed}) {
+      p.bending = rule;
       const auto b = make_bristle(p, z_0, 0.3);
       const auto m = motion(b, s);
       const auto at = [&](double t) {
@@ -141,7 +141,7 @@ TEST_CASE("the power of the forces equals the rate of the energy for the exact c
       };
       const double rate = (energy(b, at(h)) - energy(b, at(-h))) / (2 * h);
       const double defect = std::abs(rate - power(b, m));
-      const auto exact = angular_rates(AzimuthRate::kinematic, frame_at(s.r), s.v);
+      const auto exact = angular_rates(Bending::polar, frame_at(s.r), s.v);
       const double printed_defect = std::abs((b.k_theta * (s.theta - b.theta_0) + b.c_theta * m.rates.theta) *
                                              (m.rates.theta - exact.theta));
       const double scale = 1 + std::abs(rate) + vector(m.acceleration).norm() * vector(s.v).norm();

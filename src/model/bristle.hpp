@@ -1,0 +1,87 @@
+#pragma once
+
+#include "model/friction/laws.hpp"
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace bristle {
+
+// Constants of one bristle under the slab, precomputed for the equations. P is the number type: double, or a
+// SIMD vector with one bristle per lane. Dimensionless, angles in rad.
+template <class P>
+struct Bristle {
+  FrictionLaw friction;
+  Bending bending;
+  P k_r, k_theta, k_phi, c_theta, c_phi, theta_0, phi_0;
+  P cos_theta_0, sin_theta_0, cos_phi_0, sin_phi_0;
+  FrictionConstants<P> friction_constants;
+  P friction_factor;                 // Eqs. (14-16): F_f = friction_factor * modulation(V_R) * load(F_n)
+  P pole_peak, pole_rate;            // Eq. (4): alpha/(2 lambda), 1/lambda
+  P wall_peak, wall_rate;            // Eq. (3): beta/(2 lambda_z), 1/lambda_z
+  P wall_root_peak, wall_root_rate;  // cube root of wall_peak, wall_rate/3
+  P z_0;
+};
+
+// Pointers to all numbers of a Bristle, in a fixed order.
+// The SIMD engine uses them to copy a bristle into a lane.
+template <class B>
+constexpr auto constants_of(B& b) {
+  auto& friction = b.friction_constants;
+  return std::array{&b.k_r,         &b.k_theta,     &b.k_phi,       &b.c_theta,         &b.c_phi,
+                    &b.theta_0,     &b.phi_0,       &b.cos_theta_0, &b.sin_theta_0,     &b.cos_phi_0,
+                    &b.sin_phi_0,   &friction[0],   &friction[1],   &friction[2],       &friction[3],
+                    &b.friction_factor, &b.pole_peak, &b.pole_rate, &b.wall_peak,       &b.wall_rate,
+                    &b.wall_root_peak, &b.wall_root_rate, &b.z_0};
+}
+constexpr std::size_t kConstants =
+    std::tuple_size_v<decltype(constants_of(std::declval<Bristle<double>&>()))>;
+static_assert(sizeof(Bristle<double>) ==
+                  sizeof(FrictionLaw) + sizeof(Bending) + kConstants * sizeof(double),
+              "constants_of() must list every number of Bristle");
+
+// Evaluates Eqs. (11, 12), for a rod the damping of a unit mass at r = 1, and the derived constants of Eqs. (3, 4, 7, 14-16) for the gap z_0 (dimensionless)
+// and the undeformed azimuth theta_0 (rad).
+inline Bristle<double> make_bristle(const Parameters& p, double z_0, double theta_0) {
+  Bristle<double> b{};
+  b.friction = p.friction;
+  b.bending = p.bending;
+  b.k_r = p.k_r;
+  b.k_theta = p.k_theta;
+  b.k_phi = p.k_phi;
+  b.c_theta = 2 * p.zeta_theta * std::sqrt(p.k_theta) * (has_pole(p.bending) ? cos(p.phi_0) : 1);
+  b.c_phi = 2 * p.zeta_phi * std::sqrt(p.k_phi);
+  b.theta_0 = theta_0;
+  b.phi_0 = p.phi_0;
+  b.cos_theta_0 = cos(theta_0);
+  b.sin_theta_0 = sin(theta_0);
+  b.cos_phi_0 = cos(p.phi_0);
+  b.sin_phi_0 = sin(p.phi_0);
+  with_law(p.friction, [&](auto law) {
+    b.friction_constants = law.constants(p);
+    b.friction_factor = law.factor(p);
+  });
+  b.pole_peak = has_pole(p.bending) ? p.alpha / (2 * p.lambda) : 0;
+  b.pole_rate = 1 / p.lambda;
+  b.wall_peak = p.beta / (2 * p.lambda_z);
+  b.wall_rate = 1 / p.lambda_z;
+  b.wall_root_peak = cbrt(b.wall_peak);
+  b.wall_root_rate = b.wall_rate / 3;
+  b.z_0 = z_0;
+  return b;
+}
+
+// (x, y, z), in units of r0 or V0.
+template <class T>
+using Vector3 = std::array<T, 3>;
+
+// Tip position and velocity, azimuth theta (unwrapped) and polar angle phi (from the x-y plane), rad. For a
+// rod, theta and phi keep their values of the start.
+template <class T>
+struct State {
+  Vector3<T> r, v;
+  T theta, phi;
+};
+
+}  // namespace bristle
