@@ -80,7 +80,7 @@ class SimdEngine::LaneSet {
   }
 
  private:
-  auto kernel() const {
+  Events (*kernel() const)(Block&) {
     const Kernels& kernels = engine_.kernels_;
     if (!has_pole(block_.bending)) return kernels.rod_steps;
     return near_pole_ ? kernels.near_steps : kernels.far_steps;
