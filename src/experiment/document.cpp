@@ -1,5 +1,6 @@
 #include "experiment/document.hpp"
 
+#include "model/parameters.hpp"
 #include "util/data.hpp"
 #include "util/error.hpp"
 #include "util/text.hpp"
@@ -223,7 +224,10 @@ std::vector<Json> Document::tier_patches() const {
 
 void Document::merge() {
   Json merged = Json::object();
-  for (const Source& s : files_) merged.merge_patch(*s.content);
+  for (const Source& s : files_) {
+    if (s.content->contains("si") && !merged.contains("si")) merged["model"]["bending"] = word(Bending::rod);
+    merged.merge_patch(*s.content);
+  }
   for (const Json& patch : tier_patches()) merged.merge_patch(patch);
   for (const Change& change : set_) apply(merged, change);
   merged_ = std::make_shared<const Json>(std::move(merged));

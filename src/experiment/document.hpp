@@ -15,7 +15,8 @@ struct DocumentOptions {
 };
 
 // An experiment file merged with its parents (extends), the patches of the tier and the --set changes.
-// Remembers the source of each value for messages.
+// Bristles in SI units bend like rods, unless the file with the si block, or one that changes it, says
+// otherwise. Remembers the source of each value for messages.
 class Document {
  public:
   // Throws InputError for an unreadable or malformed file, for an extends that is missing, circular or

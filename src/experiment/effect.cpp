@@ -11,7 +11,11 @@ namespace {
 // All that a point's numbers depend on, beside what the points of an experiment have in common.
 std::vector<double> effective_input(const PointInput& point) {
   const auto& [setup, loading, si] = point;
-  const Parameters& p = setup.parameters;
+  Parameters p = setup.parameters;
+  if (!has_pole(p.bending)) {
+    p.s_min = 0;
+    p.pole_rule = {};
+  }
   const Orientation& o = setup.orientation;
   constexpr double any_gap = 0.5, any_azimuth = 1;
   const Bristle<double> bristle = make_bristle(p, loading.z_0.value_or(any_gap), any_azimuth);

@@ -29,7 +29,8 @@ void apply_material(PointInput& input, const SiScales& scales) {
   const auto has = [&](const char* key) { return input.si.contains(key); };
   Parameters& p = input.setup.parameters;
   if (has("R_m")) {
-    p.k_theta = p.k_phi = cantilever(value("E_Pa"), value("R_m"), scales.length) / scales.energy;
+    p.k_phi = cantilever(value("E_Pa"), value("R_m"), scales.length) / scales.energy;
+    p.k_theta = (has("k_theta_over_k_phi") ? value("k_theta_over_k_phi") : 1) * p.k_phi;
     if (has("k_r_over_k_phi")) p.k_r = value("k_r_over_k_phi") * p.k_phi;
   }
   if (has("nu")) p.E_star = value("E_Pa") / (1 - value("nu") * value("nu")) / scales.stress;
@@ -61,6 +62,14 @@ const std::vector<SiQuantity>& si_quantities() {
        {"k_r"},
        nullptr,
        "with R_m only"},
+      {"k_theta_over_k_phi",
+       R"(\tilde{k}_\theta/\tilde{k}_\varphi)",
+       "azimuthal over polar stiffness",
+       "1",
+       kPositive,
+       {"k_theta"},
+       nullptr,
+       "with R_m only; otherwise 1, a round rod"},
       {"k_r_N_per_m", "k_r", "radial stiffness", "N/m", kPositive, {"k_r"}, &S::stiffness},
       {"k_theta_N_m", R"(k_\theta)", "azimuthal stiffness", "N m/rad", kPositive, {"k_theta"}, &S::energy},
       {"k_phi_N_m", R"(k_\varphi)", "polar stiffness", "N m/rad", kPositive, {"k_phi"}, &S::energy},
@@ -103,7 +112,10 @@ void read_si_units(const Document& document, const std::vector<Axis>& axes, Poin
   if (has("E_Pa") && has("nu") == has("E_star_Pa"))
     document.fail("/si/nu", fmt::format("E_Pa needs either nu or E_star_Pa for the contact modulus; {} given",
                                         has("nu") ? "both are" : "neither is"));
-  if (has("k_r_over_k_phi") && !has("R_m")) document.fail("/si/k_r_over_k_phi", "is allowed with R_m only");
+  for (const char* ratio : {"k_r_over_k_phi", "k_theta_over_k_phi"})
+    if (has(ratio) && !has("R_m")) document.fail(fmt::format("/si/{}", ratio), "is allowed with R_m only");
+  if (has("k_theta_over_k_phi") && has("k_theta_N_m"))
+    document.fail("/si/k_theta_over_k_phi", "and k_theta_N_m give the same stiffness; remove one of them");
 }
 
 void apply_si_units(PointInput& input) {
@@ -155,7 +167,8 @@ std::vector<std::string> replaceable_values(const PointInput& input, bool given)
           convertible = true;
           replaced = replaced || input.si.contains(q.name);
         }
-    if (convertible && replaced == given)
+    const bool acts = entry.member != &Parameters::alpha || has_pole(input.setup.parameters.bending);
+    if (convertible && replaced == given && acts)
       out.push_back(fmt::format("{} = {:.6g}", entry.name, input.setup.parameters.*entry.member));
   }
   return out;

@@ -29,20 +29,19 @@ struct Bristle {
 template <class B>
 constexpr auto constants_of(B& b) {
   auto& friction = b.friction_constants;
-  return std::array{&b.k_r,         &b.k_theta,     &b.k_phi,       &b.c_theta,         &b.c_phi,
-                    &b.theta_0,     &b.phi_0,       &b.cos_theta_0, &b.sin_theta_0,     &b.cos_phi_0,
-                    &b.sin_phi_0,   &friction[0],   &friction[1],   &friction[2],       &friction[3],
-                    &b.friction_factor, &b.pole_peak, &b.pole_rate, &b.wall_peak,       &b.wall_rate,
-                    &b.wall_root_peak, &b.wall_root_rate, &b.z_0};
+  return std::array{
+      &b.k_r,       &b.k_theta,     &b.k_phi,          &b.c_theta,         &b.c_phi,     &b.theta_0,
+      &b.phi_0,     &b.cos_theta_0, &b.sin_theta_0,    &b.cos_phi_0,       &b.sin_phi_0, &friction[0],
+      &friction[1], &friction[2],   &friction[3],      &b.friction_factor, &b.pole_peak, &b.pole_rate,
+      &b.wall_peak, &b.wall_rate,   &b.wall_root_peak, &b.wall_root_rate,  &b.z_0};
 }
 constexpr std::size_t kConstants =
     std::tuple_size_v<decltype(constants_of(std::declval<Bristle<double>&>()))>;
-static_assert(sizeof(Bristle<double>) ==
-                  sizeof(FrictionLaw) + sizeof(Bending) + kConstants * sizeof(double),
+static_assert(sizeof(Bristle<double>) == sizeof(FrictionLaw) + sizeof(Bending) + kConstants * sizeof(double),
               "constants_of() must list every number of Bristle");
 
-// Evaluates Eqs. (11, 12), for a rod the damping of a unit mass at r = 1, and the derived constants of Eqs. (3, 4, 7, 14-16) for the gap z_0 (dimensionless)
-// and the undeformed azimuth theta_0 (rad).
+// Evaluates Eqs. (11, 12), for a rod the damping of a unit mass at r = 1, and the derived constants of Eqs.
+// (3, 4, 7, 14-16) for the gap z_0 (dimensionless) and the undeformed azimuth theta_0 (rad).
 inline Bristle<double> make_bristle(const Parameters& p, double z_0, double theta_0) {
   Bristle<double> b{};
   b.friction = p.friction;
@@ -63,7 +62,7 @@ inline Bristle<double> make_bristle(const Parameters& p, double z_0, double thet
     b.friction_factor = law.factor(p);
   });
   b.pole_peak = has_pole(p.bending) ? p.alpha / (2 * p.lambda) : 0;
-  b.pole_rate = 1 / p.lambda;
+  b.pole_rate = has_pole(p.bending) ? 1 / p.lambda : 0;
   b.wall_peak = p.beta / (2 * p.lambda_z);
   b.wall_rate = 1 / p.lambda_z;
   b.wall_root_peak = cbrt(b.wall_peak);

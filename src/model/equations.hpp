@@ -149,10 +149,8 @@ template <class T, class P>
 Motion<T> motion(const Bristle<P>& b, const State<T>& state, const Place<T>& place, const Sliding<T>& sliding,
                  const InPlane<T>& friction) {
   Motion<T> m{{}, {}, place.wall, sliding, friction};
-  if (has_pole(b.bending))
-    set_polar_motion(b, state, place.frame, m);
-  else
-    set_rod_motion(b, state, place.frame, m);
+  if (has_pole(b.bending)) set_polar_motion(b, state, place.frame, m);
+  else set_rod_motion(b, state, place.frame, m);
   return m;
 }
 

@@ -26,8 +26,8 @@ inline Words words<Bending>() {
   return list;
 }
 
-// Whether the coordinates of bending are singular upright, at s = 0: there the pole repulsion and the pole rule
-// act. A rod knows neither.
+// Whether the coordinates of bending are singular upright, at s = 0: there the pole repulsion and the pole
+// rule act. A rod knows neither.
 constexpr bool has_pole(Bending bending) { return bending != Bending::rod; }
 // Whether dE/dt is exactly the power of forces and dampers (model/energy.hpp).
 constexpr bool conserves_energy(Bending bending) { return bending != Bending::polar_as_printed; }

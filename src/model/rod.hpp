@@ -5,10 +5,10 @@
 
 namespace bristle {
 
-// The rod (docs/model.md): a spring against bending without a pole. n = r/|r| and the unit vectors d along the
-// undeformed bristle, e_p = e_phi(theta_0, phi_0) and e_s = e_theta(theta_0) across it give the two bending
-// angles u_p = g n.e_p and u_s = g n.e_s, where u_p^2 + u_s^2 is the square of the angle between n and d.
-// Vectors of this file have the components along d, e_p, e_s.
+// The rod (docs/model.md): a spring against bending without a pole. n = r/|r| and the unit vectors d along
+// the undeformed bristle, e_p = e_phi(theta_0, phi_0) and e_s = e_theta(theta_0) across it give the two
+// bending angles u_p = g n.e_p and u_s = g n.e_s, where u_p^2 + u_s^2 is the square of the angle between n
+// and d. Vectors of this file have the components along d, e_p, e_s.
 
 // g(c) = acos(c)/sqrt(1 - c^2) for the cosine c of an angle, and its derivative g'(c). It is singular only at
 // c = -1, opposite to d.
@@ -46,7 +46,7 @@ AngleOverSine<T> angle_over_sine(T versed) {
     slope = slope * x + value;
     value = value * x + rod::kSeries[i];
   }
-  slope = -0.5 * slope;  // dx/dc = -1/2
+  slope = -0.5 * slope;                      // dx/dc = -1/2
   for (int i = halvings - 1; i >= 0; --i) {  // dc_i/dc_(i-1) = 1/(4 c_i)
     const T& one_c = one_cosine[i];
     value = value * one_c;
@@ -66,8 +66,8 @@ Vector3<T> in_rod_axes(const Bristle<P>& b, const Vector3<T>& xyz) {
 template <class T, class P>
 Vector3<T> from_rod_axes(const Bristle<P>& b, const Vector3<T>& v) {
   const T along_s = b.cos_phi_0 * v[0] - b.sin_phi_0 * v[1];
-  return {T(b.cos_theta_0 * along_s - b.sin_theta_0 * v[2]), T(b.sin_theta_0 * along_s + b.cos_theta_0 * v[2]),
-          T(b.sin_phi_0 * v[0] + b.cos_phi_0 * v[1])};
+  return {T(b.cos_theta_0 * along_s - b.sin_theta_0 * v[2]),
+          T(b.sin_theta_0 * along_s + b.cos_theta_0 * v[2]), T(b.sin_phi_0 * v[0] + b.cos_phi_0 * v[1])};
 }
 
 template <class T>

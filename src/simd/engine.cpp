@@ -40,8 +40,8 @@ long max_steps(const IntegratorOptions& options) { return options.max_evaluation
 
 }  // namespace
 
-// The lanes for one friction law with its parameters and one Bending, near the pole, or far from it or without
-// one, and the queue of passages for them.
+// The lanes for one friction law with its parameters and one Bending, near the pole, or far from it or
+// without one, and the queue of passages for them.
 class SimdEngine::LaneSet {
  public:
   LaneSet(SimdEngine& engine, const PassageTask& task, std::shared_ptr<const ModulationTable> modulation,
@@ -53,8 +53,7 @@ class SimdEngine::LaneSet {
   }
 
   bool serves(const PassageTask& task, bool near_pole) const {
-    return near_pole == near_pole_ && task.bristle.bending == block_.bending &&
-           has_modulation_of(task);
+    return near_pole == near_pole_ && task.bristle.bending == block_.bending && has_modulation_of(task);
   }
   bool has_modulation_of(const PassageTask& task) const {
     return modulation_->serves(task.bristle.friction, task.bristle.friction_constants, task.parameters->V_s);

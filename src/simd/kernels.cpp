@@ -12,9 +12,8 @@ static_assert(HWY_TARGET == BRISTLE_TARGET,
 namespace bristle::HWY_NAMESPACE {
 
 extern const Kernels kKernels;
-const Kernels kKernels = {hwy::TargetName(HWY_TARGET), Lanes::kWidth,
-                          AdditiveKernel<KennedyCarpenter4, FarFromPole>::run,
-                          AdditiveKernel<KennedyCarpenter4, NearPole>::run,
-                          AdditiveKernel<KennedyCarpenter4, WithoutPole>::run};
+const Kernels kKernels = {
+    hwy::TargetName(HWY_TARGET), Lanes::kWidth, AdditiveKernel<KennedyCarpenter4, FarFromPole>::run,
+    AdditiveKernel<KennedyCarpenter4, NearPole>::run, AdditiveKernel<KennedyCarpenter4, WithoutPole>::run};
 
 }  // namespace bristle::HWY_NAMESPACE

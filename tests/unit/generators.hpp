@@ -29,14 +29,22 @@ inline double uniform(double from, double to) {
 
 inline double log_uniform(double from, double to) { return std::exp(uniform(std::log(from), std::log(to))); }
 
-// Random parameters within the ranges of the paper, with one of its two friction laws.
+// Random parameters within the ranges of the paper, with one of its two friction laws and any bending.
 inline Parameters random_parameters() {
   Parameters p;
+  p.bending = *rc::gen::element(Bending::polar, Bending::polar_as_printed, Bending::rod);
   p.friction = *rc::gen::arbitrary<bool>() ? FrictionLaw::nss : FrictionLaw::coulomb;
   p.k_r = log_uniform(2, 100);
   p.k_theta = log_uniform(0.3, 10);
   p.k_phi = uniform(1.5, 3.5);
   p.C = chi_C_peak_at_V_s(p.A);
+  return p;
+}
+
+// The same, with a bending that conserves energy.
+inline Parameters random_conserving_parameters() {
+  Parameters p = random_parameters();
+  if (!conserves_energy(p.bending)) p.bending = Bending::polar;
   return p;
 }
 

@@ -53,10 +53,10 @@ TEST_CASE("a passage ends when the slip is L_x, up to rounding") {
   });
 }
 
-TEST_CASE("with the exact closing equation the energy budget closes within the integrator tolerance") {
+TEST_CASE("the energy budget closes within the integrator tolerance, except with Eq. (17) as printed") {
   // The residual accumulates over steps: it must decrease with the tolerance and be of its order.
   rc::prop("for any bristle", [] {
-    const Parameters p = random_parameters();
+    const Parameters p = random_conserving_parameters();
     const double z_0 = uniform(0.2, 0.9), theta_0 = uniform(0, M_PI);
     const double loose = pass(p, z_0, theta_0, tolerance(1e-5)).energy_residual;
     const double tight = pass(p, z_0, theta_0, tolerance(1e-9)).energy_residual;

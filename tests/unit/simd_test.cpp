@@ -14,12 +14,11 @@ using namespace testing;
 
 namespace {
 
-// Bristles of all kinds: two friction laws, both closing equations, some pinned, some reflected at the pole.
+// Bristles of all kinds: two friction laws, all bendings, some pinned, some reflected at the pole.
 class Sample {
  public:
   PassageTask random(double largest = M_PI) {
     Parameters& p = parameters_.emplace_back(random_parameters());
-    if (*rc::gen::inRange(0, 8) == 0) p.bending = Bending::polar_as_printed;
     const bool head_on = largest == M_PI && *rc::gen::inRange(0, 5) == 0;
     const double theta_0 = head_on ? M_PI - log_uniform(1e-4, 0.1) : uniform(-largest, largest);
     return task(p, uniform(0.1, 0.95), theta_0);
