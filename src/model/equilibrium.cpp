@@ -164,10 +164,11 @@ Equilibrium static_equilibrium(const Bristle<double>& b) {
   const double phi = followed_under_slab(b);
   const double r = std::isnan(phi) ? phi : Bent(b, phi, b.z_0).r();
   if (std::isnan(r))
-    throw std::runtime_error(fmt::format(
-        "no static equilibrium of the bristle under the slab at z_0 = {:.6g}: the wall (lambda_z, beta) is "
-        "stronger than the springs (k_r, k_phi)",
-        b.z_0));
+    throw std::runtime_error(
+        fmt::format("no static equilibrium of the bristle under a slab that comes down to z_0 = {:.6g}: the "
+                    "wall (lambda_z, beta) is "
+                    "stronger than the springs (k_r, k_phi)",
+                    b.z_0));
   return {r, phi};
 }
 

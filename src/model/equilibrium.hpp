@@ -15,8 +15,8 @@ struct Equilibrium {
 
 // Frictionless static equilibrium in the vertical plane theta = theta_0: the minimum of the potential energy
 // over (r, phi) with 0 < phi <= phi_0 that is reached from the undeformed bristle as the slab comes down from
-// first contact to the gap of b. Throws std::runtime_error if there is no equilibrium (parameters far outside
-// the physical ranges).
+// first contact to the gap of b. Throws std::runtime_error if at some gap on this way there is no equilibrium
+// (parameters far outside the physical ranges).
 Equilibrium static_equilibrium(const Bristle<double>& b);
 
 // Position of a bristle at the leading edge of a slab with the gap z_0, as Parameters::initial_state

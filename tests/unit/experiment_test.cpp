@@ -123,7 +123,8 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
        "s_min, "
        "L_x, L_y, spacing, R_n, z_0, mean_deg, concentration, seed, rows, m_kg, r0_m, V0_m_per_s, E_Pa, nu, "
        "R_m, "
-       "k_r_over_k_phi, k_r_N_per_m, k_theta_N_m, k_phi_N_m, E_star_Pa, tau_f_Pa, R_c_m, V_s_m_per_s, "
+       "k_r_over_k_phi, k_theta_over_k_phi, k_r_N_per_m, k_theta_N_m, k_phi_N_m, E_star_Pa, tau_f_Pa, R_c_m, "
+       "V_s_m_per_s, "
        "alpha_J, "
        "beta_J, R_n_N, friction, bending, initial_state, pole_rule, path, sampling"},
       {with(R"("sweep": {"friction": {"values": ["nss", "coulom"]}})"),
@@ -303,7 +304,7 @@ TEST_CASE(
   const Experiment smoke = load_experiment(kExperiments + "/fig4.json", {{}, "smoke"});
   REQUIRE(full.axes.size() == 3);
   CHECK(full.axes[0].name == "bending");
-  CHECK(full.points() == 1600);
+  CHECK(full.points() == 2400);
   const std::vector<double>& k_r = full.axes[1].values;
   CHECK(k_r.front() == 5);
   CHECK(k_r.back() == 100);

