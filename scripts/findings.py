@@ -13,14 +13,15 @@ from bristle_plots.explanations import (PROGRAM, READINGS, at_most, chosen_at, e
 from bristle_plots.files import write_text
 from bristle_plots.markdown import filled, table
 from bristle_plots.results import as_text, axis_values, dataset, experiment, open_result, read, select, status_counts
-from bristle_plots.starts import start_note
+from bristle_plots.remarks import pinned_note, start_note
 from bristle_plots.verdicts import declared_checks, number, p_text, quantity, threshold_text, with_uncertainty
 
 INTRODUCTION = """\
 The claims of the paper in the order of its figures, and the verdicts of the computations:
-supported, **refuted**, or undecided within the uncertainty. Every claim is checked under two
-readings of Eq. (17): **exact**, the kinematic relation, and **as printed** in the paper
-(docs/model.md). docs/claims.md describes how claims are checked, docs/model.md the baseline: the
+supported, **refuted**, or undecided within the uncertainty. Every claim is checked with three
+models of bending: polar coordinates with Eq. (17) **exact** or **as printed**, which are two
+readings of the paper, and a **rod** without a pole (docs/model.md): what holds for the rod, too,
+is the bristle's; what does not may be the coordinates'. docs/claims.md describes how claims are checked, docs/model.md the baseline: the
 choices for what the paper leaves open. `make findings` writes this page and the summary in
 README.md from the result files; no number in them is typed.
 """
@@ -100,7 +101,7 @@ def section(file, claims, images):
         lines += ["The paper leaves open, and it matters here:", ""]
         lines += [f"- {what} ({', '.join(dict.fromkeys(claims))})" for what, claims in left_open.items()]
         lines.append("")
-    for note in [*filter(None, [start_note(file)]), *experiment(file).get("notes", [])]:
+    for note in [*filter(None, [start_note(file), pinned_note(file)]), *experiment(file).get("notes", [])]:
         lines += [note, ""]
     return "\n".join(lines)
 
@@ -120,7 +121,7 @@ def claim_lines(file, claim, checks):
     verdicts = verdicts_of(checks)
     words = ", ".join(f"{READINGS.get(reading, reading)} {verdict}".strip() for reading, verdict in verdicts.items())
     if len(verdicts) > 1 and len(set(verdicts.values())) == 1:
-        words = f"{next(iter(verdicts.values()))} under both readings"
+        words = f"{next(iter(verdicts.values()))} with every model"
     lines = [f"### {claim}: {words}", ""]
     for check, _ in checks:
         if "quote" in check:
@@ -172,40 +173,42 @@ def counts(verdicts, readings):
         for claim, found in verdicts.items():
             by_verdict.setdefault(found.get(reading), []).append(claim)
         rest = [f"{verdict}: {', '.join(by_verdict[verdict])}" for verdict in ("refuted", "undecided") if verdict in by_verdict]
-        under = {"polar": " under the exact equations", "polar_as_printed": " with Eq. (17) as printed"}.get(reading, "")
+        under = {"polar": " under the exact equations", "polar_as_printed": " with Eq. (17) as printed",
+                 "rod": " for rods"}.get(reading, "")
         parts.append(f"{len(by_verdict.get('supported', []))} are supported{under}" + (f" ({'; '.join(rest)})" if rest else ""))
     return f"Of the paper's {len(verdicts)} claims, {', and '.join(parts)}."
 
 
-def of_both(sentence):
-    """The text for each reading, the second in brackets."""
-    exact, printed = (sentence(reading) for reading in READINGS)
-    return f"{exact} (as printed {printed})"
+def of_each(sentence):
+    """The text for each reading, those after the first in brackets."""
+    first, *rest = READINGS
+    return f"{sentence(first)} ({', '.join(f'{READINGS[reading]} {sentence(reading)}' for reading in rest)})"
 
 
 def on_claim(what, claim, verdicts):
-    exact, printed = (verdicts[claim][reading] for reading in READINGS)
-    under = f"{exact} under both readings" if exact == printed else f"{exact} (as printed {printed})"
-    return f"{what} ({claim}) is {under}"
+    found = verdicts[claim]
+    same = len(set(found.values())) == 1
+    return f"{what} ({claim}) is {next(iter(found.values()))} with every model" if same else f"{what} ({claim}) is {of_each(found.get)}"
 
 
 def fall_with_stiffness(file, _):
     k_r = axis_values(file, "k_r")
     def factor(name, law):
-        return of_both(lambda reading: short(*falls(file, reading, name, friction=law)))
+        return of_each(lambda reading: short(*falls(file, reading, name, friction=law)))
     return (f"From k_r = {chosen_at(k_r[0])} to {chosen_at(k_r[-1])} the normalised friction R_x_norm falls by a factor of "
             f"{factor('R_x_norm', 'nss')} under nominal shear stress, and the contact area, gamma_3, by "
             f"{factor('gamma_3', 'nss')}; under Coulomb friction R_x_norm falls by {factor('R_x_norm', 'coulomb')}.")
 
 
 def saturation(file, verdicts):
-    exact, printed = (where_saturated(file, reading) for reading in READINGS)
+    exact, printed, rod = (where_saturated(file, reading) for reading in READINGS)
     return (f"{on_claim('The saturation of R_x with mu_c', '8b', verdicts)}. For stiff bristles (k_r = "
             f"{exact['k_r']:g}) at mu_c = {listed(exact['mu_c'], chosen_at)} R_x is {listed(exact['R_x'])} for all "
             f"bristles and {listed(exact['R_x_unpinned'])} for those that pass. "
             f"{listed(exact['pinned_fraction'], percent)} of the bristles are pinned head-on at the pole, carry "
             f"{listed(exact['pinned_share_R_x'], percent)} of R_x, and do not saturate. As printed "
-            f"{at_most(printed['pinned_fraction'])} are pinned, and R_x is {listed(printed['R_x'])}.")
+            f"{at_most(printed['pinned_fraction'])} are pinned, and R_x is {listed(printed['R_x'])}. "
+            f"Rods have no pole: R_x is {listed(rod['R_x'])}.")
 
 
 def isotropy(file, verdicts):
@@ -213,7 +216,7 @@ def isotropy(file, verdicts):
         values = select(dataset(file, "R_y_norm"), ["k_r", "seed"], bending=reading, sampling="quadrature")
         return number(np.abs(values).max(), ".1g")
     return (f"{on_claim('Isotropy, R_y = 0 for uniform azimuths', 'A1', verdicts)}: |R_y_norm| of the ensemble mean is at most "
-            f"{of_both(largest)}.")
+            f"{of_each(largest)}.")
 
 
 def order_of_gaps(file, verdicts):
@@ -226,7 +229,7 @@ def order_of_gaps(file, verdicts):
             trends.setdefault(row.reading, {})[check["at"]["R_n"]] = number(row.measured, ".2f")
     loads = listed(next(iter(trends.values())), chosen_at)
     return (f"{on_claim('The reversed order of z_0 over k_r between low and high load', '3d', verdicts)}: Kendall's tau is"
-            f" {of_both(lambda reading: listed(trends[reading].values(), str))} at R_n = {loads}.")
+            f" {of_each(lambda reading: listed(trends[reading].values(), str))} at R_n = {loads}.")
 
 
 def row_period(file, verdicts):
@@ -239,8 +242,8 @@ def row_period(file, verdicts):
     def part(reading):
         return span(periodic_part(file, reading)[1], percent)
     return (f"{on_claim('The vanishing fluctuation of large lattices', 'A2', verdicts)}. Bristles enter in rows, so "
-            f"R_n(t) has a part with the period of a row, {of_both(part)} of its mean, in a lattice of any width. "
-            f"The rest falls with the width to the power of {of_both(slope)}.")
+            f"R_n(t) has a part with the period of a row, {of_each(part)} of its mean, in a lattice of any width. "
+            f"The rest falls with the width to the power of {of_each(slope)}.")
 
 
 def replace_summary(path, summary):

@@ -11,7 +11,7 @@ from .program import DEFAULT, measure
 from .results import axis_names, axis_values, constant, dataset, place_of, point_numbers, read, select, setting
 from .verdicts import number, p_text, threshold_text, with_uncertainty
 
-READINGS = {"polar": "exact", "polar_as_printed": "as printed"}  # of Eq. (17)
+READINGS = {"polar": "exact", "polar_as_printed": "as printed", "rod": "rod"}  # models of bending
 
 PROGRAM = ContextVar("program", default=DEFAULT)  # what measures
 
@@ -183,8 +183,8 @@ def pinned_bristles(file, pairs):
             f"({plateau.verdict} as a further check): the bristles that pass do saturate.")
     for one in others(file, reading):
         there = where_saturated(file, one)
-        text += (f" With Eq. (17) {READINGS.get(one, one)} {at_most(there['pinned_fraction'])} of the bristles are pinned "
-                 f"there, and R_x of all is {listed(there['R_x'])}.")
+        text += (f" ({READINGS.get(one, one).capitalize()}: {at_most(there['pinned_fraction'])} of the bristles are pinned "
+                 f"there, and R_x of all is {listed(there['R_x'])}.)")
     return text
 
 

@@ -61,7 +61,6 @@ def draw_maps(file, names, reading, chosen=None, note=""):
     grid = read_grid(file, "k_r", "k_theta", {**reading, **(chosen or {})})
     cell, columns = across(len(names), Cell(*COLUMN_INCHES, 0, 0, *COLUMN_INCHES), 0.48)
     rows, below = -(-len(names) // columns), legend_inches()
-    note = " ".join(filter(None, [note, pinned_note(file, grid)]))
     figure, bottom = sheet(file, cell.width * columns + 0.1, below + cell.height * rows, note, reading)
     entries = {}
     for name, letter, corner in zip(names, "abcdefg", corners(len(names), columns, cell, bottom + below)):
@@ -86,19 +85,6 @@ def boxes(cell):
     left, right, tall = 0.5 * width + 0.24, 0.5 * width - 0.76, height - 1.07
     return ((0, 0.08, 0.5 * width - 0.1, height - 0.28), (left, 0.42, right, tall), (left, tall + 0.5, right, 0.07),
             (0, height - 0.25, width, 0.22), int(14 * width))
-
-
-def pinned_note(file, grid):
-    """How much of the friction the pinned bristles carry."""
-    if "pinned_share_R_x" not in file:
-        return ""
-    share = select(dataset(file, "pinned_share_R_x"), grid.axes[::-1], **grid.chosen)
-    if not np.isfinite(share).any():
-        return ""
-    if np.nanmax(share) == 0:
-        return "No bristle stays pinned at the pole."
-    return (f"Bristles that stay pinned at the pole carry up to {100 * np.nanmax(share):.2g} % of the friction, "
-            f"{100 * np.nanmedian(share):.2g} % in the median of the points.")
 
 
 def draw_log_map(file, name, reading, note):

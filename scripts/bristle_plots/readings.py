@@ -1,4 +1,5 @@
-"""The readings of Eq. (17) under which a result was computed, and the pages of a figure."""
+"""The models of bending with which a result was computed (the paper's two readings of Eq. (17), and the rod), and the
+pages of a figure."""
 
 import sys
 from functools import wraps
@@ -19,7 +20,8 @@ style: matplotlib's rcParams over those of the look, for what the figure does no
 Returns a matplotlib Figure; raises BristleError if something is wrong with the Dataset or an option.
 """
 READING = """
-reading: of Eq. (17), "polar" (exact) or "polar_as_printed"; without it, the {which} one of the Dataset.
+reading: the model of bending, "polar" (Eq. (17) exact), "polar_as_printed" or "rod"; without it, the {which} one of the
+Dataset.
 """
 
 
@@ -40,7 +42,7 @@ def chosen_reading(file, reading):
     found = [choice for choice in readings(file) if reading in (choice, *choice.values())]
     if not found:
         words = ", ".join(word for choice in readings(file) for word in choice.values())
-        raise BristleError(f"{place_of(file)}: no reading {reading!r} of Eq. (17); it has: {words or 'one, without a name'}")
+        raise BristleError(f"{place_of(file)}: no reading {reading!r}; it has: {words or 'one, without a name'}")
     return found[0]
 
 

@@ -5,7 +5,7 @@ from collections import namedtuple
 from math import floor, isfinite, log10
 
 from .errors import BristleError
-from .results import as_text, attribute, experiment, is_whole, place_of, read, readable, table
+from .results import CHOICE_NAMES, as_text, attribute, experiment, is_whole, place_of, read, readable, table
 from .style import BLUE, GREEN, GREY, VERMILION, with_carons, wrapped
 
 NUMBERS = ("measured", "uncertainty", "threshold", "band", "margin", "significance")
@@ -23,8 +23,6 @@ RELATION_SIGNS = {"at_most": "\u2264", "at_least": "\u2265", "near": "near"}
 
 # Predicates that compare both sides of "compare" in one number.
 PAIRED_PREDICATES = ("ordering", "concordance", "equality")
-
-VERDICT_HEADINGS = {"polar": "verdict, exact Eq. (17)", "polar_as_printed": "verdict, Eq. (17) as printed"}
 
 # Of quantities that a sentence may name and the result may not have as a variable or an axis.
 FURTHER_SYMBOLS = {"k_r": r"\tilde{k}_r", "k_theta": r"\tilde{k}_\theta", "k_phi": r"\tilde{k}_\varphi", "N_c": "N_c",
@@ -130,7 +128,7 @@ def columns(readings, width):
     """Titles of the strip's columns after the statement, with their places (inches)."""
     if readings == [""]:
         return {"measured": width - 4.4, "threshold": width - 2.85, "verdict": width - 1.35}
-    verdicts = {VERDICT_HEADINGS.get(word, f"verdict, {readable(word)}"): width - 2.05 * (len(readings) - i)
+    verdicts = {CHOICE_NAMES.get(word, f"verdict, {readable(word)}"): width - 2.05 * (len(readings) - i)
                 for i, word in enumerate(readings)}
     return {"threshold": width - 2.05 * len(readings) - 1.3, **verdicts}
 

@@ -13,6 +13,8 @@ namespace {
 const std::vector<PointStatus> kWithoutValues = {PointStatus::unreachable, PointStatus::incomplete,
                                                  PointStatus::work_limit};
 
+constexpr double kPinnedShare = 0.1;  // of R_x
+
 }  // namespace
 
 void Summary::add(const results::PointRecord& record, std::size_t index) {
@@ -23,6 +25,12 @@ void Summary::add(const results::PointRecord& record, std::size_t index) {
     if (std::ranges::count(kWithoutValues, status) > 0)
       first_.try_emplace(status, Example{index, record.values.at("incomplete_theta_0")[i]});
   }
+  bool pinned = false;
+  for (const double share : record.values.at("pinned_share_R_x")) {
+    pinned = pinned || share > kPinnedShare;
+    if (share > largest_pinned_share_) largest_pinned_share_ = share;
+  }
+  pinned_ += pinned;
   ++points_;
   if (!record.failure.empty())
     failures_.push_back(fmt::format("{}: {}", experiment_.place(index), record.failure));
@@ -87,6 +95,16 @@ void Summary::report_points_without_values() const {
                               more > 0 ? fmt::format(" and {} more", more) : "",
                               cause_and_remedy(status, example)));
   }
+}
+
+void Summary::report_pinned_bristles() const {
+  if (pinned_ == 0) return;
+  write_message(fmt::format(
+      "{}: at {} of {} points bristles that stay pinned at the pole carry more than {:.0f} % of R_x, up to "
+      "{:.0f} "
+      "%: that friction is a property of the polar coordinates; compare with {} (docs/own-material.md)\n",
+      path_, pinned_, points_, 100 * kPinnedShare, 100 * largest_pinned_share_,
+      experiment_.swept("bending") ? "the bending \"rod\"" : "--set /model/bending=rod"));
 }
 
 }  // namespace bristle::run

@@ -9,7 +9,8 @@
 
 namespace bristle::run {
 
-// Number of points with each status, and which points have no values and why, for the messages after a run.
+// Number of points with each status, which points have no values and why, and where pinned bristles carry
+// much of the friction, for the messages after a run.
 class Summary {
  public:
   // path: of the result, for messages
@@ -21,6 +22,8 @@ class Summary {
   void report_failures() const;
   // For each status of points without values: an example, the cause and the remedy, on standard error.
   void report_points_without_values() const;
+  // If pinned bristles carry more than a tenth of R_x anywhere: at how many points, on standard error.
+  void report_pinned_bristles() const;
 
  private:
   struct Example {
@@ -35,6 +38,8 @@ class Summary {
   std::size_t points_ = 0;
   std::vector<std::string> failures_;
   std::map<PointStatus, Example> first_;  // of each status without values
+  std::size_t pinned_ = 0;                // points at which pinned bristles carry more than a tenth of R_x
+  double largest_pinned_share_ = 0;
 };
 
 }  // namespace bristle::run

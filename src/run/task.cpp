@@ -209,6 +209,7 @@ void compute(const Experiment& experiment, const RunOptions& options) {
              all > 0 ? summary.text() : "none in this shard",
              found > 0 ? fmt::format("; {} computed before", found) : std::string());
   summary.report_points_without_values();
+  summary.report_pinned_bristles();
   if (options.shard) print_rest(experiment, options);
 }
 

@@ -1,10 +1,31 @@
-"""How the bristles yield to the slab that comes down on them: where a sweep crosses the limit, a figure names it."""
+"""What a reader must know of a result: where bristles are crushed upright, and where pinned ones carry much of the friction."""
 
 import numpy as np
 
-from .results import axis_names, axis_values, dataset, flags, values
+from .results import CHOICE_NAMES, axis_names, axis_values, dataset, flags, values
 
 CRUSHED = "Bristles are crushed upright, not bent, as the slab comes down"
+
+PINNED_SHARE = 0.1  # of R_x
+
+
+def pinned_note(file, reading=None):
+    """At how many points bristles that stay pinned at the pole carry more than a tenth of the friction; empty if nowhere.
+
+    reading: the choice of bending to which the note is limited.
+    """
+    if "pinned_share_R_x" not in file:
+        return ""
+    share = file["pinned_share_R_x"].sel(reading or {})
+    many = share > PINNED_SHARE
+    if not many.any():
+        return ""
+    where = ""
+    if "bending" in many.dims:
+        words = [str(word) for word in many["bending"].values if many.sel(bending=word).any()]
+        where = f" ({', '.join(CHOICE_NAMES.get(word, word) for word in words)})"
+    return (f"Bristles that stay pinned upright at the pole carry more than a tenth of R_x at {int(many.sum())} of {many.size} "
+            f"points, up to {100 * float(share.max()):.2g} %{where}.")
 
 
 def start_note(file):
