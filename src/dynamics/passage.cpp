@@ -128,7 +128,7 @@ class PassageIntegrator {
     return advance(stepper, [this] {
       return options_.method == Method::automatic &&
              (steps_ >= kExplicitSteps ||
-              (has_pole(p_.bending) && in_plane_distance(y_) < kStiffRanges * p_.lambda));
+              (has_pole(p_.bending) && singular_distance(p_.bending, y_) < kStiffRanges * p_.lambda));
     });
   }
 
@@ -146,9 +146,7 @@ class PassageIntegrator {
       const auto [from, to] = stepper.do_step(std::ref(system_));
       ++steps_;
       const auto dense_output = [&stepper](double t) { return state_at(stepper, t); };
-      const double pole_time = has_pole(p_.bending)
-                                   ? pole_contact(dense_output, p_.s_min, from, to, kTimeTolerance)
-                                   : std::numeric_limits<double>::infinity();
+      const double pole_time = pole_contact(dense_output, p_, from, to, kTimeTolerance);
       const double end = std::min(pole_time, to);
       const OdeState at_end = end < to ? state_at(stepper, end) : stepper.current_state();
       const bool exits = slip(end, at_end) >= p_.L_x;
@@ -163,7 +161,7 @@ class PassageIntegrator {
       }
       sample(dense_output);
       if (!exits && pole_time <= to) {
-        if (apply_pole_rule(p_.pole_rule, y_)) ++reflections_;
+        if (apply_pole_rule(p_, y_)) ++reflections_;
         stepper.initialize(y_, t_, std::min(dt_, kFirstStep));
       }
       if (observe_) observe_(t_, y_);

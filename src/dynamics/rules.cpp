@@ -5,17 +5,16 @@
 
 namespace bristle {
 
-bool apply_pole_rule(PoleRule rule, OdeState& y) {
-  const double s2 = y[X] * y[X] + y[Y] * y[Y], inward = radial_product(y);
+bool apply_pole_rule(const Parameters& p, OdeState& y) {
+  const double square = singular_square(p.bending, y), inward = singular_product(p.bending, y);
   if (inward >= 0) return false;
-  if (rule == PoleRule::reflect) {
-    y[VX] -= 2 * inward / s2 * y[X];
-    y[VY] -= 2 * inward / s2 * y[Y];
-  } else {
+  if (has_pole(p.bending) && p.pole_rule == PoleRule::cross) {
     y[THETA] += y[X] * y[VY] - y[Y] * y[VX] >= 0 ? M_PI : -M_PI;
     y[X] = -y[X];
     y[Y] = -y[Y];
+    return true;
   }
+  for (int i = 0; i < (has_pole(p.bending) ? 2 : 3); ++i) y[VX + i] -= 2 * inward / square * y[X + i];
   return true;
 }
 
@@ -29,14 +28,14 @@ double first_root(const std::function<double(double)>& g, double a, double b, do
   return bracket.second;
 }
 
-double pole_contact(const std::function<OdeState(double)>& state_at, double s_min, double a, double b,
+double pole_contact(const std::function<OdeState(double)>& state_at, const Parameters& p, double a, double b,
                     double tolerance) {
   constexpr double never = std::numeric_limits<double>::infinity();
-  if (radial_product(state_at(a)) >= 0) return never;
+  if (singular_product(p.bending, state_at(a)) >= 0) return never;
   double nearest = b;
-  if (radial_product(state_at(b)) > 0)
-    nearest = first_root([&](double t) { return radial_product(state_at(t)); }, a, b, tolerance);
-  const auto inside = [&](double t) { return s_min - in_plane_distance(state_at(t)); };
+  if (singular_product(p.bending, state_at(b)) > 0)
+    nearest = first_root([&](double t) { return singular_product(p.bending, state_at(t)); }, a, b, tolerance);
+  const auto inside = [&](double t) { return p.s_min - singular_distance(p.bending, state_at(t)); };
   if (inside(nearest) < 0) return never;
   return first_root(inside, a, nearest, tolerance);
 }

@@ -18,26 +18,37 @@ constexpr double kStiffRanges = 4;
 
 constexpr double kFirstStep = 1e-5;
 
-inline double in_plane_distance(const OdeState& y) { return std::sqrt(y[X] * y[X] + y[Y] * y[Y]); }
-// s times the radial in-plane velocity; negative while the tip approaches the pole.
-inline double radial_product(const OdeState& y) { return y[X] * y[VX] + y[Y] * y[VY]; }
+// Polar coordinates are singular at the pole, the line s = 0; a rod only at its base, the point r = 0.
+// Distance of the tip from there, squared.
+inline double singular_square(Bending bending, const OdeState& y) {
+  return y[X] * y[X] + y[Y] * y[Y] + (has_pole(bending) ? 0 : y[Z] * y[Z]);
+}
+inline double singular_distance(Bending bending, const OdeState& y) {
+  return std::sqrt(singular_square(bending, y));
+}
+// Half the rate of its square; negative while the tip approaches.
+inline double singular_product(Bending bending, const OdeState& y) {
+  return y[X] * y[VX] + y[Y] * y[VY] + (has_pole(bending) ? 0 : y[Z] * y[VZ]);
+}
 
 inline Outcome outcome_at_exit(const Parameters& p, const OdeState& y) {
-  const bool pinned = has_pole(p.bending) && in_plane_distance(y) < kPinnedRanges * p.lambda;
+  const bool pinned = has_pole(p.bending) && singular_distance(p.bending, y) < kPinnedRanges * p.lambda;
   return pinned ? Outcome::pinned : Outcome::left;
 }
 
 // Applies the pole rule to a tip at s = s_min that approaches the pole; otherwise returns false. reflect
 // reverses the in-plane radial velocity. cross moves the tip to the opposite side of the pole, keeps its
-// velocity, and changes its azimuth by half a turn in the sense of its motion.
-bool apply_pole_rule(PoleRule rule, OdeState& y);
+// velocity, and changes its azimuth by half a turn in the sense of its motion. A rod's tip at r = s_min has
+// its radial velocity reversed: no bristle is compressed to nothing.
+bool apply_pole_rule(const Parameters& p, OdeState& y);
 
 // The root of g in [a, b], with g(a) < 0 <= g(b): the upper end of its bracket.
 double first_root(const std::function<double(double)>& g, double a, double b, double tolerance);
 
-// First time in [a, b] at which the tip, with the state state_at(time), reaches s = s_min; infinity if it
-// does not. Searches up to the closest approach, so that a step across the pole is not missed.
-double pole_contact(const std::function<OdeState(double)>& state_at, double s_min, double a, double b,
+// First time in [a, b] at which the tip, with the state state_at(time), is s_min from the pole, or a rod's
+// from its base; infinity if it is not. Searches up to the closest approach, so that a step across the pole
+// is not missed.
+double pole_contact(const std::function<OdeState(double)>& state_at, const Parameters& p, double a, double b,
                     double tolerance);
 
 }  // namespace bristle

@@ -12,10 +12,7 @@ namespace {
 std::vector<double> effective_input(const PointInput& point) {
   const auto& [setup, loading, si] = point;
   Parameters p = setup.parameters;
-  if (!has_pole(p.bending)) {
-    p.s_min = 0;
-    p.pole_rule = {};
-  }
+  if (!has_pole(p.bending)) p.pole_rule = {};
   const Orientation& o = setup.orientation;
   constexpr double any_gap = 0.5, any_azimuth = 1;
   const Bristle<double> bristle = make_bristle(p, loading.z_0.value_or(any_gap), any_azimuth);

@@ -10,7 +10,7 @@ T potential_energy(const Bristle<P>& b, const Vector3<T>& position, const T& the
   const Frame<T> f = frame_at(b.bending, position);
   const T stretch = f.r - 1.0;
   if (!has_pole(b.bending)) {
-    const RodBending<T> rod = rod_bending(b, position, f.one_r, Vector3<T>{});
+    const RodAngles<T> rod = rod_angles(b, position, f.one_r);
     return b.k_r * stretch * stretch / 2 + b.k_theta * rod.u_s * rod.u_s / 2 +
            b.k_phi * rod.u_p * rod.u_p / 2 +
            short_range_energy(T(b.z_0 - position[2]), b.wall_peak, b.wall_rate);

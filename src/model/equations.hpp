@@ -57,6 +57,7 @@ AngularRates<T> angular_rates(Bending bending, const Frame<T>& f, const Vector3<
 template <class T>
 struct Place {
   Frame<T> frame;
+  RodAngles<T> rod;   // of a rod only
   WallForce<T> wall;  // normal force, Eq. (3), and its power 2/3
   T friction_limit;   // friction force where the modulation is 1, Eqs. (14, 15)
 };
@@ -65,7 +66,9 @@ template <class T, class P>
 Place<T> place_at(const Bristle<P>& b, const Vector3<T>& position) {
   const WallForce<T> wall = wall_force(T(b.z_0 - position[2]), b.wall_root_peak, b.wall_root_rate);
   const T load = with_law(b.friction, [&](auto law) -> T { return law.load(wall); });
-  return {frame_at(b.bending, position), wall, T(b.friction_factor * load)};
+  Place<T> place{frame_at(b.bending, position), {}, wall, T(b.friction_factor * load)};
+  if (!has_pole(b.bending)) place.rod = rod_angles(b, position, place.frame.one_r);
+  return place;
 }
 
 // Motion of the tip relative to the slab. V_R = 0 is a regular point: modulation/V_R keeps its finite limit.
@@ -135,13 +138,17 @@ void set_polar_motion(const Bristle<P>& b, const State<T>& state, const Frame<T>
 
 // The same for a rod.
 template <class T, class P>
-void set_rod_motion(const Bristle<P>& b, const State<T>& state, const Frame<T>& f, Motion<T>& m) {
-  const RodBending<T> bending = rod_bending(b, state.r, f.one_r, state.v);
-  m.rates = {bending.u_s_rate, bending.u_p_rate};
-  const T radial = b.k_r * T(T(f.r - 1.0) * f.one_r);  // per position
-  m.acceleration[0] = bending.force[0] - radial * state.r[0] + m.friction[0];
-  m.acceleration[1] = bending.force[1] - radial * state.r[1] + m.friction[1];
-  m.acceleration[2] = bending.force[2] - radial * state.r[2] - m.wall.F_n;
+void set_rod_motion(const Bristle<P>& b, const State<T>& state, const Place<T>& place, Motion<T>& m) {
+  const auto& [u_p, u_s, grad_p, grad_s] = place.rod;
+  m.rates = {dot(grad_s, state.v), dot(grad_p, state.v)};
+  const T moment_p = b.k_phi * u_p + b.c_phi * m.rates.phi;
+  const T moment_s = b.k_theta * u_s + b.c_theta * m.rates.theta;
+  const T radial = b.k_r * T(T(place.frame.r - 1.0) * place.frame.one_r);  // per position
+  for (int i = 0; i < 3; ++i)
+    m.acceleration[i] = -radial * state.r[i] - moment_p * grad_p[i] - moment_s * grad_s[i];
+  m.acceleration[0] += m.friction[0];
+  m.acceleration[1] += m.friction[1];
+  m.acceleration[2] -= m.wall.F_n;
 }
 
 // Eq. (13) with Eqs. (17, 18), for a given friction force.
@@ -150,7 +157,7 @@ Motion<T> motion(const Bristle<P>& b, const State<T>& state, const Place<T>& pla
                  const InPlane<T>& friction) {
   Motion<T> m{{}, {}, place.wall, sliding, friction};
   if (has_pole(b.bending)) set_polar_motion(b, state, place.frame, m);
-  else set_rod_motion(b, state, place.frame, m);
+  else set_rod_motion(b, state, place, m);
   return m;
 }
 

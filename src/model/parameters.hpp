@@ -27,7 +27,7 @@ inline Words words<Bending>() {
 }
 
 // Whether the coordinates of bending are singular upright, at s = 0: there the pole repulsion and the pole
-// rule act. A rod knows neither.
+// rule act. A rod has neither.
 constexpr bool has_pole(Bending bending) { return bending != Bending::rod; }
 // Whether dE/dt is exactly the power of forces and dampers (model/energy.hpp).
 constexpr bool conserves_energy(Bending bending) { return bending != Bending::polar_as_printed; }
@@ -147,7 +147,8 @@ inline constexpr std::array kParameters = {
     Parameter{"beta", &Parameters::beta, R"(\beta)", "strength of the slab's wall", "dimensionless",
               kPositive},
     Parameter{"s_min", &Parameters::s_min, R"(s_{\min})",
-              "distance from the pole at which the pole rule acts", "in units of r0", kPositive},
+              "distance from the pole, or from a rod's base, at which a tip is reflected", "in units of r0",
+              kPositive},
     Parameter{"L_x", &Parameters::L_x, R"(\tilde{L}_x)", "slab length", "in units of r0", kPositive},
     Parameter{"L_y", &Parameters::L_y, R"(\tilde{L}_y)", "slab width", "in units of r0", kPositive},
     Parameter{"spacing", &Parameters::spacing, R"(\tilde{\Delta})", "lattice spacing", "in units of r0",

@@ -55,59 +55,41 @@ AngleOverSine<T> angle_over_sine(T versed) {
   return {value, slope};
 }
 
-// The components along d, e_p and e_s of a vector (x, y, z), and back.
-template <class T, class P>
-Vector3<T> in_rod_axes(const Bristle<P>& b, const Vector3<T>& xyz) {
-  const T along_s = b.cos_theta_0 * xyz[0] + b.sin_theta_0 * xyz[1];
-  const T along_theta = b.cos_theta_0 * xyz[1] - b.sin_theta_0 * xyz[0];
-  return {T(b.cos_phi_0 * along_s + b.sin_phi_0 * xyz[2]), T(b.cos_phi_0 * xyz[2] - b.sin_phi_0 * along_s),
-          along_theta};
-}
-template <class T, class P>
-Vector3<T> from_rod_axes(const Bristle<P>& b, const Vector3<T>& v) {
-  const T along_s = b.cos_phi_0 * v[0] - b.sin_phi_0 * v[1];
-  return {T(b.cos_theta_0 * along_s - b.sin_theta_0 * v[2]),
-          T(b.sin_theta_0 * along_s + b.cos_theta_0 * v[2]), T(b.sin_phi_0 * v[0] + b.cos_phi_0 * v[1])};
-}
+// The bending angles (rad) and their gradients with respect to the tip's position, along x, y and z: rates
+// are the gradients times the velocity, forces of bending the moments times the gradients.
+template <class T>
+struct RodAngles {
+  T u_p, u_s;
+  Vector3<T> grad_p, grad_s;
+};
 
 template <class T>
 T dot(const Vector3<T>& a, const Vector3<T>& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-// Bending angles in rad and their rates, with the force on the tip.
-template <class T>
-struct RodBending {
-  T u_p, u_s;
-  T u_p_rate, u_s_rate;
-  Vector3<T> force;  // along x, y, z
-};
-
-// Angles, rates and force of bending at a position with the distance r = 1/one_r from the base.
+// one_r is the inverse of the tip's distance from the base.
 template <class T, class P>
-RodBending<T> rod_bending(const Bristle<P>& b, const Vector3<T>& position, const T& one_r,
-                          const Vector3<T>& velocity) {
-  Vector3<T> n = in_rod_axes(b, position), rate = in_rod_axes(b, velocity);
-  for (T& component : n) component = component * one_r;
-  const T v_r = dot(rate, n);
-  for (int i = 0; i < 3; ++i) rate[i] = T(rate[i] - v_r * n[i]) * one_r;  // n' = (v - (v.n) n)/r
-  const auto [g, slope] = angle_over_sine(T(1.0 - n[0]));
-  RodBending<T> out;
-  out.u_p = g * n[1];
-  out.u_s = g * n[2];
-  // The gradients with respect to n: a_p = g e_p + g' (n.e_p) d, and a_s likewise.
-  const T stretch = slope * rate[0];
-  out.u_p_rate = g * rate[1] + stretch * n[1];
-  out.u_s_rate = g * rate[2] + stretch * n[2];
-  const T moment_p = b.k_phi * out.u_p + b.c_phi * out.u_p_rate;
-  const T moment_s = b.k_theta * out.u_s + b.c_theta * out.u_s_rate;
-  const Vector3<T> gradient = {T(slope * T(n[1] * moment_p + n[2] * moment_s)), T(g * moment_p),
-                               T(g * moment_s)};
-  const T along_n = dot(gradient, n);
-  Vector3<T> across;
-  for (int i = 0; i < 3; ++i) across[i] = T(along_n * n[i] - gradient[i]) * one_r;
-  out.force = from_rod_axes(b, across);
-  return out;
+RodAngles<T> rod_angles(const Bristle<P>& b, const Vector3<T>& position, const T& one_r) {
+  const T along_e_s = b.cos_theta_0 * position[0] + b.sin_theta_0 * position[1];
+  const T across = b.cos_theta_0 * position[1] - b.sin_theta_0 * position[0];
+  // n = r/|r| along d, e_p and e_s, of which e_s = e_theta(theta_0) is horizontal.
+  const T n_d = T(b.cos_phi_0 * along_e_s + b.sin_phi_0 * position[2]) * one_r;
+  const T n_p = T(b.cos_phi_0 * position[2] - b.sin_phi_0 * along_e_s) * one_r;
+  const T n_s = across * one_r;
+  const auto [g, slope] = angle_over_sine(T(1.0 - n_d));
+  // The gradient with respect to n of u_p is a_p = g e_p + g' n_p d; of it the part across n, over r.
+  const T g_r = g * one_r, slope_r = slope * one_r;
+  const auto gradient = [&](const T& n_i, const T& e_p, const T& e_s) {
+    const T along_n = n_i * T(slope_r * n_d + g_r);
+    const T d = slope_r * n_i - along_n * n_d;
+    const T p = g_r * e_p - along_n * n_p;
+    const T s = g_r * e_s - along_n * n_s;
+    const T along = b.cos_phi_0 * d - b.sin_phi_0 * p;
+    return Vector3<T>{T(b.cos_theta_0 * along - b.sin_theta_0 * s),
+                      T(b.sin_theta_0 * along + b.cos_theta_0 * s), T(b.sin_phi_0 * d + b.cos_phi_0 * p)};
+  };
+  return {T(g * n_p), T(g * n_s), gradient(n_p, T(1.0), T(0.0)), gradient(n_s, T(0.0), T(1.0))};
 }
 
 }  // namespace bristle

@@ -26,7 +26,7 @@ struct Block {
   Row constants[kConstants];  // of Bristle, in the order of constants_of()
   Row rtol, atol, L_x, x_0;   // slip is xi - (x - x_0)
   Row s_handover;             // distance from the pole at which the other kernel takes over
-  Row s_min;                  // distance from the pole at which the pole rule acts
+  Row s_min;                  // distance from the pole, or from a rod's base, at which the pole rule acts
   Row t, y[COMPONENTS];       // after the last accepted step
   Row h;                      // size of the next step
   Row last_error;             // of the last accepted step, as a multiple of the tolerance
@@ -44,7 +44,7 @@ constexpr double kSmallestStep = 1e-15;
 // Why a kernel stopped. One bit per lane in each. "good": the error of the step is within the tolerance.
 struct Events {
   std::uint32_t exit = 0;       // the step is good, and the slip reaches L_x within it
-  std::uint32_t pole = 0;       // the step is good, and reaches s_handover (far) or s_min (near)
+  std::uint32_t pole = 0;       // the step is good, and reaches s_handover (far) or s_min (near, rod)
   std::uint32_t sample = 0;     // the step is good, and reaches next_sample
   std::uint32_t pole_left = 0;  // near: the step was good, and its end is farther than s_handover
   std::uint32_t exhausted = 0;  // max_attempts is reached

@@ -131,7 +131,7 @@ class SimdEngine::LaneSet {
     for (int c = 0; c < COMPONENTS; ++c) active.y[c] = block_.y[c].lane[lane];
     active.t = block_.t.lane[lane];
     if (has(events.failed)) return end(lane, Outcome::not_finite);
-    if (has(events.pole) && !near_pole_) return hand_over(lane);
+    if (has(events.pole) && has_pole(block_.bending) && !near_pole_) return hand_over(lane);
     if (has(events.sample)) accept_sampled_step(lane);
     if (has(events.pole_left)) return hand_over(lane);
     if (has(events.pole | events.exit)) {
@@ -147,17 +147,18 @@ class SimdEngine::LaneSet {
     const double h = block_.t_new.lane[lane] - active.t;
     OdeState y_new;
     for (int c = 0; c < COMPONENTS; ++c) y_new[c] = block_.y_new[c].lane[lane];
-    const InPlanePath path(active.y, y_new, h);
-    const double L_x = active.task.parameters->L_x, s_min = active.task.parameters->s_min;
+    const TipPath path(active.y, y_new, h);
+    const Parameters& p = *active.task.parameters;
+    const double L_x = p.L_x, s_min = p.s_min;
     double pole = kNever, exit_at = kNever;
-    if (may_reach_pole) pole = pole_contact(path, s_min, 0, 1, kFractionTolerance);
-    const bool ends_at_pole = std::abs(in_plane_distance(y_new) / s_min - 1) < kPoleTolerance;
+    if (may_reach_pole) pole = pole_contact(path, p, 0, 1, kFractionTolerance);
+    const bool ends_at_pole = std::abs(singular_distance(p.bending, y_new) / s_min - 1) < kPoleTolerance;
     if (may_reach_pole && pole > 0.5 && ends_at_pole) pole = 1;
     const auto slip = [&](double u) { return active.t + u * h - (path(u)[X] - active.x_0) - L_x; };
     if (may_exit) exit_at = slip(1) <= kSlipTolerance ? 1 : first_root(slip, 0, 1, kFractionTolerance);
     const double first = std::min(pole, exit_at);
     if (first < 1) {
-      if (first == pole && in_plane_distance(active.y) <= s_min * (1 + kPoleTolerance)) {
+      if (first == pole && singular_distance(p.bending, active.y) <= s_min * (1 + kPoleTolerance)) {
         apply_pole_rule_in(lane);
       } else {
         block_.h.lane[lane] = first * h;
@@ -215,7 +216,7 @@ class SimdEngine::LaneSet {
 
   void apply_pole_rule_in(int lane) {
     ActivePassage& active = active_[lane];
-    if (apply_pole_rule(active.task.parameters->pole_rule, active.y)) ++active.reflections;
+    if (apply_pole_rule(*active.task.parameters, active.y)) ++active.reflections;
     active.h = std::min(block_.h_next.lane[lane], kFirstStep);
     restart(lane);
   }

@@ -14,14 +14,14 @@ struct Hermite {
   double p, v, b, a;
 };
 
-// In-plane position and velocity of the tip within a step, as a function of the fraction u of the step. Other
+// Position and velocity of the tip within a step, as a function of the fraction u of the step. Other
 // components are 0. The states at both ends must outlive it.
-class InPlanePath {
+class TipPath {
  public:
-  InPlanePath(const OdeState& from, const OdeState& to, double h) : from_(from), to_(to), h_(h) {}
+  TipPath(const OdeState& from, const OdeState& to, double h) : from_(from), to_(to), h_(h) {}
   OdeState operator()(double u) const {
     OdeState at{};
-    for (const int c : {X, Y}) {
+    for (const int c : {X, Y, Z}) {
       const Hermite cubic(from_[c], to_[c], h_ * from_[VX + c], h_ * to_[VX + c]);
       at[c] = cubic.value(u);
       at[VX + c] = cubic.slope(u) / h_;

@@ -14,7 +14,7 @@ namespace bristle::HWY_NAMESPACE {
 // holds exactly for a friction force that is linearised about that velocity. From the velocity of one stage
 // before, the error of the linearisation would reduce the order of the pair to 2. Near the pole the damper of
 // the polar angle is implicit, too, in all of the velocity: with c_phi/r^2 it is stiff for a tip near the
-// base. The dampers of a rod are explicit.
+// base. So are both dampers of a rod.
 template <class Tableau, class Region>
 class AdditiveStep {
  public:
@@ -32,7 +32,8 @@ class AdditiveStep {
   static constexpr int S = Tableau::stages;
   static constexpr bool kAzimuthDamper = Region::kImplicitAzimuthDamper;
   static constexpr bool kPolarDamper = Region::kImplicitPolarDamper;
-  static constexpr int kImplicit = kPolarDamper ? 3 : 2;  // components of the velocity
+  static constexpr bool kRodDampers = Region::kImplicitRodDampers;
+  static constexpr int kImplicit = kPolarDamper || kRodDampers ? 3 : 2;  // components of the velocity
 
   struct Work {
     Slopes<S> k;
@@ -68,9 +69,6 @@ class AdditiveStep {
   static HWY_INLINE Vector3<Lanes> e_phi_of(const Frame<Lanes>& f) {
     return {-f.sin_phi * f.cos_theta, -f.sin_phi * f.sin_theta, f.cos_phi};
   }
-  static HWY_INLINE Lanes dot(const Vector3<Lanes>& a, const Vector3<Lanes>& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-  }
 
   static HWY_NOINLINE HWY_FLATTEN void first_stage(const Group& g, Work& w) {
     w.h_gamma = g.h * Lanes(Tableau::gamma);
@@ -93,6 +91,13 @@ class AdditiveStep {
       const Lanes force = -polar_damping(g.bristle, f) * dot(e_phi, w.state.v);
       w.implicit[0][2] = force * e_phi[2];
       for (int i = 0; i < 2; ++i) w.implicit[0][i] += force * e_phi[i];
+    }
+    if constexpr (kRodDampers) {
+      const RodAngles<Lanes>& rod = w.place.rod;
+      const Lanes along_p = -g.bristle.c_phi * dot(rod.grad_p, w.state.v);
+      const Lanes along_s = -g.bristle.c_theta * dot(rod.grad_s, w.state.v);
+      w.implicit[0][2] = along_p * rod.grad_p[2] + along_s * rod.grad_s[2];
+      for (int i = 0; i < 2; ++i) w.implicit[0][i] += along_p * rod.grad_p[i] + along_s * rod.grad_s[i];
     }
     slopes_of(g.bristle, w.state, motion(g.bristle, w.state, w.place, w.sliding, w.friction), w.k[0]);
   }
@@ -147,16 +152,39 @@ class AdditiveStep {
     const Lanes inverse = 1.0 / (m_xx * m_yy - m_xy * m_xy);
     Lanes change_x = Lanes(m_xy * residual_y - m_yy * residual_x) * inverse;
     Lanes change_y = Lanes(m_xy * residual_x - m_xx * residual_y) * inverse;
+    // The matrix of friction and the azimuth's damper times the result is e.
+    const auto divided = [&](const Vector3<Lanes>& e) -> Vector3<Lanes> {
+      return {Lanes(m_yy * e[0] - m_xy * e[1]) * inverse, Lanes(m_xx * e[1] - m_xy * e[0]) * inverse, e[2]};
+    };
     if constexpr (kPolarDamper) {  // adds a matrix of rank one, by the formula of Sherman and Morrison
       const Vector3<Lanes> e = e_phi_of(f);
       const Lanes damping = w.h_gamma * polar_damping(b, f);
-      const Vector3<Lanes> across = {Lanes(m_yy * e[0] - m_xy * e[1]) * inverse,
-                                     Lanes(m_xx * e[1] - m_xy * e[0]) * inverse, e[2]};
+      const Vector3<Lanes> across = divided(e);
       const Lanes v_phi = dot(e, {v_x + change_x, v_y + change_y, w.state.v[2]});
       const Lanes force = damping * v_phi / (1.0 + damping * dot(e, across));
       change_x -= force * across[0];
       change_y -= force * across[1];
       const Lanes change_z = -force * across[2];
+      implicit[2] = change_z * w.one_h_gamma;
+      w.state.v[2] += change_z;
+    }
+    if constexpr (kRodDampers) {  // adds a matrix of rank two, by the formula of Woodbury
+      const RodAngles<Lanes>& rod = w.place.rod;
+      const Lanes damping_p = w.h_gamma * b.c_phi, damping_s = w.h_gamma * b.c_theta;
+      const Vector3<Lanes> across_p = divided(rod.grad_p), across_s = divided(rod.grad_s);
+      const Vector3<Lanes> undamped = {v_x + change_x, v_y + change_y, w.state.v[2]};
+      const Lanes rate_p = damping_p * dot(rod.grad_p, undamped),
+                  rate_s = damping_s * dot(rod.grad_s, undamped);
+      const Lanes n_pp = 1.0 + damping_p * dot(rod.grad_p, across_p);
+      const Lanes n_ss = 1.0 + damping_s * dot(rod.grad_s, across_s);
+      const Lanes coupling = dot(rod.grad_p, across_s);
+      const Lanes n_ps = damping_p * coupling, n_sp = damping_s * coupling;
+      const Lanes one_n = 1.0 / (n_pp * n_ss - n_ps * n_sp);
+      const Lanes force_p = Lanes(n_ss * rate_p - n_ps * rate_s) * one_n;
+      const Lanes force_s = Lanes(n_pp * rate_s - n_sp * rate_p) * one_n;
+      change_x -= force_p * across_p[0] + force_s * across_s[0];
+      change_y -= force_p * across_p[1] + force_s * across_s[1];
+      const Lanes change_z = -Lanes(force_p * across_p[2] + force_s * across_s[2]);
       implicit[2] = change_z * w.one_h_gamma;
       w.state.v[2] += change_z;
     }
@@ -223,8 +251,8 @@ inline Lanes::Mask none() { return Lanes(0.0) < Lanes(0.0); }
 
 // Far from the pole: its neighbourhood is an event, as a step could cross it.
 struct FarFromPole {
-  static constexpr bool kImplicitAzimuthDamper = true;
-  static constexpr bool kImplicitPolarDamper = false;
+  static constexpr bool kImplicitAzimuthDamper = true, kImplicitPolarDamper = false,
+                        kImplicitRodDampers = false;
   static Lanes::Mask pole_event(const Group& g) {
     return (in_plane_distance_squared(g.y_new) < Lanes(g.s_handover * g.s_handover)) | passes_pole(g);
   }
@@ -241,38 +269,53 @@ struct FarFromPole {
   }
 };
 
+// What tells whether a tip comes to a singular place: the squares of its distance, of its speed and of their
+// angular momentum, and the product of position and velocity, in the plane or in space.
+struct Approach {
+  Lanes distance2, speed2, momentum2, product;
+};
+inline Approach to_pole(const std::array<Lanes, COMPONENTS>& y) {
+  const Lanes momentum = y[X] * y[VY] - y[Y] * y[VX];
+  return {in_plane_distance_squared(y), y[VX] * y[VX] + y[VY] * y[VY], momentum * momentum,
+          radial_product(y)};
+}
+inline Approach to_base(const std::array<Lanes, COMPONENTS>& y) {
+  Approach a = to_pole(y);
+  a.distance2 += y[Z] * y[Z];
+  a.speed2 += y[VZ] * y[VZ];
+  a.product += y[Z] * y[VZ];
+  a.momentum2 = a.distance2 * a.speed2 - a.product * a.product;
+  return a;
+}
+
+// The tip may have reached s_min: it is inside at the end of the step and
+// approaches; or it approached at the start, recedes at the end,
+// and either is near or has a straight path that comes near.
+inline Lanes::Mask may_reach_s_min(const Group& g, const Approach& from, const Approach& to) {
+  const Lanes zero = 0.0, reach = g.s_min * g.s_min;
+  const auto aims_there = [&](const Approach& a) {
+    return a.momentum2 < Lanes(Lanes(4.0 * reach) * a.speed2);
+  };
+  const Lanes::Mask within = (to.distance2 < 1.01 * reach) & (to.product < zero);
+  const Lanes::Mask turned = (from.product < zero) & (to.product >= zero);
+  const Lanes::Mask near = (from.distance2 < 100.0 * reach) | (to.distance2 < 100.0 * reach);
+  return within | (turned & (near | aims_there(from) | aims_there(to)));
+}
+
 struct NearPole {
-  static constexpr bool kImplicitAzimuthDamper = true;
-  static constexpr bool kImplicitPolarDamper = true;
-
-  // The tip may have reached s_min: it is inside at the end of the step and
-  // approaches the pole; or it approached at the start, recedes at the end,
-  // and either is near the pole or has a straight path that comes near it.
-  static Lanes::Mask pole_event(const Group& g) {
-    const Lanes zero = 0.0, reach = g.s_min * g.s_min;
-    const auto aims_at_pole = [&](const auto& y) {
-      const Lanes angular_momentum = y[X] * y[VY] - y[Y] * y[VX];
-      return Lanes(angular_momentum * angular_momentum) <
-             Lanes(Lanes(4.0 * reach) * Lanes(y[VX] * y[VX] + y[VY] * y[VY]));
-    };
-    const Lanes::Mask within =
-        (in_plane_distance_squared(g.y_new) < 1.01 * reach) & (radial_product(g.y_new) < zero);
-    const Lanes::Mask turned = (radial_product(g.y) < zero) & (radial_product(g.y_new) >= zero);
-    const Lanes::Mask near = (in_plane_distance_squared(g.y) < 100.0 * reach) |
-                             (in_plane_distance_squared(g.y_new) < 100.0 * reach);
-    return within | (turned & (near | aims_at_pole(g.y) | aims_at_pole(g.y_new)));
-  }
-
+  static constexpr bool kImplicitAzimuthDamper = true, kImplicitPolarDamper = true,
+                        kImplicitRodDampers = false;
+  static Lanes::Mask pole_event(const Group& g) { return may_reach_s_min(g, to_pole(g.y), to_pole(g.y_new)); }
   static Lanes::Mask leaves_pole(const Group& g) {
     return Lanes(g.s_handover * g.s_handover) < in_plane_distance_squared(g.y_new);
   }
 };
 
-// Of a rod: nothing happens at s = 0.
+// Of a rod: only its base is singular.
 struct WithoutPole {
-  static constexpr bool kImplicitAzimuthDamper = false;
-  static constexpr bool kImplicitPolarDamper = false;
-  static Lanes::Mask pole_event(const Group&) { return none(); }
+  static constexpr bool kImplicitAzimuthDamper = false, kImplicitPolarDamper = false,
+                        kImplicitRodDampers = true;
+  static Lanes::Mask pole_event(const Group& g) { return may_reach_s_min(g, to_base(g.y), to_base(g.y_new)); }
   static Lanes::Mask leaves_pole(const Group&) { return none(); }
 };
 

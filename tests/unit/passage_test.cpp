@@ -151,12 +151,12 @@ TEST_CASE("a tip that crosses the pole continues on the other side and leaves") 
   OdeState y{};
   y[X] = 1e-4, y[VX] = -speed, y[VY] = 1e-3, y[THETA] = 0.3;
   OdeState crossed = y;
-  REQUIRE(apply_pole_rule(PoleRule::cross, crossed));
+  REQUIRE(apply_pole_rule(p, crossed));
   CHECK(crossed[X] == -y[X]);
   CHECK(crossed[VX] == y[VX]);
   CHECK(crossed[VY] == y[VY]);
   CHECK(crossed[THETA] == Approx(0.3 + M_PI));
-  CHECK_FALSE(apply_pole_rule(PoleRule::cross, crossed));  // the tip now moves away from the pole
+  CHECK_FALSE(apply_pole_rule(p, crossed));  // the tip now moves away from the pole
   const Passage r = pass(p, 0.62, 180 * kDegree);
   CHECK(r.outcome == Outcome::left);
   CHECK(r.reflections > 0);
