@@ -27,7 +27,8 @@ std::string results_table(const Contents& contents) {
 std::string reading_title(const std::string& reading) {
   if (reading.empty()) return "verdict";
   if (reading == "polar") return "exact Eq. (17)";
-  return reading == "polar_as_printed" ? "Eq. (17) as printed" : reading;
+  if (reading == "polar_as_printed") return "Eq. (17) as printed";
+  return reading == "rod" ? "rod without a pole" : reading;
 }
 
 std::string claims_table(const Contents& contents) {

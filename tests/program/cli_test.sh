@@ -22,7 +22,7 @@ expect 2 "loop: cannot be read" "$bristle" run "$folder/loop"
 expect 2 "bristle: fig4: no such file; did you mean experiments/fig4.json?" "$bristle" run fig4
 expect 2 "--tier" "$bristle" run experiments/paper.json --tier medium
 expect 0 "1600 points" "$bristle" validate experiments/fig4.json
-expect 0 "30 points" "$bristle" validate experiments/fig4.json --tier smoke
+expect 0 "45 points" "$bristle" validate experiments/fig4.json --tier smoke
 expect 2 "no such file" "$bristle" run nowhere.json
 expect 2 "/model/k_r: -1 is not allowed" "$bristle" run experiments/paper.json --set /model/k_r=-1
 expect 2 "/integrator/engine: \"fsat\" is not allowed" "$bristle" validate experiments/paper.json --set /integrator/engine=fsat
@@ -187,8 +187,8 @@ expect 2 "--reason" "$bristle" reference update "$folder/clean.h5" --reference "
 expect 2 "--reason" "$bristle" reference update "$folder/clean.h5" --reference "$reference" --reason ""
 expect 0 "new reference" "$bristle" reference update "$folder/clean.h5" --reference "$reference" --reason "first"
 expect 0 "unchanged" "$bristle" reference update "$folder/clean.h5" --reference "$reference" --reason "again"
-expect 0 "30 points: the same, bit for bit" "$bristle" check --report-only "$result" --reference "$reference"
-expect 1 "30 points: the same, bit for bit" "$bristle" check "$result" --reference "$reference"
+expect 0 "45 points: the same, bit for bit" "$bristle" check --report-only "$result" --reference "$reference"
+expect 1 "45 points: the same, bit for bit" "$bristle" check "$result" --reference "$reference"
 expect 0 '"failed": false' "$bristle" check --json --report-only "$result" --reference "$reference"
 expect 1 '"deviation": null' "$bristle" check --json --report-only "$result" --reference "$folder/none"
 sed -i '0,/"verdict":"refuted"/s//"verdict":"supported"/' "$reference/fig4.json"

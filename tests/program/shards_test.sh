@@ -4,7 +4,7 @@ set -u
 bristle=$1
 . "$(dirname "$0")/shell.sh"
 
-# Thirty quick points, with tables.
+# Forty-five quick points, with tables.
 run=("$bristle" run experiments/fig4.json --tier smoke --set '/orientation={"sampling":"list","theta_0_deg":[10,100]}'
   --set '/record=["bristles","trajectories"]')
 
@@ -19,7 +19,7 @@ for n in 1 4 37; do
   r=$folder/of-$n/r.h5
   for i in $(seq $n); do expect 0 "points: " "${run[@]}" --shard "$i/$n" -o "$r" --threads $((i % 2 + 1)); done
   [ ! -e "$r" ] || failed "shards wrote a result"
-  expect 0 "30 ok; 30 computed before" "${run[@]}" --complete -o "$r"
+  expect 0 "45 ok; 45 computed before" "${run[@]}" --complete -o "$r"
   expect 0 "the same, bit for bit" "$bristle" diff "$r" "$folder/whole/r.h5"
   [ "$(digest "$r")" = "$(digest "$folder/whole/r.h5")" ] || failed "digest of $n shards"
   [ "$(ls "$folder/of-$n")" = "$(printf 'r.h5\nr.h5.journal')" ] || failed "journals are left: $(ls "$folder/of-$n")"
@@ -27,8 +27,8 @@ for n in 1 4 37; do
 done
 r=$folder/r.h5
 expect 0 "none in this shard" "${run[@]}" --shard 37/37 -o "$r"
-expect 0 "22 of 30 points of fig4 are not yet in the journals of this folder" "${run[@]}" --shard 2/4 -o "$r"
-expect 0 "8 computed before" "${run[@]}" --shard 2/4 -o "$r"
+expect 0 "34 of 45 points of fig4 are not yet in the journals of this folder" "${run[@]}" --shard 2/4 -o "$r"
+expect 0 "11 computed before" "${run[@]}" --shard 2/4 -o "$r"
 
 # The completion requires all points, and computes none.
 for i in 1 3; do expect 0 "points: " "${run[@]}" --shard $i/4 -o "$r"; done
@@ -36,7 +36,7 @@ rm "$r.2-of-4.journal" "$r.37-of-37.journal"
 for complete in run merge; do
   command=("$bristle" $complete "${run[@]:2}" -o "$r")
   [ $complete = merge ] || command+=(--complete)
-  expect 2 "15 of 30 points are missing in the journals of its folder: 1 (bending = polar, k_r = 5, k_theta = 1.00795)" \
+  expect 2 "22 of 45 points are missing in the journals of its folder: 1 (bending = polar, k_r = 5, k_theta = 1.00795)" \
     "${command[@]}"
   { [ ! -e "$r" ] && [ ! -e "$r.journal" ]; } || failed "a completion with too few points left a file"
 done
@@ -45,7 +45,7 @@ for shard in 2/4 4/4; do
   # shellcheck disable=SC2001 # a pattern
   eval "$(sed "s|--shard 2/4|--shard $shard|" <<<"$command") --quiet" || failed "the command that was named: $command"
 done
-expect 0 "30 ok; 30 computed before" "$bristle" merge "${run[@]:2}" -o "$r"
+expect 0 "45 ok; 45 computed before" "$bristle" merge "${run[@]:2}" -o "$r"
 [ "$(digest "$r")" = "$(digest "$folder/whole/r.h5")" ] || failed "digest of the merge"
 expect 0 "points_hosts" "$bristle" info "$r"
 [ "$(cd "$folder" && ls -d r.*)" = "$(printf 'r.h5\nr.h5.journal')" ] || failed "journals are left: $(ls "$folder")"
@@ -53,12 +53,12 @@ expect 0 "points_hosts" "$bristle" info "$r"
 # A run without these options computes what the shards have not.
 r=$folder/rest/r.h5
 expect 0 "points: " "${run[@]}" --shard 2/3 -o "$r"
-expect 0 "30 ok; 10 computed before" "${run[@]}" -o "$r"
+expect 0 "45 ok; 15 computed before" "${run[@]}" -o "$r"
 [ "$(digest "$r")" = "$(digest "$folder/whole/r.h5")" ] || failed "digest of a shard and the rest"
 
 # Journals of another experiment are named; other files are no outputs.
 expect 0 "points: " "${run[@]}" --shard 1/2 -o "$folder/foreign/r.h5" --set /model/k_phi=2
-expect 2 "r.h5.1-of-2.journal has 15 points, none of which can be used" "${run[@]}" --complete -o "$folder/foreign/r.h5"
+expect 2 "r.h5.1-of-2.journal has 23 points, none of which can be used" "${run[@]}" --complete -o "$folder/foreign/r.h5"
 expect 2 "is not a result of bristle" "${run[@]}" --shard 1/2 -o CMakeLists.txt
 expect 2 "EXPERIMENT" "$bristle" merge
 exit $((failures > 0))

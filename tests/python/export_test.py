@@ -117,7 +117,7 @@ def check_outputs(path):
 def check_info(path, data):
     info = json.loads(run("info", "--json", path))
     assert info["payload_sha256"] == data.attrs["payload_sha256"] and info["damage"] == []
-    assert info["axes"]["bending"] == ["polar", "polar_as_printed"]
+    assert info["axes"]["bending"] == ["polar", "polar_as_printed", "rod"]
     assert info["axes"]["k_r"] == data["k_r"].values.tolist()
     assert info["points"] == {"ok": 29, "ambiguous": 1} and info["failures"] == {}
     assert info["variables"]["R_x"]["max"] == float(data["R_x"].max())

@@ -92,10 +92,10 @@ done = subprocess.run([SCRIPTS / "plot", "curve", result, "-o", result, "--dpi",
 assert done.returncode != 0 and "Traceback" not in done.stderr, done.stderr
 assert pathlib.Path(result).read_bytes() == before
 
-# Verdicts under both readings of Eq. (17).
+# Verdicts with each model of bending.
 with open_result(result) as file:
     claims, pairs = read_claims(file), declared_checks(file)
-    assert all(set(check) == {"polar", "polar_as_printed"} for check in by_check(claims))
+    assert all(set(check) == {"polar", "polar_as_printed", "rod"} for check in by_check(claims))
     assert all(check["statement"] == claim.statement for check, claim in pairs) and len(pairs) == len(claims)
     for checks in by_claim(claims):
         roles = [check["polar"].role for check in checks]

@@ -150,18 +150,18 @@ def check_saved(driver, saved, fig4):
 
 
 def check_readings(driver):
-    """The switch leaves one reading of figures, verdicts and map."""
+    """The switch leaves one model of figures, verdicts and map."""
     readings = """return [...new Set([...document.querySelectorAll('main [data-reading]')]
       .filter(e => e.checkVisibility()).map(e => e.dataset.reading))].sort()"""
-    assert driver.execute_script(readings) == ["polar_as_printed", "polar"]
-    for word in ("polar_as_printed", "polar"):
+    assert driver.execute_script(readings) == ["polar", "polar_as_printed", "rod"]
+    for word in ("polar_as_printed", "polar", "rod"):
         driver.execute_script(f"document.querySelector('[name=reading][value={word}]').click()")
         assert driver.execute_script(readings) == [word]
         assert len(set(texts(driver, "#all-claims tbody td:nth-child(8)"))) == 1
         axis = driver.execute_script("return document.querySelector('[data-axis=bending]').value")
-        assert axis == {"polar": "0", "polar_as_printed": "1"}[word]
+        assert axis == {"polar": "0", "polar_as_printed": "1", "rod": "2"}[word]
     driver.execute_script("document.querySelector('[name=reading][value=\"\"]').click()")
-    assert driver.execute_script(readings) == ["polar_as_printed", "polar"]
+    assert driver.execute_script(readings) == ["polar", "polar_as_printed", "rod"]
 
 
 def check_curves_map(driver):

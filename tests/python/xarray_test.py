@@ -19,7 +19,7 @@ def check_axes(data):
     assert abs(float(point["R_n"]) - 2) < 0.005, float(point["R_n"])
     codes = data["bending_code"]
     words = codes.attrs["flag_meanings"].split()
-    assert [words[code] for code in codes.values] == data["bending"].values.tolist() == ["polar", "polar_as_printed"]
+    assert [words[code] for code in codes.values] == data["bending"].values.tolist() == ["polar", "polar_as_printed", "rod"]
 
 
 def check_variables(data):
@@ -52,7 +52,7 @@ def check_attributes(attributes):
 def check_frames(data, point):
     frame = data.to_dataframe()
     assert len(frame) == data["status"].size
-    assert frame.loc["polar"].shape[0] == frame.loc["polar_as_printed"].shape[0] == len(frame) / 2
+    assert frame.loc["polar"].shape[0] == frame.loc["polar_as_printed"].shape[0] == len(frame) / 3
     assert point["R_x"].shape == ()
     frame = point.expand_dims("point").to_dataframe()  # as docs/results-format.md says
     assert len(frame) == 1 and np.isfinite(frame["R_x"][0])

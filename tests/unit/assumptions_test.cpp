@@ -194,7 +194,7 @@ TEST_CASE("the declared assumptions are valid, and cover every open choice") {
     files.push_back(entry.path().string());
   const auto alternatives = read_declarations(files).alternatives;
   for (const char* choice : {"phi_0", "A", "C", "V_s", "lambda", "alpha", "initial state",
-                             "closure of theta'", "pole rule", "damping", "swept ranges", "together"}) {
+                             "springs of bending", "pole rule", "damping", "swept ranges", "together"}) {
     CAPTURE(choice);
     CHECK(std::any_of(alternatives.begin(), alternatives.end(),
                       [&](const Alternative& a) { return a.choice == choice; }));
