@@ -1,4 +1,4 @@
-"""The bristle under the slab: coordinates, gap and forces, for the documents (docs/images/bristle.svg)."""
+"""The drawings of the documents: the bristle under the slab, with coordinates, gap and forces, and the rod (docs/images)."""
 
 import argparse
 
@@ -78,14 +78,56 @@ def draw_above(axes):
     plain(axes, "view from above", (-0.3, 1.5), (-0.5, 1.25))
 
 
+def draw_bending(axes):
+    """The rod in the plane of its direction n and its undeformed direction d."""
+    undeformed, bent = np.radians(80), np.radians(38)
+    d, n = (np.array([np.cos(one), np.sin(one)]) for one in (undeformed, bent))
+    axes.plot([-0.4, 1.35], [0, 0], color="black", linewidth=1.2)
+    axes.text(-0.35, -0.09, "ground", va="center")
+    axes.plot([0, d[0]], [0, d[1]], "--", color=ROD, alpha=0.5)
+    axes.plot([0, n[0]], [0, n[1]], color=ROD, linewidth=3, solid_capstyle="round")
+    axes.plot(*n, "o", color=ROD, markersize=8)
+    axes.text(d[0] / 2 - 0.06, d[1] / 2, "undeformed", ha="right", va="center", color=ROD, alpha=0.8)
+    arrow(axes, d, 0.25 * d, GREY, r"$\mathbf{d}$", (0.06, 0))
+    arrow(axes, n, 0.25 * n, GREY, r"$\mathbf{n}$", (0.06, 0))
+    angle(axes, 0.5, bent, undeformed, r"$\gamma$", (bent + undeformed) / 2)
+    across = np.array([np.sin(bent), -np.cos(bent)])
+    arrow(axes, n, -0.4 * across, FORCE, "force of\nbending", (-0.14, 0.14))
+    plain(axes, "side view, in the plane of the bending", (-0.6, 1.4), (-0.3, 1.4))
+
+
+def draw_angles(axes):
+    """The two bending angles, seen along the undeformed direction."""
+    u_p, u_s = -0.8, 0.6
+    for radius in (0.5, 1.0):
+        axes.add_patch(Arc((0, 0), 2 * radius, 2 * radius, color=GREY, alpha=0.4, linestyle=":"))
+    arrow(axes, (0, 0), (0, 1.2), "black", r"$\mathbf{e}_p$: up", (0, 0.08), linewidth=0.8)
+    arrow(axes, (0, 0), (1.2, 0), "black", r"$\mathbf{e}_s$: sideways", (0.22, -0.1), linewidth=0.8)
+    axes.plot([u_s, u_s, 0], [0, u_p, u_p], "--", color=GREY, linewidth=1)
+    axes.plot([0, u_s], [0, u_p], color=ROD, linewidth=3, solid_capstyle="round")
+    axes.plot(u_s, u_p, "o", color=ROD, markersize=8)
+    axes.plot(0, 0, "o", color=GREY, markersize=4)
+    axes.text(-0.06, 0.08, r"$\mathbf{d}$", ha="right", color=GREY)
+    axes.text(u_s / 2, 0.06, "$u_s$", ha="center")
+    axes.text(-0.06, u_p / 2, "$u_p$", ha="right", va="center")
+    axes.text(u_s / 2 + 0.06, u_p / 2 + 0.04, r"$\gamma$", color=ROD)
+    axes.text(-1.15, -1.15, r"energy $= k_\varphi u_p^2/2 + k_\theta u_s^2/2$", fontsize=10)
+    plain(axes, r"bending angles, seen along $\mathbf{d}$", (-1.2, 1.7), (-1.25, 1.4))
+
+
+DRAWINGS = {"bristle": (draw_side, draw_above), "rod": (draw_bending, draw_angles)}
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("-o", dest="path", default="docs/images/bristle.svg", help="file to write (default: %(default)s)")
-    path = parser.parse_args().path
+    parser.add_argument("drawing", choices=DRAWINGS)
+    parser.add_argument("-o", dest="path", help="file to write (default: docs/images/DRAWING.svg)")
+    arguments = parser.parse_args()
+    path = arguments.path or f"docs/images/{arguments.drawing}.svg"
     matplotlib.rcParams.update({"font.size": 11, "svg.hashsalt": "bristle", "mathtext.fontset": "dejavusans"})
     figure, panels = pyplot.subplots(1, 2, figsize=(8.6, 3.6), layout="constrained")
-    draw_side(panels[0])
-    draw_above(panels[1])
+    for draw, axes in zip(DRAWINGS[arguments.drawing], panels):
+        draw(axes)
     figure.savefig(path, metadata={"Date": None} if path.endswith(".svg") else None)
 
 

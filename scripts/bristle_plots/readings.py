@@ -72,19 +72,23 @@ def one_page(draw):
 
 def page_for_each_reading(draw):
     """The same for draw(file, reading): without a reading it draws the first one."""
-    return of_readings(draw, slice(None), "first")
+    return of_readings(draw, readings, "first")
 
 
-def page_for_last_reading(draw):
-    """The same, but only the last reading has a page, and is drawn without a reading."""
-    return of_readings(draw, slice(-1, None), "last")
+def page_as_printed(draw):
+    """The same, but only Eq. (17) as printed has a page, and is drawn without a reading; where it was not computed, the
+    last reading."""
+    def shown(file):
+        return [choice for choice in readings(file) if choice.get(AXIS) == "polar_as_printed"] or readings(file)[-1:]
+
+    return of_readings(draw, shown, "printed")
 
 
 def of_readings(draw, shown, which):
     def drawn(file, reading=None, *, plain=False, width=None, cmap=None, style=None):
         with drawn_on(plain, width, cmap, style):
             file = checked(draw, file)
-            return draw(file, readings(file)[shown][0] if reading is None else chosen_reading(file, reading))
+            return draw(file, shown(file)[0] if reading is None else chosen_reading(file, reading))
 
     drawn = documented(drawn, draw, READING.strip().format(which=which) + OPTIONS)
     drawn.shown = shown
@@ -95,6 +99,6 @@ def pages(draw, file, **options):
     """(ending of the file's name, name of the reading, figure) of each page; that of the first reading is empty."""
     if not hasattr(draw, "shown"):
         return [("", "", draw(file, **options))]
-    first, *_ = everything = readings(file)
+    first = readings(file)[0]
     return [("" if reading == first else "-" + reading[AXIS].replace("_", "-"), reading_name(reading),
-             draw(file, reading, **options)) for reading in everything[draw.shown]]
+             draw(file, reading, **options)) for reading in draw.shown(file)]

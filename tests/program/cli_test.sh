@@ -21,7 +21,7 @@ ln -s loop "$folder/loop"
 expect 2 "loop: cannot be read" "$bristle" run "$folder/loop"
 expect 2 "bristle: fig4: no such file; did you mean experiments/fig4.json?" "$bristle" run fig4
 expect 2 "--tier" "$bristle" run experiments/paper.json --tier medium
-expect 0 "1600 points" "$bristle" validate experiments/fig4.json
+expect 0 "2400 points" "$bristle" validate experiments/fig4.json
 expect 0 "45 points" "$bristle" validate experiments/fig4.json --tier smoke
 expect 2 "no such file" "$bristle" run nowhere.json
 expect 2 "/model/k_r: -1 is not allowed" "$bristle" run experiments/paper.json --set /model/k_r=-1

@@ -14,7 +14,7 @@ expect 2 "excludes --complete" "${run[@]}" --shard 1/3 --complete -o "$folder/x.
 expect 2 "excludes --complete" "${run[@]}" --force --complete -o "$folder/x.h5"
 run+=(--set /load='{"z_0":0.5,"R_n":null}')
 mkdir "$folder/whole"
-expect 0 "30 ok" "${run[@]}" -o "$folder/whole/r.h5"
+expect 0 "45 ok" "${run[@]}" -o "$folder/whole/r.h5"
 for n in 1 4 37; do
   r=$folder/of-$n/r.h5
   for i in $(seq $n); do expect 0 "points: " "${run[@]}" --shard "$i/$n" -o "$r" --threads $((i % 2 + 1)); done
@@ -26,13 +26,13 @@ for n in 1 4 37; do
   expect 0 "is up to date" "${run[@]}" --shard 1/$n -o "$r"
 done
 r=$folder/r.h5
-expect 0 "none in this shard" "${run[@]}" --shard 37/37 -o "$r"
+expect 0 "none in this shard" "${run[@]}" --shard 47/47 -o "$r"
 expect 0 "34 of 45 points of fig4 are not yet in the journals of this folder" "${run[@]}" --shard 2/4 -o "$r"
 expect 0 "11 computed before" "${run[@]}" --shard 2/4 -o "$r"
 
 # The completion requires all points, and computes none.
 for i in 1 3; do expect 0 "points: " "${run[@]}" --shard $i/4 -o "$r"; done
-rm "$r.2-of-4.journal" "$r.37-of-37.journal"
+rm "$r.2-of-4.journal" "$r.47-of-47.journal"
 for complete in run merge; do
   command=("$bristle" $complete "${run[@]:2}" -o "$r")
   [ $complete = merge ] || command+=(--complete)

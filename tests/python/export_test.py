@@ -119,10 +119,10 @@ def check_info(path, data):
     assert info["payload_sha256"] == data.attrs["payload_sha256"] and info["damage"] == []
     assert info["axes"]["bending"] == ["polar", "polar_as_printed", "rod"]
     assert info["axes"]["k_r"] == data["k_r"].values.tolist()
-    assert info["points"] == {"ok": 29, "ambiguous": 1} and info["failures"] == {}
+    assert info["points"] == {"ok": 40, "ambiguous": 1, "unreachable": 4} and info["failures"] == {}
     assert info["variables"]["R_x"]["max"] == float(data["R_x"].max())
     assert info["variables"]["R_x"]["dimensions"] == ["bending", "k_r", "k_theta"]
-    assert info["variables"]["incomplete_theta_0"]["missing"] == 30
+    assert info["variables"]["incomplete_theta_0"]["missing"] == 45
     assert "run" in info["provenance"]["command_line"]
 
 

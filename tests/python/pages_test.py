@@ -112,10 +112,11 @@ def check_performance():
     assert {path.name for path in (folder / "images").iterdir()} >= {"work-precision.png", "quadrature.png"}
 
 
-def check_drawing():
-    done = called("drawing.py", "-o", folder / "bristle.svg")
-    assert done.code == 0, done.messages
-    assert len(list(ElementTree.parse(folder / "bristle.svg").iter())) > 100
+def check_drawings():
+    for drawing in ("bristle", "rod"):
+        done = called("drawing.py", drawing, "-o", folder / f"{drawing}.svg")
+        assert done.code == 0, done.messages
+        assert len(list(ElementTree.parse(folder / f"{drawing}.svg").iter())) > 100
 
 
 folder.mkdir(parents=True, exist_ok=True)
@@ -123,4 +124,4 @@ check_findings()
 check_measure()
 check_inference()
 check_performance()
-check_drawing()
+check_drawings()

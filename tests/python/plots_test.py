@@ -223,7 +223,7 @@ def plot(*options):
 done = plot("--width", "89mm", "--format", "svg,png", "--dpi", "100")
 assert done.code == 0, done.messages
 made = {path.name for path in (folder / "paper").iterdir()}
-assert made == {f"fig4{ending}.{kind}" for ending in ("", "-as-printed", "-energy-as-printed") for kind in ("svg", "png")}, made
+assert made == {f"fig4{ending}.{kind}" for ending in ("", "-polar-as-printed", "-rod", "-energy-polar-as-printed") for kind in ("svg", "png")}, made
 pixels = matplotlib.image.imread(folder / "paper/fig4.png").shape[1]
 assert pixels == int(100 * 8.9 / 2.54), pixels
 svg = (folder / "paper/fig4.svg").read_text(encoding="utf-8")

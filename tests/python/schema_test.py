@@ -30,6 +30,7 @@ PROGRAM_ONLY = {
     "a lattice needs a whole number|lattice\" only": "what a lattice requires of other blocks",
     "/si/.* (need it|with R_m only)": "which quantities in SI units belong together",
     "above first contact": "a bound that depends on other values",
+    "not a number that the sweep varies": "whether the sweep has the axis of the jumps",
     "appears twice": "whether the words of an axis differ",
 }
 

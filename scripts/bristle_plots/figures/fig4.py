@@ -3,7 +3,7 @@
 import numpy as np
 
 from ..maps import draw_log_map, draw_maps
-from ..readings import page_for_each_reading, page_for_last_reading, reading_name, readings
+from ..readings import page_for_each_reading, page_as_printed, reading_name, readings
 from ..results import dataset, select
 
 AXES = ["k_r", "k_theta"]
@@ -15,9 +15,9 @@ def draw(file, reading):
     return draw_maps(file, VARIABLES, reading)
 
 
-@page_for_last_reading
+@page_as_printed
 def draw_energy(file, shown):
-    """The defect of the energy budget; the last reading is Eq. (17) as printed if it was computed."""
+    """The defect of the energy budget, with Eq. (17) as printed if it was computed."""
     others = [reading for reading in readings(file) if reading != shown]
     found = [f"{reading_name(reading)}: the budget closes to within {largest_defect(file, reading):.1g}."
              for reading in others]
