@@ -238,7 +238,7 @@ done = plot("--y", "gamma_1")
 assert done.code == 2 and "only the figure curve" in done.messages, done.messages
 with xarray.open_dataset(result) as ds:
     drawn = curve.draw(ds, "gamma_1")
-    assert len(drawn.axes) == 2 and r"$\tilde{\gamma}_1$" in texts(drawn), texts(drawn)
+    assert len(drawn.axes) == 3 and r"$\tilde{\gamma}_1$" in texts(drawn), texts(drawn)
     line = drawn.axes[0].lines[0].get_ydata()
     assert numpy.array_equal(line[numpy.isfinite(line)][:1], ds["gamma_1"].values[0, :1, 0])
     assert "no dataset '/gamma_9'" in refusal(lambda: curve.draw(ds, "gamma_9"))
