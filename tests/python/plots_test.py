@@ -244,7 +244,7 @@ with xarray.open_dataset(result) as ds:
     assert "no dataset '/gamma_9'" in refusal(lambda: curve.draw(ds, "gamma_9"))
     assert "a curve needs" in refusal(lambda: curve.draw(ds, "status"))
 done = plot("--caption")
-assert done.code == 0 and done.out.count("\\caption{") == 2 and done.out.count("{") == done.out.count("}"), done.out
+assert done.code == 0 and done.out.count("\\caption{") == 3 and done.out.count("{") == done.out.count("}"), done.out
 exact, printed = done.out.split("% page 2")
 assert r"$\check{R}_x$; (b) " in exact and r"$\tilde{k}_r =$ 5, " in exact and "exact" in exact and "as printed" not in exact
 assert "as printed" in printed and "exact" not in printed
