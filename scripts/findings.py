@@ -176,7 +176,8 @@ def counts(verdicts, readings):
         under = {"polar": " under the exact equations", "polar_as_printed": " with Eq. (17) as printed",
                  "rod": " for rods"}.get(reading, "")
         parts.append(f"{len(by_verdict.get('supported', []))} are supported{under}" + (f" ({'; '.join(rest)})" if rest else ""))
-    return f"Of the paper's {len(verdicts)} claims, {', and '.join(parts)}."
+    *first, last = parts
+    return f"Of the paper's {len(verdicts)} claims, {', '.join([*first, 'and ' * bool(first) + last])}."
 
 
 def of_each(sentence):

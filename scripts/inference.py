@@ -1,7 +1,6 @@
 """docs/inference.md and its figure: which joint set of choices agrees best with the paper's sentences."""
 
 import argparse
-from collections import Counter
 
 import numpy as np
 from matplotlib.colors import BoundaryNorm, ListedColormap
@@ -14,7 +13,7 @@ from bristle_plots.markdown import filled, table
 from bristle_plots.style import BLUE, GREEN, VERMILION, apply_look
 
 VERDICTS = ("refuted", "undecided", "supported")
-PRINTED = "printed"  # the alternative of the closing equation
+MODELS = {"exact": "Eq. (17) exact", "printed": "Eq. (17) as printed", "rod": "rods"}  # of bending; "exact" has no name in a set
 BEST = 15  # sets in the table
 
 
@@ -104,7 +103,8 @@ this page ranks joint sets of them by how many of the paper's sentences they sup
 are the same that led to the checks, and the best window of the swept ranges is chosen for each set
 after the fact, so a high score shows what is compatible with the paper, not that it is true.
 
-{len(scores.sets)} joint sets of choices were tried (`experiments/inference/`): Eq. (17) exact or as printed;
+{len(scores.sets)} joint sets of choices were tried (`experiments/inference/`): polar coordinates with Eq. (17)
+exact or as printed, or rods;
 the start in static equilibrium or unstretched, r = 1 and phi = asin(z_0 - 5 lambda_z); azimuths continuous,
 18 fixed or 40 random; phi_0 of 80, 85 or 89 degrees; and for the exact equation a tip that is reflected
 at the pole or crosses it. Each was checked in {len(scores.windows)} windows of the ranges of k_r and k_theta,
@@ -122,7 +122,7 @@ The best {BEST} sets, with the numbers of claims and of further checks that are 
 
 ![All sets and claims](images/inference.png)
 
-{closures(scores, score)}
+{best_of_models(scores, score)}
 
 ## If one claim is left out
 
@@ -130,12 +130,12 @@ The sets with the highest score (claims, then further checks) if one claim does 
 
 {table(["without", "best sets"], *leave_one_out(scores))}
 
-## Which claims separate the two readings of Eq. (17)
+## Which claims separate the models of bending
 
-Pairs of sets that differ in the reading of Eq. (17) only, in the window of the baseline: the number of pairs
-in which the claim is supported under one reading and not under the other.
+For each claim, how many sets support it with each model, of {len(shared(scores))} choices of everything else that were tried
+with all of them, in the window of the baseline.
 
-{table(["claim", "exact only", "printed only", "both", "neither"], *separating(scores))}
+{table(["claim", *models(scores)], *separating(scores))}
 """
 
 
@@ -144,12 +144,31 @@ def claims_with(scores, verdicts, word):
     return ", ".join(found) or "none"
 
 
-def closures(scores, score):
-    best = {printed: max(tuple(s) for s, members in zip(score, scores.members) if (PRINTED in members) == printed)
-            for printed in (False, True)}
-    return (f"The best set with Eq. (17) as printed supports {best[True][0]} claims and {best[True][1]} further checks, "
-            f"the best with the exact equation {best[False][0]} and {best[False][1]}. The baseline supports "
-            f"{score[0][0]} and {score[0][1]}.")
+def model_of(members):
+    return next((member for member in members if member in MODELS), "exact")
+
+
+def models(scores):
+    """The models of bending of the sets, in the order of MODELS."""
+    there = set(map(model_of, scores.members))
+    return [model for model in MODELS if model in there]
+
+
+def best_of_models(scores, score):
+    parts = []
+    for model in models(scores):
+        claims, further = max(tuple(s) for s, members in zip(score, scores.members) if model_of(members) == model)
+        parts.append(f"with {MODELS[model]} {claims} claims and {further} further checks")
+    return f"The best sets support {', '.join(parts)}. The baseline supports {score[0][0]} and {score[0][1]}."
+
+
+def shared(scores):
+    """By what a set chooses beside the model of bending, the number of the set for each model; those with all models."""
+    sets = {}
+    for i, members in enumerate(scores.members):
+        model = model_of(members)
+        sets.setdefault(frozenset(members) - {"baseline", model}, {})[model] = i
+    return [found for found in sets.values() if len(found) == len(models(scores))]
 
 
 def leave_one_out(scores):
@@ -163,15 +182,12 @@ def leave_one_out(scores):
 
 
 def separating(scores):
-    by_members = {frozenset(members) - {"baseline"}: i for i, members in enumerate(scores.members)}
-    pairs = [(i, by_members[members | {PRINTED}]) for members, i in by_members.items()
-             if PRINTED not in members and members | {PRINTED} in by_members]
     rows = []
     for c, claim in enumerate(scores.claims):
-        holds = [tuple(scores.verdicts[i, 0, c] == VERDICTS.index("supported") for i in pair) for pair in pairs]
-        count = Counter(holds)
-        rows.append([claim, *(str(count[key]) for key in ((True, False), (False, True), (True, True), (False, False)))])
-    return sorted(rows, key=lambda row: -abs(int(row[1]) - int(row[2])))
+        counts = [sum(scores.verdicts[found[model], 0, c] == VERDICTS.index("supported") for found in shared(scores))
+                  for model in models(scores)]
+        rows.append((claim, counts))
+    return [[claim, *map(str, counts)] for claim, counts in sorted(rows, key=lambda row: min(row[1]) - max(row[1]))]
 
 
 if __name__ == "__main__":

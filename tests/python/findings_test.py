@@ -35,7 +35,7 @@ for path in sorted((root / "experiments").glob("fig*.json")):
     for quote in [check["quote"] for check in experiment.get("checks", []) if "quote" in check]:
         assert quote in " ".join(page.split()), f"docs/findings.md lacks the paper's \"{quote}\": `make findings`"
 # The table of claims, and the explanations below them.
-rows = {row.group(1): row.groups()[2:] for row in re.finditer(rf"^\| (\w+) \| (.+) \| {VERDICT} \| {VERDICT} \|$", page, re.M)}
+rows = {row.group(1): row.groups()[2:] for row in re.finditer(rf"^\| (\w+) \| (.+) \| {VERDICT} \| {VERDICT} \| {VERDICT} \|$", page, re.M)}
 assert set(rows) == claims, f"the table of docs/findings.md lacks {sorted(claims - set(rows))}: `make findings`"
 unsupported = sum(verdict != "supported" for verdicts in rows.values() for verdict in verdicts)
 explained = len(re.findall(r"^Why (?:refuted|undecided) ", page, re.M))
@@ -45,9 +45,9 @@ assert explained == unsupported, f"{unsupported} verdicts are not \"supported\",
 readme = (root / "README.md").read_text(encoding="utf-8")
 summary, in_readme = (re.search("<!-- summary: .*?<!-- end of summary -->", text, re.S).group() for text in (page, readme))
 assert in_readme == summary, "README.md's summary is not that of docs/findings.md: `make findings`"
-said = re.search(r"the paper's (\d+) claims, (\d+) are supported under .*? and (\d+) are supported with",
+said = re.search(r"the paper's (\d+) claims, (\d+) are supported under .*? (\d+) are supported with .*? and (\d+) are supported for rods",
                  " ".join(summary.split())).groups()
-found = [len(rows), *([verdicts[i] for verdicts in rows.values()].count("supported") for i in range(2))]
+found = [len(rows), *([verdicts[i] for verdicts in rows.values()].count("supported") for i in range(3))]
 assert [int(number) for number in said] == found, f"the summary's numbers are {said}, those of the table {found}"
 conclusions = json.loads((root / "reference" / "assumptions.json").read_text(encoding="utf-8"))["conclusions"]
 reversed_by_some = sum(bool(one["other"]) for one in conclusions if one["conclusion"] != "open")
