@@ -57,6 +57,13 @@ def test_errors_cover_what_lies_between_the_nodes():
         assert 0 < error and abs(value - exact) <= allowed * error, (name, variable, value, error, exact)
 
 
+def test_the_uncertainty_of_the_load_counts_at_an_extremum_over_the_gap():
+    """The second number is that of the reference engine with a hundredth of the tolerances."""
+    result = values("extremum")
+    value, error = result["N_c_ratio"], result["N_c_ratio_err"]
+    assert abs(value - 1.0001183) <= 2 * error, (value, error)
+
+
 def test_random_azimuths_follow_their_distribution():
     values("vonmises-list")
     with h5py.File("r.h5") as file:
