@@ -24,7 +24,7 @@ def pinned_note(file, reading=None):
     if "bending" in many.dims:
         words = [str(word) for word in many["bending"].values if many.sel(bending=word).any()]
         where = f" ({', '.join(CHOICE_NAMES.get(word, word) for word in words)})"
-    return (f"Bristles that stay pinned upright at the pole carry more than a tenth of R_x at {int(many.sum())} of {many.size} "
+    return (f"Bristles that stay pinned upright at the pole carry more than a tenth of the friction at {int(many.sum())} of {many.size} "
             f"points, up to {100 * float(share.max()):.2g} %{where}.")
 
 
@@ -33,10 +33,12 @@ def start_note(file):
     if "start" not in file:
         return ""
     words, numbers = flags(dataset(file, "start"))
-    crushed = np.asarray(numbers) == list(words).index("crushed")
+    crushed, names = np.asarray(numbers) == list(words).index("crushed"), axis_names(dataset(file, "start"))
+    if "node" in names:  # of a traced curve
+        crushed = crushed.any(axis=names.index("node"))
+        names = [name for name in names if name != "node"]
     if not crushed.any():
         return ""
-    names = axis_names(dataset(file, "start"))
     if "k_r" not in names:
         return f"{CRUSHED}, at {crushed.sum()} of {crushed.size} points."
     stiffness, along = axis_values(file, "k_r"), names.index("k_r")

@@ -174,7 +174,8 @@ def check_row(check, claim, further, characters):
 
 
 def line_count(row, width):
-    return row.statement.count("\n") + (1 if statement_inches(list(row.verdicts), width) else 2)
+    numbers_below = any(cell for _, cell in row.verdicts.values()) and not statement_inches(list(row.verdicts), width)
+    return row.statement.count("\n") + 1 + numbers_below
 
 
 def strip_height(claims, width):
