@@ -61,10 +61,12 @@ void refresh_description(const Experiment& experiment, const std::string& path) 
 
 // The points that no journal in the folder has. Unless force, copies those of other journals to this one.
 std::vector<std::size_t> missing_points(const KeyedPoints& points, results::Journal& journal, bool force) {
-  const std::vector<std::size_t> missing = points.missing_in(journal);
-  if (force || missing.empty()) return missing;
-  points.adopt_into(journal);
-  return points.missing_in(journal);
+  std::vector<std::size_t> missing = points.missing_in(journal);
+  if (!force && !missing.empty()) {
+    points.adopt_into(journal);
+    missing = points.missing_in(journal);
+  }
+  return missing;
 }
 
 // Computes the missing points and appends each to the journal when it is solved.
