@@ -189,18 +189,18 @@ def label_line(axes, x, y, power, string, colour=GREY, **look):
               transform_rotates_text=True, **look)
 
 
-def draw_panels(file, names, along, curves, markers="o", x_axis=log_axis, finish=None):
+def draw_panels(file, names, along, curves, markers="o", x_axis=log_axis, finish=None, note=""):
     """A figure with one panel for each variable, side by side, a row for each reading, and one legend below.
 
     curves: the values of the axes beside `along` for each curve, by its text in the legend.
-    finish(axes, name) is called for each panel, if given.
+    finish(axes, name) is called for each panel, if given. note: below the panels.
     """
     shown = readings(file)
     titled = ROW_TITLE_INCHES if reading_name(shown[0]) else 0
     cell, columns = across(len(names), Cell(5.3, PANEL_INCHES[1] + 0.95, 0.8, 0.7, *PANEL_INCHES))
     group_inches = cell.height * -(-len(names) // columns) + titled
     below = 0.3 if paper_width() is None else 0  # of the legend
-    figure, bottom = sheet(file, cell.width * columns, group_inches * len(shown) + below, f"{BANDS} {jump_note(file, along)}")
+    figure, bottom = sheet(file, cell.width * columns, group_inches * len(shown) + below, "\n".join(filter(None, [note, f"{BANDS} {jump_note(file, along)}"])))
     entries, letters = {}, iter("abcdefghijkl")
     for row, reading in enumerate(shown):
         y = bottom + below + group_inches * (len(shown) - 1 - row)

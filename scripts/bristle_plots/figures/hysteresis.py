@@ -1,0 +1,34 @@
+"""Friction and gap over the radial stiffness after loading and after unloading: two branches, and where both exist."""
+
+import numpy as np
+
+from ..curves import draw_panels
+from ..readings import one_page, reading_name, readings
+from ..results import axis_values, dataset, select
+
+AXES = ["path", "k_r"]
+VARIABLES = ["R_x_norm", "z_0"]
+APART = 1.5  # factor between the frictions of two branches
+
+
+@one_page
+def draw(file):
+    curves = {f"after {path}": {"path": path} for path in axis_values(file, "path")}
+    windows = "\n".join(window(file, reading) for reading in readings(file))
+    return draw_panels(file, VARIABLES, "k_r", curves, markers="os", note=windows)
+
+
+def window(file, reading):
+    """A sentence: between which k_r the friction depends on the path, and by which factor."""
+    k_r = axis_values(file, "k_r")
+    loading, unloading = (select(dataset(file, "R_x_norm"), ["k_r"], path=path, **reading) for path in ("loading", "unloading"))
+    with np.errstate(invalid="ignore", divide="ignore"):
+        factor = unloading / loading
+    apart = np.flatnonzero(factor >= APART)
+    windows = np.split(apart, np.flatnonzero(np.diff(apart) > 1) + 1)
+    name = f"{reading_name(reading)}: " if reading else ""
+    if not apart.size:
+        return f"{name}the friction is the same after loading and after unloading, within a factor of {APART}."
+    found = " and ".join(f"{factor[at].min():.2g} to {factor[at].max():.2g} times the friction after unloading from $k_r$ = "
+                         f"{k_r[at[0]]:.3g} to {k_r[at[-1]]:.3g}" for at in windows)
+    return f"{name}the same bristles under the same load have {found}."
