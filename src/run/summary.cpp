@@ -75,10 +75,11 @@ std::string Summary::cause_and_remedy(PointStatus status, const Example& example
     case PointStatus::incomplete:
       return fmt::format(
           "the bristle with theta_0 = {:.4g} deg did not leave the slab within {} evaluations of the "
-          "equations; "
-          "raise /integrator/max_evaluations, or {}, which act near the pole",
+          "equations; raise /integrator/max_evaluations{}",
           example.incomplete_theta_0 * 180 / M_PI, setup.integrator.max_evaluations,
-          si ? "/si/alpha_J and /si/beta_J" : "/model/alpha and /model/beta");
+          !has_pole(experiment_.point(example.index).setup.parameters.bending) ? ""
+          : si ? ", or /si/alpha_J and /si/beta_J, which act near the pole"
+               : ", or /model/alpha and /model/beta, which act near the pole");
     default:
       return fmt::format(
           "all bristles together needed more than {} evaluations of the equations; raise "
