@@ -44,15 +44,14 @@ inline OdeState pack(const State<double>& s) {
 }
 
 // Time derivative of every component.
-template <class T, class P, class Out>
-void slopes_of(const Bristle<P>& b, const State<T>& state, const Motion<T>& m, Out& dydt) {
+template <class T, class P, class Out, class Pole>
+void slopes_of(const Bristle<P>& b, const State<T>& state, const Motion<T>& m, Out& dydt, Pole pole) {
   for (int i = 0; i < 3; ++i) {
     dydt[X + i] = state.v[i];
     dydt[VX + i] = m.acceleration[i];
   }
-  const bool angles = has_pole(b.bending);
-  dydt[THETA] = angles ? m.rates.theta : T(0.0);
-  dydt[PHI] = angles ? m.rates.phi : T(0.0);
+  dydt[THETA] = pole ? m.rates.theta : T(0.0);
+  dydt[PHI] = pole ? m.rates.phi : T(0.0);
   dydt[NORMAL] = m.wall.F_n;
   dydt[FRICTION_X] = m.friction[0];
   dydt[FRICTION_Y] = m.friction[1];
@@ -65,7 +64,7 @@ void slopes_of(const Bristle<P>& b, const State<T>& state, const Motion<T>& m, O
 template <class T, class P, class In, class Out>
 void derivative(const Bristle<P>& b, const In& y, Out& dydt) {
   const State<T> state = unpack<T>(y);
-  slopes_of(b, state, motion(b, state), dydt);
+  slopes_of(b, state, motion(b, state), dydt, has_pole(b.bending));
 }
 
 }  // namespace bristle

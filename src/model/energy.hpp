@@ -7,7 +7,7 @@ namespace bristle {
 // Potential energy: springs, slab wall and, in polar coordinates, pole repulsion. Dimensionless (m V0^2).
 template <class T, class P>
 T potential_energy(const Bristle<P>& b, const Vector3<T>& position, const T& theta, const T& phi) {
-  const Frame<T> f = frame_at(b.bending, position);
+  const Frame<T> f = frame_at(position, has_pole(b.bending));
   const T stretch = f.r - 1.0;
   if (!has_pole(b.bending)) {
     const RodAngles<T> rod = rod_angles(b, position, f.one_r);

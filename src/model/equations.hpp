@@ -6,6 +6,9 @@
 
 namespace bristle {
 
+// pole in the functions below is has_pole() of the bristle: a bool, or a constant such as std::true_type,
+// with which the compiler leaves out the other kind of bending.
+
 // Lengths and unit vectors of Eq. (2) at a position. Those that are singular at the pole, s = 0, have values
 // only for bristles with a pole: e_s = (cos_theta, sin_theta,
 // 0), e_theta = (-sin_theta, cos_theta, 0), e_r = cos_phi e_s + sin_phi k, e_phi = -sin_phi e_s + cos_phi k.
@@ -16,14 +19,14 @@ struct Frame {
   T cos_theta, sin_theta, cos_phi, sin_phi;
 };
 
-template <class T>
-Frame<T> frame_at(Bending bending, const Vector3<T>& position) {
+template <class T, class Pole>
+Frame<T> frame_at(const Vector3<T>& position, Pole pole) {
   const T &x = position[0], &y = position[1], &z = position[2];
   const T s2 = x * x + y * y, r2 = s2 + z * z;
-  Frame<T> f{};
+  Frame<T> f;
   f.one_r = inverse_sqrt(r2);
   f.r = r2 * f.one_r;
-  if (!has_pole(bending)) return f;
+  if (!pole) return f;
   f.one_s = inverse_sqrt(s2);
   f.s = s2 * f.one_s;
   f.cos_theta = x * f.one_s;
@@ -62,12 +65,15 @@ struct Place {
   T friction_limit;   // friction force where the modulation is 1, Eqs. (14, 15)
 };
 
-template <class T, class P>
-Place<T> place_at(const Bristle<P>& b, const Vector3<T>& position) {
+template <class T, class P, class Pole>
+Place<T> place_at(const Bristle<P>& b, const Vector3<T>& position, Pole pole) {
   const WallForce<T> wall = wall_force(T(b.z_0 - position[2]), b.wall_root_peak, b.wall_root_rate);
   const T load = with_law(b.friction, [&](auto law) -> T { return law.load(wall); });
-  Place<T> place{frame_at(b.bending, position), {}, wall, T(b.friction_factor * load)};
-  if (!has_pole(b.bending)) place.rod = rod_angles(b, position, place.frame.one_r);
+  Place<T> place;
+  place.frame = frame_at(position, pole);
+  if (!pole) place.rod = rod_angles(b, position, place.frame.one_r);
+  place.wall = wall;
+  place.friction_limit = b.friction_factor * load;
   return place;
 }
 
@@ -144,28 +150,28 @@ void set_rod_motion(const Bristle<P>& b, const State<T>& state, const Place<T>& 
   const T moment_p = b.k_phi * u_p + b.c_phi * m.rates.phi;
   const T moment_s = b.k_theta * u_s + b.c_theta * m.rates.theta;
   const T radial = b.k_r * T(T(place.frame.r - 1.0) * place.frame.one_r);  // per position
-  for (int i = 0; i < 3; ++i)
-    m.acceleration[i] = -radial * state.r[i] - moment_p * grad_p[i] - moment_s * grad_s[i];
-  m.acceleration[0] += m.friction[0];
-  m.acceleration[1] += m.friction[1];
-  m.acceleration[2] -= m.wall.F_n;
+  const auto springs = [&](int i) -> T {
+    return -radial * state.r[i] - moment_p * grad_p[i] - moment_s * grad_s[i];
+  };
+  m.acceleration = {T(springs(0) + m.friction[0]), T(springs(1) + m.friction[1]), T(springs(2) - m.wall.F_n)};
 }
 
 // Eq. (13) with Eqs. (17, 18), for a given friction force.
-template <class T, class P>
+template <class T, class P, class Pole>
 Motion<T> motion(const Bristle<P>& b, const State<T>& state, const Place<T>& place, const Sliding<T>& sliding,
-                 const InPlane<T>& friction) {
+                 const InPlane<T>& friction, Pole pole) {
   Motion<T> m{{}, {}, place.wall, sliding, friction};
-  if (has_pole(b.bending)) set_polar_motion(b, state, place.frame, m);
+  if (pole) set_polar_motion(b, state, place.frame, m);
   else set_rod_motion(b, state, place, m);
   return m;
 }
 
 template <class T, class P>
 Motion<T> motion(const Bristle<P>& b, const State<T>& state) {
-  const Place<T> place = place_at(b, state.r);
+  const bool pole = has_pole(b.bending);
+  const Place<T> place = place_at(b, state.r, pole);
   const Sliding<T> sliding = sliding_at(b, state.v[0], state.v[1]);
-  return motion(b, state, place, sliding, friction_force(place, sliding));
+  return motion(b, state, place, sliding, friction_force(place, sliding), pole);
 }
 
 // The azimuth's damper exerts the force -azimuth_damping() v_theta along e_theta, that of the polar angle

@@ -33,6 +33,7 @@ class AdditiveStep {
   static constexpr bool kAzimuthDamper = Region::kImplicitAzimuthDamper;
   static constexpr bool kPolarDamper = Region::kImplicitPolarDamper;
   static constexpr bool kRodDampers = Region::kImplicitRodDampers;
+  static constexpr std::bool_constant<!kRodDampers> kPole{};
   static constexpr int kImplicit = kPolarDamper || kRodDampers ? 3 : 2;  // components of the velocity
 
   struct Work {
@@ -76,7 +77,7 @@ class AdditiveStep {
     w.state = unpack<Lanes>(g.y);
     w.velocity = {w.state.v[0], w.state.v[1]};
     set_sliding(g, w, w.velocity[0], w.velocity[1]);
-    w.place = place_at(g.bristle, w.state.r);
+    w.place = place_at(g.bristle, w.state.r, kPole);
     set_modulation(g, w);
     w.friction = friction_force(w.place, w.sliding);
     const Frame<Lanes>& f = w.place.frame;
@@ -99,7 +100,8 @@ class AdditiveStep {
       w.implicit[0][2] = along_p * rod.grad_p[2] + along_s * rod.grad_s[2];
       for (int i = 0; i < 2; ++i) w.implicit[0][i] += along_p * rod.grad_p[i] + along_s * rod.grad_s[i];
     }
-    slopes_of(g.bristle, w.state, motion(g.bristle, w.state, w.place, w.sliding, w.friction), w.k[0]);
+    slopes_of(g.bristle, w.state, motion(g.bristle, w.state, w.place, w.sliding, w.friction, kPole), w.k[0],
+              kPole);
   }
 
   // Time of stage i within the step, as a share of it.
@@ -117,7 +119,7 @@ class AdditiveStep {
       };
       set_sliding(g, w, extrapolated(0), extrapolated(1));
     }
-    w.place = place_at(g.bristle, w.state.r);
+    w.place = place_at(g.bristle, w.state.r, kPole);
     if constexpr (I > 1) set_modulation(g, w);
   }
 
@@ -205,7 +207,8 @@ class AdditiveStep {
 
   static HWY_NOINLINE HWY_FLATTEN void evaluate(const Group& g, Work& w,
                                                 std::array<Lanes, COMPONENTS>& slope) {
-    slopes_of(g.bristle, w.state, motion(g.bristle, w.state, w.place, w.sliding, w.friction), slope);
+    slopes_of(g.bristle, w.state, motion(g.bristle, w.state, w.place, w.sliding, w.friction, kPole), slope,
+              kPole);
   }
 
   template <std::size_t... I>

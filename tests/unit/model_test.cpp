@@ -51,7 +51,7 @@ TEST_CASE("Hertz area: pi (3 R_c F_n / (4 E*))^(2/3)") {
 TEST_CASE("the frame of Eq. (2) agrees with the position") {
   rc::prop("for any position off the pole", [] {
     const Vector3<double> r = random_state(0.6).r;
-    const auto f = frame_at(Bending::polar, r);
+    const auto f = frame_at(r, true);
     RC_ASSERT(std::abs(f.s * f.one_s - 1) < kRounding);
     RC_ASSERT(std::abs(f.r * f.one_r - 1) < kRounding);
     RC_ASSERT(std::abs(std::hypot(f.cos_theta, f.sin_theta) - 1) < kRounding);
@@ -95,7 +95,7 @@ TEST_CASE("without friction and damping the force is minus the gradient of the p
 TEST_CASE("closing equations: theta' kinematically exact or as printed, phi' exact") {
   rc::prop("against differences along the motion", [] {
     const State<double> s = random_state(0.6);
-    const auto f = frame_at(Bending::polar, s.r);
+    const auto f = frame_at(s.r, true);
     const auto exact = angular_rates(Bending::polar, f, s.v);
     const auto printed = angular_rates(Bending::polar_as_printed, f, s.v);
     const double cross = s.r[0] * s.v[1] - s.r[1] * s.v[0];
@@ -141,7 +141,7 @@ TEST_CASE("the power of the forces equals the rate of the energy, except with Eq
       };
       const double rate = (energy(b, at(h)) - energy(b, at(-h))) / (2 * h);
       const double defect = std::abs(rate - power(b, m));
-      const auto exact = angular_rates(Bending::polar, frame_at(Bending::polar, s.r), s.v);
+      const auto exact = angular_rates(Bending::polar, frame_at(s.r, true), s.v);
       const double of_twist = std::abs((b.k_theta * (s.theta - b.theta_0) + b.c_theta * m.rates.theta) *
                                        (m.rates.theta - exact.theta));
       const double printed_defect = bending == Bending::polar_as_printed ? of_twist : 0;
