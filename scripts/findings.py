@@ -158,10 +158,11 @@ def in_short(found):
     """The findings that a reader should know first, as a list; those whose results are there."""
     verdicts, readings = all_verdicts(found), readings_of(found)
     files = {as_text(file.attrs["name"]): file for file, _ in found}
-    headlines = {"fig6": fall_with_stiffness, "fig8": saturation, "figA1": isotropy, "fig3": order_of_gaps, "figA2": row_period}
+    headlines = {"fig7": one_jump, "fig6": fall_with_stiffness, "fig8": saturation, "figA1": isotropy, "fig3": order_of_gaps, "figA2": row_period}
     lines = [counts(verdicts, readings)]
     if readings == list(READINGS):
-        lines += [headline(files[name], verdicts) for name, headline in headlines.items() if name in files]
+        found = [headline(files[name], verdicts) for name, headline in headlines.items() if name in files]
+        lines = [*found[:1], *lines, *found[1:]]
     return "\n".join(f"- {line}" for line in lines if line)
 
 
@@ -190,6 +191,25 @@ def on_claim(what, claim, verdicts):
     found = verdicts[claim]
     same = len(set(found.values())) == 1
     return f"{what} ({claim}) is {next(iter(found.values()))} with every model" if same else f"{what} ({claim}) is {of_each(found.get)}"
+
+
+def one_jump(file, _):
+    """How much of the fall of friction lies within three steps of k_r at its steepest place."""
+    k_r = axis_values(file, "k_r")
+    shares, places, areas = {}, {}, {}
+    for reading in READINGS:
+        fall, area = (-np.diff(np.log(select(dataset(file, name), ["k_r"], bending=reading, friction="nss")))
+                      for name in ("R_x_norm", "gamma_3"))
+        steepest = int(np.argmax(fall))
+        there = slice(max(steepest - 1, 0), steepest + 2)
+        shares[reading] = percent(fall[there].sum() / fall.sum())
+        areas[reading] = short(np.exp(area[there].sum()))
+        places[reading] = chosen_at(np.sqrt(k_r[steepest] * k_r[steepest + 1]))
+    return (f"Stiffer bristles have less friction because of one jump (nominal shear stress, Figure 7): {of_each(shares.get)} of "
+            f"the fall of ln R_x_norm from k_r = {chosen_at(k_r[0])} to {chosen_at(k_r[-1])} lies within three of {len(k_r) - 1} "
+            f"steps of k_r, at k_r of about {of_each(places.get)}. There the slab rises from one branch of gaps to another, the "
+            f"load becomes spiky, so that the contact area under it, gamma_3, falls by a factor of {of_each(areas.get)}, and the "
+            f"friction depends on whether the slab came from above or from below (`make hysteresis`).")
 
 
 def fall_with_stiffness(file, _):
