@@ -32,12 +32,15 @@ compare() {
 cd "$source" || exit 1
 gap='/load={"R_n":null,"z_0":0.5}'
 some='/orientation={"sampling":"list","theta_0_deg":[5,40,75,110,140,160,175,179]}'
-laws='/sweep={"friction":{"values":["nss","coulomb","stribeck"]},"k_r":{"values":[3,80]}}'
-compare "friction laws, pinned and reflected bristles" experiments/paper.json --set "$gap" --set "$some" --set "$laws"
+bendings='"bending":{"values":["polar","polar_as_printed","rod"]}'
+laws="/sweep={$bendings,\"friction\":{\"values\":[\"nss\",\"coulomb\",\"stribeck\"]},\"k_r\":{\"values\":[3,80]}}"
+compare "bendings, friction laws, pinned and reflected bristles" experiments/paper.json --set "$gap" --set "$some" --set "$laws"
 pinned=$("$bristle" info "$result" | sed -n 's/^ *pinned_fraction  *(.*)  *\([0-9.]*\) .. \([0-9.]*\).*/\2/p')
 [ "$(awk -v p="$pinned" 'BEGIN { print (p > 0) }')" = 1 ] || failed "no bristle is pinned"
-compare "with Boost.Odeint" experiments/paper.json --set "$gap" --set "$some" --set /integrator/engine=reference
-compare "on scalars" experiments/paper.json --set "$gap" --set "$some" --instruction-set SCALAR
+compare "with Boost.Odeint" experiments/paper.json --set "$gap" --set "$some" --set "/sweep={$bendings}" \
+  --set /integrator/engine=reference
+compare "on scalars" experiments/paper.json --set "$gap" --set "$some" --set "/sweep={$bendings}" \
+  --instruction-set SCALAR
 compare "trajectories" experiments/fig2.json --tier smoke --set "$gap" --set "$some"
 compare "a load search" experiments/paper.json --set /orientation/rtol=0.02 --set /model/k_r=2
 compare "a lattice" experiments/paper.json --set "$gap" --set /model/L_x=1 --set /model/L_y=1 \
@@ -45,7 +48,7 @@ compare "a lattice" experiments/paper.json --set "$gap" --set /model/L_x=1 --set
 
 if [ "$(uname -m)" = x86_64 ]; then
   emulated=(qemu-x86_64 -cpu Nehalem "$bristle")
-  compare "no fused multiply-add" experiments/paper.json --set "$gap" \
+  compare "no fused multiply-add" experiments/paper.json --set "$gap" --set "/sweep={$bendings}" \
     --set '/orientation={"sampling":"list","theta_0_deg":[5,75,179]}'
   "$bristle" info "$folder/emulated.h5" | grep -q 'instruction_set  *SCALAR' || failed "vectors on a processor without them"
 fi
