@@ -64,14 +64,14 @@ last=$(sed -n 's/^job \([0-9]*\): completes.*/\1/p' "$folder/log")
 within 120 test -s "$result.2-of-3.journal" || fail "the second task finishes no point"
 scancel "${tasks}_2"
 within 240 no_jobs || { fail "jobs do not end"; squeue; }
-holds "$folder/shards/fig4.1-of-3.log" "9 of 16 points of fig4 are not yet in the journals"
+holds "$folder/shards/fig4.1-of-3.log" "15 of 24 points of fig4 are not yet in the journals"
 holds "$folder/shards/fig4.2-of-3.log" "interrupted"
 holds "$folder/shards/fig4.3-of-3.log" "is a folder"
 scontrol show job "$last" | grep -q 'JobState=CANCELLED' || fail "the last job was not cancelled"
 [ ! -e "$result" ] || fail "there is a result although points are missing"
 "$bristle" run experiments/fig4.json "${options[@]}" --complete -o "$result" >"$folder/log" 2>&1
 [ $? = 2 ] || fail "exit code of a completion without all shards"
-holds "$folder/log" "of 16 points are missing"
+holds "$folder/log" "of 24 points are missing"
 holds "$folder/log" "--shard 2/3"
 
 # The same command computes what the tasks left: nothing, some points, all points.
@@ -79,7 +79,7 @@ rmdir "$result.3-of-3.journal"
 submit >"$folder/log" 2>&1 || { fail "second submission"; cat "$folder/log"; exit; }
 "$bristle" run experiments/fig4.json "${options[@]}" -o "$whole" --quiet || fail "the run of the whole"
 within 240 no_jobs || { fail "jobs do not end"; squeue; }
-holds "$folder/shards/fig4.1-of-3.log" "6 computed before"
+holds "$folder/shards/fig4.1-of-3.log" "8 computed before"
 holds "$folder/shards/fig4.2-of-3.log" "computed before"
 [ -f "$result" ] || { fail "no result"; cat "$folder"/shards/*.log; exit; }
 [ "$(digest "$result")" = "$(digest "$whole")" ] || fail "the numbers are not those of one run"
