@@ -220,6 +220,22 @@ def draw_panels(file, names, along, curves, markers="o", x_axis=log_axis, finish
     return figure
 
 
+def draw_by_reading(file, name, along, curves, markers="os^D", **place):
+    """A figure of one variable with a panel for each reading, side by side, and the legend in the first.
+
+    curves: the values of the axes beside `along` for each curve, by its text. place: of the legend.
+    """
+    figure, panels = panels_by_reading(file, (4.1, 3.7), (5.9, 4.1), f"{BANDS} {jump_note(file, along)}")
+    entries = {}
+    for axes, reading in panels:
+        for ((text, chosen), colour), marker in zip(coloured(curves.items()), cycle(markers)):
+            entries |= draw_curve(axes, read_curve(file, name, along, **chosen, **reading), colour, text, marker=marker)
+        log_axis(axes, "x", dataset(file, along))
+        title_axis(axes, "y", dataset(file, name))
+    legend(panels[0][0], entries, **place)
+    return figure
+
+
 def panels_by_reading(file, panel, alone, note):
     """A figure with a panel for each reading, side by side; returns it with (axes, reading) of each.
 

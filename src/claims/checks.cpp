@@ -37,7 +37,8 @@ Verdict decide(const Measurement& m, double margin) {
 // Whether the check selects or compares values of this axis.
 bool selects(const experiment::Check& check, const std::string& axis) {
   const auto same = [&](const auto& selection) { return selection.first == axis; };
-  return std::ranges::any_of(check.where, same) || (check.compare && check.compare->axis == axis);
+  return std::ranges::any_of(check.where, same) ||
+         std::ranges::any_of(check.compare, [&](const auto& pair) { return pair.name == axis; });
 }
 
 // The worse of two verdicts: refuted, undecided, supported.

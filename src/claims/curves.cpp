@@ -152,20 +152,31 @@ Field reduce(const results::ResultReader& result, const Field& field, const std:
   return out;
 }
 
+// The first point behind the largest rise of ln(z_0) between neighbouring points.
+std::size_t behind_jump(const std::vector<double>& gaps) {
+  std::size_t at = gaps.size();
+  double most = 0;
+  for (std::size_t k = 1; k < gaps.size(); ++k)
+    if (const double rise = log(gaps[k] / gaps[k - 1]); rise > most) {
+      most = rise;
+      at = k;
+    }
+  return at;
+}
+
 }  // namespace
 
 CheckedCurves::CheckedCurves(const results::ResultReader& result, const experiment::Check& check,
-                             const std::optional<experiment::Selection>& at)
-    : result_(result), check_(check) {
-  if (at) compared_.emplace(check.compare->axis, *at);
-}
+                             std::optional<std::size_t> side)
+    : result_(result), check_(check), side_(side) {}
 
 CheckedField CheckedCurves::field_of(const std::string& variable) const {
   CheckedField field = read(result_, variable);
   if (variable == check_.variable)
     for (const auto& [name, power] : check_.divide_by) divide(result_, field, name, power);
   for (const auto& [name, wanted] : check_.where) select(result_, field, name, wanted);
-  if (compared_) select(result_, field, compared_->first, compared_->second);
+  if (side_)
+    for (const auto& [name, values] : check_.compare) select(result_, field, name, values[*side_]);
   return check_.at ? reduce(result_, field, check_.at->first, check_.at->second) : field;
 }
 
@@ -175,8 +186,9 @@ Curves CheckedCurves::along(const std::string& dimension) const {
   const CheckedField y = field_of(check_.variable);
   const std::size_t d = dimension_of(result_, y, check_.variable, dimension), stride = stride_of(y, d);
   const std::vector<double> axis = values_of(result_, dimension, y.shape[d]);
-  std::optional<CheckedField> x;
+  std::optional<CheckedField> x, gap;
   if (!check_.x.empty()) x = field_of(check_.x);
+  if (check_.pairs != experiment::PointPairs::all) gap = read(result_, "z_0");
   if (x && x->shape != y.shape)
     throw InputError(fmt::format("{}: damaged: {} and {} have different shapes", result_.path(),
                                  check_.variable, check_.x));
@@ -185,14 +197,19 @@ Curves CheckedCurves::along(const std::string& dimension) const {
   for (std::size_t start = 0; start < y.values.size(); ++start) {
     if (start / stride % y.shape[d] != 0) continue;
     Curve curve;
+    std::vector<double> gaps;
     for (std::size_t k = 0; k < y.shape[d]; ++k) {
       const std::size_t i = start + k * stride;
       if (!y.kept[i]) continue;
       const CurvePoint point{x ? x->values[i] : axis[k], y.values[i], y.errors[i], x ? x->errors[i] : 0};
-      if (std::isfinite(point.x) && std::isfinite(point.value) && std::isfinite(point.error))
+      if (std::isfinite(point.x) && std::isfinite(point.value) && std::isfinite(point.error)) {
         curve.push_back(point);
-      else if (dimension != "node") ++out.missing;
+        if (gap) gaps.push_back(gap->values[i]);
+      } else if (dimension != "node") {
+        ++out.missing;
+      }
     }
+    for (std::size_t k = behind_jump(gaps); k < gaps.size(); ++k) curve[k].behind_jump = true;
     if (!curve.empty()) out.curves.push_back(curve);
   }
   return out;

@@ -13,6 +13,7 @@ namespace bristle::claims {
 struct CurvePoint {
   double x, value, error;
   double x_error = 0;
+  bool behind_jump = false;  // of z_0; for a check that distinguishes pairs of points
 };
 using Curve = std::vector<CurvePoint>;
 
@@ -38,9 +39,9 @@ struct CheckedField {
 // result does not have.
 class CheckedCurves {
  public:
-  // at: for a check with "compare", the value of its axis at which to measure.
+  // side: for a check with "compare", which of its values to measure at, 0 or 1.
   CheckedCurves(const results::ResultReader& result, const experiment::Check& check,
-                const std::optional<experiment::Selection>& at = {});
+                std::optional<std::size_t> side = {});
 
   // Curves along the check's dimension, or another one, over that axis or over the check's variable x.
   Curves along() const;
@@ -53,7 +54,7 @@ class CheckedCurves {
 
   const results::ResultReader& result_;
   const experiment::Check& check_;
-  std::optional<std::pair<std::string, experiment::Selection>> compared_;
+  std::optional<std::size_t> side_;
 };
 
 }  // namespace bristle::claims

@@ -43,6 +43,16 @@ Measurement range_ratio_of(const CheckedCurves& curves, const Check& check) {
   return range_ratio(curves.along(), curves.along(check.against));
 }
 
+Measurement trend_of(const CheckedCurves& curves, const Check& check) {
+  return trend(curves.along(), check.pairs);
+}
+
+Measurement rise_of(const CheckedCurves& curves, const Check& check) {
+  Measurement out = rise(curves.along());
+  if (check.resolution && std::abs(out.value) < *check.resolution) out.uncertainty = INFINITY;
+  return out;
+}
+
 Measurement slope_of(const CheckedCurves& curves, const Check& check) {
   return slope(curves.along(), check.logarithmic);
 }
@@ -57,6 +67,7 @@ Measurement equality_of(const Curve& first, const Curve& second, const Check& ch
 }
 
 constexpr Need kAlong{"along", [](const Check& c) { return !c.along.empty(); }};
+constexpr Need kX{"x", [](const Check& c) { return !c.x.empty(); }};
 constexpr Need kAgainst{"against", [](const Check& c) { return !c.against.empty(); }};
 constexpr Need kResolution{"resolution", [](const Check& c) { return c.resolution.has_value(); }};
 
@@ -64,9 +75,12 @@ constexpr Need kResolution{"resolution", [](const Check& c) { return c.resolutio
 
 const std::vector<Predicate>& predicates() {
   static const std::vector<Predicate> table = {
-      {"trend", {kAlong}, along<trend>, nullptr},
+      {"trend", {kAlong}, trend_of, nullptr},
       {"end_ratio", {kAlong}, along<end_ratio>, nullptr},
-      {"rise", {kAlong}, along<rise>, nullptr},
+      {"rise", {kAlong}, rise_of, nullptr},
+      {"share", {kAlong, kX}, along<share>, nullptr},
+      {"third_ratio", {kAlong}, along<third_ratio>, nullptr},
+      {"linearity", {kAlong}, along<linearity>, nullptr},
       {"top_ratio", {kAlong}, along<top_ratio>, nullptr},
       {"range_ratio", {kAlong, kAgainst}, range_ratio_of, nullptr},
       {"slope", {kAlong}, slope_of, nullptr},
@@ -104,9 +118,8 @@ Measurement measure(const results::ResultReader& result, const experiment::Check
     const Curve points = all.points();
     return predicate.on_pairs(points, Curve(points.size(), {0, *check.expected, 0}), check);
   }
-  if (!check.compare) return predicate.on_curves(all, check);
-  const CheckedCurves first(result, check, check.compare->first),
-      second(result, check, check.compare->second);
+  if (check.compare.empty()) return predicate.on_curves(all, check);
+  const CheckedCurves first(result, check, 0), second(result, check, 1);
   if (predicate.on_pairs) return predicate.on_pairs(first.points(), second.points(), check);
   const Measurement a = predicate.on_curves(first, check), b = predicate.on_curves(second, check);
   return check.difference ? difference(a, b) : ratio(a, b);

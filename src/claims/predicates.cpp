@@ -79,9 +79,12 @@ struct Pairs {
     rising += sign > 0;
     falling += sign < 0;
   }
-  void add_points(std::size_t count) {
-    const auto n = double(count);
-    variance += n * (n - 1) * (2 * n + 5) / 18;
+  // The points whose pairs are added: n before the jump and m behind it.
+  void add_points(double n, double m, experiment::PointPairs counted) {
+    const auto of_all = [](double k) { return k * (k - 1) * (2 * k + 5) / 18; };
+    variance += counted == experiment::PointPairs::all      ? of_all(n + m)
+                : counted == experiment::PointPairs::within ? of_all(n) + of_all(m)
+                                                            : n * m * (n + m + 1) / 3;
   }
   Measurement measurement(std::size_t curves, std::size_t missing) const {
     Measurement out;
@@ -125,16 +128,21 @@ Estimate falls_to(const Curve& curve, std::size_t from, double level) {
 
 }  // namespace
 
-Measurement trend(const Curves& in) {
+Measurement trend(const Curves& in, experiment::PointPairs counted) {
+  using experiment::PointPairs;
   Pairs pairs;
   std::size_t used = 0;
   for (const Curve& curve : in.curves) {
     if (curve.size() >= 2) ++used;
-    pairs.add_points(curve.size());
+    const auto behind = double(std::ranges::count(curve, true, &CurvePoint::behind_jump));
+    pairs.add_points(double(curve.size()) - behind, behind, counted);
     for (std::size_t i = 0; i < curve.size(); ++i)
-      for (std::size_t j = i + 1; j < curve.size(); ++j)
+      for (std::size_t j = i + 1; j < curve.size(); ++j) {
+        const bool across = curve[i].behind_jump != curve[j].behind_jump;
+        if (counted != PointPairs::all && across != (counted == PointPairs::across)) continue;
         pairs.add(sign_of(curve[j].value - curve[i].value, curve[i].error + curve[j].error) *
                   sign_of(curve[j].x - curve[i].x, curve[i].x_error + curve[j].x_error));
+      }
   }
   return pairs.measurement(used, in.missing);
 }
@@ -155,6 +163,40 @@ Measurement rise(const Curves& in) {
 
 Measurement end_ratio(const Curves& in) { return exponential(rise(in)); }
 
+Measurement share(const Curves& in) {
+  double part = 0, whole = 0;
+  ErrorSum part_error(in.independent), whole_error(in.independent);
+  Measurement out;
+  out.missing = in.missing;
+  out.curves = 0;
+  for (const Curve& curve : in.curves) {
+    if (curve.size() < 2) continue;
+    const CurvePoint &first = curve.front(), &last = curve.back();
+    const auto [change, error] = log_ratio(last, first);
+    part += change;
+    part_error.add(error);
+    whole += log(last.x / first.x);
+    whole_error.add(last.x_error / last.x + first.x_error / first.x);
+    ++out.curves;
+  }
+  out.value = part / whole;
+  out.uncertainty = (part_error.value() + std::abs(out.value) * whole_error.value()) / std::abs(whole);
+  return out;
+}
+
+Measurement third_ratio(const Curves& in) {
+  return exponential(mean_over(in, [](const Curve& curve) {
+    const std::size_t third = std::max<std::size_t>(1, curve.size() / 3);
+    Estimate out{0, 0};
+    for (std::size_t i = 0; i < third; ++i) {
+      const auto [change, error] = log_ratio(curve[curve.size() - third + i], curve[i]);
+      out.value += change / double(third);
+      out.uncertainty += error / double(third);
+    }
+    return out;
+  }));
+}
+
 Measurement top_ratio(const Curves& in) {
   return exponential(mean_over(in, [](const Curve& curve) {
     return log_ratio(*std::ranges::max_element(curve, {}, &CurvePoint::value), curve.front());
@@ -171,22 +213,57 @@ Measurement range_ratio(const Curves& along, const Curves& against) {
   return a;
 }
 
+namespace {
+
+// Weights of the points in the slope of their least-squares line, and its errors.
+struct Line {
+  double slope = 0, slope_error = 0, x_mean = 0, y_mean = 0;
+};
+
+Line fitted(const std::vector<CurvePoint>& points, bool independent) {
+  const auto n = double(points.size());
+  Line line;
+  double squares = 0;
+  for (const CurvePoint& p : points) {
+    line.x_mean += p.x / n;
+    line.y_mean += p.value / n;
+  }
+  for (const CurvePoint& p : points) squares += (p.x - line.x_mean) * (p.x - line.x_mean);
+  for (const CurvePoint& p : points) line.slope += (p.x - line.x_mean) / squares * p.value;
+  ErrorSum error(independent);
+  for (const CurvePoint& p : points)
+    error.add((p.x - line.x_mean) / squares * (p.error + std::abs(line.slope) * p.x_error));
+  line.slope_error = error.value();
+  return line;
+}
+
+Curve logarithms(Curve curve) {
+  for (CurvePoint& p : curve)
+    p = {log(p.x), log(p.value), relative_error(p), p.x_error / std::abs(p.x), p.behind_jump};
+  return curve;
+}
+
+}  // namespace
+
 Measurement slope(const Curves& in, bool logarithmic) {
   return mean_over(in, [logarithmic, &in](const Curve& curve) {
-    const auto n = double(curve.size());
-    const auto x_of = [=](const CurvePoint& p) { return logarithmic ? log(p.x) : p.x; };
-    const auto y_of = [=](const CurvePoint& p) { return logarithmic ? log(p.value) : p.value; };
-    double x_mean = 0, squares = 0, value = 0;
-    ErrorSum uncertainty(in.independent);
-    for (const CurvePoint& p : curve) x_mean += x_of(p) / n;
-    for (const CurvePoint& p : curve) squares += (x_of(p) - x_mean) * (x_of(p) - x_mean);
-    for (const CurvePoint& p : curve) value += (x_of(p) - x_mean) / squares * y_of(p);
+    const Line line = fitted(logarithmic ? logarithms(curve) : curve, in.independent);
+    return Estimate{line.slope, line.slope_error};
+  });
+}
+
+Measurement linearity(const Curves& in) {
+  return mean_over(in, [&in](const Curve& curve) {
+    const Line line = fitted(curve, in.independent);
+    double squares = 0, error = 0;
     for (const CurvePoint& p : curve) {
-      const double y_error = logarithmic ? relative_error(p) : p.error;
-      const double x_error = logarithmic ? p.x_error / std::abs(p.x) : p.x_error;
-      uncertainty.add((x_of(p) - x_mean) / squares * (y_error + std::abs(value) * x_error));
+      const double apart = p.value - line.y_mean - line.slope * (p.x - line.x_mean);
+      squares += apart * apart / double(curve.size());
+      error = std::max(error, p.error);
     }
-    return Estimate{value, uncertainty.value()};
+    const auto [left, right] = std::ranges::minmax(curve, {}, &CurvePoint::x);
+    const double range = std::abs(line.slope) * (right.x - left.x);
+    return Estimate{std::sqrt(squares) / range, error / range};
   });
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "claims/curves.hpp"
+#include "experiment/check.hpp"
 
 #include <limits>
 
@@ -18,8 +19,8 @@ struct Measurement {
 
 // Kendall's tau pooled over the curves: (rising - falling pairs of points)/(all pairs). A pair whose errors
 // overlap, in the value or the abscissa, counts as neither and increases the uncertainty. -1: all pairs fall,
-// 1: all pairs rise.
-Measurement trend(const Curves& curves);
+// 1: all pairs rise. Of the pairs of points, all, or those within the sides of the jump or across it.
+Measurement trend(const Curves& curves, experiment::PointPairs counted = experiment::PointPairs::all);
 
 // Kendall's tau between two quantities at the same points: 1 if they always rise and fall together.
 Measurement concordance(const Curve& first, const Curve& second);
@@ -30,6 +31,18 @@ Measurement end_ratio(const Curves& curves);
 // ln of the ratio of the last to the first value along the axis, positive if the values rise; mean over the
 // curves.
 Measurement rise(const Curves& curves);
+
+// The rise of ln(value) over that of ln(abscissa), both from the first to the last point and summed over the
+// curves: the share of a factor in the change of its product.
+Measurement share(const Curves& curves);
+
+// Geometric mean of the values in the last third of the points over that in the first third; geometric mean
+// over the curves.
+Measurement third_ratio(const Curves& curves);
+
+// Root mean square distance of the values from their least-squares line over the abscissa, over the range of
+// that line; mean over the curves.
+Measurement linearity(const Curves& curves);
 
 // Ratio of the largest to the first value along the axis; geometric mean over the curves.
 Measurement top_ratio(const Curves& curves);

@@ -36,13 +36,10 @@ class CheckValidator {
     if (check_.at && !experiment_.base.loading.trace)
       fail("at", "is allowed for traced curves only (/load/trace)");
     for (const auto& [name, value] : check_.where) selects("where/" + name, name, value);
-    if (const auto& pair = check_.compare) {
-      for (const experiment::Selection& value : {pair->first, pair->second}) {
-        selects("compare/" + pair->axis, pair->axis, value);
-        if (std::holds_alternative<Range>(value))
-          fail("compare/" + pair->axis, "two values of the axis are compared, not ranges");
-      }
-    }
+    for (const auto& [name, values] : check_.compare)
+      for (const experiment::Selection& value : values) selects("compare/" + name, name, value);
+    if (check_.pairs != experiment::PointPairs::all && check_.predicate != "trend")
+      fail("pairs", "is allowed with trend only");
   }
 
  private:
@@ -64,7 +61,7 @@ class CheckValidator {
     const Predicate& predicate = find_predicate(check_.predicate);
     for (const Need& need : predicate.needs)
       if (!need.met(check_)) fail(need.key, fmt::format("is missing; {} needs it", predicate.name));
-    if (predicate.on_pairs && !check_.compare && !check_.expected)
+    if (predicate.on_pairs && check_.compare.empty() && !check_.expected)
       fail("compare",
            fmt::format("is missing; {} needs either \"compare\", two values of an axis, or \"expected\"",
                        predicate.name));

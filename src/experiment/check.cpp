@@ -38,14 +38,18 @@ class CheckReader {
     });
     for_each("compare", [&](const std::string& name, const Json& values) {
       if (values.size() != 2) fail("compare/" + name, "needs two values of the axis");
-      check.compare =
-          AxisPair{name, selection("compare/" + name, values[0]), selection("compare/" + name, values[1])};
+      check.compare.push_back({name,
+                               {selection("compare/" + name, values[0]),
+                                selection("compare/" + name, values[1])}});
     });
     check.main = json_.value("role", "main") == "main";
     check.difference = json_.value("by", "ratio") == "difference";
     check.logarithmic = json_.value("scale", "log") == "log";
     check.independent_errors = json_.value("errors", "") == "independent";
-    const std::string is = json_["is"];
+    const std::string pairs = json_.value("pairs", "all"), is = json_["is"];
+    check.pairs = pairs == "within"   ? PointPairs::within
+                  : pairs == "across" ? PointPairs::across
+                                      : PointPairs::all;
     check.criterion = is == "near"      ? Criterion::near
                       : is == "at_most" ? Criterion::at_most
                                         : Criterion::at_least;

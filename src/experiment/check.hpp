@@ -14,11 +14,19 @@ namespace bristle::experiment {
 // Selects points by a word of a choice, a value, or a range [from, to] of values.
 using Selection = std::variant<std::string, double, std::array<double, 2>>;
 
-// Two values of one axis. A check measures at both and compares the measurements.
-struct AxisPair {
-  std::string axis;
-  Selection first, second;
-  bool operator==(const AxisPair&) const = default;
+// Two values of an axis, or two ranges of a variable. A check measures at both and compares the measurements.
+struct ComparedPair {
+  std::string name;
+  std::array<Selection, 2> values;
+  bool operator==(const ComparedPair&) const = default;
+};
+
+// The pairs of points that a trend counts: all, or those on the same side of the jump of a curve, or those on
+// different sides of it. The jump is the step at which z_0 rises by the largest factor.
+enum class PointPairs {
+  all,
+  within,
+  across
 };
 
 enum class Criterion {
@@ -45,7 +53,8 @@ struct Check {
   std::vector<std::pair<std::string, Selection>> where;
   std::optional<std::pair<std::string, double>>
       at;  // traced curves: variable and its value at which to measure
-  std::optional<AxisPair> compare;
+  std::vector<ComparedPair> compare;  // the first values of all pairs with the second values of all
+  PointPairs pairs = PointPairs::all;
   bool difference = false;          // compare by the difference; otherwise by the ratio
   bool logarithmic = true;          // for slope: of the logarithms
   bool independent_errors = false;  // errors add in quadrature

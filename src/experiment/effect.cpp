@@ -10,7 +10,7 @@ namespace {
 
 // All that a point's numbers depend on, beside what the points of an experiment have in common.
 std::vector<double> effective_input(const PointInput& point) {
-  const auto& [setup, loading, si] = point;
+  const auto& [setup, loading, si, nominal_friction] = point;  // the strength of friction is in the setup
   Parameters p = setup.parameters;
   if (!has_pole(p.bending)) p.pole_rule = {};
   const Orientation& o = setup.orientation;

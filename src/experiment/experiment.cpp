@@ -5,6 +5,7 @@
 #include "experiment/si_units.hpp"
 #include "model/elementary.hpp"
 #include "model/friction/chi.hpp"
+#include "model/friction/laws.hpp"
 #include "util/error.hpp"
 #include "util/grid.hpp"
 #include "util/random.hpp"
@@ -142,6 +143,29 @@ Loading read_loading(const Document& d, const std::vector<Axis>& axes) {
   return loading;
 }
 
+std::optional<double> read_nominal_friction(const Document& d, const std::vector<Axis>& axes,
+                                            const PointInput& input) {
+  const Json& load = d.json()["load"];
+  const char* place = load.contains("nominal_friction") ? "/load/nominal_friction" : "/sweep/nominal_friction";
+  if (!load.contains("nominal_friction") && !swept(axes, "nominal_friction")) return {};
+  if (input.loading.z_0 || input.loading.trace) d.fail(place, "needs a target load R_n, which it multiplies");
+  for (const char* name : {"mu_c", "tau_f", "tau_f_Pa"})
+    if (swept(axes, name) || input.si.contains(name))
+      d.fail(place, fmt::format("and {} both give the strength of friction; remove one of them", name));
+  return load.value("nominal_friction", 1.0);
+}
+
+// Sets mu_c or tau_f such that rigid bristles have the nominal friction at the target load.
+void apply_nominal_friction(PointInput& point) {
+  if (!point.nominal_friction) return;
+  Parameters& p = point.setup.parameters;
+  const double R_n = point.loading.R_n;
+  with_law(p.friction, [&](auto law) {
+    p.*law.strength = 1;
+    p.*law.strength = *point.nominal_friction * R_n / law.rigid(p, R_n);
+  });
+}
+
 // The name of a swept number along which the gap of a load may jump; empty if none is given.
 std::string read_jump_axis(const Document& d, const Experiment& e) {
   std::string name = d.json().value("locate_jumps", "");
@@ -259,7 +283,9 @@ Experiment read(const Document& d) {
       json["integrator"].value("max_evaluations_per_point", e.base.setup.max_evaluations_per_point);
   e.base.loading = read_loading(d, e.axes);
   read_si_units(d, e.axes, e.base);
+  e.base.nominal_friction = read_nominal_friction(d, e.axes, e.base);
   apply_si_units(e.base);
+  apply_nominal_friction(e.base);
   e.record = read_recording(d, e.base.setup.orientation, e.base.loading);
   check_lattice(d, e);
   e.locate_jumps = read_jump_axis(d, e);
@@ -314,6 +340,7 @@ PointInput Experiment::point(std::size_t index) const {
     find_sweepable(axis->name)->set(point, value);
   }
   apply_si_units(point);
+  apply_nominal_friction(point);
   Parameters& p = point.setup.parameters;
   if (C_peaks_at_V_s) p.C = chi_C_peak_at_V_s(p.A);
   return point;

@@ -24,6 +24,8 @@ std::vector<Sweepable> all() {
   };
   number("R_n", R"(\tilde{R}_n/N_{c,0})", "target normal load per bristle",
          [](P& p, double v) { p.loading.R_n = v; });
+  number("nominal_friction", R"(R_\mathrm{rigid}/R_n)", "friction of rigid bristles over their load",
+         [](P& p, double v) { p.nominal_friction = v; });
   number("z_0", R"(\tilde{z}_0)", "gap between slab and ground", [](P& p, double v) { p.loading.z_0 = v; });
   number(
       "mean_deg", R"(\langle\theta_0\rangle)", "von Mises: mean azimuth",

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,8 @@ struct PointInput {
   Setup setup;
   Loading loading;
   std::map<std::string, double> si{};  // SI quantities by JSON key, see si_units.hpp
+  // R_rigid/R_n at the target load: with a value, it replaces the strength of the friction law.
+  std::optional<double> nominal_friction{};
 };
 
 // A quantity or choice that a sweep may vary, with the labels of its axis in result files.

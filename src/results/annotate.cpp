@@ -50,7 +50,8 @@ std::vector<std::string> dimensionless_parts(const Experiment& e) {
   add("k_r", p.k_r);
   add("k_theta", p.k_theta);
   add("k_phi", p.k_phi);
-  if (p.friction != FrictionLaw::nss) add("mu_c", p.mu_c);
+  if (const auto nominal = e.base.nominal_friction) add("nominal_friction", *nominal);
+  else if (p.friction != FrictionLaw::nss) add("mu_c", p.mu_c);
   const Loading& load = e.base.loading;
   if (load.z_0) add("z_0", *load.z_0);
   else if (!load.trace) add("R_n", load.R_n);

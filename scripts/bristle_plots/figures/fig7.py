@@ -1,4 +1,5 @@
-"""Fig. 7: friction and gap over the radial stiffness, under both local friction laws."""
+"""Fig. 7: friction and gap over the radial stiffness under both local friction laws, each also with the nominal
+friction of the other."""
 
 import numpy as np
 
@@ -11,7 +12,7 @@ from ..results import CHOICE_NAMES, axis_values, dataset
 from ..style import BLACK, GREY, symbol
 from ..verdicts import number
 
-AXES = ["friction", "k_r"]
+AXES = ["friction", "nominal_friction", "k_r"]
 VARIABLES = ["R_x_norm", "z_0"]
 
 # Of the factors of R_x_norm, the power with which each enters. Coulomb's friction is linear in the load: neither
@@ -19,21 +20,23 @@ VARIABLES = ["R_x_norm", "z_0"]
 FACTORS = {"gamma_1": 1, "gamma_2": 1, "gamma_3": 1, "N_c_ratio": 1 / 3}
 IN_COULOMB = ["gamma_1", "gamma_2"]
 REST = "the rest"
+PAPERS_NOMINAL = {"nss": -1, "coulomb": 0}  # index of the paper's nominal friction under each law: the higher, the lower
 PARTS_NOTE = r"""Black: the sum of the others. The rest: the friction is a mean of products, not the product of means.
 Coulomb's friction is linear in the load: neither $\tilde{\gamma}_3$ nor $N_c$ is a factor of it."""
 
 
 @one_page
 def draw(file):
-    curves = {CHOICE_NAMES.get(law, law): {"friction": law} for law in axis_values(file, "friction")}
-    return draw_panels(file, VARIABLES, "k_r", curves, markers="os^D",
-                       finish=lambda axes, name: axes.set_ylim(0, 1))
+    ratio = symbol(dataset(file, "nominal_friction"))
+    curves = {f"{CHOICE_NAMES.get(law, law)}, {ratio} = {nominal:.2g}": {"friction": law, "nominal_friction": nominal}
+              for law in axis_values(file, "friction") for nominal in axis_values(file, "nominal_friction")}
+    return draw_panels(file, VARIABLES, "k_r", curves, markers="os^D", finish=lambda axes, _: axes.set_ylim(0, 1.25))
 
 
 @page_for_each_reading
 def draw_parts(file, reading):
     """ln R_x_norm as the sum of the logarithms of its factors, a panel for each law."""
-    laws = axis_values(file, "friction")
+    laws = [law for law in axis_values(file, "friction") if law in PAPERS_NOMINAL]
     parts = {law: parts_of(file, law, reading) for law in laws}
     falls = "\n".join(fall(file, law, *parts[law]) for law in laws)
     note = f"{falls}\n{PARTS_NOTE}\n{BANDS} {jump_note(file, 'k_r')}"
@@ -61,9 +64,11 @@ def draw_parts(file, reading):
 
 
 def parts_of(file, law, reading):
-    """ln R_x_norm and its terms by name, as curves over k_r."""
+    """ln R_x_norm and its terms by name, as curves over k_r, at the paper's nominal friction."""
+    nominal = axis_values(file, "nominal_friction")[PAPERS_NOMINAL[law]]
+
     def logarithm(name, power=1):
-        curve = read_curve(file, name, "k_r", friction=law, **reading)
+        curve = read_curve(file, name, "k_r", friction=law, nominal_friction=nominal, **reading)
         with np.errstate(divide="ignore", invalid="ignore"):
             return curve._replace(y=power * np.log(curve.y), error=power * curve.error / curve.y,
                                   title=term_text(file, name))

@@ -10,6 +10,7 @@ struct Coulomb : ModulatedByChi {
   static constexpr const char* name = "coulomb";
   static constexpr const char* title = "Amontons-Coulomb";
   static constexpr double load_exponent = 1;
+  static constexpr double Parameters::*strength = &Parameters::mu_c;
   static double factor(const Parameters& p) { return p.mu_c; }
   template <class T>
   static T load(const WallForce<T>& wall) {

@@ -16,6 +16,7 @@ struct Nss : ModulatedByChi {
   static constexpr const char* name = "nss";
   static constexpr const char* title = "nominal shear stress (NSS)";
   static constexpr double load_exponent = 2.0 / 3;
+  static constexpr double Parameters::*strength = &Parameters::tau_f;
   static double factor(const Parameters& p) { return p.tau_f * hertz_area_factor(p.R_c, p.E_star); }
   template <class T>
   static T load(const WallForce<T>& wall) {

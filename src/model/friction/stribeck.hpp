@@ -12,6 +12,7 @@ struct Stribeck {
   static constexpr const char* name = "stribeck";
   static constexpr const char* title = "exponential Stribeck";
   static constexpr double load_exponent = 1;
+  static constexpr double Parameters::*strength = &Parameters::mu_c;
   // Constants: A - 1, 1/V_s, 1/(creep speed).
   static FrictionConstants<double> constants(const Parameters& p) {
     return {p.A - 1, 1 / p.V_s, 5 / p.V_s, 0};
