@@ -38,9 +38,8 @@ class CheckReader {
     });
     for_each("compare", [&](const std::string& name, const Json& values) {
       if (values.size() != 2) fail("compare/" + name, "needs two values of the axis");
-      check.compare.push_back({name,
-                               {selection("compare/" + name, values[0]),
-                                selection("compare/" + name, values[1])}});
+      check.compare.push_back(
+          {name, {selection("compare/" + name, values[0]), selection("compare/" + name, values[1])}});
     });
     check.main = json_.value("role", "main") == "main";
     check.difference = json_.value("by", "ratio") == "difference";

@@ -146,7 +146,8 @@ Loading read_loading(const Document& d, const std::vector<Axis>& axes) {
 std::optional<double> read_nominal_friction(const Document& d, const std::vector<Axis>& axes,
                                             const PointInput& input) {
   const Json& load = d.json()["load"];
-  const char* place = load.contains("nominal_friction") ? "/load/nominal_friction" : "/sweep/nominal_friction";
+  const char* place =
+      load.contains("nominal_friction") ? "/load/nominal_friction" : "/sweep/nominal_friction";
   if (!load.contains("nominal_friction") && !swept(axes, "nominal_friction")) return {};
   if (input.loading.z_0 || input.loading.trace) d.fail(place, "needs a target load R_n, which it multiplies");
   for (const char* name : {"mu_c", "tau_f", "tau_f_Pa"})

@@ -194,12 +194,12 @@ TEST_CASE("the declared assumptions are valid, and cover every open choice") {
     files.push_back(entry.path().string());
   const auto alternatives = read_declarations(files).alternatives;
   for (const char* choice : {"phi_0", "A", "C", "V_s", "lambda", "alpha", "initial state",
-                             "springs of bending", "pole rule", "damping", "swept ranges", "together"}) {
+                             "springs of bending", "k_theta", "pole rule", "damping", "swept ranges", "together"}) {
     CAPTURE(choice);
     CHECK(std::any_of(alternatives.begin(), alternatives.end(),
                       [&](const Alternative& a) { return a.choice == choice; }));
   }
-  for (const char* name : {"fig3", "fig4", "fig8"})
+  for (const char* name : {"fig3", "fig3a", "fig4", "fig8"})
     for (const Alternative& a : alternatives) {
       CAPTURE(name, a.name);
       const Experiment e = load_experiment(kExperiments + "/" + name + ".json", {{}, "study"});

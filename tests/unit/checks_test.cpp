@@ -19,9 +19,10 @@ Curve curve(const std::vector<double>& values, double error, double first_x = 1)
 
 Curves one(const Curve& c) { return {{c}, 0}; }
 
-// The evaluated checks of a result with the given values of R_x_norm.
+// The evaluated checks of a result with the given values of R_x_norm and, if any, of z_0.
 std::vector<CheckResult> evaluated(const Scratch& s, const std::vector<double>& values, double error,
-                                   const std::string& sweep_and_checks) {
+                                   const std::string& sweep_and_checks,
+                                   const std::vector<double>& gaps = {}) {
   s.write("paper.json", bytes_of(std::string(BRISTLE_EXPERIMENTS) + "/paper.json"));
   const Experiment e = load_experiment(
       s.write("c.json", R"({"extends": "paper.json", "name": "c", )" + sweep_and_checks + "}"), {});
@@ -31,6 +32,7 @@ std::vector<CheckResult> evaluated(const Scratch& s, const std::vector<double>& 
     PointResult p;
     p.R_x_norm = values[i];
     p.R_x_norm_error = error;
+    if (!gaps.empty()) p.z_0 = gaps[i];
     writer.write(i, record_of(e, p, {}));
   }
   writer.close({});
@@ -40,12 +42,13 @@ std::vector<CheckResult> evaluated(const Scratch& s, const std::vector<double>& 
 
 // The same with one check of values over k_r.
 std::vector<CheckResult> verdicts(const Scratch& s, const std::vector<double>& values, double error,
-                                  const std::string& check) {
+                                  const std::string& check, const std::vector<double>& gaps = {}) {
   return evaluated(s, values, error,
                    R"("sweep": {"k_r": {"linspace": [1, 10, )" + std::to_string(values.size()) +
                        R"(]}}, "checks": [{"claim": "x", "statement": "y",
         "variable": "R_x_norm", "along": "k_r", )" +
-                       check + "}]");
+                       check + "}]",
+                   gaps);
 }
 
 Verdict verdict(const std::vector<double>& values, double error, const std::string& check) {
@@ -136,6 +139,73 @@ TEST_CASE("end_ratio and range_ratio, with their uncertainties") {
   CHECK(top.uncertainty == Approx(std::sqrt(2) * (0.1 / 8 + 0.1 / 4 + 0.2) / 2));
   const Curves narrow{{curve({1, 2}, 0)}, 0}, wide{{curve({1, 4, 8}, 0)}, 0};
   CHECK(range_ratio(narrow, wide).value == Approx(1.0 / 3));
+}
+
+TEST_CASE("share: of a factor in the change of its product") {
+  Curve factor;  // the abscissa is the product: it falls by 8, the factor by 2
+  for (const auto& [product, value] : {std::pair{8., 2.}, {9., 3.}, {1., 1.}})
+    factor.push_back({product, value, 0.1, 0.2});
+  const Measurement part = share(one(factor));
+  CHECK(part.value == Approx(1.0 / 3));
+  CHECK(part.uncertainty == Approx((0.1 + 0.05 + (0.2 + 0.2 / 8) / 3) / std::log(8)));
+}
+
+TEST_CASE("third_ratio: the mean of the last third over that of the first") {
+  const Curves steps = one(curve({1, 4, 7, 7, 7, 2, 8}, 0.1));
+  CHECK(third_ratio(steps).value == Approx(2));
+  CHECK(third_ratio(steps).uncertainty == Approx(2 * (0.1 + 0.1 / 4 + 0.1 / 2 + 0.1 / 8) / 2));
+  CHECK(third_ratio(one(curve({1, 3}, 0))).value == Approx(3));
+}
+
+TEST_CASE("linearity: the distance from the least-squares line over the line's range") {
+  CHECK(linearity(one(curve({1, 3, 5}, 0.2))).value == Approx(0).margin(1e-12));
+  CHECK(linearity(one(curve({1, 3, 5}, 0.2))).uncertainty == Approx(0.05));
+  CHECK(linearity(one(curve({1, 3, 2, 4}, 0))).value == Approx(std::sqrt(0.45) / 2.4));
+}
+
+TEST_CASE("trend within the branches of a curve and across its jump") {
+  Curve c = curve({1, 2, 3, 0, -1, -2, -3}, 0);  // rises, jumps down, and falls
+  for (std::size_t i = 3; i < c.size(); ++i) c[i].behind_jump = true;
+  using experiment::PointPairs;
+  CHECK(trend(one(c), PointPairs::within).value == Approx((3 - 6) / 9.0));
+  CHECK(trend(one(c), PointPairs::across).value == -1);
+  CHECK(trend(one(c)).value == Approx((3 - 6 - 12) / 21.0));
+  // As many pairs across as the sum of ranks of Wilcoxon's test: variance 3 x 4 x 8/3.
+  CHECK(trend(one(c), PointPairs::across).significance == Approx(std::erfc(12 / std::sqrt(2 * 32.0))));
+}
+
+TEST_CASE("a check distinguishes pairs of points by the largest rise of the gap") {
+  const auto tau = [](const char* pairs) {
+    const Scratch s;
+    return verdicts(s, {5, 6, 1, 2}, 0,
+                    std::string(R"("predicate": "trend", "is": "at_least", "threshold": 0.5)") + pairs,
+                    {0.1, 0.12, 0.5, 0.55})
+        .at(0)
+        .measured.value;
+  };
+  CHECK(tau(R"(, "pairs": "within")") == 1);
+  CHECK(tau(R"(, "pairs": "across")") == -1);
+  CHECK(tau("") == Approx(-1.0 / 3));
+}
+
+TEST_CASE("directions of two changes are compared only if both are large enough") {
+  const Scratch s;
+  const std::string sweep =
+      R"("sweep": {"friction": {"values": ["nss", "coulomb"]}, "k_r": {"values": [1, 2]}}, "checks": [
+    {"claim": "x", "statement": "y", "variable": "R_x_norm", "along": "k_r", "predicate": "rise", "is": "at_least",
+     "threshold": 0, "compare": {"friction": ["nss", "coulomb"]}, "resolution": 0.05}])";
+  CHECK(evaluated(s, {1, 1.2, 1, 1.1}, 1e-3, sweep).at(0).verdict == Verdict::supported);
+  CHECK(evaluated(s, {1, 1.2, 1, 0.9}, 1e-3, sweep).at(0).verdict == Verdict::refuted);
+  CHECK(evaluated(s, {1, 1.2, 1, 1.04}, 1e-3, sweep).at(0).verdict == Verdict::undecided);
+}
+
+TEST_CASE("a comparison of several axes takes the first values of all, then the second values of all") {
+  const Scratch s;
+  const std::string sweep =
+      R"("sweep": {"friction": {"values": ["nss", "coulomb"]}, "k_r": {"values": [1, 2]}}, "checks": [
+    {"claim": "x", "statement": "y", "variable": "R_x_norm", "along": "k_r", "predicate": "level", "is": "at_least",
+     "threshold": 0, "compare": {"friction": ["nss", "coulomb"], "k_r": [2, 1]}}])";
+  CHECK(evaluated(s, {1, 12, 3, 5}, 0, sweep).at(0).measured.value == Approx(4));
 }
 
 TEST_CASE("verdicts: supported, refuted, and undecided if the threshold is within the errors") {
@@ -250,7 +320,9 @@ TEST_CASE("a check that names a missing variable, axis or value is an error with
           "2.5 is not a value of this axis; allowed: 1, 10");
   refused(R"("predicate": "trend", "where": {"k_r": [2, 9]})",
           "[2.0,9.0] contains no value of this axis; allowed: 1, 10");
-  refused(R"("predicate": "level", "compare": {"k_r": [1, [1, 10]]})", "two values of the axis are compared");
+  refused(R"("predicate": "level", "compare": {"R_n": [1, 10]})", "a variable needs a range of two numbers");
+  refused(R"("predicate": "level", "pairs": "within")", "/checks/0/pairs: is allowed with trend only");
+  refused(R"("predicate": "share")", "/checks/0/x: is missing; share needs it");
   refused(R"("predicate": "trend", "where": {"gama_1": [1, 2]})", "did you mean gamma_1?");
   refused(R"("predicate": "trend", "at": {"R_n": 1})", "is allowed for traced curves only");
   refused(R"("predicate": "trend", "compare": {"k_r": [1, 10, 3]})", "needs two values of the axis");

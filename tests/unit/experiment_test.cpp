@@ -121,7 +121,8 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
        "@/e.json: /sweep/kr: kr cannot be swept (did you mean k_r?); allowed: k_r, k_theta, k_phi, "
        "phi_0_deg, zeta_theta, zeta_phi, mu_c, tau_f, R_c, E_star, A, C, V_s, lambda, lambda_z, alpha, beta, "
        "s_min, "
-       "L_x, L_y, spacing, R_n, z_0, mean_deg, concentration, seed, rows, m_kg, r0_m, V0_m_per_s, E_Pa, nu, "
+       "L_x, L_y, spacing, R_n, nominal_friction, z_0, mean_deg, concentration, seed, rows, m_kg, r0_m, "
+       "V0_m_per_s, E_Pa, nu, "
        "R_m, "
        "k_r_over_k_phi, k_theta_over_k_phi, k_r_N_per_m, k_theta_N_m, k_phi_N_m, E_star_Pa, tau_f_Pa, R_c_m, "
        "V_s_m_per_s, "
@@ -206,6 +207,10 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
        "@/e.json: /load: more than one of R_n, z_0 and trace is given: /load/z_0, /si/R_n_N; keep one (a "
        "null "
        "removes an inherited key)"},
+      {with(R"("load": {"R_n": null, "z_0": 0.9, "nominal_friction": 2})"),
+       "@/e.json: /load/nominal_friction: needs a target load R_n, which it multiplies"},
+      {with(R"("sweep": {"nominal_friction": {"values": [1]}, "tau_f": {"values": [1]}})"),
+       "@/e.json: /sweep/nominal_friction: and tau_f both give the strength of friction; remove one of them"},
       {R"({"extends": "nowhere.json"})",
        "@/e.json: /extends: \"nowhere.json\" does not exist (looked for @/nowhere.json)"},
       {R"({"extends": "e.json"})",
@@ -324,6 +329,23 @@ TEST_CASE("points are in row-major order over the axes, and C follows A if chi i
   CHECK(p.loading.R_n == 2);
   CHECK(p.setup.parameters.C == Approx(chi_C_peak_at_V_s(1.5)));
   CHECK(e.point(0).setup.parameters.C == Approx(chi_C_peak_at_V_s(1.2)));
+}
+
+TEST_CASE("the nominal friction is the friction of rigid bristles over their load, under every law") {
+  const Scratch s;
+  s.write("paper.json", bytes_of(kExperiments + "/paper.json"));
+  const Experiment e = load_experiment(
+      s.write("e.json", R"({"extends": "paper.json", "name": "e",
+        "sweep": {"friction": {"values": ["nss", "coulomb", "stribeck"]},
+                  "nominal_friction": {"values": [0.5, 6.1984]}, "R_n": {"values": [0.3, 2]}}})"),
+      {});
+  for (std::size_t i = 0; i < e.points(); ++i) {
+    const PointInput point = e.point(i);
+    const double nominal = rigid_friction(point.setup.parameters, point.loading.R_n) / point.loading.R_n;
+    CHECK(nominal == Approx(*point.nominal_friction).epsilon(1e-14));
+  }
+  CHECK(e.point(3).setup.parameters.tau_f == Approx(3e4).epsilon(1e-5));  // the paper's, at R_n = 2
+  CHECK(e.point(7).setup.parameters.mu_c == 6.1984);
 }
 
 TEST_CASE("an SI block gives the dimensionless values of the paper") {

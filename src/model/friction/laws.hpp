@@ -14,7 +14,8 @@ namespace bristle {
 // The registered friction laws, in the order of FrictionLaw. Experiments select a law by Law::name. A law is
 //   F_f = factor modulation(V_R) load(F_n)
 // where modulation tends to 1 at speeds far above V_s and factor is
-// proportional to the parameter strength. rigid() is the friction force of rigid bristles (docs/extending.md).
+// proportional to the parameter strength. rigid() is the friction force of rigid bristles
+// (docs/extending.md).
 using FrictionLaws = std::tuple<Nss, Coulomb, Stribeck>;
 enum class FrictionLaw : int {
   nss,
