@@ -70,7 +70,7 @@ assumptions-matrix: build
 # The same machinery on joint sets of choices.
 inference-matrix: build
 	@test -e results/inference.json || echo "Computing joint sets of choices, about a quarter of an hour on two cores ..."
-	$(BUILD)/bristle assumptions experiments/inference/*.json --only fig3,fig4,fig5,fig6,fig7,fig8 -o results/inference.json
+	$(BUILD)/bristle assumptions experiments/inference/*.json --only fig3,fig3a,fig4,fig5,fig6,fig7,fig8,fig8c -o results/inference.json
 
 assumptions: assumptions-matrix ## every claim under every alternative to what the paper leaves open: docs/assumptions.md
 	@$$($(PLOT_PYTHON)) scripts/assumptions.py results/assumptions.json -o figures --text docs/assumptions.md
