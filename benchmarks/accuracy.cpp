@@ -276,7 +276,7 @@ std::optional<Curve> dense(const RandomPoint& point) {
     bool complete = true;
     for (const Passage& one : runner(Engine::fast)(tasks)) {
       complete = complete && one.complete();
-      curve[one.theta_0] = {one.outcome, observables(one, setup.parameters.L_x)};
+      curve[one.theta_0] = {one.outcome, observables(one, setup.parameters)};
     }
     return complete;
   };

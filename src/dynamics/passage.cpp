@@ -110,6 +110,7 @@ class PassageIntegrator {
   void store_in(Passage& out) {
     out.contact_time = t_;
     out.end = y_;
+    out.path = path_;
     out.steps = steps_;
     out.evaluations = system_.evaluations;
     out.reflections = reflections_;
@@ -160,6 +161,7 @@ class PassageIntegrator {
         dt_ = stepper.current_time_step();
       }
       sample(dense_output);
+      add_step(from, dense_output);
       if (!exits && pole_time <= to) {
         if (apply_pole_rule(p_, y_)) ++reflections_;
         stepper.initialize(y_, t_, std::min(dt_, kFirstStep));
@@ -179,6 +181,21 @@ class PassageIntegrator {
     }
   }
 
+  // Adds the last step, up to the time t_, to the path: times by equal weights of three instants, the other
+  // integrals by Simpson's rule.
+  template <class DenseOutput>
+  void add_step(double from, DenseOutput dense_output) {
+    const double h = t_ - from;
+    for (const auto& [share, weight] : {std::pair{0., 1. / 6}, {0.5, 4. / 6}, {1., 1. / 6}}) {
+      const auto state = unpack<double>(share == 1 ? y_ : dense_output(from + share * h));
+      const auto m = motion(system_.bristle, state);
+      add_instant(system_.bristle, state.r[2], m.wall, m.sliding, m.friction, weight * h, h / 3, path_);
+      if (share == 0)
+        add_position(system_.bristle, state.r, frame_at(state.r, has_pole(system_.bristle.bending)), x_0_,
+                     path_);
+    }
+  }
+
   double slip(double t, const OdeState& y) const { return t - (y[X] - x_0_); }
 
   template <class Stepper>
@@ -192,6 +209,7 @@ class PassageIntegrator {
   const IntegratorOptions& options_;
   const Observer& observe_;
   OdeState y_;
+  Path<double> path_{};
   double x_0_, t_ = 0, dt_ = kFirstStep;
   System system_;
   long steps_ = 0;
@@ -210,9 +228,10 @@ void evaluate_exit(const PassageTask& task, Passage& out) {
   out.gamma_2 = out.end[ALIGNMENT] / I_n;
   const double mean_root = cbrt(I_n / T);
   out.gamma_3 = out.end[AREA] / T / (mean_root * mean_root);
-  const State<double> at_rest = state_at_rest(task.bristle, task.start);
+  const State<double> at_rest = state_at_rest(task.bristle, task.start), end = unpack<double>(out.end);
+  add_position(task.bristle, end.r, frame_at(end.r, has_pole(task.bristle.bending)), at_rest.r[0], out.path);
   const double start = energy(task.bristle, at_rest);
-  const double gained = energy(task.bristle, unpack<double>(out.end)) - start;
+  const double gained = energy(task.bristle, end) - start;
   const double dissipated = out.end[FRICTION_X] - out.end[WORK];
   out.energy_residual = std::abs(gained - out.end[WORK]) / std::max(dissipated, start);
 }

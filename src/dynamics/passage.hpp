@@ -3,6 +3,7 @@
 #include "dynamics/ode.hpp"
 #include "model/equations.hpp"
 #include "model/equilibrium.hpp"
+#include "model/path.hpp"
 #include "util/words.hpp"
 
 #include <functional>
@@ -54,6 +55,7 @@ struct Passage {
   double theta_0 = 0;                            // rad
   double contact_time = 0;                       // T = Delta xi
   OdeState end{};                                // state and integrals at the exit
+  Path<double> path{};                           // see PathQuantity
   double gamma_1 = 0, gamma_2 = 0, gamma_3 = 0;  // ratios of Eqs. (24-26) for this bristle
   double energy_residual = 0;  // |E(T) - E(0) - work| over the larger of dissipated energy and E(0)
   long steps = 0, evaluations = 0;
@@ -94,8 +96,8 @@ using Observer = std::function<void(double xi, const OdeState&)>;
 // Boost.Odeint: the reference for the SIMD engine. A numerical failure is an Outcome, not an exception.
 Passage run_passage(const PassageTask& task, const Observer& observe = {});
 
-// Computes outcome, gamma_1..3 and energy residual of a
-// passage that reached its exit, from contact_time and end.
+// Computes outcome, gamma_1..3 and energy residual of a passage that reached its exit, from contact_time and
+// end, and completes its path.
 void evaluate_exit(const PassageTask& task, Passage& passage);
 
 }  // namespace bristle

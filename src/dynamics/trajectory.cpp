@@ -6,10 +6,9 @@
 namespace bristle {
 namespace {
 
-Phase phase_of(const Parameters& p, const Bristle<double>& b, const State<double>& state,
-               const Sliding<double>& sliding) {
-  if (b.z_0 - state.r[2] > kOffSlabRanges * p.lambda_z) return Phase::off_slab;
-  if (sliding.V_R < p.V_s) return Phase::stick;
+Phase phase_of(const Bristle<double>& b, const State<double>& state, const Sliding<double>& sliding) {
+  if (is_off_slab(b, state.r[2])) return Phase::off_slab;
+  if (sliding.V_R < b.V_s) return Phase::stick;
   return -sliding.e_x < cos(kSideSlip) ? Phase::side_slip : Phase::slip;
 }
 
@@ -37,8 +36,8 @@ Trajectory record_trajectory(const PassageTask& task) {
     const auto [acceleration, rates, wall, sliding, friction] = motion(task.bristle, state);
     const bool has_angles = has_pole(task.bristle.bending) || out.points.empty();
     const OdeState shown = has_angles ? y : with_angles(y, out.points.back().y);
-    out.points.push_back({xi, shown, wall.F_n, friction[0], friction[1], sliding.V_R,
-                          phase_of(*task.parameters, task.bristle, state, sliding)});
+    out.points.push_back(
+        {xi, shown, wall.F_n, friction[0], friction[1], sliding.V_R, phase_of(task.bristle, state, sliding)});
   });
   return out;
 }

@@ -7,7 +7,7 @@ namespace bristle {
 
 // Phase of the tip's motion, as marked in Fig. 2. The first whose condition holds.
 enum class Phase {
-  off_slab,   // rebound: more than kOffSlabRanges lambda_z below the slab
+  off_slab,   // rebound: is_off_slab()
   stick,      // V_R below V_s, the static branch of chi
   side_slip,  // angle between V_R and the slab's motion above kSideSlip
   slip
@@ -17,7 +17,6 @@ inline Words words<Phase>() {
   static constexpr const char* list[] = {"off_slab", "stick", "side_slip", "slip"};
   return list;
 }
-constexpr double kOffSlabRanges = 10;             // of lambda_z: F_n is then below 0.03
 constexpr double kSideSlip = 0.5235987755982988;  // rad (30 deg)
 
 // State and forces at the start, after each step and at

@@ -43,6 +43,15 @@ Derived friction_coefficient(const PointResult& p) {
   return {value, (p.error[R_X] + std::abs(value) * p.error[R_N]) / p.value[R_N], kUnknown};
 }
 
+Derived impact_rate(const PointResult& p) {
+  constexpr Observable IMPACTS_MEAN = observable("impacts");
+  const double time = p.value[N_C_RATIO] * p.parameters.L_x, value = p.value[IMPACTS_MEAN] / time;
+  const auto error = [&](const ObservableArray& of) {
+    return of[IMPACTS_MEAN] / time + value * of[N_C_RATIO] / p.value[N_C_RATIO];
+  };
+  return {value, error(p.error), error(p.load_error)};
+}
+
 Derived friction_magnitude(const PointResult& p) {
   const double value = std::sqrt(p.R_x_norm * p.R_x_norm + p.R_y_norm * p.R_y_norm);
   const double error =

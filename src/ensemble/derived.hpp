@@ -22,6 +22,9 @@ Derived unpinned_friction(const PointResult& p);
 // R_x/R_n, Eq. (19). Dimensionless.
 Derived friction_coefficient(const PointResult& p);
 
+// Impacts on the slab per time of contact. Dimensionless.
+Derived impact_rate(const PointResult& p);
+
 // Magnitude of the in-plane friction force over that of rigid bristles, from Eqs. (20, 21). Dimensionless.
 Derived friction_magnitude(const PointResult& p);
 

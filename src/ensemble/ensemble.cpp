@@ -60,9 +60,20 @@ std::vector<double> with_pole_panels(std::vector<double> edges, const Parameters
 
 }  // namespace
 
-ObservableArray observables(const Passage& passage, double L_x) {
+double load_spread(const Passage& p) {
+  const double impulse = p.end[NORMAL];
+  return std::sqrt(std::max(p.path[SQUARED_LOAD] * p.contact_time / (impulse * impulse) - 1, 0.0));
+}
+
+double angle_of_versed(double versed) {
+  return angle_over_sine(versed).value * std::sqrt(versed * (2 - versed));
+}
+
+double root_strain(const Parameters& p, double bending) { return 3 * p.R * bending; }
+
+ObservableArray observables(const Passage& passage, const Parameters& parameters) {
   ObservableArray o{};
-  for (std::size_t k = 0; k < kObservables.size(); ++k) o[k] = kObservables[k].value(passage, L_x);
+  for (std::size_t k = 0; k < kObservables.size(); ++k) o[k] = kObservables[k].value(passage, parameters);
   o[WEIGHT] = 1;
   split_by_outcome(o, passage.outcome);
   return o;
@@ -111,7 +122,7 @@ std::vector<Sample> EnsembleMean::samples(const std::vector<double>& theta_0) {
     Sample sample;
     sample.label = int(one.outcome);
     sample.valid = one.complete();
-    sample.value = observables(one, setup_.parameters.L_x);
+    sample.value = observables(one, setup_.parameters);
     if (half_circle_) sample.value[R_Y] = 0;  // cancels against the mirror image
     for (double& value : sample.value) value *= weight(one.theta_0);
     out.push_back(sample);
@@ -185,7 +196,7 @@ void EnsembleMean::add_hidden_errors() {
     if (pinned_part > 0) of_pinned = std::abs(out_.mean[pinned(k)]) / pinned_part;
     else
       for (const Passage& one : passages_)
-        of_pinned = std::max(of_pinned, std::abs(kObservables[k].value(one, setup_.parameters.L_x)));
+        of_pinned = std::max(of_pinned, std::abs(kObservables[k].value(one, setup_.parameters)));
     out_.error[pinned(k)] += hidden * of_pinned;
     out_.error[unpinned(k)] += hidden * std::abs(out_.mean[unpinned(k)]) / std::max(1e-3, 1 - pinned_part);
   }
@@ -227,7 +238,7 @@ const Ensemble& EnsembleMean::with_integrator_error() {
   checked_ = full();
   if (checked_->incomplete > 0) return *checked_;
   ObservableArray& more = checked_->integrator_error = integrator_error(
-      weighted_passages(), setup_.parameters.L_x, [this](const Passage& p) { return task(p.theta_0); }, run_,
+      weighted_passages(), setup_.parameters, [this](const Passage& p) { return task(p.theta_0); }, run_,
       checked_->passages);
   if (half_circle_) more[R_Y] = 0;
   for (std::size_t k = 0; k < OBSERVABLES; ++k) checked_->error[k] += more[k];
@@ -237,7 +248,7 @@ const Ensemble& EnsembleMean::with_integrator_error() {
 void EnsembleMean::average_list() {
   const std::vector<Passage> all = run(setup_.orientation.theta_0);
   for (const Passage& one : all) {
-    const ObservableArray value = observables(one, setup_.parameters.L_x);
+    const ObservableArray value = observables(one, setup_.parameters);
     for (std::size_t k = 0; k < OBSERVABLES; ++k) out_.mean[k] += value[k] / double(all.size());
   }
 }

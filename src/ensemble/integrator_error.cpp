@@ -30,7 +30,7 @@ std::vector<WeightedPassage> sample(const std::vector<WeightedPassage>& all, std
 
 }  // namespace
 
-ObservableArray integrator_error(const std::vector<WeightedPassage>& passages, double L_x,
+ObservableArray integrator_error(const std::vector<WeightedPassage>& passages, const Parameters& parameters,
                                  const std::function<PassageTask(const Passage&)>& task,
                                  const PassageRunner& run, long& count) {
   std::vector<WeightedPassage> ordinary, chosen;
@@ -51,8 +51,8 @@ ObservableArray integrator_error(const std::vector<WeightedPassage>& passages, d
 
   ObservableArray difference{}, squares{};
   for (std::size_t i = 0; i < chosen.size(); ++i) {
-    const ObservableArray a = observables(*chosen[i].passage, L_x);
-    const ObservableArray b = exact[i].complete() ? observables(exact[i], L_x) : ObservableArray{};
+    const ObservableArray a = observables(*chosen[i].passage, parameters);
+    const ObservableArray b = exact[i].complete() ? observables(exact[i], parameters) : ObservableArray{};
     for (std::size_t k = 0; k < OBSERVABLES; ++k) {
       const double change = chosen[i].weight * (b[k] - a[k]);
       difference[k] += change;

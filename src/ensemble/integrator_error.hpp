@@ -8,7 +8,7 @@ namespace bristle {
 // some of the passages with a tighter tolerance of the integrator: more of those that are sensitive to it,
 // which are pinned, were reflected at the pole or needed the implicit method. task returns the task of a
 // passage. Adds the number of repeated passages to count.
-ObservableArray integrator_error(const std::vector<WeightedPassage>& passages, double L_x,
+ObservableArray integrator_error(const std::vector<WeightedPassage>& passages, const Parameters& parameters,
                                  const std::function<PassageTask(const Passage&)>& task,
                                  const PassageRunner& run, long& count);
 

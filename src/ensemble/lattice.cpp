@@ -132,7 +132,7 @@ class Lattice {
 
   void add_contribution(const Passage& passage, const Impulse& in_window) {
     if (!passage.complete() && out_.incomplete++ == 0) out_.incomplete_theta_0 = passage.theta_0;
-    ObservableArray value = observables(passage, p_.L_x);
+    ObservableArray value = observables(passage, p_);
     value[R_N] = in_window.R_n;
     value[R_X] = in_window.R_x;
     value[R_Y] = in_window.R_y;

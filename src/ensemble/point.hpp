@@ -4,6 +4,7 @@
 #include "ensemble/ensemble.hpp"
 #include "ensemble/lattice.hpp"
 #include "ensemble/load.hpp"
+#include "model/si_scales.hpp"
 #include "util/words.hpp"
 
 #include <array>
@@ -77,7 +78,8 @@ struct PointResult {
   double incomplete_theta_0 = 0;              // rad; NaN if complete
   long passages = 0;                          // number of passages computed for this point
   std::array<long, PURPOSES> passages_for{};  // those of its means; the rest are of the lattice
-  double force_unit = 0;                      // newtons per unit of dimensionless force; NaN without SI units
+  Parameters parameters{};                    // of the point
+  SiScales si{};
 };
 
 // Data to record in addition to the values of a point.

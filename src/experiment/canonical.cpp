@@ -113,7 +113,12 @@ std::string canonical_point(const Experiment& experiment, std::size_t index) {
   out.object("record", [&] { add_recording(out, experiment.record); });
   out.add("engine", word(experiment.engine));
   out.add("max_evaluations_per_point", point.setup.max_evaluations_per_point);
-  if (!point.si.empty()) out.add("force_unit", force_unit(point));
+  if (const SiScales si = si_scales(point); !point.si.empty())
+    out.object("si", [&] {
+      out.add("r0_m", si.length);
+      out.add("V0_m_per_s", si.velocity);
+      out.add("force_N", si.force);
+    });
   out.add("observables", fmt::format("{}", fmt::join(observable_names(), ",")).c_str());
   return out.text();
 }

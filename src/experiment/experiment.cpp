@@ -118,9 +118,11 @@ Recording read_recording(const Document& d, const Orientation& orientation, cons
 
 Loading read_loading(const Document& d, const std::vector<Axis>& axes) {
   const Json& json = d.json()["load"];
-  const bool in_newtons = d.json().contains("si") && d.json()["si"].contains("R_n_N");
-  const bool by_load = json.contains("R_n") || swept(axes, "R_n") || swept(axes, "R_n_N") || in_newtons;
-  const bool by_gap = json.contains("z_0") || swept(axes, "z_0");
+  const auto in_si = [&](const char* key) { return d.json().contains("si") && d.json()["si"].contains(key); };
+  const auto given_by = [&](const char* name, const char* si_name) {
+    return json.contains(name) || swept(axes, name) || in_si(si_name) || swept(axes, si_name);
+  };
+  const bool by_load = given_by("R_n", "R_n_N"), by_gap = given_by("z_0", "z_0_m");
   const bool by_trace = json.contains("trace");
   if (by_load + by_gap + by_trace == 0)
     d.fail("/load", "none of R_n, z_0 and trace is given, here or in the sweep");
@@ -128,8 +130,9 @@ Loading read_loading(const Document& d, const std::vector<Axis>& axes) {
     std::vector<std::string> given;
     for (const char* name : {"R_n", "z_0", "trace"})
       if (json.contains(name)) given.push_back(fmt::format("/load/{}", name));
-    if (in_newtons) given.emplace_back("/si/R_n_N");
-    for (const char* name : {"R_n", "R_n_N", "z_0"})
+    for (const char* name : {"R_n_N", "z_0_m"})
+      if (in_si(name)) given.push_back(fmt::format("/si/{}", name));
+    for (const char* name : {"R_n", "R_n_N", "z_0", "z_0_m"})
       if (swept(axes, name)) given.push_back(fmt::format("/sweep/{}", name));
     d.fail("/load", fmt::format("more than one of R_n, z_0 and trace is given: {}; keep one (a null removes "
                                 "an inherited key)",
@@ -188,13 +191,16 @@ Experiment along(const Experiment& e, const std::vector<std::string>& axes) {
 }
 
 void check_gap(const Document& d, const Experiment& experiment) {
-  const Experiment e = along(experiment, {"z_0", "phi_0_deg"});
+  const Experiment e = along(experiment, {"z_0", "z_0_m", "r0_m", "phi_0_deg"});
   for (std::size_t i = 0; i < e.points(); ++i) {
     const PointInput point = e.point(i);
     const double highest = sin(point.setup.parameters.phi_0);
     if (!point.loading.z_0) return;
     if (*point.loading.z_0 > highest)
-      d.fail(d.json()["load"].contains("z_0") ? "/load/z_0" : "/sweep/z_0",
+      d.fail(d.json()["load"].contains("z_0") ? "/load/z_0"
+             : experiment.swept("z_0_m")      ? "/sweep/z_0_m"
+             : experiment.swept("z_0")        ? "/sweep/z_0"
+                                              : "/si/z_0_m",
              fmt::format("{} is above first contact; allowed: at most sin(phi_0) = {:.6f}",
                          *point.loading.z_0, highest));
   }
@@ -217,7 +223,8 @@ void check_chi(const Document& d, const Experiment& experiment) {
 // after t_1.
 void check_lattice(const Document& d, const Experiment& experiment) {
   constexpr double most = 1e7;  // bristles, which memory holds
-  const Experiment e = along(experiment, {"L_x", "L_y", "spacing", "rows", "sampling"});
+  const Experiment e =
+      along(experiment, {"L_x", "L_y", "spacing", "L_x_m", "L_y_m", "spacing_m", "r0_m", "rows", "sampling"});
   const bool used = e.on_lattice();
   if (used && e.base.loading.trace)
     d.fail("/load/trace", "cannot be combined with \"sampling\": \"lattice\"; use quadrature or list");

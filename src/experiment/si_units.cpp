@@ -14,12 +14,6 @@
 namespace bristle::experiment {
 namespace {
 
-SiScales scales_of(const PointInput& input) {
-  const double r0 = input.si.at("r0_m"), V0 = input.si.at("V0_m_per_s");
-  const double energy = input.si.at("m_kg") * V0 * V0, force = energy / r0;
-  return {r0, V0, energy, force, force / r0, force / (r0 * r0)};
-}
-
 // Bending stiffness of the shaft, N m/rad.
 double cantilever(double E, double R, double r0) { return 3 * M_PI * E * (R * R) * (R * R) / (4 * r0); }
 
@@ -30,6 +24,7 @@ void apply_material(PointInput& input, const SiScales& scales) {
   Parameters& p = input.setup.parameters;
   if (has("R_m")) {
     p.k_phi = cantilever(value("E_Pa"), value("R_m"), scales.length) / scales.energy;
+    p.R = value("R_m") / scales.length;
     p.k_theta = (has("k_theta_over_k_phi") ? value("k_theta_over_k_phi") : 1) * p.k_phi;
     if (has("k_r_over_k_phi")) p.k_r = value("k_r_over_k_phi") * p.k_phi;
   }
@@ -51,9 +46,9 @@ const std::vector<SiQuantity>& si_quantities() {
        "radius of the bristle's shaft",
        "m",
        kPositive,
-       {"k_theta", "k_phi", "k_r"},
+       {"k_theta", "k_phi", "k_r", "R"},
        nullptr,
-       "with E_Pa: bending stiffnesses"},
+       "with E_Pa: bending stiffnesses; strain at the root"},
       {"k_r_over_k_phi",
        R"(\tilde{k}_r/\tilde{k}_\varphi)",
        "radial over polar stiffness",
@@ -80,6 +75,10 @@ const std::vector<SiQuantity>& si_quantities() {
       {"alpha_J", R"(\alpha)", "strength of the pole repulsion", "J", kNotNegative, {"alpha"}, &S::energy},
       {"beta_J", R"(\beta)", "strength of the slab's wall", "J", kPositive, {"beta"}, &S::energy},
       {"R_n_N", "R_n/N_{c,0}", "normal load per bristle", "N", kPositive, {"R_n"}, &S::force},
+      {"z_0_m", "z_0", "gap between slab and ground", "m", kPositive, {"z_0"}, &S::length},
+      {"L_x_m", "L_x", "slab length", "m", kPositive, {"L_x"}, &S::length},
+      {"L_y_m", "L_y", "slab width", "m", kPositive, {"L_y"}, &S::length},
+      {"spacing_m", R"(\Delta)", "lattice spacing", "m", kPositive, {"spacing"}, &S::length},
   };
   return table;
 }
@@ -120,7 +119,7 @@ void read_si_units(const Document& document, const std::vector<Axis>& axes, Poin
 
 void apply_si_units(PointInput& input) {
   if (input.si.empty()) return;
-  const SiScales scales = scales_of(input);
+  const SiScales scales = si_scales(input);
   apply_material(input, scales);
   for (const SiQuantity& q : si_quantities())
     if (const auto given = input.si.find(q.name); q.scale && given != input.si.end())
@@ -139,7 +138,7 @@ std::vector<std::string> si_warnings(const Document& document, const Experiment&
   std::map<std::string, std::vector<const char*>> replaced;  // by JSON pointer: the keys of the block
   for (const SiQuantity& q : si_quantities())
     for (const std::string name : q.replaces)
-      if (given(q.name)) replaced[(name == "R_n" ? "/load/" : "/model/") + name].push_back(q.name);
+      if (given(q.name)) replaced[(name == "R_n" || name == "z_0" ? "/load/" : "/model/") + name].push_back(q.name);
   for (const auto& [pointer, keys] : replaced)
     if (document.chosen(JsonPointer(pointer)))
       warn(pointer,
@@ -149,7 +148,7 @@ std::vector<std::string> si_warnings(const Document& document, const Experiment&
     warn(in_load ? "/load/R_n" : "/sweep/R_n",
          fmt::format("is in units of m V_0^2/r_0, {:.3g} N at the first point; R_n_N of the si block is the "
                      "load in newtons",
-                     force_unit(experiment.point(0))));
+                     si_scales(experiment.point(0)).force));
   return out;
 }
 
@@ -179,6 +178,7 @@ std::vector<std::string> replaceable_values(const PointInput& input, bool given)
 std::vector<std::string> values_from_si(const PointInput& input) {
   std::vector<std::string> out = replaceable_values(input, true);
   if (input.si.contains("R_n_N")) out.push_back(fmt::format("R_n = {:.6g}", input.loading.R_n));
+  if (input.si.contains("z_0_m")) out.push_back(fmt::format("z_0 = {:.6g}", *input.loading.z_0));
   return out;
 }
 
@@ -186,9 +186,11 @@ std::vector<std::string> values_not_in_si(const PointInput& input) {
   return replaceable_values(input, false);
 }
 
-double force_unit(const PointInput& input) {
-  if (input.si.empty()) return std::numeric_limits<double>::quiet_NaN();
-  return scales_of(input).force;
+SiScales si_scales(const PointInput& input) {
+  if (input.si.empty()) return {};
+  const double r0 = input.si.at("r0_m"), V0 = input.si.at("V0_m_per_s");
+  const double energy = input.si.at("m_kg") * V0 * V0, force = energy / r0;
+  return {r0, V0, energy, force, force / r0, force / (r0 * r0)};
 }
 
 }  // namespace bristle::experiment

@@ -7,16 +7,6 @@
 
 namespace bristle::experiment {
 
-// One unit of each dimensionless quantity in SI units.
-struct SiScales {
-  double length;     // r0, m
-  double velocity;   // V0, m/s
-  double energy;     // m V0^2, J, and torsional stiffness, N m/rad
-  double force;      // m V0^2/r0, N
-  double stiffness;  // m V0^2/r0^2, N/m
-  double stress;     // m V0^2/r0^3, Pa
-};
-
 // A quantity of an experiment's si block. From its row follow the key of the block, its limits, its axis in
 // sweeps, and the attributes of that axis.
 struct SiQuantity {
@@ -53,7 +43,7 @@ std::vector<std::string> values_from_si(const PointInput& input);
 // what they are, whatever the material.
 std::vector<std::string> values_not_in_si(const PointInput& input);
 
-// Newtons per unit of dimensionless force; NaN without SI quantities.
-double force_unit(const PointInput& input);
+// NaN without SI quantities.
+SiScales si_scales(const PointInput& input);
 
 }  // namespace bristle::experiment

@@ -22,6 +22,7 @@ struct Bristle {
   P wall_peak, wall_rate;            // Eq. (3): beta/(2 lambda_z), 1/lambda_z
   P wall_root_peak, wall_root_rate;  // cube root of wall_peak, wall_rate/3
   P z_0;
+  P V_s;
 };
 
 // Pointers to all numbers of a Bristle, in a fixed order.
@@ -33,7 +34,7 @@ constexpr auto constants_of(B& b) {
       &b.k_r,       &b.k_theta,     &b.k_phi,          &b.c_theta,         &b.c_phi,     &b.theta_0,
       &b.phi_0,     &b.cos_theta_0, &b.sin_theta_0,    &b.cos_phi_0,       &b.sin_phi_0, &friction[0],
       &friction[1], &friction[2],   &friction[3],      &b.friction_factor, &b.pole_peak, &b.pole_rate,
-      &b.wall_peak, &b.wall_rate,   &b.wall_root_peak, &b.wall_root_rate,  &b.z_0};
+      &b.wall_peak, &b.wall_rate,   &b.wall_root_peak, &b.wall_root_rate,  &b.z_0,       &b.V_s};
 }
 constexpr std::size_t kConstants =
     std::tuple_size_v<decltype(constants_of(std::declval<Bristle<double>&>()))>;
@@ -68,6 +69,7 @@ inline Bristle<double> make_bristle(const Parameters& p, double z_0, double thet
   b.wall_root_peak = cbrt(b.wall_peak);
   b.wall_root_rate = b.wall_rate / 3;
   b.z_0 = z_0;
+  b.V_s = p.V_s;
   return b;
 }
 

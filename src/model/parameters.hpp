@@ -90,6 +90,9 @@ struct Parameters {
   double L_x = 5;
   double L_y = 5;
   double spacing = 0.2;
+  double R = 0.0637;  // of the paper's k_phi, E_star and nu = 0.4, by k_phi = 3 pi E R^4/4
+  double strain_limit = 0.05;
+  double stretch_limit = 0.5;
 };
 
 // The values that an experiment may give a number.
@@ -153,6 +156,11 @@ inline constexpr std::array kParameters = {
     Parameter{"L_y", &Parameters::L_y, R"(\tilde{L}_y)", "slab width", "in units of r0", kPositive},
     Parameter{"spacing", &Parameters::spacing, R"(\tilde{\Delta})", "lattice spacing", "in units of r0",
               kPositive},
+    Parameter{"R", &Parameters::R, R"(\tilde{R})", "radius of the bristle's shaft", "in units of r0", kPositive},
+    Parameter{"strain_limit", &Parameters::strain_limit, R"(\epsilon_{\mathrm{limit}})",
+              "strain at the root beyond which exceeds_strain_limit is yes", "dimensionless", kPositive},
+    Parameter{"stretch_limit", &Parameters::stretch_limit, R"((r - 1)_{\mathrm{limit}})",
+              "elongation beyond which exceeds_stretch_limit is yes", "in units of r0", kPositive},
 };
 
 // The same for an enumeration in Parameters: one of several words.

@@ -1,5 +1,6 @@
 #include "results/record.hpp"
 
+#include "ensemble/validity.hpp"
 #include "results/reader.hpp"
 #include "results/version.hpp"
 
@@ -75,6 +76,11 @@ PointLayout::PointLayout(const Experiment& experiment) {
                        H5T_NATIVE_SCHAR, kStartNames},
                       [](const PointResult& p) { return double(p.start); },
                       double(Start::undetermined)});
+  for (const ValidityRow& row : kValidity)
+    datasets.push_back(
+        {{row.name, fmt::format("whether {}", row.meaning), "", "", H5T_NATIVE_SCHAR, texts(words<Exceeds>())},
+         [&row](const PointResult& p) { return double(exceeds(row, p)); },
+         double(Exceeds::unknown)});
   if (loading.trace)
     datasets.push_back(
         {{"branch", "paths of the slab on which the node lies", "", "", H5T_NATIVE_SCHAR, kBranchNames},

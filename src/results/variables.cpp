@@ -11,9 +11,11 @@ using Variables = std::vector<ResultVariable>;
 using P = const PointResult&;
 
 // An ensemble mean.
-ResultVariable mean(const Column& column, Observable k) {
-  return {column, [k](P p) { return Derived{p.value[k], p.error[k], p.load_error[k]}; }, Errors::with_load};
+using Value = std::function<Derived(P)>;
+Value mean_of(Observable k) {
+  return [k](P p) { return Derived{p.value[k], p.error[k], p.load_error[k]}; };
 }
+ResultVariable mean(const Column& column, Observable k) { return {column, mean_of(k), Errors::with_load}; }
 
 // "R_n" as in "R_n/N_c0".
 std::string before_slash(const std::string& symbol) { return symbol.substr(0, symbol.find('/')); }
@@ -51,21 +53,6 @@ ResultVariable unpinned_of(Observable k) {
                          with_subscript(row.symbol, "unpinned"), ""};
   if (row.unpinned == Unpinned::contribution) return mean(column, unpinned(k));
   return {column, [k](P p) { return unpinned_mean(p, k); }, Errors::with_load};
-}
-
-// An ensemble mean in newtons.
-ResultVariable in_newtons(Observable k) {
-  const ObservableRow& row = kObservables[k];
-  return {
-      {.name = fmt::format("{}_in_N", row.name),
-       .long_name = row.long_name,
-       .symbol = without_tilde(row.symbol),
-       .equation = row.equation,
-       .units = "N"},
-      [k](P p) {
-        return Derived{p.value[k] * p.force_unit, p.error[k] * p.force_unit, p.load_error[k] * p.force_unit};
-      },
-      Errors::with_load};
 }
 
 void add_observables(Variables& variables) {
@@ -149,9 +136,71 @@ void add_fluctuations(Variables& variables) {
        Errors::estimated});
 }
 
-void add_si(Variables& variables) {
+// A quantity in SI units: a dimensionless one times a factor.
+struct SiRow {
+  std::string name, long_name, symbol, equation, units;
+  Value value;
+  std::function<double(P)> factor;
+};
+
+double per_area(P p) {
+  const double spacing = p.parameters.spacing * p.si.length;
+  return 1 / (spacing * spacing);
+}
+
+// Forces are per bristle under a slab of rigid bristles, N_c0, of which there is one per area of the spacing.
+std::vector<SiRow> si_rows() {
+  const auto length = [](double Parameters::*member) -> Value {
+    return [member](P p) { return Derived{p.parameters.*member, 0, 0}; };
+  };
+  const auto in_m = [](P p) { return p.si.length; };
+  const auto pressure = [](P p) { return p.si.force * per_area(p); };
+  const auto power = [](P p) { return p.si.force * p.si.velocity * per_area(p); };
+  std::vector<SiRow> rows;
   for (Observable k = 0; k < kObservables.size(); ++k)
-    if (kObservables[k].is_force) variables.push_back(in_newtons(k));
+    if (const ObservableRow& row = kObservables[k]; row.si)
+      rows.push_back({fmt::format("{}_in_{}", row.name, row.si->suffix), row.long_name, without_tilde(row.symbol),
+                      row.equation, row.si->units, mean_of(k), [scale = row.si->scale](P p) { return p.si.*scale; }});
+  const std::vector<SiRow> others = {
+      {"z_0_in_m", "gap between slab and ground", "z_0", "Fig. 3", "m",
+       [](P p) {
+         return Derived{p.z_0, p.z_0_error, p.z_0_error};
+       },
+       in_m},
+      {"L_x_in_m", "slab length", "L_x", "", "m", length(&Parameters::L_x), in_m},
+      {"spacing_in_m", "lattice spacing", R"(\Delta)", "", "m", length(&Parameters::spacing), in_m},
+      {"impacts_per_s", "impacts on the slab per bristle in contact and time", R"(\dot{N}_\mathrm{impacts})", "",
+       "s-1", impact_rate, [](P p) { return p.si.velocity / p.si.length; }},
+      {"bristles_per_m2", "bristles per area", R"(1/\Delta^2)", "", "m-2",
+       [](P) {
+         return Derived{1, 0, 0};
+       },
+       per_area},
+      {"pressure_in_Pa", "normal load per area", R"(R_n/(L_x L_y))", "Eq. (19)", "Pa", mean_of(R_N), pressure},
+      {"friction_in_Pa", "friction force along the motion per area", R"(R_x/(L_x L_y))", "Eq. (19)", "Pa",
+       mean_of(R_X), pressure},
+      {"power_in_W_per_m2", "power of the slab's motion against friction, per area", R"(R_x V_0/(L_x L_y))", "",
+       "W m-2", mean_of(R_X), power},
+      {"wear_power_in_W_per_m2", "power of friction on the sliding tips, per area",
+       R"(W_\mathrm{slide} V_0/\Delta^2)", "", "W m-2", mean_of(observable("sliding_work")), power},
+  };
+  rows.insert(rows.end(), others.begin(), others.end());
+  return rows;
+}
+
+void add_si(Variables& variables) {
+  for (const SiRow& row : si_rows())
+    variables.push_back({{.name = row.name,
+                          .long_name = row.long_name,
+                          .symbol = row.symbol,
+                          .equation = row.equation,
+                          .units = row.units},
+                         [row](P p) {
+                           const Derived d = row.value(p);
+                           const double factor = row.factor(p);
+                           return Derived{d.value * factor, d.error * factor, d.load_error * factor};
+                         },
+                         Errors::with_load});
   variables.push_back({{"friction_coefficient", "friction force over normal load", R"(R_x/R_n)", "Eq. (19)"},
                        friction_coefficient,
                        Errors::estimated});

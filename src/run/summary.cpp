@@ -31,6 +31,8 @@ void Summary::add(const results::PointRecord& record, std::size_t index) {
     if (share > largest_pinned_share_) largest_pinned_share_ = share;
   }
   pinned_ += pinned;
+  for (std::size_t row = 0; row < kValidity.size(); ++row)
+    exceeding_[row] += std::ranges::count(record.values.at(kValidity[row].name), double(Exceeds::yes)) > 0;
   ++points_;
   if (!record.failure.empty())
     failures_.push_back(fmt::format("{}: {}", experiment_.place(index), record.failure));
@@ -106,6 +108,17 @@ void Summary::report_pinned_bristles() const {
       "%: that friction is a property of the polar coordinates; compare with {} (docs/own-material.md)\n",
       path_, pinned_, points_, 100 * kPinnedShare, 100 * largest_pinned_share_,
       experiment_.swept("bending") ? "the bending \"rod\"" : "--set /model/bending=rod"));
+}
+
+void Summary::report_validity() const {
+  std::string text;
+  for (std::size_t row = 0; row < kValidity.size(); ++row)
+    if (exceeding_[row] > 0)
+      text += fmt::format("{}{} ({} of {} points)", text.empty() ? "" : "; ", kValidity[row].meaning, exceeding_[row],
+                          points_);
+  if (!text.empty())
+    write_message(
+        fmt::format("{}: beyond limits of the model (docs/limitations.md), in the mean over bristles: {}\n", path_, text));
 }
 
 }  // namespace bristle::run

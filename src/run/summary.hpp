@@ -1,8 +1,10 @@
 #pragma once
 
+#include "ensemble/validity.hpp"
 #include "experiment/experiment.hpp"
 #include "results/record.hpp"
 
+#include <array>
 #include <map>
 #include <string>
 #include <vector>
@@ -24,6 +26,8 @@ class Summary {
   void report_points_without_values() const;
   // If pinned bristles carry more than a tenth of R_x anywhere: at how many points, on standard error.
   void report_pinned_bristles() const;
+  // At how many points the model is beyond each of its limits, on standard error.
+  void report_validity() const;
 
  private:
   struct Example {
@@ -40,6 +44,7 @@ class Summary {
   std::map<PointStatus, Example> first_;  // of each status without values
   std::size_t pinned_ = 0;                // points at which pinned bristles carry more than a tenth of R_x
   double largest_pinned_share_ = 0;
+  std::array<std::size_t, kValidity.size()> exceeding_{};  // number of points
 };
 
 }  // namespace bristle::run

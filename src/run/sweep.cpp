@@ -150,15 +150,18 @@ void Sweep::report_slow_points() {
 PointReport Sweep::solve(std::size_t index, const PassageRunner& run) const {
   const auto record = [&] {
     const experiment::PointInput input = experiment_.point(index);
-    const double force_unit = experiment::force_unit(input);
+    const auto add_input = [&](PointResult& result) {
+      result.parameters = input.setup.parameters;
+      result.si = experiment::si_scales(input);
+    };
     if (input.loading.trace) {
       std::vector<CurveNode> curve = trace_curve(input.setup, *input.loading.trace, run);
-      for (CurveNode& node : curve) node.result.force_unit = force_unit;
+      for (CurveNode& node : curve) add_input(node.result);
       return results::record_of(layout_, curve);
     }
     Recorded recorded;
     PointResult result = solve_point(input.setup, input.loading, run, experiment_.record, &recorded);
-    result.force_unit = force_unit;
+    add_input(result);
     return results::record_of(layout_, result, recorded);
   };
   try {

@@ -212,6 +212,7 @@ void compute(const Experiment& experiment, const RunOptions& options) {
              found > 0 ? fmt::format("; {} computed before", found) : std::string());
   summary.report_points_without_values();
   summary.report_pinned_bristles();
+  summary.report_validity();
   if (options.shard) print_rest(experiment, options);
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "dynamics/ode.hpp"
-#include "model/equations.hpp"
+#include "model/path.hpp"
 #include "model/friction/table.hpp"
 
 #include <cstdint>
@@ -28,13 +28,14 @@ struct Block {
   Row s_handover;             // distance from the pole at which the other kernel takes over
   Row s_min;                  // distance from the pole, or from a rod's base, at which the pole rule acts
   Row t, y[COMPONENTS];       // after the last accepted step
+  Row path[PATH_QUANTITIES];  // of the accepted steps
   Row h;                      // size of the next step
   Row last_error;             // of the last accepted step, as a multiple of the tolerance
   Row attempts, max_attempts;
   Row next_sample;  // next time at which the integrals are sampled; infinity if they are not
 
   // The last attempted step of lanes with an event. It is not yet accepted.
-  Row t_new, h_next, error, y_new[COMPONENTS];
+  Row t_new, h_next, error, y_new[COMPONENTS], path_new[PATH_QUANTITIES];
 };
 
 // A passage ends when its slip is this close to L_x.

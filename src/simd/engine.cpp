@@ -29,6 +29,7 @@ struct ActivePassage {
   PassageTask task;
   std::size_t ticket;
   OdeState y;
+  Path<double> path{};
   double t = 0, h = kFirstStep, x_0 = 0;
   long steps = 0;
   int reflections = 0;
@@ -123,12 +124,14 @@ class SimdEngine::LaneSet {
     block_.h.lane[lane] = active.h;
     block_.last_error.lane[lane] = 1;
     for (int c = 0; c < COMPONENTS; ++c) block_.y[c].lane[lane] = active.y[c];
+    for (int c = 0; c < PATH_QUANTITIES; ++c) block_.path[c].lane[lane] = active.path[c];
   }
 
   void handle_events(int lane, const Events& events) {
     const auto has = [lane](std::uint32_t bits) { return (bits >> lane & 1) != 0; };
     ActivePassage& active = active_[lane];
     for (int c = 0; c < COMPONENTS; ++c) active.y[c] = block_.y[c].lane[lane];
+    for (int c = 0; c < PATH_QUANTITIES; ++c) active.path[c] = block_.path[c].lane[lane];
     active.t = block_.t.lane[lane];
     if (has(events.failed)) return end(lane, Outcome::not_finite);
     if (has(events.pole) && has_pole(block_.bending) && !near_pole_) return hand_over(lane);
@@ -182,6 +185,8 @@ class SimdEngine::LaneSet {
     block_.h.lane[lane] = block_.h_next.lane[lane];
     block_.last_error.lane[lane] = block_.error.lane[lane];
     for (int c = 0; c < COMPONENTS; ++c) block_.y[c].lane[lane] = active.y[c] = block_.y_new[c].lane[lane];
+    for (int c = 0; c < PATH_QUANTITIES; ++c)
+      block_.path[c].lane[lane] = active.path[c] = block_.path_new[c].lane[lane];
   }
 
   // Appends the samples within the step that is being accepted, by cubics through its ends.
@@ -209,6 +214,7 @@ class SimdEngine::LaneSet {
     ActivePassage& active = active_[lane];
     sample(lane);
     active.y = y_new;
+    for (int c = 0; c < PATH_QUANTITIES; ++c) active.path[c] = block_.path_new[c].lane[lane];
     active.t = block_.t_new.lane[lane];
     active.h = block_.h_next.lane[lane];
     restart(lane);
@@ -245,6 +251,7 @@ class SimdEngine::LaneSet {
     out.theta_0 = active.task.bristle.theta_0;
     out.contact_time = active.t;
     out.end = active.y;
+    out.path = active.path;
     out.steps = active.steps;
     out.evaluations = kEvaluationsPerStep * active.steps;
     out.reflections = active.reflections;

@@ -15,8 +15,10 @@ struct Group {
   Lanes rtol, atol, L_x, x_0, s_handover, s_min, next_sample, max_attempts;
   Lanes attempts, t, h, last_error;
   std::array<Lanes, COMPONENTS> y;
+  Path<Lanes> path;
   // Results of an attempt; error is the largest ratio of error to tolerance.
   std::array<Lanes, COMPONENTS> y_new;
+  Path<Lanes> path_new;
   Lanes error;
 };
 
@@ -111,6 +113,7 @@ class Kernel {
       groups[i].last_error.store(row(block.last_error));
       groups[i].attempts.store(row(block.attempts));
       for (int c = 0; c < COMPONENTS; ++c) groups[i].y[c].store(row(block.y[c]));
+      for (int c = 0; c < PATH_QUANTITIES; ++c) groups[i].path[c].store(row(block.path[c]));
     }
     return events;
   }
@@ -145,11 +148,13 @@ class Kernel {
       h_next.store(row(block.h_next));
       g.error.store(row(block.error));
       for (int c = 0; c < COMPONENTS; ++c) g.y_new[c].store(row(block.y_new[c]));
+      for (int c = 0; c < PATH_QUANTITIES; ++c) g.path_new[c].store(row(block.path_new[c]));
     }
     g.t = select(accepted, t_new, g.t);
     g.h = select(accepted | !good, h_next, g.h);
     g.last_error = select(accepted, g.error, g.last_error);
     for (int c = 0; c < COMPONENTS; ++c) g.y[c] = select(accepted, g.y_new[c], g.y[c]);
+    for (int c = 0; c < PATH_QUANTITIES; ++c) g.path[c] = select(accepted, g.path_new[c], g.path[c]);
   }
 
   static void load(const Block& block, int first, Group& g) {
@@ -172,6 +177,7 @@ class Kernel {
     g.h = row(block.h);
     g.last_error = row(block.last_error);
     for (int c = 0; c < COMPONENTS; ++c) g.y[c] = row(block.y[c]);
+    for (int c = 0; c < PATH_QUANTITIES; ++c) g.path[c] = row(block.path[c]);
   }
 };
 

@@ -3,6 +3,7 @@
 #include "simd/group.hpp"
 #include "simd/modulation.hpp"
 
+#include <algorithm>
 #include <numeric>
 
 namespace bristle::HWY_NAMESPACE {
@@ -49,6 +50,7 @@ class AdditiveStep {
     Lanes secant, slope;
     InPlane<Lanes> friction;
     Lanes h_gamma, one_h_gamma;
+    Path<Lanes> path;  // with this step, as far as the stages are known
   };
 
   static HWY_INLINE void set_sliding(const Group& g, Work& w, Lanes v_x, Lanes v_y) {
@@ -102,6 +104,19 @@ class AdditiveStep {
     }
     slopes_of(g.bristle, w.state, motion(g.bristle, w.state, w.place, w.sliding, w.friction, kPole), w.k[0],
               kPole);
+    w.path = g.path;
+    add_position(g.bristle, w.state.r, f, g.x_0, w.path);
+    add_stage<0>(g, w);
+  }
+
+  static constexpr int kWeightedStages =
+      int(std::ranges::count_if(Tableau::b, [](double b) { return b != 0; }));
+
+  template <int I>
+  static HWY_INLINE void add_stage(const Group& g, Work& w) {
+    if constexpr (Tableau::b[I] != 0)
+      add_instant(g.bristle, w.state.r[2], w.place.wall, w.sliding, w.friction,
+                  Lanes(g.h * Lanes(Tableau::b[I])), Lanes(g.h * Lanes(1.0 / kWeightedStages)), w.path);
   }
 
   // Time of stage i within the step, as a share of it.
@@ -205,10 +220,11 @@ class AdditiveStep {
     w.sliding.modulation = start.modulation + w.slope * (w.sliding.V_R - start.V_R);
   }
 
-  static HWY_NOINLINE HWY_FLATTEN void evaluate(const Group& g, Work& w,
-                                                std::array<Lanes, COMPONENTS>& slope) {
-    slopes_of(g.bristle, w.state, motion(g.bristle, w.state, w.place, w.sliding, w.friction, kPole), slope,
+  template <int I>
+  static HWY_NOINLINE HWY_FLATTEN void evaluate(const Group& g, Work& w) {
+    slopes_of(g.bristle, w.state, motion(g.bristle, w.state, w.place, w.sliding, w.friction, kPole), w.k[I],
               kPole);
+    add_stage<I>(g, w);
   }
 
   template <std::size_t... I>
@@ -223,7 +239,7 @@ class AdditiveStep {
         locate<I>(g[i], w[i]);
       }
       for (int i = 0; i < count; ++i) solve(g[i], w[i], w[i].implicit[I]);
-      for (int i = 0; i < count; ++i) evaluate(g[i], w[i], w[i].k[I]);
+      for (int i = 0; i < count; ++i) evaluate<I>(g[i], w[i]);
     }
   }
 
@@ -247,6 +263,7 @@ class AdditiveStep {
       norm.add(c, g.h * weighted_sum<S>(w.k, c, [](int j) { return Tableau::error[j]; }));
     }
     g.error = norm.value();
+    g.path_new = w.path;
   }
 };
 

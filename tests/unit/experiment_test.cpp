@@ -75,7 +75,8 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
        "@/e.json: /model/k_tehta: unknown key (did you mean k_theta?); allowed: friction, bending, "
        "initial_state, pole_rule, k_r, k_theta, k_phi, phi_0_deg, zeta_theta, zeta_phi, mu_c, tau_f, R_c, "
        "E_star, "
-       "A, C, V_s, lambda, lambda_z, alpha, beta, s_min, L_x, L_y, spacing"},
+       "A, C, V_s, lambda, lambda_z, alpha, beta, s_min, L_x, L_y, spacing, R, "
+          "strain_limit, stretch_limit"},
       {with(R"("model": {"k_r": "ten"})"),
        "@/e.json: /model/k_r: \"ten\" is not allowed; allowed: a number greater than 0 (radial stiffness, "
        "dimensionless)"},
@@ -121,13 +122,13 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
        "@/e.json: /sweep/kr: kr cannot be swept (did you mean k_r?); allowed: k_r, k_theta, k_phi, "
        "phi_0_deg, zeta_theta, zeta_phi, mu_c, tau_f, R_c, E_star, A, C, V_s, lambda, lambda_z, alpha, beta, "
        "s_min, "
-       "L_x, L_y, spacing, R_n, nominal_friction, z_0, mean_deg, concentration, seed, rows, m_kg, r0_m, "
+       "L_x, L_y, spacing, R, strain_limit, stretch_limit, R_n, nominal_friction, z_0, mean_deg, concentration, seed, rows, m_kg, r0_m, "
        "V0_m_per_s, E_Pa, nu, "
        "R_m, "
        "k_r_over_k_phi, k_theta_over_k_phi, k_r_N_per_m, k_theta_N_m, k_phi_N_m, E_star_Pa, tau_f_Pa, R_c_m, "
        "V_s_m_per_s, "
        "alpha_J, "
-       "beta_J, R_n_N, friction, bending, initial_state, pole_rule, path, sampling"},
+       "beta_J, R_n_N, z_0_m, L_x_m, L_y_m, spacing_m, friction, bending, initial_state, pole_rule, path, sampling"},
       {with(R"("sweep": {"friction": {"values": ["nss", "coulom"]}})"),
        "@/e.json: /sweep/friction/values: \"coulom\" is not known (did you mean coulomb?); allowed: " +
            laws()},
@@ -379,8 +380,8 @@ TEST_CASE("a material in SI units has the same stiffness at every velocity") {
     CHECK(a.*member / (b.*member) == Approx(256));
   CHECK(a.V_s / b.V_s == Approx(16));
   CHECK(a.E_star * 1e-4 * 4 / std::pow(0.017, 3) == Approx(1e8 / (1 - 0.16)));
-  CHECK(slow.loading.R_n * force_unit(slow) == Approx(0.1));
-  CHECK(fast.loading.R_n * force_unit(fast) == Approx(0.1));
+  CHECK(slow.loading.R_n * si_scales(slow).force == Approx(0.1));
+  CHECK(fast.loading.R_n * si_scales(fast).force == Approx(0.1));
 }
 
 TEST_CASE("an SI block warns of values that it replaces, and of a load that is not in newtons") {

@@ -280,7 +280,7 @@ TEST_CASE("reference: a malformed file is refused with the JSON pointer of the m
   broken("/flagz", 1, ": unknown key (did you mean flags?)");
   Json short_axis = json;
   short_axis["axes"]["k_r"] = {5};
-  expected = "/flags/start: 2 rows, but the axes have 1";
+  expected = "/flags/exceeds_R_c: 2 rows, but the axes have 1";
   refused(short_axis.dump());
   json["variables"]["R_x"].erase("tolerance");
   expected = "/variables/R_x/tolerance: is missing";

@@ -48,9 +48,9 @@ std::vector<Passage> run(const Kernels& kernels, const std::vector<PassageTask>&
 }
 
 bool same_bits(const Passage& a, const Passage& b) {
-  return a.end == b.end && a.contact_time == b.contact_time && a.outcome == b.outcome && a.steps == b.steps &&
-         a.reflections == b.reflections && a.gamma_1 == b.gamma_1 && a.gamma_2 == b.gamma_2 &&
-         a.gamma_3 == b.gamma_3 && a.energy_residual == b.energy_residual;
+  return a.end == b.end && a.path == b.path && a.contact_time == b.contact_time && a.outcome == b.outcome &&
+         a.steps == b.steps && a.reflections == b.reflections && a.gamma_1 == b.gamma_1 &&
+         a.gamma_2 == b.gamma_2 && a.gamma_3 == b.gamma_3 && a.energy_residual == b.energy_residual;
 }
 
 struct Restricted {

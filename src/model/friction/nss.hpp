@@ -11,6 +11,12 @@ inline double hertz_area_factor(double R_c, double E_star) {
   return M_PI * c * c;
 }
 
+// Largest pressure in the contact of a tip under the force F_n, Hertz, whose mean is F_n over the area.
+// Dimensionless.
+inline double hertz_pressure(const Parameters& p, double F_n) {
+  return 1.5 * cbrt(F_n) / hertz_area_factor(p.R_c, p.E_star);
+}
+
 // Nominal shear stress: F_f = chi tau_f A_c, Eqs. (15, 16).
 struct Nss : ModulatedByChi {
   static constexpr const char* name = "nss";
