@@ -6,10 +6,12 @@ import re
 
 import numpy as np
 
+from bristle_plots import assumptions
 from bristle_plots.command_line import run
 from bristle_plots.errors import BristleError
-from bristle_plots.explanations import (PROGRAM, READINGS, at_most, chosen_at, explain_claim, explain_further, falls, listed,
-                                        percent, periodic_part, short, span, where_saturated)
+from bristle_plots.explanations import (MATRIX, PROGRAM, READINGS, at_most, chosen_at, explain_claim, explain_further, falls_of_laws,
+                                        listed, measured, on_k_theta, percent, periodic_part, short, span, where_saturated)
+from bristle_plots.figures.hysteresis import windows
 from bristle_plots.files import write_text
 from bristle_plots.markdown import filled, table
 from bristle_plots.results import as_text, axis_values, dataset, experiment, open_result, read, select, status_counts
@@ -18,10 +20,17 @@ from bristle_plots.verdicts import declared_checks, number, p_text, quantity, th
 
 INTRODUCTION = """\
 The claims of the paper in the order of its figures, and the verdicts of the computations:
-supported, **refuted**, or undecided within the uncertainty. Every claim is checked with three
-models of bending: polar coordinates with Eq. (17) **exact** or **as printed**, which are two
-readings of the paper, and a **rod** without a pole (docs/model.md): what holds for the rod, too,
-is the bristle's; what does not may be the coordinates'. docs/claims.md describes how claims are checked, docs/model.md the baseline: the
+supported, **refuted**, or undecided within the uncertainty. A claim is named after the figure
+beside which it stands; those of Appendix A begin with A, those of the conclusions with C. Every claim is checked with three models of bending. Two are readings of the paper, whose
+Eq. (17) has another denominator than the kinematics of the azimuth theta:
+
+- **exact**: theta' = (x v_y - y v_x)/s^2, with the distance s of the tip from the pole, the
+  vertical through the bristle's root;
+- **as printed**: theta' = (x v_y - y v_x)/r^2, with the distance r from the root;
+- **rod**: bending without polar coordinates and so without a pole. What holds for the rod, too, is
+  the bristle's; what does not may be the coordinates'.
+
+docs/claims.md describes how claims are checked, docs/model.md the equations and the baseline: the
 choices for what the paper leaves open. `make findings` writes this page and the summary in
 README.md from the result files; no number in them is typed.
 """
@@ -35,8 +44,11 @@ def main():
     parser.add_argument("-o", dest="output", metavar="FILE", default="docs/findings.md")
     parser.add_argument("--readme", metavar="FILE", help="document whose summary is replaced")
     parser.add_argument("--program", default=PROGRAM.get(), help="what measures on the results (default: %(default)s)")
+    parser.add_argument("--assumptions", metavar="FILE", nargs="+", help="matrices, of which the first that exists is read",
+                        default=assumptions.DEFAULT)
     arguments = parser.parse_args()
     PROGRAM.set(arguments.program)
+    MATRIX.set(next(filter(os.path.exists, arguments.assumptions), None))
     files = [open_result(path) for path in arguments.results]
     images = os.path.join(os.path.dirname(arguments.output), "images")
     found = [(file, claims_of(file)) for file in files]
@@ -65,7 +77,7 @@ def verdicts_of(checks):
 
 def all_verdicts(found):
     """By claim of any figure, the verdict by reading."""
-    return {claim: verdicts_of(checks) for _, claims in found for claim, checks in claims.items()}
+    return dict(sorted((claim, verdicts_of(checks)) for _, claims in found for claim, checks in claims.items()))
 
 
 def readings_of(found):
@@ -90,7 +102,7 @@ def section(file, claims, images):
     name, figure = (as_text(file.attrs[key]) for key in ("name", "figure"))
     lines = [f"## {as_text(file.attrs['title'])}", "", provenance(file), ""]
     if os.path.exists(os.path.join(images, f"{name}.png")):
-        lines += [f"![Figure {figure}](images/{name}.png)", ""]
+        lines += [f"![{figure and 'Figure '}{figure or name}](images/{name}.png)", ""]
     for claim, checks in claims.items():
         lines += claim_lines(file, claim, checks)
     left_open = {}
@@ -150,6 +162,8 @@ def item(file, check, rows):
         reading = f"{READINGS.get(row.reading, row.reading)}: " if row.reading else ""
         measured = f"{number(row.measured, '.3f')} ± {number(row.uncertainty, '.3f')}{p_text(row)}"
         why = explain_further(file, check, row) if row.role != "main" and row.verdict == "refuted" else ""
+        if check["predicate"] == "rise" and "resolution" in check and not np.isfinite(row.uncertainty):
+            why = f"ln changes by less than {check['resolution']:g} under a law"
         lines.append(f"  - {reading}{emphasised(row.verdict)}, {measured}{why and '; '}{why}")
     return "\n".join(lines)
 
@@ -158,11 +172,13 @@ def in_short(found):
     """The findings that a reader should know first, as a list; those whose results are there."""
     verdicts, readings = all_verdicts(found), readings_of(found)
     files = {as_text(file.attrs["name"]): file for file, _ in found}
-    headlines = {"fig7": one_jump, "fig6": fall_with_stiffness, "fig8": saturation, "figA1": isotropy, "fig3": order_of_gaps, "figA2": row_period}
+    first = {"fig7": [one_jump, magnitude], "hysteresis": [two_frictions], "fig4": [contact_area]}
+    rest = {"fig8": [saturation], "figA1": [isotropy], "fig3": [order_of_gaps], "figA2": [row_period]}
     lines = [counts(verdicts, readings)]
     if readings == list(READINGS):
-        found = [headline(files[name], verdicts) for name, headline in headlines.items() if name in files]
-        lines = [*found[:1], *lines, *found[1:]]
+        top, below = ([headline(files[name], verdicts) for name, functions in part.items() if name in files for headline in functions]
+                      for part in (first, rest))
+        lines = [*top, *lines, *below]
     return "\n".join(f"- {line}" for line in lines if line)
 
 
@@ -178,7 +194,8 @@ def counts(verdicts, readings):
                  "rod": " for rods"}.get(reading, "")
         parts.append(f"{len(by_verdict.get('supported', []))} are supported{under}" + (f" ({'; '.join(rest)})" if rest else ""))
     *first, last = parts
-    return f"Of the paper's {len(verdicts)} claims, {', '.join([*first, 'and ' * bool(first) + last])}."
+    pinned = " 8b depends on k_theta and on bristles pinned at the pole: see below." * ("refuted" in verdicts.get("8b", {}).values())
+    return f"Of the paper's {len(verdicts)} claims, {', '.join([*first, 'and ' * bool(first) + last])}.{pinned}"
 
 
 def of_each(sentence):
@@ -195,35 +212,60 @@ def on_claim(what, claim, verdicts):
 
 def one_jump(file, _):
     """How much of the fall of friction lies within three steps of k_r at its steepest place."""
-    k_r = axis_values(file, "k_r")
-    shares, places, areas = {}, {}, {}
+    k_r, law = axis_values(file, "k_r"), {"friction": "nss", "nominal_friction": max(axis_values(file, "nominal_friction"))}
+    shares, places, before, areas = {}, {}, {}, {}
     for reading in READINGS:
-        fall, area = (-np.diff(np.log(select(dataset(file, name), ["k_r"], bending=reading, friction="nss")))
-                      for name in ("R_x_norm", "gamma_3"))
-        steepest = int(np.argmax(fall))
-        there = slice(max(steepest - 1, 0), steepest + 2)
-        shares[reading] = percent(fall[there].sum() / fall.sum())
-        areas[reading] = short(np.exp(area[there].sum()))
-        places[reading] = chosen_at(np.sqrt(k_r[steepest] * k_r[steepest + 1]))
+        def along(predicate, name, **chosen):
+            return measured(file, reading, {"predicate": predicate, "variable": name, "along": "k_r", "where": {**law, **chosen}})[0]
+        place = along("steepest_fall", "R_x_norm")
+        i = int(np.searchsorted(k_r, place))  # the step ends there
+        there = [k_r[max(i - 2, 0)], k_r[min(i + 1, len(k_r) - 1)]]
+        shares[reading] = percent(along("rise", "R_x_norm", k_r=there) / along("rise", "R_x_norm"))
+        before[reading] = short(along("end_ratio", "R_x_norm", k_r=[k_r[0], there[0]]))
+        areas[reading] = short(1 / along("end_ratio", "gamma_3", k_r=there))
+        places[reading] = chosen_at(place)
     return (f"Stiffer bristles have less friction because of one jump (nominal shear stress, Figure 7): {of_each(shares.get)} of "
             f"the fall of ln R_x_norm from k_r = {chosen_at(k_r[0])} to {chosen_at(k_r[-1])} lies within three of {len(k_r) - 1} "
-            f"steps of k_r, at k_r of about {of_each(places.get)}. There the slab rises from one branch of gaps to another, the "
-            f"load becomes spiky, so that the contact area under it, gamma_3, falls by a factor of {of_each(areas.get)}, and the "
-            f"friction depends on whether the slab came from above or from below (`make hysteresis`).")
+            f"steps of k_r, at k_r of about {of_each(places.get)}. From the lowest k_r to the first of these steps R_x_norm changes "
+            f"by a factor of {of_each(before.get)}. At the jump the slab rises from one branch of gaps to another, and the load becomes "
+            f"spiky, so that the contact area under it, gamma_3, falls by a factor of {of_each(areas.get)}.")
 
 
-def fall_with_stiffness(file, _):
-    k_r = axis_values(file, "k_r")
-    def factor(name, law):
-        return of_each(lambda reading: short(*falls(file, reading, name, friction=law)))
-    return (f"From k_r = {chosen_at(k_r[0])} to {chosen_at(k_r[-1])} the normalised friction R_x_norm falls by a factor of "
-            f"{factor('R_x_norm', 'nss')} under nominal shear stress, and the contact area, gamma_3, by "
-            f"{factor('gamma_3', 'nss')}; under Coulomb friction R_x_norm falls by {factor('R_x_norm', 'coulomb')}.")
+def two_frictions(file, _):
+    def found(reading):
+        return " and ".join(windows(file, {"bending": reading}, "k_r")) or "nowhere"
+    return ("Where it jumps, one lattice has two frictions under the same load (`make hysteresis`): after a slab that came "
+            f"up from the ground, and not down from above, it is larger, {of_each(found)}.")
+
+
+def magnitude(file, verdicts):
+    """The counterfactual of claims 6b and 7a: both laws at both nominal frictions."""
+    low, high = min(nominal := axis_values(file, "nominal_friction")), max(nominal)
+    found = {reading: falls_of_laws(file, reading) for reading in READINGS}
+    def factor(law, at):
+        return of_each(lambda reading: short(found[reading][law, at]))
+    by_magnitude = all(one[law, high] >= 2 > one[law, low] for one in found.values() for law in ("nss", "coulomb"))
+    concluded = ("So a steep fall takes a high local friction, whatever its law." if by_magnitude else
+                 "So law and magnitude both matter.")
+    rises = " (below 1: it rises)" if min(min(one.values()) for one in found.values()) < 1 else ""
+    return (f"The paper names the friction law as the cause: a steep fall under nominal shear stress, a smoother one under Coulomb "
+            f"friction (6b, 7a). But its two laws differ in magnitude, too: rigid bristles have a friction of {chosen_at(high)} times "
+            f"the load under the first, and of {chosen_at(low)} under the second. At {chosen_at(high)} R_x_norm falls from k_r = "
+            f"{chosen_at(axis_values(file, 'k_r')[0])} to {chosen_at(axis_values(file, 'k_r')[-1])} by a factor of {factor('nss', high)} under "
+            f"nominal shear stress and of {factor('coulomb', high)} under Coulomb friction; at {chosen_at(low)} by {factor('nss', low)} and "
+            f"{factor('coulomb', low)}{rises}. {concluded}")
+
+
+def contact_area(file, _):
+    def share(reading):
+        return percent(measured(file, reading, {"predicate": "share", "variable": "gamma_3", "along": "k_r", "x": "R_x_norm"})[0])
+    return ("The paper says that friction falls \u201cmostly due to the reduction of the effective contact area\u201d (4b): gamma_3 has "
+            f"{of_each(share)} of the fall of ln R_x_norm in Figure 4.")
 
 
 def saturation(file, verdicts):
     exact, printed, rod = (where_saturated(file, reading) for reading in READINGS)
-    return (f"{on_claim('The saturation of R_x with mu_c', '8b', verdicts)}. For stiff bristles (k_r = "
+    return (f"{on_claim('The saturation of R_x with mu_c', '8b', verdicts)}. {on_k_theta(file, 'polar')} For stiff bristles (k_r = "
             f"{exact['k_r']:g}) at mu_c = {listed(exact['mu_c'], chosen_at)} R_x is {listed(exact['R_x'])} for all "
             f"bristles and {listed(exact['R_x_unpinned'])} for those that pass. "
             f"{listed(exact['pinned_fraction'], percent)} of the bristles are pinned head-on at the pole, carry "

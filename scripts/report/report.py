@@ -85,7 +85,7 @@ def labels(name, number):
 def heading(file):
     """The title without the figure's number, which is printed before it."""
     title = as_text(file.attrs["title"])
-    return re.sub(r"^(Figure \w+|Appendix \w+): (.)", lambda found: found.group(2).upper(), title)
+    return re.sub(r"^(Figure \w+|Appendix \w+)[:,] (.)", lambda found: found.group(2).upper(), title)
 
 
 def missing(path):
