@@ -52,7 +52,7 @@ def main():
     files = [open_result(path) for path in arguments.results]
     images = os.path.join(os.path.dirname(arguments.output), "images")
     found = [(file, claims_of(file)) for file in files]
-    summary = f"{BEGIN}\n\n{filled(in_short(found))}\n{END}"
+    summary = f"{BEGIN}\n\n{filled(chr(10).join(f'- {line}' for line in in_short(found)))}\n{END}"
     sections = [section(file, claims, images) for file, claims in found]
     page = filled("\n".join(["# Findings\n\n@summary@\n", INTRODUCTION, overview(found), *sections]))
     write_text(arguments.output, page.replace("@summary@", summary))
@@ -169,17 +169,17 @@ def item(file, check, rows):
 
 
 def in_short(found):
-    """The findings that a reader should know first, as a list; those whose results are there."""
+    """The findings that a reader should know first; those whose results are there."""
     verdicts, readings = all_verdicts(found), readings_of(found)
     files = {as_text(file.attrs["name"]): file for file, _ in found}
     first = {"fig7": [one_jump, magnitude], "hysteresis": [two_frictions], "fig4": [contact_area]}
     rest = {"fig8": [saturation], "figA1": [isotropy], "fig3": [order_of_gaps], "figA2": [row_period]}
-    lines = [counts(verdicts, readings)]
+    lines = [counts(verdicts, readings)] if readings else []
     if readings == list(READINGS):
         top, below = ([headline(files[name], verdicts) for name, functions in part.items() if name in files for headline in functions]
                       for part in (first, rest))
         lines = [*top, *lines, *below]
-    return "\n".join(f"- {line}" for line in lines if line)
+    return [line for line in lines if line]
 
 
 def counts(verdicts, readings):

@@ -59,6 +59,6 @@ def verdicts_by_value(path, claim, choice, baseline):
     for alternative, cell in zip(document["alternatives"], row):
         if alternative["name"] == "baseline":
             found[float(baseline)] = cell["claim_verdict"]
-        elif alternative["choice"] == choice:
+        elif alternative["name"].startswith(f"{choice} = "):
             found[float(alternative["name"].rpartition("=")[2])] = cell["claim_verdict"]
     return dict(sorted(found.items()))
