@@ -1,103 +1,18 @@
-"""Why a claim is not supported: texts with the numbers behind them, read from the result files or measured by the program.
+"""Why a claim is not supported: texts with the numbers behind them.
 
 A function takes the file of the claim's figure and (check, claim as measured) for the checks of one reading.
 """
 
-from contextvars import ContextVar
-
 import numpy as np
 
-from .assumptions import verdicts_by_value
-from .program import DEFAULT, measure
-from .results import axis_values, constant, dataset, place_of, point_numbers, read, select, setting
+from .quantities import (at_most, chosen_at, failing, falls, falls_of_laws, geometric_mean, listed, loads_at,
+                         measured, on_k_theta, others, over_k_r, percent, periodic_part, READINGS, short, span,
+                         tau_by_side, turns, unpaired, where_saturated)
+from .results import axis_values, dataset, select, setting
 from .verdicts import number, p_text, threshold_text, with_uncertainty
-
-READINGS = {"polar": "exact", "polar_as_printed": "as printed", "rod": "rod"}  # models of bending
-
-PROGRAM = ContextVar("program", default=DEFAULT)  # what measures
-MATRIX = ContextVar("matrix", default=None)  # the matrix of assumptions, if there is one
 
 CHANCE = 0.05  # significance that a trend needs (docs/claims.md)
 NEAR_GROUND = 0.02  # the gap z_0 of claim 3b
-
-
-def short(value):
-    """A computed value, with three digits."""
-    return number(value, "#.3g").rstrip(".")
-
-
-def chosen_at(value):
-    """A value of an axis."""
-    return number(value, ".3g")
-
-
-def listed(values, text=short):
-    *first, last = map(text, values)
-    return f"{', '.join(first)} and {last}" if first else last
-
-
-def percent(share):
-    return f"{number(100 * share, '.0f' if abs(share) >= 0.1 else '.2g')} %"
-
-
-def at_most(shares):
-    return f"at most {percent(max(shares))}" if max(shares) > 0 else "none"
-
-
-def span(values, text=short):
-    """The smallest and the largest value."""
-    low, high = text(np.nanmin(values)), text(np.nanmax(values))
-    return low if low == high else f"{low} to {high}"
-
-
-def turns(x, y, share=0.15):
-    """The first and the last value, and between them those at which y turns, without swings below a share of its range."""
-    x, y = x[np.isfinite(y)], y[np.isfinite(y)]
-    step = np.diff(y)
-    kept = [0, *(np.flatnonzero(step[1:] * step[:-1] < 0) + 1), len(y) - 1]
-    while len(kept) > 2:
-        swings = abs(np.diff(y[kept]))
-        i = int(np.argmin(swings))
-        if swings[i] >= share * np.ptp(y):
-            break
-        del kept[max(i, 1):min(i + 2, len(kept) - 1)]
-    return ", ".join(f"{short(y[i])} (k_r = {chosen_at(x[i])})" for i in kept)
-
-
-def geometric_mean(file, name, **chosen):
-    """Over k_theta, for each k_r."""
-    return np.exp(np.log(select(dataset(file, name), ["k_r", "k_theta"], **chosen)).mean(axis=1))
-
-
-def measured(file, reading, *quantities):
-    """What the program measures: the number of each quantity, described by the keys of a check."""
-    return np.array(measure(PROGRAM.get(), place_of(file), reading, quantities))
-
-
-def over_k_r(file, stiffness, variable, abscissa, target, *, reading):
-    """For each k_r the variable where the abscissa first has this value, at the paper's k_phi."""
-    k_phi = setting(file, "model", "k_phi")
-    return measured(file, reading, *({"predicate": "level", "variable": variable, "along": "k_phi", "at": {abscissa: target},
-                                      "where": {"k_phi": k_phi, "k_r": k_r}} for k_r in stiffness))
-
-
-def nearest(values, wanted):
-    """Indices of the values that are nearest to the wanted ones."""
-    return [int(np.argmin(abs(values - one))) for one in wanted]
-
-
-def failing(pairs):
-    return [(check, row) for check, row in pairs if row.verdict != "supported"]
-
-
-def others(file, reading):
-    return [one for one in axis_values(file, "bending") if one != reading]
-
-
-def loads_at(file, k_r, gaps, reading):
-    """R_n for each k_r at each gap near first contact."""
-    return measured(file, reading, *({"predicate": "level", "variable": "R_n", "along": "k_r",
-                                      "where": {"z_0_target": gap, "k_r": one}} for gap in gaps for one in k_r))
 
 
 def stiff_first_contact(file, pairs):
@@ -107,8 +22,7 @@ def stiff_first_contact(file, pairs):
     top = int(np.argmax(load))
     between = f", largest with {short(load[top])} at k_r = {chosen_at(k_r[top])}" if top < len(k_r) - 1 else ""
     return (f"R_n at z_0 = {gap} is {short(load[0])} at k_r = {chosen_at(k_r[0])}{between}, and {short(load[-1])} at k_r = "
-            f"{chosen_at(k_r[-1])}. Tau is {number(row.measured, '.2f')}{p_text(row)}, required "
-            f"{threshold_text(row.relation, row.threshold, row.band)}{by_chance(row)}.")
+            f"{chosen_at(k_r[-1])}. {what_was_measured([pair for pair in pairs if pair[1].role == 'main'])}")
 
 
 def slope_at_contact(file, pairs):
@@ -138,11 +52,6 @@ def slopes_of_ends(file, pairs):
                                                   for one in k_r)) for end in check["compare"]["z_0"])
     return (f"-dR_n/dz_0 is {listed(top)} at first contact and {listed(ground)} near the ground, for k_r = "
             f"{listed(k_r, chosen_at)}.")
-
-
-def unpaired(check):
-    """What the check measures, without what it compares."""
-    return {key: value for key, value in check.items() if key not in ("compare", "role")}
 
 
 def order_of_gaps(file, pairs):
@@ -182,25 +91,6 @@ def row_period(file, pairs):
             f"part, is {with_uncertainty(of_rows.measured, of_rows.uncertainty)}.")
 
 
-def periodic_part(file, reading):
-    """L_y, and for each the standard deviations of R_n(t), the periodic part and all of it, over the mean; mean over
-    the seeds."""
-    point, t, load = (read(file, f"slab_force/{name}") for name in ("point", "t", "R_n"))
-    later = t >= constant(dataset(file, "slab_force/t"), "t_1")
-    numbers = point_numbers(file)
-    intervals = round(setting(file, "model", "spacing") / (t[1] - t[0]))  # of a row; V_0 = 1
-    widths, part, whole = axis_values(file, "L_y"), [], []
-    for width in widths:
-        found = []
-        for number in select(numbers, ["seed"], bending=reading, L_y=width, sampling="lattice"):
-            series = load[later & (point == number)]
-            phases = [series[i::intervals].mean() for i in range(intervals)]
-            found.append((np.std(phases) / series.mean(), series.std() / series.mean()))
-        part.append(np.mean([one for one, _ in found]))
-        whole.append(np.mean([one for _, one in found]))
-    return widths, part, whole
-
-
 def pinned_bristles(file, pairs):
     reading = pairs[0][1].reading
     at = where_saturated(file, reading)
@@ -217,31 +107,6 @@ def pinned_bristles(file, pairs):
         text += (f" ({READINGS.get(one, one).capitalize()}: {at_most(there['pinned_fraction'])} of the bristles are pinned "
                  f"there, and R_x of all is {listed(there['R_x'])}.)")
     return text
-
-
-def on_k_theta(file, reading):
-    """A sentence: at which k_theta the verdict on 8b turns."""
-    k_theta = setting(file, "model", "k_theta")
-    found = verdicts_by_value(MATRIX.get(), "8b", "k_theta", k_theta) if MATRIX.get() and reading == "polar" else {}
-    known = f"The caption of Figure 8 does not give k_theta, here {k_theta:g}"
-    if len(found) < 2:
-        return f"{known}."
-    values = {}
-    for value, verdict in found.items():
-        values.setdefault(verdict, []).append(value)
-    turns = ", ".join(f"{verdict} at {listed(at, chosen_at)}" for verdict, at in values.items())
-    return f"{known}, and the verdict depends on it: in the coarser runs of docs/assumptions.md it is {turns}."
-
-
-def where_saturated(file, reading):
-    """Variables of the stiffer bristles at mu_c of about 2.5, 5 and 10."""
-    k_r, mu_c = max(axis_values(file, "k_r")), axis_values(file, "mu_c")
-    at = nearest(mu_c, [2.5, 5, 10])
-    names = ("pinned_fraction", "pinned_share_R_x", "R_x", "R_x_unpinned")
-    found = {name: select(dataset(file, name), ["mu_c"], bending=reading, k_r=k_r)[at] for name in names}
-    with np.errstate(invalid="ignore"):
-        per_bristle = found["pinned_share_R_x"] * found["R_x"] / found["pinned_fraction"]
-    return {**found, "R_x_pinned": per_bristle, "k_r": k_r, "mu_c": mu_c[at]}
 
 
 def on_each_branch(file, check, row):
@@ -277,15 +142,6 @@ def within_branches(file, pairs):
     return on_each_branch(file, check, row) if check.get("pairs") == "within" else ""
 
 
-def tau_by_side(x, y, behind):
-    """Kendall's tau between x and y for pairs across a border, before it and behind it."""
-    agrees = np.sign(x[:, None] - x) * np.sign(y[:, None] - y)
-    pairs = np.triu(np.isfinite(agrees), 1)
-    first, second = behind[:, None], behind[None, :]
-    kinds = (first != second, ~first & ~second, first & second)
-    return [agrees[pairs & kind].mean() if (pairs & kind).any() else np.nan for kind in kinds]
-
-
 def sticking_at_low_stiffness(file, pairs):
     chosen = {"bending": pairs[0][1].reading}
     k_r = axis_values(file, "k_r")
@@ -302,12 +158,6 @@ def alignment_over_stiffness(file, pairs):
         return within_branches(file, pairs)
     mean = geometric_mean(file, "gamma_2", bending=pairs[0][1].reading)
     return f"along k_r gamma_2 falls and rises more than once: {turns(axis_values(file, 'k_r'), mean)}."
-
-
-def falls(file, reading, *names, **chosen):
-    """The factor by which each variable falls along k_r, geometric mean over the curves."""
-    return 1 / measured(file, reading, *({"predicate": "end_ratio", "variable": name, "along": "k_r", "where": chosen}
-                                         for name in names))
 
 
 def estimate_of_friction(file, pairs):
@@ -338,12 +188,6 @@ def jump_of_one_law(file, pairs):
     across, before, after = tau_by_side(nss.ravel(), coulomb.ravel(), behind.ravel())
     return (f"under NSS the gap jumps along k_r, under Coulomb friction it does not: tau is {number(across, '.2f')} for pairs "
             f"of points across the jump, {number(before, '.2f')} before and {number(after, '.2f')} behind it.")
-
-
-def falls_of_laws(file, reading):
-    """By law and nominal friction, the factor by which R_x_norm falls from the lowest to the highest k_r of Figure 7."""
-    return {(law, nominal): falls(file, reading, "R_x_norm", friction=law, nominal_friction=nominal)[0]
-            for nominal in axis_values(file, "nominal_friction")[::-1] for law in axis_values(file, "friction")}
 
 
 def magnitude_or_law(file, pairs):

@@ -14,18 +14,17 @@ sys.path.append(os.path.dirname(HERE))  # for bristle_plots
 
 import claims  # noqa: E402
 import diagnostics  # noqa: E402
-import findings  # noqa: E402
 import matrix  # noqa: E402
 import plots  # noqa: E402
 import points  # noqa: E402
 import sources  # noqa: E402
 import symbols  # noqa: E402
 import tables  # noqa: E402
-from bristle_plots import assumptions, program, verdicts  # noqa: E402
+from bristle_plots import assumptions, program, summary, verdicts  # noqa: E402
 from bristle_plots.command_line import run  # noqa: E402
 from bristle_plots.errors import BristleError  # noqa: E402
-from bristle_plots.explanations import MATRIX, PROGRAM  # noqa: E402
 from bristle_plots.files import write_text  # noqa: E402
+from bristle_plots.quantities import MATRIX, PROGRAM  # noqa: E402
 from bristle_plots.results import CHOICE_NAMES, as_text, experiment, open_result, readable  # noqa: E402
 from bristle_plots.style import COLORMAP, apply_look  # noqa: E402
 
@@ -62,7 +61,7 @@ def in_short(paths, figures):
     """The findings to know first, as docs/findings.md has them."""
     files = [open_result(path) for path in paths]
     judged = [file for file in files if verdicts.read_claims(file) or not experiment(file).get("checks")]
-    lines = findings.in_short([(file, findings.claims_of(file)) for file in judged])
+    lines = summary.in_short([(file, summary.claims_of(file)) for file in judged])
     names = {name: text for figure in figures if figure["present"] for name, text in figure["symbols"].items()}
     return [symbols.prose(line.replace("`", ""), names) for line in lines]
 
