@@ -58,8 +58,8 @@ images: $(IMAGES) ## docs/images: the figures in the documents
 	@for name in $^; do scripts/plot $$name results/$$name.h5 --format png --dpi 160 -o $(BUILD)/images && \
 	  cp $(BUILD)/images/$$name.png docs/images/ || exit; done
 
-findings: figures ## all figures; docs/findings.md, each claim with its verdict and numbers; README's summary
-	@$$($(PLOT_PYTHON)) scripts/findings.py $(FIGURES:%=results/%$(SUFFIX).h5) $(if $(SUFFIX),-o results/findings$(SUFFIX).md,--readme README.md)
+findings: figures hysteresis ## all figures; docs/findings.md, each claim with its verdict and numbers; README's summary
+	@$$($(PLOT_PYTHON)) scripts/findings.py $(patsubst %,results/%$(SUFFIX).h5,$(FIGURES) hysteresis) $(if $(SUFFIX),-o results/findings$(SUFFIX).md,--readme README.md)
 
 # The matrices, of which the next two targets draw the pages.
 .PHONY: assumptions-matrix inference-matrix

@@ -1,125 +1,63 @@
-"""Why a claim is not supported: texts with the numbers behind them, read from the result files or measured by the program.
+"""Why a claim is not supported: texts with the numbers behind them.
 
 A function takes the file of the claim's figure and (check, claim as measured) for the checks of one reading.
 """
 
-from contextvars import ContextVar
-
 import numpy as np
 
-from .program import DEFAULT, measure
-from .results import axis_names, axis_values, constant, dataset, place_of, point_numbers, read, select, setting
+from .quantities import (at_most, chosen_at, failing, falls, falls_of_laws, geometric_mean, listed, loads_at,
+                         measured, on_k_theta, others, over_k_r, percent, periodic_part, READINGS, short, span,
+                         tau_by_side, turns, unpaired, where_saturated)
+from .results import axis_values, dataset, select, setting
 from .verdicts import number, p_text, threshold_text, with_uncertainty
-
-READINGS = {"polar": "exact", "polar_as_printed": "as printed", "rod": "rod"}  # models of bending
-
-PROGRAM = ContextVar("program", default=DEFAULT)  # what measures
 
 CHANCE = 0.05  # significance that a trend needs (docs/claims.md)
 NEAR_GROUND = 0.02  # the gap z_0 of claim 3b
 
 
-def short(value):
-    """A computed value, with three digits."""
-    return number(value, "#.3g").rstrip(".")
-
-
-def chosen_at(value):
-    """A value of an axis."""
-    return number(value, ".3g")
-
-
-def listed(values, text=short):
-    *first, last = map(text, values)
-    return f"{', '.join(first)} and {last}" if first else last
-
-
-def percent(share):
-    return f"{number(100 * share, '.2g')} %"
-
-
-def at_most(shares):
-    return f"at most {percent(max(shares))}" if max(shares) > 0 else "none"
-
-
-def span(values, text=short):
-    """The smallest and the largest value."""
-    low, high = text(np.nanmin(values)), text(np.nanmax(values))
-    return low if low == high else f"{low} to {high}"
-
-
-def turns(x, y, share=0.15):
-    """The first and the last value, and between them those at which y turns, without swings below a share of its range."""
-    step = np.diff(y)
-    kept = [0, *(np.flatnonzero(step[1:] * step[:-1] < 0) + 1), len(y) - 1]
-    while len(kept) > 2:
-        swings = abs(np.diff(y[kept]))
-        i = int(np.argmin(swings))
-        if swings[i] >= share * np.ptp(y):
-            break
-        del kept[max(i, 1):min(i + 2, len(kept) - 1)]
-    return ", ".join(f"{short(y[i])} (k_r = {chosen_at(x[i])})" for i in kept)
-
-
-def geometric_mean(file, name, **chosen):
-    """Over k_theta, for each k_r."""
-    return np.exp(np.log(select(dataset(file, name), ["k_r", "k_theta"], **chosen)).mean(axis=1))
-
-
-def measured(file, reading, *quantities):
-    """What the program measures: the number of each quantity, described by the keys of a check."""
-    return np.array(measure(PROGRAM.get(), place_of(file), reading, quantities))
-
-
-def over_k_r(file, stiffness, variable, abscissa, target, *, reading):
-    """For each k_r the variable where the abscissa first has this value, at the paper's k_phi."""
-    k_phi = setting(file, "model", "k_phi")
-    return measured(file, reading, *({"predicate": "level", "variable": variable, "along": "k_phi", "at": {abscissa: target},
-                                      "where": {"k_phi": k_phi, "k_r": k_r}} for k_r in stiffness))
-
-
-def nearest(values, wanted):
-    """Indices of the values that are nearest to the wanted ones."""
-    return [int(np.argmin(abs(values - one))) for one in wanted]
-
-
-def failing(pairs):
-    return [(check, row) for check, row in pairs if row.verdict != "supported"]
-
-
-def others(file, reading):
-    return [one for one in axis_values(file, "bending") if one != reading]
-
-
 def stiff_first_contact(file, pairs):
     check, row = failing(pairs)[0]
-    gap, (low, high) = check["at"]["z_0"], check["where"]["k_r"]
-    k_r = np.array([one for one in axis_values(file, "k_r") if low <= one <= high])
-    load = over_k_r(file, k_r, "R_n", "z_0", gap, reading=row.reading)
-    falls = [f"from k_r = {chosen_at(k_r[i])} to {chosen_at(k_r[i + 1])}" for i in range(len(k_r) - 1)
-             if load[i + 1] < load[i]]
-    text = f"At z_0 = {gap}, R_n is {listed(load)} for k_r = {listed(k_r, chosen_at)}"
-    text += f": it falls {listed(falls, str)}." if falls else "."
-    if row.significance > CHANCE:
-        text += (f" The trend of {row.measured:.2f} meets the threshold of {row.threshold:g}, but so few points can show "
-                 f"it by chance{p_text(row)}; {CHANCE} is required.")
-    for one in others(file, row.reading):
-        text += f" ({READINGS[one].capitalize()}: {listed(over_k_r(file, k_r, 'R_n', 'z_0', gap, reading=one))}.)"
-    return text
+    gap, k_r = check["where"]["z_0_target"], axis_values(file, "k_r")
+    load = loads_at(file, k_r, [gap], row.reading)
+    top = int(np.argmax(load))
+    between = f", largest with {short(load[top])} at k_r = {chosen_at(k_r[top])}" if top < len(k_r) - 1 else ""
+    return (f"R_n at z_0 = {gap} is {short(load[0])} at k_r = {chosen_at(k_r[0])}{between}, and {short(load[-1])} at k_r = "
+            f"{chosen_at(k_r[-1])}. {what_was_measured([pair for pair in pairs if pair[1].role == 'main'])}")
 
 
 def slope_at_contact(file, pairs):
     check, row = pairs[0]
-    chosen = {"bending": row.reading, "k_phi": setting(file, "model", "k_phi")}
-    k_r = check["compare"]["k_r"]
-    load = [select(dataset(file, "R_n"), ["node"], k_r=one, **chosen)[0] for one in k_r]
-    return (f"at first contact, where the range of this check begins, R_n is {listed(load)} for k_r = "
-            f"{listed(k_r, chosen_at)} already, and the curve of the stiffer bristles flattens below it.")
+    k_r, gaps = check["compare"]["k_r"], np.array(axis_values(file, "z_0_target"))[[0, -1]]
+    load = loads_at(file, k_r, gaps[::-1], row.reading)
+    return (f"R_n is {listed(load[:2])} for k_r = {listed(k_r, chosen_at)} at z_0 = {chosen_at(gaps[1])} already, and "
+            f"{listed(load[2:])} at z_0 = {chosen_at(gaps[0])}.")
+
+
+def linear_ends(file, pairs):
+    """By k_r, the departure from a line at both ends."""
+    check, row = pairs[0]
+    k_r = axis_values(file, "k_r")
+    ends = list(dict.fromkeys(tuple(check["where"]["z_0"]) for check, row in pairs if row.role == "main"))
+    parts = []
+    for low, high in ends:
+        found = 100 * measured(file, row.reading, *({**check, "where": {**check["where"], "z_0": [low, high], "k_r": one}} for one in k_r))
+        parts.append(f"from z_0 = {low:g} to {high:g} it is {listed(found, lambda one: number(one, '.1f'))} %")
+    return f"The departure from a line, over the line's range, for k_r = {listed(k_r, chosen_at)}: {'; '.join(parts)}."
+
+
+def slopes_of_ends(file, pairs):
+    check, row = pairs[0]
+    k_r = axis_values(file, "k_r")
+    top, ground = (-measured(file, row.reading, *({**unpaired(check), "where": {**check["where"], "z_0": end, "k_r": one}}
+                                                  for one in k_r)) for end in check["compare"]["z_0"])
+    return (f"-dR_n/dz_0 is {listed(top)} at first contact and {listed(ground)} near the ground, for k_r = "
+            f"{listed(k_r, chosen_at)}.")
 
 
 def order_of_gaps(file, pairs):
     reading, k_r = pairs[0][1].reading, axis_values(file, "k_r")
-    trends = {check["at"]["R_n"]: row.measured for check, row in pairs}
+    trends = {check["at"]["R_n"]: row.measured for check, row in pairs if row.role == "main"}
+    few = {check["at"]["R_n"]: (check["where"]["k_r"][1], row.measured) for check, row in pairs if "where" in check}
     parts = []
     for load, tau in trends.items():
         word = "rises with k_r" if tau >= 0.5 else "falls with k_r" if tau <= -0.5 else "has no clear order"
@@ -127,6 +65,8 @@ def order_of_gaps(file, pairs):
         missing = " (\u2013: the load is not carried)" if np.isnan(gaps).any() else ""
         parts.append(f"At R_n = {load} z_0 {word} (tau = {number(tau, '.2f')}): {listed(gaps)} for k_r = "
                      f"{listed(k_r, chosen_at)}{missing}.")
+    parts.append("Tau depends on which k_r are drawn: " + "; ".join(
+        f"up to k_r = {highest:g} it is {number(tau, '.2f')} at R_n = {load}" for load, (highest, tau) in few.items()) + ".")
     ground = over_k_r(file, k_r, "R_n", "z_0", NEAR_GROUND, reading=reading)
     time = over_k_r(file, k_r, "N_c_ratio", "z_0", NEAR_GROUND, reading=reading)
     moved = (time - 1) * setting(file, "model", "L_x")  # the slip of a passage is L_x, Eq. (A2)
@@ -151,25 +91,6 @@ def row_period(file, pairs):
             f"part, is {with_uncertainty(of_rows.measured, of_rows.uncertainty)}.")
 
 
-def periodic_part(file, reading):
-    """L_y, and for each the standard deviations of R_n(t), the periodic part and all of it, over the mean; mean over
-    the seeds."""
-    point, t, load = (read(file, f"slab_force/{name}") for name in ("point", "t", "R_n"))
-    later = t >= constant(dataset(file, "slab_force/t"), "t_1")
-    numbers = point_numbers(file)
-    intervals = round(setting(file, "model", "spacing") / (t[1] - t[0]))  # of a row; V_0 = 1
-    widths, part, whole = axis_values(file, "L_y"), [], []
-    for width in widths:
-        found = []
-        for number in select(numbers, ["seed"], bending=reading, L_y=width, sampling="lattice"):
-            series = load[later & (point == number)]
-            phases = [series[i::intervals].mean() for i in range(intervals)]
-            found.append((np.std(phases) / series.mean(), series.std() / series.mean()))
-        part.append(np.mean([one for one, _ in found]))
-        whole.append(np.mean([one for _, one in found]))
-    return widths, part, whole
-
-
 def pinned_bristles(file, pairs):
     reading = pairs[0][1].reading
     at = where_saturated(file, reading)
@@ -180,7 +101,7 @@ def pinned_bristles(file, pairs):
             f"slab slides over them at V_0, so their friction grows with mu_c: R_x is {listed(at['R_x_pinned'])} per pinned "
             f"bristle. R_x of all bristles is {listed(at['R_x'])}; that of the bristles that pass is "
             f"{listed(at['R_x_unpinned'])}. The latter is constant within {percent(plateau.measured)} "
-            f"({plateau.verdict} as a further check): the bristles that pass do saturate.")
+            f"({plateau.verdict} as a further check): the bristles that pass do saturate. {on_k_theta(file, reading)}")
     for one in others(file, reading):
         there = where_saturated(file, one)
         text += (f" ({READINGS.get(one, one).capitalize()}: {at_most(there['pinned_fraction'])} of the bristles are pinned "
@@ -188,53 +109,37 @@ def pinned_bristles(file, pairs):
     return text
 
 
-def where_saturated(file, reading):
-    """Variables of the stiffer bristles at mu_c of about 2.5, 5 and 10."""
-    k_r, mu_c = max(axis_values(file, "k_r")), axis_values(file, "mu_c")
-    at = nearest(mu_c, [2.5, 5, 10])
-    names = ("pinned_fraction", "pinned_share_R_x", "R_x", "R_x_unpinned")
-    found = {name: select(dataset(file, name), ["mu_c"], bending=reading, k_r=k_r)[at] for name in names}
-    with np.errstate(invalid="ignore"):
-        per_bristle = found["pinned_share_R_x"] * found["R_x"] / found["pinned_fraction"]
-    return {**found, "R_x_pinned": per_bristle, "k_r": k_r, "mu_c": mu_c[at]}
-
-
-def order_within_branches(file, pairs):
-    """A trend over k_r that holds across the fall of R_x_norm, but not before and behind it."""
-    check, row = failing(pairs)[0]
+def on_each_branch(file, check, row):
+    """How the variables of a trend over k_r change before the jump of the gap and behind it, at all curves."""
     chosen = {"bending": row.reading, **check.get("where", {})}
-    other = [name for name in axis_names(dataset(file, "R_x_norm")) if name not in ("k_r", *chosen)]
-    curves = [{}] if not other else [{other[0]: value} for value in axis_values(file, other[0])]
-    taus, falls, first, top, elsewhere = [], [], [], [], {}
-    for curve in curves:
-        x, y = (select(dataset(file, name), ["k_r"], **chosen, **curve) for name in (check["x"], check["variable"]))
-        there = np.isfinite(x) & np.isfinite(y)
-        k_r, x, y = axis_values(file, "k_r")[there], x[there], y[there]
-        fall = int(np.argmin(np.diff(np.log(y)))) + 1
-        falls += [k_r[fall - 1], k_r[fall]]
-        first.append(y[0])
-        top.append(max(y[:fall]))
-        for one in others(file, row.reading):
-            there = select(dataset(file, check["variable"]), ["k_r"], **{**chosen, "bending": one}, **curve)
-            elsewhere.setdefault(READINGS[one], []).append(there[0])
-        taus.append(tau_by_side(x, y, np.arange(len(y)) >= fall))
-    across, before, behind = (number(tau, ".2f") for tau in np.nanmean(taus, axis=0))
-    apart = "less" if row.verdict == "undecided" else "more"
-    other_readings = "".join(f" ({one}: {span(there)})" for one, there in elsewhere.items())
-    return (f"The trend, {with_uncertainty(row.measured, row.uncertainty)}, and the threshold, "
-            f"{number(row.threshold, 'g')}, differ by {apart} than the uncertainty. R_x_norm falls most steeply at k_r = "
-            f"{span(falls, chosen_at)}. For pairs of points on either side of the fall tau is {across}; for pairs before it "
-            f"{before}, and for pairs behind it {behind}. Before the fall R_x_norm rises with k_r, from {span(first)} at "
-            f"the lowest k_r{other_readings} to at most {span(top)}.")
+    k_r = axis_values(file, "k_r")
+    steps = np.diff(np.log(dataset(file, "z_0").sel(chosen).transpose(..., "k_r").values.reshape(-1, len(k_r))))
+    step = np.nanargmax(steps[np.isfinite(steps).any(axis=1)], axis=1)
+    sides = [k_r[0], k_r[min(step)]], [k_r[max(step) + 1], k_r[-1]]
+    names = [name for name in (check["variable"], check.get("x")) if name]
+    before, behind = (listed(measured(file, row.reading, *({"predicate": "end_ratio", "variable": name, "along": "k_r", "where": {
+        **check.get("where", {}), "k_r": side}} for name in names))) for side in sides)
+    return (f"{listed(names, str)} {'change by factors' if names[1:] else 'changes by a factor'} of {before} from k_r = "
+            f"{listed(sides[0], chosen_at).replace('and', 'to')}, before the jump of the gap, and of {behind} from "
+            f"{listed(sides[1], chosen_at).replace('and', 'to')}, behind it.")
 
 
-def tau_by_side(x, y, behind):
-    """Kendall's tau between x and y for pairs across a border, before it and behind it."""
-    agrees = np.sign(x[:, None] - x) * np.sign(y[:, None] - y)
-    pairs = np.triu(np.ones(agrees.shape, bool), 1)
-    first, second = behind[:, None], behind[None, :]
-    kinds = (first != second, ~first & ~second, first & second)
-    return [agrees[pairs & kind].mean() if (pairs & kind).any() else np.nan for kind in kinds]
+def by_branch(file, pairs):
+    """A trend over k_r: the numbers across the jump of the gap and within the branches, and what happens there."""
+    parts = []
+    for check, row in failing([pair for pair in pairs if pair[1].role == "main"]):
+        of_pairs = {other["pairs"]: with_uncertainty(found.measured, found.uncertainty) for other, found in pairs
+                    if "pairs" in other and all(other.get(key) == check.get(key) for key in ("variable", "x", "where"))}
+        parts.append(f"\u201c{row.statement}\u201d: tau is {with_uncertainty(row.measured, row.uncertainty)}{p_text(row)}, required "
+                     f"{threshold_text(row.relation, row.threshold, row.band)}{by_chance(row)}. For pairs of points on either side of the jump of the gap "
+                     f"it is {of_pairs['across']}, for pairs on the same side {of_pairs['within']}: "
+                     f"{on_each_branch(file, check, row)}")
+    return " ".join(parts)
+
+
+def within_branches(file, pairs):
+    check, row = pairs[0]
+    return on_each_branch(file, check, row) if check.get("pairs") == "within" else ""
 
 
 def sticking_at_low_stiffness(file, pairs):
@@ -242,20 +147,17 @@ def sticking_at_low_stiffness(file, pairs):
     k_r = axis_values(file, "k_r")
     every, passing = (geometric_mean(file, name, **chosen)[0] for name in ("gamma_1", "gamma_1_unpinned"))
     pinned = select(dataset(file, "pinned_fraction"), ["k_r", "k_theta"], **chosen).mean(axis=1)[0]
+    raised = (f" At the lowest k_r {percent(pinned)} of the bristles are pinned, which raises it: {short(passing)} for the "
+              f"bristles that pass, {short(every)} for all." if pinned > 0 else "")
     return (f"gamma_1 has its maximum on the branch of thin gaps, before the gap jumps: "
-            f"{turns(k_r, geometric_mean(file, 'gamma_1', **chosen))}. At the lowest k_r {percent(pinned)} of the bristles "
-            f"are pinned, which raises it: {short(passing)} for the bristles that pass, {short(every)} for all.")
+            f"{turns(k_r, geometric_mean(file, 'gamma_1', **chosen))}.{raised}")
 
 
 def alignment_over_stiffness(file, pairs):
+    if "pairs" in pairs[0][0]:
+        return within_branches(file, pairs)
     mean = geometric_mean(file, "gamma_2", bending=pairs[0][1].reading)
     return f"along k_r gamma_2 falls and rises more than once: {turns(axis_values(file, 'k_r'), mean)}."
-
-
-def falls(file, reading, *names, **chosen):
-    """The factor by which each variable falls along k_r, geometric mean over the curves."""
-    return 1 / measured(file, reading, *({"predicate": "end_ratio", "variable": name, "along": "k_r", "where": chosen}
-                                         for name in names))
 
 
 def estimate_of_friction(file, pairs):
@@ -281,26 +183,101 @@ def jump_of_one_law(file, pairs):
     nss, coulomb = (select(dataset(file, check["variable"]), ["k_r", "k_theta"], friction=law, **chosen)
                     for law in ("nss", "coulomb"))
     friction = select(dataset(file, "R_x_norm"), ["k_r", "k_theta"], friction="nss", **chosen)
-    fall = np.argmin(np.diff(np.log(friction), axis=0), axis=0) + 1
+    fall = np.argmin(np.nan_to_num(np.diff(np.log(friction), axis=0)), axis=0) + 1
     behind = np.arange(len(friction))[:, None] >= fall
     across, before, after = tau_by_side(nss.ravel(), coulomb.ravel(), behind.ravel())
     return (f"under NSS the gap jumps along k_r, under Coulomb friction it does not: tau is {number(across, '.2f')} for pairs "
             f"of points across the jump, {number(before, '.2f')} before and {number(after, '.2f')} behind it.")
 
 
+def magnitude_or_law(file, pairs):
+    check, row = pairs[0]
+    if row.statement.startswith("the bristles that pass"):
+        return ""
+    names = {"nss": "NSS", "coulomb": "Coulomb"}
+    found = "; ".join(f"{names[law]}, nominal friction {chosen_at(nominal)}: {short(factor)}"
+                      for (law, nominal), factor in falls_of_laws(file, row.reading).items())
+    return f"the factors by which R_x_norm falls: {found}."
+
+
+def directions(file, pairs):
+    """Claim 6a: ln of the last over the first value under both laws."""
+    parts = []
+    for check, row in failing([pair for pair in pairs if pair[1].role == "main"]):
+        rises = measured(file, row.reading, *({**unpaired(check), "where": {"friction": law}} for law in check["compare"]["friction"]))
+        small = f", where {check['resolution']:g} is the least change that has a direction" * (row.verdict == "undecided")
+        parts.append(f"Along {check['along']} ln {check['variable']} changes by {number(rises[0], '+.2f')} under Coulomb friction and by "
+                     f"{number(rises[1], '+.2f')} under NSS{small}.")
+    return " ".join(parts)
+
+
+def shares_of_k_theta(file, pairs):
+    names = ("gamma_1", "gamma_2", "gamma_3")
+    rises = measured(file, pairs[0][1].reading, *({"predicate": "rise", "variable": name, "along": "k_theta"} for name in names))
+    return (f"From the lowest to the highest k_theta ln gamma_1, ln gamma_2 and ln gamma_3 change by "
+            f"{listed(rises, lambda rise: number(rise, '+.3f'))}.")
+
+
+def polar_stiffness(file, pairs):
+    """Claim C1: what k_phi does before the jump and behind it."""
+    k_phi = axis_values(file, "k_phi")
+    found = [(check["where"]["k_r"], row.measured) for check, row in pairs if "where" in check]
+    parts = [f"{short(factor)} for k_r from {low:g} to {high:g}" for (low, high), factor in found]
+    more = ": behind the jump of the gap bristles that are stiffer against bending have more friction" * bool(found[-1][1] > 1)
+    return (f"{what_was_measured([pair for pair in pairs if pair[1].role == 'main'])} From k_phi = {chosen_at(k_phi[0])} to "
+            f"{chosen_at(k_phi[-1])} R_x_norm changes by a factor of {listed(parts, str)}{more}.")
+
+
+def largest_friction(file, pairs):
+    """Claim 8c: R_x over the nominal friction under both laws, of all bristles and of those that pass."""
+    row = pairs[0][1]
+    k_r, nominal = max(axis_values(file, "k_r")), axis_values(file, "nominal_friction")
+    at = [i for i, one in enumerate(nominal) if one >= 10]
+    parts, most = [], 0
+    for law, name in (("nss", "NSS"), ("coulomb", "Coulomb")):
+        every, passing, pinned = (select(dataset(file, variable), ["nominal_friction"], bending=row.reading, k_r=k_r, friction=law)[at]
+                                  for variable in ("R_x", "R_x_unpinned", "pinned_share_R_x"))
+        most = max(most, *pinned)
+        of_passing = f" ({listed(passing)} of the bristles that pass; pinned ones carry {span(pinned, percent)})" if max(pinned) > 0 else ""
+        parts.append(f"{listed(every)} under {name}{of_passing}")
+    slides = " The slab slides over pinned bristles, so their friction grows with the local one." * bool(most > 0)
+    return f"At k_r = {k_r:g} and a nominal friction of {listed(nominal[at], chosen_at)} R_x is {'; '.join(parts)}.{slides}"
+
+
+def end_of_transient(file, pairs):
+    """Claim A4: the time in contact, and how much is left at t_1."""
+    reading, by_variable = pairs[0][1].reading, {}
+    for check, row in pairs:
+        if check["where"]["rows"] == axis_values(file, "rows")[0]:
+            by_variable[check["variable"]] = row.measured
+    (contact,) = measured(file, reading, {"predicate": "level", "variable": "N_c_ratio", "along": "seed",
+                                          "where": {"sampling": "quadrature"}})
+    missing = listed([1 - by_variable[name] for name in ("R_n", "R_x", "N_c_ratio")], percent)
+    return (f"The slab drags the tips along, so that a bristle stays in contact for {short(contact)} L_x/V_0 on average: at t_1 = "
+            f"L_x/V_0 fewer bristles have arrived than are in contact later. In the unit of time after t_1, R_n, R_x and N_c lack {missing} "
+            "of their ensemble means.")
+
+
 # By claim; and of further checks by claim and predicate, a sentence.
-CLAIMS = {"3a": stiff_first_contact, "3d": order_of_gaps, "5c": order_within_branches, "7b": order_within_branches,
-          "8b": pinned_bristles, "A2": row_period}
-FURTHER = {("3a", "slope"): slope_at_contact, ("4c", "end_ratio"): sticking_at_low_stiffness,
+CLAIMS = {"3a": stiff_first_contact, "3d": order_of_gaps, "3e": linear_ends, "4g": shares_of_k_theta, "5c": by_branch,
+          "5d": by_branch, "6a": directions, "7b": by_branch, "8b": pinned_bristles, "8c": largest_friction,
+          "C1": polar_stiffness, "A2": row_period, "A4": end_of_transient}
+FURTHER = {("3a", "slope"): slope_at_contact, ("3e", "slope"): slopes_of_ends, ("4c", "end_ratio"): sticking_at_low_stiffness,
            ("4d", "trend"): alignment_over_stiffness, ("5c", "slope"): estimate_of_friction,
-           ("5c", "plateau"): product_of_gammas, ("6a", "concordance"): jump_of_one_law}
+           ("5c", "plateau"): product_of_gammas, ("6a", "concordance"): jump_of_one_law, ("7a", "steepness"): magnitude_or_law,
+           **{(claim, "trend"): within_branches for claim in ("4a", "5a", "5c", "5d", "7b")}}
+
+
+def by_chance(row):
+    """Of a trend that meets its threshold and is not supported."""
+    return f", but so few points can show it by chance: p is to be at most {CHANCE}" if row.significance > CHANCE and row.margin > 0 else ""
 
 
 def what_was_measured(pairs):
     """The explanation of any other claim: what its checks measured, and what they require."""
     rows = [row for _, row in failing(pairs) or pairs]
     return " ".join(f"\u201c{row.statement}\u201d: measured is {with_uncertainty(row.measured, row.uncertainty)}{p_text(row)}, "
-                    f"required {threshold_text(row.relation, row.threshold, row.band).strip()}." for row in rows)
+                    f"required {threshold_text(row.relation, row.threshold, row.band).strip()}{by_chance(row)}." for row in rows)
 
 
 def explain_claim(file, pairs):

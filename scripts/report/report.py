@@ -20,10 +20,11 @@ import points  # noqa: E402
 import sources  # noqa: E402
 import symbols  # noqa: E402
 import tables  # noqa: E402
-from bristle_plots import program, verdicts  # noqa: E402
+from bristle_plots import assumptions, program, summary, verdicts  # noqa: E402
 from bristle_plots.command_line import run  # noqa: E402
 from bristle_plots.errors import BristleError  # noqa: E402
 from bristle_plots.files import write_text  # noqa: E402
+from bristle_plots.quantities import MATRIX, PROGRAM  # noqa: E402
 from bristle_plots.results import CHOICE_NAMES, as_text, experiment, open_result, readable  # noqa: E402
 from bristle_plots.style import COLORMAP, apply_look  # noqa: E402
 
@@ -41,17 +42,28 @@ def main():
     parser.add_argument("--reference", default="reference",
                         help="folder of the references (default: %(default)s)")
     parser.add_argument("--assumptions", metavar="FILE", nargs="+", help="the first that exists is shown",
-                        default=["results/assumptions.json", "reference/assumptions.json"])
+                        default=assumptions.DEFAULT)
     parser.add_argument("--citation", default="CITATION.cff", help="(default: %(default)s)")
     arguments = parser.parse_args()
     apply_look()
+    PROGRAM.set(arguments.program)
+    MATRIX.set(next(filter(os.path.exists, arguments.assumptions), None))
     present = [path for path in arguments.results if os.path.exists(path)]
     if not present:
         raise BristleError(f"no such files: {', '.join(arguments.results)}; `make figures` computes them")
     figures = [figure(path, arguments) if path in present else missing(path) for path in arguments.results]
-    page = render(figures, arguments)
+    page = render(figures, in_short(present, figures), arguments)
     write_text(arguments.output, page)
     print(f"{arguments.output}: {len(present)} of {len(figures)} figures, {len(page.encode()) / 1e6:.1f} MB")
+
+
+def in_short(paths, figures):
+    """The findings to know first, as docs/findings.md has them."""
+    files = [open_result(path) for path in paths]
+    judged = [file for file in files if verdicts.read_claims(file) or not experiment(file).get("checks")]
+    lines = summary.in_short([(file, summary.claims_of(file)) for file in judged])
+    names = {name: text for figure in figures if figure["present"] for name, text in figure["symbols"].items()}
+    return [symbols.prose(line.replace("`", ""), names) for line in lines]
 
 
 def figure(path, arguments):
@@ -85,7 +97,7 @@ def labels(name, number):
 def heading(file):
     """The title without the figure's number, which is printed before it."""
     title = as_text(file.attrs["title"])
-    return re.sub(r"^(Figure \w+|Appendix \w+): (.)", lambda found: found.group(2).upper(), title)
+    return re.sub(r"^(Figure \w+|Appendix \w+)[:,] (.)", lambda found: found.group(2).upper(), title)
 
 
 def missing(path):
@@ -98,7 +110,7 @@ def missing(path):
             "command": f"make {name}{tier}"}
 
 
-def render(figures, arguments):
+def render(figures, in_short, arguments):
     environment = Environment(loader=FileSystemLoader(os.path.join(HERE, "templates")), autoescape=True,
                               undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True)
     rows = [row for figure in figures for row in figure["claims"]]
@@ -108,7 +120,7 @@ def render(figures, arguments):
     names = {figure["name"]: figure["symbols"] for figure in shown}
     words = [drawing["reading"] for figure in shown for drawing in figure["drawings"] if drawing["reading"]]
     return environment.get_template("page.html.j2").render(
-        figures=figures, shown=shown, readings={word: CHOICE_NAMES.get(word, readable(word)) for word in words}, missing=[figure for figure in figures if not figure["present"]],
+        figures=figures, shown=shown, in_short=in_short, readings={word: CHOICE_NAMES.get(word, readable(word)) for word in words}, missing=[figure for figure in figures if not figure["present"]],
         claims=rows, count=claims.count(rows), tiers=sorted({figure["tier"] for figure in shown}),
         matrix=matrix.read(arguments.assumptions, names), citation=citation,
         paper=next((entry["link"] for entry in citation if entry["kind"] == "article"), ""),

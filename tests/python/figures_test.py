@@ -45,7 +45,7 @@ def drawn(name, result, target, *options):
     assert {f"{name}.pdf", f"{name}.png"} <= {p.name for p in made}, made
     assert {p.suffix for p in made} == {".pdf", ".png"}, made
     for pdf in target.glob(f"{name}*.pdf"):
-        pngs = [pdf.with_suffix(".png"), pdf.with_name(f"{pdf.stem}-as-printed.png")]
+        pngs = [pdf.with_name(f"{pdf.stem}{ending}.png") for ending in ("", "-polar-as-printed", "-rod")]
         pages = re.search(rb"/Count (\d+)", pdf.read_bytes()).group(1)
         assert int(pages) == sum(p in made for p in pngs), pdf
     assert all(p.stat().st_size > 5_000 for p in made)

@@ -55,7 +55,8 @@ def check_measure():
         names = [name.decode() for name in file["checks/claim"]]
         row = names.index("7a")
         reading, measured = file["checks/reading"][row].decode(), file["checks/measured"][row]
-    end_ratio = {"predicate": "end_ratio", "variable": "R_x_norm", "along": "k_r", "where": {"friction": "nss"}}
+    end_ratio = {"predicate": "end_ratio", "variable": "R_x_norm", "along": "k_r",
+                 "where": {"friction": "nss", "nominal_friction": 6.1984}}
     assert measure(bristle, results[0], reading, [end_ratio] * 2) == [measured] * 2
     try:
         measure(bristle, results[0], reading, [{**end_ratio, "variable": "R_z"}])

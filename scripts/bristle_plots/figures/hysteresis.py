@@ -18,17 +18,21 @@ def draw(file):
     return draw_panels(file, VARIABLES, "k_r", curves, markers="os", note=windows)
 
 
-def window(file, reading):
-    """A sentence: between which k_r the friction depends on the path, and by which factor."""
+def windows(file, reading, k_r_text="$k_r$"):
+    """A text for each range of k_r in which the friction depends on the path: by which factor, and where."""
     k_r = axis_values(file, "k_r")
     loading, unloading = (select(dataset(file, "R_x_norm"), ["k_r"], path=path, **reading) for path in ("loading", "unloading"))
     with np.errstate(invalid="ignore", divide="ignore"):
         factor = unloading / loading
     apart = np.flatnonzero(factor >= APART)
-    windows = np.split(apart, np.flatnonzero(np.diff(apart) > 1) + 1)
+    windows = [at for at in np.split(apart, np.flatnonzero(np.diff(apart) > 1) + 1) if at.size]
+    return [f"{factor[at].min():.2g} to {factor[at].max():.2g} times from {k_r_text} = {k_r[at[0]]:.3g} to {k_r[at[-1]]:.3g}"
+            if at.size > 1 else f"{factor[at[0]]:.2g} times at {k_r_text} = {k_r[at[0]]:.3g}" for at in windows]
+
+
+def window(file, reading):
+    """A sentence on the windows."""
     name = f"{reading_name(reading)}: " if reading else ""
-    if not apart.size:
-        return f"{name}the friction is the same after loading and after unloading, within a factor of {APART}."
-    found = " and ".join(f"{factor[at].min():.2g} to {factor[at].max():.2g} times the friction after unloading from $k_r$ = "
-                         f"{k_r[at[0]]:.3g} to {k_r[at[-1]]:.3g}" for at in windows)
-    return f"{name}the same bristles under the same load have {found}."
+    if found := windows(file, reading):
+        return f"{name}the friction after unloading is that after loading {' and '.join(found)}."
+    return f"{name}the friction is the same after loading and after unloading, within a factor of {APART}."
