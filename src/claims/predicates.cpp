@@ -22,14 +22,14 @@ class ErrorSum {
   double sum_ = 0;
 };
 
-// Mean over the curves with at least two points. of_curve returns {value, uncertainty} of one curve.
+// Mean over the curves with this many points. of_curve returns {value, uncertainty} of one curve.
 template <class OfCurve>
-Measurement mean_over(const Curves& in, OfCurve of_curve) {
+Measurement mean_over(const Curves& in, OfCurve of_curve, std::size_t least_points = 2) {
   double sum = 0;
   ErrorSum uncertainty(in.independent);
   std::size_t used = 0;
   for (const Curve& curve : in.curves) {
-    if (curve.size() < 2) continue;
+    if (curve.size() < least_points) continue;
     const auto [value, error] = of_curve(curve);
     sum += value;
     uncertainty.add(error);
@@ -253,7 +253,7 @@ Measurement slope(const Curves& in, bool logarithmic) {
 }
 
 Measurement linearity(const Curves& in) {
-  return mean_over(in, [&in](const Curve& curve) {
+  const auto of_curve = [&in](const Curve& curve) {
     const Line line = fitted(curve, in.independent);
     double squares = 0, error = 0;
     for (const CurvePoint& p : curve) {
@@ -264,7 +264,8 @@ Measurement linearity(const Curves& in) {
     const auto [left, right] = std::ranges::minmax(curve, {}, &CurvePoint::x);
     const double range = std::abs(line.slope) * (right.x - left.x);
     return Estimate{std::sqrt(squares) / range, error / range};
-  });
+  };
+  return mean_over(in, of_curve, 3);  // two points always lie on a line
 }
 
 Measurement plateau(const Curves& in) {

@@ -41,7 +41,7 @@ Measurement share(const Curves& curves);
 Measurement third_ratio(const Curves& curves);
 
 // Root mean square distance of the values from their least-squares line over the abscissa, over the range of
-// that line; mean over the curves.
+// that line; mean over the curves with at least three points.
 Measurement linearity(const Curves& curves);
 
 // Ratio of the largest to the first value along the axis; geometric mean over the curves.

@@ -161,6 +161,7 @@ TEST_CASE("linearity: the distance from the least-squares line over the line's r
   CHECK(linearity(one(curve({1, 3, 5}, 0.2))).value == Approx(0).margin(1e-12));
   CHECK(linearity(one(curve({1, 3, 5}, 0.2))).uncertainty == Approx(0.05));
   CHECK(linearity(one(curve({1, 3, 2, 4}, 0))).value == Approx(std::sqrt(0.45) / 2.4));
+  CHECK(linearity(one(curve({1, 3}, 0))).curves == 0);  // two points always lie on a line
 }
 
 TEST_CASE("trend within the branches of a curve and across its jump") {
