@@ -13,7 +13,7 @@ from bristle_plots.explanations import explain_claim, explain_further
 from bristle_plots.files import write_text
 from bristle_plots.markdown import filled, table
 from bristle_plots.quantities import MATRIX, PROGRAM, READINGS
-from bristle_plots.remarks import pinned_note, start_note
+from bristle_plots.remarks import pinned_note, start_note, validity_note
 from bristle_plots.results import as_text, experiment, open_result, read, status_counts
 from bristle_plots.summary import all_verdicts, claims_of, in_short, readings_of, verdicts_of
 from bristle_plots.verdicts import number, p_text, quantity, threshold_text
@@ -92,7 +92,7 @@ def section(file, claims, images):
         lines += ["The paper leaves open, and it matters here:", ""]
         lines += [f"- {what} ({', '.join(dict.fromkeys(claims))})" for what, claims in left_open.items()]
         lines.append("")
-    for note in [*filter(None, [start_note(file), pinned_note(file)]), *experiment(file).get("notes", [])]:
+    for note in [*filter(None, [start_note(file), pinned_note(file), validity_note(file)]), *experiment(file).get("notes", [])]:
         lines += [note, ""]
     return "\n".join(lines)
 

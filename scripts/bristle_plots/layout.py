@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 from .page import is_plain, paper_width, points
 from .readings import reading_name
 from .results import as_text
-from .remarks import pinned_note, start_note
+from .remarks import pinned_note, start_note, validity_note
 from .style import GREY, wrapped
 from .verdicts import draw_strip, read_claims, strip_height, symbols
 
@@ -53,7 +53,7 @@ def sheet(file, width, body, note="", reading=None, verdicts=True):
         return Figure(figsize=(paper_width() or width, body + PLAIN_INCHES)), 0
     claims = read_claims(file) if verdicts else []
     characters = int(15 * (width - 0.6))
-    note = "\n".join(filter(None, [note, start_note(file), pinned_note(file, reading)]))
+    note = "\n".join(filter(None, [note, start_note(file), pinned_note(file, reading), validity_note(file, reading)]))
     lines = [line for part in note.splitlines() for line in wrapped(part, characters).splitlines()]
     bottom = strip_height(claims, width) + (NOTE_INCHES * len(lines) + 0.1 if lines else 0)
     header = header_lines(file, width, reading)

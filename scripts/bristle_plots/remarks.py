@@ -1,4 +1,5 @@
-"""What a reader must know of a result: where bristles are crushed upright, and where pinned ones carry much of the friction."""
+"""What a reader must know of a result: where bristles are crushed upright, where pinned ones carry much of the friction, and
+where the model is beyond its limits."""
 
 import numpy as np
 
@@ -26,6 +27,22 @@ def pinned_note(file, reading=None):
         where = f" ({', '.join(CHOICE_NAMES.get(word, word) for word in words)})"
     return (f"Bristles that stay pinned upright at the pole carry more than a tenth of the friction at {int(many.sum())} of {many.size} "
             f"points, up to {100 * float(share.max()):.2g} %{where}.")
+
+
+def validity_note(file, reading=None):
+    """At how many points the model is beyond each of its limits, see docs/results-format.md; empty if nowhere.
+
+    reading: the choice of bending to which the note is limited.
+    """
+    parts = []
+    for name in (name for name in file if name.startswith("exceeds_")):
+        data = file[name].sel(reading or {})
+        beyond = data == data.attrs["flag_meanings"].split().index("yes")
+        if "node" in beyond.dims:  # of a traced curve
+            beyond = beyond.any("node")
+        if beyond.any():
+            parts.append(f"{data.attrs['long_name'].partition(': ')[2]} ({int(beyond.sum())} of {beyond.size} points)")
+    return f"Beyond limits of the model: {', '.join(parts)}." if parts else ""
 
 
 def start_note(file):

@@ -57,7 +57,9 @@ constexpr const char* kStartInSi = R"({
   "tau_f_Pa": 1e7,
   "V_s_m_per_s": 0.1,
   "beta_J": 0.01,
-  "R_n_N": 0.6
+  "R_n_N": 0.6,
+  "spacing_m": 0.0034,
+  "L_x_m": 0.085
  },
  "orientation": {"rtol": 0.005},
  "sweep": {"V0_m_per_s": {"logspace": [3, 30, 7]}}

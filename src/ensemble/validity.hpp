@@ -20,24 +20,24 @@ inline Words words<Exceeds>() {
 
 // A limit of the model. From its row follow its flag in result files and the remarks of run and figures.
 struct ValidityRow {
-  const char *name, *meaning;  // meaning: a sentence about a point that exceeds it
+  const char *name, *meaning;  // meaning: what is so beyond it
   double (*excess)(const PointResult&);  // positive beyond the limit
 };
 
 // The means over the bristles are compared with the limits.
 inline constexpr std::array kValidity = {
     // By Hertz the contact radius is pi p R_c/(2 E*) under the largest pressure p.
-    ValidityRow{"exceeds_R_c", "the largest contact radius is greater than the tip's, R_c",
+    ValidityRow{"exceeds_R_c", "contact larger than the tip",
                 [](const PointResult& p) {
                   return M_PI * p.value[observable("hertz_pressure_peak")] / (2 * p.parameters.E_star) - 1;
                 }},
-    ValidityRow{"exceeds_spacing", "a tip travels farther than the spacing, so that neighbours may touch",
+    ValidityRow{"exceeds_spacing", "tips travel farther than the spacing",
                 [](const PointResult& p) { return p.value[observable("tip_travel")] - p.parameters.spacing; }},
-    ValidityRow{"exceeds_strain_limit", "the strain at the root is greater than strain_limit",
+    ValidityRow{"exceeds_strain_limit", "strain at the root above strain_limit",
                 [](const PointResult& p) { return p.value[observable("root_strain")] - p.parameters.strain_limit; }},
-    ValidityRow{"exceeds_stretch_limit", "the largest elongation of a bristle is greater than stretch_limit",
+    ValidityRow{"exceeds_stretch_limit", "elongation above stretch_limit",
                 [](const PointResult& p) { return p.value[observable("stretch_peak")] - p.parameters.stretch_limit; }},
-    ValidityRow{"exceeds_load", "the friction force is greater than the load",
+    ValidityRow{"exceeds_load", "friction above the load",
                 [](const PointResult& p) { return std::abs(p.value[R_X]) - p.value[R_N]; }},
 };
 

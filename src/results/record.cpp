@@ -78,7 +78,7 @@ PointLayout::PointLayout(const Experiment& experiment) {
                       double(Start::undetermined)});
   for (const ValidityRow& row : kValidity)
     datasets.push_back(
-        {{row.name, fmt::format("whether {}", row.meaning), "", "", H5T_NATIVE_SCHAR, texts(words<Exceeds>())},
+        {{row.name, fmt::format("beyond a limit of the model: {}", row.meaning), "", "", H5T_NATIVE_SCHAR, texts(words<Exceeds>())},
          [&row](const PointResult& p) { return double(exceeds(row, p)); },
          double(Exceeds::unknown)});
   if (loading.trace)
