@@ -35,8 +35,8 @@ STRIP = "strip"  # gid of the strip's axes
 LETTERS_PER_INCH = 13.5  # of a statement
 LEAST_STATEMENT = 3.4  # inches; in figures with less room the numbers are below the statement
 
-# A row of the strip. verdicts: (verdict, text) by reading; look: of a further check's texts.
-Row = namedtuple("Row", "claim statement measured threshold verdicts look")
+# A row of the strip. verdicts: (verdict, text) by reading.
+Row = namedtuple("Row", "claim statement measured threshold verdicts")
 
 
 def read_claims(file):
@@ -140,11 +140,11 @@ def statement_inches(readings, width):
 
 
 def strip_rows(claims, width):
-    """The rows of the strip: the checks of each claim, and with readings a row for a claim of several main checks."""
+    """The rows of the strip: the main checks of each claim, and with readings a row for a claim of several of them."""
     readings = reading_words(claims)
     room = statement_inches(readings, width) or width - 1.2
     out = []
-    for checks in by_claim(claims):
+    for checks in by_claim([claim for claim in claims if claim.role == "main"]):
         name, interpretation = first(checks[0]).claim, ""
         repeated = name if readings == [""] else ""
         for check in checks:
@@ -152,25 +152,23 @@ def strip_rows(claims, width):
                 interpretation = first(check).interpretation
                 empty = {word: ("", "") for word in check}
                 statement = wrapped(f"if {interpretation}:", int(LETTERS_PER_INCH * room))
-                out.append(Row(name, statement, "", "", empty, {}))
+                out.append(Row(name, statement, "", "", empty))
                 name = repeated
-            further = first(check).role != "main"
-            out.append(check_row(check, name, further, int(LETTERS_PER_INCH * room)))
+            out.append(check_row(check, name, int(LETTERS_PER_INCH * room)))
             name = repeated
-        if readings != [""] and sum(first(check).role == "main" for check in checks) > 1:
+        if readings != [""] and len(checks) > 1:
             whole = {word: (claim.claim_verdict, claim.claim_verdict) for word, claim in checks[0].items()}
-            out.append(Row("", f"claim {first(checks[0]).claim}, by its main checks", "", "", whole, {}))
+            out.append(Row("", f"claim {first(checks[0]).claim}, by its main checks", "", "", whole))
     return out
 
 
-def check_row(check, claim, further, characters):
+def check_row(check, claim, characters):
     """One check. With several readings, the number measured takes the place of the verdict's word."""
     one = first(check)
     measured = {word: with_uncertainty(found.measured, found.uncertainty) for word, found in check.items()}
     verdicts = {word: (found.verdict, measured[word] if word else found.verdict) for word, found in check.items()}
-    statement = wrapped(one.statement, characters - 3 * further)
-    return Row(claim, statement, measured.get("", ""), threshold_text(one.relation, one.threshold, one.band),
-               verdicts, dict(color=GREY) if further else {})
+    statement = wrapped(one.statement, characters)
+    return Row(claim, statement, measured.get("", ""), threshold_text(one.relation, one.threshold, one.band), verdicts)
 
 
 def line_count(row, width):
@@ -205,7 +203,7 @@ def in_symbols(text, symbols):
 
 
 def draw_strip(figure, claims, symbols):
-    """A row for each check at the foot of the figure: statement, threshold, and the verdict under each reading."""
+    """A row for each main check at the foot of the figure: statement, threshold, and the verdict under each reading."""
     if not claims:
         return
     width, height = figure.get_size_inches()
@@ -229,12 +227,11 @@ def draw_strip(figure, claims, symbols):
 
 
 def key_of_signs(claims):
-    """What signs and grey mean in a strip without the words of the verdicts."""
-    if reading_words(claims) == [""]:
-        return ""
+    """What the signs mean in a strip without the words of the verdicts, and where the further checks are."""
     signs = ", ".join(f"{sign} {verdict}" for verdict, (sign, _) in VERDICT_SIGNS.items())
-    further = any(claim.role != "main" for claim in claims)
-    return signs + "; grey: further checks, on which no claim's verdict rests" * further
+    further = sum(first(check).role != "main" for check in by_check(claims))
+    return "; ".join(filter(None, [signs if reading_words(claims) != [""] else "",
+                                   f"further checks, on which no verdict rests: {further}, in docs/findings.md" if further else ""]))
 
 
 def draw_row(strip, row, readings, places, top, narrow):
@@ -243,14 +240,14 @@ def draw_row(strip, row, readings, places, top, narrow):
     line = top - BASELINE_INCHES
     strip.text(places[0], line, row.claim, **text)
     for i, part in enumerate(lines):
-        strip.text(places[1] + (0.2 if row.look else 0), line - i * LINE_INCHES, part, **text, **row.look)
+        strip.text(places[1], line - i * LINE_INCHES, part, **text)
     below = line - len(lines) * LINE_INCHES if narrow else line
     numbers = [row.threshold] if readings != [""] else [row.measured, row.threshold]
     for x, cell in zip(places[2:], numbers):
-        strip.text(x, below, cell, **text, **row.look)
+        strip.text(x, below, cell, **text)
     for x, word in zip(places[2 + len(numbers):], readings):
         verdict, cell = row.verdicts.get(word, ("", "\u2013"))
         if not cell:
             continue
         sign, colour = VERDICT_SIGNS.get(verdict, ("\u2022", GREY))
-        strip.text(x, below, f"{sign} {cell}", color=colour, weight="normal" if row.look else "bold", **text)
+        strip.text(x, below, f"{sign} {cell}", color=colour, weight="bold", **text)

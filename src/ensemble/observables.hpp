@@ -26,8 +26,8 @@ enum class Unpinned {
 double load_spread(const Passage& passage);
 // The angle (rad) with this 1 - cos.
 double angle_of_versed(double versed);
-// Strain at the root of a cantilever with the shaft's radius that is bent by this angle (rad): the tip's force
-// F bends it by F r0^2/(3 E I), and the strain is F r0 R/(E I). Dimensionless.
+// Strain at the root of a cantilever with the shaft's radius that is bent by this angle (rad): the tip's
+// force F bends it by F r0^2/(3 E I), and the strain is F r0 R/(E I). Dimensionless.
 double root_strain(const Parameters& p, double bending);
 
 // The unit of an observable's variant in SI units, <name>_in_<suffix>.
@@ -100,9 +100,8 @@ inline constexpr std::array kObservables = {
         "hertz_pressure_peak", "largest contact pressure of the passage, by Hertz", R"(p_{\max})", "Eq. (16)",
         [](const Passage& p, const Parameters& in) { return hertz_pressure(in, p.path[LOAD_PEAK]); },
         Average::over_passages, false, Unpinned::none, &kPascal},
-    ObservableRow{"stretch_peak", "largest elongation of the bristle in the passage",
-                  R"((r - 1)_{\max})", "Eq. (13)",
-                  [](const Passage& p, const Parameters&) { return p.path[STRETCH_PEAK]; },
+    ObservableRow{"stretch_peak", "largest elongation of the bristle in the passage", R"((r - 1)_{\max})",
+                  "Eq. (13)", [](const Passage& p, const Parameters&) { return p.path[STRETCH_PEAK]; },
                   Average::over_passages, false},
     ObservableRow{"bending_peak", "largest angle between the bristle and the undeformed one",
                   R"(\gamma_{\max})", "",

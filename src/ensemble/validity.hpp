@@ -20,7 +20,7 @@ inline Words words<Exceeds>() {
 
 // A limit of the model. From its row follow its flag in result files and the remarks of run and figures.
 struct ValidityRow {
-  const char *name, *meaning;  // meaning: what is so beyond it
+  const char *name, *meaning;            // meaning: what is so beyond it
   double (*excess)(const PointResult&);  // positive beyond the limit
 };
 
@@ -31,12 +31,16 @@ inline constexpr std::array kValidity = {
                 [](const PointResult& p) {
                   return M_PI * p.value[observable("hertz_pressure_peak")] / (2 * p.parameters.E_star) - 1;
                 }},
-    ValidityRow{"exceeds_spacing", "tips travel farther than the spacing",
-                [](const PointResult& p) { return p.value[observable("tip_travel")] - p.parameters.spacing; }},
-    ValidityRow{"exceeds_strain_limit", "strain at the root above strain_limit",
-                [](const PointResult& p) { return p.value[observable("root_strain")] - p.parameters.strain_limit; }},
+    ValidityRow{
+        "exceeds_spacing", "tips travel farther than the spacing",
+        [](const PointResult& p) { return p.value[observable("tip_travel")] - p.parameters.spacing; }},
+    ValidityRow{
+        "exceeds_strain_limit", "strain at the root above strain_limit",
+        [](const PointResult& p) { return p.value[observable("root_strain")] - p.parameters.strain_limit; }},
     ValidityRow{"exceeds_stretch_limit", "elongation above stretch_limit",
-                [](const PointResult& p) { return p.value[observable("stretch_peak")] - p.parameters.stretch_limit; }},
+                [](const PointResult& p) {
+                  return p.value[observable("stretch_peak")] - p.parameters.stretch_limit;
+                }},
     ValidityRow{"exceeds_load", "friction above the load",
                 [](const PointResult& p) { return std::abs(p.value[R_X]) - p.value[R_N]; }},
 };

@@ -138,7 +138,8 @@ std::vector<std::string> si_warnings(const Document& document, const Experiment&
   std::map<std::string, std::vector<const char*>> replaced;  // by JSON pointer: the keys of the block
   for (const SiQuantity& q : si_quantities())
     for (const std::string name : q.replaces)
-      if (given(q.name)) replaced[(name == "R_n" || name == "z_0" ? "/load/" : "/model/") + name].push_back(q.name);
+      if (given(q.name))
+        replaced[(name == "R_n" || name == "z_0" ? "/load/" : "/model/") + name].push_back(q.name);
   for (const auto& [pointer, keys] : replaced)
     if (document.chosen(JsonPointer(pointer)))
       warn(pointer,

@@ -28,8 +28,8 @@ const std::vector<SiQuantity>& si_quantities();
 void read_si_units(const Document& document, const std::vector<Axis>& axes, PointInput& input);
 
 // Replaces dimensionless values by those computed from input.si; without SI quantities does nothing. The
-// shaft of radius R and Young's modulus E bends like a cantilever: k_phi = 3 pi E R^4/(4 r0) (section 3 of the
-// paper), and k_theta, too, unless k_theta_over_k_phi is given.
+// shaft of radius R and Young's modulus E bends like a cantilever: k_phi = 3 pi E R^4/(4 r0) (section 3 of
+// the paper), and k_theta, too, unless k_theta_over_k_phi is given.
 void apply_si_units(PointInput& input);
 
 // Warnings about an experiment in SI units: values that the author gives although the block replaces them,

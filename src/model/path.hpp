@@ -11,13 +11,12 @@ enum PathQuantity {
   OFF_SLAB_TIME,  // see is_off_slab()
   SQUARED_LOAD,   // integral of F_n^2
   SLIDING_WORK,   // integral of F_f V_R
-  PATH_INTEGRALS,
-  LOAD_PEAK = PATH_INTEGRALS,  // largest F_n
-  STRETCH_PEAK,                // largest r - 1, at least 0
-  BENDING_PEAK,                // largest 1 - cos of the angle between the bristle and the undeformed one
-  TRAVEL_PEAK,                 // largest distance of the tip from its start along the motion, r0
-  IMPACTS,                     // number of steps after which a tip that was off the slab is on it
-  OFF_SLAB,                    // whether the tip is off the slab: 1 or 0
+  LOAD_PEAK,      // largest F_n
+  STRETCH_PEAK,   // largest r - 1, at least 0
+  BENDING_PEAK,   // largest 1 - cos of the angle between the bristle and the undeformed one
+  TRAVEL_PEAK,    // largest distance of the tip from its start along the motion, r0
+  IMPACTS,        // number of steps after which a tip that was off the slab is on it
+  OFF_SLAB,       // whether the tip is off the slab: 1 or 0
   PATH_QUANTITIES
 };
 template <class T>

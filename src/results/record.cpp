@@ -77,10 +77,10 @@ PointLayout::PointLayout(const Experiment& experiment) {
                       [](const PointResult& p) { return double(p.start); },
                       double(Start::undetermined)});
   for (const ValidityRow& row : kValidity)
-    datasets.push_back(
-        {{row.name, fmt::format("beyond a limit of the model: {}", row.meaning), "", "", H5T_NATIVE_SCHAR, texts(words<Exceeds>())},
-         [&row](const PointResult& p) { return double(exceeds(row, p)); },
-         double(Exceeds::unknown)});
+    datasets.push_back({{row.name, fmt::format("beyond a limit of the model: {}", row.meaning), "", "",
+                         H5T_NATIVE_SCHAR, texts(words<Exceeds>())},
+                        [&row](const PointResult& p) { return double(exceeds(row, p)); },
+                        double(Exceeds::unknown)});
   if (loading.trace)
     datasets.push_back(
         {{"branch", "paths of the slab on which the node lies", "", "", H5T_NATIVE_SCHAR, kBranchNames},

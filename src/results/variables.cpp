@@ -159,8 +159,9 @@ std::vector<SiRow> si_rows() {
   std::vector<SiRow> rows;
   for (Observable k = 0; k < kObservables.size(); ++k)
     if (const ObservableRow& row = kObservables[k]; row.si)
-      rows.push_back({fmt::format("{}_in_{}", row.name, row.si->suffix), row.long_name, without_tilde(row.symbol),
-                      row.equation, row.si->units, mean_of(k), [scale = row.si->scale](P p) { return p.si.*scale; }});
+      rows.push_back({fmt::format("{}_in_{}", row.name, row.si->suffix), row.long_name,
+                      without_tilde(row.symbol), row.equation, row.si->units, mean_of(k),
+                      [scale = row.si->scale](P p) { return p.si.*scale; }});
   const std::vector<SiRow> others = {
       {"z_0_in_m", "gap between slab and ground", "z_0", "Fig. 3", "m",
        [](P p) {
@@ -169,18 +170,19 @@ std::vector<SiRow> si_rows() {
        in_m},
       {"L_x_in_m", "slab length", "L_x", "", "m", length(&Parameters::L_x), in_m},
       {"spacing_in_m", "lattice spacing", R"(\Delta)", "", "m", length(&Parameters::spacing), in_m},
-      {"impacts_per_s", "impacts on the slab per bristle in contact and time", R"(\dot{N}_\mathrm{impacts})", "",
-       "s-1", impact_rate, [](P p) { return p.si.velocity / p.si.length; }},
+      {"impacts_per_s", "impacts on the slab per bristle in contact and time", R"(\dot{N}_\mathrm{impacts})",
+       "", "s-1", impact_rate, [](P p) { return p.si.velocity / p.si.length; }},
       {"bristles_per_m2", "bristles per area", R"(1/\Delta^2)", "", "m-2",
        [](P) {
          return Derived{1, 0, 0};
        },
        per_area},
-      {"pressure_in_Pa", "normal load per area", R"(R_n/(L_x L_y))", "Eq. (19)", "Pa", mean_of(R_N), pressure},
+      {"pressure_in_Pa", "normal load per area", R"(R_n/(L_x L_y))", "Eq. (19)", "Pa", mean_of(R_N),
+       pressure},
       {"friction_in_Pa", "friction force along the motion per area", R"(R_x/(L_x L_y))", "Eq. (19)", "Pa",
        mean_of(R_X), pressure},
-      {"power_in_W_per_m2", "power of the slab's motion against friction, per area", R"(R_x V_0/(L_x L_y))", "",
-       "W m-2", mean_of(R_X), power},
+      {"power_in_W_per_m2", "power of the slab's motion against friction, per area", R"(R_x V_0/(L_x L_y))",
+       "", "W m-2", mean_of(R_X), power},
       {"wear_power_in_W_per_m2", "power of friction on the sliding tips, per area",
        R"(W_\mathrm{slide} V_0/\Delta^2)", "", "W m-2", mean_of(observable("sliding_work")), power},
   };

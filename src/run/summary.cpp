@@ -114,11 +114,10 @@ void Summary::report_validity() const {
   std::string text;
   for (std::size_t row = 0; row < kValidity.size(); ++row)
     if (exceeding_[row] > 0)
-      text += fmt::format("{}{} ({} of {} points)", text.empty() ? "" : ", ", kValidity[row].meaning, exceeding_[row],
-                          points_);
+      text += fmt::format("{}{} ({} of {} points)", text.empty() ? "" : ", ", kValidity[row].meaning,
+                          exceeding_[row], points_);
   if (!text.empty())
-    write_message(
-        fmt::format("{}: beyond limits of the model (docs/results-format.md): {}\n", path_, text));
+    write_message(fmt::format("{}: beyond limits of the model (docs/results-format.md): {}\n", path_, text));
 }
 
 }  // namespace bristle::run

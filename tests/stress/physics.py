@@ -194,7 +194,7 @@ class Table:
             error = fast[name + "_err"] + exact[name + "_err"]
             if name == "R_n":
                 error += allowed
-            elif name == "R_n_in_N":
+            elif name in ("R_n_in_N", "pressure_in_Pa"):
                 error += allowed * a / fast["R_n"]
             distance = abs(math.remainder(a - b, 360) if name == "direction" else a - b)
             if math.isnan(a) and math.isnan(b):

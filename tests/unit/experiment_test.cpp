@@ -76,7 +76,7 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
        "initial_state, pole_rule, k_r, k_theta, k_phi, phi_0_deg, zeta_theta, zeta_phi, mu_c, tau_f, R_c, "
        "E_star, "
        "A, C, V_s, lambda, lambda_z, alpha, beta, s_min, L_x, L_y, spacing, R, "
-          "strain_limit, stretch_limit"},
+       "strain_limit, stretch_limit"},
       {with(R"("model": {"k_r": "ten"})"),
        "@/e.json: /model/k_r: \"ten\" is not allowed; allowed: a number greater than 0 (radial stiffness, "
        "dimensionless)"},
@@ -122,13 +122,15 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
        "@/e.json: /sweep/kr: kr cannot be swept (did you mean k_r?); allowed: k_r, k_theta, k_phi, "
        "phi_0_deg, zeta_theta, zeta_phi, mu_c, tau_f, R_c, E_star, A, C, V_s, lambda, lambda_z, alpha, beta, "
        "s_min, "
-       "L_x, L_y, spacing, R, strain_limit, stretch_limit, R_n, nominal_friction, z_0, mean_deg, concentration, seed, rows, m_kg, r0_m, "
+       "L_x, L_y, spacing, R, strain_limit, stretch_limit, R_n, nominal_friction, z_0, mean_deg, "
+       "concentration, seed, rows, m_kg, r0_m, "
        "V0_m_per_s, E_Pa, nu, "
        "R_m, "
        "k_r_over_k_phi, k_theta_over_k_phi, k_r_N_per_m, k_theta_N_m, k_phi_N_m, E_star_Pa, tau_f_Pa, R_c_m, "
        "V_s_m_per_s, "
        "alpha_J, "
-       "beta_J, R_n_N, z_0_m, L_x_m, L_y_m, spacing_m, friction, bending, initial_state, pole_rule, path, sampling"},
+       "beta_J, R_n_N, z_0_m, L_x_m, L_y_m, spacing_m, friction, bending, initial_state, pole_rule, path, "
+       "sampling"},
       {with(R"("sweep": {"friction": {"values": ["nss", "coulom"]}})"),
        "@/e.json: /sweep/friction/values: \"coulom\" is not known (did you mean coulomb?); allowed: " +
            laws()},
@@ -208,6 +210,13 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
        "@/e.json: /load: more than one of R_n, z_0 and trace is given: /load/z_0, /si/R_n_N; keep one (a "
        "null "
        "removes an inherited key)"},
+      {with(
+           R"("si": {"m_kg": 1, "r0_m": 2, "V0_m_per_s": 1, "R_n_N": 1, "z_0_m": 0.5}, "load": {"R_n": null})"),
+       "@/e.json: /load: more than one of R_n, z_0 and trace is given: /si/R_n_N, /si/z_0_m; keep one (a "
+       "null "
+       "removes an inherited key)"},
+      {with(R"("si": {"m_kg": 1, "r0_m": 2, "V0_m_per_s": 1, "z_0_m": 1.99}, "load": {"R_n": null})"),
+       "@/e.json: /si/z_0_m: 0.995 is above first contact; allowed: at most sin(phi_0) = 0.984808"},
       {with(R"("load": {"R_n": null, "z_0": 0.9, "nominal_friction": 2})"),
        "@/e.json: /load/nominal_friction: needs a target load R_n, which it multiplies"},
       {with(R"("sweep": {"nominal_friction": {"values": [1]}, "tau_f": {"values": [1]}})"),
@@ -335,11 +344,10 @@ TEST_CASE("points are in row-major order over the axes, and C follows A if chi i
 TEST_CASE("the nominal friction is the friction of rigid bristles over their load, under every law") {
   const Scratch s;
   s.write("paper.json", bytes_of(kExperiments + "/paper.json"));
-  const Experiment e = load_experiment(
-      s.write("e.json", R"({"extends": "paper.json", "name": "e",
+  const Experiment e = load_experiment(s.write("e.json", R"({"extends": "paper.json", "name": "e",
         "sweep": {"friction": {"values": ["nss", "coulomb", "stribeck"]},
                   "nominal_friction": {"values": [0.5, 6.1984]}, "R_n": {"values": [0.3, 2]}}})"),
-      {});
+                                       {});
   for (std::size_t i = 0; i < e.points(); ++i) {
     const PointInput point = e.point(i);
     const double nominal = rigid_friction(point.setup.parameters, point.loading.R_n) / point.loading.R_n;
@@ -382,6 +390,23 @@ TEST_CASE("a material in SI units has the same stiffness at every velocity") {
   CHECK(a.E_star * 1e-4 * 4 / std::pow(0.017, 3) == Approx(1e8 / (1 - 0.16)));
   CHECK(slow.loading.R_n * si_scales(slow).force == Approx(0.1));
   CHECK(fast.loading.R_n * si_scales(fast).force == Approx(0.1));
+}
+
+TEST_CASE("gap, slab and spacing in metres follow the bristle's length") {
+  Scratch s;
+  std::filesystem::copy_file(kExperiments + "/paper.json", s.path("paper.json"));
+  const Experiment e = load_experiment(s.write("e.json", R"({"extends": "paper.json", "name": "e",
+    "load": {"R_n": null}, "si": {"m_kg": 1, "r0_m": 2, "V0_m_per_s": 1, "z_0_m": 1.2, "L_x_m": 7, "L_y_m": 3,
+    "spacing_m": 0.5}, "sweep": {"r0_m": {"values": [2, 4]}}})"),
+                                       {});
+  for (const std::size_t i : {0, 1}) {
+    const PointInput point = e.point(i);
+    const double r0 = i == 0 ? 2 : 4;
+    CHECK(*point.loading.z_0 == Approx(1.2 / r0));
+    CHECK(point.setup.parameters.L_x == Approx(7 / r0));
+    CHECK(point.setup.parameters.L_y == Approx(3 / r0));
+    CHECK(point.setup.parameters.spacing == Approx(0.5 / r0));
+  }
 }
 
 TEST_CASE("an SI block warns of values that it replaces, and of a load that is not in newtons") {

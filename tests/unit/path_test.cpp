@@ -113,6 +113,12 @@ TEST_CASE("the spread of a constant load is 0, that of one at half of the time 1
   CHECK(load_spread(passage) == 1);
 }
 
+TEST_CASE("the strain at the root is that of a cantilever's end load") {
+  Parameters p;
+  p.R = 0.1;
+  CHECK(root_strain(p, 0.2) == Approx(0.06));
+}
+
 TEST_CASE("the largest pressure is that of Hertz") {
   Parameters p;
   const double F = 3.7;
