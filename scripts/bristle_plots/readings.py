@@ -9,6 +9,7 @@ from .page import drawn_on
 from .results import CHOICE_NAMES, as_result, axis_names, axis_values, dataset, place_of, readable, require_axes
 
 AXIS = "bending"
+HIGHEST = 10  # inches, of a figure in a paper
 
 OPTIONS = """
 file: a Dataset from open_result(PATH) or xarray.open_dataset(PATH), or a part of it.
@@ -96,9 +97,18 @@ def of_readings(draw, shown, which):
 
 
 def pages(draw, file, **options):
-    """(ending of the file's name, name of the reading, figure) of each page; that of the first reading is empty."""
-    if not hasattr(draw, "shown"):
-        return [("", "", draw(file, **options))]
+    """(ending of the file's name, name of the reading, figure) of each page; that of the first reading is empty.
+
+    A figure of all readings that is too high for a paper has a page for each of them, too.
+    """
     first = readings(file)[0]
-    return [("" if reading == first else "-" + reading[AXIS].replace("_", "-"), reading_name(reading),
-             draw(file, reading, **options)) for reading in draw.shown(file)]
+
+    def page(reading, figure):
+        return "" if reading == first else "-" + reading[AXIS].replace("_", "-"), reading_name(reading), figure
+
+    if hasattr(draw, "shown"):
+        return [page(reading, draw(file, reading, **options)) for reading in draw.shown(file)]
+    figure = draw(file, **options)
+    if options.get("width") is None or figure.get_figheight() < HIGHEST or first == {}:
+        return [("", "", figure)]
+    return [page(reading, draw(file.sel({AXIS: [reading[AXIS]]}), **options)) for reading in readings(file)]
