@@ -27,7 +27,7 @@ PAIRED_PREDICATES = ("ordering", "concordance", "equality")
 # Of quantities that a sentence may name and the result may not have as a variable or an axis.
 FURTHER_SYMBOLS = {"k_r": r"\tilde{k}_r", "k_theta": r"\tilde{k}_\theta", "k_phi": r"\tilde{k}_\varphi", "N_c": "N_c",
                    "N_0": "N_0", "N_c0": "N_{c,0}", "theta_0": r"\theta_0", "phi_0": r"\varphi_0", "mu_c": r"\mu_c",
-                   "V_s": "V_s"}
+                   "V_s": "V_s", "V_0": "V_0", "L_x": "L_x"}
 
 LINE_INCHES = 0.2
 BASELINE_INCHES = 0.13  # below the top of a line

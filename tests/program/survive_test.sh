@@ -123,10 +123,11 @@ run -o "$r" && cp "$folder/old.h5" "$r"
 [ $? = 3 ] && no_room "no room for the result" || failed "no room for the result: exit code, $(cat "$folder/log")"
 finish "no room for the result"
 begin
-if mount -t tmpfs -o size=180k none "$folder/results" 2>/dev/null; then
+size=$(stat -c %s "$folder/old.h5")
+if mount -t tmpfs -o size=$((4 * size)) none "$folder/results" 2>/dev/null; then
   mounted=$folder/results
   cp "$folder/old.h5" "$r"
-  head -c 70000 /dev/zero >"$folder/results/ballast"
+  head -c $((5 * size / 2)) /dev/zero >"$folder/results/ballast"
   run -o "$r" 2>"$folder/log"
   [ $? = 3 ] && no_room "a full disk" || failed "a full disk: exit code, $(cat "$folder/log")"
   rm "$folder/results/ballast"
