@@ -19,6 +19,7 @@ from symbols import plain, prose
 
 NARROW = "3.5in"  # page of the drawings for phones, whose letters have at least 9 pixels there
 LONG_NUMBER = re.compile(r"-?\d+\.\d{3,}")  # of an SVG's units, 1/72 inch
+EQUAL_LINES = re.compile(r'<path d="[^"]*"( clip-path="[^"]*" style="fill: none;[^"]*"/>)(?:\s*<path d="[^"]*"\1)+')
 
 # Of the modules' further figures.
 FURTHER_NAMES = {"energy": "energy budget", "parts": "factors of the friction"}
@@ -92,8 +93,15 @@ def as_svg(figure, foot, top):
     buffer = io.StringIO()
     figure.savefig(buffer, format="svg", metadata=METADATA["svg"],
                    bbox_inches=Bbox([[0, foot], [figure.get_figwidth(), top]]))
-    return re.sub(r' d="[^"]*"', lambda path: LONG_NUMBER.sub(lambda found: f"{float(found.group()):.2f}", path.group()),
-                  buffer.getvalue())
+    svg = re.sub(r' d="[^"]*"', lambda path: LONG_NUMBER.sub(lambda found: f"{float(found.group()):.1f}", path.group()),
+                 buffer.getvalue())
+    return EQUAL_LINES.sub(joined, svg)
+
+
+def joined(lines):
+    """Lines of one look, one after the other, as one path."""
+    places = " ".join(re.findall(r' d="([^"]*)"', lines.group()))
+    return f'<path d="{places}"{lines.group(1)}'
 
 
 def points_of(figure, top):
