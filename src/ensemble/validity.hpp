@@ -20,11 +20,11 @@ inline Words words<Exceeds>() {
 
 // A limit of the model. From its row follow its flag in result files and the remarks of run and figures.
 struct ValidityRow {
-  const char *name, *meaning;            // meaning: what is so beyond it
-  double (*excess)(const PointResult&);  // positive beyond the limit
+  const char *name, *meaning;            // the flag's name; what a point beyond the limit has, in words
+  double (*excess)(const PointResult&);  // positive beyond the limit, in the quantity's own unit
 };
 
-// The means over the bristles are compared with the limits.
+// Each limit is compared with the mean over the bristles.
 inline constexpr std::array kValidity = {
     // By Hertz the contact radius is pi p R_c/(2 E*) under the largest pressure p.
     ValidityRow{"exceeds_R_c", "contact larger than the tip",
