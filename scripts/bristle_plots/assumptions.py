@@ -28,6 +28,8 @@ def read_matrix(path):
 
 def cells_of(document):
     windows, size = document["windows"], len(document["alternatives"]) * len(document["windows"])
+    if missing := {"claim_verdict", "verdict"} - set(document["cell_keys"]):
+        raise ValueError(f"the cells have no {' and no '.join(sorted(missing))}")
     if [row["check"] for row in document["cells"]] != list(range(len(document["checks"]))):
         raise ValueError("the rows of cells are not those of the checks")
     for row in document["cells"]:

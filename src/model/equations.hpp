@@ -145,13 +145,13 @@ void set_polar_motion(const Bristle<P>& b, const State<T>& state, const Frame<T>
 // The same for a rod.
 template <class T, class P>
 void set_rod_motion(const Bristle<P>& b, const State<T>& state, const Place<T>& place, Motion<T>& m) {
-  const auto& [u_p, u_s, grad_p, grad_s] = place.rod;
-  m.rates = {dot(grad_s, state.v), dot(grad_p, state.v)};
-  const T moment_p = b.k_phi * u_p + b.c_phi * m.rates.phi;
-  const T moment_s = b.k_theta * u_s + b.c_theta * m.rates.theta;
+  const RodAngles<T>& rod = place.rod;
+  m.rates = {dot(rod.grad_s, state.v), dot(rod.grad_p, state.v)};
+  const T moment_p = b.k_phi * rod.u_p + b.c_phi * m.rates.phi;
+  const T moment_s = b.k_theta * rod.u_s + b.c_theta * m.rates.theta;
   const T radial = b.k_r * T(T(place.frame.r - 1.0) * place.frame.one_r);  // per position
   const auto springs = [&](int i) -> T {
-    return -radial * state.r[i] - moment_p * grad_p[i] - moment_s * grad_s[i];
+    return -radial * state.r[i] - moment_p * rod.grad_p[i] - moment_s * rod.grad_s[i];
   };
   m.acceleration = {T(springs(0) + m.friction[0]), T(springs(1) + m.friction[1]), T(springs(2) - m.wall.F_n)};
 }

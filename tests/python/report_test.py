@@ -105,7 +105,7 @@ def check_claims(driver, keys):
     assert driver.execute_script(values) == margins[::-1]
     words = one(driver, "[data-table=all-claims] input[type=search]")
     words.send_keys("4a steeply")
-    assert texts(driver, "#all-claims tbody tr th") == ["4a", "4a"]  # under both readings of Eq. (17)
+    assert texts(driver, "#all-claims tbody tr th") == ["4a"] * 3  # under each of the three models
     words.send_keys(" nowhere")
     assert texts(driver, verdicts) == []
     words.send_keys(keys.CONTROL, "a")
@@ -145,8 +145,8 @@ def check_map(driver, keys):
     for selector, value in (("#choose-figure", "fig6"), ("#choose-variable", "gamma_1"), ("#slices [data-axis=friction]", "0")):
         select(driver, selector, value)
     with h5py.File(named["fig6"]) as file:
-        readings, laws, k_r, k_theta = file["status"].shape
-    assert (readings, laws) == (2, 2)
+        models, laws, k_r, k_theta = file["status"].shape
+    assert (models, laws) == (3, 2)
     cells = driver.find_elements("css selector", "#map [role=gridcell]")
     assert len(cells) == k_r * k_theta
     cell = one(driver, '#map [data-point="4"]')
