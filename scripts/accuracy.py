@@ -66,7 +66,7 @@ tolerance is twice the relative one.
 
 {integration(m["integration"])}
 
-Single bristles of both friction laws over the paper's ranges, fast engine at 3e-5: 90 in 100 have
+Single bristles of both friction laws over the paper's ranges, fast engine at 1e-4: 90 in 100 have
 impulses of normal force and friction with errors below {explicit} ({bristles["explicit"]} that stayed
 far from the pole) and {implicit} ({bristles["implicit"]} that came near the pole).
 

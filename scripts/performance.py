@@ -149,7 +149,7 @@ def purposes_text(purposes):
     total = sum(parts.values())
     shares = ", ".join(f"{part / total:.0%} {purpose}" for purpose, part in parts.items())
     return (f"A point of Figure 4 takes {total / purposes['points']:.0f} passages in the mean over "
-            f"{purposes['points']} points of its map: {shares}, which includes those that are repeated with a tenth "
+            f"{purposes['points']} points of its map: {shares}, which includes those that are repeated with a quarter "
             "of the tolerance for the error.")
 
 

@@ -14,7 +14,7 @@ namespace {
 
 // A pinned bristle oscillates undamped about its equilibrium. Its means do not depend on the phase, so a
 // looser tolerance suffices (measured in docs/numerics.md).
-constexpr double kImplicitToleranceFactor = 10;
+constexpr double kImplicitToleranceFactor = 3;
 
 // The implicit method also takes over after this many explicit steps, more than an ordinary passage needs.
 constexpr long kExplicitSteps = 6000;

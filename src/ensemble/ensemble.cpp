@@ -20,13 +20,17 @@ constexpr double kRoughFactor = 4;
 // whose bristles are pinned or chatter.
 constexpr double kForwardPanel = 0.35, kBackwardPanel = 0.175, kHeadOnPanel = 0.01;
 
+// Of the estimate of the integrator's error, if the usual one exceeds the tolerance.
+constexpr std::size_t kMoreEffort = 4;
+constexpr double kLargeError = 4;
+
 double from_head_on(double theta_0) { return std::remainder(theta_0 - M_PI, 2 * M_PI); }
 
-bool too_wide(double left, double right) {
+bool too_wide(bool pole, double left, double right) {
   const double from = from_head_on(left), to = from_head_on(right);
   const double distance = from * to < 0 ? 0 : std::min(std::abs(from), std::abs(to));
   const double rounding = 1e-9;
-  const double most = std::max(distance + rounding, kHeadOnPanel);
+  const double most = pole ? std::max(distance + rounding, kHeadOnPanel) : kBackwardPanel;
   return right - left > std::min(most, distance < M_PI / 2 - rounding ? kBackwardPanel : kForwardPanel);
 }
 
@@ -147,7 +151,7 @@ const Ensemble& EnsembleMean::rough_load(double R_n_target) {
 
 const Ensemble& EnsembleMean::precise_load(double R_n_target) {
   QuadratureGoal precise = goal();
-  precise.rtol[R_N] = setup_.orientation.rtol / 2;
+  precise.rtol[R_N] = setup_.orientation.rtol;
   precise.threshold = R_n_target;
   return refine(precise);
 }
@@ -155,7 +159,9 @@ const Ensemble& EnsembleMean::precise_load(double R_n_target) {
 const Ensemble& EnsembleMean::full() {
   if (full_) return known();
   QuadratureGoal all = goal();
-  all.too_wide = too_wide;
+  all.too_wide = [pole = has_pole(setup_.parameters.bending)](double left, double right) {
+    return too_wide(pole, left, right);
+  };
   for (std::size_t k = 0; k < kObservables.size(); ++k)
     if (kObservables[k].controlled && !(half_circle_ && k == R_Y)) all.rtol[k] = setup_.orientation.rtol;
   refine(all);
@@ -237,12 +243,34 @@ const Ensemble& EnsembleMean::with_integrator_error() {
   if (checked_) return *checked_;
   checked_ = full();
   if (checked_->incomplete > 0) return *checked_;
-  ObservableArray& more = checked_->integrator_error = integrator_error(
-      weighted_passages(), setup_.parameters, [this](const Passage& p) { return task(p.theta_0); }, run_,
-      checked_->passages);
+  ObservableArray& more = checked_->integrator_error;
+  const auto estimate = [&](std::size_t effort) {
+    more = integrator_error(
+        weighted_passages(), setup_.parameters, [this](const Passage& p) { return task(p.theta_0); }, run_,
+        effort, checked_->passages);
+  };
+  estimate(1);
+  // One passage of few may be far more sensitive than the others.
+  const auto is_controlled = [&](Observable k) { return kObservables[k].controlled && k != R_Y; };
+  for (Observable k = 0; k < kObservables.size(); ++k)
+    if (is_controlled(k) && more[k] > kLargeError * setup_.orientation.rtol * std::abs(checked_->mean[k])) {
+      estimate(kMoreEffort);
+      break;
+    }
   if (half_circle_) more[R_Y] = 0;
   for (std::size_t k = 0; k < OBSERVABLES; ++k) checked_->error[k] += more[k];
   return *checked_;
+}
+
+EnsembleMean::Difference EnsembleMean::difference_to(const EnsembleMean& other) const {
+  Difference out;
+  for (std::size_t k = 0; k < OBSERVABLES; ++k) {
+    out.mean[k] = other.out_.mean[k] - out_.mean[k];
+    out.error[k] = std::hypot(other.out_.error[k], out_.error[k]);
+  }
+  if (!quadrature_) return out;
+  const auto common = quadrature_->difference_to(*other.quadrature_);
+  return common && common->error[R_N] < out.error[R_N] ? Difference{common->integral, common->error} : out;
 }
 
 void EnsembleMean::average_list() {

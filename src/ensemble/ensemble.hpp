@@ -60,6 +60,12 @@ class EnsembleMean {
   // integrator_error.hpp.
   const Ensemble& with_integrator_error();
 
+  struct Difference {
+    ObservableArray mean{}, error{};
+  };
+  // The mean at the other gap minus this one, as known so far.
+  Difference difference_to(const EnsembleMean& other) const;
+
   // Number of computed passages, with those that with_integrator_error() repeated.
   long count() const { return checked_ ? checked_->passages : out_.passages; }
   // The passages of the means, in the order of computation.

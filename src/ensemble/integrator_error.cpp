@@ -1,16 +1,22 @@
 #include "ensemble/integrator_error.hpp"
 
+#include <array>
 #include <cmath>
 
 namespace bristle {
 namespace {
 
-constexpr double kTighter = 10;        // ratio of the tolerances
+constexpr double kTighter = 4;         // ratio of the tolerances
 constexpr long kMoreEvaluations = 10;  // allowed for them
-// Number of repeated passages of each class; all if there are fewer.
-constexpr std::size_t kOrdinary = 12, kSensitive = 24;
+// Number of repeated passages of each class, all if there are fewer: of those that came near the pole, of
+// those that point against the motion, to within kHeadOn (rad), and of the others.
+constexpr std::array<std::size_t, 3> kClasses = {12, 6, 6};
+constexpr double kHeadOn = M_PI / 6;
 
-bool sensitive(const Passage& p) { return p.implicit || p.reflections > 0 || p.outcome == Outcome::pinned; }
+std::size_t class_of(const Passage& p) {
+  if (p.implicit || p.reflections > 0 || p.outcome == Outcome::pinned) return 0;
+  return std::abs(std::remainder(p.theta_0 - M_PI, 2 * M_PI)) < kHeadOn ? 1 : 2;
+}
 
 // Systematic sampling: passages at equal distances of the cumulative weight. Their weights have the same sum.
 std::vector<WeightedPassage> sample(const std::vector<WeightedPassage>& all, std::size_t count) {
@@ -32,11 +38,12 @@ std::vector<WeightedPassage> sample(const std::vector<WeightedPassage>& all, std
 
 ObservableArray integrator_error(const std::vector<WeightedPassage>& passages, const Parameters& parameters,
                                  const std::function<PassageTask(const Passage&)>& task,
-                                 const PassageRunner& run, long& count) {
-  std::vector<WeightedPassage> ordinary, chosen;
-  for (const WeightedPassage& one : passages) (sensitive(*one.passage) ? chosen : ordinary).push_back(one);
-  chosen = sample(chosen, kSensitive);
-  for (const WeightedPassage& one : sample(ordinary, kOrdinary)) chosen.push_back(one);
+                                 const PassageRunner& run, std::size_t effort, long& count) {
+  std::array<std::vector<WeightedPassage>, kClasses.size()> classes;
+  for (const WeightedPassage& one : passages) classes[class_of(*one.passage)].push_back(one);
+  std::vector<WeightedPassage> chosen;
+  for (std::size_t i = 0; i < classes.size(); ++i)
+    for (const WeightedPassage& one : sample(classes[i], effort * kClasses[i])) chosen.push_back(one);
 
   std::vector<PassageTask> tasks;
   for (const WeightedPassage& one : chosen) {
@@ -61,7 +68,7 @@ ObservableArray integrator_error(const std::vector<WeightedPassage>& passages, c
   }
   ObservableArray error;
   for (std::size_t k = 0; k < OBSERVABLES; ++k)
-    error[k] = std::sqrt(difference[k] * difference[k] + squares[k]);
+    error[k] = kTighter / (kTighter - 1) * std::sqrt(difference[k] * difference[k] + squares[k]);
   return error;
 }
 

@@ -6,10 +6,10 @@ namespace bristle {
 
 // Estimates by how much the means of observables() deviate from those of exactly integrated passages. Repeats
 // some of the passages with a tighter tolerance of the integrator: more of those that are sensitive to it,
-// which are pinned, were reflected at the pole or needed the implicit method. task returns the task of a
-// passage. Adds the number of repeated passages to count.
+// which are pinned, came near the pole or point against the motion. task returns the task of a passage.
+// effort: multiple of the usual number of repeated passages, which is added to count.
 ObservableArray integrator_error(const std::vector<WeightedPassage>& passages, const Parameters& parameters,
                                  const std::function<PassageTask(const Passage&)>& task,
-                                 const PassageRunner& run, long& count);
+                                 const PassageRunner& run, std::size_t effort, long& count);
 
 }  // namespace bristle

@@ -19,6 +19,9 @@ constexpr int kMaxSlow = 3;
 // A bracket narrower than this, in steps of the scan, should have led to the target already: it contains a
 // jump, or the noise of the means misled the search.
 constexpr double kNarrow = 1. / 64;
+// Where the load is even (even_between()), a gap is accepted whose load is within this multiple of rtol: the
+// values at the target follow from secants. Slopes are similar whose ratio is at most kSimilar.
+constexpr double kWide = 3, kSimilar = 2;
 constexpr int kMaxEarlier = 4;  // number of times that the search moves to an earlier crossing
 // Of the target. A rough load that does not decide whether the load falls beyond the crossing is made precise
 // if it is uncertain by more than this, as it is under a large rtol.
@@ -71,8 +74,33 @@ class CrossingFinder {
   }
 
   void take_solution() {
-    for (const GapLoad& end : {bracket_.near, bracket_.far})
-      if (std::abs(end.excess) <= loads_.allowed()) solution_ = end;
+    for (const GapLoad& end : {bracket_.near, bracket_.far}) {
+      const double distance = std::abs(end.excess);
+      if (distance <= loads_.allowed() || (distance <= kWide * loads_.allowed() && even_between(end.z_0)))
+        solution_ = end;
+    }
+  }
+
+  // The nearest computed gaps on both sides of this one whose loads differ from its load beyond doubt, if the
+  // load rises along the path from the first to the second with similar slopes.
+  std::optional<std::array<double, 2>> even_between(double z_0) const {
+    const auto& computed = loads_.computed();
+    const GapLoad at =
+        *std::find_if(computed.rbegin(), computed.rend(), [&](const GapLoad& one) { return one.z_0 == z_0; });
+    const auto apart = [&](const GapLoad& one) { return std::abs(one.z_0 - z_0); };
+    std::array<const GapLoad*, 2> sides{};
+    for (const GapLoad& one : computed) {
+      if (one.z_0 == z_0 || apart(one) > search_.step ||
+          std::abs(one.excess - at.excess) <= kDistinct * (one.load.error + at.load.error))
+        continue;
+      const GapLoad*& side = sides[loads_.is_before(one.z_0, z_0) ? 0 : 1];
+      if (!side || apart(one) <= apart(*side)) side = &one;
+    }
+    if (!sides[0] || !sides[1]) return {};
+    const double before = (at.excess - sides[0]->excess) / apart(*sides[0]);
+    const double after = (sides[1]->excess - at.excess) / apart(*sides[1]);
+    if (std::min(before, after) * kSimilar < std::max(before, after)) return {};
+    return std::array{sides[0]->z_0, sides[1]->z_0};
   }
 
   // The gap at which the inverse parabola, through both ends of the bracket and the gap nearest to it whose
@@ -157,6 +185,7 @@ class CrossingFinder {
     out.z_0_near = scan_.near.z_0;
     out.z_0_far = scan_.far.z_0;
     out.ambiguous = by_noise_;
+    if (solution_) out.even_between = even_between(final.z_0);
     const double noise = bracket_.near.load.error + bracket_.far.load.error;
     const bool at_target = solution_ || bracket_.far.excess <= 2 * bracket_.far.load.error;
     const bool jumps = !at_target && bracket_.far.excess - bracket_.near.excess > 2 * noise;

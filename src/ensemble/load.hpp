@@ -2,6 +2,7 @@
 
 #include "util/words.hpp"
 
+#include <array>
 #include <functional>
 #include <optional>
 
@@ -30,7 +31,7 @@ inline Words words<LoadPath>() {
 }
 
 enum class LoadStatus {
-  reached,      // R_n(z_0) = target within rtol
+  reached,      // R_n(z_0) = target within rtol or, if even_between has a value, within kWide times rtol
   load_jump,    // R_n(z_0) jumps across the target; z_0 and R_n are those after the jump
   unreachable,  // R_n stays below the target down to the ground (loading) or above it up to contact
                 // (unloading)
@@ -63,6 +64,9 @@ struct LoadPoint {
   // The gap that is the first, if the loads are a little smaller or larger; none if no other gap carries the
   // target then.
   std::optional<double> z_0_other;
+  // Computed gaps before and after z_0, if the load has similar slopes to both: the values at the target then
+  // follow from secants to them.
+  std::optional<std::array<double, 2>> even_between;
 };
 
 // Finds the gap at which R_n(z_0) first reaches the target when the slab is lowered from

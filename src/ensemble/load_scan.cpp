@@ -16,6 +16,10 @@ constexpr double kHumpBelow = 0.01, kHumpStep = 1. / 16;
 // kNear of the target, times the distance in steps.
 constexpr double kFinest = 1. / 8, kNear = 0.08;
 
+// Of two neighbouring gaps whose loads are below the target by this share of it, the scan skips the first
+// if a load before them is, too: between such gaps the load does not rise to the target (docs/numerics.md).
+constexpr double kFarBelow = 0.35;
+
 std::vector<double> scan_gaps(const LoadSearch& search) {
   const double length = search.first_contact - search.ground;
   const int count = std::max(2, int(std::ceil(length / search.step)));
@@ -101,8 +105,12 @@ class Scan {
 
   // A crossing found with rough loads is confirmed with precise loads.
   std::optional<LoadBracket> run() {
-    for (const double z_0 : scan_gaps(loads_.search)) {
-      const GapLoad next = loads_.at(z_0, Accuracy::rough);
+    const std::vector<double> gaps = scan_gaps(loads_.search);
+    for (std::size_t i = 0; i < gaps.size(); ++i) {
+      if (!scanned_.empty() && i + 1 < gaps.size() && is_far_below(scanned_.back()) &&
+          is_far_below(loads_.at(gaps[i + 1], Accuracy::rough)))
+        ++i;
+      const GapLoad next = loads_.at(gaps[i], Accuracy::rough);
       if (!scanned_.empty()) {
         const GapLoad last = scanned_.back();
         if (const auto found = between(last, next)) return found;
@@ -113,6 +121,10 @@ class Scan {
   }
 
  private:
+  bool is_far_below(const GapLoad& one) const {
+    return loads_.search.path == LoadPath::loading && one.excess < -kFarBelow * loads_.search.target;
+  }
+
   // Scans between two neighbouring gaps, in the order of the path.
   std::optional<LoadBracket> between(const GapLoad& from, const GapLoad& to) {
     const double steps = std::abs(to.z_0 - from.z_0) / loads_.search.step;

@@ -67,11 +67,15 @@ class PointSolver {
       out = without_values(PointStatus::work_limit);
     }
     if (setup_.orientation.sampling == Sampling::lattice && std::isfinite(out.z_0)) out = lattice_values(out);
-    if (std::isfinite(out.z_0)) record_trajectories(out.z_0);
     out.start = start_of(setup_.parameters);
     out.passages = lattice_passages_;
     for (const auto& [z_0, mean] : means_) out.passages += mean.count();
     out.passages_for = passages_for_;
+    if (std::isfinite(out.z_0)) {
+      const bool of_mean = setup_.orientation.sampling != Sampling::lattice;
+      if (record_.bristles && of_mean) record_bristles(out.z_0);
+      record_trajectories(out.z_0);
+    }
     return out;
   }
 
@@ -87,7 +91,8 @@ class PointSolver {
       out.jump_z_0 = found.jump_z_0;
       out.jump_R_n = found.jump_R_n;
     } else {
-      add_load_errors(out, found);
+      if (found.even_between) move_to_target(out, *found.even_between);
+      else add_load_errors(out, found);
     }
     if (found.ambiguous) out.status = PointStatus::ambiguous;
     if (found.z_0_other) {
@@ -98,6 +103,50 @@ class PointSolver {
       out.R_x_norm_other = other.R_x_norm;
     }
     return out;
+  }
+
+  // How the values and the gap change with R_n between the gap of the values and another one.
+  struct Secant {
+    double weight;  // of two secants, the weights of the parabola through all three gaps
+    ObservableArray slope{}, error{};
+    double z_0_slope, z_0_error;
+  };
+  Secant secant(double z_0, double other) {
+    const EnsembleMean::Difference d = mean_at(z_0).difference_to(mean_at(other));
+    Secant out;
+    const double rise = d.mean[R_N], relative = d.error[R_N] / std::abs(rise);
+    out.weight = 1 / std::abs(rise);
+    for (std::size_t k = 0; k < OBSERVABLES; ++k) {
+      out.slope[k] = d.mean[k] / rise;
+      out.error[k] = d.error[k] / std::abs(rise) + std::abs(out.slope[k]) * relative;
+    }
+    out.z_0_slope = (other - z_0) / rise;
+    out.z_0_error = std::abs(out.z_0_slope) * relative;
+    return out;
+  }
+
+  // Moves the values and the gap to the target load by secants to the gaps on both sides. Their uncertain
+  // slopes, and the error of the load itself, add to the errors.
+  void move_to_target(PointResult& out, const std::array<double, 2>& between) {
+    const double at = out.z_0, missing = loading_.R_n - out.value[R_N], load_error = out.error[R_N];
+    const Secant a = secant(at, between[0]), b = secant(at, between[1]);
+    const auto move = [&](double& value, double& error, double slope_a, double slope_b, double slope_error) {
+      const double slope = (a.weight * slope_a + b.weight * slope_b) / (a.weight + b.weight);
+      const double steepest = std::max(std::abs(slope_a), std::abs(slope_b));
+      const double spread = std::max(std::abs(slope_a - slope), std::abs(slope_b - slope));
+      value += missing * slope;
+      error = std::abs(missing) * std::hypot(spread, slope_error) + steepest * load_error;
+    };
+    for (std::size_t k = 0; k < OBSERVABLES; ++k) {
+      if (k == R_N) continue;
+      move(out.value[k], out.load_error[k], a.slope[k], b.slope[k], std::max(a.error[k], b.error[k]));
+      out.load_error[k] =
+          std::max(out.load_error[k], kLeastSensitivity * std::abs(out.value[k]) * load_error / loading_.R_n);
+      out.error[k] += out.load_error[k];
+    }
+    move(out.z_0, out.z_0_error, a.z_0_slope, b.z_0_slope, std::max(a.z_0_error, b.z_0_error));
+    out.value[R_N] = loading_.R_n;
+    normalise(out, setup_.parameters);
   }
 
   void add_load_errors(PointResult& out, const LoadPoint& found) {
@@ -177,7 +226,7 @@ class PointSolver {
     EnsembleMean& mean = mean_at(z_0);
     purpose_ = VALUES;
     const Ensemble& ensemble = mean.with_integrator_error();
-    if (record_.bristles) recorded_.bristles = mean.passages();
+    integrator_error_ = ensemble.integrator_error;
     PointResult out = values_of(setup_.parameters, ensemble);
     if (status == LoadStatus::load_jump && out.status != PointStatus::incomplete)
       out.status = PointStatus::load_jump;
@@ -195,8 +244,7 @@ class PointSolver {
     }
     out.value = lattice.mean;
     out.error = lattice.error;
-    const ObservableArray& integrator = mean_at(mean.z_0).with_integrator_error().integrator_error;
-    for (std::size_t k = 0; k < OBSERVABLES; ++k) out.error[k] += integrator[k];
+    for (std::size_t k = 0; k < OBSERVABLES; ++k) out.error[k] += integrator_error_[k];
     out.load_error.fill(0);
     out.fluctuation = lattice.fluctuation;
     out.fluctuation_of_rows = lattice.fluctuation_of_rows;
@@ -204,6 +252,17 @@ class PointSolver {
     if (record_.bristles) recorded_.bristles = std::move(lattice.passages);
     if (record_.slab_force) recorded_.slab_force = std::move(lattice.force);
     return out;
+  }
+
+  // Those of the mean at the gap of the values, which is computed now if the values were moved to this gap.
+  void record_bristles(double z_0) {
+    if (const auto known = means_.find(z_0); known != means_.end()) {
+      recorded_.bristles = known->second.passages();
+      return;
+    }
+    EnsembleMean mean(setup_, z_0, run_);
+    mean.full();
+    recorded_.bristles = mean.passages();
   }
 
   void record_trajectories(double z_0) {
@@ -225,7 +284,8 @@ class PointSolver {
   std::array<long, PURPOSES> passages_for_{};
   std::map<double, EnsembleMean> means_;  // by gap
   long lattice_passages_ = 0;
-  double incomplete_theta_0_ = kNone;  // of a passage without an exit, rad
+  ObservableArray integrator_error_{};  // of the means of the values
+  double incomplete_theta_0_ = kNone;   // of a passage without an exit, rad
 };
 
 }  // namespace

@@ -98,8 +98,9 @@ struct Recorded {
 PointResult without_values(PointStatus status);
 
 // Solves one sweep point. If the status is ok and a target load is given, R_n is within orientation.rtol of
-// it. For lattice sampling the gap is the one at which the ensemble mean carries the target load. run
-// computes the passages. recorded is required if record requests data.
+// it, or equal to it where the values have been moved to it by secants. For lattice sampling the gap is the
+// one at which the ensemble mean carries the target load. run computes the passages. recorded is required if
+// record requests data.
 PointResult solve_point(const Setup& setup, const Loading& loading, const PassageRunner& run,
                         const Recording& record = {}, Recorded* recorded = nullptr);
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace bristle {
 
@@ -13,7 +14,7 @@ constexpr double kRounding = 1e-15;  // of the sum over the panels, relative
 constexpr std::size_t kMaxNodes = 9;
 // Panels whose estimate is small by accident are not refined further, which biases the total error. The
 // estimates of rough panels are therefore multiplied by this factor (calibrated in docs/numerics.md).
-constexpr double kRoughnessFactor = 2;
+constexpr double kRoughnessFactor = 1;
 
 std::vector<Quadrature::Node> Quadrature::evaluate(const std::vector<double>& at) {
   const std::vector<Sample> samples = f_(at);
@@ -227,6 +228,36 @@ void Quadrature::sum() {
   }
   for (std::size_t k = 0; k < OBSERVABLES; ++k)
     result_.error[k] = std::sqrt(total[k]) + kRounding * std::abs(result_.integral[k]);
+}
+
+std::optional<QuadratureResult> Quadrature::difference_to(const Quadrature& other) const {
+  std::map<double, const Values*> values;
+  for (const Panel& panel : other.panels_)
+    for (const Node& node : panel.nodes) values[node.at] = &node.sample.value;
+  for (const LabelChange& jump : other.jumps_)
+    for (const Node* node : {&jump.left, &jump.right}) values[node->at] = &node->sample.value;
+  bool common = true;
+  const auto subtract = [&](Node& node) {
+    const auto found = values.find(node.at);
+    common = common && found != values.end();
+    if (!common) return;
+    for (std::size_t k = 0; k < OBSERVABLES; ++k)
+      node.sample.value[k] = (*found->second)[k] - node.sample.value[k];
+  };
+  Quadrature difference = *this;
+  for (Panel& panel : difference.panels_) {
+    for (Node& node : panel.nodes) subtract(node);
+    evaluate_panel(panel);
+  }
+  for (LabelChange& jump : difference.jumps_) {
+    subtract(jump.left);
+    subtract(jump.right);
+    for (std::size_t k = 0; k < OBSERVABLES; ++k)
+      jump.spread[k] = std::abs(jump.right.sample.value[k] - jump.left.sample.value[k]);
+  }
+  if (!common) return {};
+  difference.sum();
+  return difference.result_;
 }
 
 double Quadrature::tolerance(std::size_t k) const {

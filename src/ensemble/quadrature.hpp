@@ -60,6 +60,10 @@ class Quadrature {
   // Samples until the goal is met. A later call, with another goal, continues from the existing samples.
   const QuadratureResult& refine(const QuadratureGoal& goal);
 
+  // The integral of the other's integrand minus this one's, by the rule of this one's nodes: most of the
+  // errors of both integrals cancel. None if the other lacks one of these nodes.
+  std::optional<QuadratureResult> difference_to(const Quadrature& other) const;
+
  private:
   struct Node {
     double at = 0;

@@ -12,7 +12,7 @@ namespace {
 constexpr double kFractionTolerance = 1e-14;
 // Near the pole a bristle oscillates about its equilibrium. Its means do not depend on the phase, so a looser
 // tolerance suffices (measured in docs/numerics.md).
-constexpr double kPinnedToleranceFactor = 10;
+constexpr double kPinnedToleranceFactor = 3;
 // A tip whose distance from the pole is this close to s_min, relatively, is at s_min.
 constexpr double kPoleTolerance = 1e-4;
 constexpr long kEvaluationsPerStep = 6;

@@ -37,7 +37,7 @@ struct Pair {
 TEST_CASE("reference: its content, and tolerances that are rounded down to two digits") {
   const Scratch s;
   const std::string file = small_result(s, "a.h5");
-  const double scale = small_point(5).value[bristle::R_X], integrator = 10 * 3e-5 * scale;
+  const double scale = small_point(5).value[bristle::R_X], integrator = 10 * 1e-4 * scale;
   put(file, "R_x_err", {0, 1}, 5e-3);
   put(file, "R_x", {1, 1}, kNone);
   const Json r = reference_of(file);

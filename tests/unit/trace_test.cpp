@@ -59,7 +59,7 @@ TEST_CASE("a traced curve has at most the given number of nodes, including folds
 TEST_CASE("a traced curve ends although some of its nodes are incomplete, and marks their neighbours") {
   Setup limited = folded_setup();
   limited.parameters.k_r = 10;
-  limited.integrator.max_evaluations = 35'000;
+  limited.integrator.max_evaluations = 45'000;
   const auto curve = trace_curve(limited, {0.01, 0.02, 200}, make_runner(Engine::fast));
   CHECK(curve.size() <= 200);
   const auto count = [&](PointStatus status) {
