@@ -36,6 +36,8 @@ class CrossingFinder {
   LoadPoint run() {
     narrow(Accuracy::precise);
     move_to_earlier_crossings();
+    // The loads since may show that the load is not even there.
+    while (solution_ && !is_accepted(*solution_)) narrow(Accuracy::precise);
     if (!solution_) {
       // A jump, or the noise of the means: the reported loads decide.
       bracket_ = loads_.between(bracket_.near.z_0, bracket_.far.z_0, Accuracy::reported);
@@ -74,11 +76,13 @@ class CrossingFinder {
   }
 
   void take_solution() {
-    for (const GapLoad& end : {bracket_.near, bracket_.far}) {
-      const double distance = std::abs(end.excess);
-      if (distance <= loads_.allowed() || (distance <= kWide * loads_.allowed() && even_between(end.z_0)))
-        solution_ = end;
-    }
+    for (const GapLoad& end : {bracket_.near, bracket_.far})
+      if (is_accepted(end)) solution_ = end;
+  }
+
+  bool is_accepted(const GapLoad& at) const {
+    const double distance = std::abs(at.excess);
+    return distance <= loads_.allowed() || (distance <= kWide * loads_.allowed() && even_between(at.z_0));
   }
 
   // The nearest computed gaps on both sides of this one whose loads differ from its load beyond doubt, if the

@@ -130,6 +130,8 @@ class PointSolver {
   void move_to_target(PointResult& out, const std::array<double, 2>& between) {
     const double at = out.z_0, missing = loading_.R_n - out.value[R_N], load_error = out.error[R_N];
     const Secant a = secant(at, between[0]), b = secant(at, between[1]);
+    const ObservableArray &before = mean_at(between[0]).known().mean,
+                          &after = mean_at(between[1]).known().mean;
     const auto move = [&](double& value, double& error, double slope_a, double slope_b, double slope_error) {
       const double slope = (a.weight * slope_a + b.weight * slope_b) / (a.weight + b.weight);
       const double steepest = std::max(std::abs(slope_a), std::abs(slope_b));
@@ -139,7 +141,9 @@ class PointSolver {
     };
     for (std::size_t k = 0; k < OBSERVABLES; ++k) {
       if (k == R_N) continue;
+      const double least = std::min({out.value[k], before[k], after[k]});
       move(out.value[k], out.load_error[k], a.slope[k], b.slope[k], std::max(a.error[k], b.error[k]));
+      if (least >= 0) out.value[k] = std::max(out.value[k], 0.0);  // a share or a number
       out.load_error[k] =
           std::max(out.load_error[k], kLeastSensitivity * std::abs(out.value[k]) * load_error / loading_.R_n);
       out.error[k] += out.load_error[k];

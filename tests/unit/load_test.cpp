@@ -99,6 +99,23 @@ TEST_CASE("load control: wrong rough means during the scan do not change the pre
   }
 }
 
+TEST_CASE("load control: a load beside the target is accepted only where the curve is even") {
+  LoadSearch s;
+  s.first_contact = kContact;
+  s.target = 2;
+  for (const double steeper : {1.5, 5.0}) {  // slope beyond the target over that before it
+    CAPTURE(steeper);
+    const auto kinked = [&](double z_0) {
+      const double beyond = kContact - 0.5 - z_0;
+      return s.target + beyond * (beyond > 0 ? steeper : 1) + 0.3 * beyond * beyond * beyond;
+    };
+    const LoadPoint p = first_crossing([&](double z_0, Accuracy) { return Load{kinked(z_0), 1e-6}; }, s);
+    CHECK(p.status == LoadStatus::reached);
+    CHECK(p.even_between.has_value() == (steeper < 2));
+    CHECK(kinked(p.z_0) == Approx(s.target).epsilon(p.even_between ? 3e-3 : 1e-3));
+  }
+}
+
 TEST_CASE("load control: a hump next to a gap of the scan with a wrong rough mean is found") {
   // All rough means of the scan are too low, so the hump between the gaps of the scan is searched. The
   // precise mean at the gap before the hump then already reaches the target.
