@@ -266,7 +266,7 @@ EnsembleMean::Difference EnsembleMean::difference_to(const EnsembleMean& other) 
   Difference out;
   for (std::size_t k = 0; k < OBSERVABLES; ++k) {
     out.mean[k] = other.out_.mean[k] - out_.mean[k];
-    out.error[k] = std::hypot(other.out_.error[k], out_.error[k]);
+    out.error[k] = std::sqrt(other.out_.error[k] * other.out_.error[k] + out_.error[k] * out_.error[k]);
   }
   if (!quadrature_) return out;
   const auto common = quadrature_->difference_to(*other.quadrature_);

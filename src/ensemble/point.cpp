@@ -137,15 +137,16 @@ class PointSolver {
       const double steepest = std::max(std::abs(slope_a), std::abs(slope_b));
       const double spread = std::max(std::abs(slope_a - slope), std::abs(slope_b - slope));
       value += missing * slope;
-      error = std::abs(missing) * std::hypot(spread, slope_error) + steepest * load_error;
+      error =
+          std::abs(missing) * std::sqrt(spread * spread + slope_error * slope_error) + steepest * load_error;
     };
     for (std::size_t k = 0; k < OBSERVABLES; ++k) {
       if (k == R_N) continue;
       const double least = std::min({out.value[k], before[k], after[k]});
       move(out.value[k], out.load_error[k], a.slope[k], b.slope[k], std::max(a.error[k], b.error[k]));
       if (least >= 0) out.value[k] = std::max(out.value[k], 0.0);  // a share or a number
-      out.load_error[k] =
-          std::max(out.load_error[k], kLeastSensitivity * std::abs(out.value[k]) * load_error / loading_.R_n);
+      const double relative = (std::abs(missing) + load_error) / loading_.R_n;
+      out.load_error[k] = std::max(out.load_error[k], kLeastSensitivity * std::abs(out.value[k]) * relative);
       out.error[k] += out.load_error[k];
     }
     move(out.z_0, out.z_0_error, a.z_0_slope, b.z_0_slope, std::max(a.z_0_error, b.z_0_error));

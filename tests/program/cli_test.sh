@@ -60,7 +60,7 @@ expect 0 "warning: --set /model/k_r=3: /model/k_r: has no effect" "${brush[@]}" 
 expect 2 'NAME "a/b" is not allowed' in_folder "$folder/project" "$program" new a/b
 for place in alone/mine.json project/experiments/mine.json; do
   expect 0 "10 points" "$bristle" validate "$folder/$place"
-  expect 0 "10 ok" timeout 60 "$bristle" run "$folder/$place" -o "$folder/${place%%/*}.h5"
+  expect 0 "points: 9 ok, 1 ambiguous" timeout 60 "$bristle" run "$folder/$place" -o "$folder/${place%%/*}.h5"
 done
 # Progress on a terminal names the experiment and the stage.
 if script -qec true /dev/null >/dev/null 2>&1; then
@@ -171,7 +171,7 @@ cmp -s experiments/paper.json "$folder/mine.json" || failed "an experiment was r
 expect 0 "the same, bit for bit" "$bristle" diff "$folder/r.h5" "$folder/r.h5"
 expect 1 "only in $result" "$bristle" diff "$result" "$folder/r.h5"
 expect 1 "R_x_norm" "$bristle" diff "$folder/r.h5" "$folder/q.h5"
-expect 0 "within the tolerances" "$bristle" diff "$folder/r.h5" "$folder/q.h5" --rtol 0.5 --atol 0.01
+expect 0 "within the tolerances" "$bristle" diff "$folder/r.h5" "$folder/q.h5" --rtol 1 --atol 0.01
 expect 2 "--rtol -1" "$bristle" diff "$folder/r.h5" "$folder/r.h5" --rtol -1
 expect 2 "no such file" "$bristle" diff "$folder/r.h5" nowhere.h5
 

@@ -11,7 +11,7 @@ installed=$prefix/bin/bristle
 in_empty() { (cd "$empty" && env -i PATH="$prefix/bin:/usr/bin:/bin" HOME="$empty" "$@"); }
 
 # The paper's parameters and the references come with the program.
-echo '{"extends": "paper.json", "name": "mine", "model": {"k_r": 30}, "orientation": {"rtol": 0.02}}' >"$empty/mine.json"
+echo '{"extends": "paper.json", "name": "mine", "model": {"k_r": 12}, "orientation": {"rtol": 0.02}}' >"$empty/mine.json"
 expect 0 "1 ok" in_empty bristle run mine.json
 expect 0 "experiment mine" in_empty bristle info results/mine.h5
 expect 0 "fresh.json: written" in_empty bristle new fresh
