@@ -20,11 +20,10 @@ constexpr double kRoughFactor = 4;
 // whose bristles are pinned or chatter.
 constexpr double kForwardPanel = 0.35, kBackwardPanel = 0.175, kHeadOnPanel = 0.01;
 
-// Of the estimate of the integrator's error, if the usual one exceeds the tolerance.
-constexpr std::size_t kMoreEffort = 4;
+// If the usual estimate of the integrator's error exceeds kLargeError times the tolerance of a mean,
+// kMoreEffort times as many passages are repeated.
 constexpr double kLargeError = 4;
-
-double from_head_on(double theta_0) { return std::remainder(theta_0 - M_PI, 2 * M_PI); }
+constexpr std::size_t kMoreEffort = 4;
 
 bool too_wide(bool pole, double left, double right) {
   const double from = from_head_on(left), to = from_head_on(right);
@@ -45,9 +44,8 @@ std::vector<double> initial_edges(const Orientation& o, bool half_circle) {
     return edges;
   }
   // Bristles that point against the motion contribute most: they get their own panel.
-  const double head_on = M_PI / 6;
-  if (half_circle) return {0, M_PI - head_on, M_PI};
-  return {-M_PI, -M_PI + head_on, 0, M_PI - head_on, M_PI};
+  if (half_circle) return {0, M_PI - kHeadOn, M_PI};
+  return {-M_PI, -M_PI + kHeadOn, 0, M_PI - kHeadOn, M_PI};
 }
 
 // Where the tip crosses the pole, bristles that are nearly head-on differ from the one that is exactly
@@ -250,8 +248,8 @@ const Ensemble& EnsembleMean::with_integrator_error() {
         effort, checked_->passages);
   };
   estimate(1);
-  // One passage of few may be far more sensitive than the others.
-  const auto is_controlled = [&](Observable k) { return kObservables[k].controlled && k != R_Y; };
+  // Of the few repeated passages, one may be far more sensitive than the others.
+  const auto is_controlled = [](Observable k) { return kObservables[k].controlled && k != R_Y; };
   for (Observable k = 0; k < kObservables.size(); ++k)
     if (is_controlled(k) && more[k] > kLargeError * setup_.orientation.rtol * std::abs(checked_->mean[k])) {
       estimate(kMoreEffort);

@@ -9,13 +9,12 @@ namespace {
 constexpr double kTighter = 4;         // ratio of the tolerances
 constexpr long kMoreEvaluations = 10;  // allowed for them
 // Number of repeated passages of each class, all if there are fewer: of those that came near the pole, of
-// those that point against the motion, to within kHeadOn (rad), and of the others.
+// those that point against the motion, to within kHeadOn, and of the others.
 constexpr std::array<std::size_t, 3> kClasses = {12, 6, 6};
-constexpr double kHeadOn = M_PI / 6;
 
 std::size_t class_of(const Passage& p) {
   if (p.implicit || p.reflections > 0 || p.outcome == Outcome::pinned) return 0;
-  return std::abs(std::remainder(p.theta_0 - M_PI, 2 * M_PI)) < kHeadOn ? 1 : 2;
+  return std::abs(from_head_on(p.theta_0)) < kHeadOn ? 1 : 2;
 }
 
 // Systematic sampling: passages at equal distances of the cumulative weight. Their weights have the same sum.

@@ -36,8 +36,8 @@ class CrossingFinder {
   LoadPoint run() {
     narrow(Accuracy::precise);
     move_to_earlier_crossings();
-    // The loads since may show that the load is not even there.
-    while (solution_ && !is_accepted(*solution_)) narrow(Accuracy::precise);
+    // The loads that have been computed since may show that the load is not even there.
+    if (solution_ && !is_accepted(*solution_)) narrow(Accuracy::precise);
     if (!solution_) {
       // A jump, or the noise of the means: the reported loads decide.
       bracket_ = loads_.between(bracket_.near.z_0, bracket_.far.z_0, Accuracy::reported);

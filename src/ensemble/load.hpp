@@ -31,7 +31,7 @@ inline Words words<LoadPath>() {
 }
 
 enum class LoadStatus {
-  reached,      // R_n(z_0) = target within rtol or, if even_between has a value, within kWide times rtol
+  reached,      // R_n(z_0) = target within rtol, or 3 rtol if even_between has a value
   load_jump,    // R_n(z_0) jumps across the target; z_0 and R_n are those after the jump
   unreachable,  // R_n stays below the target down to the ground (loading) or above it up to contact
                 // (unloading)

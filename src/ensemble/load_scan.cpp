@@ -16,8 +16,8 @@ constexpr double kHumpBelow = 0.01, kHumpStep = 1. / 16;
 // kNear of the target, times the distance in steps.
 constexpr double kFinest = 1. / 8, kNear = 0.08;
 
-// Of two neighbouring gaps whose loads are below the target by this share of it, the scan skips the first
-// if a load before them is, too: between such gaps the load does not rise to the target (docs/numerics.md).
+// The scan skips a gap if the loads at the gap before it and at the gap after it are below the target by this
+// share of the target: between such gaps the load does not rise to the target (docs/numerics.md).
 constexpr double kFarBelow = 0.35;
 
 std::vector<double> scan_gaps(const LoadSearch& search) {

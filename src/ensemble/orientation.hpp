@@ -2,6 +2,7 @@
 
 #include "util/words.hpp"
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -59,5 +60,10 @@ double random_azimuth(const Orientation& orientation, std::uint64_t index);
 
 // Whether theta_0 -> -theta_0 leaves the distribution unchanged: then [0, pi] suffices and R_y = 0.
 bool mirror_symmetric(const Orientation& orientation);
+
+// The azimuth theta_0 relative to that of the bristle that points exactly against the motion: -pi to pi, rad.
+inline double from_head_on(double theta_0) { return std::remainder(theta_0 - M_PI, 2 * M_PI); }
+// Bristles within this of it contribute most to friction, rad.
+constexpr double kHeadOn = M_PI / 6;
 
 }  // namespace bristle
