@@ -64,10 +64,12 @@ std::vector<double> errors_of(const results::ResultReader& result, const std::st
   return errors;
 }
 
-// Rounded down to two digits, by its text: "1.2" and "e-05" of 1.2345e-05.
+// Rounded down to two digits, by its text: "1.2" and "e-05" of 1.2345e-05. At most the largest finite number,
+// as JSON has no infinity; 0 below the smallest normal one.
 double rounded_down(double x) {
-  if (!(x > 0)) return 0;
-  const std::string text = fmt::format("{:.17e}", x);
+  using Limits = std::numeric_limits<double>;
+  if (!(x >= Limits::min())) return 0;
+  const std::string text = fmt::format("{:.17e}", std::min(x, Limits::max()));
   return std::stod(text.substr(0, 3) + text.substr(text.find('e')));
 }
 

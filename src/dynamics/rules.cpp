@@ -1,8 +1,5 @@
 #include "dynamics/rules.hpp"
 
-#include <boost/math/tools/roots.hpp>
-#include <limits>
-
 namespace bristle {
 
 bool apply_pole_rule(const Parameters& p, OdeState& y) {
@@ -16,28 +13,6 @@ bool apply_pole_rule(const Parameters& p, OdeState& y) {
   }
   for (int i = 0; i < (has_pole(p.bending) ? 2 : 3); ++i) y[VX + i] -= 2 * inward / square * y[X + i];
   return true;
-}
-
-double first_root(const std::function<double(double)>& g, double a, double b, double tolerance) {
-  std::uintmax_t iterations = 100;
-  const double g_a = g(a), g_b = g(b);
-  if (g_a >= 0) return a;
-  if (g_b <= 0) return b;
-  const auto close = [tolerance](double l, double r) { return r - l <= tolerance; };
-  const auto bracket = boost::math::tools::toms748_solve(g, a, b, g_a, g_b, close, iterations);
-  return bracket.second;
-}
-
-double pole_contact(const std::function<OdeState(double)>& state_at, const Parameters& p, double a, double b,
-                    double tolerance) {
-  constexpr double never = std::numeric_limits<double>::infinity();
-  if (singular_product(p.bending, state_at(a)) >= 0) return never;
-  double nearest = b;
-  if (singular_product(p.bending, state_at(b)) > 0)
-    nearest = first_root([&](double t) { return singular_product(p.bending, state_at(t)); }, a, b, tolerance);
-  const auto inside = [&](double t) { return p.s_min - singular_distance(p.bending, state_at(t)); };
-  if (inside(nearest) < 0) return never;
-  return first_root(inside, a, nearest, tolerance);
 }
 
 }  // namespace bristle

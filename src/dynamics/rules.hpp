@@ -2,8 +2,9 @@
 
 #include "dynamics/passage.hpp"
 
+#include <boost/math/tools/roots.hpp>
 #include <cmath>
-#include <functional>
+#include <limits>
 
 namespace bristle {
 
@@ -43,12 +44,29 @@ inline Outcome outcome_at_exit(const Parameters& p, const OdeState& y) {
 bool apply_pole_rule(const Parameters& p, OdeState& y);
 
 // The root of g in [a, b], with g(a) < 0 <= g(b): the upper end of its bracket.
-double first_root(const std::function<double(double)>& g, double a, double b, double tolerance);
+template <class Function>
+double first_root(Function g, double a, double b, double tolerance) {
+  std::uintmax_t iterations = 100;
+  const double g_a = g(a), g_b = g(b);
+  if (g_a >= 0) return a;
+  if (g_b <= 0) return b;
+  const auto close = [tolerance](double l, double r) { return r - l <= tolerance; };
+  return boost::math::tools::toms748_solve(g, a, b, g_a, g_b, close, iterations).second;
+}
 
 // First time in [a, b] at which the tip, with the state state_at(time), is s_min from the pole, or a rod's
 // from its base; infinity if it is not. Searches up to the closest approach, so that a step across the pole
 // is not missed.
-double pole_contact(const std::function<OdeState(double)>& state_at, const Parameters& p, double a, double b,
-                    double tolerance);
+template <class StateAt>
+double pole_contact(StateAt state_at, const Parameters& p, double a, double b, double tolerance) {
+  constexpr double never = std::numeric_limits<double>::infinity();
+  if (singular_product(p.bending, state_at(a)) >= 0) return never;
+  double nearest = b;
+  if (singular_product(p.bending, state_at(b)) > 0)
+    nearest = first_root([&](double t) { return singular_product(p.bending, state_at(t)); }, a, b, tolerance);
+  const auto inside = [&](double t) { return p.s_min - singular_distance(p.bending, state_at(t)); };
+  if (inside(nearest) < 0) return never;
+  return first_root(inside, a, nearest, tolerance);
+}
 
 }  // namespace bristle

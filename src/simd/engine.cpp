@@ -157,7 +157,8 @@ class SimdEngine::LaneSet {
     if (may_reach_pole) pole = pole_contact(path, p, 0, 1, kFractionTolerance);
     const bool ends_at_pole = std::abs(singular_distance(p.bending, y_new) / s_min - 1) < kPoleTolerance;
     if (may_reach_pole && pole > 0.5 && ends_at_pole) pole = 1;
-    const auto slip = [&](double u) { return active.t + u * h - (path(u)[X] - active.x_0) - L_x; };
+    const Hermite x = path.coordinate(X);
+    const auto slip = [&](double u) { return active.t + u * h - (x.value(u) - active.x_0) - L_x; };
     if (may_exit) exit_at = slip(1) <= kSlipTolerance ? 1 : first_root(slip, 0, 1, kFractionTolerance);
     const double first = std::min(pole, exit_at);
     if (first < 1) {

@@ -22,12 +22,14 @@ class TipPath {
   OdeState operator()(double u) const {
     OdeState at{};
     for (const int c : {X, Y, Z}) {
-      const Hermite cubic(from_[c], to_[c], h_ * from_[VX + c], h_ * to_[VX + c]);
+      const Hermite cubic = coordinate(c);
       at[c] = cubic.value(u);
       at[VX + c] = cubic.slope(u) / h_;
     }
     return at;
   }
+  // X, Y or Z.
+  Hermite coordinate(int c) const { return {from_[c], to_[c], h_ * from_[VX + c], h_ * to_[VX + c]}; }
 
  private:
   const OdeState &from_, &to_;

@@ -35,6 +35,8 @@ class AdditiveStep {
   static constexpr bool kPolarDamper = Region::kImplicitPolarDamper;
   static constexpr bool kRodDampers = Region::kImplicitRodDampers;
   static constexpr std::bool_constant<!kRodDampers> kPole{};
+  // No force on a rod depends on its angles, which are not integrated.
+  static constexpr bool is_integrated(int c) { return !kRodDampers || (c != THETA && c != PHI); }
   static constexpr int kImplicit = kPolarDamper || kRodDampers ? 3 : 2;  // components of the velocity
 
   struct Work {
@@ -248,7 +250,9 @@ class AdditiveStep {
   static HWY_NOINLINE HWY_FLATTEN void predict(const Group& g, Work& w) {
     std::array<Lanes, kState> at;
     for (int c = 0; c < kState; ++c)
-      at[c] = g.y[c] + g.h * weighted_sum<I>(w.k, c, [](int j) { return Tableau::a[I][j]; });
+      at[c] = is_integrated(c)
+                  ? Lanes(g.y[c] + g.h * weighted_sum<I>(w.k, c, [](int j) { return Tableau::a[I][j]; }))
+                  : g.y[c];
     // The sum above weights the implicit parts of the slopes by a; they need the weights a_implicit.
     for (int i = 0; i < kImplicit; ++i)
       at[VX + i] += g.h * weighted_sum<I>(w.implicit, i,
@@ -259,6 +263,10 @@ class AdditiveStep {
   static HWY_NOINLINE HWY_FLATTEN void finish(Group& g, const Work& w) {
     ErrorNorm norm(g);
     for (int c = 0; c < COMPONENTS; ++c) {
+      if (!is_integrated(c)) {
+        g.y_new[c] = g.y[c];
+        continue;
+      }
       g.y_new[c] = g.y[c] + g.h * weighted_sum<S>(w.k, c, [](int j) { return Tableau::b[j]; });
       norm.add(c, g.h * weighted_sum<S>(w.k, c, [](int j) { return Tableau::error[j]; }));
     }

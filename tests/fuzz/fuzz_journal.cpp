@@ -14,7 +14,7 @@ void open_journal(const Scratch& s, const std::string& bytes) {
   s.write("fuzz.h5.journal", bytes);
   try {
     Journal journal(s.path("fuzz.h5.journal"), "0123abc", false);
-    journal.append("key", {{{"R_n", {2}}}, {}});
+    journal.append("key", {{{"R_n", {2}}}, {}, {}});
     require(journal.read("key").record.values.at("R_n").at(0) == 2);
   } catch (const InputError&) {
   }

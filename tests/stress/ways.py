@@ -3,6 +3,7 @@
 ways.py BRISTLE SECONDS SEED FOLDER
 """
 import json
+import math
 import pathlib
 import random
 import re
@@ -34,6 +35,8 @@ def draw():
     document = experiment(f"{seed}/{r.random()}")
     axis, values = r.choice([("mu_c", [0.5, 1, 2]), ("friction", ["nss", "coulomb"]), ("phi_0_deg", [70, 75, 80])])
     document["sweep"] = {axis: {"values": values}}
+    if axis == "phi_0_deg" and "z_0" in document["load"]:  # first contact is lower for the smallest angle
+        document["load"]["z_0"] = min(document["load"]["z_0"], math.sin(math.radians(min(values))))
     document["integrator"]["max_evaluations_per_point"] = 3_000_000  # a point that takes longer has no values
     document["record"] += r.sample(["bristles"], r.randint(0, 1))
     return document

@@ -62,6 +62,20 @@ TEST_CASE("reference: its content, and tolerances that are rounded down to two d
   CHECK(r["variables"]["jump_z_0"]["tolerance"] == 0.0);
 }
 
+TEST_CASE("reference: errors of any size give finite tolerances") {
+  const Scratch s;
+  const std::string file = small_result(s, "a.h5");
+  const auto tolerance_with = [&](double error) {
+    put(file, "R_x_err", {0, 1}, error);
+    return reference_of(file)["variables"]["R_x"]["tolerance"][0][1].get<double>();
+  };
+  CHECK(tolerance_with(1.5e308) == 1.7e308);
+  CHECK(tolerance_with(INFINITY) > 0);
+  for (std::size_t i = 0; i < 6; ++i) put(file, "R_x", {i / 3, i % 3}, 0);
+  CHECK(tolerance_with(5e-324) == 0);
+  CHECK(tolerance_with(1.23e-300) == 2.4e-300);
+}
+
 TEST_CASE("reference: a file that is read and written again is unchanged") {
   const Pair p;
   const std::string text = reference_text(p.reference);
