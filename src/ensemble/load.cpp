@@ -82,7 +82,8 @@ class CrossingFinder {
 
   bool is_accepted(const GapLoad& at) const {
     const double distance = std::abs(at.excess);
-    return distance <= loads_.allowed() || (distance <= kWide * loads_.allowed() && even_between(at.z_0));
+    return distance <= loads_.allowed() ||
+           (search_.by_secants && distance <= kWide * loads_.allowed() && even_between(at.z_0));
   }
 
   // The nearest computed gaps on both sides of this one whose loads differ from its load beyond doubt, if the
@@ -189,7 +190,7 @@ class CrossingFinder {
     out.z_0_near = scan_.near.z_0;
     out.z_0_far = scan_.far.z_0;
     out.ambiguous = by_noise_;
-    if (solution_) out.even_between = even_between(final.z_0);
+    if (solution_ && search_.by_secants) out.even_between = even_between(final.z_0);
     const double noise = bracket_.near.load.error + bracket_.far.load.error;
     const bool at_target = solution_ || bracket_.far.excess <= 2 * bracket_.far.load.error;
     const bool jumps = !at_target && bracket_.far.excess - bracket_.near.excess > 2 * noise;
@@ -207,6 +208,17 @@ class CrossingFinder {
   std::optional<GapLoad> solution_;  // within rtol of the target
   bool by_noise_ = false;            // no reported loads enclose the target
 };
+
+// The crossing as the scan has found it.
+LoadPoint within(const LoadBracket& bracket) {
+  const auto& [near, far] = bracket;
+  LoadPoint out;
+  out.status = LoadStatus::reached;
+  out.z_0 = near.z_0 + (far.z_0 - near.z_0) * near.excess / (near.excess - far.excess);
+  out.z_0_near = near.z_0;
+  out.z_0_far = far.z_0;
+  return out;
+}
 
 // The first gap before the crossing with a load that is below the target by no more than decides, if the load
 // falls again between that gap and the crossing.
@@ -228,11 +240,11 @@ std::optional<double> undecided_before(LoadsOnPath& loads, double crossing) {
 
 // The gap beyond the crossing at which the load is below the target beyond doubt, if before that gap it has
 // not been above it beyond doubt.
-std::optional<double> falls_beyond(LoadsOnPath& loads, const LoadPoint& crossing) {
+std::optional<double> falls_beyond(LoadsOnPath& loads, double crossing) {
   const double end =
       loads.search.path == LoadPath::loading ? loads.search.ground : loads.search.first_contact;
   const auto above = [&](const GapLoad& at) { return at.excess > loads.undecided(at); };
-  GapLoad last = loads.at(crossing.z_0, Accuracy::precise);
+  GapLoad last = loads.at(crossing, Accuracy::precise);
   while (!above(last) && loads.is_before(last.z_0, end)) {
     // The next gap: that of a load computed already, or an eighth of the scan's step further.
     double next = loads.beyond(last.z_0, loads.search.step / 8);
@@ -257,11 +269,12 @@ LoadPoint search_crossing(const LoadCurve& curve, const LoadSearch& search, bool
   LoadsOnPath loads(curve, search);
   const auto bracket = scan_for_crossing(loads);
   if (!bracket) return {};
-  LoadPoint out = CrossingFinder(loads, *bracket).run();
+  LoadPoint out = search.bracket_only ? within(*bracket) : CrossingFinder(loads, *bracket).run();
   if (!other) return out;
-  out.z_0_other = undecided_before(loads, out.z_0);
+  const double crossing = search.bracket_only ? bracket->far.z_0 : out.z_0;
+  out.z_0_other = undecided_before(loads, crossing);
   if (out.z_0_other) out.ambiguous = true;
-  else if (const auto fallen = falls_beyond(loads, out)) {
+  else if (const auto fallen = falls_beyond(loads, crossing)) {
     out.ambiguous = true;
     LoadSearch rest = search;
     (search.path == LoadPath::loading ? rest.first_contact : rest.ground) = *fallen;

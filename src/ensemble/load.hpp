@@ -48,6 +48,10 @@ struct LoadSearch {
   // Of the scan. Near the target it is an eighth of it; narrower humps of R_n(z_0) may be missed.
   double step = 0.05;
   double z_0_resolution = 1e-6;  // a crossing of the target within this is a jump
+  // Whether values at the target may follow from secants to other gaps.
+  bool by_secants = true;
+  // Whether the bracket of the scan suffices: z_0 then follows from its secant.
+  bool bracket_only = false;
 };
 
 struct LoadPoint {

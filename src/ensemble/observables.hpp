@@ -136,7 +136,8 @@ inline constexpr Observable R_N = observable("R_n"), R_X = observable("R_x"), R_
                             N_C_RATIO = observable("N_c_ratio"), GAMMA_1 = observable("gamma_1"),
                             GAMMA_2 = observable("gamma_2"), GAMMA_3 = observable("gamma_3"),
                             PINNED_FRACTION = observable("pinned_fraction"),
-                            ENERGY_RESIDUAL = observable("energy_residual");
+                            ENERGY_RESIDUAL = observable("energy_residual"),
+                            IMPACT_COUNT = observable("impacts");
 
 // After the rows: the contributions of the bristles that are not pinned, then those of the pinned ones, of
 // the rows that have them.

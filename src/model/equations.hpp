@@ -65,15 +65,19 @@ struct Place {
   T friction_limit;   // friction force where the modulation is 1, Eqs. (14, 15)
 };
 
+template <class T, class P>
+T friction_limit(const Bristle<P>& b, const WallForce<T>& wall) {
+  return b.friction_factor * with_law(b.friction, [&](auto law) -> T { return law.load(wall); });
+}
+
 template <class T, class P, class Pole>
 Place<T> place_at(const Bristle<P>& b, const Vector3<T>& position, Pole pole) {
   const WallForce<T> wall = wall_force(T(b.z_0 - position[2]), b.wall_root_peak, b.wall_root_rate);
-  const T load = with_law(b.friction, [&](auto law) -> T { return law.load(wall); });
   Place<T> place;
   place.frame = frame_at(position, pole);
   if (!pole) place.rod = rod_angles(b, position, place.frame.one_r);
   place.wall = wall;
-  place.friction_limit = b.friction_factor * load;
+  place.friction_limit = friction_limit(b, wall);
   return place;
 }
 
@@ -113,8 +117,8 @@ template <class T>
 using InPlane = std::array<T, 2>;
 
 template <class T>
-InPlane<T> friction_force(const Place<T>& place, const Sliding<T>& sliding) {
-  const T F_f = place.friction_limit * sliding.modulation;
+InPlane<T> friction_force(const T& limit, const Sliding<T>& sliding) {
+  const T F_f = limit * sliding.modulation;
   return {T(-F_f * sliding.e_x), T(-F_f * sliding.e_y)};
 }
 
@@ -171,7 +175,7 @@ Motion<T> motion(const Bristle<P>& b, const State<T>& state) {
   const bool pole = has_pole(b.bending);
   const Place<T> place = place_at(b, state.r, pole);
   const Sliding<T> sliding = sliding_at(b, state.v[0], state.v[1]);
-  return motion(b, state, place, sliding, friction_force(place, sliding), pole);
+  return motion(b, state, place, sliding, friction_force(place.friction_limit, sliding), pole);
 }
 
 // The azimuth's damper exerts the force -azimuth_damping() v_theta along e_theta, that of the polar angle

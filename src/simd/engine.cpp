@@ -196,19 +196,32 @@ class SimdEngine::LaneSet {
     const double interval = active.task.sample_interval, from = active.t, h = block_.t_new.lane[lane] - from;
     double next = block_.next_sample.lane[lane];
     if (interval == 0 || next > from + h) return;
-    OdeState y_new, slope, slope_new;
+    OdeState y_new;
     for (int c = 0; c < COMPONENTS; ++c) y_new[c] = block_.y_new[c].lane[lane];
-    derivative<double>(active.task.bristle, active.y, slope);
-    derivative<double>(active.task.bristle, y_new, slope_new);
+    const SlabForces before = slab_forces(active.task.bristle, active.y),
+                     after = slab_forces(active.task.bristle, y_new);
     while (next <= from + h) {
-      const auto at = [&](int c) {
-        const Hermite cubic(active.y[c], y_new[c], h * slope[c], h * slope_new[c]);
-        return cubic.value((next - from) / h);
+      const auto at = [&](int c, double slope, double slope_new) {
+        return Hermite(active.y[c], y_new[c], h * slope, h * slope_new).value((next - from) / h);
       };
-      active.samples.push_back({at(NORMAL), at(FRICTION_X), at(FRICTION_Y)});
+      active.samples.push_back({at(NORMAL, before.normal, after.normal),
+                                at(FRICTION_X, before.friction[0], after.friction[0]),
+                                at(FRICTION_Y, before.friction[1], after.friction[1])});
       next = double(active.samples.size() + 1) * interval;
     }
     block_.next_sample.lane[lane] = next;
+  }
+
+  struct SlabForces {
+    double normal;
+    InPlane<double> friction;
+  };
+  // The forces on the tip, with the modulation that the kernels use.
+  SlabForces slab_forces(const Bristle<double>& b, const OdeState& y) const {
+    const WallForce<double> wall = wall_force(b.z_0 - y[Z], b.wall_root_peak, b.wall_root_rate);
+    Sliding<double> sliding = relative_motion(y[VX], y[VY]);
+    sliding.modulation = modulation_->at(sliding.V_R);
+    return {wall.F_n, friction_force(friction_limit(b, wall), sliding)};
   }
 
   void accept_step(int lane, const OdeState& y_new) {

@@ -83,7 +83,7 @@ class AdditiveStep {
     set_sliding(g, w, w.velocity[0], w.velocity[1]);
     w.place = place_at(g.bristle, w.state.r, kPole);
     set_modulation(g, w);
-    w.friction = friction_force(w.place, w.sliding);
+    w.friction = friction_force(w.place.friction_limit, w.sliding);
     const Frame<Lanes>& f = w.place.frame;
     w.implicit[0] = {w.friction[0], w.friction[1]};
     if constexpr (kAzimuthDamper) {

@@ -216,6 +216,16 @@ TEST_CASE("a list of azimuths is averaged with equal weights") {
   CHECK(e.error[R_N] == 0);
 }
 
+TEST_CASE("the number of impacts over a list is uncertain by one impact of one bristle") {
+  Setup setup = paper(100);
+  setup.orientation.sampling = Sampling::list;
+  setup.orientation.theta_0 = {0.3, 1, 2, 3};
+  EnsembleMean mean(setup, 0.9, make_runner(Engine::fast));
+  const Ensemble& e = mean.with_integrator_error();
+  REQUIRE(e.mean[IMPACT_COUNT] > 0);
+  CHECK(e.error[IMPACT_COUNT] >= 0.25);
+}
+
 TEST_CASE("comparing with a target load needs fewer passages, which a later precise mean reuses") {
   const Setup setup = paper(50);
   EnsembleMean mean(setup, 0.62, make_runner(Engine::fast));

@@ -1,6 +1,7 @@
 // What every registered friction law has to fulfil.
 #include "catch.hpp"
 #include "model/friction/laws.hpp"
+#include "model/friction/table.hpp"
 #include "simd/runner.hpp"
 
 namespace bristle::friction_test {
@@ -36,6 +37,16 @@ TEST_CASE("every friction law: the modulation rises from zero to its static valu
     CHECK(highest < p.A + 1e-9);
     CHECK(modulation(p, 20 * p.V_s) == Approx(1).epsilon(0.05));
     CHECK(modulation(p, 1) == Approx(1).epsilon(0.01));
+  }
+}
+
+TEST_CASE("every friction law: the table has its modulation") {
+  for (int law = 0; law < int(FrictionLaw::count); ++law) {
+    const Parameters p = with_friction(law);
+    CAPTURE(word(p.friction));
+    const ModulationTable table(p.friction, make_bristle(p, 0.6, 0).friction_constants, p.V_s);
+    for (const double V_R : {0.0, 1e-6, 0.003, 0.01, 0.2, 1.0, 30.0, 1e20})
+      CHECK(table.at(V_R) == Approx(modulation(p, V_R)).margin(1e-9));
   }
 }
 

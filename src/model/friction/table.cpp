@@ -45,6 +45,14 @@ ModulationTable::ModulationTable(FrictionLaw law, const FrictionConstants<double
   }
 }
 
+double ModulationTable::at(double V_R) const {
+  const double t = V_R / (V_R + V_s_), scaled = t * intervals_;
+  const auto interval = std::ptrdiff_t(scaled <= intervals_ ? scaled : 0);  // 0: V_R is not finite
+  const double u = scaled - double(interval);
+  const double* c = coefficients_.data() + 4 * interval;
+  return t * (c[0] + u * (c[1] + u * (c[2] + u * c[3])));
+}
+
 // q(t), for 0 < t < 1.
 double ModulationTable::exact(double t) const {
   const double V_R = V_s_ * (t / (1 - t));

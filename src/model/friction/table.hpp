@@ -22,6 +22,8 @@ class ModulationTable {
   // Four coefficients per interval, in ascending powers of the position in the interval, from 0 to 1.
   const double* coefficients() const { return coefficients_.data(); }
 
+  double at(double V_R) const;  // the modulation
+
   bool serves(FrictionLaw law, const FrictionConstants<double>& constants, double V_s) const {
     return law == law_ && constants == constants_ && V_s == V_s_;
   }
