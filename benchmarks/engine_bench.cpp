@@ -200,11 +200,11 @@ Json scaling() {
   return out;
 }
 
-Json kernel() {
+Json kernel(Bending bending) {
 #if HWY_ARCH_X86
   const std::string target = best_kernels().target;
   if (target != "SCALAR")
-    return kernel_speed(best_kernels(), target == "AVX2" ? N_AVX2::kRates : N_AVX3::kRates);
+    return kernel_speed(best_kernels(), bending, target == "AVX2" ? N_AVX2::kRates : N_AVX3::kRates);
 #endif
   return nullptr;
 }
@@ -225,7 +225,7 @@ int main(int argc, char** argv) {
   app.add_flag("--quick", quick, "measure only the ratio to the reference engine");
   app.add_option("--per-lane", per_lane,
                  "with --quick: fail if the ratio is below this times the number of SIMD lanes");
-  app.add_flag("--kernel", kernel_only, "measure only the kernel far from the pole");
+  app.add_flag("--kernel", kernel_only, "measure only the kernels: far from the pole, and of rods");
   CLI11_PARSE(app, argc, argv);
   // On this sample the fast engine and Odeint have about equal errors at these tolerances.
   constexpr double rtol = 1e-5, odeint_rtol = 1e-4;
@@ -243,7 +243,7 @@ int main(int argc, char** argv) {
   Json out;
   out["processor"] = processor();
   out["instruction_set"] = best_kernels().target;
-  out["kernel"] = kernel();
+  out["kernel"] = {{"polar", kernel(Bending::polar)}, {"rod", kernel(Bending::rod)}};
   if (kernel_only) {
     fmt::print("{}\n", out.dump(1));
     return 0;

@@ -10,6 +10,7 @@
 #include <csignal>
 #include <map>
 #include <numeric>
+#include <utility>
 
 extern "C" const char __executable_start;  // defined by the linker
 
@@ -80,11 +81,14 @@ std::map<std::uintptr_t, long> instructions(const std::function<void()>& work) {
 
 }  // namespace
 
-nlohmann::ordered_json kernel_speed(const Kernels& kernels, const Rates& rates) {
-  const Bristles bristles(1024, 1.8);
+nlohmann::ordered_json kernel_speed(const Kernels& kernels, Bending bending, const Rates& rates) {
+  const Bristles bristles(1024, 1.8, bending);
   Kernels timed = kernels;
-  FullBlocks::steps = kernels.far_steps;
-  timed.far_steps = FullBlocks::run;
+  auto& steps_of_lanes = has_pole(bending) ? timed.far_steps : timed.rod_steps;
+  FullBlocks::times.clear();
+  FullBlocks::lane_steps.clear();
+  FullBlocks::kept.clear();
+  FullBlocks::steps = std::exchange(steps_of_lanes, FullBlocks::run);
   double one_cycle = cycle();
   for (int i = 0; i < kRepeats; ++i) {
     FullBlocks::call = 0;
@@ -101,12 +105,12 @@ nlohmann::ordered_json kernel_speed(const Kernels& kernels, const Rates& rates) 
   double steps = 0;
   for (Block block : FullBlocks::kept) {
     const auto before = block.lane_steps;
-    kernels.far_steps(block);
+    FullBlocks::steps(block);
     steps += double(block.lane_steps - before) / kernels.width;
   }
   nlohmann::ordered_json counts;
   for (const auto& [address, count] : instructions([&] {
-         for (Block block : FullBlocks::kept) kernels.far_steps(block);
+         for (Block block : FullBlocks::kept) FullBlocks::steps(block);
        }))
     counts[std::to_string(address)] = count;
   return {{"clock_GHz", 1e-9 / one_cycle},

@@ -7,8 +7,9 @@
 
 namespace bristle::bench {
 
-// Cycles per lane-step (one step of one lane) of the kernel far from the pole with all lanes full, the
-// throughputs of the processor, and how often each instruction was executed, by its address in the program.
-nlohmann::ordered_json kernel_speed(const Kernels& kernels, const Rates& rates);
+// Cycles per lane-step (one step of one lane) of the kernel far from the pole, or of that of rods, with all
+// lanes full, the throughputs of the processor, and how often each instruction was executed, by its address
+// in the program.
+nlohmann::ordered_json kernel_speed(const Kernels& kernels, Bending bending, const Rates& rates);
 
 }  // namespace bristle::bench

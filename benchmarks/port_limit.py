@@ -24,15 +24,10 @@ def disassembled(program):
             yield int(found.group(1), 16), function, found.group(2)
 
 
-def main():
-    with open(sys.argv[2], encoding="utf-8") as file:
-        kernel = json.load(file)["kernel"]
-    if not kernel or not kernel["instructions"]:
-        print("null")  # another kind of processor, or a system that does not allow it
-        return
+def with_limit(kernel, instructions):
     executed = kernel.pop("instructions")
     arithmetic, divisions, everything, phases = 0, 0, 0, {}
-    for address, function, mnemonic in disassembled(sys.argv[1]):
+    for address, function, mnemonic in instructions:
         count = executed.get(str(address), 0) / kernel["vector_steps"]
         everything += count
         if not count or not mnemonic.startswith("v") or MOVES.match(mnemonic):
@@ -42,10 +37,19 @@ def main():
         phase = re.search(r"::(?:run|(\w+))(?:<\d>)?\(", function).group(1) or "control"
         phases[phase] = phases.get(phase, 0) + count
     cycles = max(arithmetic * kernel["cycles_per_multiply_add"], divisions * kernel["cycles_per_division"])
-    kernel |= {"all_per_vector_step": everything, "arithmetic_per_vector_step": arithmetic,
-               "divisions_per_vector_step": divisions, "phases": phases,
-               "limit_cycles_per_lane_step": cycles / kernel["width"]}
-    print(json.dumps(kernel, indent=1))
+    return kernel | {"all_per_vector_step": everything, "arithmetic_per_vector_step": arithmetic,
+                     "divisions_per_vector_step": divisions, "phases": phases,
+                     "limit_cycles_per_lane_step": cycles / kernel["width"]}
+
+
+def main():
+    with open(sys.argv[2], encoding="utf-8") as file:
+        kernels = json.load(file)["kernel"]
+    if not all(kernel and kernel["instructions"] for kernel in kernels.values()):
+        print("null")  # another kind of processor, or a system that does not allow it
+        return
+    instructions = list(disassembled(sys.argv[1]))
+    print(json.dumps({bending: with_limit(kernel, instructions) for bending, kernel in kernels.items()}, indent=1))
 
 
 main()

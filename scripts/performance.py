@@ -74,10 +74,15 @@ def solver_table(peers):
     return table(["solver", f"ms per bristle at {AT:g}", "ratio to the fast engine"], *rows)
 
 
-def kernel_text(kernel):
+def times_limit(kernel):
+    return kernel["cycles_per_lane_step"] / kernel["limit_cycles_per_lane_step"]
+
+
+def kernel_text(kernels):
     """What the processor's instructions allow; empty where it could not be measured."""
-    if not kernel:
+    if not kernels:
         return ""
+    kernel, rod = kernels["polar"], kernels["rod"]
     total = sum(kernel["phases"].values())
     rows = [[what, f"{kernel['phases'].get(phase, 0) / total:.0%}", f"{share:.0f}%"]
             for phase, (what, share) in PHASES.items()]
@@ -88,8 +93,10 @@ def kernel_text(kernel):
 {kernel['cycles_per_division']:.1f} cycles (both measured in the same run). At these rates the arithmetic alone takes
 {kernel['limit_cycles_per_lane_step']:.0f} cycles per step of one lane. The kernel takes
 {kernel['cycles_per_lane_step']:.0f} cycles with all lanes full ({kernel['ns_per_lane_step']:.0f} ns at
-{kernel['clock_GHz']:.1f} GHz), {kernel['cycles_per_lane_step'] / kernel['limit_cycles_per_lane_step']:.2f} times this
-limit. The limit is not strict where a processor adds beside its multiply-adds.
+{kernel['clock_GHz']:.1f} GHz), {times_limit(kernel):.2f} times this
+limit. The limit is not strict where a processor adds beside its multiply-adds. The kernel of rods takes
+{rod['cycles_per_lane_step']:.0f} cycles, {times_limit(rod):.2f} times its limit of {rod['limit_cycles_per_lane_step']:.0f},
+with {rod['arithmetic_per_vector_step']:.0f} vector instructions of arithmetic of {rod['all_per_vector_step']:.0f}.
 
 The phases of a step, with their shares of the vector arithmetic in this run, and of the time as sampled on {SAMPLED}:
 
@@ -104,7 +111,7 @@ def evaluations(peer):
     return count, 1e6 * at_error(peer["curve"], "ms_per_bristle") / count
 
 
-def goal_text(peers, kernel):
+def goal_text(peers, kernels):
     """The distance to GOAL, and its reasons."""
     best = min((p for p in peers if not p["name"].startswith((*FAST_ENGINE, REFERENCE))), key=lambda p: p["ratio"])
     text = f"""The goal is {GOAL} times the speed of the fastest other solver at an error of {AT:g}. That solver is
@@ -112,8 +119,8 @@ def goal_text(peers, kernel):
     if best["ratio"] >= GOAL:
         return text + ": the goal is reached."
     text += f", so that a factor of {GOAL / best['ratio']:.1f} is missing. "
-    if kernel:
-        reach = best["ratio"] * kernel["cycles_per_lane_step"] / kernel["limit_cycles_per_lane_step"]
+    if kernels:
+        reach = best["ratio"] * times_limit(kernels["polar"])
         text += f"""A kernel at the limit above would be {reach:.0f} times as fast as that solver. """
     if best["curve"][0].get("evaluations"):
         (ours, our_ns), (theirs, their_ns) = evaluations(peers[0]), evaluations(best)
@@ -153,7 +160,7 @@ def purposes_text(purposes):
             "of the tolerance for the error.")
 
 
-def document(engine, kernel, peers, cases, purposes, figures):
+def document(engine, kernels, peers, cases, purposes, figures):
     everything = engine["all_kinds"]
     scaling = [[str(s["bristles"]), str(s["threads"]), f"{s['ms_per_bristle']:.3f}"] for s in engine["scaling"]]
     return f"""# Performance
@@ -184,7 +191,7 @@ engine {everything['ratio']:.1f} times as long. {everything['lane_utilisation']:
 
 ## What limits the speed
 
-{kernel_text(kernel)}{goal_text(peers, kernel)}
+{kernel_text(kernels)}{goal_text(peers, kernels)}
 
 ## Passages for an ensemble mean
 
@@ -216,7 +223,7 @@ def main():
     parser.add_argument("measured", help="directory with the JSON files of the benchmarks")
     parser.add_argument("-o", "--output", default="docs", help="directory of performance.md and images/")
     arguments = parser.parse_args()
-    engine, kernel, quadratures, scipy, figures = (
+    engine, kernels, quadratures, scipy, figures = (
         read_json(os.path.join(arguments.measured, f"{name}.json"), "`make bench` writes it")
         for name in ("engine", "kernel", "quadrature", "scipy", "figures"))
     cases = quadratures["cases"]
@@ -228,7 +235,7 @@ def main():
     save_figure(work_precision(peers), images, "work-precision", formats=("png",), bbox_inches="tight")
     save_figure(quadrature(cases), images, "quadrature", formats=("png",), bbox_inches="tight")
     path = os.path.join(arguments.output, "performance.md")
-    write_text(path, filled(document(engine, kernel, peers, cases, quadratures["purposes"], figures)))
+    write_text(path, filled(document(engine, kernels, peers, cases, quadratures["purposes"], figures)))
     print(path)
 
 

@@ -28,7 +28,7 @@ namespace bristle::run {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr double kSlowSeconds = 60, kSlowFactor = 10;
+constexpr double kSlowSeconds = 300, kSlowFactor = 10;
 // Enough points to keep the lanes full while most of the points wait for the last passages of a batch.
 constexpr std::size_t kMaxActivePoints = 24;
 
@@ -131,7 +131,7 @@ void Sweep::fail(std::exception_ptr error) {
   if (!error_) error_ = std::move(error);
 }
 
-// Reports each active point once that has taken longer than a minute and ten times the mean of the others.
+// Reports each active point once that has taken longer than five minutes and ten times the mean of the others.
 void Sweep::report_slow_points() {
   const auto seconds_since = [now = Clock::now()](Clock::time_point then) {
     return std::chrono::duration<double>(now - then).count();
