@@ -209,17 +209,6 @@ class CrossingFinder {
   bool by_noise_ = false;            // no reported loads enclose the target
 };
 
-// The crossing as the scan has found it.
-LoadPoint within(const LoadBracket& bracket) {
-  const auto& [near, far] = bracket;
-  LoadPoint out;
-  out.status = LoadStatus::reached;
-  out.z_0 = near.z_0 + (far.z_0 - near.z_0) * near.excess / (near.excess - far.excess);
-  out.z_0_near = near.z_0;
-  out.z_0_far = far.z_0;
-  return out;
-}
-
 // The first gap before the crossing with a load that is below the target by no more than decides, if the load
 // falls again between that gap and the crossing.
 std::optional<double> undecided_before(LoadsOnPath& loads, double crossing) {
@@ -269,12 +258,11 @@ LoadPoint search_crossing(const LoadCurve& curve, const LoadSearch& search, bool
   LoadsOnPath loads(curve, search);
   const auto bracket = scan_for_crossing(loads);
   if (!bracket) return {};
-  LoadPoint out = search.bracket_only ? within(*bracket) : CrossingFinder(loads, *bracket).run();
+  LoadPoint out = CrossingFinder(loads, *bracket).run();
   if (!other) return out;
-  const double crossing = search.bracket_only ? bracket->far.z_0 : out.z_0;
-  out.z_0_other = undecided_before(loads, crossing);
+  out.z_0_other = undecided_before(loads, out.z_0);
   if (out.z_0_other) out.ambiguous = true;
-  else if (const auto fallen = falls_beyond(loads, crossing)) {
+  else if (const auto fallen = falls_beyond(loads, out.z_0)) {
     out.ambiguous = true;
     LoadSearch rest = search;
     (search.path == LoadPath::loading ? rest.first_contact : rest.ground) = *fallen;

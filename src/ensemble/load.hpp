@@ -50,8 +50,6 @@ struct LoadSearch {
   double z_0_resolution = 1e-6;  // a crossing of the target within this is a jump
   // Whether values at the target may follow from secants to other gaps.
   bool by_secants = true;
-  // Whether the bracket of the scan suffices: z_0 then follows from its secant.
-  bool bracket_only = false;
 };
 
 struct LoadPoint {

@@ -66,8 +66,7 @@ class PointSolver {
     } catch (const WorkLimitReached&) {
       out = without_values(PointStatus::work_limit);
     }
-    if (setup_.orientation.sampling == Sampling::lattice && std::isfinite(out.value[R_N]))
-      out = lattice_values(out);
+    if (setup_.orientation.sampling == Sampling::lattice && std::isfinite(out.z_0)) out = lattice_values(out);
     out.start = start_of(setup_.parameters);
     out.passages = lattice_passages_;
     for (const auto& [z_0, mean] : means_) out.passages += mean.count();
@@ -86,7 +85,6 @@ class PointSolver {
     const LoadPoint found = search();
     if (found.status == LoadStatus::unreachable) return without_values(PointStatus::unreachable);
     if (found.status == LoadStatus::failed) return incomplete();
-    if (loading_.bracket_only) return bracketed(found);
     PointResult out = at_gap(found.z_0, found.status);
     if (out.status == PointStatus::incomplete) return out;
     if (found.status == LoadStatus::load_jump) {
@@ -104,13 +102,6 @@ class PointSolver {
       out.value_other = other.value;
       out.R_x_norm_other = other.R_x_norm;
     }
-    return out;
-  }
-
-  static PointResult bracketed(const LoadPoint& found) {
-    PointResult out = without_values(found.ambiguous ? PointStatus::ambiguous : PointStatus::ok);
-    out.z_0 = found.z_0;
-    out.z_0_error = std::abs(found.z_0_far - found.z_0_near);
     return out;
   }
 
@@ -197,7 +188,6 @@ class PointSolver {
     search.rtol = setup_.orientation.rtol;
     // The mean over a few azimuths need not be smooth over the gap.
     search.by_secants = setup_.orientation.sampling != Sampling::list;
-    search.bracket_only = loading_.bracket_only;
     search.first_contact = sin(setup_.parameters.phi_0);
     search.wall_range = setup_.parameters.lambda_z;
     return first_crossing([this](double z_0, Accuracy accuracy) { return load_at(z_0, accuracy); }, search);

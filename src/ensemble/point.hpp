@@ -24,7 +24,6 @@ struct Loading {
   std::optional<double> z_0;
   double R_n = 2;
   LoadPath path = LoadPath::loading;
-  bool bracket_only = false;  // the gap of the load within the bracket of the scan, and no values
   std::optional<Trace> trace{};
 };
 

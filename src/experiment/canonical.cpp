@@ -84,7 +84,6 @@ void add_loading(Text& out, const Loading& l) {
   } else {
     out.add("R_n", l.R_n);
     out.add("path", word(l.path));
-    if (l.bracket_only) out.add("bracket_only", true);
   }
 }
 

@@ -55,8 +55,6 @@ std::vector<Column> jump_columns(const Experiment& experiment) {
       {"after", "value of the axis after the jump", "", ""},
       {"z_0_before", "gap before the jump; NaN: no gap carries the load", R"(\tilde{z}_0)", ""},
       {"z_0_after", "gap after the jump; NaN: no gap carries the load", R"(\tilde{z}_0)", ""},
-      {"z_0_before_err", "error of z_0_before", "", ""},
-      {"z_0_after_err", "error of z_0_after", "", ""},
       {"from", "least value of the axis around the jump with an ambiguous gap, or before", "", ""},
       {"to", "greatest value of the axis around the jump with an ambiguous gap, or after", "", ""}};
   for (const experiment::Axis& axis : experiment.axes)

@@ -19,11 +19,6 @@ bool jumps(const Gap& a, const Gap& b) {
   return !(std::abs(a.z_0 - b.z_0) <= kLeastJump);  // also if one of them is NaN
 }
 
-// Whether the errors of the gaps decide.
-bool undecided(const Gap& a, const Gap& b) {
-  return a.known && b.known && std::abs(std::abs(a.z_0 - b.z_0) - kLeastJump) <= a.error + b.error;
-}
-
 constexpr int kMostHalvings = 20;
 
 // Part of the axis across which the gap jumps.
@@ -65,24 +60,6 @@ std::size_t line_of(const Experiment& experiment, std::size_t axis, std::size_t 
 // All computed points of a line of the sweep along the axis: by the value of the axis, whether undecided.
 using Line = std::map<double, bool>;
 
-// The gaps in the middle of the intervals, which are points of an experiment.
-std::vector<Gap> gaps_between(Experiment& experiment, const std::vector<Interval>& intervals,
-                              const std::vector<std::size_t>& points, const SolvePoints& solve) {
-  experiment.base.loading.bracket_only = true;
-  std::vector<Gap> found = solve(experiment, points);
-  experiment.base.loading.bracket_only = false;
-  std::vector<std::size_t> open, open_points;
-  for (std::size_t i = 0; i < intervals.size(); ++i)
-    if (undecided(intervals[i].at_low, found[i]) || undecided(found[i], intervals[i].at_high)) {
-      open.push_back(i);
-      open_points.push_back(points[i]);
-    }
-  if (open.empty()) return found;
-  const std::vector<Gap> exact = solve(experiment, open_points);
-  for (std::size_t k = 0; k < open.size(); ++k) found[open[k]] = exact[k];
-  return found;
-}
-
 // Halves the intervals. Returns the halves across which the gap jumps.
 // Adds the points between to their lines.
 std::vector<Interval> halve(const Experiment& experiment, std::size_t axis,
@@ -100,7 +77,7 @@ std::vector<Interval> halve(const Experiment& experiment, std::size_t axis,
     at[axis] = std::size_t(std::distance(middles.begin(), middles.find(interval.middle())));
     points.push_back(ravel(at, between.shape()));
   }
-  const std::vector<Gap> found = gaps_between(between, intervals, points, solve);
+  const std::vector<Gap> found = solve(between, points);
   std::vector<Interval> out;
   for (std::size_t i = 0; i < intervals.size(); ++i) {
     const Interval& whole = intervals[i];
@@ -129,9 +106,7 @@ std::pair<double, double> band_of(const Line& line, const Interval& jump) {
 Gap gap_of(const results::PointRecord& record) {
   const double z_0 = record.values.at("z_0").front();
   const auto status = PointStatus(int(record.values.at("status").front()));
-  const double error = record.values.at("z_0_err").front();
-  return {status == PointStatus::unreachable || std::isfinite(z_0), z_0, status == PointStatus::ambiguous,
-          std::isfinite(error) ? error : 0};
+  return {status == PointStatus::unreachable || std::isfinite(z_0), z_0, status == PointStatus::ambiguous};
 }
 
 results::Rows locate_jumps(const Experiment& experiment, const std::vector<Gap>& gaps,
@@ -155,8 +130,7 @@ results::Rows locate_jumps(const Experiment& experiment, const std::vector<Gap>&
   results::Rows rows(results::jump_columns(experiment).size() + 1);
   for (const Interval& i : located) {
     const auto [from, to] = band_of(lines.at(line_of(experiment, axis, i.point)), i);
-    std::vector<double> row = {double(i.point), i.low, i.high, i.at_low.z_0, i.at_high.z_0, i.at_low.error,
-                               i.at_high.error, from,  to};
+    std::vector<double> row = {double(i.point), i.low, i.high, i.at_low.z_0, i.at_high.z_0, from, to};
     const auto at = unravel(i.point, experiment.shape());
     for (std::size_t other = 0; other < at.size(); ++other)
       if (other != axis) row.push_back(experiment.axes[other].values[at[other]]);

@@ -12,7 +12,6 @@ struct Gap {
   bool known;              // false if the computation did not find it
   double z_0;              // in units of r0; NaN where no gap carries the load
   bool undecided = false;  // the point is ambiguous: within the errors the gap may be another one
-  double error = 0;        // of z_0
 };
 Gap gap_of(const results::PointRecord& record);
 
@@ -22,9 +21,8 @@ using SolvePoints = std::function<std::vector<Gap>(const Experiment&, const std:
 // Where the gap z_0 of a load jumps along the axis experiment.locate_jumps, found by bisection: the rows of
 // the table "jumps", with their points in ascending order. A jump lies within an interval of 2 % of the axis
 // value, its middle is thus within 1 %, across which z_0 changes by more than 0.1 (in units of r0) or a load
-// becomes unreachable. Of the points between, only the bracket of the scan is computed, unless it leaves open
-// whether the gap jumps. Its band reaches as far as the computed points beside it are ambiguous. Empty
-// without experiment.locate_jumps. gaps: of all points of the experiment, in order.
+// becomes unreachable. Its band reaches as far as the computed points beside it are ambiguous. Empty without
+// experiment.locate_jumps. gaps: of all points of the experiment, in order.
 results::Rows locate_jumps(const Experiment& experiment, const std::vector<Gap>& gaps,
                            const SolvePoints& solve);
 

@@ -40,7 +40,7 @@ TEST_CASE("jumps of the gap are located within 1 percent, each on its line of th
   const auto place = [](double k_theta) { return 11 + k_theta; };
   const auto [rows, solved] =
       located(e, [&](double k_r, double k_theta) { return gap(k_r < place(k_theta) ? 0.1 : 0.6); });
-  REQUIRE(rows.size() == 10);
+  REQUIRE(rows.size() == 8);
   CHECK(rows[0] == std::vector<double>{0, 1, 2});
   for (std::size_t i = 0; i < 3; ++i) {
     const double k_theta = e.axes[1].values[i];
@@ -90,41 +90,19 @@ TEST_CASE("the band of a jump reaches as far as the points beside it are ambiguo
     return run::Gap{true, k_r < 14 ? 0.1 : 0.6, k_r > 9 && k_r < 14.5};
   });
   REQUIRE(rows[0].size() == 1);
-  CHECK(rows[7][0] == 10);
-  CHECK(rows[8][0] > 14);
-  CHECK(rows[8][0] < 14.5);
+  CHECK(rows[5][0] == 10);
+  CHECK(rows[6][0] > 14);
+  CHECK(rows[6][0] < 14.5);
   const auto [sharp, more] = located(e, [](double k_r, double) { return gap(k_r < 14 ? 0.1 : 0.6); });
-  CHECK(sharp[7] == sharp[1]);
-  CHECK(sharp[8] == sharp[2]);
-}
-
-TEST_CASE("a point between is solved if the bracket of the scan leaves open whether the gap jumps") {
-  const Scratch s;
-  const Experiment e = sharded(s, kAlong, R"("k_r": {"values": [5, 20]}, "k_theta": {"values": [1]})");
-  std::size_t solved = 0;
-  // From 0.1 to 0.205 at k_r = 12: a jump, which a bracket 0.03 wide does not show.
-  const auto solve = [&](const Experiment& between, const std::vector<std::size_t>& points) {
-    const bool bracket = between.base.loading.bracket_only;
-    if (!bracket) solved += points.size();
-    return gaps(between, points, [bracket](double k_r, double) {
-      return run::Gap{true, k_r < 12 ? 0.1 : bracket ? 0.19 : 0.205, false, bracket ? 0.03 : 1e-4};
-    });
-  };
-  const auto law = [](double k_r, double) { return run::Gap{true, k_r < 12 ? 0.1 : 0.205, false, 1e-4}; };
-  const Rows rows = run::locate_jumps(e, gaps(e, {0, 1}, law), solve);
-  REQUIRE(rows[0].size() == 1);
-  CHECK(rows[1][0] <= 12);
-  CHECK(rows[2][0] >= 12);
-  CHECK(rows[4][0] == 0.205);
-  CHECK(rows[6][0] == 1e-4);
-  CHECK(solved > 0);
+  CHECK(sharp[5] == sharp[1]);
+  CHECK(sharp[6] == sharp[2]);
 }
 
 TEST_CASE("a continuous gap has no jump") {
   const Scratch s;
   const Experiment e = sharded(s, kAlong);
   const auto [rows, solved] = located(e, [](double k_r, double) { return gap(0.4 * std::log(k_r)); });
-  CHECK(rows == Rows(10));
+  CHECK(rows == Rows(8));
   CHECK(solved == 3 * (1 + 2 + 4));  // 0.55, halved until less than 0.1
 }
 
@@ -144,7 +122,7 @@ TEST_CASE("a point whose gap was not found is no side of a jump") {
   const auto [rows, solved] = located(e, [](double k_r, double) {
     return k_r > 10 ? run::Gap{false, NAN} : gap(0.1);
   });
-  CHECK(rows == Rows(10));
+  CHECK(rows == Rows(8));
   CHECK(solved == 0);
 }
 

@@ -2,7 +2,6 @@
 
 #include "catch.hpp"
 #include <cmath>
-#include <utility>
 
 namespace bristle::load_test {
 
@@ -114,31 +113,6 @@ TEST_CASE("load control: a load beside the target is accepted only where the cur
     CHECK(p.status == LoadStatus::reached);
     CHECK(p.even_between.has_value() == (steeper < 2));
     CHECK(kinked(p.z_0) == Approx(s.target).epsilon(p.even_between ? 3e-3 : 1e-3));
-  }
-}
-
-TEST_CASE("load control: by the bracket of the scan only, the crossing lies within it") {
-  for (const auto path : {LoadPath::loading, LoadPath::unloading}) {
-    LoadSearch s;
-    s.target = 1.2;
-    s.path = path;
-    s.first_contact = kContact;
-    int computed = 0;
-    const LoadCurve curve = [&](double z_0, Accuracy) {
-      ++computed;
-      return Load{folded(z_0), 1e-6};
-    };
-    const double exact = first_crossing(curve, s).z_0;
-    const int all = std::exchange(computed, 0);
-    s.bracket_only = true;
-    const LoadPoint p = first_crossing(curve, s);
-    CHECK(computed < all);
-    CHECK(p.status == LoadStatus::reached);
-    CHECK(!p.ambiguous);
-    CHECK(std::min(p.z_0_near, p.z_0_far) <= exact);
-    CHECK(exact <= std::max(p.z_0_near, p.z_0_far));
-    CHECK(std::abs(p.z_0 - exact) < std::abs(p.z_0_near - p.z_0_far) / 2);
-    CHECK(std::abs(p.z_0_near - p.z_0_far) <= s.step * 1.001);
   }
 }
 
