@@ -43,13 +43,21 @@ package: build ## a Debian package of the program: dist/bristle_<version>_<archi
 	@ls dist/bristle_*.deb
 
 $(FIGURES) $(STUDIES): %: build
+	@$(MAKE) --no-print-directory compute-$*
+	@$(MAKE) --no-print-directory draw-$*
+
+.PHONY: $(addprefix compute-,$(FIGURES) $(STUDIES)) $(addprefix draw-,$(FIGURES) $(STUDIES))
+$(addprefix compute-,$(FIGURES) $(STUDIES)): compute-%:
 	@test -e results/$*$(SUFFIX).h5 || echo "Computing $*, $(if $(SUFFIX),some seconds,about a minute) on two cores ..."
 	$(BUILD)/bristle run experiments/$*.json --tier $(TIER) -o results/$*$(SUFFIX).h5
+
+$(addprefix draw-,$(FIGURES) $(STUDIES)): draw-%:
 	@scripts/plot $* results/$*$(SUFFIX).h5 -o figures$(SUFFIX)
 	@echo "The paper's claims (docs/claims.md), and deviations from the reference (CONTRIBUTING.md):"
 	@$(BUILD)/bristle check --report-only results/$*$(SUFFIX).h5
 
-figures: $(FIGURES) ## make all figures
+figures: build ## make all figures
+	@scripts/overlapped "$(MAKE) --no-print-directory" $(FIGURES)
 
 # The images of the documents have fewer pixels than those in figures/.
 IMAGES := $(filter $(FIGURES) $(STUDIES),$(basename $(notdir $(wildcard docs/images/*.png))))
