@@ -160,6 +160,23 @@ def purposes_text(purposes):
             "of the tolerance for the error.")
 
 
+def expectations(figures):
+    """What a user waits for."""
+    cpu, wall = (sum(figure[key] for figure in figures) for key in ("cpu_seconds", "seconds"))
+    dearest = max(figures, key=lambda figure: figure["cpu_seconds"])
+    per_point = 1e3 * dearest["cpu_seconds"] / dearest["points"]
+    return f"""All figures below take {cpu:.0f} s of processor time together, {wall:.0f} s on {os.cpu_count()} cores;
+drawing adds a few seconds each. A point of the dearest one, {dearest['figure']}, takes {per_point:.0f} ms of a core.
+
+- Time is proportional to the number of points, and shorter in proportion to the number of cores.
+- A second run computes only the points that no result or journal in the folder has.
+- Stiff bristles that bounce often, gaps near a jump, and bristles pinned at the pole take longest: some points take
+  fifty times as long as others. `run` names a point that takes longer than five minutes.
+- `--tier smoke` takes seconds. A larger `orientation.rtol` saves little: ten times the tolerance saves 4 % of the
+  passages of Figure 4's smoke tier, as most panels of azimuths are as wide as they may be.
+- Processors without AVX-512 take about twice as long (the rows of AVX2 and AVX3 below)."""
+
+
 def document(engine, kernels, peers, cases, purposes, figures):
     everything = engine["all_kinds"]
     scaling = [[str(s["bristles"]), str(s["threads"]), f"{s['ms_per_bristle']:.3f}"] for s in engine["scaling"]]
@@ -168,6 +185,17 @@ def document(engine, kernels, peers, cases, purposes, figures):
 Written by `make bench` from one run on one machine: {engine['processor']}, {os.cpu_count()} cores,
 instruction set {engine['instruction_set']} (Highway's names: AVX3 is AVX-512, eight numbers in a
 vector). Ratios are medians of pairs in that run; times are for orientation.
+
+## What to expect
+
+{expectations(figures)}
+
+Every point is computed anew. The times of fig4 to fig7 include the location of jumps, whose passages
+are not counted here.
+
+{figure_table(figures)}
+
+The rest of this page is for developers.
 
 ## Solvers at equal error
 
@@ -208,13 +236,6 @@ Relative error, the larger of R_n and R_x, compared with a mean of tolerance 3e-
 {table(["bristles", "threads", "ms per bristle"], *scaling)}
 
 A few bristles do not fill the SIMD lanes; a sweep therefore works on several points per thread.
-
-## Figures, full tier
-
-Every point is computed anew, on {os.cpu_count()} cores.
-The times of fig4 to fig7 include the location of jumps, whose passages are not counted here.
-
-{figure_table(figures)}
 """
 
 
