@@ -7,6 +7,7 @@
 #include <boost/math/tools/roots.hpp>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace bristle {
@@ -15,7 +16,7 @@ namespace {
 constexpr int kFirstIntervals = 24;
 constexpr double kSmallLoad = 0.1;      // R_n below which the resolution is absolute
 constexpr int kSearchSteps = 10;        // of the search for a fold or a landing
-constexpr long kReservedNodes = 48;     // for these searches
+constexpr long kReservedNodes = 12;     // for the results of these searches
 constexpr double kMinFoldDepth = 0.25;  // in units of the resolution; shallower folds are ignored
 
 class Tracer {
@@ -68,15 +69,23 @@ class Tracer {
     run_all(gaps, [this](double z_0, const PassageRunner& run) { nodes_[z_0] = solve(z_0, run); });
   }
 
-  // R_n at a gap; computes the node if it does not exist.
-  double load(double z_0, const PassageRunner& run) {
-    if (nodes_.find(z_0) == nodes_.end()) {
-      ++pending_;
-      const PointResult node = solve(z_0, run);
-      --pending_;
-      nodes_[z_0] = node;
-    }
-    return load(z_0);
+  // R_n at a gap, for a search near this load: only its result becomes a node. Adds to passages.
+  double searched_load(double z_0, double near, const PassageRunner& run, long& passages) const {
+    if (const auto node = nodes_.find(z_0); node != nodes_.end()) return node->second.value[R_N];
+    EnsembleMean mean(setup_, z_0, run);
+    const Ensemble& e = mean.precise_load(near);
+    passages += e.passages;
+    return e.incomplete == 0 ? e.mean[R_N] : std::numeric_limits<double>::quiet_NaN();
+  }
+
+  // Adds the node that a search has found.
+  void add_found(double z_0, const PassageRunner& run, long passages) {
+    if (nodes_.contains(z_0) || !has_room_for(1)) return;
+    ++pending_;
+    PointResult node = solve(z_0, run);
+    --pending_;
+    node.passages += passages;
+    nodes_[z_0] = node;
   }
   double load(double z_0) const { return nodes_.at(z_0).value[R_N]; }
   double error(double z_0) const { return nodes_.at(z_0).error[R_N]; }
@@ -150,14 +159,16 @@ class Tracer {
     return out;
   }
 
-  // Adds nodes near the extreme of R_n between the neighbours of the fold.
+  // Adds a node at the extreme of R_n between the neighbours of the fold.
   void refine_fold(const Fold& fold, const PassageRunner& run) {
     const auto [low, high] = std::minmax(fold.before, fold.after);
-    const auto negated_load = [&](double z_0) {
-      return has_room_for(1) ? -fold.sign * load(z_0, run) : INFINITY;
-    };
+    const double top = load(fold.at);
+    long passages = 0;
+    const auto negated_load = [&](double z_0) { return -fold.sign * searched_load(z_0, top, run, passages); };
     std::uintmax_t iterations = kSearchSteps;
-    boost::math::tools::brent_find_minima(negated_load, low, high, 12, iterations);
+    const auto [extreme, value] =
+        boost::math::tools::brent_find_minima(negated_load, low, high, 12, iterations);
+    add_found(extreme, run, passages);
   }
 
   // Intervals in which the slab lands after a jump from one of the folds.
@@ -180,15 +191,19 @@ class Tracer {
     return out;
   }
 
-  // Adds nodes near the gap with the load of the fold.
+  // Adds nodes on both sides of the gap with the load of the fold.
   void refine_landing(const Landing& landing, const PassageRunner& run) {
-    const auto computable = [&](double z_0) { return nodes_.contains(z_0) || has_room_for(1); };
-    // The value 0 ends the search.
-    const auto excess = [&](double z_0) { return computable(z_0) ? load(z_0, run) - landing.load : 0; };
+    long passages = 0;
+    const auto excess = [&](double z_0) {
+      return searched_load(z_0, landing.load, run, passages) - landing.load;
+    };
     const auto [low, high] = std::minmax(landing.near, landing.far);
     const auto close = [](double a, double b) { return b - a < kClosest; };
     std::uintmax_t iterations = kSearchSteps;
-    boost::math::tools::toms748_solve(excess, low, high, excess(low), excess(high), close, iterations);
+    const auto [a, b] =
+        boost::math::tools::toms748_solve(excess, low, high, excess(low), excess(high), close, iterations);
+    add_found(a, run, passages);
+    add_found(b, run, 0);
   }
 
   std::vector<CurveNode> nodes_with_branches() {
