@@ -48,7 +48,7 @@ $(FIGURES) $(STUDIES): %: build
 
 .PHONY: $(addprefix compute-,$(FIGURES) $(STUDIES)) $(addprefix draw-,$(FIGURES) $(STUDIES))
 $(addprefix compute-,$(FIGURES) $(STUDIES)): compute-%:
-	@test -e results/$*$(SUFFIX).h5 || echo "Computing $*, $(if $(SUFFIX),some seconds,about a minute) on two cores ..."
+	@test -e results/$*$(SUFFIX).h5 || echo "Computing $*, $(if $(SUFFIX),some seconds,some minutes) on two cores ..."
 	$(BUILD)/bristle run experiments/$*.json --tier $(TIER) -o results/$*$(SUFFIX).h5
 
 $(addprefix draw-,$(FIGURES) $(STUDIES)): draw-%:
@@ -72,12 +72,12 @@ findings: figures hysteresis ## all figures; docs/findings.md, each claim with i
 # The matrices, of which the next two targets draw the pages.
 .PHONY: assumptions-matrix inference-matrix
 assumptions-matrix: build
-	@test -e results/assumptions.json || echo "Computing the claims under other assumptions, half an hour on two cores ..."
+	@test -e results/assumptions.json || echo "Computing the claims under other assumptions, more than an hour on two cores ..."
 	$(BUILD)/bristle assumptions
 
 # The same machinery on joint sets of choices.
 inference-matrix: build
-	@test -e results/inference.json || echo "Computing joint sets of choices, about a quarter of an hour on two cores ..."
+	@test -e results/inference.json || echo "Computing joint sets of choices, more than half an hour on two cores ..."
 	$(BUILD)/bristle assumptions experiments/inference/*.json --only fig3,fig3a,fig4,fig5,fig6,fig7,fig8,fig8c -o results/inference.json
 
 assumptions: assumptions-matrix ## every claim under every alternative to what the paper leaves open: docs/assumptions.md
