@@ -69,7 +69,8 @@ class Tracer {
     run_all(gaps, [this](double z_0, const PassageRunner& run) { nodes_[z_0] = solve(z_0, run); });
   }
 
-  // R_n at a gap, for a search near this load: only its result becomes a node. Adds to passages.
+  // R_n at a gap where it is about `near`, without making a node there. NaN if it cannot be computed. Adds
+  // the number of computed passages to `passages`.
   double searched_load(double z_0, double near, const PassageRunner& run, long& passages) const {
     if (const auto node = nodes_.find(z_0); node != nodes_.end()) return node->second.value[R_N];
     EnsembleMean mean(setup_, z_0, run);

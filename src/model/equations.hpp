@@ -62,9 +62,10 @@ struct Place {
   Frame<T> frame;
   RodAngles<T> rod;   // of a rod only
   WallForce<T> wall;  // normal force, Eq. (3), and its power 2/3
-  T friction_limit;   // friction force where the modulation is 1, Eqs. (14, 15)
+  T friction_limit;   // friction_limit()
 };
 
+// Friction force where the modulation is 1, Eqs. (14, 15).
 template <class T, class P>
 T friction_limit(const Bristle<P>& b, const WallForce<T>& wall) {
   return b.friction_factor * with_law(b.friction, [&](auto law) -> T { return law.load(wall); });
@@ -112,7 +113,7 @@ Sliding<T> sliding_at(const Bristle<P>& b, const T& v_x, const T& v_y) {
   return s;
 }
 
-// Friction force on the tip, in the plane of the slab.
+// Friction force on the tip, in the plane of the slab; limit is friction_limit().
 template <class T>
 using InPlane = std::array<T, 2>;
 

@@ -131,7 +131,8 @@ void Sweep::fail(std::exception_ptr error) {
   if (!error_) error_ = std::move(error);
 }
 
-// Reports each active point once that has taken longer than five minutes and ten times the mean of the others.
+// Reports each active point once that has taken longer than five minutes and ten times the mean of the
+// others.
 void Sweep::report_slow_points() {
   const auto seconds_since = [now = Clock::now()](Clock::time_point then) {
     return std::chrono::duration<double>(now - then).count();
