@@ -92,7 +92,8 @@ h5::Handle ResultReader::open_numbers(const std::string& name) const {
   return h5::is_text(dataset) ? h5::open_dataset(file_, code_variable(name)) : std::move(dataset);
 }
 
-Variable ResultReader::variable(const std::string& name) const {
+const Variable& ResultReader::variable(const std::string& name) const {
+  if (const auto found = read_.find(name); found != read_.end()) return found->second;
   if (!h5::exists(file_, name) || h5::is_group(file_, name))
     throw InputError(
         fmt::format("{}: there is no variable {}{}", path_, name, did_you_mean(name, variables())));
@@ -107,7 +108,7 @@ Variable ResultReader::variable(const std::string& name) const {
   }
   out.values.resize(size);
   h5::read_part(dataset, H5T_NATIVE_DOUBLE, h5::Shape(shape.size(), 0), shape, out.values.data());
-  return out;
+  return read_[name] = std::move(out);
 }
 
 std::vector<std::string> ResultReader::flag_meanings(const std::string& name) const {

@@ -36,7 +36,8 @@ class ResultReader {
   hid_t file() const { return file_; }
   std::vector<std::string> variables() const;  // datasets of the root, without the codes of axes
   // For the axis of a choice, variable() and flag_meanings() give codes and words as for other flags.
-  Variable variable(const std::string& name) const;
+  // Each is read from the file once.
+  const Variable& variable(const std::string& name) const;
   // Meanings of the values 0, 1, ... of a flag variable; empty for other variables.
   std::vector<std::string> flag_meanings(const std::string& name) const;
   bool has(const std::string& name) const;  // a dataset or group
@@ -59,6 +60,7 @@ class ResultReader {
   std::string path_;
   std::vector<std::string> damage_;
   h5::Handle file_;
+  mutable std::map<std::string, Variable> read_;
 };
 
 // The files that a run may replace: results of any version.
