@@ -94,8 +94,9 @@ def page(scores):
     rows = []
     for rank, i in enumerate(order[:BEST], 1):
         verdicts = scores.verdicts[i, windows[i]]
-        rows.append([str(rank), scores.sets[i], scores.windows[windows[i]], f"{score[i][0]}, {score[i][1]}",
-                     claims_with(scores, verdicts, "refuted"), claims_with(scores, verdicts, "undecided")])
+        window = scores.windows[windows[i]].replace("k_r ", "").replace("k_theta ", "")
+        refuted, undecided = (claims_with(scores, verdicts, word).replace(",", "") for word in ("refuted", "undecided"))
+        rows.append([str(rank), scores.sets[i], window, f"{score[i][0]}, {score[i][1]}", refuted, undecided])
     return f"""# Inference: what the authors may have computed
 
 Written by `make inference`. **This is an inference and no test.** The paper leaves choices open, and
@@ -116,9 +117,10 @@ undecided than those of a continuous distribution: this favours the sets with 18
 
 {scores.digest}## Ranking
 
-The best {BEST} sets, with the numbers of claims and of further checks that are supported.
+The best {BEST} sets, each in its best window of k_r and k_theta, with the numbers of claims and of further checks
+that are supported.
 
-{table(["", "set", "best window", "supported", "refuted", "undecided"], *rows)}
+{table(["", "set", "window", "supported", "refuted", "undecided"], *rows)}
 
 ![All sets and claims](images/inference.png)
 
