@@ -46,8 +46,7 @@ Field read(const results::ResultReader& result, const std::string& name) {
   const results::Variable v = result.variable(name);
   Field field{v.dimensions, v.shape, v.values, std::vector<double>(v.values.size(), 0),
               std::vector<bool>(v.values.size(), true)};
-  if (result.has(name + "_err"))
-    field.errors = values_of(result, name + "_err", field.values.size());
+  if (result.has(name + "_err")) field.errors = values_of(result, name + "_err", field.values.size());
   return field;
 }
 

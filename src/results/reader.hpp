@@ -36,7 +36,7 @@ class ResultReader {
   hid_t file() const { return file_; }
   std::vector<std::string> variables() const;  // datasets of the root, without the codes of axes
   // For the axis of a choice, variable() and flag_meanings() give codes and words as for other flags.
-  // Each is read from the file once.
+  // variable() reads each dataset from the file once; the reference is valid as long as this reader.
   const Variable& variable(const std::string& name) const;
   // Meanings of the values 0, 1, ... of a flag variable; empty for other variables.
   std::vector<std::string> flag_meanings(const std::string& name) const;
@@ -60,7 +60,7 @@ class ResultReader {
   std::string path_;
   std::vector<std::string> damage_;
   h5::Handle file_;
-  mutable std::map<std::string, Variable> read_;
+  mutable std::map<std::string, Variable> read_;  // by name: what variable() has read
 };
 
 // The files that a run may replace: results of any version.
