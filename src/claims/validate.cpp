@@ -20,7 +20,11 @@ class CheckValidator {
       : experiment_(experiment), check_(check) {
     for (const results::ResultVariable& v : results::result_variables(experiment))
       variables_.push_back(v.name);
-    for (const experiment::Axis& axis : experiment.axes) axes_.push_back(results::axis_variable(axis.name));
+    for (const experiment::Axis& axis : experiment.axes) {
+      axes_.push_back(results::axis_variable(axis.name));
+      for (const experiment::Axis& column : axis.columns)
+        variables_.push_back(results::axis_variable(column.name));
+    }
     if (experiment.base.loading.trace) axes_.emplace_back("node");
   }
 
@@ -96,7 +100,7 @@ class CheckValidator {
   }
 
   static bool on_axis(const experiment::Axis& axis, const experiment::Selection& value) {
-    const experiment::Sweepable& sweepable = *experiment::find_sweepable(axis.name);
+    const experiment::Sweepable& sweepable = axis.quantity();
     return std::any_of(axis.values.begin(), axis.values.end(), [&](double x) {
       if (const Range* range = std::get_if<Range>(&value))
         return x >= (*range)[0] - 1e-9 * std::abs(x) && x <= (*range)[1] + 1e-9 * std::abs(x);
@@ -108,7 +112,7 @@ class CheckValidator {
 
   static std::string axis_text(const experiment::Axis& axis) {
     std::vector<std::string> texts;
-    for (const double x : axis.values) texts.push_back(experiment::find_sweepable(axis.name)->text(x));
+    for (const double x : axis.values) texts.push_back(axis.quantity().text(x));
     return fmt::format("{}", fmt::join(texts, ", "));
   }
 

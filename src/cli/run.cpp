@@ -31,7 +31,10 @@ Experiment load_checked(const ExperimentOptions& options) {
 
 // The words of a choice; otherwise the number of values and the ends of their range.
 std::string range_text(const experiment::Axis& axis) {
-  const experiment::Sweepable& sweepable = *experiment::find_sweepable(axis.name);
+  const experiment::Sweepable& sweepable = axis.quantity();
+  std::vector<std::string> columns;
+  for (const experiment::Axis& column : axis.columns) columns.push_back(column.name);
+  if (!columns.empty()) return fmt::format("{} of {}", axis.values.size(), fmt::join(columns, ", "));
   if (sweepable.options.empty())
     return fmt::format("{} from {:.6g} to {:.6g}", axis.values.size(), axis.values.front(),
                        axis.values.back());

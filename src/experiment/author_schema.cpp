@@ -69,8 +69,8 @@ Json number_axis(Json value) {
 }
 
 // The axes that a sweep may have, by their names.
-Json sweep(const Json& take) {
-  Json axes = Json::object();
+Json sweep(const Json& take, const Json& sample) {
+  Json axes = {{"sample", sample}};
   for (const Sweepable& s : sweepables()) {
     Json keys = s.options.empty() ? number_axis(parameter_schema(s.name))
                                   : Json{{"values", list_of({{"enum", s.options}})}};
@@ -111,7 +111,7 @@ Json author_schema(const std::vector<std::string>& predicates) {
   const std::vector<std::string> required = schema["required"];
   Json& keys = schema["properties"];
   add_defaults(keys["model"]["properties"]);
-  keys["sweep"] = sweep(parsed["definitions"]["axis"]["properties"]["take"]);
+  keys["sweep"] = sweep(parsed["definitions"]["take"], keys["sweep"]["properties"]["sample"]);
   Json definitions = Json::object(), tier = Json::object(), file = Json::object();
   file["$schema"] = {{"type", "string"}, {"description", "this schema, for editors; the program ignores it"}};
   file["extends"] = {{"type", "string"},

@@ -1,5 +1,6 @@
 #include "experiment/experiment.hpp"
 
+#include "experiment/sample.hpp"
 #include "experiment/schema.hpp"
 #include "model/elementary.hpp"
 #include "util/error.hpp"
@@ -20,24 +21,14 @@ class AxisReader {
       : document_(document), at_(JsonPointer("/sweep") / name), name_(name), json_(document.json().at(at_)) {}
 
   Axis read() {
-    sweepable_ = find_sweepable(name_);
-    if (!sweepable_) {
-      std::vector<std::string> known;
-      for (const Sweepable& s : sweepables()) known.push_back(s.name);
-      fail(at_, fmt::format("{} cannot be swept{}; allowed: {}", name_, did_you_mean(name_, known),
-                            fmt::join(known, ", ")));
-    }
+    sweepable_ = &require_sweepable(document_, at_, name_);
     if (!sweepable_->options.empty()) return {name_, choices()};
     Axis axis{name_, all_values()};
     for (std::size_t i = 1; i < axis.values.size(); ++i)
       if (!(axis.values[i] > axis.values[i - 1]))
         fail(at_,
              fmt::format("the values must ascend, but {} follows {}", axis.values[i], axis.values[i - 1]));
-    // The values ascend, so that the limits hold for all if they hold for the first and the last.
-    for (const double value : {axis.values.front(), axis.values.back()})
-      check_parameter(document_, at_, name_, value);
-    const auto fraction = std::ranges::find_if(axis.values, [](double v) { return v != std::floor(v); });
-    if (fraction != axis.values.end()) check_parameter(document_, at_, name_, *fraction);
+    check_values(document_, name_, axis.values, [&](std::size_t) { return at_; });
     if (json_.contains("take")) axis.values = values_at_taken_indices(axis.values);
     return axis;
   }
@@ -76,12 +67,7 @@ class AxisReader {
                             fmt::join(options, ", ")));
     std::vector<double> indices;
     for (const Json& value : json_["values"]) {
-      const std::string word = value.is_string() ? value.get<std::string>() : shown(value);
-      const auto found = std::find(options.begin(), options.end(), word);
-      if (found == options.end())
-        fail(at_ / "values", fmt::format("{} is not known{}; allowed: {}", shown(value),
-                                         did_you_mean(word, options), fmt::join(options, ", ")));
-      const auto index = double(found - options.begin());
+      const double index = option_index(document_, at_ / "values", *sweepable_, value);
       if (std::count(indices.begin(), indices.end(), index))
         fail(at_ / "values", fmt::format("{} appears twice", shown(value)));
       indices.push_back(index);
@@ -137,7 +123,10 @@ std::vector<Axis> read_axes(const Document& document) {
   if (!document.json().contains("sweep")) return axes;
   double points = 1;
   for (const auto& [name, json] : document.json()["sweep"].items()) {
-    axes.push_back(AxisReader(document, name).read());
+    axes.push_back(name == kSample ? read_sample(document) : AxisReader(document, name).read());
+    for (const Axis& column : axes.back().columns)
+      if (document.json()["sweep"].contains(column.name))
+        document.fail("/sweep/sample", column.name + " is varied by another axis, too; remove one of them");
     points *= double(axes.back().values.size());
     if (points > kMaxPoints) {
       document.fail("/sweep",

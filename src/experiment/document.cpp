@@ -1,5 +1,6 @@
 #include "experiment/document.hpp"
 
+#include "experiment/sample.hpp"
 #include "model/parameters.hpp"
 #include "util/data.hpp"
 #include "util/error.hpp"
@@ -82,6 +83,7 @@ void collect(const std::string& path, const fs::path& root, std::vector<std::str
   }
   content.erase("extends");
   content.erase("$schema");  // for editors
+  include_tables(content, fs::path(path).parent_path().string());
   out.push_back({path, std::make_shared<const Json>(std::move(content))});
 }
 
@@ -116,7 +118,10 @@ Document::Change parse_set(const std::string& argument) {
     if (pointer.empty()) fail("the JSON pointer is empty");
     if (argument.starts_with("/tiers"))
       fail("would have no effect, because the tier has been applied; set the value itself");
-    return {"--set " + argument, tokens_of(pointer), std::make_shared<const Json>(std::move(value))};
+    Json change;
+    change[pointer] = std::move(value);
+    include_tables(change, "");
+    return {"--set " + argument, tokens_of(pointer), std::make_shared<const Json>(change[pointer])};
   } catch (const Json::exception& e) {
     fail(json_error(e.what()));
   }

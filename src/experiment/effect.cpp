@@ -30,6 +30,20 @@ std::vector<double> effective_input(const PointInput& point) {
   return out;
 }
 
+// The experiment with an axis for each column of the sample, from the least to the greatest value.
+Experiment without_sample(const Experiment& e) {
+  Experiment out = e;
+  out.axes.clear();
+  for (const Axis& axis : e.axes) {
+    if (axis.columns.empty()) out.axes.push_back(axis);
+    for (const Axis& column : axis.columns) {
+      const auto [least, greatest] = std::ranges::minmax(column.values);
+      out.axes.push_back({column.name, {least, greatest}});
+    }
+  }
+  return out;
+}
+
 // The experiment with only the first and the last value of this axis, all words of choices, and the first
 // value of each other axis.
 Experiment ends_of(const Experiment& e, std::size_t axis) {
@@ -37,7 +51,7 @@ Experiment ends_of(const Experiment& e, std::size_t axis) {
   for (std::size_t d = 0; d < out.axes.size(); ++d) {
     std::vector<double>& values = out.axes[d].values;
     if (d == axis) values = {values.front(), values.back()};
-    else if (find_sweepable(out.axes[d].name)->options.empty()) values.resize(1);
+    else if (out.axes[d].quantity().options.empty()) values.resize(1);
   }
   // The axis varies fastest, so that its two values are neighbours.
   std::rotate(out.axes.begin() + long(axis), out.axes.begin() + long(axis) + 1, out.axes.end());
@@ -46,7 +60,8 @@ Experiment ends_of(const Experiment& e, std::size_t axis) {
 
 }  // namespace
 
-std::vector<std::string> axes_without_effect(const Experiment& experiment) {
+std::vector<std::string> axes_without_effect(const Experiment& with_sample) {
+  const Experiment experiment = without_sample(with_sample);
   std::vector<std::string> out;
   for (std::size_t axis = 0; axis < experiment.axes.size(); ++axis) {
     if (experiment.axes[axis].values.size() < 2) continue;

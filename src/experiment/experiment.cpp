@@ -1,6 +1,7 @@
 #include "experiment/experiment.hpp"
 
 #include "ensemble/lattice.hpp"
+#include "experiment/sample.hpp"
 #include "experiment/schema.hpp"
 #include "experiment/si_units.hpp"
 #include "model/elementary.hpp"
@@ -174,9 +175,10 @@ void apply_nominal_friction(PointInput& point) {
 std::string read_jump_axis(const Document& d, const Experiment& e) {
   std::string name = d.json().value("locate_jumps", "");
   if (name.empty()) return name;
-  if (!e.swept(name) || !find_sweepable(name)->options.empty())
+  const auto axis = std::ranges::find(e.axes, name, &Axis::name);
+  if (axis == e.axes.end() || !axis->quantity().options.empty() || !axis->columns.empty())
     d.fail("/locate_jumps",
-           fmt::format("\"{}\" is not a number that the sweep varies; allowed: a number in /sweep", name));
+           fmt::format("\"{}\" is not a number with an axis in the sweep; allowed: a number in /sweep", name));
   if (e.base.loading.z_0 || e.base.loading.trace)
     d.fail("/locate_jumps", "needs a load R_n: at a given gap, and along a traced curve, no gap jumps");
   return name;
@@ -186,7 +188,8 @@ std::string read_jump_axis(const Document& d, const Experiment& e) {
 Experiment along(const Experiment& e, const std::vector<std::string>& axes) {
   Experiment out = e;
   for (Axis& axis : out.axes)
-    if (std::ranges::find(axes, axis.name) == axes.end()) axis.values.resize(1);
+    if (std::ranges::none_of(axes, [&](const std::string& name) { return experiment::swept({axis}, name); }))
+      axis.keep_first();
   return out;
 }
 
@@ -260,11 +263,11 @@ std::vector<Check> read_all_checks(const Document& d, const Experiment& e) {
   if (!json.contains("checks_for_each")) return checks;
   const std::string name = json["checks_for_each"];
   const auto axis = std::ranges::find(e.axes, name, &Axis::name);
-  if (axis == e.axes.end() || find_sweepable(name)->options.empty())
+  if (axis == e.axes.end() || axis->quantity().options.empty())
     d.fail("/checks_for_each",
            fmt::format("\"{}\" is not a choice that the sweep varies; allowed: a choice in /sweep", name));
   std::vector<std::string> words;
-  for (const double value : axis->values) words.push_back(find_sweepable(name)->text(value));
+  for (const double value : axis->values) words.push_back(axis->quantity().text(value));
   return for_each_reading(checks, name, words);
 }
 
@@ -302,11 +305,12 @@ Experiment read(const Document& d) {
   check_chi(d, e);
   e.warnings = si_warnings(d, e);
   for (const std::string& name : axes_without_effect(e)) {
-    const JsonPointer at = JsonPointer("/sweep") / name;
-    e.warnings.push_back(
-        fmt::format("{}: {}: has no effect with these choices of friction, load and "
-                    "orientation: all points along this axis are the same",
-                    d.origin(at), at.to_string()));
+    const bool is_axis = std::ranges::find(e.axes, name, &Axis::name) != e.axes.end();
+    const JsonPointer at = JsonPointer("/sweep") / (is_axis ? name : kSample);
+    e.warnings.push_back(fmt::format(
+        "{}: {}: {} has no effect with these choices of friction, load and orientation: points that differ "
+        "in it alone are the same",
+        d.origin(at), at.to_string(), name));
   }
   return e;
 }
@@ -314,7 +318,22 @@ Experiment read(const Document& d) {
 }  // namespace
 
 bool swept(const std::vector<Axis>& axes, const std::string& name) {
-  return std::any_of(axes.begin(), axes.end(), [&](const Axis& a) { return a.name == name; });
+  return std::ranges::any_of(axes, [&](const Axis& a) { return a.name == name || swept(a.columns, name); });
+}
+
+const Sweepable& Axis::quantity() const {
+  static const Sweepable sample = {kSample, kSample, "number of the point in the sample", "1", {}, {}};
+  return columns.empty() ? *find_sweepable(name) : sample;
+}
+
+void Axis::set(PointInput& point, std::size_t index) const {
+  if (columns.empty()) quantity().set(point, values[index]);
+  for (const Axis& column : columns) column.set(point, index);
+}
+
+void Axis::keep_first() {
+  values.resize(1);
+  for (Axis& column : columns) column.keep_first();
 }
 
 std::size_t Experiment::points() const { return grid_size(shape()); }
@@ -336,16 +355,15 @@ std::string Experiment::place(std::size_t index) const {
   std::string out;
   for (std::size_t d = 0; d < at.size(); ++d)
     out += fmt::format("{}{} = {}", d > 0 ? ", " : "", axes[d].name,
-                       find_sweepable(axes[d].name)->text(axes[d].values[at[d]]));
+                       axes[d].quantity().text(axes[d].values[at[d]]));
   return out.empty() ? "the only point" : out;
 }
 
 PointInput Experiment::point(std::size_t index) const {
   PointInput point = base;
   for (auto axis = axes.rbegin(); axis != axes.rend(); ++axis) {
-    const double value = axis->values[index % axis->values.size()];
+    axis->set(point, index % axis->values.size());
     index /= axis->values.size();
-    find_sweepable(axis->name)->set(point, value);
   }
   apply_si_units(point);
   apply_nominal_friction(point);

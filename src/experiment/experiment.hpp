@@ -11,12 +11,20 @@
 namespace bristle::experiment {
 
 // One dimension of a sweep: the name of a Sweepable, and its ascending values or, for a choice, the indices
-// of its options.
+// of its options. The axis "sample" has the numbers of its points as values, and a column for each quantity
+// that they vary together, with a value for each point in any order.
 struct Axis {
   std::string name;
   std::vector<double> values;
+  std::vector<Axis> columns{};
+
+  const Sweepable& quantity() const;
+  // Assigns the value, or those of all columns, at this index.
+  void set(PointInput& point, std::size_t index) const;
+  void keep_first();  // value only
 };
 
+// Whether an axis, or a column of the sample, varies this quantity.
 bool swept(const std::vector<Axis>& axes, const std::string& name);
 
 // A validated experiment in dimensionless form.

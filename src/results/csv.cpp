@@ -64,6 +64,9 @@ void add_coordinates(const ResultReader& result, const std::string& group, const
     std::vector<std::size_t> indices;
     for (std::size_t i = 0; i < like.values.size(); ++i) indices.push_back(unravel(i, like.shape)[d]);
     columns.push_back(at(axis, indices));
+    if (name == "sample")
+      for (const std::string& quantity : result.sample_columns())
+        columns.push_back(at(column_of(result, quantity), indices));
   }
 }
 
@@ -118,8 +121,10 @@ std::vector<CsvColumn> csv_columns(const ResultReader& result, const std::string
     throw InputError(fmt::format("{}: damaged: the rows of {} and the axes are inconsistent", result.path(),
                                  group.empty() ? "the variables" : group));
   }
+  const auto sample = result.sample_columns();
   for (const std::string& path : paths)
-    if (const Variable v = result.variable(path); v.shape == like.shape && v.dimensions == like.dimensions)
+    if (std::ranges::find(sample, path) != sample.end()) continue;
+    else if (const Variable v = result.variable(path); v.shape == like.shape && v.dimensions == like.dimensions)
       columns.push_back(column_of(result, path));
   drop_absent(columns);
   return columns;

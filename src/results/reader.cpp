@@ -215,6 +215,18 @@ std::vector<std::string> ResultReader::axes() const {
   return names;
 }
 
+std::vector<std::string> ResultReader::sample_columns() const {
+  std::vector<std::string> names;
+  const JsonPointer table("/sweep/sample/table/columns"), distributions("/sweep/sample/over");
+  const Json document = experiment();
+  if (document.contains(table))
+    for (const std::string name : document[table]) names.push_back(axis_variable(name));
+  else if (document.contains(distributions))
+    for (const auto& [name, distribution] : document[distributions].items())
+      names.push_back(axis_variable(name));
+  return names;
+}
+
 std::vector<std::size_t> ResultReader::sweep_shape() const {
   std::vector<std::size_t> shape;
   for (const std::string& axis : axes()) shape.push_back(variable(axis).values.size());

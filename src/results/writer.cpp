@@ -30,11 +30,12 @@ ResultWriter::ResultWriter(const Experiment& experiment, const std::string& path
 namespace {
 
 Column axis_column(const experiment::Axis& axis) {
-  const experiment::Sweepable& what = *experiment::find_sweepable(axis.name);
+  const experiment::Sweepable& what = axis.quantity();
   return {.name = axis_variable(axis.name),
           .long_name = what.description,
           .symbol = what.symbol,
           .equation = "",
+          .type = axis.columns.empty() ? H5T_NATIVE_DOUBLE : H5T_NATIVE_LONG,
           .units = what.units};
 }
 
@@ -44,7 +45,7 @@ Column code_column(const experiment::Axis& axis) {
           "",
           "",
           H5T_NATIVE_SCHAR,
-          experiment::find_sweepable(axis.name)->options};
+          axis.quantity().options};
 }
 
 }  // namespace
@@ -59,15 +60,18 @@ std::vector<Column> jump_columns(const Experiment& experiment) {
       {"to", "greatest value of the axis around the jump with an ambiguous gap, or after", "", ""}};
   for (const experiment::Axis& axis : experiment.axes)
     if (axis.name != experiment.locate_jumps)
-      columns.push_back(experiment::find_sweepable(axis.name)->options.empty() ? axis_column(axis)
-                                                                               : code_column(axis));
+      columns.push_back(axis.quantity().options.empty() ? axis_column(axis) : code_column(axis));
   return columns;
 }
 
 void ResultWriter::create_axis(const experiment::Axis& axis) {
-  const experiment::Sweepable& what = *experiment::find_sweepable(axis.name);
+  const experiment::Sweepable& what = axis.quantity();
   const Column scale = axis_column(axis);
-  if (what.options.empty()) return create_scale(scale, axis.values);
+  if (what.options.empty()) {
+    create_scale(scale, axis.values);
+    if (!axis.columns.empty()) create_sample(axis);
+    return;
+  }
   // The dimension scale contains the words, so that programs select by them. The codes are a variable over
   // it.
   std::vector<std::string> words;
@@ -78,6 +82,21 @@ void ResultWriter::create_axis(const experiment::Axis& axis) {
   const h5::Handle codes = create_column(file_, code_column(axis), {words.size()});
   h5::write_part(codes, H5T_NATIVE_DOUBLE, {0}, {words.size()}, axis.values.data());
   h5::attach_scale(codes, axes_.back(), 0);
+}
+
+// The quantities that the sample varies, as variables over it.
+void ResultWriter::create_sample(const experiment::Axis& axis) {
+  std::vector<std::string> names;
+  for (const experiment::Axis& column : axis.columns) {
+    Column variable = axis_column(column);
+    variable.flags = column.quantity().options;
+    if (!variable.flags.empty()) variable.type = H5T_NATIVE_SCHAR;
+    const h5::Handle dataset = create_column(file_, variable, {axis.values.size()});
+    h5::write_part(dataset, H5T_NATIVE_DOUBLE, {0}, {axis.values.size()}, column.values.data());
+    h5::attach_scale(dataset, axes_.back(), 0);
+    names.push_back(variable.name);
+  }
+  h5::write_attribute(file_, "coordinates", fmt::format("{}", fmt::join(names, " ")));
 }
 
 void ResultWriter::create_scale(const Column& column, const std::vector<double>& values) {

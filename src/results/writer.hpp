@@ -34,6 +34,7 @@ class ResultWriter {
 
  private:
   void create_axis(const experiment::Axis& axis);
+  void create_sample(const experiment::Axis& axis);
   void create_scale(const Column& column, const std::vector<double>& values);
   void add_scale(h5::Handle dataset, const std::string& name);
   void create_variables();

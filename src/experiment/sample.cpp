@@ -1,0 +1,258 @@
+#include "experiment/sample.hpp"
+
+#include "experiment/schema.hpp"
+#include "util/error.hpp"
+#include "util/file.hpp"
+#include "util/sobol.hpp"
+#include "util/text.hpp"
+
+#include <boost/math/distributions/normal.hpp>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <sstream>
+
+namespace bristle::experiment {
+namespace fs = std::filesystem;
+namespace {
+
+// The number that the text is, or else the text.
+Json cell_value(const std::string& text) {
+  double number = 0;
+  const char* end = text.data() + text.size();
+  const auto parsed = std::from_chars(text.data(), end, number);
+  return parsed.ec == std::errc() && parsed.ptr == end ? Json(number) : Json(text);
+}
+
+std::string trimmed(const std::string& text) {
+  const auto first = text.find_first_not_of(" \t\r\""), last = text.find_last_not_of(" \t\r\"");
+  return first == std::string::npos ? "" : text.substr(first, last - first + 1);
+}
+
+// The cells of a line of comma-separated values. Numbers and words contain no commas.
+std::vector<std::string> cells_of(const std::string& line) {
+  std::vector<std::string> cells(1);
+  for (const char c : line)
+    if (c == ',') cells.emplace_back();
+    else cells.back() += c;
+  for (std::string& cell : cells) cell = trimmed(cell);
+  return cells;
+}
+
+// A table from comma-separated values: the first line names the columns. Empty lines and lines that begin
+// with # are left out.
+Json read_table(const std::string& path) {
+  const auto fail = [&](std::size_t line, const std::string& what) {
+    throw InputError(fmt::format("{}: line {}: {}", path, line, what));
+  };
+  std::string text = read_file(path, kMaxJsonBytes);
+  if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);  // byte order mark
+  std::istringstream lines(text);
+  Json table = {{"columns", Json::array()}, {"rows", Json::array()}};
+  std::vector<std::string> names;
+  std::size_t number = 0;
+  for (std::string line; std::getline(lines, line);) {
+    ++number;
+    if (trimmed(line).empty() || trimmed(line).front() == '#') continue;
+    const std::vector<std::string> cells = cells_of(line);
+    if (names.empty()) {
+      names = cells;
+      continue;
+    }
+    if (cells.size() != names.size())
+      fail(number, fmt::format("has {} cells, and the table has {} columns: {}", cells.size(), names.size(),
+                               fmt::join(names, ", ")));
+    Json row = Json::array();
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      if (cells[i].empty())
+        fail(number, fmt::format("the cell of {} is empty; give it a value, or remove the row", names[i]));
+      row.push_back(cell_value(cells[i]));
+    }
+    table["rows"].push_back(row);
+  }
+  if (table["rows"].empty())
+    throw InputError(fmt::format("{}: has no rows; a table needs a line with the names of its columns, such "
+                                 "as k_r,tau_f, and one line for each point",
+                                 path));
+  for (const std::string& name : names) table["columns"].push_back(printable(name));
+  return table;
+}
+
+void include_table(Json& experiment, const JsonPointer& sample, const std::string& folder) {
+  if (!experiment.contains(sample) || !experiment[sample].is_object()) return;
+  if (Json& axis = experiment[sample]; axis.contains("table") && axis["table"].is_string())
+    axis["table"] = read_table((fs::path(folder) / axis["table"].get<std::string>()).string());
+}
+
+// Rounded to seven digits. Quantiles differ between libraries of elementary functions in the last bit, and
+// must not: points are known by their values. Tables of samples are easier to read, too.
+double rounded(double value) { return std::stod(fmt::format("{:.7g}", value)); }
+
+class SampleReader {
+ public:
+  explicit SampleReader(const Document& document)
+      : document_(document), at_("/sweep/sample"), json_(document.json().at(at_)) {}
+
+  Axis read() const {
+    if (json_.contains("table") == json_.contains("sobol"))
+      fail(at_, fmt::format("needs exactly one of table and sobol; {} given",
+                            json_.contains("table") ? "both are" : "neither is"));
+    for (const char* key : {"seed", "over"})
+      if (json_.contains("table") == json_.contains(key))
+        fail(at_ / key, json_.contains("table") ? "is allowed with sobol only"
+                                                : "is missing; a sample by sobol needs it");
+    if (!json_.contains("table") && json_.contains("take"))
+      fail(at_ / "take", "is allowed with table only; a smaller number for sobol takes the first points");
+    Axis axis{kSample, {}, json_.contains("table") ? table() : distributions()};
+    axis.values.resize(axis.columns.front().values.size());
+    std::iota(axis.values.begin(), axis.values.end(), 0.0);
+    return axis;
+  }
+
+ private:
+  [[noreturn]] void fail(const JsonPointer& at, const std::string& what) const {
+    document_.fail(at.to_string(), what);
+  }
+
+  // The number or the index of the word.
+  double value_of(const JsonPointer& at, const Sweepable& sweepable, const Json& value) const {
+    if (!sweepable.options.empty()) return option_index(document_, at, sweepable, value);
+    if (!value.is_number() || !std::isfinite(value.get<double>()))
+      fail(at, fmt::format("{} is not a number, which {} needs", shown(value), sweepable.name));
+    return value;
+  }
+
+  std::vector<std::size_t> taken_rows(std::size_t rows) const {
+    std::vector<std::size_t> taken(rows);
+    std::iota(taken.begin(), taken.end(), 0);
+    if (!json_.contains("take")) return taken;
+    taken = json_["take"].get<std::vector<std::size_t>>();
+    for (std::size_t i = 0; i < taken.size(); ++i)
+      if (taken[i] >= rows || (i > 0 && taken[i] <= taken[i - 1]))
+        fail(at_ / "take", fmt::format("{} is not allowed; allowed: ascending indices from 0 to {}", taken[i],
+                                       rows - 1));
+    return taken;
+  }
+
+  std::vector<Axis> table() const {
+    const Json& rows = json_["table"]["rows"];
+    const JsonPointer at = at_ / "table";
+    std::vector<Axis> columns;
+    for (const std::string name : json_["table"]["columns"]) {
+      const auto column = columns.size();
+      const Sweepable& sweepable = require_sweepable(document_, at / "columns" / column, name);
+      if (experiment::swept(columns, name)) fail(at / "columns" / column, name + " appears twice");
+      columns.push_back({name, {}, {}});
+      for (const std::size_t i : taken_rows(rows.size())) {
+        if (column >= rows[i].size())
+          fail(at / "rows" / i, fmt::format("has {} values, and the table has {} columns", rows[i].size(),
+                                            json_["table"]["columns"].size()));
+        columns.back().values.push_back(value_of(at / "rows" / i / column, sweepable, rows[i][column]));
+      }
+      check_values(document_, name, columns.back().values,
+                   [&](std::size_t i) { return at / "rows" / taken_rows(rows.size())[i] / column; });
+    }
+    return columns;
+  }
+
+  std::vector<Axis> distributions() const {
+    const Json& over = json_["over"];
+    const std::size_t count = json_["sobol"];
+    const auto points = sobol_points(count, over.size(), json_["seed"]);
+    std::vector<Axis> columns;
+    for (const auto& [name, distribution] : over.items()) {
+      const JsonPointer at = at_ / "over" / name;
+      const auto quantile = quantile_of(at, require_sweepable(document_, at, name), distribution);
+      Axis column{name, {}, {}};
+      for (const auto& point : points) column.values.push_back(quantile(point[columns.size()]));
+      check_values(document_, name, column.values, [&](std::size_t) { return at; });
+      columns.push_back(std::move(column));
+    }
+    return columns;
+  }
+
+  // The value below which this share of the distribution lies.
+  std::function<double(double)> quantile_of(const JsonPointer& at, const Sweepable& sweepable,
+                                            const Json& distribution) const {
+    if (distribution.size() != 1)
+      fail(at, fmt::format("{} gives {} distributions; one is needed: uniform, log, normal or values",
+                           shown(distribution), distribution.size()));
+    const std::string kind = distribution.begin().key();
+    const Json& given = distribution.front();
+    std::vector<double> values;
+    if (kind == "values") {
+      for (const Json& value : given) values.push_back(value_of(at / kind, sweepable, value));
+      return [values](double share) { return values[std::size_t(share * double(values.size()))]; };
+    }
+    if (!sweepable.options.empty())
+      fail(at / kind, fmt::format("{} is a choice; it needs \"values\", a list of words; allowed: {}",
+                                  sweepable.name, fmt::join(sweepable.options, ", ")));
+    const double first = given[0], second = given[1];
+    if (kind == "normal") {
+      if (!(second > 0)) fail(at / kind, fmt::format("the standard deviation {} is not positive", second));
+      const boost::math::normal normal(first, second);
+      return [normal](double share) { return rounded(quantile(normal, share)); };
+    }
+    if (!(first < second)) fail(at / kind, fmt::format("{} is not below {}; swap them", first, second));
+    if (kind == "uniform")
+      return [first, second](double share) { return rounded(first + (second - first) * share); };
+    if (!(first > 0))
+      fail(at / kind, fmt::format("a logarithmic distribution cannot begin at {}; allowed: greater than 0",
+                                  first));
+    return [first, second](double share) { return rounded(first * std::pow(second / first, share)); };
+  }
+
+  const Document& document_;
+  const JsonPointer at_;
+  const Json& json_;
+};
+
+}  // namespace
+
+Axis read_sample(const Document& document) { return SampleReader(document).read(); }
+
+void include_tables(Json& experiment, const std::string& folder) {
+  const JsonPointer sample = JsonPointer("/sweep") / kSample;
+  include_table(experiment, sample, folder);
+  if (!experiment.contains("tiers") || !experiment["tiers"].is_object()) return;
+  for (const auto& [tier, patch] : experiment["tiers"].items()) include_table(patch, sample, folder);
+}
+
+void check_values(const Document& document, const std::string& name, const std::vector<double>& values,
+                  const std::function<JsonPointer(std::size_t)>& at) {
+  if (!find_sweepable(name)->options.empty()) return;  // option_index() has found the words
+  const auto check = [&](auto value) {
+    if (value != values.end())
+      check_parameter(document, at(std::size_t(value - values.begin())), name, *value);
+  };
+  check(std::ranges::min_element(values));
+  check(std::ranges::max_element(values));
+  check(std::ranges::find_if(values, [](double v) { return v != std::floor(v); }));
+}
+
+double option_index(const Document& document, const JsonPointer& at, const Sweepable& choice,
+                    const Json& word) {
+  const auto& options = choice.options;
+  const std::string text = word.is_string() ? word.get<std::string>() : shown(word);
+  const auto found = std::ranges::find(options, text);
+  if (found == options.end())
+    document.fail(at.to_string(), fmt::format("{} is not known{}; allowed: {}", shown(word),
+                                              did_you_mean(text, options), fmt::join(options, ", ")));
+  return double(found - options.begin());
+}
+
+const Sweepable& require_sweepable(const Document& document, const JsonPointer& at, const std::string& name) {
+  if (const Sweepable* sweepable = find_sweepable(name)) return *sweepable;
+  std::vector<std::string> known;
+  for (const Sweepable& s : sweepables()) known.push_back(s.name);
+  document.fail(at.to_string(), fmt::format("{} cannot be swept{}; allowed: {}", shown(name),
+                                            did_you_mean(name, known), fmt::join(known, ", ")));
+}
+
+}  // namespace bristle::experiment

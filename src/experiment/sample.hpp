@@ -1,0 +1,30 @@
+#pragma once
+
+#include "experiment/experiment.hpp"
+
+namespace bristle::experiment {
+
+constexpr const char* kSample = "sample";  // name of the axis
+
+// The axis of /sweep/sample: the rows of a table, or a Sobol sequence over distributions of quantities
+// (docs/experiments.md). Throws InputError as read_axes() does.
+Axis read_sample(const Document& document);
+
+// Replaces the name of a table's file, here and in the tiers, by the table's columns and rows, so that the
+// experiment contains all that determines its numbers. The path is relative to the folder. Throws InputError
+// for a file that is no table.
+void include_tables(Json& experiment, const std::string& folder);
+
+// The values of one quantity, in any order, are in the range of the quantity. at: where the value with this
+// index stands. Throws InputError.
+void check_values(const Document& document, const std::string& name, const std::vector<double>& values,
+                  const std::function<JsonPointer(std::size_t)>& at);
+
+// The index of the word in the options of a choice. Throws InputError.
+double option_index(const Document& document, const JsonPointer& at, const Sweepable& choice,
+                    const Json& word);
+
+// The quantity or choice of this name. Throws InputError if a sweep cannot vary it.
+const Sweepable& require_sweepable(const Document& document, const JsonPointer& at, const std::string& name);
+
+}  // namespace bristle::experiment

@@ -1,0 +1,228 @@
+#include "experiment/experiment.hpp"
+#include "run/task.hpp"
+#include "results/csv.hpp"
+#include "results/reader.hpp"
+#include "util/error.hpp"
+#include "util/sobol.hpp"
+#include "scratch.hpp"
+
+#include "catch.hpp"
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+
+namespace bristle::sample_test {
+using namespace testing;
+
+namespace {
+
+// An experiment with this sweep in a folder with these tables.
+struct Folder {
+  Folder() {
+    std::filesystem::copy_file(std::string(BRISTLE_EXPERIMENTS) + "/paper.json", s.path("paper.json"));
+  }
+  Experiment load(const std::string& sweep, const std::string& more = "") const {
+    const char* load = sweep.find("R_n") == sweep.npos ? R"({"R_n": 2})" : "{}";  // the sample may have it
+    return load_experiment(
+        s.write("e.json", fmt::format(R"({{"extends": "paper.json", "name": "e", "load": {},
+              "orientation": {{"sampling": "list", "theta_0_deg": [20, 80]}}, "sweep": {}{}}})",
+                                      load, sweep, more)),
+        {});
+  }
+  std::string error(const std::string& sweep) const {
+    try {
+      load(sweep);
+    } catch (const InputError& e) {
+      const std::string message = e.what(), folder = s.path("");
+      const auto at = message.find(folder);
+      return at == message.npos ? message : message.substr(at + folder.size());
+    }
+    return "(no error)";
+  }
+  Scratch s;
+};
+
+std::string sobol(const std::string& over, int points = 8, int seed = 1) {
+  return fmt::format(R"({{"sample": {{"sobol": {}, "seed": {}, "over": {{{}}}}}}})", points, seed, over);
+}
+
+const std::vector<double>& column(const Experiment& e, const std::string& name) {
+  return std::ranges::find(e.axes.front().columns, name, &Axis::name)->values;
+}
+
+}  // namespace
+
+TEST_CASE("a scrambled Sobol sequence fills every interval once and begins with the shorter one") {
+  constexpr std::size_t n = 256, dimensions = 20;
+  for (const std::uint64_t seed : {0, 1, 20261125}) {
+    const auto points = sobol_points(n, dimensions, seed);
+    for (std::size_t d = 0; d < dimensions; ++d) {
+      std::set<long> intervals;
+      for (const auto& point : points) intervals.insert(std::lround(std::floor(point[d] * n)));
+      CHECK(intervals.size() == n);
+    }
+    const auto more = sobol_points(2 * n, dimensions, seed);
+    CHECK(std::equal(points.begin(), points.end(), more.begin()));
+  }
+  CHECK(sobol_points(n, 2, 1) != sobol_points(n, 2, 2));
+  // The second point of two dimensions, as on every machine.
+  CHECK(fmt::format("{:.12f} {:.12f}", sobol_points(2, 2, 1)[1][0], sobol_points(2, 2, 1)[1][1]) ==
+        "0.315910409554 0.076436227071");
+}
+
+TEST_CASE("pairs of a scrambled Sobol sequence integrate better than random points") {
+  // The integral of x y is 1/4; of N random points the error is 0.2/sqrt(N).
+  constexpr std::size_t n = 1024;
+  const auto points = sobol_points(n, 8, 3);
+  for (std::size_t d = 1; d < 8; ++d) {
+    double sum = 0;
+    for (const auto& point : points) sum += point[0] * point[d];
+    CHECK(std::abs(sum / n - 0.25) < 0.1 * 0.2 / std::sqrt(double(n)));
+  }
+}
+
+TEST_CASE("distributions of a sample: ranges, moments and words") {
+  const Folder f;
+  const Experiment e = f.load(sobol(R"("k_r": {"log": [3, 100]}, "tau_f": {"normal": [3e4, 3e3]},
+      "phi_0_deg": {"uniform": [70, 85]}, "friction": {"values": ["nss", "coulomb"]},
+      "k_phi": {"values": [1, 2, 4]})",
+                                    1024));
+  REQUIRE(e.points() == 1024);
+  const auto mean = [](const std::vector<double>& v, auto of) {
+    double sum = 0;
+    for (const double x : v) sum += of(x);
+    return sum / double(v.size());
+  };
+  const auto itself = [](double x) { return x; };
+  CHECK(mean(column(e, "k_r"), [](double x) { return std::log(x); }) ==
+        Approx((std::log(3) + std::log(100)) / 2).epsilon(1e-3));
+  CHECK(*std::ranges::min_element(column(e, "k_r")) >= 3);
+  CHECK(*std::ranges::max_element(column(e, "k_r")) <= 100);
+  CHECK(mean(column(e, "tau_f"), itself) == Approx(3e4).epsilon(1e-3));
+  CHECK(std::sqrt(mean(column(e, "tau_f"), [](double x) { return (x - 3e4) * (x - 3e4); })) ==
+        Approx(3e3).epsilon(0.01));
+  CHECK(mean(column(e, "phi_0_deg"), itself) == Approx(77.5).epsilon(1e-3));
+  CHECK(mean(column(e, "friction"), itself) == 0.5);
+  CHECK(mean(column(e, "k_phi"), itself) == Approx(7.0 / 3).epsilon(2e-3));
+  // Seven digits, so that libraries of elementary functions cannot differ.
+  for (const double value : column(e, "tau_f")) CHECK(std::stod(fmt::format("{:.7g}", value)) == value);
+}
+
+TEST_CASE("a longer sample begins with the shorter one, and each seed has its own points") {
+  const Folder f;
+  const std::string over = R"("k_r": {"log": [3, 100]}, "mu_c": {"normal": [0.3, 0.05]})";
+  const Experiment few = f.load(sobol(over, 8)), more = f.load(sobol(over, 100));
+  for (std::size_t i = 0; i < few.points(); ++i) CHECK(canonical_point(few, i) == canonical_point(more, i));
+  CHECK(column(few, "k_r") != column(f.load(sobol(over, 8, 2)), "k_r"));
+}
+
+TEST_CASE("a row of a table is the same point as the same values on axes") {
+  const Folder f;
+  f.s.write("t.csv", "\xef\xbb\xbf# a remark\n\"k_r\", mu_c ,friction,phi_0_deg\r\n\r\n5,0.2,coulomb,80\n2e1,0.3,nss,75.5\n");
+  const Experiment e = f.load(R"({"sample": {"table": "t.csv"}, "bending": {"values": ["polar", "rod"]}})");
+  REQUIRE(e.shape() == std::vector<std::size_t>{2, 2});
+  const Experiment axes = f.load(R"({"friction": {"values": ["nss"]}, "k_r": {"values": [20]}, "mu_c": {"values": [0.3]},
+      "phi_0_deg": {"values": [75.5]}, "bending": {"values": ["polar", "rod"]}})");
+  CHECK(canonical_point(e, 2) == canonical_point(axes, 0));
+  CHECK(canonical_point(e, 3) == canonical_point(axes, 1));
+  CHECK(e.place(3) == "sample = 1, bending = rod");
+  // The document has all that the points need: the file may change or be lost.
+  std::filesystem::remove(f.s.path("t.csv"));
+  const Experiment stored = stored_experiment(*e.document, "full", "stored");
+  for (std::size_t i = 0; i < e.points(); ++i) CHECK(canonical_point(stored, i) == canonical_point(e, i));
+}
+
+TEST_CASE("a tier takes rows of a table, and --set names another table") {
+  const Folder f;
+  f.s.write("t.csv", "k_r\n5\n10\n20\n");
+  f.s.write("other.csv", "k_r\n7\n");
+  f.load(R"({"sample": {"table": "t.csv"}})", R"(, "tiers": {"smoke": {"sweep": {"sample": {"take": [0, 2]}}}})");
+  CHECK(column(load_experiment(f.s.path("e.json"), {{}, "smoke"}), "k_r") == std::vector<double>{5, 20});
+  CHECK(column(load_experiment(f.s.path("e.json"), {{"/sweep/sample/table=" + f.s.path("other.csv")}, "full"}),
+               "k_r") == std::vector<double>{7});
+}
+
+TEST_CASE("malformed samples: the message names place, value and remedy") {
+  const Folder f;
+  f.s.write("empty.csv", "k_r,mu_c\n");
+  f.s.write("cell.csv", "k_r,mu_c\n1,\n");
+  f.s.write("short.csv", "k_r,mu_c\n1\n");
+  f.s.write("word.csv", "k_r,friction\n1,columb\n");
+  f.s.write("range.csv", "k_r\n1\n-2\n");
+  f.s.write("text.csv", "k_r\nfast\n");
+  f.s.write("infinite.csv", "k_r\ninf\n");
+  f.s.write("column.csv", "k_rr\n1\n");
+  f.s.write("twice.csv", "k_r,k_r\n1,2\n");
+  const auto table = [](const std::string& name) { return R"({"sample": {"table": ")" + name + "\"}}"; };
+  const std::string at = "e.json: /sweep/sample/";
+  const std::vector<std::pair<std::string, std::string>> rows = {
+      {table("none.csv"), "none.csv: cannot be read: no such file"},
+      {table("empty.csv"), "empty.csv: has no rows; a table needs a line with the names of its columns, such as "
+                           "k_r,tau_f, and one line for each point"},
+      {table("cell.csv"), "cell.csv: line 2: the cell of mu_c is empty; give it a value, or remove the row"},
+      {table("short.csv"), "short.csv: line 2: has 1 cells, and the table has 2 columns: k_r, mu_c"},
+      {table("word.csv"), at + "table/rows/0/1: \"columb\" is not known (did you mean coulomb?); allowed: nss, "
+                               "coulomb, stribeck"},
+      {table("range.csv"), at + "table/rows/1/0: -2 is out of range for k_r; allowed: a number greater than 0 "
+                                "(radial stiffness, dimensionless)"},
+      {table("text.csv"), at + "table/rows/0/0: \"fast\" is not a number, which k_r needs"},
+      {table("infinite.csv"), at + "table/rows/0/0: null is not a number, which k_r needs"},
+      {table("twice.csv"), at + "table/columns/1: k_r appears twice"},
+      {R"({"sample": {}})", "e.json: /sweep/sample: needs exactly one of table and sobol; neither is given"},
+      {R"({"sample": {"sobol": 8, "over": {"k_r": {"log": [1, 2]}}}})",
+       at + "seed: is missing; a sample by sobol needs it"},
+      {R"({"sample": {"sobol": 8, "seed": 1}})", at + "over: is missing; a sample by sobol needs it"},
+      {R"({"sample": {"table": "range.csv", "seed": 1}})", at + "seed: is allowed with sobol only"},
+      {sobol(R"("k_r": {"log": [0, 2]})"),
+       at + "over/k_r/log: a logarithmic distribution cannot begin at 0; allowed: greater than 0"},
+      {sobol(R"("k_r": {"uniform": [3, 2]})"), at + "over/k_r/uniform: 3 is not below 2; swap them"},
+      {sobol(R"("k_r": {"normal": [3, 0]})"),
+       at + "over/k_r/normal: the standard deviation 0 is not positive"},
+      {sobol(R"("friction": {"uniform": [0, 1]})"),
+       at + "over/friction/uniform: friction is a choice; it needs \"values\", a list of words; allowed: nss, "
+            "coulomb, stribeck"},
+      {sobol(R"("k_r": {"uniform": [1, 2], "log": [1, 2]})"),
+       at + "over/k_r: {\"uniform\":[1,2],\"log\":[1,2]} gives 2 distributions; one is needed: uniform, log, "
+            "normal or values"},
+      {R"({"sample": {"table": {"columns": ["k_r", "mu_c"], "rows": [[1, 2], [1]]}}})",
+       at + "table/rows/1: has 1 values, and the table has 2 columns"},
+      {R"({"sample": {"table": "range.csv", "take": [1, 1]}})",
+       at + "take: 1 is not allowed; allowed: ascending indices from 0 to 1"},
+  };
+  for (const auto& [sweep, message] : rows) CHECK(f.error(sweep) == message);
+  CHECK(f.error(table("column.csv")).starts_with(
+      at + "table/columns/0: \"k_rr\" cannot be swept (did you mean k_r?); allowed: k_r, "));
+  CHECK(f.error(sobol(R"("k_r": {"normal": [3, 30]})")).starts_with(at + "over/k_r: -"));
+}
+
+TEST_CASE("a quantity cannot be given by the sample and by an axis or the load") {
+  const Folder f;
+  CHECK(f.error(R"({"k_r": {"values": [1]}, "sample": {"table": {"columns": ["k_r"], "rows": [[1]]}}})") ==
+        "e.json: /sweep/sample: k_r is varied by another axis, too; remove one of them");
+  CHECK(f.error(R"({"sample": {"table": {"columns": ["z_0"], "rows": [[0.5]]}}})").find("more than one of R_n, z_0") !=
+        std::string::npos);
+}
+
+TEST_CASE("the result of a sample: its quantities are variables over it, first in the exported table") {
+  const Folder f;
+  f.s.write("t.csv", "k_r,friction,R_n\n20,nss,1\n5,coulomb,2\n");
+  const Experiment e =
+      f.load(R"({"sample": {"table": "t.csv"}, "k_phi": {"values": [2, 3]}})");
+  run_experiment(e, {.output = f.s.path("e.h5"), .threads = 1, .quiet = true});
+  const ResultReader result(f.s.path("e.h5"));
+  CHECK(result.damage().empty());
+  CHECK(result.variable("k_r").values == std::vector<double>{20, 5});
+  CHECK(result.variable("k_r").dimensions == std::vector<std::string>{"sample"});
+  CHECK(result.flag_meanings("friction").at(1) == "coulomb");
+  CHECK(result.variable("R_x").dimensions == std::vector<std::string>{"sample", "k_phi"});
+  CHECK(result.text("coordinates") == "k_r friction R_n_target");
+  const auto columns = csv_columns(result, "");
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < 5; ++i) names.push_back(columns[i].name);
+  CHECK(names == std::vector<std::string>{"sample", "k_r", "friction", "R_n_target", "k_phi"});
+  CHECK(columns[2].cells == std::vector<std::string>{"nss", "nss", "coulomb", "coulomb"});
+}
+
+}  // namespace bristle::sample_test
