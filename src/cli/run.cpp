@@ -3,6 +3,7 @@
 #include "claims/measure.hpp"
 #include "claims/checks.hpp"
 #include "experiment/schema.hpp"
+#include "run/analysis.hpp"
 #include "experiment/si_units.hpp"
 #include "simd/dispatch.hpp"
 #include "util/error.hpp"
@@ -26,6 +27,7 @@ void choose_instruction_set(const std::string& name) {
 Experiment load_checked(const ExperimentOptions& options) {
   Experiment experiment = experiment::load_experiment(options.file, options.load);
   claims::validate_checks(experiment);
+  run::validate_analysis(experiment);
   return experiment;
 }
 

@@ -271,6 +271,17 @@ std::vector<Check> read_all_checks(const Document& d, const Experiment& e) {
   return for_each_reading(checks, name, words);
 }
 
+Analysis read_analysis(const Document& d, const Experiment& e) {
+  const Json json = d.json().value("analysis", Json::object());
+  const Analysis analysis = {json.value("sobol_indices", std::vector<std::string>()),
+                             json.value("quantiles", std::vector<std::string>())};
+  if (!json.empty() && !e.swept(kSample)) d.fail("/analysis", "needs a sample in the sweep (/sweep/sample)");
+  if (!json.empty() && e.base.loading.trace) d.fail("/analysis", "cannot be combined with a trace of R_n(z_0)");
+  if (!analysis.sobol_indices.empty() && !d.json()["sweep"][kSample].contains("sobol"))
+    d.fail("/analysis/sobol_indices", "needs a sample by sobol, of which the program makes the design for indices");
+  return analysis;
+}
+
 Experiment read(const Document& d) {
   check_schema(d);
   const Json& json = d.json();
@@ -300,6 +311,7 @@ Experiment read(const Document& d) {
   e.record = read_recording(d, e.base.setup.orientation, e.base.loading);
   check_lattice(d, e);
   e.locate_jumps = read_jump_axis(d, e);
+  e.analysis = read_analysis(d, e);
   e.checks = read_all_checks(d, e);
   check_gap(d, e);
   check_chi(d, e);

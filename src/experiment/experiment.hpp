@@ -27,6 +27,11 @@ struct Axis {
 // Whether an axis, or a column of the sample, varies this quantity.
 bool swept(const std::vector<Axis>& axes, const std::string& name);
 
+// Variables of the result whose values over a sample are analysed.
+struct Analysis {
+  std::vector<std::string> sobol_indices, quantiles;
+};
+
 // A validated experiment in dimensionless form.
 struct Experiment {
   std::string name, title, figure, path, tier;
@@ -36,6 +41,7 @@ struct Experiment {
   std::string locate_jumps;           // axis along which jumps of z_0 are located; empty: none
   std::vector<std::string> warnings;  // values that have no effect, or another unit than the rest
   Recording record;
+  Analysis analysis;
   Engine engine = Engine::fast;
   std::string azimuths_sha256;  // of base.setup.orientation.theta_0, which may have many values
   std::vector<Check> checks;

@@ -3,6 +3,7 @@
 #include "experiment/schema.hpp"
 #include "util/error.hpp"
 #include "util/file.hpp"
+#include "util/sensitivity.hpp"
 #include "util/sobol.hpp"
 #include "util/text.hpp"
 
@@ -164,7 +165,10 @@ class SampleReader {
   std::vector<Axis> distributions() const {
     const Json& over = json_["over"];
     const std::size_t count = json_["sobol"];
-    const auto points = sobol_points(count, over.size(), json_["seed"]);
+    const JsonPointer indices("/analysis/sobol_indices");
+    const bool design = document_.json().contains(indices) && !document_.json().at(indices).empty();
+    const auto points = design ? saltelli_design(count, over.size(), json_["seed"])
+                               : sobol_points(count, over.size(), json_["seed"]);
     std::vector<Axis> columns;
     for (const auto& [name, distribution] : over.items()) {
       const JsonPointer at = at_ / "over" / name;

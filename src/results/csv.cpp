@@ -47,7 +47,7 @@ std::vector<std::string> datasets_of(const ResultReader& result, const std::stri
 
 void require_group(const ResultReader& result, const std::string& group) {
   std::vector<std::string> groups;
-  for (const char* name : {"bristles", "checks", "jumps", "load_error", "slab_force", "trajectories"})
+  for (const char* name : {"bristles", "checks", "indices", "jumps", "load_error", "quantiles", "slab_force", "trajectories"})
     if (result.has(name)) groups.emplace_back(name);
   if (group.empty() || std::ranges::find(groups, group) != groups.end()) return;
   throw InputError(
@@ -111,8 +111,9 @@ std::string csv_number(double value) { return std::isnan(value) ? "" : fmt::form
 std::vector<CsvColumn> csv_columns(const ResultReader& result, const std::string& group) {
   require_group(result, group);
   const std::vector<std::string> paths = datasets_of(result, group);
-  const std::string first = group.empty() ? "status" : paths.empty() ? group : paths.front();
-  const Variable like = result.variable(first);
+  const auto dimensions = [&](const std::string& path) { return result.variable(path).shape.size(); };
+  const auto most = std::ranges::max_element(paths, {}, dimensions);
+  const Variable like = result.variable(group.empty() ? "status" : paths.empty() ? group : *most);
   std::vector<CsvColumn> columns;
   try {
     add_coordinates(result, group, like, columns);

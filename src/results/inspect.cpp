@@ -39,7 +39,7 @@ class PlainChecker {
       if (kind == H5I_GROUP) check_group(object, at, depth + 1);
       else if (kind == H5I_DATASET)
         check_dataset(object, at,
-                      path == "/checks" || (depth == 0 && h5::exists(group, code_variable(name))));
+                      path == "/checks" || h5::exists(group, code_variable(name)));
       else refuse(at, "neither a group nor a dataset");
     }
   }

@@ -39,13 +39,27 @@ Column axis_column(const experiment::Axis& axis) {
           .units = what.units};
 }
 
-Column code_column(const experiment::Axis& axis) {
-  return {code_variable(axis.name),
-          "code of " + axis.name,
-          "",
-          "",
-          H5T_NATIVE_SCHAR,
-          axis.quantity().options};
+Column code_column(const std::string& name, const std::vector<std::string>& options) {
+  return {code_variable(name), "code of " + name, "", "", H5T_NATIVE_SCHAR, options};
+}
+
+// A dimension scale of words, so that programs select by them. The codes are a variable over it.
+h5::Handle create_words(hid_t parent, const Column& column, const std::vector<std::string>& words,
+                        const Column& code, const std::vector<double>& values) {
+  h5::Handle scale = h5::create_texts(parent, column.name, words);
+  describe(scale, column);
+  h5::make_scale(scale, column.name);
+  const h5::Handle codes = create_column(parent, code, {words.size()});
+  h5::write_part(codes, H5T_NATIVE_DOUBLE, {0}, {words.size()}, values.data());
+  h5::attach_scale(codes, scale, 0);
+  return scale;
+}
+
+h5::Handle create_numbers(hid_t parent, const Column& column, const std::vector<double>& values) {
+  h5::Handle scale = create_column(parent, column, {values.size()});
+  h5::write_part(scale, H5T_NATIVE_DOUBLE, {0}, {values.size()}, values.data());
+  h5::make_scale(scale, column.name);
+  return scale;
 }
 
 }  // namespace
@@ -60,7 +74,8 @@ std::vector<Column> jump_columns(const Experiment& experiment) {
       {"to", "greatest value of the axis around the jump with an ambiguous gap, or after", "", ""}};
   for (const experiment::Axis& axis : experiment.axes)
     if (axis.name != experiment.locate_jumps)
-      columns.push_back(axis.quantity().options.empty() ? axis_column(axis) : code_column(axis));
+      columns.push_back(axis.quantity().options.empty() ? axis_column(axis)
+                                                        : code_column(axis.name, axis.quantity().options));
   return columns;
 }
 
@@ -72,16 +87,9 @@ void ResultWriter::create_axis(const experiment::Axis& axis) {
     if (!axis.columns.empty()) create_sample(axis);
     return;
   }
-  // The dimension scale contains the words, so that programs select by them. The codes are a variable over
-  // it.
   std::vector<std::string> words;
   for (const double value : axis.values) words.push_back(what.text(value));
-  h5::Handle dataset = h5::create_texts(file_, axis.name, words);
-  describe(dataset, scale);
-  add_scale(std::move(dataset), axis.name);
-  const h5::Handle codes = create_column(file_, code_column(axis), {words.size()});
-  h5::write_part(codes, H5T_NATIVE_DOUBLE, {0}, {words.size()}, axis.values.data());
-  h5::attach_scale(codes, axes_.back(), 0);
+  add_scale(create_words(file_, scale, words, code_column(axis.name, what.options), axis.values));
 }
 
 // The quantities that the sample varies, as variables over it.
@@ -100,13 +108,10 @@ void ResultWriter::create_sample(const experiment::Axis& axis) {
 }
 
 void ResultWriter::create_scale(const Column& column, const std::vector<double>& values) {
-  h5::Handle scale = create_column(file_, column, {values.size()});
-  h5::write_part(scale, H5T_NATIVE_DOUBLE, {0}, {values.size()}, values.data());
-  add_scale(std::move(scale), column.name);
+  add_scale(create_numbers(file_, column, values));
 }
 
-void ResultWriter::add_scale(h5::Handle dataset, const std::string& name) {
-  h5::make_scale(dataset, name);
+void ResultWriter::add_scale(h5::Handle dataset) {
   shape_.push_back(h5::length_of(dataset));
   axes_.push_back(std::move(dataset));
 }
@@ -141,6 +146,26 @@ void ResultWriter::write_jumps(const std::string& along, const Rows& rows) {
     tables_.try_emplace("jumps", file_, "jumps", "jump", jump_columns(experiment_))
         .first->second.append(rows);
     h5::write_attribute(h5::open_group(file_, "jumps"), "along", axis_variable(along));
+  });
+}
+
+void ResultWriter::write_group(const Group& group) {
+  h5::in_file(partial(), [&] {
+    const h5::Handle parent = h5::create_group(file_, group.name);
+    std::vector<h5::Handle> own;
+    for (const auto& [column, words, values] : group.dimensions)
+      own.push_back(words.empty() ? create_numbers(parent, column, values)
+                                  : create_words(parent, column, words, code_column(column.name, words), values));
+    std::vector<hid_t> scales;
+    for (const std::size_t axis : group.axes) scales.push_back(axes_[axis]);
+    for (const h5::Handle& scale : own) scales.push_back(scale);
+    h5::Shape shape;
+    for (const hid_t scale : scales) shape.push_back(h5::length_of(scale));
+    for (std::size_t i = 0; i < group.columns.size(); ++i) {
+      const h5::Handle dataset = create_column(parent, group.columns[i], shape);
+      h5::write_part(dataset, H5T_NATIVE_DOUBLE, h5::Shape(shape.size(), 0), shape, group.values[i].data());
+      for (unsigned d = 0; d < scales.size(); ++d) h5::attach_scale(dataset, scales[d], d);
+    }
   });
 }
 

@@ -11,6 +11,22 @@ namespace bristle::results {
 // The columns of /jumps but "point"; those of the axes beside the one of the jumps are the last.
 std::vector<Column> jump_columns(const Experiment& experiment);
 
+// A dimension of a group: words with their codes, or numbers.
+struct GroupDimension {
+  Column column;
+  std::vector<std::string> words;
+  std::vector<double> values;
+};
+
+// Variables over some axes of the sweep and over dimensions of their own.
+struct Group {
+  std::string name;
+  std::vector<std::size_t> axes;  // indices
+  std::vector<GroupDimension> dimensions;
+  std::vector<Column> columns;
+  std::vector<std::vector<double>> values;  // by column, in row-major order
+};
+
 // Writes a result file point by point under a temporary name, which publish() replaces by the final name.
 // Without publish() an existing file remains unchanged and the temporary file is removed.
 class ResultWriter {
@@ -24,6 +40,9 @@ class ResultWriter {
   // Call after write(). Adds the group /jumps. rows: as locate_jumps() returns them; along: name of the axis.
   void write_jumps(const std::string& along, const Rows& rows);
 
+  // Call after write().
+  void write_group(const Group& group);
+
   // Adds attributes, digest and provenance (name -> text), closes the file, and verifies it by reading it
   // back.
   void close(const std::map<std::string, std::string>& provenance);
@@ -36,7 +55,7 @@ class ResultWriter {
   void create_axis(const experiment::Axis& axis);
   void create_sample(const experiment::Axis& axis);
   void create_scale(const Column& column, const std::vector<double>& values);
-  void add_scale(h5::Handle dataset, const std::string& name);
+  void add_scale(h5::Handle dataset);
   void create_variables();
   void finish(const std::map<std::string, std::string>& provenance);
 

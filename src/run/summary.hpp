@@ -18,6 +18,8 @@ class Summary {
   // path: of the result, for messages
   Summary(const Experiment& experiment, std::string path) : experiment_(experiment), path_(std::move(path)) {}
   void add(const results::PointRecord& record, std::size_t index);
+  void add(const std::string& analysis) { analysis_ += analysis; }
+  const std::string& analysis() const { return analysis_; }  // of a sample, in lines
   // The numbers of points by status.
   std::string text() const;
   // Names the failed points on standard error. Throws RunError if there are no others.
@@ -37,7 +39,7 @@ class Summary {
   std::string cause_and_remedy(PointStatus status, const Example& example) const;
 
   const Experiment& experiment_;
-  std::string path_;
+  std::string path_, analysis_;
   std::vector<long> counts_ = std::vector<long>(results::kPointStatusNames.size(), 0);
   std::size_t points_ = 0;
   std::vector<std::string> failures_;

@@ -4,6 +4,7 @@
 #include "claims/store.hpp"
 #include "results/annotate.hpp"
 #include "results/writer.hpp"
+#include "run/analysis.hpp"
 #include "run/jumps.hpp"
 #include "run/points.hpp"
 #include "run/progress.hpp"
@@ -131,14 +132,20 @@ Summary write_result(const Experiment& experiment, const std::string& path, cons
   Summary summary(experiment, path);
   std::set<std::string> commits, hosts;
   results::ResultWriter writer(experiment, path);
+  std::map<std::string, std::vector<double>> analysed;
   for (const std::size_t i : points.points()) {
     const results::JournalLine line = journal.read(points.key(i));
+    for (const std::string& name : analysed_variables(experiment))
+      analysed[name].push_back(line.record.values.at(name).front());
     writer.write(i, line.record);
     summary.add(line.record, i);
     commits.insert(line.commit);
     hosts.insert(line.host);
   }
   if (!jumps.empty()) writer.write_jumps(experiment.locate_jumps, jumps);
+  const std::vector<results::Group> groups = analyse(experiment, analysed);
+  for (const results::Group& group : groups) writer.write_group(group);
+  summary.add(analysis_text(experiment, groups));
   entries["points_commits"] = fmt::format("{}", fmt::join(commits, ", "));
   entries["points_hosts"] = fmt::format("{}", fmt::join(hosts, ", "));
   entries["finished"] = utc_now();
@@ -213,6 +220,7 @@ void compute(const Experiment& experiment, const RunOptions& options) {
   summary.report_points_without_values();
   summary.report_pinned_bristles();
   summary.report_validity();
+  fmt::print("{}", summary.analysis());
   if (options.shard) print_rest(experiment, options);
 }
 

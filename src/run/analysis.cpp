@@ -1,0 +1,201 @@
+#include "run/analysis.hpp"
+
+#include "experiment/sample.hpp"
+#include "results/reader.hpp"
+#include "util/error.hpp"
+#include "util/grid.hpp"
+#include "util/sensitivity.hpp"
+#include "util/text.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numeric>
+
+namespace bristle::run {
+namespace {
+
+const std::vector<double> kShares = {0.05, 0.25, 0.5, 0.75, 0.95};
+
+std::size_t sample_axis(const Experiment& e) {
+  return std::size_t(std::ranges::find(e.axes, experiment::kSample, &experiment::Axis::name) - e.axes.begin());
+}
+
+// The sweep with the first point only of the sample. Its points are those of the other axes.
+Experiment without_sample(Experiment e) {
+  e.axes[sample_axis(e)].keep_first();
+  return e;
+}
+
+// The values over the sample at a point of the other axes.
+std::vector<double> over_sample(const Experiment& e, const std::vector<double>& values, std::size_t other) {
+  const std::size_t sample = sample_axis(e);
+  auto at = unravel(other, without_sample(e).shape());
+  std::vector<double> out;
+  for (std::size_t i = 0; i < e.axes[sample].values.size(); ++i) {
+    at[sample] = i;
+    out.push_back(values[ravel(at, e.shape())]);
+  }
+  return out;
+}
+
+results::GroupDimension words_of(const char* name, const char* meaning, const std::vector<std::string>& words) {
+  std::vector<double> codes(words.size());
+  std::iota(codes.begin(), codes.end(), 0.0);
+  return {{name, meaning, "", ""}, words, codes};
+}
+
+std::vector<std::size_t> other_axes(const Experiment& e) {
+  std::vector<std::size_t> out;
+  for (std::size_t axis = 0; axis < e.axes.size(); ++axis)
+    if (axis != sample_axis(e)) out.push_back(axis);
+  return out;
+}
+
+std::vector<std::string> inputs_of(const Experiment& e) {
+  std::vector<std::string> names;
+  for (const experiment::Axis& column : e.axes[sample_axis(e)].columns) names.push_back(column.name);
+  return names;
+}
+
+using Values = std::map<std::string, std::vector<double>>;
+
+results::Group indices(const Experiment& e, const Values& values) {
+  const std::vector<std::string> &outputs = e.analysis.sobol_indices, inputs = inputs_of(e);
+  results::Group group{"indices",
+                       other_axes(e),
+                       {words_of("output", "variable whose variance is shared out", outputs),
+                        words_of("input", "parameter of the sample", inputs)},
+                       {{"S1", "first-order Sobol index", "S_1", ""},
+                        {"S1_err", "standard error of S1", R"(\delta S_1)", ""},
+                        {"ST", "total Sobol index", "S_T", ""},
+                        {"ST_err", "standard error of ST", R"(\delta S_T)", ""},
+                        {"blocks", "blocks of the design whose points all have a value", "", "", H5T_NATIVE_LONG}},
+                       std::vector<std::vector<double>>(5)};
+  for (std::size_t other = 0; other < without_sample(e).points(); ++other)
+    for (const std::string& output : outputs) {
+      const SobolIndices found = sobol_indices(over_sample(e, values.at(output), other), inputs.size());
+      for (std::size_t i = 0; i < inputs.size(); ++i) {
+        const double row[] = {found.first[i].value, found.first[i].error, found.total[i].value,
+                              found.total[i].error, double(found.complete)};
+        for (std::size_t column = 0; column < 5; ++column) group.values[column].push_back(row[column]);
+      }
+    }
+  return group;
+}
+
+results::Group quantiles(const Experiment& e, const Values& values) {
+  const std::vector<std::string>& outputs = e.analysis.quantiles;
+  results::Group group{"quantiles",
+                       other_axes(e),
+                       {words_of("output", "variable", outputs),
+                        {{"share", "share of the sample below the quantile", "p", ""}, {}, kShares}},
+                       {{"quantile", "quantile of the variable over the sample", "", ""},
+                        {"quantile_err", "standard error of the quantile", "", ""},
+                        {"points", "points of the sample with a value", "", "", H5T_NATIVE_LONG}},
+                       std::vector<std::vector<double>>(3)};
+  // Of a design for indices, the two points of a block that are drawn independently.
+  const std::size_t block = e.analysis.sobol_indices.empty() ? 1 : inputs_of(e).size() + 2;
+  for (std::size_t other = 0; other < without_sample(e).points(); ++other)
+    for (const std::string& output : outputs) {
+      std::vector<double> present;
+      const std::vector<double> all = over_sample(e, values.at(output), other);
+      for (std::size_t i = 0; i < all.size(); ++i)
+        if (std::isfinite(all[i]) && i % block < 2) present.push_back(all[i]);
+      for (const double share : kShares) {
+        const Estimate q = quantile(present, share);
+        group.values[0].push_back(q.value);
+        group.values[1].push_back(q.error);
+        group.values[2].push_back(double(present.size()));
+      }
+    }
+  return group;
+}
+
+// "S_T of R_x_norm at bending = rod, from 250 of 256 blocks: k_r 0.40 +- 0.02 ..." in descending order.
+std::string indices_line(const results::Group& group, std::size_t row, std::size_t blocks) {
+  const std::vector<std::string>& inputs = group.dimensions[1].words;
+  const std::size_t first = row * inputs.size();
+  std::vector<std::size_t> order(inputs.size());
+  std::iota(order.begin(), order.end(), first);
+  std::ranges::sort(order, std::greater<>(), [&](std::size_t i) { return group.values[2][i]; });
+  std::vector<std::string> parts;
+  for (const std::size_t i : order)
+    parts.push_back(fmt::format("{} {:.2f} +- {:.2f} ({:.2f} +- {:.2f})", inputs[i - first],
+                                group.values[2][i], group.values[3][i], group.values[0][i], group.values[1][i]));
+  const auto complete = std::size_t(group.values[4][first]);
+  if (!std::isfinite(group.values[2][first]))
+    return complete < 2 ? fmt::format("none, as only {} of {} blocks of the design have all values", complete, blocks)
+                        : "none, as all values are the same";
+  return fmt::format("{}{}", fmt::join(parts, ", "),
+                     complete < blocks ? fmt::format("; from {} of {} blocks of the design, the others have points "
+                                                     "without a value",
+                                                     complete, blocks)
+                                       : "");
+}
+
+std::string quantiles_line(const results::Group& group, std::size_t row, std::size_t points) {
+  std::vector<std::string> parts;
+  for (std::size_t i = 0; i < kShares.size(); ++i) {
+    const std::size_t at = row * kShares.size() + i;
+    parts.push_back(fmt::format("{:.0f} % {:.4g} +- {:.1g}", 100 * kShares[i], group.values[0][at], group.values[1][at]));
+  }
+  const auto present = std::size_t(group.values[2][row * kShares.size()]);
+  return fmt::format("{}{}", fmt::join(parts, ", "),
+                     present < points ? fmt::format("; {} points have no value and are left out", points - present) : "");
+}
+
+}  // namespace
+
+void validate_analysis(const Experiment& experiment) {
+  std::vector<std::string> known;
+  for (const results::ResultVariable& variable : results::result_variables(experiment)) known.push_back(variable.name);
+  const auto check = [&](const char* key, const std::vector<std::string>& names) {
+    for (const std::string& name : names)
+      if (std::ranges::find(known, name) == known.end())
+        throw InputError(fmt::format("{}: /analysis/{}: {} is not a variable of the result{}; allowed: {}",
+                                     experiment.path, key, Json(name).dump(), did_you_mean(name, known),
+                                     fmt::join(known, ", ")));
+  };
+  check("sobol_indices", experiment.analysis.sobol_indices);
+  check("quantiles", experiment.analysis.quantiles);
+}
+
+std::set<std::string> analysed_variables(const Experiment& experiment) {
+  const auto& [indices, quantiles] = experiment.analysis;
+  std::set<std::string> names(indices.begin(), indices.end());
+  names.insert(quantiles.begin(), quantiles.end());
+  return names;
+}
+
+std::vector<results::Group> analyse(const Experiment& experiment, const Values& values) {
+  std::vector<results::Group> groups;
+  if (!experiment.analysis.sobol_indices.empty()) groups.push_back(indices(experiment, values));
+  if (!experiment.analysis.quantiles.empty()) groups.push_back(quantiles(experiment, values));
+  return groups;
+}
+
+std::string analysis_text(const Experiment& experiment, const std::vector<results::Group>& groups) {
+  std::string text;
+  for (const results::Group& group : groups) {
+    const bool of_indices = group.name == "indices";
+    const std::vector<std::string>& outputs = group.dimensions[0].words;
+    const Experiment others = without_sample(experiment);
+    const std::size_t points = experiment.axes[sample_axis(experiment)].values.size();
+    const std::size_t block = experiment.analysis.sobol_indices.empty() ? 1 : inputs_of(experiment).size() + 2;
+    for (std::size_t row = 0; row < others.points() * outputs.size(); ++row) {
+      std::string place = others.place(row / outputs.size());
+      place = replace_all(replace_all(place, "sample = 0, ", ""), ", sample = 0", "");
+      text += fmt::format("{} of {}{}: {}\n",
+                          of_indices ? "total (and first-order) Sobol indices" : "quantiles", outputs[row % outputs.size()],
+                          place == "sample = 0" ? "" : " at " + place,
+                          of_indices ? indices_line(group, row, points / block)
+                                     : quantiles_line(group, row, block == 1 ? points : 2 * points / block));
+    }
+  }
+  return text;
+}
+
+}  // namespace bristle::run

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "experiment/experiment.hpp"
+#include "results/writer.hpp"
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace bristle::run {
+
+// Throws InputError if /analysis names a variable that the result does not have.
+void validate_analysis(const Experiment& experiment);
+
+// The names of the variables that /analysis needs.
+std::set<std::string> analysed_variables(const Experiment& experiment);
+
+// The groups /indices and /quantiles that /analysis asks for, for each point of the axes beside the sample.
+// values: of analysed_variables(), over the sweep. Missing values (NaN) are left out.
+std::vector<results::Group> analyse(const Experiment& experiment,
+                                    const std::map<std::string, std::vector<double>>& values);
+
+// The groups in words, one line for each variable and point of the other axes; empty without an analysis.
+std::string analysis_text(const Experiment& experiment, const std::vector<results::Group>& groups);
+
+}  // namespace bristle::run

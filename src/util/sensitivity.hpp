@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace bristle {
+
+// A dimensionless share or a quantity, and its standard error from bootstrap resampling.
+struct Estimate {
+  double value, error;
+};
+
+// Saltelli's design (A. Saltelli et al., Comput. Phys. Commun. 181, 2010): base_points blocks of inputs + 2
+// points in the unit cube. A block has a point a, a point b, and for each input the point a with the
+// coordinate of b for this input.
+std::vector<std::vector<double>> saltelli_design(std::size_t base_points, std::size_t inputs,
+                                                 std::uint64_t seed);
+
+struct SobolIndices {
+  std::vector<Estimate> first, total;  // by input: S1 and ST
+  std::size_t complete = 0;            // blocks whose points all have a value; the others are left out
+};
+// First-order and total indices by Jansen's estimators (Comput. Phys. Commun. 117, 1999) from the values at
+// the points of the design. Values that are not finite are missing. NaN if there are fewer than two complete
+// blocks or if the values are all the same, which have no variance to share out.
+SobolIndices sobol_indices(const std::vector<double>& values, std::size_t inputs);
+
+// The value below which this share of the values lies, by linear interpolation between the ordered values. NaN
+// without values; the values must be finite.
+Estimate quantile(std::vector<double> values, double share);
+
+}  // namespace bristle
