@@ -54,24 +54,27 @@ std::vector<Block> complete_blocks(const std::vector<double>& values, std::size_
 }
 
 // First-order indices, then total ones.
-std::vector<double> jansen(const std::vector<Block>& blocks, const std::vector<std::size_t>& drawn,
+std::vector<double> estimates(const std::vector<Block>& blocks, const std::vector<std::size_t>& drawn,
                            std::size_t inputs) {
   const double n = double(drawn.size());
   double sum = 0, sum_of_squares = 0;
-  std::vector<double> to_b(inputs), to_a(inputs);
+  std::vector<double> products(inputs), changes(inputs), squares(inputs);
   for (const std::size_t j : drawn) {
     const Block& block = blocks[j];
     sum += block.a + block.b;
     sum_of_squares += block.a * block.a + block.b * block.b;
     for (std::size_t i = 0; i < inputs; ++i) {
-      to_b[i] += (block.b - block.mixed[i]) * (block.b - block.mixed[i]);
-      to_a[i] += (block.a - block.mixed[i]) * (block.a - block.mixed[i]);
+      const double change = block.mixed[i] - block.a;
+      products[i] += block.b * change;
+      changes[i] += change;
+      squares[i] += change * change;
     }
   }
-  const double variance = (sum_of_squares - sum * sum / (2 * n)) / (2 * n);
+  const double mean = sum / (2 * n), variance = sum_of_squares / (2 * n) - mean * mean;
   std::vector<double> out;
-  for (const double d : to_b) out.push_back(variance > 0 ? 1 - d / (2 * n * variance) : kNone);
-  for (const double d : to_a) out.push_back(variance > 0 ? d / (2 * n * variance) : kNone);
+  for (std::size_t i = 0; i < inputs; ++i)
+    out.push_back(variance > 0 ? (products[i] - mean * changes[i]) / (n * variance) : kNone);
+  for (const double square : squares) out.push_back(variance > 0 ? square / (2 * n * variance) : kNone);
   return out;
 }
 
@@ -109,9 +112,9 @@ SobolIndices sobol_indices(const std::vector<double>& values, std::size_t inputs
     block.b -= origin;
     for (double& value : block.mixed) value -= origin;
   }
-  const std::vector<double> indices = jansen(blocks, all_of(n), inputs);
+  const std::vector<double> indices = estimates(blocks, all_of(n), inputs);
   const std::vector<double> errors =
-      bootstrap_errors(n, [&](const auto& drawn) { return jansen(blocks, drawn, inputs); });
+      bootstrap_errors(n, [&](const auto& drawn) { return estimates(blocks, drawn, inputs); });
   for (std::size_t i = 0; i < inputs; ++i) {
     out.first[i] = {indices[i], errors[i]};
     out.total[i] = {indices[inputs + i], errors[inputs + i]};

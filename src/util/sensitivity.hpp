@@ -21,8 +21,9 @@ struct SobolIndices {
   std::vector<Estimate> first, total;  // by input: S1 and ST
   std::size_t complete = 0;            // blocks whose points all have a value; the others are left out
 };
-// First-order and total indices by Jansen's estimators (Comput. Phys. Commun. 117, 1999) from the values at
-// the points of the design. Values that are not finite are missing. NaN if there are fewer than two complete
+// First-order indices by Saltelli's estimator (as above) and total ones by Jansen's (M. J. W. Jansen, Comput.
+// Phys. Commun. 117, 1999), from the values at the points of the design. Jansen's estimator of first-order
+// indices is less accurate for the inputs that matter little. Values that are not finite are missing. NaN if there are fewer than two complete
 // blocks or if the values are all the same, which have no variance to share out.
 SobolIndices sobol_indices(const std::vector<double>& values, std::size_t inputs);
 

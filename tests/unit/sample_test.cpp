@@ -1,4 +1,5 @@
 #include "experiment/experiment.hpp"
+#include "run/analysis.hpp"
 #include "run/task.hpp"
 #include "results/csv.hpp"
 #include "results/reader.hpp"
@@ -24,7 +25,7 @@ struct Folder {
     std::filesystem::copy_file(std::string(BRISTLE_EXPERIMENTS) + "/paper.json", s.path("paper.json"));
   }
   Experiment load(const std::string& sweep, const std::string& more = "") const {
-    const char* load = sweep.find("R_n") == sweep.npos ? R"({"R_n": 2})" : "{}";  // the sample may have it
+    const char* load = sweep.find("R_n") == sweep.npos ? R"({"R_n": 0.5})" : "{}";  // the sample may have it
     return load_experiment(
         s.write("e.json", fmt::format(R"({{"extends": "paper.json", "name": "e", "load": {},
               "orientation": {{"sampling": "list", "theta_0_deg": [20, 80]}}, "sweep": {}{}}})",
@@ -223,6 +224,73 @@ TEST_CASE("the result of a sample: its quantities are variables over it, first i
   for (std::size_t i = 0; i < 5; ++i) names.push_back(columns[i].name);
   CHECK(names == std::vector<std::string>{"sample", "k_r", "friction", "R_n_target", "k_phi"});
   CHECK(columns[2].cells == std::vector<std::string>{"nss", "nss", "coulomb", "coulomb"});
+}
+
+TEST_CASE("Sobol indices and quantiles are stored with the result of a sample") {
+  const Folder f;
+  const Experiment e =
+      f.load(R"({"bending": {"values": ["polar", "rod"]}, "sample": {"sobol": 8, "seed": 1,
+                 "over": {"k_r": {"log": [5, 50]}, "zeta_phi": {"uniform": [0.1, 0.1001]}}}})",
+             R"(, "analysis": {"sobol_indices": ["R_x", "z_0"], "quantiles": ["R_x"]})");
+  REQUIRE(e.points() == 2 * 8 * 4);
+  run_experiment(e, {.output = f.s.path("e.h5"), .threads = 2, .quiet = true});
+  const ResultReader result(f.s.path("e.h5"));
+  CHECK(result.damage().empty());
+  const Variable& total = result.variable("indices/ST");
+  CHECK(total.dimensions == std::vector<std::string>{"bending", "output", "input"});
+  CHECK(result.variable("indices/S1_err").shape == std::vector<std::size_t>{2, 2, 2});
+  CHECK(total.values[0] > 0.9);  // k_r
+  CHECK(total.values[1] < 0.01);
+  const Variable& quantiles = result.variable("quantiles/quantile");
+  CHECK(quantiles.shape == std::vector<std::size_t>{2, 1, 5});
+  CHECK(std::is_sorted(quantiles.values.begin(), quantiles.values.begin() + 5));
+  CHECK(result.variable("quantiles/points").values.front() == 16);
+  const auto columns = csv_columns(result, "indices");
+  CHECK(columns[1].name == "output");
+  CHECK(columns[1].cells[2] == "z_0");
+  CHECK(columns[2].cells[1] == "zeta_phi");
+  // Another analysis of the same points computes no point again.
+  const Experiment more = f.load(e.document->at("sweep").dump(), R"(, "analysis": {"sobol_indices": ["R_x"]})");
+  for (std::size_t i = 0; i < e.points(); ++i) CHECK(canonical_point(more, i) == canonical_point(e, i));
+}
+
+TEST_CASE("points without a value are left out of indices and quantiles, with their block, and counted") {
+  const Folder f;
+  // The load is beyond what some of the bristles carry.
+  const Experiment e =
+      f.load(R"({"sample": {"sobol": 16, "seed": 1, "over": {"R_n": {"uniform": [0.2, 1.5]}, "k_r": {"log": [5, 50]}}}})",
+             R"(, "analysis": {"sobol_indices": ["R_x"], "quantiles": ["R_x"]})");
+  run_experiment(e, {.output = f.s.path("e.h5"), .threads = 2, .quiet = true});
+  const ResultReader result(f.s.path("e.h5"));
+  const std::vector<double>& values = result.variable("R_x").values;
+  std::size_t complete = 0, present = 0;
+  for (std::size_t block = 0; block < 16; ++block) {
+    const auto has = [&](std::size_t i) { return std::isfinite(values[4 * block + i]); };
+    complete += has(0) && has(1) && has(2) && has(3);
+    present += std::size_t(has(0)) + std::size_t(has(1));
+  }
+  REQUIRE(complete < 16);
+  REQUIRE(complete > 2);
+  CHECK(result.variable("indices/blocks").values.front() == double(complete));
+  CHECK(result.variable("quantiles/points").values.front() == double(present));
+}
+
+TEST_CASE("an analysis needs a sample, and variables of the result") {
+  const Folder f;
+  const auto message = [&](const std::string& sweep, const std::string& analysis) {
+    try {
+      validate_analysis(f.load(sweep, ", \"analysis\": " + analysis));
+    } catch (const InputError& e) {
+      return std::string(e.what()).substr(f.s.path("").size());
+    }
+    return std::string("(no error)");
+  };
+  CHECK(message(R"({"k_r": {"values": [1, 2]}})", R"({"quantiles": ["R_x"]})") ==
+        "e.json: /analysis: needs a sample in the sweep (/sweep/sample)");
+  CHECK(message(R"({"sample": {"table": {"columns": ["k_r"], "rows": [[1]]}}})", R"({"sobol_indices": ["R_x"]})") ==
+        "e.json: /analysis/sobol_indices: needs a sample by sobol, of which the program makes the design for indices");
+  CHECK(message(sobol(R"("k_r": {"log": [1, 2]})"), R"({"quantiles": ["R_xx"]})")
+            .starts_with("e.json: /analysis/quantiles: \"R_xx\" is not a variable of the result (did you mean R_x?)"));
 }
 
 }  // namespace bristle::sample_test

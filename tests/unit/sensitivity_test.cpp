@@ -33,7 +33,7 @@ TEST_CASE("Sobol indices of Ishigami's function") {
     CHECK(std::abs(found.first[i].value - kFirst[i]) < 3 * found.first[i].error + 1e-3);
     CHECK(std::abs(found.total[i].value - kTotal[i]) < 3 * found.total[i].error + 1e-3);
     CHECK(found.first[i].error < 0.04);
-    CHECK(found.total[i].error < 0.02);
+    CHECK(found.total[i].error < 0.04);
   }
 }
 

@@ -1,0 +1,86 @@
+"""Sobol indices of variables over a sample, and the variables over the parameter that matters most."""
+
+import numpy as np
+
+from ..curves import log_axis, title_axis
+from ..errors import BristleError
+from ..layout import Cell, across, corners, heading, legend_at_foot, place_cell, sheet
+from ..readings import one_page, reading_name, readings
+from ..results import attribute, dataset, place_of, table
+from ..style import COLOURS, label
+
+AXES = ["sample"]
+NOTE = ("Bars: total indices, a parameter's share of the variance with all its interactions; circles: first-order indices, its "
+        "share on its own. Error bars: standard errors by bootstrap.{}")
+DOTS = "Dots: the points of the sample, with the design's further points pale. A model with two branches has two clouds."
+
+
+@one_page
+def draw(file):
+    indices = table(file, "indices")
+    if indices is None:
+        raise BristleError(f"{place_of(file)}: has no group indices; the experiment needs "
+                           '"analysis": {"sobol_indices": [...]}, and figures are drawn from the whole result')
+    outputs = [str(name) for name in indices["output"].values]
+    inputs = [str(name) for name in indices["input"].values]
+    models = readings(file)
+    cell, columns = across(len(outputs), Cell(5.6, 3.6, 1.0, 0.6, 4.3, 2.7), 0.5)
+    rows = 2 * -(-len(outputs) // columns)
+    figure, bottom = sheet(file, cell.width * columns, cell.height * rows, f"{NOTE.format(left_out(indices))}\n{DOTS}")
+    places = corners(2 * len(outputs), columns, cell, bottom)
+    # The bars of all outputs first, then the dots.
+    for letter, output, corner in zip("abcdefgh", outputs, places):
+        axes = place_cell(figure, corner, cell)
+        draw_indices(axes, indices.sel(output=output), inputs, models)
+        axes.set_xticks(range(len(inputs)), [symbol(file, name) for name in inputs])
+        heading(axes, letter, f"Sobol indices of {symbol(file, output)}")
+    for letter, output, corner in zip("abcdefgh"[len(outputs):], outputs, places[len(outputs):]):
+        axes = place_cell(figure, corner, cell)
+        draw_dots(axes, file, output, largest(indices.sel(output=output)), models, len(inputs) + 2)
+        heading(axes, letter)
+    handles, texts = figure.axes[0].get_legend_handles_labels()
+    legend_at_foot(figure, dict(zip(texts, handles)), bottom)
+    return figure
+
+
+def symbol(file, name):
+    return f"${attribute(dataset(file, 'R_n_target' if name == 'R_n' and 'R_n_target' in file else name), 'symbol')}$"
+
+
+def left_out(indices):
+    """A sentence on blocks of the design that have points without values."""
+    blocks = indices["blocks"].values
+    return "" if blocks.min() == blocks.max() else f" From {blocks.min()} to {blocks.max()} blocks without missing values."
+
+
+def largest(indices):
+    """The parameter with the largest total index, of the sum over the models."""
+    total = indices["ST"].values.reshape(-1, indices.sizes["input"]).sum(axis=0)
+    return str(indices["input"].values[int(np.nanargmax(total))])
+
+
+def draw_indices(axes, indices, inputs, models):
+    width = 0.8 / len(models)
+    for i, (model, colour) in enumerate(zip(models, COLOURS)):
+        at = np.arange(len(inputs)) - 0.4 + (i + 0.5) * width
+        of_model = indices.isel(bending=i) if "bending" in indices.dims else indices
+        axes.bar(at, of_model["ST"], width * 0.9, yerr=of_model["ST_err"], color=colour, alpha=0.75,
+                 error_kw={"linewidth": 0.8}, label=reading_name(model) or "total index")
+        axes.errorbar(at, of_model["S1"], of_model["S1_err"], fmt="o", markersize=3.5, color="black", markerfacecolor="white",
+                      linewidth=0.8)
+    axes.axhline(0, color="black", linewidth=0.6)
+    axes.set_ylabel("share of the variance")
+
+
+def draw_dots(axes, file, output, parameter, models, block):
+    x = dataset(file, parameter).values
+    independent = np.arange(x.size) % block < 2
+    for model, colour in zip(models, COLOURS):
+        y = dataset(file, output).sel(model).values
+        axes.plot(x[~independent], y[~independent], ".", color=colour, markersize=2, alpha=0.15, rasterized=True)
+        axes.plot(x[independent], y[independent], ".", color=colour, markersize=4, alpha=0.8)
+    if x.min() > 0 and x.max() / x.min() > 8:
+        log_axis(axes, "x", dataset(file, parameter))
+    else:
+        title_axis(axes, "x", dataset(file, parameter))
+    axes.set_ylabel(label(dataset(file, output)))
