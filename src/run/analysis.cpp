@@ -17,6 +17,9 @@
 namespace bristle::run {
 namespace {
 
+const results::Column kAmbiguous = {
+    "ambiguous", "points of the sample whose load another gap carries as well", "", "", H5T_NATIVE_LONG};
+
 const std::vector<double> kShares = {0.05, 0.25, 0.5, 0.75, 0.95};
 
 std::size_t sample_axis(const Experiment& e) {
@@ -39,6 +42,13 @@ std::vector<double> over_sample(const Experiment& e, const std::vector<double>& 
     out.push_back(values[ravel(at, e.shape())]);
   }
   return out;
+}
+
+// How many of these points are ambiguous: another gap carries the load as well.
+double ambiguous(const Experiment& e, const std::map<std::string, std::vector<double>>& values,
+                      std::size_t other) {
+  const std::vector<double> statuses = over_sample(e, values.at("status"), other);
+  return double(std::ranges::count(statuses, double(PointStatus::ambiguous)));
 }
 
 results::GroupDimension words_of(const char* name, const char* meaning, const std::vector<std::string>& words) {
@@ -72,15 +82,16 @@ results::Group indices(const Experiment& e, const Values& values) {
                         {"S1_err", "standard error of S1", R"(\delta S_1)", ""},
                         {"ST", "total Sobol index", "S_T", ""},
                         {"ST_err", "standard error of ST", R"(\delta S_T)", ""},
-                        {"blocks", "blocks of the design whose points all have a value", "", "", H5T_NATIVE_LONG}},
-                       std::vector<std::vector<double>>(5)};
+                        {"blocks", "blocks of the design whose points all have a value", "", "", H5T_NATIVE_LONG},
+                        kAmbiguous},
+                       std::vector<std::vector<double>>(6)};
   for (std::size_t other = 0; other < without_sample(e).points(); ++other)
     for (const std::string& output : outputs) {
       const SobolIndices found = sobol_indices(over_sample(e, values.at(output), other), inputs.size());
       for (std::size_t i = 0; i < inputs.size(); ++i) {
         const double row[] = {found.first[i].value, found.first[i].error, found.total[i].value,
-                              found.total[i].error, double(found.complete)};
-        for (std::size_t column = 0; column < 5; ++column) group.values[column].push_back(row[column]);
+                              found.total[i].error, double(found.complete), ambiguous(e, values, other)};
+        for (std::size_t column = 0; column < 6; ++column) group.values[column].push_back(row[column]);
       }
     }
   return group;
@@ -94,8 +105,9 @@ results::Group quantiles(const Experiment& e, const Values& values) {
                         {{"share", "share of the sample below the quantile", "p", ""}, {}, kShares}},
                        {{"quantile", "quantile of the variable over the sample", "", ""},
                         {"quantile_err", "standard error of the quantile", "", ""},
-                        {"points", "points of the sample with a value", "", "", H5T_NATIVE_LONG}},
-                       std::vector<std::vector<double>>(3)};
+                        {"points", "points of the sample with a value", "", "", H5T_NATIVE_LONG},
+                        kAmbiguous},
+                       std::vector<std::vector<double>>(4)};
   // Of a design for indices, the two points of a block that are drawn independently.
   const std::size_t block = e.analysis.sobol_indices.empty() ? 1 : inputs_of(e).size() + 2;
   for (std::size_t other = 0; other < without_sample(e).points(); ++other)
@@ -109,6 +121,7 @@ results::Group quantiles(const Experiment& e, const Values& values) {
         group.values[0].push_back(q.value);
         group.values[1].push_back(q.error);
         group.values[2].push_back(double(present.size()));
+        group.values[3].push_back(ambiguous(e, values, other));
       }
     }
   return group;
@@ -167,6 +180,7 @@ std::set<std::string> analysed_variables(const Experiment& experiment) {
   const auto& [indices, quantiles] = experiment.analysis;
   std::set<std::string> names(indices.begin(), indices.end());
   names.insert(quantiles.begin(), quantiles.end());
+  if (!names.empty()) names.insert("status");
   return names;
 }
 
@@ -193,6 +207,11 @@ std::string analysis_text(const Experiment& experiment, const std::vector<result
                           place == "sample = 0" ? "" : " at " + place,
                           of_indices ? indices_line(group, row, points / block)
                                      : quantiles_line(group, row, block == 1 ? points : 2 * points / block));
+      const std::size_t width = group.values.back().size() / (others.points() * outputs.size());
+      if (const double count = group.values.back()[row * width]; count > 0) {
+        text.pop_back();
+        text += fmt::format("; {} of the sample's {} points are ambiguous\n", count, points);
+      }
     }
   }
   return text;

@@ -13,7 +13,7 @@ namespace bristle::run {
 // Throws InputError if /analysis names a variable that the result does not have.
 void validate_analysis(const Experiment& experiment);
 
-// The names of the variables that /analysis needs.
+// The names of the variables that /analysis needs, and status.
 std::set<std::string> analysed_variables(const Experiment& experiment);
 
 // The groups /indices and /quantiles that /analysis asks for, for each point of the axes beside the sample.

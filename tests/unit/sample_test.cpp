@@ -25,7 +25,8 @@ struct Folder {
     std::filesystem::copy_file(std::string(BRISTLE_EXPERIMENTS) + "/paper.json", s.path("paper.json"));
   }
   Experiment load(const std::string& sweep, const std::string& more = "") const {
-    const char* load = sweep.find("R_n") == sweep.npos ? R"({"R_n": 0.5})" : "{}";  // the sample may have it
+    // A gap, unless the sample has loads.
+    const char* load = sweep.find("R_n") == sweep.npos ? R"({"R_n": null, "path": null, "z_0": 0.7})" : R"({"R_n": null})";
     return load_experiment(
         s.write("e.json", fmt::format(R"({{"extends": "paper.json", "name": "e", "load": {},
               "orientation": {{"sampling": "list", "theta_0_deg": [20, 80]}}, "sweep": {}{}}})",
@@ -202,15 +203,14 @@ TEST_CASE("a quantity cannot be given by the sample and by an axis or the load")
   const Folder f;
   CHECK(f.error(R"({"k_r": {"values": [1]}, "sample": {"table": {"columns": ["k_r"], "rows": [[1]]}}})") ==
         "e.json: /sweep/sample: k_r is varied by another axis, too; remove one of them");
-  CHECK(f.error(R"({"sample": {"table": {"columns": ["z_0"], "rows": [[0.5]]}}})").find("more than one of R_n, z_0") !=
+  CHECK(f.error(R"({"sample": {"table": {"columns": ["z_0", "R_n"], "rows": [[0.5, 1]]}}})").find("more than one of R_n, z_0") !=
         std::string::npos);
 }
 
 TEST_CASE("the result of a sample: its quantities are variables over it, first in the exported table") {
   const Folder f;
-  f.s.write("t.csv", "k_r,friction,R_n\n20,nss,1\n5,coulomb,2\n");
-  const Experiment e =
-      f.load(R"({"sample": {"table": "t.csv"}, "k_phi": {"values": [2, 3]}})");
+  const Experiment e = f.load(R"({"sample": {"table": {"columns": ["k_r", "friction", "R_n"],
+      "rows": [[20, "nss", 1], [5, "coulomb", 2]]}}, "k_phi": {"values": [2, 3]}})");
   run_experiment(e, {.output = f.s.path("e.h5"), .threads = 1, .quiet = true});
   const ResultReader result(f.s.path("e.h5"));
   CHECK(result.damage().empty());
@@ -231,7 +231,7 @@ TEST_CASE("Sobol indices and quantiles are stored with the result of a sample") 
   const Experiment e =
       f.load(R"({"bending": {"values": ["polar", "rod"]}, "sample": {"sobol": 8, "seed": 1,
                  "over": {"k_r": {"log": [5, 50]}, "zeta_phi": {"uniform": [0.1, 0.1001]}}}})",
-             R"(, "analysis": {"sobol_indices": ["R_x", "z_0"], "quantiles": ["R_x"]})");
+             R"(, "analysis": {"sobol_indices": ["R_x", "R_n"], "quantiles": ["R_x"]})");
   REQUIRE(e.points() == 2 * 8 * 4);
   run_experiment(e, {.output = f.s.path("e.h5"), .threads = 2, .quiet = true});
   const ResultReader result(f.s.path("e.h5"));
@@ -247,7 +247,7 @@ TEST_CASE("Sobol indices and quantiles are stored with the result of a sample") 
   CHECK(result.variable("quantiles/points").values.front() == 16);
   const auto columns = csv_columns(result, "indices");
   CHECK(columns[1].name == "output");
-  CHECK(columns[1].cells[2] == "z_0");
+  CHECK(columns[1].cells[2] == "R_n");
   CHECK(columns[2].cells[1] == "zeta_phi");
   // Another analysis of the same points computes no point again.
   const Experiment more = f.load(e.document->at("sweep").dump(), R"(, "analysis": {"sobol_indices": ["R_x"]})");
@@ -258,7 +258,7 @@ TEST_CASE("points without a value are left out of indices and quantiles, with th
   const Folder f;
   // The load is beyond what some of the bristles carry.
   const Experiment e =
-      f.load(R"({"sample": {"sobol": 16, "seed": 1, "over": {"R_n": {"uniform": [0.2, 1.5]}, "k_r": {"log": [5, 50]}}}})",
+      f.load(R"({"sample": {"sobol": 16, "seed": 1, "over": {"R_n": {"uniform": [0.5, 2.5]}, "k_r": {"log": [5, 50]}}}})",
              R"(, "analysis": {"sobol_indices": ["R_x"], "quantiles": ["R_x"]})");
   run_experiment(e, {.output = f.s.path("e.h5"), .threads = 2, .quiet = true});
   const ResultReader result(f.s.path("e.h5"));
