@@ -210,7 +210,7 @@ std::string analysis_text(const Experiment& experiment, const std::vector<result
       const std::size_t width = group.values.back().size() / (others.points() * outputs.size());
       if (const double count = group.values.back()[row * width]; count > 0) {
         text.pop_back();
-        text += fmt::format("; {} of the sample's {} points are ambiguous\n", count, points);
+        text += fmt::format("; ambiguous points: {} of {}\n", count, points);
       }
     }
   }
