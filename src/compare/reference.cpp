@@ -31,11 +31,14 @@ std::vector<std::string> dimensions_of(const results::ResultReader& result) {
   return result.has("status") ? result.variable("status").dimensions : result.axes();
 }
 
-// The variables of a result that a reference has: axes, flags and real numbers.
+// The variables of a result that a reference has: axes, flags and real numbers. The parameters of a sample,
+// which the numbers of its points stand for, are not among them.
 std::map<std::string, DatasetKind> kinds_of(const results::ResultReader& result) {
   const std::vector<std::string> axes = dimensions_of(result);
   std::map<std::string, DatasetKind> out;
+  const std::vector<std::string> parameters = result.sample_columns();
   for (const std::string& name : results::numeric_datasets(result)) {
+    if (std::ranges::find(parameters, name) != parameters.end()) continue;
     const bool axis = std::ranges::count(axes, name) > 0;
     const DatasetKind kind = axis ? DatasetKind::coordinate : results::kind_of(result, name);
     if (name.find('/') == std::string::npos && !name.ends_with("_err") && kind != DatasetKind::integer &&

@@ -69,6 +69,8 @@ def draw_indices(axes, indices, inputs, models):
         axes.errorbar(at, of_model["S1"], of_model["S1_err"], fmt="o", markersize=3.5, color="black", markerfacecolor="white",
                       linewidth=0.8)
     axes.axhline(0, color="black", linewidth=0.6)
+    low, high = axes.get_ylim()
+    axes.set_ylim(max(low, -0.5), min(high, 1.5))  # errors of few blocks are large
     axes.set_ylabel("share of the variance")
 
 
