@@ -71,7 +71,7 @@ def named_in(module, result):
     with h5py.File(result) as f:
         named = [name for name in f if f'"{name}"' in source]
         columns = [f"{name}/{column}" for name in named if isinstance(f[name], h5py.Group)
-                   for column in f[name] if f'"{column}"' in source]
+                   for column in f[name] if f'"{column}"' in source and "CLASS" not in f[name][column].attrs]
         return columns + [name for name in named if isinstance(f[name], h5py.Dataset) and "CLASS" not in f[name].attrs]
 
 

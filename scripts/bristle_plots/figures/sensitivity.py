@@ -20,7 +20,10 @@ def draw(file):
     indices = table(file, "indices")
     if indices is None:
         raise BristleError(f"{place_of(file)}: has no group indices; the experiment needs "
-                           '"analysis": {"sobol_indices": [...]}, and figures are drawn from the whole result')
+                           '"analysis": {"sobol_indices": [...]}, and its file is opened by open_result(PATH)')
+    for name in ("S1", "S1_err", "ST", "ST_err", "blocks"):
+        if name not in indices:
+            raise BristleError(f"{place_of(file)}: there is no indices/{name}")
     outputs = [str(name) for name in indices["output"].values]
     inputs = [str(name) for name in indices["input"].values]
     models = readings(file)
@@ -79,7 +82,7 @@ def draw_dots(axes, file, output, parameter, models, block):
     independent = np.arange(x.size) % block < 2
     for model, colour in zip(models, COLOURS):
         y = dataset(file, output).sel(model).values
-        axes.plot(x[~independent], y[~independent], ".", color=colour, markersize=2, alpha=0.15, rasterized=True)
+        axes.plot(x[~independent], y[~independent], ".", color=colour, markersize=2, alpha=0.15)
         axes.plot(x[independent], y[independent], ".", color=colour, markersize=4, alpha=0.8)
     if x.min() > 0 and x.max() / x.min() > 8:
         log_axis(axes, "x", dataset(file, parameter))
