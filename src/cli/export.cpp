@@ -23,13 +23,18 @@ int export_command(const ExportOptions& options) {
   if (!options.checks.empty() && options.group != "checks")
     throw InputError("--checks needs --group checks: other tables have no checks");
   const std::string output = options.output.empty() ? default_output(options) : options.output;
-  require_replaceable(output, results::csv_kind());
+  const bool to_standard_output = output == "-";
+  if (!to_standard_output) require_replaceable(output, results::csv_kind());
   const results::ResultReader result(options.file);
   result.require_intact();
   // Stored verdicts are not trusted: the checks are evaluated again.
   const auto columns = options.group == "checks"
                            ? claims::csv_columns(claims::evaluate_checks(result, {}, options.checks))
                            : results::csv_columns(result, options.group);
+  if (to_standard_output) {
+    fmt::print("{}", results::csv_text(result, columns));
+    return kSuccess;
+  }
   write_whole(output, results::csv_text(result, columns), results::csv_kind());
   fmt::print("{}: {} rows, {} columns\n", output, columns.empty() ? 0 : columns.front().cells.size(),
              columns.size());

@@ -87,9 +87,10 @@ CLI::App* add_info(CLI::App& app, InfoOptions& info) {
 CLI::App* add_export(CLI::App& app, ExportOptions& options) {
   auto* command = app.add_subcommand("export", "write the numbers of a result as a table (CSV)");
   command->add_option("FILE", options.file, "result file")->required();
-  command->add_option("-o,--output", options.output, "table [the name of FILE with .csv]");
+  command->add_option("-o,--output", options.output, "table, or - for standard output [the name of FILE with .csv]");
   command->add_option("--group", options.group,
-                      "checks, jumps, load_error or a recorded table in place of the variables");
+                      "checks, indices, jumps, load_error, quantiles or a recorded table in place of the "
+                      "variables");
   command->add_option(
       "--checks", options.checks,
       "with --group checks: evaluate the checks of this file, such as an experiment, in place "

@@ -53,6 +53,7 @@ Json read_table(const std::string& path) {
     throw InputError(fmt::format("{}: line {}: {}", path, line, what));
   };
   std::string text = read_file(path, kMaxJsonBytes);
+  if (!is_utf8(text)) throw InputError(path + ": is not a table of text in UTF-8");
   if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);  // byte order mark
   std::istringstream lines(text);
   Json table = {{"columns", Json::array()}, {"rows", Json::array()}};
@@ -67,8 +68,7 @@ Json read_table(const std::string& path) {
       continue;
     }
     if (cells.size() != names.size())
-      fail(number, fmt::format("has {} cells, and the table has {} columns: {}", cells.size(), names.size(),
-                               fmt::join(names, ", ")));
+      fail(number, fmt::format("has {} cells, and the first line names {} columns", cells.size(), names.size()));
     Json row = Json::array();
     for (std::size_t i = 0; i < cells.size(); ++i) {
       if (cells[i].empty())

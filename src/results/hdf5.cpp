@@ -61,15 +61,6 @@ void put_attribute(hid_t object, const std::string& name, hid_t type, hid_t spac
   check(H5Awrite(attribute, type, data), "writing attribute " + name);
 }
 
-bool is_utf8(const std::string& text) {
-  try {
-    Json(text).dump();  // throws for text that is not UTF-8
-    return true;
-  } catch (const Json::exception&) {
-    return false;
-  }
-}
-
 // Opens an attribute that must be a single value: H5Aread writes all elements of the attribute, however small
 // the buffer.
 Handle open_attribute(hid_t object, const std::string& name) {

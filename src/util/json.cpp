@@ -31,6 +31,15 @@ std::string layout(const Json& json, const std::string& indent) {
 
 std::string json_lines(const Json& json) { return layout(json, "") + "\n"; }
 
+bool is_utf8(const std::string& text) {
+  try {
+    Json(text).dump();  // throws for text that is not UTF-8
+    return true;
+  } catch (const Json::exception&) {
+    return false;
+  }
+}
+
 std::string json_error(const std::string& message) {
   const auto end = message.find("] ");
   return end == std::string::npos ? message : message.substr(end + 2);

@@ -32,6 +32,9 @@ std::string json_lines(const Json& json);
 // The value as it appears in messages: JSON, shortened to 60 characters.
 std::string shown(const Json& value);
 
+// JSON holds such text only.
+bool is_utf8(const std::string& text);
+
 // The text of a Json::exception without its tag, "[json.exception.parse_error.101] ".
 std::string json_error(const std::string& message);
 

@@ -48,6 +48,7 @@ def check_variables(path, data):
     index = data["status"].to_dataframe().index.to_frame()
     for name in data["status"].dims:
         assert table[name].tolist() == index[name].tolist(), name
+    assert run("export", path, "-o", "-") == (folder / "table.csv").read_text()
     columns = list(table)
     assert columns.index("R_x_err") == columns.index("R_x") + 1
     header = (folder / "table.csv").read_text().splitlines()
