@@ -154,7 +154,8 @@ def check_experiments(path):
     of_checks = words_of(schema["definitions"].pop("checks"))
     schema["properties"] = {}  # repeats the names of the definitions
     for page, words in ((path, words_of(schema)), (path.with_name("claims.md"), of_checks)):
-        text = " ".join(re.findall(r"`([^`]+)`", page.read_text(encoding="utf-8")))
+        prose = re.sub(r"^```.*?^```$", "", page.read_text(encoding="utf-8"), flags=re.M | re.S)
+        text = " ".join(re.findall(r"`([^`]+)`", prose))
         missing = sorted(word for word in words if not defines(text, word))
         assert not missing, f"{page.name} lacks {', '.join(missing)}"
 
