@@ -178,7 +178,7 @@ std::string read_jump_axis(const Document& d, const Experiment& e) {
   const auto axis = std::ranges::find(e.axes, name, &Axis::name);
   if (axis == e.axes.end() || !axis->quantity().options.empty() || !axis->columns.empty())
     d.fail("/locate_jumps",
-           fmt::format("\"{}\" is not a number with an axis in the sweep; allowed: a number in /sweep", name));
+           fmt::format("\"{}\" is not a number that the sweep varies; allowed: a number in /sweep", name));
   if (e.base.loading.z_0 || e.base.loading.trace)
     d.fail("/locate_jumps", "needs a load R_n: at a given gap, and along a traced curve, no gap jumps");
   return name;

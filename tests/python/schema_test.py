@@ -31,6 +31,7 @@ PROGRAM_ONLY = {
     "/si/.* (need it|with R_m only)": "which quantities in SI units belong together",
     "above first contact": "a bound that depends on other values",
     "not a number that the sweep varies": "whether the sweep has the axis of the jumps",
+    "is not below .*; swap them": "order of the ends of a distribution",
     "appears twice": "whether the words of an axis differ",
 }
 
