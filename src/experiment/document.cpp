@@ -118,10 +118,13 @@ Document::Change parse_set(const std::string& argument) {
     if (pointer.empty()) fail("the JSON pointer is empty");
     if (argument.starts_with("/tiers"))
       fail("would have no effect, because the tier has been applied; set the value itself");
-    Json change;
-    change[pointer] = std::move(value);
-    include_tables(change, "");
-    return {"--set " + argument, tokens_of(pointer), std::make_shared<const Json>(change[pointer])};
+    if (argument.starts_with("/sweep")) {
+      Json change;
+      change[pointer] = value;
+      include_tables(change, "");
+      value = change[pointer];
+    }
+    return {"--set " + argument, tokens_of(pointer), std::make_shared<const Json>(std::move(value))};
   } catch (const Json::exception& e) {
     fail(json_error(e.what()));
   }

@@ -320,9 +320,9 @@ Experiment read(const Document& d) {
     const bool is_axis = std::ranges::find(e.axes, name, &Axis::name) != e.axes.end();
     const JsonPointer at = JsonPointer("/sweep") / (is_axis ? name : kSample);
     e.warnings.push_back(fmt::format(
-        "{}: {}: {} has no effect with these choices of friction, load and orientation: points that differ "
-        "in it alone are the same",
-        d.origin(at), at.to_string(), name));
+        "{}: {}: {}has no effect with these choices of friction, load and orientation: points that differ in "
+        "it alone are the same",
+        d.origin(at), at.to_string(), is_axis ? "" : name + " "));
   }
   return e;
 }

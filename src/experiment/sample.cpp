@@ -1,13 +1,12 @@
 #include "experiment/sample.hpp"
 
 #include "experiment/schema.hpp"
+#include "model/elementary.hpp"
 #include "util/error.hpp"
 #include "util/file.hpp"
 #include "util/sensitivity.hpp"
 #include "util/sobol.hpp"
 #include "util/text.hpp"
-
-#include <boost/math/distributions/normal.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -94,6 +93,39 @@ void include_table(Json& experiment, const JsonPointer& sample, const std::strin
 // Rounded to seven digits. Quantiles differ between libraries of elementary functions in the last bit, and
 // must not: points are known by their values. Tables of samples are easier to read, too.
 double rounded(double value) { return std::stod(fmt::format("{:.7g}", value)); }
+
+double ratio(double r, const double (&a)[8], const double (&b)[8]) {
+  double numerator = 0, denominator = 0;
+  for (int i = 7; i >= 0; --i) {
+    numerator = numerator * r + a[i];
+    denominator = denominator * r + b[i];
+  }
+  return numerator / denominator;
+}
+
+// The quantile of the standard normal distribution (M. J. Wichura, algorithm AS 241, Appl. Statist. 37, 1988).
+// Boost.Math's calls functions of the C library, which differ between machines.
+double normal_quantile(double share) {
+  static const double
+      a[] = {3.3871328727963666080e0, 1.3314166789178437745e2, 1.9715909503065514427e3, 1.3731693765509461125e4,
+             4.5921953931549871457e4, 6.7265770927008700853e4, 3.3430575583588128105e4, 2.5090809287301226727e3},
+      b[] = {1.0, 4.2313330701600911252e1, 6.8718700749205790830e2, 5.3941960214247511077e3,
+             2.1213794301586595867e4, 3.9307895800092710610e4, 2.8729085735721942674e4, 5.2264952788528545610e3},
+      c[] = {1.42343711074968357734e0, 4.63033784615654529590e0, 5.76949722146069140550e0, 3.64784832476320460504e0,
+             1.27045825245236838258e0, 2.41780725177450611770e-1, 2.27238449892691845833e-2, 7.74545014278341407640e-4},
+      d[] = {1.0, 2.05319162663775882187e0, 1.67638483018380384940e0, 6.89767334985100004550e-1,
+             1.48103976427480074590e-1, 1.51986665636164571966e-2, 5.47593808499534494600e-4, 1.05075007164441684324e-9},
+      e[] = {6.65790464350110377720e0, 5.46378491116411436990e0, 1.78482653991729133580e0, 2.96560571828504891230e-1,
+             2.65321895265761230930e-2, 1.24266094738807843860e-3, 2.71155556874348757815e-5, 2.01033439929228813265e-7},
+      f[] = {1.0, 5.99832206555887937690e-1, 1.36929880922735805310e-1, 1.48753612908506148525e-2,
+             7.86869131145613259100e-4, 1.84631831751005468180e-5, 1.42151175831644588870e-7, 2.04426310338993978564e-15};
+  const double from_middle = share - 0.5;
+  if (std::abs(from_middle) <= 0.425)
+    return from_middle * ratio(0.180625 - from_middle * from_middle, a, b);
+  const double r = sqrt(-log(from_middle < 0 ? share : 1 - share));
+  const double size = r <= 5 ? ratio(r - 1.6, c, d) : ratio(r - 5, e, f);
+  return from_middle < 0 ? -size : size;
+}
 
 class SampleReader {
  public:
@@ -200,8 +232,7 @@ class SampleReader {
     const double first = given[0], second = given[1];
     if (kind == "normal") {
       if (!(second > 0)) fail(at / kind, fmt::format("the standard deviation {} is not positive", second));
-      const boost::math::normal normal(first, second);
-      return [normal](double share) { return rounded(quantile(normal, share)); };
+      return [first, second](double share) { return rounded(first + second * normal_quantile(share)); };
     }
     if (!(first < second)) fail(at / kind, fmt::format("{} is not below {}; swap them", first, second));
     if (kind == "uniform")
@@ -209,7 +240,7 @@ class SampleReader {
     if (!(first > 0))
       fail(at / kind, fmt::format("a logarithmic distribution cannot begin at {}; allowed: greater than 0",
                                   first));
-    return [first, second](double share) { return rounded(first * std::pow(second / first, share)); };
+    return [first, second](double share) { return rounded(first * pow(second / first, share)); };
   }
 
   const Document& document_;
@@ -255,7 +286,7 @@ const Sweepable& require_sweepable(const Document& document, const JsonPointer& 
   if (const Sweepable* sweepable = find_sweepable(name)) return *sweepable;
   std::vector<std::string> known;
   for (const Sweepable& s : sweepables()) known.push_back(s.name);
-  document.fail(at.to_string(), fmt::format("{} cannot be swept{}; allowed: {}", shown(name),
+  document.fail(at.to_string(), fmt::format("{} cannot be swept{}; allowed: {}", name,
                                             did_you_mean(name, known), fmt::join(known, ", ")));
 }
 

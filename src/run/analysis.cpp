@@ -17,8 +17,10 @@
 namespace bristle::run {
 namespace {
 
-const results::Column kAmbiguous = {
-    "ambiguous", "points of the sample whose load another gap carries as well", "", "", H5T_NATIVE_LONG};
+// A function, because HDF5 must not be used before main().
+results::Column ambiguous_column() {
+  return {"ambiguous", "points of the sample whose load another gap carries as well", "", "", H5T_NATIVE_LONG};
+}
 
 const std::vector<double> kShares = {0.05, 0.25, 0.5, 0.75, 0.95};
 
@@ -83,7 +85,7 @@ results::Group indices(const Experiment& e, const Values& values) {
                         {"ST", "total Sobol index", "S_T", ""},
                         {"ST_err", "standard error of ST", R"(\delta S_T)", ""},
                         {"blocks", "blocks of the design whose points all have a value", "", "", H5T_NATIVE_LONG},
-                        kAmbiguous},
+                        ambiguous_column()},
                        std::vector<std::vector<double>>(6)};
   for (std::size_t other = 0; other < without_sample(e).points(); ++other)
     for (const std::string& output : outputs) {
@@ -106,7 +108,7 @@ results::Group quantiles(const Experiment& e, const Values& values) {
                        {{"quantile", "quantile of the variable over the sample", "", ""},
                         {"quantile_err", "standard error of the quantile", "", ""},
                         {"points", "points of the sample with a value", "", "", H5T_NATIVE_LONG},
-                        kAmbiguous},
+                        ambiguous_column()},
                        std::vector<std::vector<double>>(4)};
   // Of a design for indices, the two points of a block that are drawn independently.
   const std::size_t block = e.analysis.sobol_indices.empty() ? 1 : inputs_of(e).size() + 2;

@@ -195,7 +195,7 @@ TEST_CASE("malformed samples: the message names place, value and remedy") {
   };
   for (const auto& [sweep, message] : rows) CHECK(f.error(sweep) == message);
   CHECK(f.error(table("column.csv")).starts_with(
-      at + "table/columns/0: \"k_rr\" cannot be swept (did you mean k_r?); allowed: k_r, "));
+      at + "table/columns/0: k_rr cannot be swept (did you mean k_r?); allowed: k_r, "));
   CHECK(f.error(sobol(R"("k_r": {"normal": [3, 30]})")).starts_with(at + "over/k_r: -"));
 }
 
