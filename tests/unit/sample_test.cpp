@@ -112,6 +112,22 @@ TEST_CASE("distributions of a sample: ranges, moments and words") {
   for (const double value : column(e, "tau_f")) CHECK(std::stod(fmt::format("{:.7g}", value)) == value);
 }
 
+TEST_CASE("a normal distribution has its share below each value, in the tails as well") {
+  const Folder f;
+  constexpr std::size_t n = 16384;
+  const Experiment e = f.load(sobol(R"("tau_f": {"normal": [30000, 1000]})", n));
+  const auto points = sobol_points(n, 1, 1);
+  double farthest = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double z = (column(e, "tau_f")[i] - 3e4) / 1e3, share = points[i][0];
+    farthest = std::max(farthest, std::abs(z));
+    // The values have seven digits: the standardised ones are within 5e-6.
+    const double density = std::exp(-z * z / 2) / std::sqrt(2 * M_PI);
+    CHECK_FALSE(std::abs(std::erfc(-z / std::sqrt(2.0)) / 2 - share) > 6e-6 * density + 1e-12);
+  }
+  CHECK(farthest > 3.7);
+}
+
 TEST_CASE("a longer sample begins with the shorter one, and each seed has its own points") {
   const Folder f;
   const std::string over = R"("k_r": {"log": [3, 100]}, "mu_c": {"normal": [0.3, 0.05]})";
