@@ -26,7 +26,8 @@ struct ExperimentOptions {
   experiment::DocumentOptions load;
 };
 // options: without output the result is results/<name>.h5 or, of another tier, results/<name>-<tier>.h5;
-// instruction_set: empty for the widest available.
+// instruction_set: empty for the widest available. Returns kCheckFailed if no trial of a design meets its
+// constraints.
 int run_command(const ExperimentOptions& experiment, const run::RunOptions& options,
                 const std::string& instruction_set);
 int validate_command(const ExperimentOptions& experiment);

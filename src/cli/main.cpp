@@ -71,6 +71,16 @@ CLI::App* add_run(CLI::App& app, ExperimentOptions& experiment, run::RunOptions&
   return command;
 }
 
+CLI::App* add_design(CLI::App& app, ExperimentOptions& experiment, run::RunOptions& run) {
+  auto* command = app.add_subcommand("design", "the same as `run`, of an experiment with a design: look for the best brush");
+  add_experiment(*command, experiment);
+  command->add_option("-o,--output", run.output, "result file [as of `run`]");
+  command->add_option("--threads", run.threads, "threads [all cores]")->check(CLI::Range(1, 1024));
+  command->add_flag("--force", run.force, "compute even if the result is up to date");
+  command->add_flag("--quiet", run.quiet, "no progress, no summary");
+  return command;
+}
+
 CLI::App* add_validate(CLI::App& app, ExperimentOptions& experiment) {
   auto* command = app.add_subcommand("validate", "check an experiment file without computing it");
   add_experiment(*command, experiment);
@@ -193,6 +203,7 @@ class CommandLine {
                [this] { return cli::new_command(new_name_, new_in_si_); });
     set_action(add_run(app_, experiment_, run_, instruction_set_),
                [this] { return cli::run_command(experiment_, run_, instruction_set_); });
+    set_action(add_design(app_, experiment_, run_), [this] { return cli::run_command(experiment_, run_, ""); });
     set_action(add_validate(app_, experiment_), [this] { return cli::validate_command(experiment_); });
     set_action(app_.add_subcommand("schema", "print the JSON schema of experiment files, for editors"),
                [] { return cli::schema_command(); });

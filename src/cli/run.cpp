@@ -2,6 +2,7 @@
 
 #include "claims/measure.hpp"
 #include "claims/checks.hpp"
+#include "design/design.hpp"
 #include "experiment/schema.hpp"
 #include "run/analysis.hpp"
 #include "experiment/si_units.hpp"
@@ -67,6 +68,7 @@ int run_command(const ExperimentOptions& input, const run::RunOptions& options,
   run::RunOptions with_output = options;
   const std::string suffix = experiment.tier == "full" ? "" : "-" + experiment.tier;
   if (options.output.empty()) with_output.output = fmt::format("results/{}{}.h5", experiment.name, suffix);
+  if (experiment.design) return design::run_design(experiment, with_output) ? kSuccess : kCheckFailed;
   run::run_experiment(experiment, with_output);
   return kSuccess;
 }

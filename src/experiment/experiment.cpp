@@ -294,6 +294,8 @@ Experiment read(const Document& d) {
   e.title = json.value("title", e.name);
   e.figure = json.value("figure", "");
   e.axes = read_axes(d);
+  e.design = read_design(d);
+  if (e.design && !e.swept(kSample)) e.axes.insert(e.axes.begin(), {kSample, {0, 1}, bounds_of(*e.design)});
   const Json& model = json["model"];
   e.C_peaks_at_V_s = !model.contains("C") || model["C"].is_string();
   if (e.swept("C") && model.contains("C") && model["C"].is_string())

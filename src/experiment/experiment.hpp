@@ -1,6 +1,7 @@
 #pragma once
 
 #include "experiment/check.hpp"
+#include "experiment/design.hpp"
 #include "experiment/document.hpp"
 #include "experiment/sweepable.hpp"
 
@@ -42,6 +43,7 @@ struct Experiment {
   std::vector<std::string> warnings;  // values that have no effect, or another unit than the rest
   Recording record;
   Analysis analysis;
+  std::optional<Design> design;  // its trials are the sample
   Engine engine = Engine::fast;
   std::string azimuths_sha256;  // of base.setup.orientation.theta_0, which may have many values
   std::vector<Check> checks;

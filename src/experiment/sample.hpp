@@ -6,6 +6,14 @@ namespace bristle::experiment {
 
 constexpr const char* kSample = "sample";  // name of the axis
 
+// The value to seven digits. Quantiles differ between libraries of elementary functions in the last bit, and
+// must not: points are known by their values. Tables of samples are easier to read, too.
+double rounded(double value);
+
+// The quantile of the standard normal distribution for shares between 1e-11 and 1 - 1e-11. The bits are the
+// same on all machines.
+double normal_quantile(double share);
+
 // The axis of /sweep/sample: the rows of a table, or a Sobol sequence over distributions of quantities
 // (docs/experiments.md). Throws InputError as read_axes() does.
 Axis read_sample(const Document& document);

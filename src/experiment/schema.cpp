@@ -1,5 +1,6 @@
 #include "experiment/schema.hpp"
 
+#include "experiment/design.hpp"
 #include "experiment/si_units.hpp"
 #include "util/error.hpp"
 #include "util/text.hpp"
@@ -70,6 +71,7 @@ Json assemble() {
   set_words("/properties/orientation/properties/distribution", words<Distribution>());
   set_words("/properties/orientation/properties/sampling", words<Sampling>());
   set_words("/properties/integrator/properties/engine", words<Engine>());
+  set_words("/definitions/objective/properties/of", words<Statistic>());
   schema["definitions"]["model"]["properties"] = model_properties();
   schema["definitions"]["si"]["properties"] = si_properties();
   return schema;

@@ -81,6 +81,11 @@ std::string inputs_sha256(const Json& document) {
   if (document.contains("sweep"))
     for (const auto& [name, axis] : document["sweep"].items()) axes.push_back(name);
   inputs["axes"] = axes;
+  if (document.contains("design")) {  // the sample of a design follows from the rest
+    if (inputs.contains("sweep")) inputs["sweep"].erase("sample");
+    std::erase(inputs["axes"].get_ref<nlohmann::json::array_t&>(), "sample");
+  }
+  if (inputs.contains("sweep") && inputs["sweep"].empty()) inputs.erase("sweep");
   return sha256_of(inputs.dump());
 }
 

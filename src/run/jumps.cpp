@@ -14,11 +14,6 @@ namespace {
 constexpr double kLeastJump = 0.1;  // of z_0, in units of r0
 constexpr double kWidth = 0.02;     // of the interval that contains a located jump, relative
 
-bool jumps(const Gap& a, const Gap& b) {
-  if (!a.known || !b.known || (std::isnan(a.z_0) && std::isnan(b.z_0))) return false;
-  return !(std::abs(a.z_0 - b.z_0) <= kLeastJump);  // also if one of them is NaN
-}
-
 constexpr int kMostHalvings = 20;
 
 // Part of the axis across which the gap jumps.
@@ -107,6 +102,11 @@ Gap gap_of(const results::PointRecord& record) {
   const double z_0 = record.values.at("z_0").front();
   const auto status = PointStatus(int(record.values.at("status").front()));
   return {status == PointStatus::unreachable || std::isfinite(z_0), z_0, status == PointStatus::ambiguous};
+}
+
+bool jumps(const Gap& a, const Gap& b) {
+  if (!a.known || !b.known || (std::isnan(a.z_0) && std::isnan(b.z_0))) return false;
+  return !(std::abs(a.z_0 - b.z_0) <= kLeastJump);  // also if one of them is NaN
 }
 
 results::Rows locate_jumps(const Experiment& experiment, const std::vector<Gap>& gaps,

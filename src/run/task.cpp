@@ -101,70 +101,31 @@ void fill_journal(const Experiment& experiment, const KeyedPoints& points,
   if (!complete) throw Interrupted(saved_text("interrupted"));
 }
 
-std::vector<Gap> gaps_of(const std::vector<std::size_t>& indices, const KeyedPoints& points,
-                         const results::Journal& journal) {
-  std::vector<Gap> gaps;
-  for (const std::size_t index : indices) gaps.push_back(gap_of(journal.read(points.key(index)).record));
-  return gaps;
-}
-
 // The jumps of the gap between the points, which are all in the journal.
 results::Rows find_jumps(const Experiment& experiment, const KeyedPoints& points, results::Journal& journal,
                          const RunOptions& options) {
   if (experiment.locate_jumps.empty()) return {};
   const auto solve = [&](const Experiment& between, const std::vector<std::size_t>& indices) {
-    const std::set<std::size_t> ascending(indices.begin(), indices.end());
-    const KeyedPoints added(between, {ascending.begin(), ascending.end()});
-    const auto missing = missing_points(added, journal, options.force);
-    Progress progress(between.name, missing.size(), options.quiet);
-    fill_journal(between, added, missing, options.threads, journal, progress);
+    Progress progress(between.name, indices.size(), options.quiet);
+    std::vector<Gap> gaps;
+    for (const results::PointRecord& record : solve_points(between, indices, options, journal, progress))
+      gaps.push_back(gap_of(record));
     progress.finish();
-    return gaps_of(indices, added, journal);
+    return gaps;
   };
-  return locate_jumps(experiment, gaps_of(points.points(), points, journal), solve);
+  std::vector<Gap> gaps;
+  for (const std::size_t index : points.points()) gaps.push_back(gap_of(journal.read(points.key(index)).record));
+  return locate_jumps(experiment, gaps, solve);
 }
 
-// Writes the result file from the journal, in the order of the points.
-Summary write_result(const Experiment& experiment, const std::string& path, const KeyedPoints& points,
-                     const results::Rows& jumps, const results::Journal& journal,
-                     std::map<std::string, std::string> entries, Progress& progress) {
-  progress.stage("writing " + path);
-  Summary summary(experiment, path);
-  std::set<std::string> commits, hosts;
-  results::ResultWriter writer(experiment, path);
-  std::map<std::string, std::vector<double>> analysed;
-  for (const std::size_t i : points.points()) {
-    const results::JournalLine line = journal.read(points.key(i));
-    for (const std::string& name : analysed_variables(experiment))
-      analysed[name].push_back(line.record.values.at(name).front());
-    writer.write(i, line.record);
-    summary.add(line.record, i);
-    commits.insert(line.commit);
-    hosts.insert(line.host);
-  }
-  if (!jumps.empty()) writer.write_jumps(experiment.locate_jumps, jumps);
-  const std::vector<results::Group> groups = analyse(experiment, analysed);
-  for (const results::Group& group : groups) writer.write_group(group);
-  summary.add(analysis_text(experiment, groups));
-  entries["points_commits"] = fmt::format("{}", fmt::join(commits, ", "));
-  entries["points_hosts"] = fmt::format("{}", fmt::join(hosts, ", "));
-  entries["finished"] = utc_now();
-  writer.close(entries);
-  if (!experiment.checks.empty()) progress.stage("evaluating the checks");
-  add_checks(writer.partial());
-  writer.publish();
-  progress.finish();
-  return summary;
-}
-
-// The same, with the jumps between the points. The journals of shards, whose points are now all in the
+// Writes the result with the jumps between the points. The journals of shards, whose points are now all in the
 // journal of the result, are removed.
 Summary finish(const Experiment& experiment, const RunOptions& options, const KeyedPoints& points,
                results::Journal& journal, const std::map<std::string, std::string>& entries,
                Progress& progress) {
   const results::Rows jumps = find_jumps(experiment, points, journal, options);
   try {
-    Summary summary = write_result(experiment, options.output, points, jumps, journal, entries, progress);
+    Summary summary = write_result(experiment, options.output, points, jumps, {}, journal, entries, progress);
     for (const auto& [shard, path] : shard_journals(options.output)) journal.remove_copied(path);
     return summary;
   } catch (const RunError& e) {
@@ -225,6 +186,54 @@ void compute(const Experiment& experiment, const RunOptions& options) {
 }
 
 }  // namespace
+
+std::vector<results::PointRecord> solve_points(const Experiment& experiment,
+                                               const std::vector<std::size_t>& points,
+                                               const RunOptions& options, results::Journal& journal,
+                                               Progress& progress) {
+  const std::set<std::size_t> ascending(points.begin(), points.end());
+  const KeyedPoints keyed(experiment, {ascending.begin(), ascending.end()});
+  const std::vector<std::size_t> missing = missing_points(keyed, journal, options.force);
+  for (std::size_t found = missing.size(); found < ascending.size(); ++found) progress.step();
+  fill_journal(experiment, keyed, missing, options.threads, journal, progress);
+  std::vector<results::PointRecord> records;
+  for (const std::size_t point : points) records.push_back(journal.read(keyed.key(point)).record);
+  return records;
+}
+
+Summary write_result(const Experiment& experiment, const std::string& path, const KeyedPoints& points,
+                     const results::Rows& jumps, const std::vector<results::Group>& more,
+                     const results::Journal& journal, std::map<std::string, std::string> entries,
+                     Progress& progress) {
+  progress.stage("writing " + path);
+  Summary summary(experiment, path);
+  std::set<std::string> commits, hosts;
+  results::ResultWriter writer(experiment, path);
+  std::map<std::string, std::vector<double>> analysed;
+  for (const std::size_t i : points.points()) {
+    const results::JournalLine line = journal.read(points.key(i));
+    for (const std::string& name : analysed_variables(experiment))
+      analysed[name].push_back(line.record.values.at(name).front());
+    writer.write(i, line.record);
+    summary.add(line.record, i);
+    commits.insert(line.commit);
+    hosts.insert(line.host);
+  }
+  if (!jumps.empty()) writer.write_jumps(experiment.locate_jumps, jumps);
+  const std::vector<results::Group> groups = analyse(experiment, analysed);
+  for (const auto* list : {&groups, &more})
+    for (const results::Group& group : *list) writer.write_group(group);
+  summary.add(analysis_text(experiment, groups));
+  entries["points_commits"] = fmt::format("{}", fmt::join(commits, ", "));
+  entries["points_hosts"] = fmt::format("{}", fmt::join(hosts, ", "));
+  entries["finished"] = utc_now();
+  writer.close(entries);
+  if (!experiment.checks.empty()) progress.stage("evaluating the checks");
+  add_checks(writer.partial());
+  writer.publish();
+  progress.finish();
+  return summary;
+}
 
 void run_experiment(const Experiment& experiment, const RunOptions& options) {
   require_replaceable(options.output, results::result_file());

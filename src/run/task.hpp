@@ -1,8 +1,12 @@
 #pragma once
 
-#include "experiment/experiment.hpp"
+#include "results/writer.hpp"
+#include "run/points.hpp"
+#include "run/progress.hpp"
 #include "run/shard.hpp"
+#include "run/summary.hpp"
 
+#include <map>
 #include <optional>
 #include <string>
 
@@ -22,5 +26,19 @@ struct RunOptions {
 // with each status unless quiet. Throws RunError if interrupted or if the disk is full; the computed points
 // are then in the journal.
 void run_experiment(const Experiment& experiment, const RunOptions& options);
+
+// Computes these points of an experiment, as far as no journal in the folder of the result has them, and
+// returns all, in the same order. options: output, threads, force. Throws as run_experiment().
+std::vector<results::PointRecord> solve_points(const Experiment& experiment,
+                                               const std::vector<std::size_t>& points,
+                                               const RunOptions& options, results::Journal& journal,
+                                               Progress& progress);
+
+// Writes the result file from the journal, in the order of the points, with jumps, analysis, more groups and
+// provenance.
+Summary write_result(const Experiment& experiment, const std::string& path, const KeyedPoints& points,
+                     const results::Rows& jumps, const std::vector<results::Group>& more,
+                     const results::Journal& journal, std::map<std::string, std::string> entries,
+                     Progress& progress);
 
 }  // namespace bristle::run

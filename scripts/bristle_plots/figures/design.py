@@ -1,0 +1,98 @@
+"""The trials of a design, its front, and what is beside the recommended trial: friction, jumps, tolerances."""
+
+import numpy as np
+
+from ..curves import title_axis
+from ..errors import BristleError
+from ..layout import Cell, across, corners, heading, place_cell, sheet
+from ..readings import one_page
+from ..results import attribute, place_of, table
+from ..style import COLOURS, label
+
+AXES = ["sample"]
+ALL, FRONT, BEST, JUMP = "0.75", COLOURS[0], COLOURS[1], "0.35"
+NOTE = ("Grey: trials that meet the constraints; blue: the front, of trials that no other surpasses; diamond: the recommended "
+        "trial. Error bars: errors of the computation and of the few deviations.\n"
+        "Curves: the first objective at nominal values over each quantity, the others as recommended, in the scenario where it "
+        "is worst; band: its error; dashed: a jump of the gap in any scenario.")
+
+
+@one_page
+def draw(file):
+    trials, front, best, margins = (table(file, name) for name in ("trials", "front", "best", "margins"))
+    if trials is None or best is None:
+        raise BristleError(f"{place_of(file)}: has no {'trials' if trials is None else 'recommended trial'}; `bristle design` "
+                           "writes them if a trial meets the constraints")
+    indices = table(file, "indices")
+    quantities = [str(name) for name in margins["quantity"].values]
+    panels = 1 + len(quantities) + (indices is not None)
+    cell, columns = across(panels, Cell(5.6, 4.0, 1.2, 0.8, 4.1, 2.8), 0.5)
+    figure, bottom = sheet(file, cell.width * columns, cell.height * -(-panels // columns), NOTE)
+    places = iter(zip("abcdefghijklmn", corners(panels, columns, cell, bottom)))
+    letter, corner = next(places)
+    axes = place_cell(figure, corner, cell)
+    draw_trials(axes, trials, front, best)
+    heading(axes, letter)
+    for name, margin in zip(quantities, margins.transpose("quantity").to_dataframe().itertuples()):
+        letter, corner = next(places)
+        axes = place_cell(figure, corner, cell)
+        draw_profile(axes, table(file, f"profile_{name}"), name, best, margin)
+        heading(axes, letter)
+    if indices is not None:
+        letter, corner = next(places)
+        axes = place_cell(figure, corner, cell)
+        draw_indices(axes, indices, trials)
+        heading(axes, letter)
+    return figure
+
+
+def draw_trials(axes, trials, front, best):
+    valid = trials["violation"].values == 0
+    if "objective_2" not in trials:
+        x = np.arange(valid.size)
+        axes.plot(x[valid], trials["objective_1"].values[valid], ".", color=ALL)
+        axes.errorbar(best["trial"], best["objective_1"], best["objective_1_err"], fmt="d", color=BEST)
+        axes.set_xlabel("trial")
+        axes.set_ylabel(objective_label(trials, 1))
+        return
+    axes.plot(trials["objective_1"].values[valid], trials["objective_2"].values[valid], ".", color=ALL, markersize=3)
+    axes.errorbar(front["objective_1"], front["objective_2"], front["objective_2_err"], front["objective_1_err"], fmt="o",
+                  color=FRONT, markersize=3, linewidth=0.7)
+    axes.plot(best["objective_1"], best["objective_2"], "d", color=BEST, zorder=4)
+    axes.set_xlabel(objective_label(trials, 1))
+    axes.set_ylabel(objective_label(trials, 2))
+
+
+def objective_label(group, number):
+    """The symbol and the unit of an objective's variable, and the statistic over the tolerances."""
+    variable = group[f"objective_{number}"]
+    text = attribute(variable, "long_name").split(":")[0]
+    statistic = text[text.rindex("(") + 1:-1] + " of " if text.endswith(")") else ""
+    return statistic + label(variable)
+
+
+def draw_profile(axes, profile, name, best, margin):
+    x, y, error = (profile[key].values for key in (name, "objective_1", "objective_1_err"))
+    axes.fill_between(x, y - error, y + error, color=FRONT, alpha=0.25, linewidth=0)
+    axes.plot(x, y, color=FRONT, linewidth=1.2)
+    at = float(best[name].values[0])
+    axes.axvline(at, color=BEST, linewidth=0.8)
+    for change in (-margin.margin_below, margin.margin_above):
+        if np.isfinite(change):
+            axes.axvline(at * (1 + change), color=JUMP, linestyle="--", linewidth=1)
+    axes.plot(at, np.interp(at, x, y), "d", color=BEST)
+    title_axis(axes, "x", profile[name])
+    axes.set_ylabel("nominal " + label(profile["objective_1"]))
+
+
+def draw_indices(axes, indices, trials):
+    inputs = [str(name) for name in indices["input"].values]
+    width = 0.8 / indices.sizes["objective"]
+    for i, colour in zip(range(indices.sizes["objective"]), COLOURS):
+        at = np.arange(len(inputs)) - 0.4 + (i + 0.5) * width
+        one = indices.isel(objective=i)
+        axes.bar(at, one["ST"], width * 0.9, yerr=one["ST_err"], color=colour, alpha=0.75, error_kw={"linewidth": 0.8},
+                 label=label(trials[f"objective_{i + 1}"]))
+    axes.set_xticks(range(len(inputs)), [f"${attribute(trials[name], 'symbol')}$" for name in inputs])
+    axes.set_ylabel("total Sobol index over the tolerances")
+    axes.legend(frameon=False)

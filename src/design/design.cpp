@@ -1,0 +1,230 @@
+#include "design/design.hpp"
+
+#include "design/groups.hpp"
+#include "design/trials.hpp"
+#include "experiment/sample.hpp"
+#include "results/reader.hpp"
+#include "run/provenance.hpp"
+#include "run/signals.hpp"
+#include "run/sweep.hpp"
+#include "util/error.hpp"
+#include "util/text.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numeric>
+
+namespace bristle::design {
+namespace {
+
+constexpr std::size_t kProfileValues = 25;
+constexpr const char* kFound = "design";  // entry of the provenance: the findings in words
+
+// Throws InputError if an objective or a constraint names a variable that the result does not have.
+void require_variables(const Experiment& e) {
+  std::vector<std::string> known;
+  for (const results::ResultVariable& variable : results::result_variables(e)) known.push_back(variable.name);
+  const auto require = [&](const std::string& place, const std::string& name) {
+    if (std::ranges::find(known, name) == known.end())
+      throw InputError(fmt::format("{}: /design/{}: {} is not a variable of the result{}; allowed: {}", e.path, place,
+                                   Json(name).dump(), did_you_mean(name, known), fmt::join(known, ", ")));
+  };
+  for (std::size_t i = 0; i < e.design->objectives.size(); ++i)
+    require(fmt::format("objectives/{}", i), e.design->objectives[i].variable);
+  for (std::size_t i = 0; i < e.design->constraints.size(); ++i)
+    if (const std::string& name = e.design->constraints[i].variable; name != experiment::kJumpMargin)
+      require(fmt::format("constraints/{}/variable", i), name);
+}
+
+// The experiment with the rows as its sample, as it is stored in the result.
+Experiment with_table(const Experiment& e, const Trials& trials, const std::vector<Values>& rows) {
+  const Experiment sampled = trials.with_rows(rows);
+  Json table = {{"columns", Json::array()}, {"rows", Json::array()}};
+  for (const experiment::Axis& column : sampled.axes.front().columns) table["columns"].push_back(column.name);
+  for (const Values& row : rows) {
+    table["rows"].push_back(Json::array());
+    for (const Json& name : table["columns"]) table["rows"].back().push_back(row.at(name));
+  }
+  Json document = *e.document, sweep = {{experiment::kSample, {{"table", table}}}};
+  if (document.contains("sweep")) sweep.update(document["sweep"]);
+  document["sweep"] = sweep;
+  return experiment::stored_experiment(document, e.tier, e.path);
+}
+
+// Whether the file has the result of this design with its title and notes, complete and undamaged.
+bool up_to_date(const std::string& path, const Experiment& e) {
+  if (!results::up_to_date(path, e)) return false;
+  // With sorted keys, because their order does not matter.
+  nlohmann::json stored = results::ResultReader(path).experiment(), own = *e.document;
+  for (nlohmann::json* document : {&stored, &own}) {
+    if (document->contains("sweep")) (*document)["sweep"].erase(experiment::kSample);
+    if (document->contains("sweep") && (*document)["sweep"].empty()) document->erase("sweep");
+  }
+  return stored == own;
+}
+
+// The values of a quantity beside the best trial, from bound to bound, or over twice its deviations.
+std::vector<double> profile_values(const experiment::Design& design, const std::string& quantity, double best) {
+  experiment::DesignVariable range{quantity, 0, 0, false};
+  const auto variable = std::ranges::find(design.variables, quantity, &experiment::DesignVariable::name);
+  if (variable != design.variables.end()) range = *variable;
+  else {
+    const auto t = std::ranges::find(design.tolerances, quantity, &experiment::Tolerance::name);
+    const double reach = std::min(0.9, (t->normal ? 4 : 2) * t->width);
+    range.low = experiment::rounded(best * (1 - reach));
+    range.high = experiment::rounded(best * (1 + reach));
+    if (range.low > range.high) std::swap(range.low, range.high);
+  }
+  std::vector<double> values = {best};
+  for (std::size_t i = 0; i < kProfileValues; ++i) values.push_back(range.at(double(i) / (kProfileValues - 1)));
+  std::ranges::sort(values);
+  const auto repeated = std::ranges::unique(values);
+  values.erase(repeated.begin(), repeated.end());
+  return values;
+}
+
+// Runs the search; keeps all trials and the solver that they share.
+class Search {
+ public:
+  Search(const Experiment& e, const run::RunOptions& options)
+      : experiment_(e),
+        design_(*e.design),
+        options_(options),
+        journal_(run::journal_path(options.output, {}), run::kCommit, options.force),
+        trials_(e, solver()) {}
+
+  // Returns the text that says what was found, and whether a trial meets the constraints.
+  std::pair<std::string, bool> run(std::map<std::string, std::string> entries) {
+    const std::size_t scenarios = experiment_.points() / experiment_.axes.front().values.size();
+    progress_.emplace(experiment_.name, design_.budget * trials_.rows_of_a_trial() * scenarios, options_.quiet);
+    Findings found = search();
+    searching_ = false;
+    progress_->stage("computing what is beside the recommended trial");
+    if (!found.chosen.empty()) look_beside(found);
+
+    std::vector<Values> nominal;
+    for (const Trial& trial : found.trials) nominal.push_back(trial.nominal);
+    const Experiment all = with_table(experiment_, trials_, trials_.rows(nominal));
+    const std::vector<std::size_t> points = run::shard_points({}, all.points());
+    const std::string text = text_of(experiment_, found);
+    entries[kFound] = text;
+    const run::Summary summary = run::write_result(all, options_.output, run::KeyedPoints(all, points), {},
+                                                   groups_of(experiment_, trials_, found), journal_, entries, *progress_);
+    if (!options_.quiet) fmt::print("{}: points: {}\n", options_.output, summary.text());
+    return {text, !found.chosen.empty()};
+  }
+
+ private:
+  // Only the points of the search's trials are counted in the progress: how many others there will be is not
+  // known.
+  Solve solver() {
+    return [this](const Experiment& e, const std::vector<std::size_t>& points, Purpose purpose) {
+      const bool counted = searching_ && purpose == Purpose::trials;
+      return run::solve_points(e, points, options_, journal_, counted ? *progress_ : silent_);
+    };
+  }
+
+  Findings search() {
+    Findings out;
+    const auto evaluate = [&](const std::vector<Point>& points) {
+      std::vector<Values> nominal;
+      for (const Point& point : points) nominal.push_back(trials_.at(point));
+      std::vector<Score> scores;
+      for (Trial& trial : trials_.evaluate(nominal)) {
+        scores.push_back(trials_.score_of(trial));
+        out.trials.push_back(std::move(trial));
+      }
+      return scores;
+    };
+    const std::size_t dimensions = design_.variables.size();
+    const bool one = design_.objectives.size() == 1;
+    if (one) {
+      // A target is met within a ten-thousandth, which is less than the values' errors.
+      const experiment::Objective& objective = design_.objectives.front();
+      const double enough = objective.goal == Goal::target
+                                ? 1e-4 * std::max(std::abs(objective.target), 1e-3)
+                                : -std::numeric_limits<double>::infinity();
+      out.chosen = search_minima(dimensions, design_.budget, design_.seed, enough, evaluate);
+    } else {
+      search_front(dimensions, design_.budget, design_.seed, evaluate);
+    }
+    std::vector<Score> scores;
+    for (const Trial& trial : out.trials) scores.push_back(trials_.score_of(trial));
+    out.front = front_of(scores);
+    if (!one) out.chosen = knee_of(scores, out.front);
+    out.nearest_miss = std::size_t(std::ranges::min_element(scores, better) - scores.begin());
+    std::erase_if(out.chosen, [&](std::size_t i) { return scores[i].violation > 0; });
+    return out;
+  }
+
+  // Of a front, the trial nearest to the best values of all objectives, relative to their ranges.
+  static std::vector<std::size_t> knee_of(const std::vector<Score>& scores, const std::vector<std::size_t>& front) {
+    if (front.empty()) return {};
+    const auto distance = [&](std::size_t trial) {
+      double sum = 0;
+      for (std::size_t o = 0; o < scores[trial].objectives.size(); ++o) {
+        const auto value = [&](std::size_t i) { return scores[i].objectives[o]; };
+        const auto [least, most] = std::ranges::minmax(front, {}, value);
+        const double range = value(most) - value(least), share = range > 0 ? (value(trial) - value(least)) / range : 0;
+        sum += share * share;
+      }
+      return sum;
+    };
+    return {*std::ranges::min_element(front, {}, distance)};
+  }
+
+  void look_beside(Findings& found) {
+    const Values& best = found.trials[found.chosen.front()].nominal;
+    for (const std::string& quantity : design_.quantities())
+      found.profiles.push_back(trials_.profile(best, quantity, profile_values(design_, quantity, best.at(quantity))));
+    if (!design_.tolerances.empty()) found.indices = trials_.indices(best);
+    if (design_.second_choice.empty()) return;
+    Experiment second = experiment_;
+    experiment::find_sweepable(design_.second_choice)->set(second.base, design_.second_option);
+    second.axes.insert(second.axes.begin() + 1, {design_.second_choice, {design_.second_option}});
+    found.second = Trials(second, solver()).evaluate({best}).front();
+  }
+
+  const Experiment& experiment_;
+  const experiment::Design& design_;
+  const run::RunOptions& options_;
+  results::Journal journal_;
+  std::optional<run::Progress> progress_;
+  run::Progress silent_{"", 0, true};
+  bool searching_ = true;
+  Trials trials_;
+};
+
+}  // namespace
+
+bool run_design(const Experiment& experiment, const run::RunOptions& options) {
+  if (!experiment.design)
+    throw InputError(fmt::format("{}: /design: is missing; it says what to vary and what to look for (docs/design.md)",
+                                 experiment.path));
+  if (experiment.document->contains(JsonPointer("/sweep/sample")))
+    throw InputError(experiment.path + ": /sweep/sample: the design chooses the points of the sample; remove it");
+  require_variables(experiment);
+  require_replaceable(options.output, results::result_file());
+  if (options.shard || options.complete)
+    throw InputError(experiment.path + ": /design: a search cannot be split into shards; each trial follows from the others");
+  if (!options.force && up_to_date(options.output, experiment)) {
+    const results::ResultReader file(options.output);
+    if (!options.quiet)
+      fmt::print("{} is up to date: nothing to compute (--force computes it again)\n{}", options.output,
+                 replace_all(file.provenance().at(kFound), "\\x0a", "\n"));
+    return file.has("best");
+  }
+  run::RunOptions with_threads = options;
+  if (options.threads == 0) with_threads.threads = run::all_cores();
+  run::install_signal_handlers();
+  auto entries = run::provenance(options.command_line, with_threads.threads);
+  entries["started"] = run::utc_now();
+  const auto [text, found] = Search(experiment, with_threads).run(entries);
+  if (!options.quiet) fmt::print("{}", text);
+  return found;
+}
+
+}  // namespace bristle::design

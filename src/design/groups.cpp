@@ -1,0 +1,290 @@
+#include "design/groups.hpp"
+
+#include "results/variables.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace bristle::design {
+namespace {
+
+using results::Column;
+using results::Group;
+using results::GroupDimension;
+
+// A table with named columns over one dimension.
+class Table {
+ public:
+  Table(const std::string& name, GroupDimension dimension) : group_{name, {}, {std::move(dimension)}, {}, {}} {}
+
+  template <class Of>
+  void add(const Column& column, std::size_t rows, const Of& of) {
+    group_.columns.push_back(column);
+    group_.values.emplace_back();
+    for (std::size_t i = 0; i < rows; ++i) group_.values.back().push_back(double(of(i)));
+  }
+  const Group& group() const { return group_; }
+
+ private:
+  Group group_;
+};
+
+GroupDimension numbers(const std::string& name, const std::string& meaning, std::size_t count) {
+  GroupDimension out{{name, meaning, "", "", H5T_NATIVE_LONG}, {}, std::vector<double>(count)};
+  std::iota(out.values.begin(), out.values.end(), 0.0);
+  return out;
+}
+
+GroupDimension words(const std::string& name, const std::string& meaning, const std::vector<std::string>& list) {
+  GroupDimension out = numbers(name, meaning, list.size());
+  out.column.type = H5T_NATIVE_DOUBLE;
+  out.words = list;
+  return out;
+}
+
+Column integer(const std::string& name, const std::string& meaning) {
+  return {name, meaning, "", "", H5T_NATIVE_LONG};
+}
+
+Column column_of(const std::string& quantity) {
+  const experiment::Sweepable& s = *experiment::find_sweepable(quantity);
+  Column out{s.name, s.description, s.symbol, ""};
+  out.units = s.units;
+  return out;
+}
+
+// The columns objective_1, objective_1_err, ... of estimates by row and objective.
+template <class Of>
+void add_objectives(Table& table, const Experiment& e, std::size_t rows, const Of& of) {
+  const std::vector<results::ResultVariable> variables = results::result_variables(e);
+  for (std::size_t o = 0; o < e.design->objectives.size(); ++o) {
+    const experiment::Objective& objective = e.design->objectives[o];
+    Column column = *std::ranges::find(variables, objective.variable, &results::ResultVariable::name);
+    column.name = fmt::format("objective_{}", o + 1);
+    column.long_name = fmt::format("{}: {}", objective.text(), column.long_name);
+    table.add(column, rows, [&](std::size_t row) { return of(row)[o].value; });
+    column.name += "_err";
+    column.long_name = "error of " + objective.variable;
+    table.add(column, rows, [&](std::size_t row) { return of(row)[o].error; });
+  }
+}
+
+// The columns that all lists of trials have.
+void add_trials(Table& table, const Experiment& e, const Findings& found, const std::vector<std::size_t>& list) {
+  for (const std::string& quantity : e.design->quantities())
+    table.add(column_of(quantity), list.size(),
+              [&](std::size_t i) { return found.trials[list[i]].nominal.at(quantity); });
+  add_objectives(table, e, list.size(), [&](std::size_t i) { return found.trials[list[i]].objectives; });
+  for (std::size_t c = 0; c < e.design->constraints.size(); ++c)
+    table.add({fmt::format("constraint_{}", c + 1), e.design->constraints[c].text(), "", ""}, list.size(),
+              [&](std::size_t i) { return found.trials[list[i]].constraints[c]; });
+}
+
+Group list_of(const std::string& name, const std::string& item, const std::string& meaning, const Experiment& e,
+              const Findings& found, const std::vector<std::size_t>& list) {
+  Table table(name, numbers(item, meaning, list.size()));
+  table.add(integer("trial", "number of the trial"), list.size(), [&](std::size_t i) { return list[i]; });
+  add_trials(table, e, found, list);
+  return table.group();
+}
+
+Group all_trials(const Experiment& e, const Trials& trials, const Findings& found) {
+  std::vector<std::size_t> all(found.trials.size());
+  std::iota(all.begin(), all.end(), 0);
+  Table table("trials", numbers("trial", "number of the trial, in the order of the search", all.size()));
+  add_trials(table, e, found, all);
+  const auto trial = [&](std::size_t i) -> const Trial& { return found.trials[i]; };
+  table.add({"violation", "greatest excess over a constraint's limit, relative; infinite without values", "", ""},
+            all.size(), [&](std::size_t i) { return trial(i).violation; });
+  table.add(integer("first_row", "number in the sample of the point with the nominal values"), all.size(),
+            [&](std::size_t i) { return i * trials.rows_of_a_trial(); });
+  table.add(integer("missing", "points without a value of an objective"), all.size(),
+            [&](std::size_t i) { return trial(i).missing; });
+  table.add(integer("ambiguous", "points whose load another gap carries as well"), all.size(),
+            [&](std::size_t i) { return trial(i).ambiguous; });
+  for (std::size_t o = 0; o < e.design->objectives.size(); ++o)
+    table.add(integer(fmt::format("scenario_{}", o + 1), fmt::format("scenario in which objective_{} is worst", o + 1)),
+              all.size(), [&](std::size_t i) { return trial(i).scenarios[o]; });
+  return table.group();
+}
+
+Group margins(const Findings& found) {
+  std::vector<std::string> quantities;
+  for (const Profile& p : found.profiles) quantities.push_back(p.quantity);
+  Table table("margins", words("quantity", "quantity of the recommended trial", quantities));
+  table.add({"margin_below", "relative decrease that reaches a jump of the gap; NaN: none in the range", "", ""},
+            quantities.size(), [&](std::size_t i) { return found.profiles[i].margin_below; });
+  table.add({"margin_above", "relative increase that reaches a jump of the gap; NaN: none in the range", "", ""},
+            quantities.size(), [&](std::size_t i) { return found.profiles[i].margin_above; });
+  return table.group();
+}
+
+Group profile_group(const Experiment& e, const Profile& p) {
+  Table table("profile_" + p.quantity, {column_of(p.quantity), {}, p.values});
+  add_objectives(table, e, p.values.size(), [&](std::size_t i) { return p.objectives[i]; });
+  return table.group();
+}
+
+std::vector<std::string> inputs_of(const experiment::Design& design) {
+  std::vector<std::string> inputs;
+  for (const experiment::Tolerance& t : design.tolerances) inputs.push_back(t.name);
+  return inputs;
+}
+
+Group indices_group(const Experiment& e, const Findings& found) {
+  std::vector<std::string> objectives;
+  for (const experiment::Objective& o : e.design->objectives) objectives.push_back(o.text());
+  Group group{"indices",
+              {},
+              {words("objective", "nominal value whose variance over the tolerances is shared out", objectives),
+               words("input", "quantity with a tolerance", inputs_of(*e.design))},
+              {{"S1", "first-order Sobol index", "S_1", ""},
+               {"S1_err", "standard error of S1", R"(\delta S_1)", ""},
+               {"ST", "total Sobol index", "S_T", ""},
+               {"ST_err", "standard error of ST", R"(\delta S_T)", ""}},
+              std::vector<std::vector<double>>(4)};
+  for (const SobolIndices& one : found.indices)
+    for (std::size_t i = 0; i < one.total.size(); ++i) {
+      const double row[] = {one.first[i].value, one.first[i].error, one.total[i].value, one.total[i].error};
+      for (std::size_t column = 0; column < 4; ++column) group.values[column].push_back(row[column]);
+    }
+  return group;
+}
+
+std::string estimate_text(const Estimate& e) { return fmt::format("{:.4g} +- {:.1g}", e.value, e.error); }
+
+std::string place_of(const Experiment& e, std::size_t scenario) {
+  Experiment scenarios = e;
+  scenarios.axes.erase(scenarios.axes.begin());
+  return scenarios.axes.empty() ? "" : " at " + scenarios.place(scenario);
+}
+
+// "R_m = 0.001 m (+- 10 %), ..."
+std::string values_text(const Experiment& e, const Trial& trial) {
+  std::vector<std::string> parts;
+  for (const std::string& quantity : e.design->quantities()) {
+    const std::string units = column_of(quantity).units;
+    std::string part = fmt::format("{} = {:.4g}{}", quantity, trial.nominal.at(quantity), units == "1" ? "" : " " + units);
+    for (const experiment::Tolerance& t : e.design->tolerances)
+      if (t.name == quantity)
+        part += fmt::format(" ({} {:g} %)", t.normal ? "standard deviation" : "+-", 100 * t.width);
+    parts.push_back(part);
+  }
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::string objectives_text(const Experiment& e, const Trial& trial) {
+  std::vector<std::string> parts;
+  for (std::size_t o = 0; o < trial.objectives.size(); ++o)
+    parts.push_back(fmt::format("{}: {}{}", e.design->objectives[o].text(), estimate_text(trial.objectives[o]),
+                                place_of(e, trial.scenarios[o])));
+  return fmt::format("{}", fmt::join(parts, "; "));
+}
+
+std::string counts_text(const Experiment& e, const Findings& found) {
+  const auto count = [&](auto is) { return std::ranges::count_if(found.trials, is); };
+  std::string out = fmt::format("{} trials", found.trials.size());
+  if (!e.design->constraints.empty())
+    out += fmt::format(", {} meet the constraints", count([](const Trial& t) { return t.violation == 0; }));
+  const auto missing = count([](const Trial& t) { return std::isinf(t.violation); }),
+             ambiguous = count([](const Trial& t) { return t.ambiguous > 0; });
+  if (missing > 0) out += fmt::format("; {} have points without a value and are left out", missing);
+  if (ambiguous > 0) out += fmt::format("; {} have points whose load another gap carries as well", ambiguous);
+  return out;
+}
+
+std::string miss_text(const Experiment& e, const Findings& found) {
+  const Trial& nearest = found.trials[found.nearest_miss];
+  if (std::isinf(nearest.violation))
+    return fmt::format("no trial has a value of {} in all scenarios; the statuses above say why: give other bounds or "
+                       "scenarios\n",
+                       e.design->objectives.front().variable);
+  std::vector<std::string> parts;
+  for (std::size_t c = 0; c < nearest.constraints.size(); ++c)
+    if (!std::isnan(nearest.constraints[c]))
+      parts.push_back(fmt::format("{}: {:.4g}", e.design->constraints[c].text(), nearest.constraints[c]));
+  return fmt::format("no trial meets all constraints; the nearest miss is trial {}: {}\n  constraints: {}\n  {}\n",
+                     found.nearest_miss, values_text(e, nearest), fmt::join(parts, "; "), objectives_text(e, nearest));
+}
+
+std::string margins_text(const Findings& found) {
+  std::vector<std::string> parts, none;
+  for (const Profile& p : found.profiles) {
+    std::vector<std::string> both;
+    if (!std::isnan(p.margin_below)) both.push_back(fmt::format("-{:.0f} %", 100 * p.margin_below));
+    if (!std::isnan(p.margin_above)) both.push_back(fmt::format("+{:.0f} %", 100 * p.margin_above));
+    if (both.empty()) none.push_back(p.quantity);
+    else parts.push_back(fmt::format("{} {}", p.quantity, fmt::join(both, " or ")));
+  }
+  if (parts.empty()) return fmt::format("  no jump of the gap within the range of {}\n", fmt::join(none, ", "));
+  return fmt::format("  the gap jumps at a change of {}{}\n", fmt::join(parts, ", "),
+                     none.empty() ? "" : fmt::format("; not within the range of {}", fmt::join(none, ", ")));
+}
+
+std::string indices_text(const Experiment& e, const Findings& found) {
+  std::string out;
+  const std::vector<std::string> inputs = inputs_of(*e.design);
+  for (std::size_t o = 0; o < found.indices.size(); ++o) {
+    std::vector<std::string> parts;
+    for (std::size_t i = 0; i < inputs.size(); ++i)
+      parts.push_back(fmt::format("{} {:.2f} +- {:.2f}", inputs[i], found.indices[o].total[i].value,
+                                  found.indices[o].total[i].error));
+    out += fmt::format("  total Sobol indices of {} over the tolerances: {}\n", e.design->objectives[o].variable,
+                       fmt::join(parts, ", "));
+  }
+  return out;
+}
+
+// The range of each objective on the front.
+std::string front_text(const Experiment& e, const Findings& found) {
+  std::vector<std::string> parts;
+  for (std::size_t o = 0; o < e.design->objectives.size(); ++o) {
+    const auto value = [&](std::size_t i) { return found.trials[i].objectives[o].value; };
+    const auto [least, most] = std::ranges::minmax(found.front, {}, value);
+    parts.push_back(fmt::format("{} from {:.4g} to {:.4g}", e.design->objectives[o].variable, value(least), value(most)));
+  }
+  return fmt::format("the front, of which the recommended trial is nearest to the best of each: {} trials, {}\n",
+                     found.front.size(), fmt::join(parts, ", "));
+}
+
+}  // namespace
+
+std::vector<Group> groups_of(const Experiment& e, const Trials& trials, const Findings& found) {
+  std::vector<Group> groups = {all_trials(e, trials, found)};
+  if (found.chosen.empty()) return groups;
+  groups.push_back(list_of("front", "member", "number on the front, by the first objective", e, found, found.front));
+  groups.push_back(list_of("best", "solution", "0: recommended; then other local optima", e, found, found.chosen));
+  groups.push_back(margins(found));
+  for (const Profile& p : found.profiles) groups.push_back(profile_group(e, p));
+  if (!found.indices.empty()) groups.push_back(indices_group(e, found));
+  if (found.second) {
+    Table table("second", words(e.design->second_choice, "second model of the recommended trial",
+                                {experiment::find_sweepable(e.design->second_choice)->text(e.design->second_option)}));
+    add_objectives(table, e, 1, [&](std::size_t) { return found.second->objectives; });
+    groups.push_back(table.group());
+  }
+  return groups;
+}
+
+std::string text_of(const Experiment& e, const Findings& found) {
+  std::string out = counts_text(e, found) + "\n";
+  if (found.chosen.empty()) return out + miss_text(e, found);
+  const Trial& best = found.trials[found.chosen.front()];
+  out += fmt::format("recommended, trial {}: {}\n  {}\n", found.chosen.front(), values_text(e, best),
+                     objectives_text(e, best));
+  out += margins_text(found) + indices_text(e, found);
+  if (found.second)
+    out += fmt::format("  with {} = {}: {}\n", e.design->second_choice,
+                       experiment::find_sweepable(e.design->second_choice)->text(e.design->second_option),
+                       objectives_text(e, *found.second));
+  if (e.design->objectives.size() > 1) out += front_text(e, found);
+  for (std::size_t i = 1; i < found.chosen.size(); ++i)
+    out += fmt::format("another optimum, trial {}: {}\n  {}\n", found.chosen[i],
+                       values_text(e, found.trials[found.chosen[i]]), objectives_text(e, found.trials[found.chosen[i]]));
+  return out;
+}
+
+}  // namespace bristle::design

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "design/trials.hpp"
+#include "results/writer.hpp"
+
+#include <optional>
+
+namespace bristle::design {
+
+// What a search found.
+struct Findings {
+  std::vector<Trial> trials;
+  std::vector<std::size_t> chosen;  // trials: the recommended one first, then other local optima
+  std::vector<std::size_t> front;   // trials that no other surpasses
+  std::size_t nearest_miss = 0;     // the least violation, where no trial meets the constraints
+  std::vector<Profile> profiles;    // beside the recommended trial, by quantity
+  std::vector<SobolIndices> indices;  // by objective; empty without tolerances
+  std::optional<Trial> second;        // the recommended trial with the second model
+};
+
+// The groups /trials, /front, /best, /profiles, /indices and /second of the result.
+std::vector<results::Group> groups_of(const Experiment& experiment, const Trials& trials, const Findings& found);
+
+// The findings in words.
+std::string text_of(const Experiment& experiment, const Findings& found);
+
+}  // namespace bristle::design

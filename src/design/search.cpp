@@ -1,0 +1,249 @@
+#include "design/search.hpp"
+
+#include "model/elementary.hpp"
+#include "util/random.hpp"
+#include "util/sobol.hpp"
+
+#include <nlopt.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <limits>
+#include <numeric>
+
+namespace bristle::design {
+namespace {
+
+bool dominates(const std::vector<double>& a, const std::vector<double>& b) {
+  bool less = false;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (a[i] > b[i]) return false;
+    less = less || a[i] < b[i];
+  }
+  return less;
+}
+
+// Uniform random numbers in (0, 1).
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : seed_(split_mix(seed)) {}
+  double operator()() { return (double(split_mix(seed_ + kSplitMixStep * ++count_) >> 12) + 0.5) * 0x1p-52; }
+  std::size_t below(std::size_t n) { return std::size_t((*this)() * double(n)); }
+
+ private:
+  std::uint64_t seed_, count_ = 0;
+};
+
+struct Individual {
+  Point point;
+  Score score;
+  std::size_t rank = 0;
+  double crowding = 0;  // distance between its neighbours on the front
+};
+
+bool preferred(const Individual& a, const Individual& b) {
+  return a.rank != b.rank ? a.rank < b.rank : a.crowding > b.crowding;
+}
+
+void set_crowding(const std::vector<Individual*>& front) {
+  for (std::size_t o = 0; o < front.front()->score.objectives.size(); ++o) {
+    std::vector<Individual*> order = front;
+    const auto value = [o](const Individual* one) { return one->score.objectives[o]; };
+    std::ranges::stable_sort(order, {}, value);
+    const double range = value(order.back()) - value(order.front());
+    order.front()->crowding = order.back()->crowding = kInfinity;
+    for (std::size_t i = 1; i + 1 < order.size(); ++i)
+      if (range > 0 && std::isfinite(range))
+        order[i]->crowding += (value(order[i + 1]) - value(order[i - 1])) / range;
+  }
+}
+
+// Ranks the individuals by fronts: 0 for those than which none is better, 1 for those that remain, ...
+void rank(std::vector<Individual>& all) {
+  std::vector<Individual*> rest;
+  for (Individual& one : all) {
+    one.crowding = 0;
+    rest.push_back(&one);
+  }
+  for (std::size_t rank = 0; !rest.empty(); ++rank) {
+    std::vector<Individual*> front, behind;
+    for (Individual* one : rest) {
+      const bool beaten =
+          std::ranges::any_of(rest, [&](const Individual* other) { return better(other->score, one->score); });
+      (beaten ? behind : front).push_back(one);
+    }
+    for (Individual* one : front) one->rank = rank;
+    set_crowding(front);
+    rest = behind;
+  }
+}
+
+constexpr double kCrossoverIndex = 15, kMutationIndex = 20, kCrossoverShare = 0.9;
+
+// Simulated binary crossover and polynomial mutation (K. Deb, R. B. Agrawal, Complex Syst. 9, 1995).
+Point child_of(const Point& a, const Point& b, Random& random) {
+  Point child = a;
+  const bool crossed = random() < kCrossoverShare;
+  for (std::size_t i = 0; i < child.size(); ++i) {
+    const double u = random(), side = random(), v = random(), mutated = random();
+    if (crossed && side < 0.5) {
+      const double spread = pow(u < 0.5 ? 2 * u : 1 / (2 * (1 - u)), 1 / (kCrossoverIndex + 1));
+      child[i] = ((1 + spread) * a[i] + (1 - spread) * b[i]) / 2;
+    }
+    if (mutated < 1.0 / double(child.size()))
+      child[i] += v < 0.5 ? pow(2 * v, 1 / (kMutationIndex + 1)) - 1 : 1 - pow(2 * (1 - v), 1 / (kMutationIndex + 1));
+    child[i] = std::clamp(child[i], 0.0, 1.0);
+  }
+  return child;
+}
+
+double square_of_distance(const Point& a, const Point& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
+  return sum;
+}
+
+// The trials that none of their 2 d nearest neighbours surpasses, the best first.
+std::vector<std::size_t> local_minima(const std::vector<Point>& points, const std::vector<Score>& scores) {
+  std::vector<std::size_t> minima;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    std::vector<std::size_t> others;
+    for (std::size_t j = 0; j < points.size(); ++j)
+      if (j != i) others.push_back(j);
+    const std::size_t neighbours = std::min(others.size(), 2 * points[i].size());
+    std::ranges::partial_sort(others, others.begin() + long(neighbours), {},
+                              [&](std::size_t j) { return square_of_distance(points[i], points[j]); });
+    others.resize(neighbours);
+    if (std::ranges::none_of(others, [&](std::size_t j) { return better(scores[j], scores[i]); }))
+      minima.push_back(i);
+  }
+  std::ranges::stable_sort(minima, [&](std::size_t a, std::size_t b) { return better(scores[a], scores[b]); });
+  return minima;
+}
+
+}  // namespace
+
+bool better(const Score& a, const Score& b) {
+  if (a.violation != b.violation) return a.violation < b.violation;
+  return std::isfinite(a.violation) && dominates(a.objectives, b.objectives);
+}
+
+std::vector<std::size_t> front_of(const std::vector<Score>& scores) {
+  std::vector<std::size_t> front;
+  for (std::size_t i = 0; i < scores.size(); ++i)
+    if (scores[i].violation == 0 && std::ranges::none_of(scores, [&](const Score& s) { return better(s, scores[i]); }))
+      front.push_back(i);
+  std::ranges::stable_sort(front, {}, [&](std::size_t i) { return scores[i].objectives.front(); });
+  return front;
+}
+
+void search_front(std::size_t dimensions, std::size_t budget, std::uint64_t seed, const Evaluate& evaluate) {
+  const std::size_t size = std::min(budget, std::clamp<std::size_t>(budget / 10, 8, 64));
+  Random random(seed);
+  std::vector<Individual> population;
+  const auto add = [&](const std::vector<Point>& points) {
+    const std::vector<Score> scores = evaluate(points);
+    for (std::size_t i = 0; i < points.size(); ++i) population.push_back({points[i], scores[i]});
+    rank(population);
+    std::ranges::stable_sort(population, preferred);
+    population.resize(std::min(population.size(), size));
+    budget -= points.size();
+  };
+  add(sobol_points(size, dimensions, seed));
+  const auto winner = [&]() -> const Point& {
+    const Individual &a = population[random.below(population.size())], &b = population[random.below(population.size())];
+    return preferred(a, b) ? a.point : b.point;
+  };
+  while (budget > 0) {
+    std::vector<Point> children;
+    while (children.size() < std::min(size, budget)) {
+      Point child;
+      // A child that is its parent again would be a trial for nothing.
+      for (int attempt = 0; attempt < 10; ++attempt) {
+        const Point &a = winner(), &b = winner();
+        child = child_of(a, b, random);
+        if (child != a) break;
+      }
+      children.push_back(child);
+    }
+    add(children);
+  }
+}
+
+std::vector<std::size_t> search_minima(std::size_t dimensions, std::size_t budget, std::uint64_t seed,
+                                       double enough, const Evaluate& evaluate) {
+  std::vector<Point> points = sobol_points((budget + 1) / 2, dimensions, seed);
+  std::vector<Score> scores = evaluate(points);
+  std::vector<std::size_t> starts = local_minima(points, scores);
+  std::size_t rest = budget - points.size();
+  const std::size_t least = 10 * (dimensions + 1);  // trials of a local search
+  starts.resize(std::min(starts.size(), std::max<std::size_t>(1, rest / least)));
+  double worst = 0;  // of the trials without violation: those with one are worse
+  for (const Score& score : scores)
+    if (score.violation == 0) worst = std::max(worst, score.objectives.front());
+
+  std::vector<std::size_t> ends;
+  const double edge = 1 / pow(double(points.size()), 1 / double(dimensions));
+  for (std::size_t k = 0; k < starts.size(); ++k) {
+    const std::size_t trials = rest / (starts.size() - k);
+    std::size_t end = starts[k];
+    std::exception_ptr error;
+    const auto value = [&](const std::vector<double>& x) {
+      const std::vector<Score> score = evaluate({x});
+      points.push_back(x);
+      scores.push_back(score.front());
+      --rest;
+      if (better(scores.back(), scores[end])) end = scores.size() - 1;
+      const double violation = scores.back().violation;
+      if (violation > 0) return std::isfinite(violation) ? worst + (1 + std::abs(worst)) * (1 + violation) : HUGE_VAL;
+      return scores.back().objectives.front();
+    };
+    if (trials > 0 && !(scores[end].violation == 0 && scores[end].objectives.front() <= enough)) {
+      struct Call {
+        decltype(value)& of;
+        std::exception_ptr& error;
+        nlopt::opt& search;
+      };
+      nlopt::opt search(nlopt::LN_SBPLX, unsigned(dimensions));
+      Call call{value, error, search};
+      search.set_min_objective(
+          [](const std::vector<double>& x, std::vector<double>&, void* data) {
+            auto& [of, error, search] = *static_cast<Call*>(data);
+            try {
+              return of(x);
+            } catch (...) {
+              error = std::current_exception();
+              search.force_stop();
+              return HUGE_VAL;
+            }
+          },
+          &call);
+      search.set_lower_bounds(0);
+      search.set_upper_bounds(1);
+      search.set_initial_step(std::min(edge, 0.25) / 2);
+      search.set_xtol_abs(1e-5);
+      search.set_stopval(enough);
+      search.set_maxeval(int(trials));
+      std::vector<double> x = points[end];
+      double least_value = 0;
+      try {
+        search.optimize(x, least_value);
+      } catch (const nlopt::roundoff_limited&) {  // the best trial is known
+      } catch (const nlopt::forced_stop&) {
+      }
+      if (error) std::rethrow_exception(error);
+    }
+    ends.push_back(end);
+  }
+  std::ranges::stable_sort(ends, [&](std::size_t a, std::size_t b) { return better(scores[a], scores[b]); });
+  std::vector<std::size_t> distinct;
+  for (const std::size_t end : ends)
+    if (std::ranges::none_of(distinct, [&](std::size_t other) {
+          return square_of_distance(points[end], points[other]) < 1e-4 * double(dimensions);
+        }))
+      distinct.push_back(end);
+  return distinct;
+}
+
+}  // namespace bristle::design

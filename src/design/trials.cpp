@@ -1,0 +1,302 @@
+#include "design/trials.hpp"
+
+#include "experiment/sample.hpp"
+#include "run/jumps.hpp"
+#include "run/shard.hpp"
+#include "util/sobol.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace bristle::design {
+namespace {
+
+using experiment::Axis;
+using experiment::Objective;
+
+constexpr std::size_t kIndexBlocks = 128;  // of the design for Sobol indices
+
+Estimate value_of(const results::PointRecord& record, const std::string& variable) {
+  const auto error = record.values.find(variable + "_err");
+  return {record.values.at(variable).front(), error == record.values.end() ? 0 : error->second.front()};
+}
+
+bool is_ambiguous(const results::PointRecord& record) {
+  return record.values.at("status").front() == double(PointStatus::ambiguous);
+}
+
+// The statistic of values with errors. Its error is that of few values, and the mean error of the values.
+Estimate statistic(Statistic of, const std::vector<Estimate>& all) {
+  std::vector<double> values;
+  double sum = 0, sum_of_squares = 0, square_of_errors = 0;
+  const double n = double(all.size());
+  for (const auto& [value, error] : all) {
+    values.push_back(value);
+    sum += value;
+    square_of_errors += error * error / n;
+  }
+  if (std::isnan(sum)) return {kNone, kNone};
+  const double mean = sum / n;
+  for (const double value : values) sum_of_squares += (value - mean) * (value - mean);
+  const auto with_errors = [&](Estimate e) {
+    return Estimate{e.value, std::sqrt(e.error * e.error + square_of_errors)};
+  };
+  const auto smaller = [](const Estimate& a, const Estimate& b) { return a.value < b.value; };
+  switch (of) {
+    case Statistic::mean: return with_errors({mean, std::sqrt(sum_of_squares / (n - 1) / n)});
+    case Statistic::q05: return with_errors(quantile(values, 0.05));
+    case Statistic::q95: return with_errors(quantile(values, 0.95));
+    case Statistic::least: return *std::ranges::min_element(all, smaller);
+    case Statistic::greatest: return *std::ranges::max_element(all, smaller);
+    case Statistic::nominal: break;
+  }
+  return all.front();
+}
+
+// The number to be minimised.
+double cost(const Objective& objective, double value) {
+  switch (objective.goal) {
+    case Goal::minimise: return value;
+    case Goal::maximise: return -value;
+    case Goal::target: break;
+  }
+  return std::abs(value - objective.target);
+}
+
+// The scenario with the highest cost; one without a value is worse than all.
+std::size_t worst_scenario(const Objective& objective, const std::vector<Estimate>& by_scenario) {
+  const auto of = [&](const Estimate& e) { return std::isnan(e.value) ? kInfinity : cost(objective, e.value); };
+  return std::size_t(std::ranges::max_element(by_scenario, {}, of) - by_scenario.begin());
+}
+
+double beyond(double value, double limit) {
+  return limit == 0 ? std::abs(value) : std::abs((value - limit) / limit);
+}
+
+}  // namespace
+
+Trials::Trials(const Experiment& experiment, Solve solve)
+    : experiment_(experiment), design_(*experiment.design), solve_(std::move(solve)) {
+  if (!design_.tolerances.empty())
+    deviations_ = sobol_points(design_.tolerance_samples, design_.tolerances.size(), design_.seed);
+}
+
+std::size_t Trials::scenarios() const { return experiment_.points() / experiment_.axes.front().values.size(); }
+
+std::vector<results::PointRecord> Trials::solve_all(const Experiment& experiment, Purpose purpose) const {
+  return solve_(experiment, run::shard_points({}, experiment.points()), purpose);
+}
+
+Values Trials::at(const Point& point) const {
+  Values out;
+  for (std::size_t i = 0; i < point.size(); ++i)
+    out[design_.variables[i].name] = design_.variables[i].at(point[i]);
+  for (const experiment::Tolerance& t : design_.tolerances)
+    if (!std::isnan(t.nominal)) out[t.name] = t.nominal;
+  return out;
+}
+
+Values Trials::deviated(const Values& nominal, const Point& deviations) const {
+  Values out = nominal;
+  for (std::size_t i = 0; i < deviations.size(); ++i) {
+    const experiment::Tolerance& t = design_.tolerances[i];
+    const double standard = t.normal ? experiment::normal_quantile(deviations[i]) : 2 * deviations[i] - 1;
+    out[t.name] = experiment::rounded(nominal.at(t.name) * (1 + t.width * standard));
+  }
+  return out;
+}
+
+// The value after the relative change, within the bounds of a variable.
+double Trials::neighbour(const Values& nominal, const std::string& quantity, double change) const {
+  const double value = experiment::rounded(nominal.at(quantity) * (1 + change));
+  const auto variable = std::ranges::find(design_.variables, quantity, &experiment::DesignVariable::name);
+  return variable == design_.variables.end() ? value : std::clamp(value, variable->low, variable->high);
+}
+
+std::size_t Trials::rows_of_a_trial() const {
+  return 1 + deviations_.size() + (design_.jump_margin() > 0 ? 2 * design_.quantities().size() : 0);
+}
+
+std::vector<Values> Trials::rows(const std::vector<Values>& nominal) const {
+  std::vector<Values> out;
+  for (const Values& one : nominal) {
+    out.push_back(one);
+    for (const Point& deviations : deviations_) out.push_back(deviated(one, deviations));
+    if (const double margin = design_.jump_margin(); margin > 0)
+      for (const std::string& quantity : design_.quantities())
+        for (const double change : {-margin, margin}) {
+          out.push_back(one);
+          out.back()[quantity] = neighbour(one, quantity, change);
+        }
+  }
+  return out;
+}
+
+Experiment Trials::with_rows(const std::vector<Values>& rows) const {
+  Experiment out = experiment_;
+  Axis& sample = out.axes.front();
+  sample.values.resize(rows.size());
+  std::iota(sample.values.begin(), sample.values.end(), 0.0);
+  for (Axis& column : sample.columns) {
+    column.values.clear();
+    for (const Values& row : rows) column.values.push_back(row.at(column.name));
+  }
+  return out;
+}
+
+std::vector<Trial> Trials::evaluate(const std::vector<Values>& nominal) const {
+  const Experiment batch = with_rows(rows(nominal));
+  const std::vector<results::PointRecord> records = solve_all(batch, Purpose::trials);
+  std::vector<Trial> out;
+  for (std::size_t i = 0; i < nominal.size(); ++i)
+    out.push_back(judge(nominal[i], records.data() + i * rows_of_a_trial() * scenarios()));
+  return out;
+}
+
+// records: of the rows of the trial, for each row those of all scenarios
+Trial Trials::judge(const Values& nominal, const results::PointRecord* records) const {
+  const std::size_t scenarios = this->scenarios(), samples = 1 + deviations_.size();
+  Trial out{nominal, {}, {}, {}, 0, 0, 0};
+  const auto record = [&](std::size_t row, std::size_t scenario) -> const results::PointRecord& {
+    return records[row * scenarios + scenario];
+  };
+  for (std::size_t i = 0; i < samples * scenarios; ++i) {
+    out.ambiguous += is_ambiguous(records[i]);
+    out.missing += std::ranges::any_of(
+        design_.objectives, [&](const Objective& o) { return std::isnan(value_of(records[i], o.variable).value); });
+  }
+  for (const Objective& objective : design_.objectives) {
+    std::vector<Estimate> by_scenario;
+    for (std::size_t s = 0; s < scenarios; ++s) {
+      std::vector<Estimate> values;
+      if (objective.of == Statistic::nominal) values.push_back(value_of(record(0, s), objective.variable));
+      else
+        for (std::size_t row = 1; row < samples; ++row)
+          values.push_back(value_of(record(row, s), objective.variable));
+      by_scenario.push_back(statistic(objective.of, values));
+    }
+    out.scenarios.push_back(worst_scenario(objective, by_scenario));
+    out.objectives.push_back(by_scenario[out.scenarios.back()]);
+    if (std::isnan(out.objectives.back().value)) out.violation = kInfinity;
+  }
+  for (const experiment::Constraint& c : design_.constraints) {
+    double value = kNone, most = -kInfinity;
+    if (c.variable == experiment::kJumpMargin) {
+      out.constraints.push_back(kNone);  // computed below, for trials that meet the others
+      continue;
+    }
+    for (std::size_t i = 0; i < samples * scenarios; ++i) {
+      const double one = value_of(records[i], c.variable).value;
+      // By how much it is beyond a limit; negative within.
+      const double excess = std::isnan(one) ? kInfinity : std::max(one - c.max, c.min - one);
+      if (excess > most) {
+        most = excess;
+        value = one;
+      }
+    }
+    out.constraints.push_back(value);
+    if (std::isnan(value)) out.violation = kInfinity;
+    else if (most > 0) out.violation = std::max(out.violation, beyond(value, value > c.max ? c.max : c.min));
+  }
+  if (design_.jump_margin() > 0 && out.violation == 0) {
+    const double margin = jump_margin(nominal, records + samples * scenarios);
+    for (std::size_t i = 0; i < design_.constraints.size(); ++i)
+      if (design_.constraints[i].variable == experiment::kJumpMargin) out.constraints[i] = margin;
+    if (margin < design_.jump_margin()) out.violation = beyond(margin, design_.jump_margin());
+  }
+  return out;
+}
+
+// The least relative change of a quantity that reaches a jump; infinite if none up to the required margin
+// does. Jumps are located only between neighbours whose gaps differ. records: of the neighbours
+double Trials::jump_margin(const Values& nominal, const results::PointRecord* records) const {
+  double margin = kInfinity;
+  const std::size_t scenarios = this->scenarios();
+  const std::vector<std::string> quantities = design_.quantities();
+  for (std::size_t q = 0; q < quantities.size(); ++q) {
+    bool differ = false;
+    for (std::size_t s = 0; s < scenarios; ++s)
+      differ = differ || run::jumps(run::gap_of(records[2 * q * scenarios + s]),
+                                    run::gap_of(records[(2 * q + 1) * scenarios + s]));
+    if (!differ) continue;
+    std::vector<double> values;
+    for (const double change : {-design_.jump_margin(), 0.0, design_.jump_margin()})
+      values.push_back(neighbour(nominal, quantities[q], change));
+    const auto repeated = std::ranges::unique(values);
+    values.erase(repeated.begin(), repeated.end());
+    const Profile p = profile(nominal, quantities[q], values);
+    for (const double one : {p.margin_below, p.margin_above})
+      if (one < margin) margin = one;
+  }
+  return margin;
+}
+
+Score Trials::score_of(const Trial& trial) const {
+  Score score{{}, trial.violation};
+  for (std::size_t i = 0; i < trial.objectives.size(); ++i)
+    score.objectives.push_back(cost(design_.objectives[i], trial.objectives[i].value));
+  return score;
+}
+
+Profile Trials::profile(const Values& nominal, const std::string& quantity,
+                        const std::vector<double>& values) const {
+  Experiment along = with_rows({nominal});
+  std::vector<Axis>& columns = along.axes.front().columns;
+  std::erase_if(columns, [&](const Axis& column) { return column.name == quantity; });
+  if (columns.empty()) along.axes.erase(along.axes.begin());
+  along.axes.insert(along.axes.begin(), {quantity, values});
+  along.locate_jumps = quantity;
+  const std::vector<results::PointRecord> records = solve_all(along, Purpose::beside);
+
+  Profile out{quantity, values, {}, kNone, kNone};
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    out.objectives.emplace_back();
+    for (const Objective& objective : design_.objectives) {
+      std::vector<Estimate> by_scenario;
+      for (std::size_t s = 0; s < scenarios(); ++s)
+        by_scenario.push_back(value_of(records[i * scenarios() + s], objective.variable));
+      out.objectives.back().push_back(by_scenario[worst_scenario(objective, by_scenario)]);
+    }
+  }
+  if (along.base.loading.z_0) return out;  // a given gap does not jump
+  std::vector<run::Gap> gaps;
+  for (const results::PointRecord& record : records) gaps.push_back(run::gap_of(record));
+  const results::Rows jumps =
+      run::locate_jumps(along, gaps, [&](const Experiment& between, const std::vector<std::size_t>& indices) {
+        std::vector<run::Gap> found;
+        for (const results::PointRecord& record : solve_(between, indices, Purpose::beside)) found.push_back(run::gap_of(record));
+        return found;
+      });
+  const double x = nominal.at(quantity);
+  for (std::size_t i = 0; i < jumps.front().size(); ++i) {
+    const double change = ((jumps[1][i] + jumps[2][i]) / 2 - x) / x;  // to the middle of the interval
+    double& margin = change < 0 ? out.margin_below : out.margin_above;
+    if (!(margin <= std::abs(change))) margin = std::abs(change);
+  }
+  return out;
+}
+
+std::vector<SobolIndices> Trials::indices(const Values& nominal) const {
+  const std::size_t inputs = design_.tolerances.size();
+  std::vector<Values> rows;
+  for (const Point& deviations : saltelli_design(kIndexBlocks, inputs, design_.seed))
+    rows.push_back(deviated(nominal, deviations));
+  const Experiment batch = with_rows(rows);
+  const std::vector<results::PointRecord> records = solve_all(batch, Purpose::beside);
+  std::vector<SobolIndices> out;
+  for (const Objective& objective : design_.objectives) {
+    std::vector<double> values;
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+      std::vector<Estimate> by_scenario;
+      for (std::size_t s = 0; s < scenarios(); ++s)
+        by_scenario.push_back(value_of(records[row * scenarios() + s], objective.variable));
+      values.push_back(by_scenario[worst_scenario(objective, by_scenario)].value);
+    }
+    out.push_back(sobol_indices(values, inputs));
+  }
+  return out;
+}
+
+}  // namespace bristle::design

@@ -1,0 +1,79 @@
+#pragma once
+
+#include "design/search.hpp"
+#include "experiment/experiment.hpp"
+#include "results/record.hpp"
+#include "util/sensitivity.hpp"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace bristle::design {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+using Values = std::map<std::string, double>;  // of quantities of the design, by name
+
+// Computes points of an experiment, of trials or beside one; returns them in the same order.
+enum class Purpose {
+  trials,
+  beside
+};
+using Solve = std::function<std::vector<results::PointRecord>(const Experiment&, const std::vector<std::size_t>&,
+                                                              Purpose)>;
+
+struct Trial {
+  Values nominal;
+  std::vector<Estimate> objectives;    // values of the variables; NaN if a point that they need has none
+  std::vector<std::size_t> scenarios;  // where each objective is worst
+  std::vector<double> constraints;     // the value nearest to its limit, or farthest beyond; infinite: a jump
+                                       // margin above its limit; NaN: not computed
+  double violation;                    // the greatest, relative to the limit; infinite without values
+  std::size_t missing, ambiguous;      // points
+};
+
+// What a quantity does beside a trial: nominal objectives over the values, and the nearest jumps of the gap.
+struct Profile {
+  std::string quantity;
+  std::vector<double> values;                     // ascending
+  std::vector<std::vector<Estimate>> objectives;  // by value, in the scenario where it is worst
+  double margin_below, margin_above;              // relative change that reaches a jump; NaN: none among the values
+};
+
+// The trials of a design: what they are as points of a sweep, and what the points say about them.
+class Trials {
+ public:
+  // experiment: with a design and the axis "sample", the first
+  Trials(const Experiment& experiment, Solve solve);
+
+  // The nominal values of a point of the unit cube.
+  Values at(const Point& point) const;
+  std::vector<Trial> evaluate(const std::vector<Values>& nominal) const;
+  // For the search: objectives are to be minimised.
+  Score score_of(const Trial& trial) const;
+
+  Profile profile(const Values& nominal, const std::string& quantity, const std::vector<double>& values) const;
+  // Total and first-order indices of the nominal objectives over the tolerances, by objective.
+  std::vector<SobolIndices> indices(const Values& nominal) const;
+
+  // The rows of the sample for these trials, each with the same number of rows, and the experiment of them.
+  std::size_t rows_of_a_trial() const;
+  std::vector<Values> rows(const std::vector<Values>& nominal) const;
+  Experiment with_rows(const std::vector<Values>& rows) const;
+
+ private:
+  std::size_t scenarios() const;
+  std::vector<results::PointRecord> solve_all(const Experiment& experiment, Purpose purpose) const;
+  Values deviated(const Values& nominal, const Point& deviations) const;
+  double neighbour(const Values& nominal, const std::string& quantity, double change) const;
+  Trial judge(const Values& nominal, const results::PointRecord* records) const;
+  double jump_margin(const Values& nominal, const results::PointRecord* records) const;
+
+  const Experiment& experiment_;
+  const experiment::Design& design_;
+  Solve solve_;
+  std::vector<Point> deviations_;  // of tolerances, in the unit cube
+};
+
+}  // namespace bristle::design
