@@ -104,19 +104,23 @@ double square_of_distance(const Point& a, const Point& b) {
   return sum;
 }
 
-// The trials that none of their 2 d nearest neighbours surpasses, the best first.
+// The trials from which the way to the nearest better one leads past a worse one: within the ball around the
+// middle between both lies another trial, which is not better. The best first.
 std::vector<std::size_t> local_minima(const std::vector<Point>& points, const std::vector<Score>& scores) {
   std::vector<std::size_t> minima;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    std::vector<std::size_t> others;
+    double nearest = kInfinity;
+    Point middle(points[i].size());
     for (std::size_t j = 0; j < points.size(); ++j)
-      if (j != i) others.push_back(j);
-    const std::size_t neighbours = std::min(others.size(), 2 * points[i].size());
-    std::ranges::partial_sort(others, others.begin() + long(neighbours), {},
-                              [&](std::size_t j) { return square_of_distance(points[i], points[j]); });
-    others.resize(neighbours);
-    if (std::ranges::none_of(others, [&](std::size_t j) { return better(scores[j], scores[i]); }))
-      minima.push_back(i);
+      if (const double distance = square_of_distance(points[i], points[j]);
+          distance < nearest && better(scores[j], scores[i])) {
+        nearest = distance;
+        for (std::size_t d = 0; d < middle.size(); ++d) middle[d] = (points[i][d] + points[j][d]) / 2;
+      }
+    bool between = nearest == kInfinity;  // none is better
+    for (std::size_t j = 0; j < points.size() && !between; ++j)
+      between = j != i && !better(scores[j], scores[i]) && square_of_distance(points[j], middle) < nearest / 4;
+    if (between) minima.push_back(i);
   }
   std::ranges::stable_sort(minima, [&](std::size_t a, std::size_t b) { return better(scores[a], scores[b]); });
   return minima;

@@ -31,8 +31,8 @@ std::vector<std::size_t> front_of(const std::vector<Score>& scores);
 // Approaches the front of several objectives with the genetic algorithm NSGA-II (as above).
 void search_front(std::size_t dimensions, std::size_t budget, std::uint64_t seed, const Evaluate& evaluate);
 
-// Minimises one objective: half of the budget is a Sobol sequence, and each of its trials that no neighbour
-// surpasses starts a local search by Subplex (T. H. Rowan, 1990; NLopt), which needs no derivatives and
+// Minimises one objective: half of the budget is a Sobol sequence, and each of its trials that is a minimum
+// among its neighbours starts a local search by Subplex (T. H. Rowan, 1990; NLopt), which needs no derivatives and
 // ends early where the objective is at most `enough`. Returns the trials at which these searches ended,
 // without those closer than 1 % of the cube's edge to a better one. The first is the best.
 std::vector<std::size_t> search_minima(std::size_t dimensions, std::size_t budget, std::uint64_t seed,

@@ -57,7 +57,7 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
        "this format)"},
       {with(R"("modle": {})"),
        "@/e.json: /modle: unknown key (did you mean model?); allowed: schema, name, title, notes, figure, "
-       "institution, model, si, load, orientation, integrator, sweep, locate_jumps, analysis, record, "
+       "institution, model, si, load, orientation, integrator, sweep, locate_jumps, analysis, design, record, "
        "trajectories, tiers, checks, "
        "checks_for_each"},
       {with(R"("orientation": {"sampling": "list", "theta_0_deg": {"random": 0, "seed": 1}})"),

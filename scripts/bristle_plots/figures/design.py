@@ -27,6 +27,7 @@ def draw(file):
     quantities = [str(name) for name in margins["quantity"].values]
     panels = 1 + len(quantities) + (indices is not None)
     cell, columns = across(panels, Cell(5.6, 4.0, 1.2, 0.8, 4.1, 2.8), 0.5)
+    columns = min(columns, 3)
     figure, bottom = sheet(file, cell.width * columns, cell.height * -(-panels // columns), NOTE)
     places = iter(zip("abcdefghijklmn", corners(panels, columns, cell, bottom)))
     letter, corner = next(places)

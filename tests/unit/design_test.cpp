@@ -1,0 +1,245 @@
+#include "design/design.hpp"
+#include "design/search.hpp"
+#include "experiment/experiment.hpp"
+#include "results/reader.hpp"
+#include "run/task.hpp"
+#include "util/error.hpp"
+#include "util/file.hpp"
+#include "scratch.hpp"
+
+#include "catch.hpp"
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace bristle::design_test {
+using namespace testing;
+using design::Point;
+using design::Score;
+
+namespace {
+
+// The trials of a search of a function, in their order.
+template <class Function>
+struct Searched {
+  explicit Searched(Function function) : of(function) {}
+  std::vector<Score> operator()(const std::vector<Point>& more) {
+    std::vector<Score> out;
+    for (const Point& p : more) {
+      points.push_back(p);
+      scores.push_back(of(p));
+      out.push_back(scores.back());
+    }
+    return out;
+  }
+  Function of;
+  std::vector<Point> points;
+  std::vector<Score> scores;
+};
+
+// A folder with the paper's experiment, in which each trial is a few bristles.
+struct Folder {
+  Folder() {
+    std::filesystem::copy_file(std::string(BRISTLE_EXPERIMENTS) + "/paper.json", s.path("paper.json"));
+  }
+  Experiment load(const std::string& design, const std::string& more = "", const std::string& name = "e") const {
+    return experiment::load_experiment(
+        s.write(name + ".json", fmt::format(R"({{"extends": "paper.json", "name": "{}", "design": {}{}}})", name, design, more)), {});
+  }
+  results::ResultReader run(const Experiment& e, int threads = 1) const {
+    design::run_design(e, {.output = s.path(e.name + ".h5"), .threads = threads, .quiet = true});
+    return results::ResultReader(s.path(e.name + ".h5"));
+  }
+  std::string error(const std::string& design, const std::string& more = "") const {
+    try {
+      design::run_design(load(design, more), {.output = s.path("e.h5"), .quiet = true});
+    } catch (const InputError& e) {
+      const std::string message = e.what(), folder = s.path("");
+      const auto at = message.find(folder);
+      return at == message.npos ? message : message.substr(at + folder.size());
+    }
+    return "(no error)";
+  }
+  Scratch s;
+};
+
+constexpr const char* kFew = R"(, "orientation": {"sampling": "list", "theta_0_deg": [20, 80, 150]})";
+
+double first(const results::ResultReader& file, const std::string& name) {
+  return file.variable(name).values.front();
+}
+
+}  // namespace
+
+TEST_CASE("a front of two objectives: ZDT1") {
+  // E. Zitzler, K. Deb, L. Thiele, Evol. Comput. 8(2), 2000: f_2 = 1 - sqrt(f_1) on the front.
+  Searched zdt1([](const Point& x) {
+    double g = 0;
+    for (std::size_t i = 1; i < x.size(); ++i) g += 9 * x[i] / double(x.size() - 1);
+    return Score{{x[0], (1 + g) * (1 - std::sqrt(x[0] / (1 + g)))}, 0};
+  });
+  design::search_front(6, 4000, 1, std::ref(zdt1));
+  REQUIRE(zdt1.points.size() == 4000);
+  const auto front = design::front_of(zdt1.scores);
+  REQUIRE(front.size() > 30);
+  double largest_gap = 0, before = 0;
+  for (const std::size_t i : front) {
+    const auto& f = zdt1.scores[i].objectives;
+    CHECK(f[1] - (1 - std::sqrt(f[0])) < 0.02);
+    largest_gap = std::max(largest_gap, f[0] - before);
+    before = f[0];
+  }
+  CHECK(std::max(largest_gap, 1 - before) < 0.15);
+}
+
+TEST_CASE("the search of a front keeps to constraints and does without values") {
+  // Two opposite objectives; allowed is a disc only, and one half of the square has no values.
+  Searched disc([](const Point& x) {
+    if (x[1] > 0.6) return Score{{std::nan(""), std::nan("")}, HUGE_VAL};
+    const double r = std::hypot(x[0] - 0.5, x[1] - 0.4);
+    return Score{{x[0], -x[0]}, std::max(0.0, r - 0.1)};
+  });
+  design::search_front(2, 600, 3, std::ref(disc));
+  const auto front = design::front_of(disc.scores);
+  REQUIRE(!front.empty());
+  CHECK(disc.scores[front.front()].objectives[0] == Approx(0.4).margin(0.02));
+  CHECK(disc.scores[front.back()].objectives[0] == Approx(0.6).margin(0.02));
+}
+
+TEST_CASE("the search of one objective finds the minima on both sides of a jump, the best first") {
+  Searched jumping([](const Point& x) {
+    const double f = x[0] < 0.37 ? 0.5 + 8 * std::pow(x[0] - 0.2, 2) : 0.2 + 3 * std::pow(x[0] - 0.8, 2);
+    return Score{{f}, 0};
+  });
+  const auto minima = design::search_minima(1, 80, 1, -HUGE_VAL, std::ref(jumping));
+  CHECK(jumping.points.size() <= 80);
+  REQUIRE(minima.size() == 2);
+  CHECK(jumping.points[minima[0]][0] == Approx(0.8).margin(1e-3));
+  CHECK(jumping.points[minima[1]][0] == Approx(0.2).margin(1e-3));
+}
+
+TEST_CASE("a minimum at the edge of a constraint, and a budget of one") {
+  Searched edge([](const Point& x) {
+    return Score{{x[0] + x[1]}, std::max(0.0, 0.3 - x[0]) + std::max(0.0, 0.25 - x[1])};
+  });
+  const auto minima = design::search_minima(2, 300, 1, -HUGE_VAL, std::ref(edge));
+  REQUIRE(edge.scores[minima.front()].violation == 0);
+  CHECK(edge.scores[minima.front()].objectives[0] == Approx(0.55).margin(0.01));
+  Searched one([](const Point& x) { return Score{{x[0]}, 0}; });
+  CHECK(design::search_minima(2, 1, 1, -HUGE_VAL, std::ref(one)).size() == 1);
+  CHECK(one.points.size() == 1);
+  design::search_front(2, 1, 1, std::ref(one));
+  CHECK(one.points.size() == 2);
+}
+
+TEST_CASE("design: the least friction over k_r is that of a fine sweep") {
+  const Folder f;
+  const auto file = f.run(f.load(R"({"variables": {"k_r": {"log": [5, 60]}}, "objectives": [{"minimise": "R_x"}],
+      "budget": 60})", kFew));
+  const Experiment sweep = experiment::load_experiment(
+      f.s.write("sweep.json", fmt::format(R"({{"extends": "paper.json", "name": "sweep",
+          "sweep": {{"k_r": {{"logspace": [5, 60, 300]}}}}{}}})", kFew)), {});
+  run::run_experiment(sweep, {.output = f.s.path("sweep.h5"), .quiet = true});
+  const results::ResultReader fine(f.s.path("sweep.h5"));
+  const auto& R_x = fine.variable("R_x").values;
+  const auto least = std::ranges::min_element(R_x, [](double a, double b) { return a < b || std::isnan(b); });
+  CHECK(first(file, "best/objective_1") <= *least * (1 + 1e-3));
+  CHECK(first(file, "best/objective_1") == Approx(*least).epsilon(0.01));
+}
+
+TEST_CASE("design: a target of Coulomb friction is its coefficient") {
+  const Folder f;
+  const auto file = f.run(f.load(R"({"variables": {"mu_c": [0.02, 0.2]},
+      "objectives": [{"target": "friction_coefficient", "value": 0.13}], "budget": 40})",
+                                 R"(, "model": {"friction": "coulomb"}, "load": {"R_n": null, "path": null, "z_0": 0.8},
+                                       "si": {"m_kg": 0.0001, "r0_m": 0.017, "V0_m_per_s": 10})" +
+                                     std::string(kFew)));
+  CHECK(first(file, "best/objective_1") == Approx(0.13).epsilon(1e-3));
+  CHECK(first(file, "best/mu_c") == Approx(0.13).epsilon(0.02));
+}
+
+TEST_CASE("design: equal bits for any number of threads, resumed or not, and the second run computes nothing") {
+  const Folder f;
+  const std::string design = R"({"variables": {"k_r": [5, 40], "k_phi": [1.5, 3.5]},
+      "tolerances": {"k_r": {"normal": 0.05}, "tau_f": {"uniform": 0.2}}, "tolerance_samples": 2,
+      "objectives": [{"minimise": "R_x", "of": "greatest"}, {"maximise": "R_n_fluctuation_or_so"}], "budget": 16})";
+  std::string two = design;
+  two.replace(two.find("R_n_fluctuation_or_so"), 21, "tip_travel");
+  const Experiment e = f.load(two, kFew);
+  const std::string digest = f.run(e, 1).text("payload_sha256");
+  const std::string bytes = read_file(f.s.path("e.h5"));
+  f.run(e, 2);
+  CHECK(read_file(f.s.path("e.h5")) == bytes);  // up to date: not written again
+  // From the journal, of which the last third is lost.
+  std::filesystem::remove(f.s.path("e.h5"));
+  const std::string journal = read_file(f.s.path("e.h5.journal"));
+  f.s.write("e.h5.journal", journal.substr(0, journal.size() * 2 / 3));
+  CHECK(f.run(e, 2).text("payload_sha256") == digest);
+  const results::ResultReader file(f.s.path("e.h5"));
+  CHECK(file.variable("trials/k_r").values.size() == 16);
+  CHECK(file.variable("sample").values.size() == 16 * 3);
+  CHECK(file.variable("indices/ST").values.size() == 4);
+  // The result has all that its points need.
+  const Experiment stored = experiment::stored_experiment(file.experiment(), "full", "stored");
+  CHECK(stored.points() == 48);
+}
+
+TEST_CASE("design: the margin is the distance to the located jump, on both sides of it") {
+  const Folder f;
+  const std::string load = R"(, "load": {"R_n": 2}, "orientation": {"rtol": 0.02})";
+  const Experiment sweep = experiment::load_experiment(
+      f.s.write("sweep.json", R"({"extends": "paper.json", "name": "sweep", "locate_jumps": "k_r",
+          "sweep": {"k_r": {"values": [12, 30]}})" + load + "}"), {});
+  run::run_experiment(sweep, {.output = f.s.path("sweep.h5"), .quiet = true});
+  const results::ResultReader located(f.s.path("sweep.h5"));
+  REQUIRE(located.variable("jumps/before").values.size() == 1);
+  const double jump = (first(located, "jumps/before") + first(located, "jumps/after")) / 2;
+  // Friction is less after the jump.
+  const auto place = [&](const char* goal, const char* side, double sign) {
+    const auto file = f.run(f.load(fmt::format(R"({{"variables": {{"k_r": [12, 30]}}, "objectives": [{{"{}": "R_x"}}],
+        "budget": 4}})", goal), load, goal));
+    return first(file, "best/k_r") * (1 + sign * first(file, std::string("margins/margin_") + side));
+  };
+  CHECK(place("maximise", "above", 1) == Approx(jump).epsilon(0.02));
+  CHECK(place("minimise", "below", -1) == Approx(jump).epsilon(0.02));
+}
+
+TEST_CASE("design: a trial at which a constraint fails is the nearest miss") {
+  const Folder f;
+  const Experiment e = f.load(R"({"variables": {"k_r": [5, 40]}, "objectives": [{"minimise": "R_x"}],
+      "constraints": [{"variable": "R_x", "max": -1}], "budget": 4})", kFew);
+  CHECK_FALSE(design::run_design(e, {.output = f.s.path("e.h5"), .quiet = true}));
+  const results::ResultReader file(f.s.path("e.h5"));
+  CHECK_FALSE(file.has("best"));
+  CHECK(file.variable("trials/violation").values.size() == 4);
+  CHECK_THAT(file.provenance().at("design"), Catch::Contains("the nearest miss is trial"));
+}
+
+TEST_CASE("malformed designs: the message names place, value and remedy") {
+  const Folder f;
+  const auto with = [](const std::string& variables, const std::string& rest = "") {
+    return fmt::format(R"({{"variables": {{{}}}, "objectives": [{{"minimise": "R_x"}}], "budget": 2{}}})", variables, rest);
+  };
+  CHECK_THAT(f.error(with(R"("k_rr": [1, 2])")), Catch::StartsWith("e.json: /design/variables/k_rr: k_rr cannot be swept (did you mean k_r?)"));
+  CHECK(f.error(with(R"("k_r": [2, 1])")) ==
+        "e.json: /design/variables/k_r: the lower bound 2 is not below the upper bound 1; swap them");
+  CHECK_THAT(f.error(with(R"("k_r": [-2, 1])")), Catch::Contains("/design/variables/k_r: -2 is out of range for k_r"));
+  CHECK_THAT(f.error(with(R"("friction": [1, 2])")), Catch::Contains("friction is a choice, not a number"));
+  CHECK_THAT(f.error(with(R"("k_r": [1, 2])", R"(, "tolerances": {"k_r": {"normal": 0.5}})")),
+             Catch::Contains("/design/tolerances/k_r: 0.5 is too wide"));
+  CHECK_THAT(f.error(with(R"("k_r": [5, 9])", R"(, "constraints": [{"variable": "strain", "max": 1}])")),
+             Catch::Contains("/design/constraints/0/variable: \"strain\" is not a variable of the result"));
+  CHECK_THAT(f.error(with(R"("k_r": [5, 9])", R"(, "constraints": [{"variable": "R_x"}])")),
+             Catch::Contains("gives R_x no limit; add min, max or both"));
+  CHECK_THAT(f.error(R"({"variables": {"k_r": [5, 9]}, "objectives": [{"target": "R_x"}], "budget": 2})"),
+             Catch::Contains("/design/objectives/0/value: is missing; target needs it"));
+  CHECK_THAT(f.error(R"({"variables": {"k_r": [5, 9]}, "objectives": [{"minimise": "R_x", "of": "q95"}], "budget": 2})"),
+             Catch::Contains("q95 is over tolerances, and there are none"));
+  CHECK_THAT(f.error(with(R"("k_r": [5, 9])"), R"(, "sweep": {"k_r": {"values": [1, 2]}})"),
+             Catch::Contains("k_r is varied by the sweep, too"));
+  CHECK_THAT(f.error(with(R"("k_r": [5, 9])"), R"(, "sweep": {"sample": {"sobol": 2, "seed": 1, "over": {"k_phi": {"uniform": [1, 2]}}}})"),
+             Catch::Contains("/sweep/sample: the design chooses the points of the sample; remove it"));
+}
+
+}  // namespace bristle::design_test
