@@ -201,7 +201,7 @@ Trial Trials::judge(const Values& nominal, const results::PointRecord* records) 
     else if (most > 0) out.violation = std::max(out.violation, beyond(value, value > c.max ? c.max : c.min));
   }
   if (design_.jump_margin() > 0 && out.violation == 0) {
-    const double margin = jump_margin(nominal, records + samples * scenarios);
+    const double margin = jump_margin(nominal, records);
     for (std::size_t i = 0; i < design_.constraints.size(); ++i)
       if (design_.constraints[i].variable == experiment::kJumpMargin) out.constraints[i] = margin;
     if (margin < design_.jump_margin()) out.violation = beyond(margin, design_.jump_margin());
@@ -210,16 +210,17 @@ Trial Trials::judge(const Values& nominal, const results::PointRecord* records) 
 }
 
 // The least relative change of a quantity that reaches a jump; infinite if none up to the required margin
-// does. Jumps are located only between neighbours whose gaps differ. records: of the neighbours
+// does. Jumps are located only between neighbours whose gaps differ. records: of the trial
 double Trials::jump_margin(const Values& nominal, const results::PointRecord* records) const {
   double margin = kInfinity;
   const std::size_t scenarios = this->scenarios();
   const std::vector<std::string> quantities = design_.quantities();
   for (std::size_t q = 0; q < quantities.size(); ++q) {
     bool differ = false;
-    for (std::size_t s = 0; s < scenarios; ++s)
-      differ = differ || run::jumps(run::gap_of(records[2 * q * scenarios + s]),
-                                    run::gap_of(records[(2 * q + 1) * scenarios + s]));
+    for (const std::size_t neighbour : {2 * q, 2 * q + 1})
+      for (std::size_t s = 0; s < scenarios; ++s)
+        differ = differ || run::jumps(run::gap_of(records[s]),
+                                      run::gap_of(records[(1 + deviations_.size() + neighbour) * scenarios + s]));
     if (!differ) continue;
     std::vector<double> values;
     for (const double change : {-design_.jump_margin(), 0.0, design_.jump_margin()})

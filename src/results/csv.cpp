@@ -47,8 +47,9 @@ std::vector<std::string> datasets_of(const ResultReader& result, const std::stri
 
 void require_group(const ResultReader& result, const std::string& group) {
   std::vector<std::string> groups;
-  for (const char* name : {"bristles", "checks", "indices", "jumps", "load_error", "quantiles", "slab_force", "trajectories"})
-    if (result.has(name)) groups.emplace_back(name);
+  for (const std::string& name : h5::children(result.file()))
+    if (h5::is_group(result.file(), name) && !h5::children(h5::open_group(result.file(), name)).empty())
+      groups.push_back(name);
   if (group.empty() || std::ranges::find(groups, group) != groups.end()) return;
   throw InputError(
       fmt::format("{}: there is no table {}{}; it has: {}", result.path(), group, did_you_mean(group, groups),
