@@ -60,7 +60,7 @@ Json claims_of(const std::vector<claims::CheckResult>& checks) {
 }  // namespace
 
 Json result_facts(const results::ResultReader& result) {
-  const results::Variable status = result.variable("status");
+  const results::Variable& status = result.variable("status");
   Json facts;
   for (const char* name : {"name", "title", "figure", "tier", "payload_sha256"})
     facts[name] = result.text(name);

@@ -43,7 +43,7 @@ std::vector<double> values_of(const results::ResultReader& result, const std::st
 }
 
 Field read(const results::ResultReader& result, const std::string& name) {
-  const results::Variable v = result.variable(name);
+  const results::Variable& v = result.variable(name);
   Field field{v.dimensions, v.shape, v.values, std::vector<double>(v.values.size(), 0),
               std::vector<bool>(v.values.size(), true)};
   if (result.has(name + "_err")) field.errors = values_of(result, name + "_err", field.values.size());

@@ -21,7 +21,7 @@ struct Listing {
 };
 
 Listing contents_of(const results::ResultReader& result, const std::string& name) {
-  const results::Variable v = result.variable(name);
+  const results::Variable& v = result.variable(name);
   Listing out{v.dimensions, {}, v.shape};
   const bool axis = results::kind_of(result, name) == results::DatasetKind::coordinate;
   const bool choice = axis && !result.flag_meanings(name).empty();

@@ -159,7 +159,7 @@ Side whole_file(const results::ResultReader& result) {
   for (const std::string& name : results::numeric_datasets(result))
     side.kinds[name] = results::kind_of(result, name);
   side.read = [&result](const std::string& name) {
-    const results::Variable v = result.variable(name);
+    const results::Variable& v = result.variable(name);
     Numbers out{v.dimensions, v.shape, v.values, {}};
     if (result.has(name + "_err")) out.tolerance = result.variable(name + "_err").values;
     if (out.tolerance.size() != out.values.size()) out.tolerance.clear();

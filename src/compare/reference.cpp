@@ -185,7 +185,7 @@ Json read(const std::string& path) {
 
 Side result_side(const results::ResultReader& result) {
   return {result.path(), kinds_of(result), [&result](const std::string& name) {
-            const results::Variable v = result.variable(name);
+            const results::Variable& v = result.variable(name);
             return Numbers{v.dimensions, v.shape, v.values, {}};
           }};
 }
@@ -254,7 +254,7 @@ Json make_reference(const results::ResultReader& result, const std::vector<claim
   const std::size_t length = row_length(shape);
   for (const auto& [name, kind] : kinds_of(result)) {
     if (kind == DatasetKind::coordinate) continue;
-    const results::Variable v = result.variable(name);
+    const results::Variable& v = result.variable(name);
     if (v.dimensions != axes || v.shape != shape)
       throw InputError(
           fmt::format("{}: {}: different shape: ({}) over ({}), but the points are ({}) over ({})",

@@ -114,7 +114,7 @@ std::vector<CsvColumn> csv_columns(const ResultReader& result, const std::string
   const std::vector<std::string> paths = datasets_of(result, group);
   const auto dimensions = [&](const std::string& path) { return result.variable(path).shape.size(); };
   const auto most = std::ranges::max_element(paths, {}, dimensions);
-  const Variable like = result.variable(group.empty() ? "status" : paths.empty() ? group : *most);
+  const Variable& like = result.variable(group.empty() ? "status" : paths.empty() ? group : *most);
   std::vector<CsvColumn> columns;
   try {
     add_coordinates(result, group, like, columns);
@@ -126,7 +126,7 @@ std::vector<CsvColumn> csv_columns(const ResultReader& result, const std::string
   const auto sample = result.sample_columns();
   for (const std::string& path : paths)
     if (std::ranges::find(sample, path) != sample.end()) continue;
-    else if (const Variable v = result.variable(path); v.shape == like.shape && v.dimensions == like.dimensions)
+    else if (const Variable& v = result.variable(path); v.shape == like.shape && v.dimensions == like.dimensions)
       columns.push_back(column_of(result, path));
   drop_absent(columns);
   return columns;

@@ -163,7 +163,7 @@ DatasetKind kind_of(const ResultReader& result, const std::string& name) {
 }
 
 std::string place(const ResultReader& result, const std::string& name, std::size_t index) {
-  const Variable v = result.variable(name);
+  const Variable& v = result.variable(name);
   if (v.shape.empty()) return "the only point";
   const auto slash = name.rfind('/');
   const std::string folder = slash == std::string::npos ? "" : name.substr(0, slash + 1);
