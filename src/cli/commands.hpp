@@ -29,7 +29,7 @@ struct ExperimentOptions {
 // instruction_set: empty for the widest available. Returns kCheckFailed if no trial of a design meets its
 // constraints.
 int run_command(const ExperimentOptions& experiment, const run::RunOptions& options,
-                const std::string& instruction_set);
+                const std::string& instruction_set, bool needs_design = false);
 int validate_command(const ExperimentOptions& experiment);
 
 // Prints the schema of experiment files for editors.

@@ -203,7 +203,7 @@ class CommandLine {
                [this] { return cli::new_command(new_name_, new_in_si_); });
     set_action(add_run(app_, experiment_, run_, instruction_set_),
                [this] { return cli::run_command(experiment_, run_, instruction_set_); });
-    set_action(add_design(app_, experiment_, run_), [this] { return cli::run_command(experiment_, run_, ""); });
+    set_action(add_design(app_, experiment_, run_), [this] { return cli::run_command(experiment_, run_, "", true); });
     set_action(add_validate(app_, experiment_), [this] { return cli::validate_command(experiment_); });
     set_action(app_.add_subcommand("schema", "print the JSON schema of experiment files, for editors"),
                [] { return cli::schema_command(); });

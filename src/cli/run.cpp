@@ -4,8 +4,8 @@
 #include "claims/checks.hpp"
 #include "design/design.hpp"
 #include "experiment/schema.hpp"
-#include "run/analysis.hpp"
 #include "experiment/si_units.hpp"
+#include "run/analysis.hpp"
 #include "simd/dispatch.hpp"
 #include "util/error.hpp"
 #include "util/text.hpp"
@@ -61,14 +61,14 @@ void print_conversion(const Experiment& e) {
 }  // namespace
 
 int run_command(const ExperimentOptions& input, const run::RunOptions& options,
-                const std::string& instruction_set) {
+                const std::string& instruction_set, bool needs_design) {
   choose_instruction_set(instruction_set);
   const Experiment experiment = load_checked(input);
   if (!options.quiet) print_warnings(experiment);
   run::RunOptions with_output = options;
   const std::string suffix = experiment.tier == "full" ? "" : "-" + experiment.tier;
   if (options.output.empty()) with_output.output = fmt::format("results/{}{}.h5", experiment.name, suffix);
-  if (experiment.design) return design::run_design(experiment, with_output) ? kSuccess : kCheckFailed;
+  if (experiment.design || needs_design) return design::run_design(experiment, with_output) ? kSuccess : kCheckFailed;
   run::run_experiment(experiment, with_output);
   return kSuccess;
 }

@@ -240,6 +240,10 @@ TEST_CASE("malformed designs: the message names place, value and remedy") {
              Catch::Contains("k_r is varied by the sweep, too"));
   CHECK_THAT(f.error(with(R"("k_r": [5, 9])"), R"(, "sweep": {"sample": {"sobol": 2, "seed": 1, "over": {"k_phi": {"uniform": [1, 2]}}}})"),
              Catch::Contains("/sweep/sample: the design chooses the points of the sample; remove it"));
+  CHECK_THROWS_WITH(design::run_design(experiment::load_experiment(f.s.path("paper.json"), {}), {.output = f.s.path("p.h5")}),
+                    Catch::Contains("/design: is missing"));
+  CHECK_THROWS_WITH(design::run_design(f.load(with(R"("k_r": [5, 9])")), {.output = f.s.path("p.h5"), .shard = run::Shard{1, 2}}),
+                    Catch::Contains("cannot be split into shards"));
 }
 
 }  // namespace bristle::design_test
