@@ -80,9 +80,6 @@ class DesignReader {
                       const std::vector<DesignVariable>& variables) const {
     const JsonPointer at = kDesign / "tolerances" / name;
     require_number(at, name);
-    if (deviation.size() != 1)
-      fail(at, fmt::format("{} gives {} distributions; one is needed: normal or uniform", shown(deviation),
-                           deviation.size()));
     const bool normal = deviation.contains("normal");
     const Tolerance t{name, normal, deviation.front(),
                       std::ranges::count(variables, name, &DesignVariable::name) > 0 ? kNoNominal : nominal(at, name)};

@@ -17,7 +17,7 @@ bristle, folder = sys.argv[1], pathlib.Path(sys.argv[2])
 experiments = pathlib.Path(__file__).parents[2] / "experiments"
 MUTATIONS = 200
 VALUES = ["word", -1, 0, 2.5, 1e9, None, True, [], {}, [1, 1], ["nss", "coulomb"]]
-BLOCKS = ["model", "si", "load", "orientation", "integrator", "sweep", "record", "trajectories", "tiers"]
+BLOCKS = ["model", "si", "load", "orientation", "integrator", "sweep", "design", "record", "trajectories", "tiers"]
 
 # What the program refuses and the schema does not: its message, and the reason.
 PROGRAM_ONLY = {
@@ -33,6 +33,8 @@ PROGRAM_ONLY = {
     "not a number that the sweep varies": "whether the sweep has the axis of the jumps",
     "is not below .*; swap them": "order of the ends of a distribution",
     "appears twice": "whether the words of an axis differ",
+    r"\d\.0 is not allowed; allowed: an integer": "that an integer is written without a decimal point",
+    r"/sweep/\w+: \d+\.\d+ is out of range for .*; allowed: an integer": "whether the steps of an axis are integers",
 }
 
 
@@ -43,10 +45,10 @@ def schema():
 
 
 def refusal(path):
-    """The program's message; empty if the experiment is valid."""
+    """The program's message; empty if the experiment is valid, which it may be with warnings."""
     done = subprocess.run([bristle, "validate", path], capture_output=True, text=True)
     assert done.returncode in (0, 2), (path, done.returncode, done.stderr)
-    return done.stderr.strip()
+    return done.stderr.strip() if done.returncode else ""
 
 
 def places(value, path=()):
@@ -62,14 +64,22 @@ def places(value, path=()):
             yield from places(inner, (*path, index))
 
 
+def value_at(document, path):
+    for step in path:
+        document = document[step]
+    return document
+
+
 def mutations(document):
     """(description, document, path, change of the value there): of thousands few are made."""
     for path in places(document):
+        removes = value_at(document, path) is None
         for value in VALUES:
             yield f"{path} = {json.dumps(value)}", document, path, lambda at, key, v=value: at.__setitem__(key, v)
         yield f"{path} removed", document, path, lambda at, key: at.pop(key)
         if isinstance(path[-1], str):
-            yield f"{path} misspelt", document, path, lambda at, key: at.__setitem__(key + "x", at.pop(key))
+            if not removes:  # the program merges the files first: null under an unknown key removes nothing
+                yield f"{path} misspelt", document, path, lambda at, key: at.__setitem__(key + "x", at.pop(key))
             yield f"{path} beside another axis", document, path, add_range
     for key in ("R_n", "z_0", "trace"):
         for value in (None, 0.5, {}):
