@@ -85,7 +85,18 @@ def table(file, name):
     return read_group(path, os.stat(path).st_mtime_ns, name) if os.path.isfile(path) else None
 
 
-@lru_cache(maxsize=8)
+def table_with(file, name, *needed):
+    """The same, of a group that must have these variables."""
+    found = table(file, name)
+    if found is None:
+        raise BristleError(f"{place_of(file)}: has no group {name}; a Dataset has groups if its file is opened by open_result(PATH)")
+    for variable in needed:
+        if variable not in found:
+            raise BristleError(f"{place_of(file)}: there is no {name}/{variable}")
+    return found
+
+
+@lru_cache(maxsize=16)
 def read_group(path, _time, name):
     """The values of a group of the file, "/" for the root; _time: of its last change. None for a copy: it has no tables."""
     try:

@@ -6,7 +6,7 @@ from ..curves import title_axis
 from ..errors import BristleError
 from ..layout import Cell, across, corners, heading, place_cell, sheet
 from ..readings import one_page
-from ..results import attribute, place_of, table
+from ..results import attribute, place_of, table, table_with
 from ..style import COLOURS, label
 
 AXES = ["sample"]
@@ -19,14 +19,16 @@ NOTE = ("Grey: trials that meet the constraints; blue: the front, of trials that
 
 @one_page
 def draw(file):
-    trials, front, best, margins = (table(file, name) for name in ("trials", "front", "best", "margins"))
-    if trials is None or best is None:
-        raise BristleError(f"{place_of(file)}: has no {'trials' if trials is None else 'recommended trial'}; `bristle design` "
-                           "writes them if a trial meets the constraints")
-    indices = table(file, "indices")
+    values = ("objective_1", "objective_1_err")
+    trials = table_with(file, "trials", "violation", *values)
+    if table(file, "best") is None:
+        raise BristleError(f"{place_of(file)}: has no recommended trial; `bristle design` writes it if a trial meets the constraints")
+    front, best = (table_with(file, name, "trial", *values) for name in ("front", "best"))
+    margins = table_with(file, "margins", "margin_below", "margin_above")
+    indices = None if table(file, "indices") is None else table_with(file, "indices", "ST", "ST_err")
     quantities = [str(name) for name in margins["quantity"].values]
     panels = 1 + len(quantities) + (indices is not None)
-    cell, columns = across(panels, Cell(5.6, 4.0, 1.2, 0.8, 4.1, 2.8), 0.5)
+    cell, columns = across(panels, Cell(5.6, 4.0, 1.2, 0.8, 4.1, 2.8), 0.3)
     columns = min(columns, 3)
     figure, bottom = sheet(file, cell.width * columns, cell.height * -(-panels // columns), NOTE)
     places = iter(zip("abcdefghijklmn", corners(panels, columns, cell, bottom)))
@@ -37,7 +39,7 @@ def draw(file):
     for name, margin in zip(quantities, margins.transpose("quantity").to_dataframe().itertuples()):
         letter, corner = next(places)
         axes = place_cell(figure, corner, cell)
-        draw_profile(axes, table(file, f"profile_{name}"), name, best, margin)
+        draw_profile(axes, table_with(file, f"profile_{name}", name, *values), name, best, margin)
         heading(axes, letter)
     if indices is not None:
         letter, corner = next(places)

@@ -6,7 +6,7 @@ from ..curves import log_axis, title_axis
 from ..errors import BristleError
 from ..layout import Cell, across, corners, heading, legend_at_foot, place_cell, sheet
 from ..readings import one_page, reading_name, readings
-from ..results import attribute, dataset, place_of, table
+from ..results import attribute, dataset, place_of, table, table_with
 from ..style import COLOURS, label
 
 AXES = ["sample"]
@@ -21,9 +21,7 @@ def draw(file):
     if indices is None:
         raise BristleError(f"{place_of(file)}: has no group indices; the experiment needs "
                            '"analysis": {"sobol_indices": [...]}, and its file is opened by open_result(PATH)')
-    for name in ("S1", "S1_err", "ST", "ST_err", "blocks"):
-        if name not in indices:
-            raise BristleError(f"{place_of(file)}: there is no indices/{name}")
+    table_with(file, "indices", "S1", "S1_err", "ST", "ST_err", "blocks")
     outputs = [str(name) for name in indices["output"].values]
     inputs = [str(name) for name in indices["input"].values]
     models = readings(file)
