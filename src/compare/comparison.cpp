@@ -64,7 +64,7 @@ std::string shape_text(const Numbers& n) {
 
 // Why two variables cannot be compared; empty if they can be.
 std::string mismatch(const Numbers& a, const Numbers& b, const Matches& matches) {
-  const std::string shapes = fmt::format("different shapes: {} against {}", shape_text(a), shape_text(b));
+  std::string shapes = fmt::format("different shapes: {} against {}", shape_text(a), shape_text(b));
   if (a.dimensions != b.dimensions || a.shape.size() != b.shape.size()) return shapes;
   for (std::size_t d = 0; d < a.shape.size(); ++d) {
     const std::string& dimension = a.dimensions[d];

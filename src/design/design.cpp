@@ -81,8 +81,7 @@ std::vector<double> profile_values(const experiment::Design& design, const std::
   std::vector<double> values = {best};
   for (std::size_t i = 0; i < kProfileValues; ++i) values.push_back(range.at(double(i) / (kProfileValues - 1)));
   std::ranges::sort(values);
-  const auto repeated = std::ranges::unique(values);
-  values.erase(repeated.begin(), repeated.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
   return values;
 }
 

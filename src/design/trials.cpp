@@ -225,8 +225,7 @@ double Trials::jump_margin(const Values& nominal, const results::PointRecord* re
     std::vector<double> values;
     for (const double change : {-design_.jump_margin(), 0.0, design_.jump_margin()})
       values.push_back(neighbour(nominal, quantities[q], change));
-    const auto repeated = std::ranges::unique(values);
-    values.erase(repeated.begin(), repeated.end());
+    values.erase(std::unique(values.begin(), values.end()), values.end());
     const Profile p = profile(nominal, quantities[q], values);
     for (const double one : {p.margin_below, p.margin_above})
       if (one < margin) margin = one;

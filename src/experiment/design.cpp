@@ -68,11 +68,11 @@ class DesignReader {
     require_number(at, name);
     const bool log = range.is_object();
     const Json& ends = log ? range["log"] : range;
-    const DesignVariable v{name, ends[0], ends[1], log};
+    DesignVariable v{name, ends[0], ends[1], log};
     if (!(v.low < v.high))
       fail(at, fmt::format("the lower bound {} is not below the upper bound {}; swap them", v.low, v.high));
     if (log && !(v.low > 0)) fail(at, fmt::format("a logarithmic range cannot begin at {}", v.low));
-    check_values(document_, name, {v.low, v.high}, [&](std::size_t) { return at; });
+    check_values(document_, name, {v.low, v.high}, [&](std::size_t) { return JsonPointer(at); });
     return v;
   }
 
@@ -81,7 +81,7 @@ class DesignReader {
     const JsonPointer at = kDesign / "tolerances" / name;
     require_number(at, name);
     const bool normal = deviation.contains("normal");
-    const Tolerance t{name, normal, deviation.front(),
+    Tolerance t{name, normal, deviation.front(),
                       std::ranges::count(variables, name, &DesignVariable::name) > 0 ? kNoNominal : nominal(at, name)};
     // A normal deviation of a sample of a million is within five standard deviations.
     if (t.width * (normal ? 5 : 1) >= 1)

@@ -273,7 +273,7 @@ std::vector<Check> read_all_checks(const Document& d, const Experiment& e) {
 
 Analysis read_analysis(const Document& d, const Experiment& e) {
   const Json json = d.json().value("analysis", Json::object());
-  const Analysis analysis = {json.value("sobol_indices", std::vector<std::string>()),
+  Analysis analysis = {json.value("sobol_indices", std::vector<std::string>()),
                              json.value("quantiles", std::vector<std::string>())};
   if (!json.empty() && !e.swept(kSample)) d.fail("/analysis", "needs a sample in the sweep (/sweep/sample)");
   if (!json.empty() && e.base.loading.trace) d.fail("/analysis", "cannot be combined with a trace of R_n(z_0)");

@@ -179,7 +179,7 @@ class SampleReader {
       const auto quantile = quantile_of(at, require_sweepable(document_, at, name), distribution);
       Axis column{name, {}, {}};
       for (const auto& point : points) column.values.push_back(quantile(point[columns.size()]));
-      check_values(document_, name, column.values, [&](std::size_t) { return at; });
+      check_values(document_, name, column.values, [&](std::size_t) { return JsonPointer(at); });
       columns.push_back(std::move(column));
     }
     return columns;
