@@ -151,7 +151,8 @@ class SampleReader {
     std::vector<Axis> columns;
     for (const std::string name : json_["table"]["columns"]) {
       const auto column = columns.size();
-      const Sweepable& sweepable = require_sweepable(document_, at / "columns" / column, name);
+      const JsonPointer place = at / "columns" / column;
+      const Sweepable& sweepable = require_sweepable(document_, place, name);
       if (experiment::swept(columns, name)) fail(at / "columns" / column, name + " appears twice");
       columns.push_back({name, {}, {}});
       for (const std::size_t i : taken_rows(rows.size())) {
