@@ -4,6 +4,7 @@
 #include "design/trials.hpp"
 #include "experiment/sample.hpp"
 #include "results/reader.hpp"
+#include "run/analysis.hpp"
 #include "run/provenance.hpp"
 #include "run/signals.hpp"
 #include "run/sweep.hpp"
@@ -25,18 +26,11 @@ constexpr const char* kFound = "design";  // entry of the provenance: the findin
 
 // Throws InputError if an objective or a constraint names a variable that the result does not have.
 void require_variables(const Experiment& e) {
-  std::vector<std::string> known;
-  for (const results::ResultVariable& variable : results::result_variables(e)) known.push_back(variable.name);
-  const auto require = [&](const std::string& place, const std::string& name) {
-    if (std::ranges::find(known, name) == known.end())
-      throw InputError(fmt::format("{}: /design/{}: {} is not a variable of the result{}; allowed: {}", e.path, place,
-                                   Json(name).dump(), did_you_mean(name, known), fmt::join(known, ", ")));
-  };
   for (std::size_t i = 0; i < e.design->objectives.size(); ++i)
-    require(fmt::format("objectives/{}", i), e.design->objectives[i].variable);
+    run::require_variable(e, fmt::format("/design/objectives/{}", i), e.design->objectives[i].variable);
   for (std::size_t i = 0; i < e.design->constraints.size(); ++i)
     if (const std::string& name = e.design->constraints[i].variable; name != experiment::kJumpMargin)
-      require(fmt::format("constraints/{}/variable", i), name);
+      run::require_variable(e, fmt::format("/design/constraints/{}/variable", i), name);
 }
 
 // The experiment with the rows as its sample, as it is stored in the result.
@@ -66,14 +60,14 @@ bool up_to_date(const std::string& path, const Experiment& e) {
   return stored == own;
 }
 
-// The values of a quantity beside the best trial, from bound to bound, or over twice its deviations.
+// The values of a quantity beside the best trial: from bound to bound, or over its deviations.
 std::vector<double> profile_values(const experiment::Design& design, const std::string& quantity, double best) {
   experiment::DesignVariable range{quantity, 0, 0, false};
   const auto variable = std::ranges::find(design.variables, quantity, &experiment::DesignVariable::name);
   if (variable != design.variables.end()) range = *variable;
   else {
     const auto t = std::ranges::find(design.tolerances, quantity, &experiment::Tolerance::name);
-    const double reach = std::min(0.9, (t->normal ? 4 : 2) * t->width);
+    const double reach = std::min(0.9, (t->normal ? 4 : 1) * t->width);
     range.low = experiment::rounded(best * (1 - reach));
     range.high = experiment::rounded(best * (1 + reach));
     if (range.low > range.high) std::swap(range.low, range.high);

@@ -1,6 +1,7 @@
 #include "design/groups.hpp"
 
 #include "results/variables.hpp"
+#include "run/analysis.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -35,13 +36,6 @@ class Table {
 GroupDimension numbers(const std::string& name, const std::string& meaning, std::size_t count) {
   GroupDimension out{{name, meaning, "", "", H5T_NATIVE_LONG}, {}, std::vector<double>(count)};
   std::iota(out.values.begin(), out.values.end(), 0.0);
-  return out;
-}
-
-GroupDimension words(const std::string& name, const std::string& meaning, const std::vector<std::string>& list) {
-  GroupDimension out = numbers(name, meaning, list.size());
-  out.column.type = H5T_NATIVE_DOUBLE;
-  out.words = list;
   return out;
 }
 
@@ -114,7 +108,7 @@ Group all_trials(const Experiment& e, const Trials& trials, const Findings& foun
 Group margins(const Findings& found) {
   std::vector<std::string> quantities;
   for (const Profile& p : found.profiles) quantities.push_back(p.quantity);
-  Table table("margins", words("quantity", "quantity of the recommended trial", quantities));
+  Table table("margins", results::word_dimension("quantity", "quantity of the recommended trial", quantities));
   table.add({"margin_below", "relative decrease that reaches a jump of the gap; NaN: none in the range", "", ""},
             quantities.size(), [&](std::size_t i) { return found.profiles[i].margin_below; });
   table.add({"margin_above", "relative increase that reaches a jump of the gap; NaN: none in the range", "", ""},
@@ -139,12 +133,9 @@ Group indices_group(const Experiment& e, const Findings& found) {
   for (const experiment::Objective& o : e.design->objectives) objectives.push_back(o.text());
   Group group{"indices",
               {},
-              {words("objective", "nominal value whose variance over the tolerances is shared out", objectives),
-               words("input", "quantity with a tolerance", inputs_of(*e.design))},
-              {{"S1", "first-order Sobol index", "S_1", ""},
-               {"S1_err", "standard error of S1", R"(\delta S_1)", ""},
-               {"ST", "total Sobol index", "S_T", ""},
-               {"ST_err", "standard error of ST", R"(\delta S_T)", ""}},
+              {results::word_dimension("objective", "nominal value whose variance over the tolerances is shared out", objectives),
+               results::word_dimension("input", "quantity with a tolerance", inputs_of(*e.design))},
+              run::index_columns(),
               std::vector<std::vector<double>>(4)};
   for (const SobolIndices& one : found.indices)
     for (std::size_t i = 0; i < one.total.size(); ++i) {
@@ -261,7 +252,7 @@ std::vector<Group> groups_of(const Experiment& e, const Trials& trials, const Fi
   for (const Profile& p : found.profiles) groups.push_back(profile_group(e, p));
   if (!found.indices.empty()) groups.push_back(indices_group(e, found));
   if (found.second) {
-    Table table("second", words(e.design->second_choice, "second model of the recommended trial",
+    Table table("second", results::word_dimension(e.design->second_choice, "second model of the recommended trial",
                                 {experiment::find_sweepable(e.design->second_choice)->text(e.design->second_option)}));
     add_objectives(table, e, 1, [&](std::size_t) { return found.second->objectives; });
     groups.push_back(table.group());

@@ -42,10 +42,13 @@ class DesignReader {
       const Sweepable& choice = require_sweepable(document_, at, name);
       if (choice.options.empty()) fail(at, name + " is a number; a second model differs by a choice");
       if (!d.second_choice.empty()) fail(at, "only one choice may differ");
+      if (document_.json().contains("sweep") && document_.json()["sweep"].contains(name))
+        fail(at, name + " is varied by the sweep, too; remove one of them");
       d.second_choice = name;
       d.second_option = option_index(document_, at, choice, word);
     }
     check_load(d);
+    check_reach(d);
     return d;
   }
 
@@ -59,6 +62,8 @@ class DesignReader {
   void require_number(const JsonPointer& at, const std::string& name) const {
     if (!require_sweepable(document_, at, name).options.empty())
       fail(at, name + " is a choice, not a number; put its words into the sweep as scenarios");
+    if (parameter_schema(name).value("type", "") == "integer")
+      fail(at, name + " is an integer, between whose values there is nothing; put its values into the sweep as scenarios");
     if (document_.json().contains("sweep") && document_.json()["sweep"].contains(name))
       fail(at, name + " is varied by the sweep, too; remove one of them");
   }
@@ -83,11 +88,30 @@ class DesignReader {
     const bool normal = deviation.contains("normal");
     Tolerance t{name, normal, deviation.front(),
                       std::ranges::count(variables, name, &DesignVariable::name) > 0 ? kNoNominal : nominal(at, name)};
-    // A normal deviation of a sample of a million is within five standard deviations.
-    if (t.width * (normal ? 5 : 1) >= 1)
+    if (reach(t) >= 1)
       fail(at, fmt::format("{} is too wide: values could reach zero; allowed: less than {}", t.width,
                            normal ? 0.2 : 1.0));
     return t;
+  }
+
+  // A normal deviation of a sample of a million is within five standard deviations.
+  static double reach(const Tolerance& t) { return t.width * (t.normal ? 5 : 1); }
+
+  // With all deviations the values are in the range of the quantity, as the trials are points of a sweep. So
+  // are the neighbours that a jump margin needs: those of a variable are within its bounds.
+  void check_reach(const Design& d) const {
+    for (const Tolerance& t : d.tolerances) {
+      double low = t.nominal, high = t.nominal, change = std::max(reach(t), d.jump_margin());
+      if (const auto v = std::ranges::find(d.variables, t.name, &DesignVariable::name); v != d.variables.end()) {
+        low = v->low;
+        high = v->high;
+        change = reach(t);
+      }
+      check_values(document_, t.name,
+                   {rounded(low * (1 - change)), rounded(low * (1 + change)), rounded(high * (1 - change)),
+                    rounded(high * (1 + change))},
+                   [&](std::size_t) { return kDesign / "tolerances" / t.name; });
+    }
   }
 
   double nominal(const JsonPointer& at, const std::string& name) const {
@@ -126,7 +150,9 @@ class DesignReader {
     if (margin) return {kJumpMargin, json[kJumpMargin], kNoLimit};
     if (!json.contains("min") && !json.contains("max"))
       fail(at, fmt::format("gives {} no limit; add min, max or both", json["variable"].get<std::string>()));
-    return {json["variable"], json.value("min", -kNoLimit), json.value("max", kNoLimit)};
+    Constraint c{json["variable"], json.value("min", -kNoLimit), json.value("max", kNoLimit)};
+    if (c.min > c.max) fail(at, fmt::format("min {} is above max {}; swap them", c.min, c.max));
+    return c;
   }
 
   void check_load(const Design& d) const {

@@ -64,6 +64,13 @@ h5::Handle create_numbers(hid_t parent, const Column& column, const std::vector<
 
 }  // namespace
 
+GroupDimension word_dimension(const std::string& name, const std::string& meaning,
+                              const std::vector<std::string>& words) {
+  std::vector<double> codes(words.size());
+  std::iota(codes.begin(), codes.end(), 0.0);
+  return {{name, meaning, "", ""}, words, codes};
+}
+
 std::vector<Column> jump_columns(const Experiment& experiment) {
   std::vector<Column> columns = {
       {"before", "value of the axis before the jump", "", ""},

@@ -18,6 +18,9 @@ struct GroupDimension {
   std::vector<double> values;
 };
 
+GroupDimension word_dimension(const std::string& name, const std::string& meaning,
+                              const std::vector<std::string>& words);
+
 // Variables over some axes of the sweep and over dimensions of their own.
 struct Group {
   std::string name;

@@ -53,12 +53,6 @@ double ambiguous(const Experiment& e, const std::map<std::string, std::vector<do
   return double(std::ranges::count(statuses, double(PointStatus::ambiguous)));
 }
 
-results::GroupDimension words_of(const char* name, const char* meaning, const std::vector<std::string>& words) {
-  std::vector<double> codes(words.size());
-  std::iota(codes.begin(), codes.end(), 0.0);
-  return {{name, meaning, "", ""}, words, codes};
-}
-
 std::vector<std::size_t> other_axes(const Experiment& e) {
   std::vector<std::size_t> out;
   for (std::size_t axis = 0; axis < e.axes.size(); ++axis)
@@ -78,15 +72,13 @@ results::Group indices(const Experiment& e, const Values& values) {
   const std::vector<std::string> &outputs = e.analysis.sobol_indices, inputs = inputs_of(e);
   results::Group group{"indices",
                        other_axes(e),
-                       {words_of("output", "variable whose variance is shared out", outputs),
-                        words_of("input", "parameter of the sample", inputs)},
-                       {{"S1", "first-order Sobol index", "S_1", ""},
-                        {"S1_err", "standard error of S1", R"(\delta S_1)", ""},
-                        {"ST", "total Sobol index", "S_T", ""},
-                        {"ST_err", "standard error of ST", R"(\delta S_T)", ""},
-                        {"blocks", "blocks of the design whose points all have a value", "", "", H5T_NATIVE_LONG},
-                        ambiguous_column()},
+                       {results::word_dimension("output", "variable whose variance is shared out", outputs),
+                        results::word_dimension("input", "parameter of the sample", inputs)},
+                       index_columns(),
                        std::vector<std::vector<double>>(6)};
+  group.columns.push_back(
+      {"blocks", "blocks of the design whose points all have a value", "", "", H5T_NATIVE_LONG});
+  group.columns.push_back(ambiguous_column());
   for (std::size_t other = 0; other < without_sample(e).points(); ++other)
     for (const std::string& output : outputs) {
       const SobolIndices found = sobol_indices(over_sample(e, values.at(output), other), inputs.size());
@@ -103,7 +95,7 @@ results::Group quantiles(const Experiment& e, const Values& values) {
   const std::vector<std::string>& outputs = e.analysis.quantiles;
   results::Group group{"quantiles",
                        other_axes(e),
-                       {words_of("output", "variable", outputs),
+                       {results::word_dimension("output", "variable", outputs),
                         {{"share", "share of the sample below the quantile", "p", ""}, {}, kShares}},
                        {{"quantile", "quantile of the variable over the sample", "", ""},
                         {"quantile_err", "standard error of the quantile", "", ""},
@@ -164,18 +156,25 @@ std::string quantiles_line(const results::Group& group, std::size_t row, std::si
 
 }  // namespace
 
-void validate_analysis(const Experiment& experiment) {
+void require_variable(const Experiment& experiment, const std::string& place, const std::string& name) {
   std::vector<std::string> known;
   for (const results::ResultVariable& variable : results::result_variables(experiment)) known.push_back(variable.name);
-  const auto check = [&](const char* key, const std::vector<std::string>& names) {
-    for (const std::string& name : names)
-      if (std::ranges::find(known, name) == known.end())
-        throw InputError(fmt::format("{}: /analysis/{}: {} is not a variable of the result{}; allowed: {}",
-                                     experiment.path, key, Json(name).dump(), did_you_mean(name, known),
-                                     fmt::join(known, ", ")));
-  };
-  check("sobol_indices", experiment.analysis.sobol_indices);
-  check("quantiles", experiment.analysis.quantiles);
+  if (std::ranges::find(known, name) == known.end())
+    throw InputError(fmt::format("{}: {}: {} is not a variable of the result{}; allowed: {}", experiment.path, place,
+                                 Json(name).dump(), did_you_mean(name, known), fmt::join(known, ", ")));
+}
+
+void validate_analysis(const Experiment& experiment) {
+  for (const std::string& name : experiment.analysis.sobol_indices)
+    require_variable(experiment, "/analysis/sobol_indices", name);
+  for (const std::string& name : experiment.analysis.quantiles) require_variable(experiment, "/analysis/quantiles", name);
+}
+
+std::vector<results::Column> index_columns() {
+  return {{"S1", "first-order Sobol index", "S_1", ""},
+          {"S1_err", "standard error of S1", R"(\delta S_1)", ""},
+          {"ST", "total Sobol index", "S_T", ""},
+          {"ST_err", "standard error of ST", R"(\delta S_T)", ""}};
 }
 
 std::set<std::string> analysed_variables(const Experiment& experiment) {

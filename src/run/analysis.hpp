@@ -10,6 +10,12 @@
 
 namespace bristle::run {
 
+// Throws InputError if the result has no variable of this name. place: JSON pointer, for the message
+void require_variable(const Experiment& experiment, const std::string& place, const std::string& name);
+
+// Columns of Sobol indices and their errors. A function, because HDF5 must not be used before main().
+std::vector<results::Column> index_columns();
+
 // Throws InputError if /analysis names a variable that the result does not have.
 void validate_analysis(const Experiment& experiment);
 

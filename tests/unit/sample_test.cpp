@@ -34,14 +34,7 @@ struct Folder {
         {});
   }
   std::string error(const std::string& sweep) const {
-    try {
-      load(sweep);
-    } catch (const InputError& e) {
-      const std::string message = e.what(), folder = s.path("");
-      const auto at = message.find(folder);
-      return at == message.npos ? message : message.substr(at + folder.size());
-    }
-    return "(no error)";
+    return input_error(s, [&] { load(sweep); });
   }
   Scratch s;
 };

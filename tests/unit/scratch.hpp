@@ -1,5 +1,7 @@
 #pragma once
 
+#include "util/error.hpp"
+
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -45,6 +47,19 @@ class Scratch {
  private:
   std::filesystem::path folder_;
 };
+
+// The message of the InputError that the call throws, from the name of the file in the folder on.
+template <class Call>
+std::string input_error(const Scratch& folder, const Call& call) {
+  try {
+    call();
+  } catch (const InputError& e) {
+    const std::string message = e.what(), path = folder.path("");
+    const auto at = message.find(path);
+    return at == message.npos ? message : message.substr(at + path.size());
+  }
+  return "(no error)";
+}
 
 inline std::string bytes_of(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
