@@ -23,8 +23,9 @@ struct SobolIndices {
 };
 // First-order indices by Saltelli's estimator (as above) and total ones by Jansen's (M. J. W. Jansen, Comput.
 // Phys. Commun. 117, 1999), from the values at the points of the design. Jansen's estimator of first-order
-// indices is less accurate for the inputs that matter little. Values that are not finite are missing. NaN if there are fewer than two complete
-// blocks or if the values are all the same, which have no variance to share out.
+// indices is less accurate for the inputs that matter little. Values that are not finite are missing. The
+// indices are NaN if there are fewer than two complete blocks, or if all values are the same and have no
+// variance to share out.
 SobolIndices sobol_indices(const std::vector<double>& values, std::size_t inputs);
 
 // The value below which this share of the values lies, by linear interpolation between the ordered values. NaN
