@@ -4,6 +4,11 @@
     figure = fig4.draw(open_result("results/fig4.h5"))  # a matplotlib Figure
     figure.savefig("fig4.pdf")
 
+run() computes a result by the program (bristle_plots/computing.py):
+
+    from bristle_plots import run
+    ds = run("paper.json", k_r=[5, 10, 20], friction="coulomb")  # an xarray Dataset
+
 draw() also takes the Dataset of `xarray.open_dataset(PATH)`, or a part of it: `ds.sel(...)`. Whatever is wrong with a
 file raises BristleError. `python3 -m bristle_plots fig4 RESULT.h5` is the same as a command.
 """
@@ -11,6 +16,7 @@ file raises BristleError. `python3 -m bristle_plots fig4 RESULT.h5` is the same 
 import importlib
 import os
 
+from .computing import run
 from .errors import BristleError
 from .readings import pages
 from .results import open_result
@@ -19,7 +25,7 @@ from .style import apply_look
 FIGURES = sorted(name.removesuffix(".py") for name in os.listdir(os.path.join(os.path.dirname(__file__), "figures"))
                  if name.endswith(".py") and not name.startswith("_"))
 
-__all__ = ["BristleError", "FIGURES", "apply_look", "open_result", "pages", *FIGURES]
+__all__ = ["BristleError", "FIGURES", "apply_look", "open_result", "pages", "run", *FIGURES]
 
 
 def __getattr__(name):

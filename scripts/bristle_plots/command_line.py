@@ -14,7 +14,7 @@ from .readings import pages
 from .results import open_result, require_axes
 from .style import METADATA, apply_look
 
-PROGRAM = "plot"
+PROGRAM = os.environ.get("BRISTLE_PLOT", "plot")  # the name by which scripts/plot was called
 DPI_RANGE = 30, 2400
 
 

@@ -30,7 +30,7 @@ void add_tier(CLI::App& command, std::string& tier, const std::string& descripti
 }
 
 void add_experiment(CLI::App& command, ExperimentOptions& options) {
-  command.add_option("EXPERIMENT", options.file, "experiment file (JSON)")->required();
+  command.add_option("EXPERIMENT", options.file, "experiment file (JSON), or - for standard input")->required();
   command.add_option("--set", options.load.set, "change a value: /json/pointer=value (repeatable)")
       ->type_name("PTR=VALUE")
       ->allow_extra_args(false);
@@ -53,7 +53,8 @@ CLI::App* add_run(CLI::App& app, ExperimentOptions& experiment, run::RunOptions&
   auto* command = app.add_subcommand("run", "compute an experiment into an HDF5 result file");
   add_experiment(*command, experiment);
   command->add_option("-o,--output", run.output,
-                      "result file [results/<name>.h5 or, of another tier, results/<name>-<tier>.h5]");
+                      "result file, or - for standard output [results/<name>.h5 or, of another tier, "
+                      "results/<name>-<tier>.h5]");
   auto* shard = command->add_option_function<std::string>(
       "--shard", [&run](const std::string& text) { run.shard = run::parse_shard(text); },
       "compute the i-th of N shares of the points into a journal beside the result");

@@ -8,11 +8,19 @@
 #include "run/analysis.hpp"
 #include "simd/dispatch.hpp"
 #include "util/error.hpp"
+#include "util/file.hpp"
 #include "util/text.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
 #include <nlohmann/json.hpp>
+#include <string_view>
+#include <unistd.h>
 
 namespace bristle::cli {
 namespace {
@@ -46,6 +54,67 @@ std::string range_text(const experiment::Axis& axis) {
   return fmt::format("{}", fmt::join(words, ", "));
 }
 
+// While it lives, what is printed goes to standard error, and only write() reaches standard output.
+class ReservedOutput {
+ public:
+  ReservedOutput() : output_(dup(STDOUT_FILENO)) {
+    std::fflush(stdout);
+    dup2(STDERR_FILENO, STDOUT_FILENO);
+  }
+  ~ReservedOutput() {
+    std::fflush(stdout);
+    dup2(output_, STDOUT_FILENO);
+    close(output_);
+  }
+  ReservedOutput(const ReservedOutput&) = delete;
+  ReservedOutput& operator=(const ReservedOutput&) = delete;
+  void write(std::string_view bytes) const {
+    while (!bytes.empty()) {
+      const ssize_t written = ::write(output_, bytes.data(), bytes.size());
+      if (written < 0) throw RunError(fmt::format("standard output cannot be written: {}", std::strerror(errno)));
+      bytes.remove_prefix(std::size_t(written));
+    }
+  }
+
+ private:
+  int output_;
+};
+
+// A folder for a result on its way to standard output: HDF5 cannot write into a pipe.
+struct TemporaryFolder {
+  TemporaryFolder() {
+    path = (std::filesystem::temp_directory_path() / "bristle-XXXXXX").string();
+    if (!mkdtemp(path.data())) throw RunError(fmt::format("{}: cannot be made: {}", path, std::strerror(errno)));
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  std::string path;
+};
+
+bool compute(const Experiment& experiment, const run::RunOptions& options, bool needs_design) {
+  if (experiment.design || needs_design) return design::run_design(experiment, options);
+  run::run_experiment(experiment, options);
+  return true;
+}
+
+bool compute_to_standard_output(const Experiment& experiment, const run::RunOptions& options, bool needs_design) {
+  if (options.shard || options.complete)
+    throw InputError("-o -: shards have journals beside the result; name a file");
+  if (isatty(STDOUT_FILENO))
+    throw InputError("-o -: standard output is a terminal, and a result is not text; write > FILE.h5 or a pipe behind it");
+  const TemporaryFolder folder;
+  const ReservedOutput output;
+  run::RunOptions in_folder = options;
+  in_folder.output = folder.path + "/" + experiment.name + ".h5";
+  const bool succeeded = compute(experiment, in_folder, needs_design);
+  output.write(read_file(in_folder.output));
+  return succeeded;
+}
+
 void print_warnings(const Experiment& e) {
   for (const std::string& warning : e.warnings) write_message(fmt::format("warning: {}\n", warning));
 }
@@ -68,9 +137,8 @@ int run_command(const ExperimentOptions& input, const run::RunOptions& options,
   run::RunOptions with_output = options;
   const std::string suffix = experiment.tier == "full" ? "" : "-" + experiment.tier;
   if (options.output.empty()) with_output.output = fmt::format("results/{}{}.h5", experiment.name, suffix);
-  if (experiment.design || needs_design) return design::run_design(experiment, with_output) ? kSuccess : kCheckFailed;
-  run::run_experiment(experiment, with_output);
-  return kSuccess;
+  const auto compute_it = options.output == "-" ? compute_to_standard_output : compute;
+  return compute_it(experiment, with_output, needs_design) ? kSuccess : kCheckFailed;
 }
 
 int validate_command(const ExperimentOptions& options) {
@@ -79,7 +147,7 @@ int validate_command(const ExperimentOptions& options) {
   for (const experiment::Axis& axis : e.axes)
     sweep += fmt::format("{}{} ({})", sweep.empty() ? "" : " x ", axis.name, range_text(axis));
   const std::size_t checks = e.checks.empty() ? 0 : e.checks.back().number + 1;
-  fmt::print("{}: valid. {}: {} point{}{}{}, {} check{}\n", options.file, e.name, e.points(),
+  fmt::print("{}: valid. {}: {} point{}{}{}, {} check{}\n", options.file == "-" ? "standard input" : options.file, e.name, e.points(),
              e.points() == 1 ? "" : "s", sweep.empty() ? "" : ", ", sweep, checks, checks == 1 ? "" : "s");
   print_warnings(e);
   if (e.base.si.empty()) return kSuccess;

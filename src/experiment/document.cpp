@@ -15,16 +15,35 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <set>
 
 namespace bristle::experiment {
 namespace fs = std::filesystem;
 namespace {
 
+constexpr const char* kFromStandardInput = "-";  // in place of a file, as if it were one in the working folder
+
+// What messages call the file.
+std::string name_of(const std::string& path) { return path == kFromStandardInput ? "standard input" : path; }
+
+Json content_of(const std::string& path) {
+  if (path != kFromStandardInput) return read_json_file(path);
+  std::string text;
+  while (text.size() <= kMaxJsonBytes && std::cin) {
+    char part[4096];
+    std::cin.read(part, sizeof part);
+    text.append(part, std::size_t(std::cin.gcount()));
+  }
+  if (text.size() > kMaxJsonBytes)
+    throw InputError(fmt::format("{}: more than {} bytes", name_of(path), kMaxJsonBytes));
+  return json_object(name_of(path), text);
+}
+
 // The folder within which experiments may extend each other: the outermost folder named "experiments" above
 // the file, or else the file's own folder.
 fs::path experiments_folder(const fs::path& file) {
-  fs::path folder = fs::canonical(file).parent_path(), root = folder;
+  fs::path folder = fs::weakly_canonical(fs::absolute(file)).parent_path(), root = folder;
   for (fs::path p = folder; p != p.root_path(); p = p.parent_path())
     if (p.filename() == "experiments") root = p;
   return root;
@@ -58,12 +77,12 @@ std::string file_meant_by(const std::string& name) {
 // Appends the file to out, after the files that it extends. chain: the files that led to this one.
 void collect(const std::string& path, const fs::path& root, std::vector<std::string>& chain,
              std::vector<Document::Source>& out) {
-  Json content = read_json_file(path);
-  chain.push_back(fs::canonical(path).string());
+  Json content = content_of(path);
+  chain.push_back(fs::weakly_canonical(path).string());
   if (content.contains("extends")) {
     const Json& extends = content["extends"];
     const auto fail = [&](const std::string& why) {
-      throw InputError(fmt::format("{}: /extends: {} {}", path, shown(extends), why));
+      throw InputError(fmt::format("{}: /extends: {} {}", name_of(path), shown(extends), why));
     };
     if (!extends.is_string()) fail("is not a file name");
     const fs::path parent = fs::path(path).parent_path() / extends.get<std::string>();
@@ -84,7 +103,7 @@ void collect(const std::string& path, const fs::path& root, std::vector<std::str
   content.erase("extends");
   content.erase("$schema");  // for editors
   include_tables(content, fs::path(path).parent_path().string());
-  out.push_back({path, std::make_shared<const Json>(std::move(content))});
+  out.push_back({name_of(path), std::make_shared<const Json>(std::move(content))});
 }
 
 std::vector<std::string> tokens_of(JsonPointer pointer) {
@@ -189,12 +208,12 @@ bool sets(const Document::Change& change, const JsonPointer& pointer) {
 
 Document Document::load(const std::string& path, const DocumentOptions& options) {
   Document d;
-  d.path_ = path;
+  d.path_ = name_of(path);
   d.tier_ = options.tier;
   std::vector<std::string> chain;
   if (const std::string meant = file_meant_by(path); !meant.empty())
     throw InputError(fmt::format("{}: no such file; did you mean {}?", path, meant));
-  read_json_file(path);  // reports a missing file before its missing folder
+  if (path != kFromStandardInput) read_json_file(path);  // reports a missing file before its missing folder
   collect(path, experiments_folder(path), chain, d.files_);
   for (const std::string& argument : options.set) d.set_.push_back(parse_set(argument));
   d.merge();

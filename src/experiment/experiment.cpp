@@ -392,7 +392,11 @@ Experiment load_experiment(const std::string& path, const DocumentOptions& optio
   experiment.tier = options.tier;
   // Reports mistakes in the other tiers, too. Not with --set, as its changes are meant for this tier only.
   for (const char* tier : {"smoke", "study", "full"})
-    if (tier != options.tier && options.set.empty()) read(document.with_tier(tier));
+    if (tier != options.tier && options.set.empty()) try {
+        read(document.with_tier(tier));
+      } catch (const InputError& e) {
+        throw InputError(fmt::format("{} (found for --tier {}; the tier {} has no mistakes)", e.what(), tier, options.tier));
+      }
   return experiment;
 }
 

@@ -45,15 +45,16 @@ std::string json_error(const std::string& message) {
   return end == std::string::npos ? message : message.substr(end + 2);
 }
 
-Json read_json_file(const std::string& path) {
-  const std::string text = read_file(path, kMaxJsonBytes);
+Json read_json_file(const std::string& path) { return json_object(path, read_file(path, kMaxJsonBytes)); }
+
+Json json_object(const std::string& name, const std::string& text) {
   try {
     Json content = parse_json(text);
     if (!content.is_object())
       throw InputError(fmt::format("expected a JSON object {{...}}, found {}", shown(content)));
     return content;
   } catch (const InputError& e) {
-    throw InputError(fmt::format("{}: {}", path, e.what()));
+    throw InputError(fmt::format("{}: {}", name, e.what()));
   }
 }
 

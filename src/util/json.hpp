@@ -22,6 +22,9 @@ constexpr std::uintmax_t kMaxJsonBytes = std::uintmax_t(64) << 20;
 // parse_json() do.
 Json read_json_file(const std::string& path);
 
+// The same for a text; name: what messages call it.
+Json json_object(const std::string& name, const std::string& text);
+
 // Parses untrusted text. Throws InputError, without a file name, for text that is not JSON, for a key that
 // appears twice in one object, and for nesting deeper than kMaxJsonDepth.
 Json parse_json(const std::string& text);

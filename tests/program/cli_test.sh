@@ -29,6 +29,21 @@ expect 2 "/integrator/engine: \"fsat\" is not allowed" "$bristle" validate exper
 expect 0 "1 ok" "$bristle" run experiments/paper.json -o "$folder/e.h5" --set /integrator/engine=reference \
   --set /orientation/rtol=0.1
 expect 2 "cannot be written" "$bristle" run experiments/paper.json -o /proc/nowhere/r.h5
+
+# Standard input and standard output in place of files.
+point='{"extends": "paper.json", "name": "piped", "orientation": {"rtol": 0.1}}'
+piped() { printf %s "$1" | "$bristle" "${@:2}"; }
+expect 0 "standard input: valid. piped: 1 point" piped "$point" validate -
+expect 0 "1 ok" piped "$point" run - -o "$folder/named.h5"
+piped "$point" run - -o - 2>"$folder/messages" | cat >"$folder/piped.h5"
+grep -q "1 ok" "$folder/messages" || failed "run - -o -: no summary on standard error"
+expect 0 "the same" "$bristle" diff "$folder/named.h5" "$folder/piped.h5"
+expect 2 'standard input: /model/k_r: -1 is not allowed' piped "${point%?}, \"model\": {\"k_r\": -1}}" run -
+expect 2 'standard input: /extends: "none.json" does not exist' piped '{"extends": "none.json", "name": "x"}' run -
+expect 2 "standard input: " piped "" run -
+expect 2 "standard input: expected a JSON object" piped "[1]" run -
+expect 2 "-o -: shards have journals beside the result; name a file" piped "$point" run - -o - --shard 1/2
+expect 3 "standard output cannot be written" eval 'piped "$point" run - -o - >/dev/full'
 expect 2 "no such file" "$bristle" info nowhere.h5
 for command in info check validate run verify export "diff $result" merge "reference update --reason x"; do
   expect 2 "experiments: " "$bristle" $command experiments

@@ -40,6 +40,11 @@ rm "$empty/paper.json"
 # The figures, from the installed package.
 expect 0 "" in_empty env PYTHONPATH="$prefix/lib/python3/dist-packages" "$python" -m bristle_plots fig4 results/fig4-smoke.h5 -o plots
 [ -s "$empty/plots/fig4.pdf" ] || failed "no plots/fig4.pdf"
+expect 0 "" in_empty bristle-plot curve results/fig4-smoke.h5 --format png -o command
+[ -s "$empty/command/curve.png" ] || failed "bristle-plot: no command/curve.png"
+expect 2 "bristle-plot: results/none.h5: no such file" in_empty bristle-plot fig4 results/none.h5
+expect 0 "1.0" in_empty env PYTHONPATH="$prefix/lib/python3/dist-packages" "$python" -c \
+  'from bristle_plots import run; print(float(run("paper.json", quiet=True, mu_c=1, orientation={"rtol": 0.1})["mu_c"]))'
 
 # The manual page names each command and option of the help; the completion completes them.
 page=$prefix/share/man/man1/bristle.1

@@ -1,0 +1,73 @@
+"""bristle_plots.run: results as Datasets, changes by name, errors of the program as exceptions.
+
+computing_test.py BRISTLE FOLDER
+"""
+import contextlib
+import io
+import json
+import os
+import pathlib
+import shutil
+import sys
+
+import numpy as np
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
+from bristle_plots import BristleError, run  # noqa: E402
+
+bristle, folder = os.path.abspath(sys.argv[1]), pathlib.Path(sys.argv[2])
+shutil.rmtree(folder, ignore_errors=True)
+folder.mkdir(parents=True)
+os.chdir(folder)
+POINT = {"extends": "paper.json", "name": "point", "orientation": {"sampling": "list", "theta_0_deg": [20, 80, 150], "rtol": None}}
+
+
+def computed(*arguments, **changes):
+    """The Dataset, and what was printed."""
+    with contextlib.redirect_stderr(io.StringIO()) as printed:
+        return run(*arguments, program=bristle, **changes), printed.getvalue()
+
+
+def refused(*arguments, **changes):
+    try:
+        computed(*arguments, **changes)
+    except BristleError as error:
+        return str(error)
+    raise AssertionError(f"accepted: {arguments} {changes}")
+
+
+one, printed = computed(POINT)
+assert np.isfinite(one["R_x_norm"]) and "1 ok" in printed, (one, printed)
+assert computed(POINT, quiet=True)[1] == ""
+
+# A list is an axis, with words and numbers; a single value takes the place of an axis.
+axes, _ = computed(POINT, k_r=np.array([10, 20]), friction=["nss", "coulomb"])
+assert axes["R_x_norm"].dims == ("k_r", "friction") and list(axes["friction"].values) == ["nss", "coulomb"]
+assert axes["R_x_norm"].sel(k_r=10, friction="nss").item() == one["R_x_norm"].item()
+(folder / "swept.json").write_text(json.dumps({**POINT, "sweep": {"k_r": {"logspace": [5, 50, 5]}, "mu_c": {"values": [1, 2]}}}))
+swept, _ = computed("swept.json", mu_c=1, k_r=[10, 20])
+assert swept["R_x_norm"].dims == ("k_r",) and swept["R_x_norm"].values[0] == one["R_x_norm"]
+assert swept.sizes["k_r"] == 2
+
+# Points of a result in the same folder are not computed again.
+kept = folder / "kept.h5"
+computed(POINT, output=kept, k_r=[10, 20])
+_, printed = computed(POINT, output=kept, k_r=[10, 20, 30])
+assert "2 points" in printed and kept.exists(), printed
+
+# One that comes with the program, by name; a gap instead of a load; the tier.
+gap, _ = computed("paper.json", z_0=0.5, R_n=None, path=None, orientation=POINT["orientation"])
+assert gap["z_0"] == 0.5
+tier, _ = computed({**POINT, "sweep": {"k_r": {"values": [5, 10]}}, "tiers": {"smoke": {"sweep": {"k_r": {"take": [1]}}}}}, tier="smoke")
+assert tier.sizes["k_r"] == 1
+
+for wanted, call in (("standard input: /model/k_r: -1 is not allowed", lambda: refused(POINT, k_r=-1)),
+                     ("k_rr is not a key of an experiment; known: ", lambda: refused(POINT, k_rr=1)),
+                     ("rtol is a key of orientation and of integrator; write orientation={'rtol': ...}", lambda: refused(POINT, rtol=1)),
+                     ('"none.json" does not exist', lambda: refused("none.json"))):
+    assert wanted in call(), (wanted, call())
+try:
+    run(POINT, program=folder / "none")
+    raise AssertionError("a program that does not exist was run")
+except BristleError as error:
+    assert "none: cannot be run" in str(error), error
