@@ -10,6 +10,7 @@
 #include "catch.hpp"
 #include <fmt/format.h>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -214,6 +215,51 @@ TEST_CASE("a quantity cannot be given by the sample and by an axis or the load")
         "e.json: /sweep/sample: k_r is varied by another axis, too; remove one of them");
   CHECK(f.error(R"({"sample": {"table": {"columns": ["z_0", "R_n"], "rows": [[0.5, 1]]}}})").find("more than one of R_n, z_0") !=
         std::string::npos);
+}
+
+TEST_CASE("two sets of SI quantities with equal dimensionless groups give equal bits: the model has no scale") {
+  // The second row is the first in other units of length (2), mass (4) and speed (8); these powers of two are
+  // exact, and so are the groups. The third row has a greater shaft: the comparison can fail.
+  Folder f;
+  std::filesystem::copy_file(std::string(BRISTLE_EXPERIMENTS) + "/ski.json", f.s.path("ski.json"));
+  constexpr double length = 2, mass = 4, speed = 8, energy = mass * speed * speed,
+                   stress = energy / (length * length * length);
+  const std::vector<std::pair<std::string, std::pair<double, double>>> first_and_unit = {
+      {"m_kg", {1e-4, mass}},    {"r0_m", {0.017, length}},    {"R_m", {1.08e-3, length}},
+      {"R_c_m", {1e-3, length}}, {"V0_m_per_s", {10, speed}},  {"V_s_m_per_s", {0.1, speed}},
+      {"E_Pa", {1e8, stress}},   {"tau_f_Pa", {1e7, stress}},  {"beta_J", {0.01, energy}},
+      {"R_n_N", {0.6, energy / length}}};
+  nlohmann::json columns, rows = {{}, {}, {}};
+  for (const auto& [name, value] : first_and_unit) {
+    columns.push_back(name);
+    rows[0].push_back(value.first);
+    rows[1].push_back(value.first * value.second);
+    rows[2].push_back(name == "R_m" ? 1.1e-3 : value.first);
+  }
+  const nlohmann::json changes = {
+      {"extends", "ski.json"},
+      {"name", "e"},
+      {"tiers", nullptr},
+      {"orientation", {{"sampling", "list"}, {"theta_0_deg", {20, 80, 150}}}},
+      {"sweep",
+       {{"V0_m_per_s", nullptr}, {"R_n_N", nullptr}, {"sample", {{"table", {{"columns", columns}, {"rows", rows}}}}}}}};
+  run_experiment(load_experiment(f.s.write("e.json", changes.dump()), {}),
+                 {.output = f.s.path("e.h5"), .threads = 2, .quiet = true});
+  const ResultReader result(f.s.path("e.h5"));
+  const auto rows_of = [&](const std::string& name) {
+    const std::vector<double>& v = result.variable(name).values;  // over friction and sample
+    REQUIRE(v.size() == 6);
+    return std::array<std::vector<double>, 3>{{{v[0], v[3]}, {v[1], v[4]}, {v[2], v[5]}}};
+  };
+  for (const char* name : {"R_x_norm", "R_x_norm_err", "z_0", "gamma_1", "gamma_2", "gamma_3", "N_c_ratio", "passages"}) {
+    INFO(name);
+    const auto [small, large, other] = rows_of(name);
+    for (const double value : small) CHECK(std::isfinite(value));
+    CHECK(small == large);
+    if (name == std::string("R_x_norm")) CHECK(small != other);
+  }
+  const auto [small, large, other] = rows_of("z_0_in_m");
+  for (std::size_t i = 0; i < small.size(); ++i) CHECK(length * small[i] == large[i]);
 }
 
 TEST_CASE("the result of a sample: its quantities are variables over it, first in the exported table") {
