@@ -66,8 +66,8 @@ images: $(IMAGES) ## docs/images: the figures in the documents
 	@for name in $^; do scripts/plot $$name results/$$name.h5 --format png --dpi 160 -o $(BUILD)/images && \
 	  cp $(BUILD)/images/$$name.png docs/images/ || exit; done
 
-findings: figures hysteresis ## all figures; docs/findings.md, each claim with its verdict and numbers; README's summary
-	@$$($(PLOT_PYTHON)) scripts/findings.py $(patsubst %,results/%$(SUFFIX).h5,$(FIGURES) hysteresis) $(if $(SUFFIX),-o results/findings$(SUFFIX).md,--readme README.md)
+findings: figures hysteresis tuning ## all figures; docs/findings.md, each claim with its verdict and numbers; README's summary
+	@$$($(PLOT_PYTHON)) scripts/findings.py $(patsubst %,results/%$(SUFFIX).h5,$(FIGURES) hysteresis tuning) $(if $(SUFFIX),-o results/findings$(SUFFIX).md,--readme README.md)
 
 # The matrices, of which the next two targets draw the pages.
 .PHONY: assumptions-matrix inference-matrix
@@ -117,7 +117,9 @@ test-all: ## everything, nightly and before a release: sanitizers, fuzzers, othe
 	@ninja -C $(BUILD) --quiet -j $(JOBS) bench_engine accuracy
 	@scripts/run-ctest $(BUILD)
 
+DESIGNS := target robust front indices
 bench: build ## benchmarks: ratios against peers in the same run, into docs/performance.md
+	@scripts/install-packages bench
 	@ninja -C $(BUILD) --quiet -j $(JOBS) bench_engine bench_quadrature scipy_slopes
 	@mkdir -p $(BUILD)/bench
 	$(BUILD)/benchmarks/bench_engine >$(BUILD)/bench/engine.json
@@ -125,7 +127,9 @@ bench: build ## benchmarks: ratios against peers in the same run, into docs/perf
 	  >$(BUILD)/bench/kernel.json
 	$(BUILD)/benchmarks/bench_quadrature >$(BUILD)/bench/quadrature.json
 	$$($(PLOT_PYTHON)) benchmarks/scipy_peer.py $(BUILD)/benchmarks/libscipy_slopes.so >$(BUILD)/bench/scipy.json
-	$$($(PLOT_PYTHON)) scripts/time_figures.py $(BUILD)/bristle $(FIGURES) >$(BUILD)/bench/figures.json
+	$$($(PLOT_PYTHON)) scripts/time_experiments.py $(BUILD)/bristle $(FIGURES:%=experiments/%.json) >$(BUILD)/bench/figures.json
+	$$($(PLOT_PYTHON)) scripts/time_experiments.py $(BUILD)/bristle $(DESIGNS:%=benchmarks/designs/%.json) --threads 1 \
+	  >$(BUILD)/bench/designs.json
 	@$$($(PLOT_PYTHON)) scripts/performance.py $(BUILD)/bench
 
 accuracy: build ## errors of the methods, measured: docs/accuracy.md

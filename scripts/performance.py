@@ -12,9 +12,12 @@ from bristle_plots.markdown import filled, table
 from bristle_plots.style import GREEN, apply_look
 
 AT = 1e-4  # error at which solvers are compared
-GOAL = 20  # times the speed of the fastest other solver at the error AT
+GOAL = 14  # times the speed of the fastest other solver at the error AT
 FAST_ENGINE = ("SIMD", "lanes")  # beginning of its peers' names, and the older one
 REFERENCE = "the reference engine"
+
+# Goals for the CPU time of designs and indices on one core, in s.
+DESIGN_GOALS = {"target": 15, "robust": 240, "front": 120, "indices": 300}
 
 # Phases of a step, and their shares of the kernel's time in %: samples of `perf record build/benchmarks/bench_engine
 # --kernel`, taken by hand.
@@ -134,8 +137,14 @@ so that much is stored and loaded again."""
 
 def figure_table(figures):
     return table(["figure", "points", "passages", "CPU, s", "wall, s"],
-                 *([f["figure"], str(f["points"]), str(f["passages"]), f"{f['cpu_seconds']:.1f}", f"{f['seconds']:.1f}"]
+                 *([f["name"], str(f["points"]), str(f["passages"]), f"{f['cpu_seconds']:.1f}", f"{f['seconds']:.1f}"]
                    for f in figures))
+
+
+def design_table(designs):
+    return table(["experiment", "what", "points", "CPU, s", "goal, s"],
+                 *([d["name"], d["title"], str(d["points"]), f"{d['cpu_seconds']:.0f}", str(DESIGN_GOALS[d["name"]])]
+                   for d in designs))
 
 
 def passage_table(cases):
@@ -166,7 +175,7 @@ def expectations(figures):
     dearest = max(figures, key=lambda figure: figure["cpu_seconds"])
     per_point = 1e3 * dearest["cpu_seconds"] / dearest["points"]
     return f"""All figures below take {cpu:.0f} s of processor time together, {wall:.0f} s on {os.cpu_count()} cores;
-drawing adds a few seconds each. A point of the dearest one, {dearest['figure']}, takes {per_point:.0f} ms of a core.
+drawing adds a few seconds each. A point of the dearest one, {dearest['name']}, takes {per_point:.0f} ms of a core.
 
 - Time is proportional to the number of points, and shorter in proportion to the number of cores.
 - A second run computes only the points that no result or journal in the folder has.
@@ -177,7 +186,7 @@ drawing adds a few seconds each. A point of the dearest one, {dearest['figure']}
 - Processors without AVX-512 take about twice as long (the rows of AVX2 and AVX3 below)."""
 
 
-def document(engine, kernels, peers, cases, purposes, figures):
+def document(engine, kernels, peers, cases, purposes, figures, designs):
     everything = engine["all_kinds"]
     scaling = [[str(s["bristles"]), str(s["threads"]), f"{s['ms_per_bristle']:.3f}"] for s in engine["scaling"]]
     return f"""# Performance
@@ -194,6 +203,10 @@ Every point is computed anew. The times of fig4 to fig7 include the location of 
 are not counted here.
 
 {figure_table(figures)}
+
+Designs and indices (the experiments of `benchmarks/designs/`), on one core:
+
+{design_table(designs)}
 
 The rest of this page is for developers.
 
@@ -244,9 +257,9 @@ def main():
     parser.add_argument("measured", help="directory with the JSON files of the benchmarks")
     parser.add_argument("-o", "--output", default="docs", help="directory of performance.md and images/")
     arguments = parser.parse_args()
-    engine, kernels, quadratures, scipy, figures = (
+    engine, kernels, quadratures, scipy, figures, designs = (
         read_json(os.path.join(arguments.measured, f"{name}.json"), "`make bench` writes it")
-        for name in ("engine", "kernel", "quadrature", "scipy", "figures"))
+        for name in ("engine", "kernel", "quadrature", "scipy", "figures", "designs"))
     cases = quadratures["cases"]
     peers = [dict(p, ratio=p["ratio_at_1e-4"]) for p in engine["ordinary"]]
     fastest = at_error(peers[0]["curve"], "ms_per_bristle")
@@ -256,7 +269,7 @@ def main():
     save_figure(work_precision(peers), images, "work-precision", formats=("png",), bbox_inches="tight")
     save_figure(quadrature(cases), images, "quadrature", formats=("png",), bbox_inches="tight")
     path = os.path.join(arguments.output, "performance.md")
-    write_text(path, filled(document(engine, kernels, peers, cases, quadratures["purposes"], figures)))
+    write_text(path, filled(document(engine, kernels, peers, cases, quadratures["purposes"], figures, designs)))
     print(path)
 
 

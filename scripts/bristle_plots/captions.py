@@ -52,7 +52,9 @@ def axis_range(file, name):
 
 
 def marks(module, file):
-    """What bands, bars and jump lines are."""
+    """What bands, bars and jump lines are: the module's own text, or else that of its kind of figure."""
+    if hasattr(module, "MARKS"):
+        return module.MARKS.removesuffix(".")
     if {"k_r", "k_theta"} <= set(module.AXES):
         found = ("located to 1 %" if located_axis(file) else
                  f"where $\\tilde{{z}}_0$ of neighbours differs by more than {LEAST_CHANGE:g}")

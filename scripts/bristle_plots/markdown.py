@@ -21,7 +21,7 @@ def filled(text):
 def fill_block(block):
     if re.match(r"[#|!]", block):
         return block
-    items = re.split(r"\n(?=(?:  )?- )", block)
+    items = [re.sub(r"\n\s+", "\n", item) for item in re.split(r"\n(?=(?:  )?- )", block)]
     # No break within formulas, code and links, nor before a word that would begin a list or a heading.
     unbroken = r"\$[^$]+\$|`[^`]+`|\[[^]]+\]\([^)]*\)|\s(?=(?:[-+*#]|\d+[.)])\s)"
     kept = [re.sub(unbroken, lambda found: re.sub(r"\s", "\0", found.group()), item) for item in items]
