@@ -17,6 +17,7 @@ install(FILES ${PROJECT_BINARY_DIR}/experiment.schema.json DESTINATION ${data})
 # The path that Debian's Python searches below /usr. Below another prefix, PYTHONPATH has to name it.
 install(DIRECTORY scripts/bristle_plots DESTINATION lib/python3/dist-packages FILES_MATCHING PATTERN "*.py")
 install(PROGRAMS scripts/plot DESTINATION ${CMAKE_INSTALL_BINDIR} RENAME bristle-plot)
+install(DIRECTORY scripts/slurm DESTINATION ${data} USE_SOURCE_PERMISSIONS)
 install(PROGRAMS scripts/find-python DESTINATION ${data})
 install(FILES ${PROJECT_BINARY_DIR}/bristle.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(FILES cmake/completion.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME bristle)

@@ -5,13 +5,13 @@ set -eu
 
 usage() {
   cat >&2 <<'EOF'
-usage: scripts/slurm/array.sh [-o FILE.h5] EXPERIMENT.json N[%M] [SBATCH OPTIONS ...] [-- RUN OPTIONS ...]
+usage: array.sh [-o FILE.h5] EXPERIMENT.json N[%M] [SBATCH OPTIONS ...] [-- RUN OPTIONS ...]
 
   -o FILE.h5       the result [results/EXPERIMENT.h5]; the journals of the shards and the jobs' logs lie beside it
   N[%M]            number of shards, each a task of the array; at most M run at a time
   SBATCH OPTIONS   for all tasks: --cpus-per-task=8 --time=2:00:00 --partition=... --account=...
   RUN OPTIONS      for all jobs, of `bristle run`: --tier smoke --set /model/k_r=20
-BRISTLE names the program [build/bristle of this folder].
+BRISTLE names the program [that of this source tree, or the installed one].
 EOF
   exit 2
 }
@@ -46,7 +46,9 @@ done
 run_options=("$@")
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
-program=${BRISTLE:-$(dirname "$(dirname "$here")")/build/bristle}
+program=$here/../../build/bristle
+[ -x "$program" ] || program=$here/../../../bin/bristle  # installed: this file is in share/bristle/slurm
+program=${BRISTLE:-$(realpath -m "$program")}
 command -v "$program" >/dev/null || die "$program: no such program; \`make build\` makes it, BRISTLE=... names another"
 command -v sbatch >/dev/null || die "sbatch: not found; this needs a machine that submits to Slurm (docs/cluster.md has other ways)"
 

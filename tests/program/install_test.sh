@@ -46,6 +46,13 @@ expect 2 "bristle-plot: results/none.h5: no such file" in_empty bristle-plot fig
 expect 0 "1.0" in_empty env PYTHONPATH="$prefix/lib/python3/dist-packages" "$python" -c \
   'from bristle_plots import run; print(float(run("paper.json", quiet=True, mu_c=1, orientation={"rtol": 0.1})["mu_c"]))'
 
+# The Slurm scripts find the installed program. This sbatch accepts every job.
+printf '#!/bin/sh\necho 7\n' >"$prefix/bin/sbatch"
+chmod +x "$prefix/bin/sbatch"
+expect 0 "mine.json: valid" in_empty "$prefix/share/bristle/slurm/array.sh" mine.json 2
+expect 0 "job 7: 2 shards" in_empty "$prefix/share/bristle/slurm/array.sh" mine.json 2
+rm "$prefix/bin/sbatch"
+
 # The manual page names each command and option of the help; the completion completes them.
 page=$prefix/share/man/man1/bristle.1
 commands=$("$installed" --help | sed '1,/^Subcommands:/d; /^$/,$d' | awk '{print $1}')
