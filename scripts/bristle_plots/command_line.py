@@ -10,7 +10,7 @@ from .captions import captions
 from .errors import BristleError
 from .files import save_pages
 from .page import LEAST_POINTS, inches
-from .readings import pages
+from .readings import of_reading, pages
 from .results import open_result, require_axes
 from .style import METADATA, apply_look
 
@@ -38,6 +38,8 @@ def draw_figure():
     apply_look()
     module = importlib.import_module(f".figures.{arguments.figure}", __package__)
     with open_result(arguments.result) as file:
+        if arguments.reading:
+            file = of_reading(file, arguments.reading)
         if arguments.caption:
             require_axes(file, arguments.figure, module.AXES)
             print("\n".join(captions(module, file)))
@@ -70,6 +72,8 @@ def figure_parser():
     parser.add_argument("--width", type=width, metavar="WIDTH",
                         help="width of the page, such as 3.5in, 7in, 9cm or 180mm: panels are arranged for it and letters "
                              f"have at least {LEAST_POINTS} points; implies --plain")
+    parser.add_argument("--reading", metavar="MODEL",
+                        help="only this model of bending: polar (Eq. (17) exact), polar_as_printed or rod")
     parser.add_argument("--cmap", metavar="NAME", help="matplotlib's colour map for maps and surfaces (default: viridis)")
     parser.add_argument("--y", metavar="VARIABLE", help="what the figure curve draws (default: R_x_norm)")
     parser.add_argument("--caption", action="store_true", help="draws nothing, but prints a caption in LaTeX for each page")

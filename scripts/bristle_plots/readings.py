@@ -47,6 +47,11 @@ def chosen_reading(file, reading):
     return found[0]
 
 
+def of_reading(file, word):
+    """The part of the Dataset with one reading."""
+    return file.sel({axis: [value] for axis, value in chosen_reading(file, word).items()})
+
+
 def checked(draw, ds):
     """The Dataset as a result with the axes that the figure needs."""
     file, module = as_result(ds), sys.modules[draw.__module__]
@@ -111,4 +116,4 @@ def pages(draw, file, **options):
     figure = draw(file, **options)
     if options.get("width") is None or figure.get_figheight() < HIGHEST or first == {}:
         return [("", "", figure)]
-    return [page(reading, draw(file.sel({AXIS: [reading[AXIS]]}), **options)) for reading in readings(file)]
+    return [page(reading, draw(of_reading(file, reading), **options)) for reading in readings(file)]

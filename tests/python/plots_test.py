@@ -234,6 +234,12 @@ for options, words in ((["--width", "3"], "a number with its unit"), (["--width"
                        (["--format", "jpg"], "allowed are pdf, png, svg")):
     done = plot(*options)
     assert done.code == 2 and words in done.messages and options[-1] in done.messages, done.messages
+done = called("plot", "fig4", result, "-o", folder / "one", "--reading", "rod", "--format", "png", "--dpi", "60", "--width", "7in")
+assert done.code == 0 and {path.name for path in (folder / "one").iterdir()} == {"fig4.png", "fig4-energy.png"}, done.messages
+done = plot("--caption", "--reading", "rod")
+assert done.out.count("\\caption{") == 1 and "od without a pole" in done.out and "as printed" not in done.out, done.out
+done = plot("--reading", "rodd")
+assert done.code == 2 and "no reading 'rodd'; it has: polar, polar_as_printed, rod" in done.messages, done.messages
 done = plot("--y", "gamma_1")
 assert done.code == 2 and "only the figure curve" in done.messages, done.messages
 with xarray.open_dataset(result) as ds:
