@@ -36,7 +36,7 @@ def main():
                            check=True, stdout=sys.stderr)
             times = {"seconds": round(time.perf_counter() - wall, 2), "cpu_seconds": round(cpu_seconds() - cpu, 2)}
             with h5py.File(output) as result:
-                passages, title = result["passages"][()], result.attrs["title"]
+                passages, title = result["passages"][()], result.attrs["title"].decode()
             rows.append({"name": name, "title": title, "points": passages.size, "passages": int(passages.sum()), **times})
     print(json.dumps(rows, indent=1))
 
