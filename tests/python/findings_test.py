@@ -22,7 +22,7 @@ for line in re.sub(r"\n +(?! |- )", " ", page).splitlines():  # list items are w
     elif verdict := re.match(rf"  - (?:([\w ]+): )?{VERDICT}, ", line):
         checks[-1][2].append(verdict.group(1))
 claims = set()
-for path in sorted((root / "experiments").glob("fig*.json")):
+for path in sorted((root / "experiments").glob("*.json")):
     experiment = json.loads(path.read_text(encoding="utf-8"))
     axis = experiment.get("sweep", {}).get(experiment.get("checks_for_each"), {"values": [None]})
     readings = [READINGS.get(word, word) for word in axis["values"]]
