@@ -395,7 +395,8 @@ Experiment load_experiment(const std::string& path, const DocumentOptions& optio
     if (tier != options.tier && options.set.empty()) try {
         read(document.with_tier(tier));
       } catch (const InputError& e) {
-        throw InputError(fmt::format("{} (found for --tier {}; the tier {} has no mistakes)", e.what(), tier, options.tier));
+        const std::string message = e.what(), named = fmt::format("(tier {})", tier);  // if the tier sets the value
+        throw InputError(message.find(named) != message.npos ? message : fmt::format("{} {}", message, named));
       }
   return experiment;
 }
