@@ -42,9 +42,9 @@ expect 0 "" in_empty env PYTHONPATH="$prefix/lib/python3/dist-packages" "$python
 [ -s "$empty/plots/fig4.pdf" ] || failed "no plots/fig4.pdf"
 expect 0 "" in_empty bristle-plot curve results/fig4-smoke.h5 --format png -o command
 [ -s "$empty/command/curve.png" ] || failed "bristle-plot: no command/curve.png"
-expect 2 "bristle-plot: results/none.h5: no such file" in_empty bristle-plot fig4 results/none.h5
-expect 0 "1.0" in_empty env PYTHONPATH="$prefix/lib/python3/dist-packages" "$python" -c \
-  'from bristle_plots import run; print(float(run("paper.json", quiet=True, mu_c=1, orientation={"rtol": 0.1})["mu_c"]))'
+expect 2 "bristle-plot: error: results/none.h5: no such file" in_empty bristle-plot fig4 results/none.h5
+expect 0 "('mu_c',)" in_empty env PYTHONPATH="$prefix/lib/python3/dist-packages" "$python" -c \
+  'from bristle_plots import run; print(run("paper.json", quiet=True, mu_c=[1], orientation={"rtol": 0.1})["R_x"].dims)'
 
 # The Slurm scripts find the installed program. This sbatch accepts every job.
 printf '#!/bin/sh\necho 7\n' >"$prefix/bin/sbatch"

@@ -25,7 +25,7 @@ PROGRAM_ONLY = {
     "found (none|.* and )|needs \"values\" alone": "whether the extended file has this axis",
     "ascending indices": "order of the indices, and number of the axis's values",
     "the values must ascend": "order of the values",
-    "cannot start at": "what a logarithmic axis needs",
+    "cannot (start|begin) at": "what a logarithmic axis or distribution needs",
     "is missing": "what the extended file or another value requires",
     "a lattice needs a whole number|lattice\" only": "what a lattice requires of other blocks",
     "/si/.* (need it|with R_m only)": "which quantities in SI units belong together",
