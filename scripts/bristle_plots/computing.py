@@ -105,6 +105,8 @@ def merged(document, patch):
 
 def plain(value):
     """JSON of NumPy's arrays and numbers."""
+    if not hasattr(value, "tolist"):
+        raise BristleError(f"{value!r} is neither a number, a word, a list nor a dict")
     return value.tolist()
 
 

@@ -110,9 +110,13 @@ bool compute_to_standard_output(const Experiment& experiment, const run::RunOpti
   const ReservedOutput output;
   run::RunOptions in_folder = options;
   in_folder.output = folder.path + "/" + experiment.name + ".h5";
-  const bool succeeded = compute(experiment, in_folder, needs_design);
-  output.write(read_file(in_folder.output));
-  return succeeded;
+  try {
+    const bool succeeded = compute(experiment, in_folder, needs_design);
+    output.write(read_file(in_folder.output));
+    return succeeded;
+  } catch (const Interrupted&) {
+    throw Interrupted("interrupted; -o - keeps no points: with the name of a file, the same command continues");
+  }
 }
 
 void print_warnings(const Experiment& e) {

@@ -19,8 +19,8 @@ struct DocumentOptions {
 // otherwise. Remembers the source of each value for messages.
 class Document {
  public:
-  // path: the file, or - for standard input. Throws InputError for an unreadable or malformed file, for an extends that is missing, circular or
-  // outside the experiments folder, and for an invalid --set or tier.
+  // path: the file, or - for standard input. Throws InputError for an unreadable or malformed file, for an
+  // extends that is missing, circular or outside the experiments folder, and for an invalid --set or tier.
   static Document load(const std::string& path, const DocumentOptions& options);
   // An experiment as stored in a result file: merged, without tiers. source names it in messages.
   static Document stored(const Json& content, const std::string& source);

@@ -64,6 +64,7 @@ assert tier.sizes["k_r"] == 1
 for wanted, call in (("standard input: /model/k_r: -1 is not allowed", lambda: refused(POINT, k_r=-1)),
                      ("k_rr is not a key of an experiment; known: ", lambda: refused(POINT, k_rr=1)),
                      ("rtol is a key of orientation and of integrator; write orientation={'rtol': ...}", lambda: refused(POINT, rtol=1)),
+                     ("{1} is neither a number, a word, a list nor a dict", lambda: refused(POINT, k_r={1})),
                      ('"none.json" does not exist', lambda: refused("none.json"))):
     assert wanted in call(), (wanted, call())
 try:
