@@ -1,6 +1,7 @@
 #pragma once
 
 #include "dynamics/ode.hpp"
+#include "model/friction/table.hpp"
 
 #ifdef __aarch64__
 // Eigen's vectors of two doubles would use fused multiply-add on ARM only, and round differently.
@@ -31,6 +32,10 @@ template <class D>
 AutoDiffScalar<D> decay(const AutoDiffScalar<D>& u) {
   const double y = bristle::decay(u.value());
   return {y, u.derivatives() * y};
+}
+template <class D>
+AutoDiffScalar<D> interpolated(const bristle::ModulationTable& table, const AutoDiffScalar<D>& V_R) {
+  return {table.at(V_R.value()), V_R.derivatives() * table.slope(V_R.value())};
 }
 }  // namespace Eigen
 

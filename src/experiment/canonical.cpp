@@ -1,10 +1,12 @@
 #include "experiment/experiment.hpp"
 
 #include "experiment/si_units.hpp"
+#include "model/friction/laws.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <string_view>
 
 namespace bristle::experiment {
@@ -52,6 +54,15 @@ class Text {
 void add_parameters(Text& out, const Parameters& p) {
   for (const Parameter& one : kParameters) out.add(one.name, p.*one.member);
   for (const Choice& one : choices()) out.add(one.name, one.words[std::size_t(one.get(p))]);
+}
+
+// The words of the law that the experiment gives, and the unit of its speeds.
+void add_friction_law(Text& out, const Experiment& e, const Parameters& p) {
+  if (p.friction != FrictionLaw::custom) return;
+  const Json& law = (*e.document)["friction_law"];
+  const bool in_si = law.contains("V_R_m_per_s");
+  out.add("friction_law", law.dump());
+  if (in_si) out.add("friction_law_V0", (*e.document)["si"]["V0_m_per_s"].get<double>());
 }
 
 void add_orientation(Text& out, const Orientation& o, const std::string& azimuths_sha256) {
@@ -106,6 +117,7 @@ std::string canonical_point(const Experiment& experiment, std::size_t index) {
   const PointInput point = experiment.point(index);
   Text out;
   out.object("model", [&] { add_parameters(out, point.setup.parameters); });
+  add_friction_law(out, experiment, point.setup.parameters);
   out.object("orientation",
              [&] { add_orientation(out, point.setup.orientation, experiment.azimuths_sha256); });
   out.object("integrator", [&] { add_integrator(out, point.setup.integrator); });

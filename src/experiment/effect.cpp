@@ -19,7 +19,6 @@ std::vector<double> effective_input(const PointInput& point) {
   std::vector<double> out = {p.L_x,          p.s_min,         p.spacing,         p.R_c, p.E_star, p.R,
                              p.strain_limit, p.stretch_limit, double(o.sampling)};
   for (const double* constant : constants_of(bristle)) out.push_back(*constant);
-  out.insert(out.end(), bristle.friction_constants.begin(), bristle.friction_constants.end());
   for (const Choice& c : choices()) out.push_back(c.get(p));
   if (!loading.z_0 && !loading.trace) out.insert(out.end(), {loading.R_n, double(loading.path)});
   if (o.distribution == Distribution::von_mises && o.sampling != Sampling::list)

@@ -3,6 +3,7 @@
 #include "ensemble/lattice.hpp"
 #include "experiment/sample.hpp"
 #include "experiment/schema.hpp"
+#include "experiment/friction_law.hpp"
 #include "experiment/si_units.hpp"
 #include "model/elementary.hpp"
 #include "model/friction/chi.hpp"
@@ -302,6 +303,8 @@ Experiment read(const Document& d) {
     d.fail("/model/C", "is swept; its value here must be a number");
   e.engine = from_word<Engine>(json["integrator"].value("engine", "fast"));
   e.base.setup = {read_model(d), read_orientation(d), read_integrator(d)};
+  e.friction_law = read_friction_law(d, e.axes);
+  e.base.setup.parameters.custom_friction = e.friction_law.get();
   e.azimuths_sha256 = sha256_of(fmt::format("{}", fmt::join(e.base.setup.orientation.theta_0, ",")));
   e.base.setup.max_evaluations_per_point =
       json["integrator"].value("max_evaluations_per_point", e.base.setup.max_evaluations_per_point);

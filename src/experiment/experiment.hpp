@@ -45,6 +45,7 @@ struct Experiment {
   Analysis analysis;
   std::optional<Design> design;  // its trials are the sample
   Engine engine = Engine::fast;
+  std::shared_ptr<const ModulationTable> friction_law;  // of the word "custom"; null: no point has it
   std::string azimuths_sha256;  // of base.setup.orientation.theta_0, which may have many values
   std::vector<Check> checks;
   std::shared_ptr<const Json> document;  // with extends, tier and --set applied

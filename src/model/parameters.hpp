@@ -8,6 +8,7 @@
 
 namespace bristle {
 
+class ModulationTable;          // model/friction/table.hpp
 enum class FrictionLaw : int;  // model/friction/laws.hpp
 template <>
 Words words<FrictionLaw>();
@@ -93,6 +94,7 @@ struct Parameters {
   double R = 0.0637;  // of the paper's k_phi, E_star and nu = 0.4, by k_phi = 3 pi E R^4/4
   double strain_limit = 0.05;
   double stretch_limit = 0.5;
+  const ModulationTable* custom_friction = nullptr;  // of the law "custom"; the experiment owns it
 };
 
 // The values that an experiment may give a number.
@@ -187,13 +189,21 @@ inline const auto& choices() {
       choice<&Parameters::initial_state>("initial_state", "state at the leading edge"),
       choice<&Parameters::pole_rule>("pole_rule", "rule for a tip that reaches s = s_min"),
   };
-  static_assert(sizeof(Parameters) == kParameters.size() * sizeof(double) + table.size() * sizeof(int),
-                "kParameters and choices() describe every member of Parameters");
+  static_assert(sizeof(Parameters) == kParameters.size() * sizeof(double) + table.size() * sizeof(int) +
+                                          sizeof(Parameters::custom_friction),
+                "kParameters and choices() describe every other member of Parameters");
   return table;
 }
 
-// Constants of a friction law's modulation. Each law documents its own.
+// Constants of a friction law's modulation. Each law documents its own; only "custom" has a table.
 template <class P>
-using FrictionConstants = std::array<P, 4>;
+struct FrictionConstants {
+  std::array<P, 4> values{};
+  const ModulationTable* table = nullptr;
+
+  const P& operator[](std::size_t i) const { return values[i]; }
+  P& operator[](std::size_t i) { return values[i]; }
+  bool operator==(const FrictionConstants&) const = default;
+};
 
 }  // namespace bristle

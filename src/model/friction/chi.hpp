@@ -22,7 +22,7 @@ T chi(const T& u, const P& A, const P& B, const P& C) {
 // Base of the paper's two laws, which are modulated by chi. Constants: A, B, C, 1/V_s.
 struct ModulatedByChi {
   static FrictionConstants<double> constants(const Parameters& p) {
-    return {p.A, chi_B(p.A), p.C, 1 / p.V_s};
+    return {{p.A, chi_B(p.A), p.C, 1 / p.V_s}};
   }
   template <class T, class P>
   static T modulation(const T& V_R, const FrictionConstants<P>& c) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "model/friction/coulomb.hpp"
+#include "model/friction/custom.hpp"
 #include "model/friction/nss.hpp"
 #include "model/friction/stribeck.hpp"
 
@@ -13,13 +14,14 @@ namespace bristle {
 
 // The registered friction laws, in the order of FrictionLaw. Experiments select a law by Law::name. A law is
 //   F_f = factor modulation(V_R) load(F_n)
-// where modulation tends to 1 at speeds far above V_s and factor is
+// where modulation tends to 1 at speeds far above V_s (not for "custom") and factor is
 // proportional to the parameter strength. rigid() is the friction force of rigid bristles
 // (docs/extending.md).
-using FrictionLaws = std::tuple<Nss, Coulomb, Stribeck>;
+using FrictionLaws = std::tuple<Nss, Coulomb, Custom, Stribeck>;
 enum class FrictionLaw : int {
   nss,
   coulomb,
+  custom,
   stribeck,
   count
 };

@@ -15,7 +15,7 @@ struct Stribeck {
   static constexpr double Parameters::*strength = &Parameters::mu_c;
   // Constants: A - 1, 1/V_s, 1/(creep speed).
   static FrictionConstants<double> constants(const Parameters& p) {
-    return {p.A - 1, 1 / p.V_s, 5 / p.V_s, 0};
+    return {{p.A - 1, 1 / p.V_s, 5 / p.V_s, 0}};
   }
   template <class T, class P>
   static T modulation(const T& V_R, const FrictionConstants<P>& c) {

@@ -45,12 +45,28 @@ ModulationTable::ModulationTable(FrictionLaw law, const FrictionConstants<double
   }
 }
 
-double ModulationTable::at(double V_R) const {
+ModulationTable::ModulationTable(double V_s, std::vector<double> coefficients)
+    : law_(FrictionLaw::custom),
+      V_s_(V_s),
+      intervals_(double(coefficients.size() / 4 - 1)),
+      coefficients_(std::move(coefficients)) {}
+
+ModulationTable::Entry ModulationTable::entry(double V_R) const {
   const double t = V_R / (V_R + V_s_), scaled = t * intervals_;
   const auto interval = std::ptrdiff_t(scaled <= intervals_ ? scaled : 0);  // 0: V_R is not finite
-  const double u = scaled - double(interval);
-  const double* c = coefficients_.data() + 4 * interval;
+  return {t, scaled - double(interval), coefficients_.data() + 4 * interval};
+}
+
+double ModulationTable::at(double V_R) const {
+  const auto [t, u, c] = entry(V_R);
   return t * (c[0] + u * (c[1] + u * (c[2] + u * c[3])));
+}
+
+double ModulationTable::slope(double V_R) const {
+  const auto [t, u, c] = entry(V_R);
+  const double q = c[0] + u * (c[1] + u * (c[2] + u * c[3]));
+  const double dq = intervals_ * (c[1] + u * (2 * c[2] + u * 3 * c[3]));
+  return (q + t * dq) * (V_s_ / ((V_R + V_s_) * (V_R + V_s_)));
 }
 
 // q(t), for 0 < t < 1.

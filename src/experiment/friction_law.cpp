@@ -1,0 +1,93 @@
+#include "experiment/friction_law.hpp"
+
+#include "model/friction/formula.hpp"
+#include "model/friction/laws.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace bristle::experiment {
+namespace {
+
+constexpr double kFormulaEnd = 10;  // default of /friction_law/to
+
+// The speeds of the table in units of V0, which are given so or in m/s.
+std::vector<double> read_speeds(const Document& d, const Json& law, const std::vector<Axis>& axes) {
+  if (law.contains("V_R")) return law["V_R"];
+  std::vector<double> speeds = law["V_R_m_per_s"];
+  const Json& json = d.json();
+  if (!json.contains("si")) d.fail("/friction_law/V_R_m_per_s", "needs the block /si; use V_R, in units of V0");
+  if (swept(axes, "V0_m_per_s"))
+    d.fail("/friction_law/V_R_m_per_s", "needs one sliding speed, but the sweep varies V0_m_per_s; use V_R, in units of V0");
+  for (double& speed : speeds) speed /= json["si"]["V0_m_per_s"].get<double>();
+  return speeds;
+}
+
+void check_values(const Document& d, const std::string& speeds, const FrictionValues& law) {
+  const std::string& at = speeds;
+  const auto& [V_R, mu, linear] = law;
+  if (V_R.size() != mu.size())
+    d.fail("/friction_law/mu", fmt::format("has {} values, and {} has {}; a law needs one mu for each speed", mu.size(),
+                                           at.substr(at.rfind('/') + 1), V_R.size()));
+  if (V_R[0] != 0 || mu[0] != 0)
+    d.fail(V_R[0] != 0 ? at : "/friction_law/mu",
+           fmt::format("begins with V_R = {:g}, mu = {:g}; a bristle at rest on the slab has no friction, so a law begins with "
+                       "V_R = 0, mu = 0, and rises to its static value within a small speed", V_R[0], mu[0]));
+  for (std::size_t i = 1; i < V_R.size(); ++i) {
+    if (!(V_R[i] > V_R[i - 1]))
+      d.fail(fmt::format("{}/{}", at, i), fmt::format("the speeds must ascend, but {:g} follows {:g}", V_R[i], V_R[i - 1]));
+    if (!(mu[i] > 0))
+      d.fail(fmt::format("/friction_law/mu/{}", i), fmt::format("{:g} is not allowed; allowed: greater than 0 at a speed", mu[i]));
+  }
+  if (!linear && V_R.size() < 4)
+    d.fail("/friction_law/between", fmt::format("pchip needs at least 4 values, and there are {}; use \"linear\"", V_R.size()));
+}
+
+std::shared_ptr<const ModulationTable> read_table(const Document& d, const Json& law, const std::vector<Axis>& axes) {
+  if (law.contains("to")) d.fail("/friction_law/to", "belongs to a formula; the last value of a table holds beyond it");
+  const std::string at = law.contains("V_R") ? "/friction_law/V_R" : "/friction_law/V_R_m_per_s";
+  const FrictionValues values{read_speeds(d, law, axes), law["mu"], law.value("between", "pchip") == "linear"};
+  check_values(d, at, values);
+  try {
+    return modulation_table(values);
+  } catch (const std::invalid_argument& e) {
+    d.fail(at, e.what());
+  }
+}
+
+std::shared_ptr<const ModulationTable> read_formula(const Document& d, const Json& law) {
+  if (law.contains("between")) d.fail("/friction_law/between", "belongs to a table of V_R and mu, not to a formula");
+  try {
+    return modulation_table(sampled(parse_formula(law["formula"], "V_R"), law.value("to", kFormulaEnd)));
+  } catch (const std::invalid_argument& e) {
+    d.fail("/friction_law/formula", e.what());
+  }
+}
+
+}  // namespace
+
+std::shared_ptr<const ModulationTable> read_friction_law(const Document& d, const std::vector<Axis>& axes) {
+  const Json& json = d.json();
+  const auto axis = std::ranges::find(axes, "friction", &Axis::name);
+  const bool varied = axis != axes.end();
+  const bool used = varied ? std::ranges::count(axis->values, double(FrictionLaw::custom)) > 0
+                           : json["model"]["friction"] == Custom::name;
+  if (!json.contains("friction_law")) {
+    if (used)
+      d.fail(varied ? "/sweep/friction" : "/model/friction",
+             "\"custom\" needs the block /friction_law with V_R and mu, or with a formula (docs/experiments.md)");
+    return nullptr;
+  }
+  const Json& law = json["friction_law"];
+  const int speeds = int(law.contains("V_R")) + int(law.contains("V_R_m_per_s"));
+  const bool table = speeds == 1 && law.contains("mu"), formula = law.contains("formula");
+  if (table == formula || speeds + int(law.contains("mu")) != 2 * int(table))
+    d.fail("/friction_law", "needs either mu and V_R (or V_R_m_per_s), or a formula");
+  auto out = table ? read_table(d, law, axes) : read_formula(d, law);
+  if (!used) d.fail("/friction_law", "is the law of no point; choose it by /model/friction: \"custom\", or remove it with null");
+  return out;
+}
+
+}  // namespace bristle::experiment
