@@ -4,6 +4,7 @@
 #include "model/friction/laws.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -83,8 +84,14 @@ std::shared_ptr<const ModulationTable> read_friction_law(const Document& d, cons
   const Json& law = json["friction_law"];
   const int speeds = int(law.contains("V_R")) + int(law.contains("V_R_m_per_s"));
   const bool table = speeds == 1 && law.contains("mu"), formula = law.contains("formula");
-  if (table == formula || speeds + int(law.contains("mu")) != 2 * int(table))
-    d.fail("/friction_law", "needs either mu and V_R (or V_R_m_per_s), or a formula");
+  if (table == formula || speeds + int(law.contains("mu")) != 2 * int(table)) {
+    std::vector<std::string> given;
+    for (const char* key : {"V_R", "V_R_m_per_s", "mu", "formula"})
+      if (law.contains(key)) given.emplace_back(key);
+    d.fail("/friction_law", fmt::format("needs either mu and one of V_R and V_R_m_per_s, or a formula, but has {} (a null "
+                                        "removes a key that is inherited)",
+                                        given.empty() ? "none of them" : fmt::format("{}", fmt::join(given, ", "))));
+  }
   auto out = table ? read_table(d, law, axes) : read_formula(d, law);
   if (!used) d.fail("/friction_law", "is the law of no point; choose it by /model/friction: \"custom\", or remove it with null");
   return out;

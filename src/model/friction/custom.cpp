@@ -1,5 +1,7 @@
 #include "model/friction/custom.hpp"
 
+#include <math.h>  // Boost 1.74 calls isnan without std::
+
 #include <boost/math/interpolators/pchip.hpp>
 #include <fmt/format.h>
 #include <algorithm>
@@ -10,7 +12,6 @@ namespace bristle {
 namespace {
 
 constexpr double kSamplingError = 1e-5, kTableError = 1e-4;  // as a share of the largest mu
-constexpr int kFewestIntervals = 256, kMostIntervals = 1 << 16;
 
 // mu and its derivative by V_R.
 struct Value {

@@ -13,7 +13,6 @@ namespace {
 
 // Above this size of q its relative error is bounded: that of kModulationError at this size.
 constexpr double kLarge = 100;
-constexpr int kFewestIntervals = 64, kMostIntervals = 1 << 16;
 
 // The zeros of the Chebyshev polynomial of degree 4, in an interval from 0 to 1.
 constexpr std::array<double, 4> kNodes = {(1 - 0.92387953251128674) / 2, (1 - 0.38268343236508977) / 2,

@@ -11,6 +11,7 @@ namespace bristle {
 // absolute error of q is below kModulationError, or its relative error below 1e-12; the number of intervals
 // follows from it.
 constexpr double kModulationError = 1e-10;
+constexpr int kFewestIntervals = 64, kMostIntervals = 1 << 16;
 
 class ModulationTable {
  public:
