@@ -3,6 +3,7 @@
 #include "design/groups.hpp"
 #include "design/trials.hpp"
 #include "experiment/sample.hpp"
+#include "results/digest.hpp"
 #include "results/reader.hpp"
 #include "run/analysis.hpp"
 #include "run/provenance.hpp"
@@ -50,14 +51,8 @@ Experiment with_table(const Experiment& e, const Trials& trials, const std::vect
 
 // Whether the file has the result of this design with its title and notes, complete and undamaged.
 bool up_to_date(const std::string& path, const Experiment& e) {
-  if (!results::up_to_date(path, e)) return false;
-  // With sorted keys, because their order does not matter.
-  nlohmann::json stored = results::ResultReader(path).experiment(), own = *e.document;
-  for (nlohmann::json* document : {&stored, &own}) {
-    if (document->contains("sweep")) (*document)["sweep"].erase(experiment::kSample);
-    if (document->contains("sweep") && (*document)["sweep"].empty()) document->erase("sweep");
-  }
-  return stored == own;
+  return results::up_to_date(path, e) && results::without_trials(results::ResultReader(path).experiment()) ==
+                                             results::without_trials(*e.document);
 }
 
 // The values of a quantity beside the best trial: from bound to bound, or over its deviations.

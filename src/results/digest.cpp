@@ -72,8 +72,16 @@ std::vector<std::string> payload_datasets(hid_t file) {
   return paths;
 }
 
+nlohmann::json without_trials(const Json& document) {
+  nlohmann::json out = document;
+  if (!document.contains("design") || !document.contains("sweep")) return out;
+  out["sweep"].erase("sample");
+  if (out["sweep"].empty()) out.erase("sweep");
+  return out;
+}
+
 std::string inputs_sha256(const Json& document) {
-  nlohmann::json inputs = document;  // sorts the keys: their order in the file does not matter
+  nlohmann::json inputs = without_trials(document);
   for (const char* name : {"name", "title", "figure", "institution", "notes", "checks", "checks_for_each"})
     inputs.erase(name);
   // The order of the axes matters: it is that of the dimensions.
@@ -81,10 +89,7 @@ std::string inputs_sha256(const Json& document) {
   if (document.contains("sweep"))
     for (const auto& [name, axis] : document["sweep"].items()) axes.push_back(name);
   inputs["axes"] = axes;
-  if (document.contains("design")) {  // the sample of a design follows from the rest
-    if (inputs.contains("sweep")) inputs["sweep"].erase("sample");
-    std::erase(inputs["axes"].get_ref<nlohmann::json::array_t&>(), "sample");
-  }
+  if (document.contains("design")) std::erase(inputs["axes"].get_ref<nlohmann::json::array_t&>(), "sample");
   if (inputs.contains("sweep") && inputs["sweep"].empty()) inputs.erase("sweep");
   return sha256_of(inputs.dump());
 }

@@ -57,7 +57,7 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
        "this format)"},
       {with(R"("modle": {})"),
        "@/e.json: /modle: unknown key (did you mean model?); allowed: schema, name, title, notes, figure, "
-       "institution, model, si, load, orientation, integrator, sweep, locate_jumps, analysis, design, record, "
+       "institution, model, si, friction_law, load, orientation, integrator, sweep, locate_jumps, analysis, design, record, "
        "trajectories, tiers, checks, "
        "checks_for_each"},
       {with(R"("orientation": {"sampling": "list", "theta_0_deg": {"random": 0, "seed": 1}})"),
@@ -349,7 +349,8 @@ TEST_CASE("the nominal friction is the friction of rigid bristles over their loa
   s.write("paper.json", bytes_of(kExperiments + "/paper.json"));
   const std::string sweep = R"("nominal_friction": {"values": [0.5, 6.1984]}, "R_n": {"values": [0.3, 2]})";
   const Experiment e = load_experiment(
-      s.write("e.json", R"({"extends": "paper.json", "name": "e", "sweep": {"friction": {"values": )" +
+      s.write("e.json", R"({"extends": "paper.json", "name": "e", "friction_law": {"V_R": [0, 1, 2], "mu": [0, 0.3, 0.2], "between": "linear"},
+          "sweep": {"friction": {"values": )" +
                             Json(texts(words<FrictionLaw>())).dump() + "}, " + sweep + "}}"),
       {});
   for (std::size_t i = 0; i < e.points(); ++i) {

@@ -1,4 +1,5 @@
 #include "experiment/experiment.hpp"
+#include "model/friction/laws.hpp"
 #include "run/analysis.hpp"
 #include "run/task.hpp"
 #include "results/csv.hpp"
@@ -9,6 +10,7 @@
 
 #include "catch.hpp"
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -168,15 +170,14 @@ TEST_CASE("malformed samples: the message names place, value and remedy") {
   f.s.write("column.csv", "k_rr\n1\n");
   f.s.write("twice.csv", "k_r,k_r\n1,2\n");
   const auto table = [](const std::string& name) { return R"({"sample": {"table": ")" + name + "\"}}"; };
-  const std::string at = "e.json: /sweep/sample/";
+  const std::string at = "e.json: /sweep/sample/", laws = fmt::format("{}", fmt::join(texts(words<FrictionLaw>()), ", "));
   const std::vector<std::pair<std::string, std::string>> rows = {
       {table("none.csv"), "none.csv: cannot be read: no such file"},
       {table("empty.csv"), "empty.csv: has no rows; a table needs a line with the names of its columns, such as "
                            "k_r,tau_f, and one line for each point"},
       {table("cell.csv"), "cell.csv: line 2: the cell of mu_c is empty; give it a value, or remove the row"},
       {table("short.csv"), "short.csv: line 2: has 1 cells, and the first line names 2 columns"},
-      {table("word.csv"), at + "table/rows/0/1: \"columb\" is not known (did you mean coulomb?); allowed: nss, "
-                               "coulomb, stribeck"},
+      {table("word.csv"), at + "table/rows/0/1: \"columb\" is not known (did you mean coulomb?); allowed: " + laws},
       {table("range.csv"), at + "table/rows/1/0: -2 is out of range for k_r; allowed: a number greater than 0 "
                                 "(radial stiffness, dimensionless)"},
       {table("text.csv"), at + "table/rows/0/0: \"fast\" is not a number, which k_r needs"},
@@ -193,8 +194,7 @@ TEST_CASE("malformed samples: the message names place, value and remedy") {
       {sobol(R"("k_r": {"normal": [3, 0]})"),
        at + "over/k_r/normal: the standard deviation 0 is not positive"},
       {sobol(R"("friction": {"uniform": [0, 1]})"),
-       at + "over/friction/uniform: friction is a choice; it needs \"values\", a list of words; allowed: nss, "
-            "coulomb, stribeck"},
+       at + "over/friction/uniform: friction is a choice; it needs \"values\", a list of words; allowed: " + laws},
       {sobol(R"("k_r": {"uniform": [1, 2], "log": [1, 2]})"),
        at + "over/k_r: {\"uniform\":[1,2],\"log\":[1,2]} gives 2 distributions; one is needed: uniform, log, "
             "normal or values"},

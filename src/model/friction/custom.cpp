@@ -122,10 +122,16 @@ FrictionValues sampled(const std::function<double(double)>& mu, double V_end) {
 std::shared_ptr<const ModulationTable> modulation_table(const FrictionValues& law) {
   const Interpolant mu(law);
   const double V_scale = std::sqrt(law.V_R[1] * law.V_R.back());
+  const double allowed = kTableError * std::ranges::max(law.mu);
   std::vector<double> coefficients;
-  for (int intervals = kFewestIntervals; intervals <= kMostIntervals; intervals *= 2)
-    if (fill(coefficients, mu, V_scale, intervals) <= kTableError * std::ranges::max(law.mu))
-      return std::make_shared<ModulationTable>(V_scale, std::move(coefficients));
+  for (int intervals = kFewestIntervals; intervals <= kMostIntervals; intervals *= 2) {
+    if (fill(coefficients, mu, V_scale, intervals) > allowed) continue;
+    auto table = std::make_shared<ModulationTable>(V_scale, coefficients);
+    double worst = 0;  // at the corners
+    for (std::size_t i = 0; i < law.V_R.size(); ++i)
+      worst = std::max(worst, std::abs(table->at(law.V_R[i]) - law.mu[i]));
+    if (worst <= allowed) return table;
+  }
   throw std::invalid_argument("changes too steeply with V_R; take fewer values where speeds are close to each other, or "
                               "a narrower range of speeds");
 }

@@ -1,0 +1,137 @@
+// The friction law of an experiment's own: a table of values, or a formula.
+#include "experiment/experiment.hpp"
+#include "model/friction/formula.hpp"
+#include "model/friction/laws.hpp"
+#include "results/reader.hpp"
+#include "run/task.hpp"
+#include "util/error.hpp"
+#include "scratch.hpp"
+
+#include "catch.hpp"
+#include <fmt/format.h>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace bristle::custom_friction_test {
+using namespace testing;
+namespace {
+
+// An experiment with these members, beside a copy of paper.json.
+struct Files {
+  Files() { s.write("paper.json", bytes_of(std::string(BRISTLE_EXPERIMENTS) + "/paper.json")); }
+  Experiment load(const std::string& members) const {
+    return load_experiment(s.write("e.json", R"({"extends": "paper.json", "name": "e", )" + members + "}"), {});
+  }
+  Experiment with_law(const std::string& law, const std::string& further = "") const {
+    return load(R"("model": {"friction": "custom"}, "friction_law": )" + law + further);
+  }
+  Scratch s;
+};
+
+double mu(const Experiment& e, double V_R) { return e.friction_law->at(V_R); }
+
+}  // namespace
+
+TEST_CASE("custom friction: formulas have the usual order of operations") {
+  const double x = 0.7;
+  const std::vector<std::pair<std::string, double>> rows = {
+      {"1 - 2 - 3", -4},         {"8/4/2", 1},           {"2*3 + 4*5", 26},      {"2^3^2", 512},
+      {"-2^2", -4},              {"2^-1", 0.5},          {"(1 + V_R)*2", 3.4},   {"--1", 1},
+      {"exp(-V_R)", std::exp(-x)}, {"tanh(V_R)", std::tanh(x)}, {"tanh(-50)", -1}, {"sqrt(V_R^2)", x},
+      {"abs(-1.5e1)", 15},       {"sin(pi/6)", 0.5},     {"cos(0)+log(1)", 1},   {"atan(1)", M_PI / 4}};
+  for (const auto& [text, value] : rows) {
+    CAPTURE(text);
+    CHECK(parse_formula(text, "V_R")(x) == Approx(value).epsilon(1e-14));
+  }
+}
+
+TEST_CASE("custom friction: the table has the values and the curve between them") {
+  const Files files;
+  const Experiment linear = files.with_law(R"({"V_R": [0, 0.1, 1, 4], "mu": [0, 1.2, 0.6, 0.5], "between": "linear"})");
+  const Experiment smooth = files.with_law(R"({"V_R": [0, 0.1, 1, 4], "mu": [0, 1.2, 0.6, 0.5]})");
+  for (const auto& [V_R, value] : std::vector<std::pair<double, double>>{{0, 0}, {0.1, 1.2}, {1, 0.6}, {4, 0.5}, {1e9, 0.5}}) {
+    CAPTURE(V_R);
+    CHECK(mu(linear, V_R) == Approx(value).margin(1.2e-4));
+    CHECK(mu(smooth, V_R) == Approx(value).margin(1.2e-4));
+  }
+  CHECK(mu(linear, 0.55) == Approx(0.9).margin(1.2e-4));
+  CHECK(mu(linear, 0.05) == Approx(0.6).margin(1.2e-4));
+  CHECK(mu(smooth, 0.55) > 0.9005);  // pchip leaves its maximum without a corner
+  double last = mu(smooth, 0.1);
+  for (double V_R = 0.11; V_R < 4; V_R += 0.01) {
+    CHECK(mu(smooth, V_R) < last + 1e-9);  // pchip is monotone between the values
+    last = mu(smooth, V_R);
+  }
+  for (const Experiment& e : {linear, smooth})
+    for (double V_R = 1e-3; V_R < 10; V_R *= 1.07) {
+      const double h = 1e-7 * V_R;
+      CHECK((mu(e, V_R + h) - mu(e, V_R - h)) / (2 * h) == Approx(e.friction_law->slope(V_R)).margin(0.02));
+    }
+}
+
+TEST_CASE("custom friction: Eq. (7) as a formula gives the friction of the Coulomb law, with both engines") {
+  const Files files;
+  const double A = 1.2, C = chi_C_peak_at_V_s(A), B = chi_B(A);
+  const std::string formula = fmt::format("{0}*sin({1}*atan(V_R/0.01 - ({2})*(V_R/0.01 - atan(V_R/0.01))))", A, B, C);
+  const std::string further = R"(, "load": {"R_n": 2}, "sweep": {"friction": {"values": ["coulomb", "custom"]},
+    "k_r": {"values": [5, 30]}}, "integrator": {"engine": ")";
+  for (const char* engine : {"fast", "reference"}) {
+    CAPTURE(engine);
+    const Experiment e = files.load(R"("friction_law": {"formula": ")" + formula + "\"}" + further + engine + "\"}");
+    run::RunOptions options;
+    options.output = files.s.path(std::string(engine) + ".h5");
+    options.quiet = true;
+    run::run_experiment(e, options);
+    const results::ResultReader file(options.output);
+    const std::vector<double>& R_x = file.variable("R_x").values, &error = file.variable("R_x_err").values;
+    for (std::size_t i = 0; i < 2; ++i) {
+      CAPTURE(i, R_x[i], R_x[i + 2]);
+      CHECK(std::abs(R_x[i] - R_x[i + 2]) < 2 * (error[i] + error[i + 2]) + 2e-4 * R_x[i]);  // 2e-4: the tables
+      CHECK(R_x[i] > 0);
+    }
+  }
+}
+
+TEST_CASE("custom friction: speeds in m/s are divided by V0, and other laws are other points") {
+  const Files files;
+  const std::string si = R"(, "si": {"m_kg": 1e-6, "r0_m": 0.01, "V0_m_per_s": 0.5})";
+  const Experiment in_si = files.with_law(R"({"V_R_m_per_s": [0, 0.05, 0.5, 2], "mu": [0, 1.2, 0.6, 0.5]})", si);
+  const Experiment plain = files.with_law(R"({"V_R": [0, 0.1, 1, 4], "mu": [0, 1.2, 0.6, 0.5]})", si);
+  const Experiment other = files.with_law(R"({"V_R": [0, 0.1, 1, 4], "mu": [0, 1.2, 0.6, 0.4]})", si);
+  for (const double V_R : {0.01, 0.3, 2.0}) CHECK(mu(in_si, V_R) == mu(plain, V_R));
+  CHECK(canonical_point(plain, 0) != canonical_point(other, 0));
+  CHECK(canonical_point(plain, 0) == canonical_point(Experiment(plain), 0));
+}
+
+TEST_CASE("custom friction: what is not a law is refused with the place and the remedy") {
+  const Files files;
+  const std::vector<std::pair<std::string, std::string>> rows = {
+      {R"J({})J", "/friction_law: needs either mu and one of V_R and V_R_m_per_s, or a formula, but has none of them"},
+      {R"J({"V_R": [0, 1], "mu": [0, 1], "formula": "V_R"})J", "but has V_R, mu, formula (a null removes a key"},
+      {R"J({"V_R": [0, 1, 2], "mu": [0, 1]})J", "/friction_law/mu: has 2 values, and V_R has 3"},
+      {R"J({"V_R": [0.1, 1], "mu": [0.5, 1]})J", "/friction_law/V_R: begins with V_R = 0.1, mu = 0.5; a bristle at rest"},
+      {R"J({"V_R": [0, 1], "mu": [0.5, 1]})J", "/friction_law/mu: begins with V_R = 0, mu = 0.5"},
+      {R"J({"V_R": [0, 1, 1], "mu": [0, 1, 1]})J", "/friction_law/V_R/2: the speeds must ascend, but 1 follows 1"},
+      {R"J({"V_R": [0, 1, 2], "mu": [0, 1, 0]})J", "/friction_law/mu/2: 0 is not allowed; allowed: greater than 0"},
+      {R"J({"V_R": [0, 1, 2], "mu": [0, 1, -1]})J", "/friction_law/mu/2: -1 is not allowed; allowed: a number at least 0"},
+      {R"J({"V_R": [0, 1, 2], "mu": [0, 1, 1]})J", "/friction_law/between: pchip needs at least 4 values"},
+      {R"J({"V_R": [0, 1e-6, 1e6], "mu": [0, 1, 1e6], "between": "linear"})J", "/friction_law/V_R: changes too steeply"},
+      {R"J({"V_R": [0, 1], "mu": [0, 1], "between": "linear", "to": 3})J", "/friction_law/to: belongs to a formula"},
+      {R"J({"V_R_m_per_s": [0, 1], "mu": [0, 1], "between": "linear"})J", "/friction_law/V_R_m_per_s: needs the block /si"},
+      {R"J({"formula": "1"})J", "/friction_law/formula: is 1 at V_R = 0; a bristle at rest on the slab has no friction"},
+      {R"J({"formula": "V_R*(1 - V_R)"})J", "at V_R = 10; mu must be positive and finite up to V_R = 10"},
+      {R"J({"formula": "log(V_R)"})J", "/friction_law/formula: is -inf at V_R = 0"},
+      {R"J({"formula": "tanh(V_R", "to": 1})J", "\"tanh(V_R\", at its end: a closing parenthesis is expected"},
+      {R"J({"formula": "tanh(V)"})J", "at \"V)\": a number, V_R, pi, a parenthesis or one of abs(...), atan(...)"},
+      {R"J({"formula": "V_R 2"})J", "at \"2\": one of + - * / ^ is expected"},
+      {R"J({"formula": "tanh(V_R)*(1.1+sin(V_R*1e7))"})J", "/friction_law/formula: changes too steeply with V_R"},
+      {"{\"formula\": \"" + std::string(500, '(') + "\"}", "inside each other"}};
+  for (const auto& [law, message] : rows) {
+    CAPTURE(law, message);
+    CHECK_THROWS_WITH(files.with_law(law), Catch::Contains(message));
+  }
+  CHECK_THROWS_WITH(files.load(R"("model": {"friction": "custom"})"), Catch::Contains("\"custom\" needs the block /friction_law"));
+  CHECK_THROWS_WITH(files.load(R"J("friction_law": {"formula": "tanh(V_R)"})J"), Catch::Contains("is the law of no point"));
+}
+
+}  // namespace bristle::custom_friction_test
