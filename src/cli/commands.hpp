@@ -32,6 +32,12 @@ int run_command(const ExperimentOptions& experiment, const run::RunOptions& opti
                 const std::string& instruction_set, bool needs_design = false);
 int validate_command(const ExperimentOptions& experiment);
 
+// Prints the modulation over the sliding speed of each friction law of the experiment, as a table.
+int law_command(const ExperimentOptions& experiment);
+
+// Prints the BibTeX entries of the software, the paper and, unless it is empty, a result.
+int cite_command(const std::string& result);
+
 // Prints the schema of experiment files for editors.
 int schema_command();
 

@@ -88,6 +88,18 @@ CLI::App* add_validate(CLI::App& app, ExperimentOptions& experiment) {
   return command;
 }
 
+CLI::App* add_law(CLI::App& app, ExperimentOptions& experiment) {
+  auto* command = app.add_subcommand("law", "print the friction laws of an experiment over the sliding speed (CSV)");
+  add_experiment(*command, experiment);
+  return command;
+}
+
+CLI::App* add_cite(CLI::App& app, std::string& result) {
+  auto* command = app.add_subcommand("cite", "print BibTeX entries of the software, the paper and a result");
+  command->add_option("FILE", result, "result file, to cite it, too");
+  return command;
+}
+
 CLI::App* add_info(CLI::App& app, InfoOptions& info) {
   auto* command = app.add_subcommand("info", "print the contents and the provenance of a result file");
   command->add_option("FILE", info.file, "result file")->required();
@@ -206,6 +218,7 @@ class CommandLine {
                [this] { return cli::run_command(experiment_, run_, instruction_set_); });
     set_action(add_design(app_, experiment_, run_), [this] { return cli::run_command(experiment_, run_, "", true); });
     set_action(add_validate(app_, experiment_), [this] { return cli::validate_command(experiment_); });
+    set_action(add_law(app_, experiment_), [this] { return cli::law_command(experiment_); });
     set_action(app_.add_subcommand("schema", "print the JSON schema of experiment files, for editors"),
                [] { return cli::schema_command(); });
     set_action(add_info(app_, info_), [this] { return cli::info_command(info_); });
@@ -216,6 +229,7 @@ class CommandLine {
       run_.complete = true;
       return cli::run_command(experiment_, run_, "");
     });
+    set_action(add_cite(app_, cited_), [this] { return cli::cite_command(cited_); });
     set_action(add_archive(app_, archive_), [this] { return cli::archive_command(archive_); });
     set_action(add_verify(app_, verify_), [this] { return cli::verify_command(verify_); });
     set_action(add_assumptions(app_, assumptions_),
@@ -249,7 +263,7 @@ class CommandLine {
 
   CLI::App app_{"bristle: dry friction of a lattice of elastic bristles under a sliding slab"};
   Command selected_;
-  std::string command_line_, new_name_, instruction_set_;
+  std::string command_line_, new_name_, instruction_set_, cited_;
   bool new_in_si_ = false;
   ExperimentOptions experiment_;
   run::RunOptions run_;

@@ -30,6 +30,16 @@ expect 0 "1 ok" "$bristle" run experiments/paper.json -o "$folder/e.h5" --set /i
   --set /orientation/rtol=0.1
 expect 2 "cannot be written" "$bristle" run experiments/paper.json -o /proc/nowhere/r.h5
 
+# The friction laws of an experiment over the speed, and what to cite.
+expect 0 "V_R,nss" "$bristle" law experiments/fig4.json
+expect 0 "V_R,coulomb,stribeck" "$bristle" law experiments/stribeck.json
+[ "$("$bristle" law experiments/fig4.json | tail -n 1 | cut -c 1-8)" = "10,1.000" ] || failed "law: chi is not 1 at V_R = 10"
+expect 0 "author = {Menga, N. and Bottiglione, F. and Carbone, G.}" "$bristle" cite
+expect 0 "@misc{bristle-" "$bristle" cite "$result"
+digest=$("$bristle" info --json "$result" | sed -n 's/.*"payload_sha256": "\([0-9a-f]*\)".*/\1/p' | head -n 1)
+expect 0 "SHA-256 of the numbers $digest;" "$bristle" cite "$result"
+expect 2 "nowhere.h5: no such file" "$bristle" cite nowhere.h5
+
 # Standard input and standard output in place of files.
 point='{"extends": "paper.json", "name": "piped", "orientation": {"rtol": 0.1}}'
 piped() { printf %s "$1" | "$bristle" "${@:2}"; }

@@ -1,0 +1,77 @@
+#include "cli/commands.hpp"
+
+#include "archive/citation.hpp"
+#include "results/journal.hpp"
+#include "results/reader.hpp"
+#include "run/provenance.hpp"
+#include "util/text.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+namespace bristle::cli {
+
+const char* citation_file();  // CITATION.cff
+
+namespace {
+
+std::string people(const Json& authors) {
+  std::vector<std::string> names;
+  for (const Json& one : authors)
+    names.push_back(one.contains("name") ? fmt::format("{{{}}}", one["name"].get<std::string>())
+                                         : fmt::format("{}, {}", one["family-names"].get<std::string>(),
+                                                       one["given-names"].get<std::string>()));
+  return fmt::format("{}", fmt::join(names, " and "));
+}
+
+std::string text_of(const Json& value) { return value.is_string() ? value.get<std::string>() : value.dump(); }
+
+// The fields of a BibTeX entry that the source has, in this order.
+void print_entry(const char* kind, const std::string& key, const std::vector<std::pair<const char*, std::string>>& fields) {
+  fmt::print("@{}{{{}", kind, key);
+  for (const auto& [name, value] : fields)
+    if (!value.empty()) fmt::print(",\n  {} = {{{}}}", name, value);
+  fmt::print("\n}}\n");
+}
+
+std::string field(const Json& source, const char* key) { return source.contains(key) ? text_of(source[key]) : ""; }
+
+}  // namespace
+
+int cite_command(const std::string& result) {
+  const Json software = archive::parse_citation(citation_file());
+  const std::string version = run::kVersion;
+  print_entry("software", "bristle-" + version,
+              {{"author", people(software["authors"])},
+               {"title", "{" + field(software, "title") + "}"},
+               {"version", version},
+               {"year", field(software, "date-released").substr(0, 4)},
+               {"doi", field(software, "doi")},
+               {"url", field(software, "repository-code")},
+               {"note", fmt::format("commit {}", run::kCommit)}});
+  for (const Json& reference : software.value("references", Json::array()))
+    print_entry("article", "menga2022",
+                {{"author", people(reference["authors"])},
+                 {"title", "{" + field(reference, "title") + "}"},
+                 {"journal", field(reference, "journal")},
+                 {"year", field(reference, "year")},
+                 {"volume", field(reference, "volume")},
+                 {"number", field(reference, "issue")},
+                 {"pages", field(reference, "start") + "--" + field(reference, "end")},
+                 {"doi", field(reference, "doi")}});
+  if (result.empty()) return kSuccess;
+  const results::ResultReader file(result);
+  file.require_intact();
+  const auto provenance = file.provenance();
+  print_entry("misc", "bristle-" + file.text("name"),
+              {{"title", "{Result of bristle: " + file.text("title") + "}"},
+               {"year", provenance.at("finished").substr(0, 4)},
+               {"note", fmt::format("computed by commit {}; SHA-256 of the numbers {}; `bristle info` prints both",
+                                    provenance.at("commit"), file.text("payload_sha256"))}});
+  if (results::is_dirty(provenance.at("commit")))
+    write_message(fmt::format("{}: was computed by a program with uncommitted changes: nobody else can compute it again\n", result));
+  return kSuccess;
+}
+
+}  // namespace bristle::cli

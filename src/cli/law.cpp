@@ -1,0 +1,50 @@
+#include "cli/commands.hpp"
+
+#include "model/bristle.hpp"
+#include "model/elementary.hpp"
+#include "results/csv.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <vector>
+
+namespace bristle::cli {
+namespace {
+
+constexpr double kSlowest = 1e-5, kFastest = 10;  // in units of V0
+constexpr int kPerDecade = 50;
+
+std::vector<double> speeds() {
+  std::vector<double> out = {0};
+  for (int i = 0; i <= 6 * kPerDecade; ++i) out.push_back(kSlowest * pow(10, double(i) / kPerDecade));
+  out.back() = kFastest;
+  return out;
+}
+
+double modulation(const Parameters& p, double V_R) {
+  return with_law(p.friction, [&](auto law) { return law.modulation(V_R, law.constants(p)); });
+}
+
+}  // namespace
+
+int law_command(const ExperimentOptions& options) {
+  const Experiment e = experiment::load_experiment(options.file, options.load);
+  std::vector<Parameters> laws;  // of the points, each once, with the first values of the other axes
+  for (std::size_t i = 0; i < e.points(); ++i) {
+    const Parameters p = e.point(i).setup.parameters;
+    if (std::ranges::none_of(laws, [&](const Parameters& known) { return known.friction == p.friction; }))
+      laws.push_back(p);
+  }
+  fmt::print("# {}: friction over its value where the modulation is 1, dimensionless; for custom: mu\n"
+             "# V_R: sliding speed, in units of V0{}\nV_R", e.name,
+             laws.size() < e.points() ? "; of several points with a law: the first" : "");
+  for (const Parameters& p : laws) fmt::print(",{}", word(p.friction));
+  for (const double V_R : speeds()) {
+    fmt::print("\n{}", results::csv_number(V_R));
+    for (const Parameters& p : laws) fmt::print(",{}", results::csv_number(modulation(p, V_R)));
+  }
+  fmt::print("\n");
+  return kSuccess;
+}
+
+}  // namespace bristle::cli
