@@ -44,8 +44,10 @@ def draw_figure():
             require_axes(file, arguments.figure, module.AXES)
             print("\n".join(captions(module, file)))
             return
-        for ending, function in {"": module.draw, **getattr(module, "FURTHER", {})}.items():
-            drawn = pages(function, file, plain=arguments.plain, width=arguments.width, cmap=arguments.cmap, **variable)
+        further = {} if arguments.panels else getattr(module, "FURTHER", {})  # letters are those of the main figure
+        for ending, function in {"": module.draw, **further}.items():
+            drawn = pages(function, file, plain=arguments.plain, width=arguments.width, panels=arguments.panels,
+                          maps_only=arguments.maps_only, cmap=arguments.cmap, **variable)
             save_pages(drawn, directory, "-".join(filter(None, [arguments.figure, ending])), arguments.formats,
                        arguments.dpi)
 
@@ -74,6 +76,8 @@ def figure_parser():
                              f"have at least {LEAST_POINTS} points; implies --plain")
     parser.add_argument("--reading", metavar="MODEL",
                         help="only this model of bending: polar (Eq. (17) exact), polar_as_printed or rod")
+    parser.add_argument("--panels", metavar="LETTER,...", help="only these panels of the figure, with letters anew, such as a,d")
+    parser.add_argument("--maps-only", action="store_true", help="maps without the surfaces above them")
     parser.add_argument("--cmap", metavar="NAME", help="matplotlib's colour map for maps and surfaces (default: viridis)")
     parser.add_argument("--y", metavar="VARIABLE", help="what the figure curve draws (default: R_x_norm)")
     parser.add_argument("--caption", action="store_true", help="draws nothing, but prints a caption in LaTeX for each page")
