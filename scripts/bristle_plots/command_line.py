@@ -6,12 +6,12 @@ import os
 import sys
 
 from . import FIGURES
-from .captions import captions
+from .captions import captions, title_of
 from .errors import BristleError
 from .files import save_pages
 from .page import LEAST_POINTS, inches
 from .readings import of_reading, pages
-from .results import open_result, require_axes
+from .results import open_result, require_axes, source_of
 from .style import METADATA, apply_look
 
 PROGRAM = os.environ.get("BRISTLE_PLOT", "plot")  # the name by which scripts/plot was called
@@ -49,7 +49,7 @@ def draw_figure():
             drawn = pages(function, file, plain=arguments.plain, width=arguments.width, panels=arguments.panels,
                           maps_only=arguments.maps_only, cmap=arguments.cmap, **variable)
             save_pages(drawn, directory, "-".join(filter(None, [arguments.figure, ending])), arguments.formats,
-                       arguments.dpi)
+                       arguments.dpi, (title_of(module, file, ending), source_of(file)))
 
 
 def with_values(words):
