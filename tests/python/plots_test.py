@@ -188,7 +188,7 @@ with xarray.open_dataset(result) as ds:
     # A reading by its word; the options of the look.
     assert texts(fig4.draw(ds, reading="polar_as_printed")) == texts(fig4.draw(ds, reading={"bending": "polar_as_printed"}))
     assert "no reading 'printed'" in (said := refusal(lambda: fig4.draw(ds, reading="printed"))) and "polar_as_printed" in said
-    assert list(inspect.signature(fig4.draw).parameters) == ["file", "reading", "plain", "width", "cmap", "style"]
+    assert list(inspect.signature(fig4.draw).parameters) == ["file", "reading", "plain", "width", "panels", "maps_only", "cmap", "style"]
     assert "Fig. 4" in fig4.draw.__doc__ and "cmap" in fig4.draw.__doc__ and "energy budget" in fig4.draw_energy.__doc__
     assert "did you mean viridis?" in refusal(lambda: fig4.draw(ds, cmap="virids"))
     assert "did you mean axes.linewidth?" in refusal(lambda: fig4.draw(ds, style={"axes.linewidht": 1}))
