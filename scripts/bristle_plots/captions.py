@@ -1,6 +1,7 @@
 """A caption in LaTeX for each page of a figure, with the values of the result."""
 
 import re
+from types import SimpleNamespace
 
 from .readings import AXIS, reading_name, readings
 from .results import CHOICE_NAMES, as_text, attribute, axis_names, axis_values, dataset, readable, status_counts
@@ -16,8 +17,12 @@ CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f\u2028\u2029]")
 LATEX = {"%": r"\%", "\u2013": "--", "\u00b0": r"$^\circ$", "theta_0 ": r"$\theta_0$ "}
 
 
-def captions(module, file):
+def captions(module, file, y=None):
     """\\caption{...} for each page of the module's main figure, then of its further figures."""
+    if module.__name__.endswith((".curve", ".map")):
+        name = y or "R_x_norm"
+        dataset(file, name)  # must be there
+        module = SimpleNamespace(**{**vars(module), "VARIABLES": [name], "TITLES": {"": attribute(file[name], "long_name")}})
     out = []
     for ending, draw in {"": module.draw, **getattr(module, "FURTHER", {})}.items():
         shown = draw.shown(file) if hasattr(draw, "shown") else [{}]
@@ -33,7 +38,7 @@ def title_of(module, file, ending=""):
 
 def caption(module, file, reading, page, ending=""):
     title = re.sub(r"^(Figure|Appendix) \w+(, continued)?: ", "", plain(title_of(module, file, ending)))
-    names = [name for name in getattr(module, "VARIABLES", []) if name in file]
+    names = [name for name in getattr(module, "VARIABLES", []) if name in file and not ending]
     shown = [f"{plain(attribute(file[name], 'long_name'))}, {latex_symbol(attribute(file[name], 'symbol'))}" for name in names]
     if len(names) > 1 and hasattr(module.draw, "shown"):  # a panel for each
         shown = [f"({letter}) {text}" for letter, text in zip("abcdefg", shown)]

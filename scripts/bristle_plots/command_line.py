@@ -33,16 +33,18 @@ def draw_figure():
     for_paper = arguments.plain or arguments.width is not None
     directory = arguments.directory or ("figures/paper" if for_paper else "figures")
     variable = {} if arguments.y is None else {"y": arguments.y}
-    if variable and arguments.figure != "curve":
-        raise BristleError(f"--y {arguments.y}: only the figure curve has a variable to choose, not {arguments.figure}")
+    if variable and arguments.figure not in ("curve", "map"):
+        raise BristleError(f"--y {arguments.y}: only the figures curve and map have a variable to choose, not {arguments.figure}")
     apply_look()
     module = importlib.import_module(f".figures.{arguments.figure}", __package__)
     with open_result(arguments.result) as file:
         if arguments.reading:
             file = of_reading(file, arguments.reading)
+        if arguments.caption and arguments.panels:
+            raise BristleError("--caption is of all panels; draw with --panels, and shorten the caption by hand")
         if arguments.caption:
             require_axes(file, arguments.figure, module.AXES)
-            print("\n".join(captions(module, file)))
+            print("\n".join(captions(module, file, arguments.y)))
             return
         further = {} if arguments.panels else getattr(module, "FURTHER", {})  # letters are those of the main figure
         for ending, function in {"": module.draw, **further}.items():
@@ -79,7 +81,7 @@ def figure_parser():
     parser.add_argument("--panels", metavar="LETTER,...", help="only these panels of the figure, with letters anew, such as a,d")
     parser.add_argument("--maps-only", action="store_true", help="maps without the surfaces above them")
     parser.add_argument("--cmap", metavar="NAME", help="matplotlib's colour map for maps and surfaces (default: viridis)")
-    parser.add_argument("--y", metavar="VARIABLE", help="what the figure curve draws (default: R_x_norm)")
+    parser.add_argument("--y", metavar="VARIABLE", help="what the figures curve and map draw (default: R_x_norm)")
     parser.add_argument("--caption", action="store_true", help="draws nothing, but prints a caption in LaTeX for each page")
     parser.add_argument("--format", dest="formats", type=formats, metavar="FORMAT,...", default=["pdf", "png"],
                         help=f"of {', '.join(METADATA)} (default: pdf,png)")
