@@ -18,7 +18,7 @@ import bristle_plots
 from bristle_plots import FIGURES, open_result
 
 folder, results = map(pathlib.Path, sys.argv[1:3])
-LEAST_LIGHTNESS = 0.1  # of 1, between two lines that are alike else
+LEAST_LIGHTNESS = 0.2  # of 1, between two lines that are alike else
 
 
 def lightness(colour):
