@@ -1,9 +1,8 @@
 """A caption in LaTeX for each page of a figure, with the values of the result."""
 
 import re
+from types import SimpleNamespace
 
-from .curves import BANDS, BARS, jump_note
-from .jumps import LEAST_CHANGE, located_axis
 from .readings import AXIS, reading_name, readings
 from .results import CHOICE_NAMES, as_text, attribute, axis_names, axis_values, dataset, readable, status_counts
 
@@ -18,15 +17,28 @@ CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f\u2028\u2029]")
 LATEX = {"%": r"\%", "\u2013": "--", "\u00b0": r"$^\circ$", "theta_0 ": r"$\theta_0$ "}
 
 
-def captions(module, file):
-    """\\caption{...} for each page of the module's main figure."""
-    pages = readings(file) if hasattr(module.draw, "shown") else [{}]
-    return [caption(module, file, reading, i + 1 if len(pages) > 1 else 0) for i, reading in enumerate(pages)]
+def captions(module, file, y=None):
+    """\\caption{...} for each page of the module's main figure, then of its further figures."""
+    if module.__name__.endswith((".curve", ".map")):
+        name = y or "R_x_norm"
+        dataset(file, name)  # must be there
+        module = SimpleNamespace(**{**vars(module), "VARIABLES": [name], "TITLES": {"": attribute(file[name], "long_name")}})
+    out = []
+    for ending, draw in {"": module.draw, **getattr(module, "FURTHER", {})}.items():
+        shown = draw.shown(file) if hasattr(draw, "shown") else [{}]
+        out += [f"% {ending}\n" * bool(ending) + caption(module, file, reading, i + 1 if len(shown) > 1 else 0, ending)
+                for i, reading in enumerate(shown)]
+    return out
 
 
-def caption(module, file, reading, page):
-    title = re.sub(r"^(Figure|Appendix) \w+: ", "", plain(file.attrs.get("title", "")))
-    names = [name for name in getattr(module, "VARIABLES", []) if name in file]
+def title_of(module, file, ending=""):
+    """Of the module's main figure, or of a further one."""
+    return getattr(module, "TITLES", {}).get(ending) or as_text(file.attrs.get("title", ""))
+
+
+def caption(module, file, reading, page, ending=""):
+    title = re.sub(r"^(Figure|Appendix) \w+(, continued)?: ", "", plain(title_of(module, file, ending)))
+    names = [name for name in getattr(module, "VARIABLES", []) if name in file and not ending]
     shown = [f"{plain(attribute(file[name], 'long_name'))}, {latex_symbol(attribute(file[name], 'symbol'))}" for name in names]
     if len(names) > 1 and hasattr(module.draw, "shown"):  # a panel for each
         shown = [f"({letter}) {text}" for letter, text in zip("abcdefg", shown)]
@@ -35,7 +47,7 @@ def caption(module, file, reading, page):
     over, fixed = ([axis_range(part, name) for name in axes if (part.sizes[name] > 1) == several] for several in (True, False))
     sentences = [title, "; ".join(shown), f"Over {'; '.join(over)}" if over else "",
                  f"Fixed: {'; '.join([*fixed, with_symbols(file.attrs.get('caption', ''))])}",
-                 ", and ".join(filter(None, map(reading_name, readings(part)))), marks(module, file), statuses(part)]
+                 ", and ".join(filter(None, map(reading_name, readings(part)))), marks(module, file, ending), statuses(part)]
     text = in_latex(". ".join(sentence[0].upper() + sentence[1:] for sentence in sentences if sentence))
     return f"% page {page}\n" * bool(page) + f"\\caption{{{text}.}}"
 
@@ -51,17 +63,11 @@ def axis_range(file, name):
     return f"{title}, {latex_symbol(symbol + ' =')} {values}" if symbol not in ("", name) else f"{title}, {values}"
 
 
-def marks(module, file):
-    """What bands, bars and jump lines are: the module's own text, or else that of its kind of figure."""
-    if hasattr(module, "MARKS"):
-        return module.MARKS.removesuffix(".")
-    if {"k_r", "k_theta"} <= set(module.AXES):
-        found = ("located to 1 %" if located_axis(file) else
-                 f"where $\\tilde{{z}}_0$ of neighbours differs by more than {LEAST_CHANGE:g}")
-        return f"Orange lines: jumps of the loading path, {found}. Surfaces and contours are broken there"
-    if not hasattr(module, "VARIABLES"):
-        return ""
-    return (BARS if "sampling" in module.AXES else f"{BANDS} {jump_note(file, module.AXES[-1])}").removesuffix(".")
+def marks(module, file, ending):
+    """What the figure's marks mean: MARKS of its module, a text or a function of the result, or of several by ending."""
+    found = module.MARKS[ending] if isinstance(module.MARKS, dict) else module.MARKS
+    text = " ".join((found(file) if callable(found) else found).split("\n"))
+    return with_symbols(text.removesuffix("."))
 
 
 def statuses(file):

@@ -6,12 +6,12 @@ import os
 import sys
 
 from . import FIGURES
-from .captions import captions
+from .captions import captions, title_of
 from .errors import BristleError
 from .files import save_pages
 from .page import LEAST_POINTS, inches
 from .readings import of_reading, pages
-from .results import open_result, require_axes
+from .results import open_result, require_axes, source_of
 from .style import METADATA, apply_look
 
 PROGRAM = os.environ.get("BRISTLE_PLOT", "plot")  # the name by which scripts/plot was called
@@ -33,21 +33,25 @@ def draw_figure():
     for_paper = arguments.plain or arguments.width is not None
     directory = arguments.directory or ("figures/paper" if for_paper else "figures")
     variable = {} if arguments.y is None else {"y": arguments.y}
-    if variable and arguments.figure != "curve":
-        raise BristleError(f"--y {arguments.y}: only the figure curve has a variable to choose, not {arguments.figure}")
+    if variable and arguments.figure not in ("curve", "map"):
+        raise BristleError(f"--y {arguments.y}: only the figures curve and map have a variable to choose, not {arguments.figure}")
     apply_look()
     module = importlib.import_module(f".figures.{arguments.figure}", __package__)
     with open_result(arguments.result) as file:
         if arguments.reading:
             file = of_reading(file, arguments.reading)
+        if arguments.caption and arguments.panels:
+            raise BristleError("--caption is of all panels; draw with --panels, and shorten the caption by hand")
         if arguments.caption:
             require_axes(file, arguments.figure, module.AXES)
-            print("\n".join(captions(module, file)))
+            print("\n".join(captions(module, file, arguments.y)))
             return
-        for ending, function in {"": module.draw, **getattr(module, "FURTHER", {})}.items():
-            drawn = pages(function, file, plain=arguments.plain, width=arguments.width, cmap=arguments.cmap, **variable)
+        further = {} if arguments.panels else getattr(module, "FURTHER", {})  # letters are those of the main figure
+        for ending, function in {"": module.draw, **further}.items():
+            drawn = pages(function, file, plain=arguments.plain, width=arguments.width, panels=arguments.panels,
+                          maps_only=arguments.maps_only, cmap=arguments.cmap, **variable)
             save_pages(drawn, directory, "-".join(filter(None, [arguments.figure, ending])), arguments.formats,
-                       arguments.dpi)
+                       arguments.dpi, (title_of(module, file, ending), source_of(file)))
 
 
 def with_values(words):
@@ -74,8 +78,10 @@ def figure_parser():
                              f"have at least {LEAST_POINTS} points; implies --plain")
     parser.add_argument("--reading", metavar="MODEL",
                         help="only this model of bending: polar (Eq. (17) exact), polar_as_printed or rod")
+    parser.add_argument("--panels", metavar="LETTER,...", help="only these panels of the figure, with letters anew, such as a,d")
+    parser.add_argument("--maps-only", action="store_true", help="maps without the surfaces above them")
     parser.add_argument("--cmap", metavar="NAME", help="matplotlib's colour map for maps and surfaces (default: viridis)")
-    parser.add_argument("--y", metavar="VARIABLE", help="what the figure curve draws (default: R_x_norm)")
+    parser.add_argument("--y", metavar="VARIABLE", help="what the figures curve and map draw (default: R_x_norm)")
     parser.add_argument("--caption", action="store_true", help="draws nothing, but prints a caption in LaTeX for each page")
     parser.add_argument("--format", dest="formats", type=formats, metavar="FORMAT,...", default=["pdf", "png"],
                         help=f"of {', '.join(METADATA)} (default: pdf,png)")

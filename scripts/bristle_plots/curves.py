@@ -1,7 +1,6 @@
 """Quantities over one axis of the sweep: lines with error bands, points with error bars, panels."""
 
 from collections import namedtuple
-from itertools import cycle
 
 import numpy as np
 from matplotlib import ticker
@@ -10,11 +9,11 @@ from matplotlib.lines import Line2D
 from .errors import BristleError
 from .jumps import LEAST_CHANGE, WIDEST_STEP, located_axis, located_jumps, read_jumps
 from .layout import Cell, across, corners, heading, legend_at_foot, place_cell, row_title, sheet
-from .page import paper_width, points
+from .page import lettered, paper_width, points
 from .readings import reading_name, readings
 from .results import (CHOICE_NAMES, attribute, axis_values, dataset, place_of, readable, select, select_errors, select_flags,
                       values)
-from .style import COLOURS, GREY, label, log_ticks, status_marker
+from .style import GREY, described, label, log_ticks, looks, status_marker
 
 # status: index of each point's status into `meanings`; 0 is a point without remark.
 # jumps: whether the loading path jumps between each point and the next.
@@ -22,6 +21,8 @@ from .style import COLOURS, GREY, label, log_ticks, status_marker
 # along, title: symbols of x and y; chosen: the values of further axes, as text.
 Curve = namedtuple("Curve", "x y error status meanings jumps located along title chosen")
 
+LINES = ("Colours, dashes and markers tell the lines apart, as in the legend; markers are at computed points, of long lines at "
+         "some of them only.")
 BANDS = "Bands, often thinner than the lines, are the estimated errors of the values."
 LOCATED_JUMPS = ("Lines are broken where the loading path jumps; dotted lines mark the places, located to 1 %, "
                  "pale areas where less than 0.5 % of the load decides between two gaps.")
@@ -30,6 +31,7 @@ JUMPS = (f"Lines are broken where $z_0$ jumps by more than {LEAST_CHANGE:g} betw
 BARS = "Bars are the standard errors of the lattices' time means."
 PANEL_INCHES = (4.1, 3.3)
 ROW_TITLE_INCHES = 0.36  # above the panels of each reading
+MARKERS_ON_LINE = 12  # about; more would hide how it is dashed
 
 
 def read_curve(file, name, along, **chosen):
@@ -62,6 +64,11 @@ def jump_note(file, along):
     return LOCATED_JUMPS if located_axis(file) == along else JUMPS
 
 
+def curve_marks(file, along="k_r"):
+    """What the marks of lines mean, for a caption."""
+    return f"{LINES} {BANDS} {jump_note(file, along)}"
+
+
 def broken(curve):
     """x, y and error of a line with a gap at each jump."""
     places = np.flatnonzero(curve.jumps) + 1
@@ -69,17 +76,27 @@ def broken(curve):
             for numbers in (curve.x, curve.y, curve.error)]
 
 
-def draw_curve(axes, curve, colour, text=None, line="-", marker="o", width=1.6):
+def draw_curve(axes, curve, look, text=None, width=1.6):
     """A line, interrupted where there is no value or a jump; returns legend entries for the statuses by text."""
     x, y, error = broken(curve)
+    colour = look.colour
     keep(axes, curve)
-    axes.plot(x, y, line, color=colour, linewidth=width, marker=marker, markersize=2 * width, label=text)
+    axes.plot(x, y, color=colour, linestyle=look.line, linewidth=width, marker=look.marker, markersize=2.4 * width,
+              markevery=marked(y, len(axes.lines)), label=text)
     axes.fill_between(x, y - error, y + error, color=colour, alpha=0.3, linewidth=0)
     for (index,), place, start, end in curve.located:
         sides = curve.y[index:index + 2]
         axes.plot([place, place], sides, ":", color=colour, linewidth=0.7 * width)
         axes.fill_between([start, end], *sides, color=colour, alpha=0.2, linewidth=0)
     return draw_statuses(axes, curve, colour)
+
+
+def marked(y, shift):
+    """Indices of a line's markers: on points that no line joins to others, and on some of the rest."""
+    there = np.isfinite(y)
+    joined = np.concatenate([[False], there[1:] & there[:-1], [False]])
+    step = max(1, there.sum() // MARKERS_ON_LINE)
+    return np.flatnonzero(there & (~(joined[1:] | joined[:-1]) | (np.arange(y.size) % step == shift % step))).tolist()
 
 
 def draw_points(axes, curve, colour, text=None, marker="o", shift=1.0, filled=True):
@@ -135,11 +152,6 @@ def with_symbol(data, value):
     return CHOICE_NAMES.get(value, readable(value)) if isinstance(value, str) else f"{label(data)} = {value:g}"
 
 
-def coloured(items):
-    """Pairs of item and colour."""
-    return zip(items, cycle(COLOURS))
-
-
 def true_runs(here):
     """First and last index of each run of true values."""
     change = np.flatnonzero(np.diff(np.concatenate([[False], here, [False]]).astype(int)))
@@ -189,38 +201,49 @@ def label_line(axes, x, y, power, string, colour=GREY, **look):
               transform_rotates_text=True, **look)
 
 
-def draw_panels(file, names, along, curves, markers="o", x_axis=log_axis, finish=None, note=""):
+def draw_panels(file, names, along, curves, x_axis=log_axis, finish=None, note=""):
     """A figure with one panel for each variable, side by side, a row for each reading, and one legend below.
 
     curves: the values of the axes beside `along` for each curve, by its text in the legend.
     finish(axes, name) is called for each panel, if given. note: below the panels.
     """
-    shown = readings(file)
-    titled = ROW_TITLE_INCHES if reading_name(shown[0]) else 0
-    cell, columns = across(len(names), Cell(5.3, PANEL_INCHES[1] + 0.95, 0.8, 0.7, *PANEL_INCHES))
-    group_inches = cell.height * -(-len(names) // columns) + titled
+    rows = {}
+    for letter, (reading, name) in lettered([(reading, name) for reading in readings(file) for name in names]):
+        rows.setdefault(reading_name(reading), []).append((letter, reading, name))
+    titled = ROW_TITLE_INCHES if any(rows) else 0
+    most = max(map(len, rows.values()))
+    cell, columns = across(most, Cell(5.3, PANEL_INCHES[1] + 0.95, 0.8, 0.7, *PANEL_INCHES))
+    heights = [cell.height * -(-len(row) // columns) + titled for row in rows.values()]
     below = 0.3 if paper_width() is None else 0  # of the legend
-    figure, bottom = sheet(file, cell.width * columns, group_inches * len(shown) + below, "\n".join(filter(None, [note, f"{BANDS} {jump_note(file, along)}"])))
-    entries, letters = {}, iter("abcdefghijkl")
-    for row, reading in enumerate(shown):
-        y = bottom + below + group_inches * (len(shown) - 1 - row)
-        if titled:
-            row_title(figure, cell.width * columns / 2, y + group_inches - 0.12, reading_name(reading))
-        for name, corner in zip(names, corners(len(names), columns, cell, y)):
-            axes = place_cell(figure, corner, cell, sharey=figure.axes[-len(names)] if row else None)
-            for ((text, chosen), colour), marker in zip(coloured(curves.items()), cycle(markers)):
-                entries |= draw_curve(axes, read_curve(file, name, along, **chosen, **reading), colour, text,
-                                      marker=marker)
+    note = "\n".join(filter(None, [note, f"{BANDS} {jump_note(file, along)}"]))
+    figure, bottom = sheet(file, cell.width * columns, sum(heights) + below, note)
+    entries, first, y = {}, {}, bottom + below + sum(heights)
+    for (model, row), height in zip(rows.items(), heights):
+        y -= height
+        if model:
+            row_title(figure, cell.width * columns / 2, y + height - 0.12, model)
+        for (letter, reading, name), corner in zip(row, corners(len(row), columns, cell, y)):
+            axes = place_cell(figure, corner, cell, sharey=first.get(name))
+            first.setdefault(name, axes)
+            entries |= draw_lines(axes, file, name, along, curves, reading)
             x_axis(axes, "x", dataset(file, along))
-            title_axis(axes, "y", dataset(file, name))
-            heading(axes, next(letters), attribute(dataset(file, name), "long_name"))
+            heading(axes, letter, attribute(dataset(file, name), "long_name"), [described(dataset(file, name)), model])
             if finish:
                 finish(axes, name)
     legend_below(axes, entries, bottom + 0.15)
     return figure
 
 
-def draw_by_reading(file, name, along, curves, markers="os^D", **place):
+def draw_lines(axes, file, name, along, curves, reading):
+    """A line for each curve, and the title of y; returns legend entries for the statuses by text."""
+    entries = {}
+    for (text, chosen), look in looks(curves.items()):
+        entries |= draw_curve(axes, read_curve(file, name, along, **chosen, **reading), look, text)
+    title_axis(axes, "y", dataset(file, name))
+    return entries
+
+
+def draw_by_reading(file, name, along, curves, **place):
     """A figure of one variable with a panel for each reading, side by side, and the legend in the first.
 
     curves: the values of the axes beside `along` for each curve, by its text. place: of the legend.
@@ -228,10 +251,8 @@ def draw_by_reading(file, name, along, curves, markers="os^D", **place):
     figure, panels = panels_by_reading(file, (4.1, 3.7), (5.9, 4.1), f"{BANDS} {jump_note(file, along)}")
     entries = {}
     for axes, reading in panels:
-        for ((text, chosen), colour), marker in zip(coloured(curves.items()), cycle(markers)):
-            entries |= draw_curve(axes, read_curve(file, name, along, **chosen, **reading), colour, text, marker=marker)
+        entries |= draw_lines(axes, file, name, along, curves, reading)
         log_axis(axes, "x", dataset(file, along))
-        title_axis(axes, "y", dataset(file, name))
     legend(panels[0][0], entries, **place)
     return figure
 
@@ -241,14 +262,14 @@ def panels_by_reading(file, panel, alone, note):
 
     panel: width and height (inches) of several panels; alone: of a single one.
     """
-    shown = readings(file)
+    shown = lettered(readings(file))
     width, height = panel if len(shown) > 1 else alone
     cell, columns = across(len(shown), Cell(width + 1.1, height + 1.05, 0.95, 0.65, width, height), 0.62)
     rows = -(-len(shown) // columns)
     figure, bottom = sheet(file, cell.width * columns + 0.1, cell.height * rows, note)
     out = []
-    for i, (reading, corner) in enumerate(zip(shown, corners(len(shown), columns, cell, bottom))):
+    for (letter, reading), corner in zip(shown, corners(len(shown), columns, cell, bottom)):
         axes = place_cell(figure, corner, cell, sharey=out[0][0] if out else None)
-        heading(axes, "abcdef"[i] if len(shown) > 1 else "", reading_name(reading))
+        heading(axes, letter, reading_name(reading))
         out.append((axes, reading))
     return figure, out

@@ -62,21 +62,27 @@ def write_text(path, text):
     write_whole(path, text.encode())
 
 
-def save_figure(figure, directory, name, formats=FIGURE_FORMATS, **options):
+def metadata(kind, about):
+    """about: title, and source, of a figure; none if empty."""
+    keys = {"pdf": ("Title", "Subject"), "png": ("Title", "Source"), "svg": ("Title", "Source")}[kind]
+    return {**METADATA[kind], **dict(zip(keys, about))}
+
+
+def save_figure(figure, directory, name, formats=FIGURE_FORMATS, about=(), **options):
     """Writes the figure as name.pdf and name.png; equal figures give equal bytes."""
     for kind in formats:
         buffer = io.BytesIO()
-        figure.savefig(buffer, format=kind, metadata=METADATA[kind], **options)
+        figure.savefig(buffer, format=kind, metadata=metadata(kind, about), **options)
         write_whole(os.path.join(directory, f"{name}.{kind}"), buffer.getbuffer())
 
 
-def save_pages(pages, directory, name, formats, dpi):
+def save_pages(pages, directory, name, formats, dpi, about=()):
     """Writes all pages (ending, reading, figure) as one PDF with the first one's ending, and each as a PNG and SVG."""
     if "pdf" in formats:
         buffer = io.BytesIO()
-        with PdfPages(buffer, metadata=METADATA["pdf"]) as pdf:
+        with PdfPages(buffer, metadata=metadata("pdf", about)) as pdf:
             for _, _, figure in pages:
                 pdf.savefig(figure, dpi=dpi)
         write_whole(os.path.join(directory, f"{name}{pages[0][0]}.pdf"), buffer.getbuffer())
     for ending, _, figure in pages:
-        save_figure(figure, directory, name + ending, [kind for kind in formats if kind != "pdf"], dpi=dpi)
+        save_figure(figure, directory, name + ending, [kind for kind in formats if kind != "pdf"], about, dpi=dpi)

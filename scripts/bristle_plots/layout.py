@@ -44,10 +44,11 @@ def place_cell(figure, corner, cell, **options):
     return place(figure, corner[0] + cell.left, corner[1] + cell.low, cell.inner_width, cell.inner_height, **options)
 
 
-def sheet(file, width, body, note="", reading=None, verdicts=True):
+def sheet(file, width, body, note="", reading=None, verdicts=True, title=None):
     """A figure with `body` inches for the plots; returns it with the lower end of that room (inches).
 
-    reading: the one that the whole figure shows, if it shows only one; verdicts: whether they are at its foot.
+    reading: the one that the whole figure shows, if it shows only one; verdicts: whether they are at its foot; title: of a
+    further figure, in place of the experiment's.
     """
     if is_plain():
         return Figure(figsize=(paper_width() or width, body + PLAIN_INCHES)), 0
@@ -56,7 +57,7 @@ def sheet(file, width, body, note="", reading=None, verdicts=True):
     note = "\n".join(filter(None, [note, start_note(file), pinned_note(file, reading), validity_note(file, reading)]))
     lines = [line for part in note.splitlines() for line in wrapped(part, characters).splitlines()]
     bottom = strip_height(claims, width) + (NOTE_INCHES * len(lines) + 0.1 if lines else 0)
-    header = header_lines(file, width, reading)
+    header = header_lines(file, width, reading, title)
     height = bottom + body + header_height(header)
     figure = Figure(figsize=(width, height))
     draw_header(figure, header)
@@ -66,10 +67,10 @@ def sheet(file, width, body, note="", reading=None, verdicts=True):
     return figure, bottom
 
 
-def header_lines(file, width, reading=None):
+def header_lines(file, width, reading=None, title=None):
     """Lines that fit a figure of this width (inches), each with its height (inches) and look."""
-    title, caption = (as_text(file.attrs.get(name, "")) for name in ("title", "caption"))
-    parts = ((title, 9, TITLE_INCHES, dict(fontsize=14)),
+    own, caption = (as_text(file.attrs.get(name, "")) for name in ("title", "caption"))
+    parts = ((title or own, 9, TITLE_INCHES, dict(fontsize=14)),
              (reading_name(reading or {}), 14, CAPTION_INCHES + 0.03, dict(fontsize=11, weight="bold")),
              (caption, 14, CAPTION_INCHES, dict(fontsize=10)))
     return [(line, height, look) for string, density, height, look in parts
@@ -101,8 +102,9 @@ def row_title(figure, x, y, string):
     figure.text(x / size[0], y / size[1], string, ha="center", va="center", weight="bold", fontsize=points(11))
 
 
-def heading(axes, letter, string=""):
-    """The panel's letter and title above the axes."""
+def heading(axes, letter, string="", labels=None):
+    """The panel's letter and title above the axes. labels: what it shows, for the caption; without them, the title."""
+    axes.panel = letter, labels or ([string] if string else [])
     axes.annotate(letter, (0, 1), (-30, 7), xycoords="axes fraction", textcoords="offset points",
                   weight="bold", fontsize=points(13))
     if paper_width() is not None:

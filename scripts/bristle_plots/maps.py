@@ -11,59 +11,80 @@ from .contour_labels import label_contours
 from .errors import BristleError
 from .jumps import LEAST_CHANGE, located_axis, located_jumps, read_jumps
 from .layout import Cell, across, corners, heading, legend_at_foot, place, sheet
-from .page import paper_width, points
+from .page import lettered, maps_only, paper_width, points
 from .results import attribute, dataset, place_of, readable, select, select_flags, values
-from .style import VERMILION, bar_ticks, label, log_ticks, status_marker, value_ticks, wrapped
+from .style import VERMILION, bar_ticks, described, label, log_ticks, status_marker, value_ticks, wrapped
 from .surfaces import draw_surface, label_surface, torn_faces
 
 COLUMN_INCHES = (3.2, 5.9)
+MAP_INCHES = 3.45  # height of the cell of a map without a surface
 LEGEND_INCHES = 0.4
 MOST_CELLS = 10_000  # of a map that is drawn as vectors
 
 # By index of the status; 0 is a point without remark.
 HATCHES = ["....", "----", "////", "xxxx", "\\\\\\\\", "||||", "++++"]
 
-# log10 of the axes x and y by name, and the index of each point's status into `meanings`.
+# Places along x and y, log10 of the axes' values where `log` is true, and the index of each point's status into `meanings`.
 # chosen: the values of further axes at which the quantities are drawn.
 # jumps: whether the loading path jumps between neighbours along y, and along x.
-# located: row and log10 of place, start and end of each Jump along x that the run located; None if it located none.
-Grid = namedtuple("Grid", "x y status meanings axes chosen jumps located")
+# located: row and places of the jump, its start and its end, of each Jump along x that the run located; None if it located none.
+Grid = namedtuple("Grid", "x y status meanings axes chosen jumps located log", defaults=[(True, True)])
 
 # In grey, vermilion is as bright as the middle of viridis: the white rim tells the line from the map.
 JUMP_LOOK = dict(color=VERMILION, linewidth=1.4, solid_capstyle="butt",
                  path_effects=[patheffects.Stroke(linewidth=2.7, foreground="white"), patheffects.Normal()])
 BAND_LOOK = dict(facecolor=VERMILION, alpha=0.45, linewidth=0)
+NOT_LOCATED = f"$z_0$ of neighbours differs by more than {LEAST_CHANGE:g}"
 JUMP_TEXT = "jump of the loading path,"
+MAP_MARKS = "Colours, of surfaces and maps alike, as at the bars; black lines on the maps are contours at the numbers."
+JUMP_MARKS = ("Vermilion lines with a white rim: jumps of the loading path, {}; pale areas: less than 0.5 % of the load decides "
+              "between two gaps. Surfaces and contours are broken at jumps.")
 
 
-def read_grid(file, x_name, y_name, chosen):
-    x, y = (log_axis_values(dataset(file, name)) for name in (x_name, y_name))
+def marks(file):
+    """What the marks of surfaces and maps mean, for a caption."""
+    return f"{MAP_MARKS} {jump_marks(file)}"
+
+
+def jump_marks(file):
+    return JUMP_MARKS.format("located to 1 %" if located_axis(file) else NOT_LOCATED)
+
+
+def read_grid(file, x_name, y_name, chosen, any_scale=False):
+    """any_scale: an axis may be linear, and is where it spans less than a decade or has values below zero."""
+    (x, x_log), (y, y_log) = (axis_places(dataset(file, name), any_scale) for name in (x_name, y_name))
     meanings, status = select_flags(file, "status", [y_name, x_name], **chosen)
     located = None
     if located_axis(file) == x_name:
-        located = [(jump.index[0], *np.log10(jump[1:])) for jump in located_jumps(file, [y_name, x_name], **chosen)]
+        located = [(jump.index[0], *(np.log10(jump[1:]) if x_log else jump[1:]))
+                   for jump in located_jumps(file, [y_name, x_name], **chosen)]
     return Grid(x, y, status, meanings, (x_name, y_name), chosen, read_jumps(file, [y_name, x_name], **chosen),
-                located)
+                located, (x_log, y_log))
 
 
-def log_axis_values(data):
+def axis_places(data, any_scale):
+    """The places of an axis' values, and whether they are log10 of them."""
     numbers = np.atleast_1d(values(data))
     if numbers.ndim != 1 or numbers.size < 2:
         raise BristleError(f"{place_of(data)} has {numbers.size} value(s); a surface needs a sweep of at least "
                            "2 values in each direction")
-    if not (np.isfinite(numbers).all() and numbers[0] > 0 and (np.diff(numbers) > 0).all()):
-        raise BristleError(f"{place_of(data)} must be positive and increasing to be a logarithmic axis")
-    return np.log10(numbers)
+    increasing, positive = np.isfinite(numbers).all() and (np.diff(numbers) > 0).all(), numbers[0] > 0
+    if not (increasing and (positive or any_scale)):
+        raise BristleError(f"{place_of(data)} must be {'' if any_scale else 'positive and '}increasing to be an axis of a map")
+    log = not any_scale or bool(positive and numbers[-1] >= 10 * numbers[0])
+    return (np.log10(numbers) if log else numbers), log
 
 
 def draw_maps(file, names, reading, chosen=None, note=""):
     """A figure with one column for each quantity; chosen: values of the axes beside reading and stiffnesses."""
     grid = read_grid(file, "k_r", "k_theta", {**reading, **(chosen or {})})
-    cell, columns = across(len(names), Cell(*COLUMN_INCHES, 0, 0, *COLUMN_INCHES), 0.48)
-    rows, below = -(-len(names) // columns), legend_inches()
+    panels, size = lettered(names), (COLUMN_INCHES[0], MAP_INCHES if maps_only() else COLUMN_INCHES[1])
+    cell, columns = across(len(panels), Cell(*size, 0, 0, *size), 0.6 if maps_only() else 0.48)
+    rows, below = -(-len(panels) // columns), legend_inches()
     figure, bottom = sheet(file, cell.width * columns + 0.1, below + cell.height * rows, note, reading)
+    figure.maps = True
     entries = {}
-    for name, letter, corner in zip(names, "abcdefg", corners(len(names), columns, cell, bottom + below)):
+    for (letter, name), corner in zip(panels, corners(len(panels), columns, cell, bottom + below)):
         entries |= draw_column(figure, file, grid, name, letter, corner, cell)
     legend_at_foot(figure, entries, bottom + 0.2 * LEGEND_INCHES)
     return figure
@@ -77,17 +98,20 @@ def legend_inches():
 def boxes(cell):
     """Within the cell of a quantity: corner and size of surface, map, colour bar and heading, and the heading's width in
     letters. In the standard figure the map is below the surface, in a paper beside it, with its axis at the right:
-    at the left the surface has its ticks."""
+    at the left the surface has its ticks. The surface's box is empty if there are maps only."""
     width, height = cell.width, cell.height
     if paper_width() is None:
-        return ((0, 2.95, width, height - 3.3), (0.62, 0.5, width - 0.85, 1.8), (0.62, 2.4, width - 0.85, 0.1),
-                (0, height - 0.4, width, 0.4), 36)
+        return ([] if maps_only() else (0, 2.95, width, height - 3.3), (0.62, 0.5, width - 0.85, 1.8),
+                (0.62, 2.4, width - 0.85, 0.1), (0, height - 0.4, width, 0.4), 36)
+    if maps_only():
+        return ([], (0.58, 0.42, width - 1.08, height - 1.07), (0.58, height - 0.57, width - 1.08, 0.07),
+                (0, height - 0.25, width, 0.22), int(14 * width))
     left, right, tall = 0.5 * width + 0.24, 0.5 * width - 0.76, height - 1.07
     return ((0, 0.08, 0.5 * width - 0.1, height - 0.28), (left, 0.42, right, tall), (left, tall + 0.5, right, 0.07),
             (0, height - 0.25, width, 0.22), int(14 * width))
 
 
-def draw_log_map(file, name, reading, note):
+def draw_log_map(file, name, reading, note, title):
     """A map of one quantity of wide range, with a logarithmic colour scale."""
     grid = read_grid(file, "k_r", "k_theta", reading)
     data = dataset(file, name)
@@ -96,7 +120,8 @@ def draw_log_map(file, name, reading, note):
         raise BristleError(f"{place_of(data)} has no positive values to draw")
     width, below = paper_width() or 7.6, legend_inches()
     tall = 3.6 if paper_width() is None else 0.66 * (width - 1.8)
-    figure, bottom = sheet(file, width, below + tall + 1, note, reading, verdicts=False)
+    figure, bottom = sheet(file, width, below + tall + 1, note, reading, verdicts=False, title=title)
+    figure.maps = True
     flat = place(figure, 0.8, bottom + below + 0.5, width - (2.2 if paper_width() is None else 1.8), tall)
     norm = colors.LogNorm(field.min(), max(field.max(), 1.001 * field.min()))
     image = draw_cells(flat, grid, field, norm)
@@ -120,14 +145,15 @@ def draw_column(figure, file, grid, name, letter, corner, cell):
     titles = [label(dataset(file, axis)) for axis in grid.axes]
     of_surface, of_map, of_bar, of_head, letters = boxes(cell)
 
-    space = axes(of_surface, projection="3d")
-    draw_surface(space, grid, field, norm)
-    label_surface(space, grid, norm, titles, label(data))
+    if of_surface:
+        space = axes(of_surface, projection="3d")
+        draw_surface(space, grid, field, norm)
+        label_surface(space, grid, norm, titles, label(data))
 
     flat = axes(of_map)
     image = draw_map(flat, grid, field, norm)
     label_map(flat, grid, titles)
-    if paper_width() is not None:
+    if paper_width() is not None and of_surface:
         axis_at_right(flat)
 
     bar = colour_bar(figure, image, (corner[0] + of_bar[0], corner[1] + of_bar[1], *of_bar[2:]),
@@ -140,7 +166,8 @@ def draw_column(figure, file, grid, name, letter, corner, cell):
     head = axes(of_head)
     head.axis("off")
     head.text(0.03, 1, letter, weight="bold", fontsize=points(13), va="top")
-    head.text(0.12, 0.97, wrapped(attribute(data, "long_name"), letters), va="top")
+    head.panel = letter, [described(data)]
+    head.text(0.12 if letter else 0.03, 0.97, wrapped(attribute(data, "long_name"), letters), va="top")
     return draw_jumps(flat, grid) | draw_status(flat, grid, field)
 
 
@@ -204,7 +231,7 @@ def draw_jumps(flat, grid):
     flat.plot(*path.T, **JUMP_LOOK)
     for j, _, start, end in bands:
         flat.fill_between([start, end], y[j], y[j + 1], **BAND_LOOK)
-    how = f"$z_0$ of neighbours differs by more than {LEAST_CHANGE:g}" if grid.located is None else "located to 1 %"
+    how = "located to 1 %" if grid.located is not None else NOT_LOCATED
     entries = {f"{JUMP_TEXT} {how}": Line2D([], [], **JUMP_LOOK)}
     if any(end > start for _, _, start, end in bands):
         entries["less than 0.5 % of the load decides"] = patches.Patch(**BAND_LOOK)
@@ -243,9 +270,11 @@ def draw_map(flat, grid, field, norm):
 
 
 def label_map(flat, grid, titles):
-    for axis, line, title in zip("xy", (grid.x, grid.y), titles):
-        places, texts = log_ticks(line[0], line[-1])
-        getattr(flat, f"set_{axis}ticks")(places, texts)
+    for axis, line, log, title in zip("xy", (grid.x, grid.y), grid.log, titles):
+        if log:
+            getattr(flat, f"set_{axis}ticks")(*log_ticks(line[0], line[-1]))
+        else:
+            getattr(flat, f"{axis}axis").set_major_locator(value_ticks(4))
         getattr(flat, f"set_{axis}label")(title, labelpad=1)
 
 

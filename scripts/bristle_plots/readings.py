@@ -15,6 +15,8 @@ OPTIONS = """
 file: a Dataset from open_result(PATH) or xarray.open_dataset(PATH), or a part of it.
 plain: without title, notes and verdicts.
 width: of the page of a paper, such as "3.5in", "89mm" or a number of inches; implies plain.
+panels: letters of the panels to draw, such as "a,d"; those that are left have letters anew.
+maps_only: maps without the surfaces above them.
 cmap: of maps and surfaces, a name of matplotlib or a Colormap; without it viridis.
 style: matplotlib's rcParams over those of the look, for what the figure does not set itself.
 
@@ -67,11 +69,20 @@ def documented(drawn, draw, options):
     return drawn
 
 
+def with_panels(figure, panels, maps_only):
+    """The figure, which must have what was asked for."""
+    if panels and not any(hasattr(axes, "panel") for axes in figure.axes):
+        raise BristleError(f"panels {panels}: this figure has no panels with letters")
+    if maps_only and not hasattr(figure, "maps"):
+        raise BristleError("maps only: this figure has no surfaces")
+    return figure
+
+
 def one_page(draw):
     """Makes draw(file) a function of any Dataset of a result, and of the options of `drawn_on`."""
-    def drawn(file, *, plain=False, width=None, cmap=None, style=None):
-        with drawn_on(plain, width, cmap, style):
-            return draw(checked(draw, file))
+    def drawn(file, *, plain=False, width=None, panels=None, maps_only=False, cmap=None, style=None):
+        with drawn_on(plain, width, panels, maps_only, cmap, style):
+            return with_panels(draw(checked(draw, file)), panels, maps_only)
 
     return documented(drawn, draw, OPTIONS.lstrip())
 
@@ -91,10 +102,11 @@ def page_as_printed(draw):
 
 
 def of_readings(draw, shown, which):
-    def drawn(file, reading=None, *, plain=False, width=None, cmap=None, style=None):
-        with drawn_on(plain, width, cmap, style):
+    def drawn(file, reading=None, *, plain=False, width=None, panels=None, maps_only=False, cmap=None, style=None):
+        with drawn_on(plain, width, panels, maps_only, cmap, style):
             file = checked(draw, file)
-            return draw(file, shown(file)[0] if reading is None else chosen_reading(file, reading))
+            choice = shown(file)[0] if reading is None else chosen_reading(file, reading)
+            return with_panels(draw(file, choice), panels, maps_only)
 
     drawn = documented(drawn, draw, READING.strip().format(which=which) + OPTIONS)
     drawn.shown = shown
@@ -102,18 +114,18 @@ def of_readings(draw, shown, which):
 
 
 def pages(draw, file, **options):
-    """(ending of the file's name, name of the reading, figure) of each page; that of the first reading is empty.
+    """(ending of the file's name, the reading, figure) of each page; the ending of the first reading is empty.
 
-    A figure of all readings that is too high for a paper has a page for each of them, too.
+    A figure of all readings that is too high for a paper has a page for each of them, too, unless its panels are chosen.
     """
     first = readings(file)[0]
 
     def page(reading, figure):
-        return "" if reading == first else "-" + reading[AXIS].replace("_", "-"), reading_name(reading), figure
+        return "" if reading == first else "-" + reading[AXIS].replace("_", "-"), reading, figure
 
     if hasattr(draw, "shown"):
         return [page(reading, draw(file, reading, **options)) for reading in draw.shown(file)]
     figure = draw(file, **options)
-    if options.get("width") is None or figure.get_figheight() < HIGHEST or first == {}:
-        return [("", "", figure)]
+    if options.get("width") is None or options.get("panels") or figure.get_figheight() < HIGHEST or first == {}:
+        return [("", {}, figure)]
     return [page(reading, draw(of_reading(file, reading), **options)) for reading in readings(file)]

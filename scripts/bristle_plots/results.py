@@ -47,6 +47,13 @@ def open_result(path):
     return result
 
 
+def source_of(file):
+    """The digest of the result's payload and the commit of the program that computed it, as a text."""
+    provenance = table(file, "provenance")
+    commit = "" if provenance is None else as_text(provenance.attrs.get("commit", provenance.get("commit", "")))
+    return f"payload_sha256 {as_text(file.attrs.get('payload_sha256', 'none'))}; bristle commit {commit or 'unknown'}"
+
+
 def as_result(ds):
     """The Dataset with a dimension for each axis of the sweep, also for one of which a value was selected."""
     if not isinstance(ds, xarray.Dataset):

@@ -3,7 +3,9 @@
 import re
 import textwrap
 import unicodedata
+from collections import namedtuple
 from functools import lru_cache
+from itertools import cycle
 
 import matplotlib
 import numpy as np
@@ -17,7 +19,14 @@ COLORMAP = "viridis"  # perceptually uniform, readable with any colour vision
 # Okabe and Ito's colours: distinguishable with any colour vision.
 GREEN, VERMILION, BLUE, PURPLE, ORANGE, SKY = "#009E73", "#D55E00", "#0072B2", "#CC79A7", "#E69F00", "#56B4E9"
 GREY, BLACK = "#666666", "#000000"
-COLOURS = [BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY, BLACK]
+COLOURS = [BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY, BLACK, GREY]
+
+# Of the lines of a panel: in grey, dashes and markers tell apart what colours do else. No dots: these mark jumps.
+Look = namedtuple("Look", "colour line marker")
+DASHES = ["-", (0, (5, 1.6)), (0, (5, 1.6, 1, 1.6)), (0, (9, 2)), (0, (2.4, 1.4)), (0, (9, 1.6, 1, 1.6, 1, 1.6)),
+          (0, (7, 1.4, 2.4, 1.4)), (0, (4, 4))]
+LOOKS = [Look(*look) for look in zip(COLOURS, DASHES, "os^Dv<Ph")]
+BAR_HATCHES = ["", "////", "....", "xxxx"]
 
 MARKERS = " o^sDvP"  # by index of the status; 0 is a point without remark
 
@@ -35,6 +44,7 @@ LOOK = {
     "ytick.labelsize": 9,
     "legend.fontsize": 9,
     "legend.frameon": False,
+    "legend.handlelength": 2.8,  # shows how a line is dashed
     "axes.formatter.useoffset": False,
     "image.cmap": COLORMAP,
     "hatch.linewidth": 0.6,
@@ -58,6 +68,11 @@ def apply_look():
     matplotlib.rcParams.update(LOOK)
 
 
+def looks(items):
+    """Pairs of item and Look."""
+    return zip(items, cycle(LOOKS))
+
+
 def status_marker(status):
     return MARKERS[status % len(MARKERS)]
 
@@ -74,6 +89,11 @@ def symbol(data):
     if not is_math(found):
         raise BristleError(f"{place_of(data)}: attribute 'symbol' is not mathtext: {found.strip('$')}")
     return found
+
+
+def described(data):
+    """What the dataset is, and its symbol, for a caption."""
+    return f"{attribute(data, 'long_name')}, {symbol(data)}"
 
 
 def with_carons(formula):

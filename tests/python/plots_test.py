@@ -21,6 +21,7 @@ from matplotlib.collections import PolyCollection
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
 from in_process import SCRIPTS, called
+import bristle_plots
 from bristle_plots import BristleError, captions, curve, fig4, open_result, pages, ski
 from bristle_plots.files import read_json, write_text, write_whole
 from bristle_plots.integrity import read_group
@@ -188,7 +189,7 @@ with xarray.open_dataset(result) as ds:
     # A reading by its word; the options of the look.
     assert texts(fig4.draw(ds, reading="polar_as_printed")) == texts(fig4.draw(ds, reading={"bending": "polar_as_printed"}))
     assert "no reading 'printed'" in (said := refusal(lambda: fig4.draw(ds, reading="printed"))) and "polar_as_printed" in said
-    assert list(inspect.signature(fig4.draw).parameters) == ["file", "reading", "plain", "width", "cmap", "style"]
+    assert list(inspect.signature(fig4.draw).parameters) == ["file", "reading", "plain", "width", "panels", "maps_only", "cmap", "style"]
     assert "Fig. 4" in fig4.draw.__doc__ and "cmap" in fig4.draw.__doc__ and "energy budget" in fig4.draw_energy.__doc__
     assert "did you mean viridis?" in refusal(lambda: fig4.draw(ds, cmap="virids"))
     assert "did you mean axes.linewidth?" in refusal(lambda: fig4.draw(ds, style={"axes.linewidht": 1}))
@@ -237,11 +238,11 @@ for options, words in ((["--width", "3"], "a number with its unit"), (["--width"
 done = called("plot", "fig4", result, "-o", folder / "one", "--reading", "rod", "--format", "png", "--dpi", "60", "--width", "7in")
 assert done.code == 0 and {path.name for path in (folder / "one").iterdir()} == {"fig4.png", "fig4-energy.png"}, done.messages
 done = plot("--caption", "--reading", "rod")
-assert done.out.count("\\caption{") == 1 and "od without a pole" in done.out and "as printed" not in done.out, done.out
+assert done.out.count("\\caption{") == 2 and "od without a pole" in done.out and "Eq. (17) as printed" not in done.out, done.out
 done = plot("--reading", "rodd")
 assert done.code == 2 and "no reading 'rodd'; it has: polar, polar_as_printed, rod" in done.messages, done.messages
 done = plot("--y", "gamma_1")
-assert done.code == 2 and "only the figure curve" in done.messages, done.messages
+assert done.code == 2 and "only the figures curve and map" in done.messages, done.messages
 with xarray.open_dataset(result) as ds:
     drawn = curve.draw(ds, "gamma_1")
     assert len(drawn.axes) == 3 and r"$\tilde{\gamma}_1$" in texts(drawn), texts(drawn)
@@ -249,8 +250,18 @@ with xarray.open_dataset(result) as ds:
     assert numpy.array_equal(line[numpy.isfinite(line)][:1], ds["gamma_1"].values[0, :1, 0])
     assert "no dataset '/gamma_9'" in refusal(lambda: curve.draw(ds, "gamma_9"))
     assert "a curve needs" in refusal(lambda: curve.draw(ds, "status"))
+for options, words in ((["--panels", "z"], "there is no panel z; this figure has the panels a to b"), (["--panels", "A"], "no letter"),
+                       (["--panels", "a", "--caption"], "all panels")):
+    done = plot(*options)
+    assert done.code == 2 and words in done.messages, done.messages
+with xarray.open_dataset(result) as ds:
+    (second,) = [axes.panel for axes in fig4.draw(ds, panels="b").axes if hasattr(axes, "panel")]
+    assert second[0] == "" and "gamma" in second[1][0], second
+    assert not any(axes.name == "3d" for axes in fig4.draw(ds, maps_only=True).axes)
+    assert "no surfaces" in refusal(lambda: curve.draw(ds, maps_only=True))
+    assert len([axes for axes in bristle_plots.map.draw(ds, "gamma_1").axes if hasattr(axes, "panel")]) == ds.sizes["bending"]
 done = plot("--caption")
-assert done.code == 0 and done.out.count("\\caption{") == 3 and done.out.count("{") == done.out.count("}"), done.out
+assert done.code == 0 and done.out.count("\\caption{") == 4 and done.out.count("{") == done.out.count("}"), done.out
 exact, printed = done.out.split("% page 2")
 assert r"$\check{R}_x$; (b) " in exact and r"$\tilde{k}_r =$ 5, " in exact and "exact" in exact and "as printed" not in exact
 assert "as printed" in printed and "exact" not in printed

@@ -4,20 +4,21 @@ from itertools import product
 
 import numpy as np
 
-from ..curves import draw_panels, in_words, log_axis, title_axis
+from ..curves import BANDS, LINES, draw_panels, in_words, log_axis, title_axis
 from ..errors import BristleError
 from ..page import drawn_on
-from ..readings import AXIS, OPTIONS
+from ..readings import AXIS, OPTIONS, with_panels
 from ..results import as_result, axis_names, axis_values, dataset, place_of, values
 
 AXES = []
+MARKS = f"{LINES} {BANDS}"
 MOST = 7  # lines; of more, some are drawn
 
 
-def draw(file, y="R_x_norm", *, plain=True, width=None, cmap=None, style=None):
+def draw(file, y="R_x_norm", *, plain=True, width=None, panels=None, maps_only=False, cmap=None, style=None):
     """Always as for a paper, 7 inches wide unless there is a width: a single panel has no room for the verdicts."""
-    with drawn_on(plain, 7 if width is None else width, cmap, style):
-        return draw_variable(as_result(file), y)
+    with drawn_on(plain, 7 if width is None else width, panels, maps_only, cmap, style):
+        return with_panels(draw_variable(as_result(file), y), panels, maps_only)
 
 
 draw.__doc__ = f"{__doc__}\n\n{draw.__doc__}\ny: the variable, for example \"gamma_1\".{OPTIONS}"

@@ -17,6 +17,9 @@ NOTE = ("Grey: trials that meet the constraints; blue: the front, of trials that
         "is worst; band: its error; dashed: a jump of the gap in any scenario.")
 
 
+MARKS = f"{NOTE} Vermilion lines: the recommended value"
+
+
 @one_page
 def draw(file):
     values = ("objective_1", "objective_1_err")

@@ -39,6 +39,13 @@ LEAST_SPEED, LEAST_FORCE = 1e-4, 0.03  # lower ends of the logarithmic plots
 Passage = namedtuple("Passage", "theta_0 phi_0 numbers phase")
 
 
+def MARKS(file):
+    """The legend in words, for a caption."""
+    return ("Rows: the tip's path in space, from above, the speed relative to the slab, the normal force and the friction force. Colours of "
+            "paths and areas: blue, sticking; grey or none, sliding; orange, side-slip; purple, rebound. Cross: the root. In the last row "
+            f"black is $F_{{f,x}}$ and vermilion $F_{{f,y}}$. Vertical dashed lines: the times below. {note(file)}")
+
+
 @page_for_each_reading
 def draw(file, reading):
     numbers = point_numbers(file)

@@ -3,15 +3,16 @@
 from collections import namedtuple
 
 import numpy as np
+from matplotlib import colormaps
 from matplotlib.lines import Line2D
 
 from ..contour_labels import HALO
-from ..curves import Curve, coloured, in_words, keep, log_range, positive, title_axis, true_runs, with_symbol
+from ..curves import Curve, in_words, keep, log_range, positive, title_axis, true_runs, with_symbol
 from ..layout import LEAST_CELL, heading, legend_at_foot, place, sheet
-from ..page import paper_width, points
+from ..page import lettered, paper_width, points
 from ..readings import page_for_each_reading
 from ..results import axis_values, dataset, read, readable, select, select_errors, select_flags, setting
-from ..style import BLACK, COLOURS, GREY, label, status_marker
+from ..style import BLACK, GREY, label, status_marker
 
 AXES = ["k_phi", "k_r", "node"]
 SIDE_PANELS = 2
@@ -27,6 +28,11 @@ STYLES = {"loading path": LOADING, "stable when unloading only": UNLOADING, "uns
 JUMPS = {"jump under growing load": "-", "jump under falling load": (0, (2.5, 1.5))}
 
 
+def MARKS(file):
+    return ("Thick lines: the loading path; dashed: stable when unloading only; dotted: unstable; solid and dashed arrows: jumps under "
+            f"growing and under falling load; darker lines: smaller $\\tilde{{k}}_r$. {note(file)}")
+
+
 @page_for_each_reading
 def draw(file, reading):
     polar, radial = axis_values(file, "k_phi"), axis_values(file, "k_r")
@@ -35,17 +41,23 @@ def draw(file, reading):
     traces = {i: [read_trace(file, k_phi=value, k_r=stiffness, **reading) for stiffness in radial]
               for i, value in enumerate(polar)}
     order = [main] + [i for i in traces if i != main][:SIDE_PANELS]
+    order = lettered(order)
     width, height, boxes = arrangement(len(order))
     figure, bottom = sheet(file, width, height, note(file), reading)
-    for letter, i, (x, y, *size) in zip("abc", order, boxes):
+    for (letter, i), (x, y, *size) in zip(order, boxes):
         axes = place(figure, x, bottom + y, *size)
-        entries = draw_panel(axes, file, traces[i], small=letter != "a")
+        entries = draw_panel(axes, file, traces[i], small=letter not in ("", "a"))
         set_range(axes, file)
         heading(axes, letter, with_symbol(dataset(file, "k_phi"), polar[i]))
     colours = {with_symbol(dataset(file, "k_r"), value): Line2D([], [], color=colour, linewidth=2.6)
-               for value, colour in coloured(radial)}
+               for value, colour in shaded(radial)}
     draw_legends(figure, bottom, colours, entries)
     return figure
+
+
+def shaded(items):
+    """Pairs of item and colour, from dark to light: styles of lines are those of the paths."""
+    return zip(items, colormaps["viridis"](np.linspace(0, 0.8, max(2, len(items)))))
 
 
 def arrangement(panels):
@@ -100,7 +112,7 @@ def set_range(axes, file):
 def draw_panel(axes, file, traces, small):
     """The curves of one k_phi; returns legend entries for the statuses by text."""
     entries = {}
-    for trace, colour in coloured(traces):
+    for trace, colour in shaded(traces):
         draw_trace(axes, trace, colour, 0.65 if small else 1)
         for status in np.unique(trace.status[trace.status > 0]):
             here = trace.status == status
@@ -152,7 +164,7 @@ def draw_letters(axes, traces):
     (first, last), (top, bottom) = traces[i].load[path], traces[i].gap[path]
     for letter, point, shift in (("A", (first, top), (-9, 3)), ("B", (load, start), (8, 5)),
                                  ("C", (load, end), (-9, -7)), ("D", (last, bottom), (11, 9))):
-        axes.plot(*point, "o", color=COLOURS[i % len(COLOURS)], markeredgecolor=BLACK, markersize=4.5, zorder=6)
+        axes.plot(*point, "o", color=dict(enumerate(colour for _, colour in shaded(traces)))[i], markeredgecolor=BLACK, markersize=4.5, zorder=6)
         axes.annotate(letter, point, shift, textcoords="offset points", ha="center", va="center", weight="bold",
                       fontsize=points(11), path_effects=HALO, zorder=7)
 

@@ -2,12 +2,15 @@
 
 import numpy as np
 
-from ..maps import draw_log_map, draw_maps
+from ..maps import draw_log_map, draw_maps, jump_marks, marks
 from ..readings import page_for_each_reading, page_as_printed, reading_name, readings
 from ..results import dataset, select
 
 AXES = ["k_r", "k_theta"]
 VARIABLES = ["R_x_norm", "gamma_1", "gamma_2", "gamma_3"]
+TITLES = {"energy": "Figure 4, continued: the defect of the energy budget"}
+ENERGY = ("Colours: defect of the energy budget, relative to the energy dissipated or the initial one. "
+          "Where the budget closes, only the error of the integration is left.")
 
 
 @page_for_each_reading
@@ -21,9 +24,7 @@ def draw_energy(file, shown):
     others = [reading for reading in readings(file) if reading != shown]
     found = [f"{reading_name(reading)}: the budget closes to within {largest_defect(file, reading):.1g}."
              for reading in others]
-    note = ("Defect of the energy budget, relative to the energy dissipated or the initial one. "
-            "Where the budget closes, only the error of the integration is left.")
-    return draw_log_map(file, "energy_residual", shown, "\n".join([note, *found]))
+    return draw_log_map(file, "energy_residual", shown, "\n".join([ENERGY, *found]), TITLES["energy"])
 
 
 def largest_defect(file, reading):
@@ -31,3 +32,4 @@ def largest_defect(file, reading):
 
 
 FURTHER = {"energy": draw_energy}
+MARKS = {"": marks, "energy": lambda file: f"{ENERGY} {jump_marks(file)}"}

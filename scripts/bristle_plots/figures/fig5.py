@@ -1,11 +1,12 @@
 """Fig. 5: bristles in contact, and friction, over the radial stiffness for several polar stiffnesses."""
 
-from ..curves import draw_panels, with_symbol
+from ..curves import curve_marks, draw_panels, with_symbol
 from ..readings import one_page
 from ..results import axis_values, dataset
 
 AXES = ["k_phi", "k_r"]
 VARIABLES = ["N_c_ratio", "R_x_norm"]
+MARKS = curve_marks
 
 
 @one_page

@@ -1,11 +1,12 @@
 """Fig. 6: friction and its causes over the radial and azimuthal stiffness (Amontons-Coulomb law)."""
 
-from ..maps import draw_maps
+from ..maps import draw_maps, marks
 from ..readings import page_for_each_reading
 
 AXES = ["friction", "k_r", "k_theta"]
 VARIABLES = ["R_x_norm", "gamma_1", "gamma_2"]
 CHOSEN = {"friction": "coulomb"}
+MARKS = marks
 
 
 @page_for_each_reading

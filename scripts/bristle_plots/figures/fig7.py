@@ -3,13 +3,13 @@ friction of the other."""
 
 import numpy as np
 
-from ..curves import (BANDS, coloured, draw_curve, draw_panels, jump_note, legend_below, log_axis,
+from ..curves import (BANDS, curve_marks, draw_curve, draw_panels, jump_note, legend_below, log_axis,
                       read_curve, without_remarks)
 from ..layout import Cell, across, corners, heading, place_cell, sheet
-from ..page import paper_width
+from ..page import lettered, paper_width
 from ..readings import one_page, page_for_each_reading
 from ..results import CHOICE_NAMES, axis_values, dataset
-from ..style import BLACK, GREY, symbol
+from ..style import BLACK, GREY, Look, looks, symbol
 from ..verdicts import number
 
 AXES = ["friction", "nominal_friction", "k_r"]
@@ -19,9 +19,10 @@ VARIABLES = ["R_x_norm", "z_0"]
 # its fluctuation (gamma_3) nor the number of bristles that share it changes the force of a given load.
 FACTORS = {"gamma_1": 1, "gamma_2": 1, "gamma_3": 1, "N_c_ratio": 1 / 3}
 IN_COULOMB = ["gamma_1", "gamma_2"]
-REST = "the rest"
+REST, REST_LOOK = "the rest", Look(GREY, "--", "")
 PAPERS_NOMINAL = {"nss": -1, "coulomb": 0}  # index of the paper's nominal friction under each law: the higher, the lower
-PARTS_NOTE = r"""Black: the sum of the others. The rest: the friction is a mean of products, not the product of means.
+TITLES = {"parts": "Figure 7, continued: the friction as a product of its factors"}
+PARTS_NOTE = r"""Black: the sum of the others. Grey dashed, the rest: the friction is a mean of products, not the product of means.
 Coulomb's friction is linear in the load: neither $\tilde{\gamma}_3$ nor $N_c$ is a factor of it."""
 
 
@@ -30,7 +31,7 @@ def draw(file):
     ratio = symbol(dataset(file, "nominal_friction"))
     curves = {f"{CHOICE_NAMES.get(law, law)}, {ratio} = {nominal:.2g}": {"friction": law, "nominal_friction": nominal}
               for law in axis_values(file, "friction") for nominal in axis_values(file, "nominal_friction")}
-    return draw_panels(file, VARIABLES, "k_r", curves, markers="os^D", finish=lambda axes, _: axes.set_ylim(0, 1.25))
+    return draw_panels(file, VARIABLES, "k_r", curves, finish=lambda axes, _: axes.set_ylim(0, 1.25))
 
 
 @page_for_each_reading
@@ -40,25 +41,23 @@ def draw_parts(file, reading):
     parts = {law: parts_of(file, law, reading) for law in laws}
     falls = "\n".join(fall(file, law, *parts[law]) for law in laws)
     note = f"{falls}\n{PARTS_NOTE}\n{BANDS} {jump_note(file, 'k_r')}"
-    cell, columns = across(len(laws), Cell(5.6, 5.15, 0.95, 0.8, 4.4, 3.9), 0.8)
+    panels = lettered(laws)
+    cell, columns = across(len(panels), Cell(5.6, 5.15, 0.95, 0.8, 4.4, 3.9), 0.8)
     below = 0.35 if paper_width() is None else 0  # of the legend
-    figure, bottom = sheet(file, cell.width * columns, cell.height * -(-len(laws) // columns) + below, note, reading,
-                           verdicts=False)
-    entries, panels = {}, []
-    for i, (law, corner) in enumerate(zip(laws, corners(len(laws), columns, cell, bottom + below))):
+    figure, bottom = sheet(file, cell.width * columns, cell.height * -(-len(panels) // columns) + below, note, reading,
+                           verdicts=False, title=TITLES["parts"])
+    entries = {}
+    for (letter, law), corner in zip(panels, corners(len(panels), columns, cell, bottom + below)):
         axes = place_cell(figure, corner, cell)
-        panels.append(axes)
         total, terms = parts[law]
-        entries |= draw_curve(axes, total, BLACK, total.title, marker="")
-        for (name, term), colour in coloured(terms.items()):
-            rest = name == REST
-            entries |= draw_curve(axes, term, GREY if rest else colour, term_text(file, name),
-                      "--" if rest else "-", "" if rest else "o", 1.2)
+        entries |= draw_curve(axes, total, Look(BLACK, "-", ""), total.title)
+        for (name, term), look in looks(terms.items()):
+            entries |= draw_curve(axes, term, REST_LOOK if name == REST else look, term_text(file, name), 1.2)
         axes.axhline(0, color=GREY, linewidth=0.6, zorder=0)
         log_axis(axes, "x", dataset(file, "k_r"))
         axes.set_ylabel("terms of $\\ln$ " + symbol(dataset(file, VARIABLES[0])))
-        heading(axes, "abcdef"[i], CHOICE_NAMES.get(law, law))
-    most = max(panels, key=lambda axes: len(axes.get_legend_handles_labels()[0]))
+        heading(axes, letter, CHOICE_NAMES.get(law, law))
+    most = max(figure.axes[:len(panels)], key=lambda axes: len(axes.get_legend_handles_labels()[0]))
     legend_below(most, entries, bottom + 0.15)
     return figure
 
@@ -104,3 +103,4 @@ def fall(file, law, total, terms):
 
 
 FURTHER = {"parts": draw_parts}
+MARKS = {"": curve_marks, "parts": lambda file: f"{PARTS_NOTE} {curve_marks(file)} Thin grey line: zero"}

@@ -2,19 +2,24 @@
 
 import numpy as np
 
-from ..curves import (BANDS, JUMPS, coloured, draw_curve, label_line, legend, log_axis, log_range,
+from ..curves import (BANDS, JUMPS, LINES, draw_curve, label_line, legend, log_axis, log_range,
                       panels_by_reading, positive, read_curve, title_axis, with_symbol, without_remarks)
-from ..page import paper_width
 from ..readings import one_page
-from ..results import axis_values, dataset
-from ..style import GREY
+from ..results import axis_values, dataset, experiment
+from ..style import GREY, looks
 
 AXES = ["k_r", "mu_c"]
 VARIABLES = ["R_x_norm"]
 PASSING = "R_x_norm_unpinned"
 NOTE = f"{BANDS} {JUMPS}"
 NOTE_PASSING = " Thin: friction of the bristles that pass, without those that stay pinned at the pole."
+LIMITS = ("Grey: the friction of rigid bristles, and from the $\\mu_c$ on where the check of claim 8b begins, a constant friction force of the "
+          "stiffer bristles.")
 HIGHEST = 1.5  # upper end of the plot
+
+
+def MARKS(file):
+    return f"{LINES} {NOTE}{NOTE_PASSING * (PASSING in file)} {LIMITS}"
 
 
 @one_page
@@ -24,30 +29,35 @@ def draw(file):
     stiffnesses, least = axis_values(file, "k_r"), []
     for axes, reading in panels:
         curves, entries = [], {}
-        for stiffness, colour in coloured(stiffnesses):
+        for stiffness, look in looks(stiffnesses):
             chosen = dict(k_r=stiffness, **reading)
             curves.append(read_curve(file, VARIABLES[0], "mu_c", **chosen))
-            entries |= draw_curve(axes, curves[-1], colour, with_symbol(dataset(file, "k_r"), stiffness))
+            entries |= draw_curve(axes, curves[-1], look, with_symbol(dataset(file, "k_r"), stiffness))
             if passing:
                 thin = read_curve(file, PASSING, "mu_c", **chosen)
-                draw_curve(axes, without_remarks(thin), colour, marker="", width=0.8)
+                draw_curve(axes, without_remarks(thin), look._replace(marker=""), width=0.8)
         log_axis(axes, "x", dataset(file, "mu_c"), room=0)
         title_axis(axes, "y", data)
-        draw_limits(axes, curves[int(np.argmax(stiffnesses))])
+        draw_limits(axes, curves[int(np.argmax(stiffnesses))], where_tested(file))
         legend(axes, entries, loc="lower left")
         least.append(positive(data, np.concatenate([curve.y for curve in curves])).min())
     log_range(axes, "y", np.log10(0.6 * min(least)), np.log10(HIGHEST))
     return figure
 
 
-def draw_limits(axes, stiff):
-    """Lines for rigid bristles, and for the friction force of the stiff bristles at the largest mu_c."""
+def where_tested(file):
+    """The mu_c from which on an experiment's check measures the slope of the friction; None without such a check."""
+    ranges = [check.get("where", {}).get("mu_c") for check in experiment(file).get("checks", []) if check["predicate"] == "slope"]
+    return min((each[0] for each in ranges if isinstance(each, list)), default=None)
+
+
+def draw_limits(axes, stiff, tested):
+    """Lines for rigid bristles, and for the friction force that stiff bristles have where the check of it begins."""
     axes.axhline(1, color=GREY, linewidth=1, zorder=0)
     label_line(axes, 1.05 * stiff.x[0], 1.03, 0, "rigid bristles")
-    valued = np.flatnonzero(np.isfinite(stiff.y))
-    if valued.size:
-        force = stiff.x[valued[-1]] * stiff.y[valued[-1]]
-        x = np.geomspace(force / HIGHEST, stiff.x[-1])
-        axes.plot(x, force / x, color=GREY, linewidth=1, zorder=0)
-        start = 2.6 if paper_width() is None else 1.5
-        label_line(axes, start * force, 1.02 / start, -1, r"constant force $R_x$")
+    valued = np.flatnonzero(np.isfinite(stiff.y) & (stiff.x >= (tested or np.inf) * (1 - 1e-9)))
+    if valued.size > 1:
+        force = stiff.x[valued[0]] * stiff.y[valued[0]]
+        ends = stiff.x[valued[[0, -1]]]
+        axes.plot(ends, force / ends, color=GREY, linewidth=1, zorder=0)
+        label_line(axes, 1.15 * ends[0], 1.03 * force / (1.15 * ends[0]), -1, r"constant force $R_x$")

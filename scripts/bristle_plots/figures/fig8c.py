@@ -1,11 +1,15 @@
 """Fig. 8, continued: friction over the nominal friction under both local friction laws."""
 
-from ..curves import draw_by_reading, with_symbol
+from ..curves import curve_marks, draw_by_reading, with_symbol
 from ..readings import one_page
 from ..results import CHOICE_NAMES, axis_values, dataset
 
 AXES = ["friction", "k_r", "nominal_friction"]
 VARIABLES = ["R_x"]
+
+
+def MARKS(file):
+    return curve_marks(file, "nominal_friction")
 
 
 @one_page

@@ -18,6 +18,7 @@ NOTE = """a: grey, the transient; dashed, the mean over $t_1$ to $t_2$, with its
 b: one point for each seed; grey, two standard errors.
 c: one point for each seed, bars are standard errors; grey lines, slope for independent bristles."""
 # Of panel c: R_n(t), and its means over a row's time, which do not contain the rows' period.
+MARKS = NOTE + " Orange: the narrowest lattice; blue: the widest. b: circles, load; squares, friction"
 FLUCTUATIONS = (("R_n_fluctuation", "as it is", BLUE, "o"),
                 ("R_n_fluctuation_of_rows", "means over a row's time", VERMILION, "s"))
 

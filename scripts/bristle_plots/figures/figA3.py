@@ -5,10 +5,11 @@ from ..curves import (BANDS, BARS, draw_curve, draw_points, label_line, legend, 
 from ..page import paper_width
 from ..readings import one_page
 from ..results import CHOICE_NAMES, axis_values, dataset
-from ..style import COLOURS, GREY
+from ..style import GREY, looks
 
 AXES = ["friction", "sampling", "k_r"]
 VARIABLES = ["N_c_ratio"]
+MARKS = f"Lines: the mean over the azimuth by quadrature; open markers: lattices. {BANDS} {BARS} Grey: as many bristles as stand under the slab"
 
 
 @one_page
@@ -24,12 +25,12 @@ def draw(file):
 
 def draw_panel(axes, file, reading):
     entries = {}
-    for law, colour, marker in zip(axis_values(file, "friction"), COLOURS, "os^D"):
+    for law, look in looks(axis_values(file, "friction")):
         means, lattice = (read_curve(file, VARIABLES[0], "k_r", friction=law, sampling=sampling, **reading)
                           for sampling in ("quadrature", "lattice"))
         name = CHOICE_NAMES.get(law, law)
-        entries |= draw_curve(axes, means, colour, f"{name}, quadrature", marker="")
-        entries |= draw_points(axes, lattice, colour, f"{name}, lattice", marker, filled=False)
+        entries |= draw_curve(axes, means, look._replace(marker=""), f"{name}, quadrature")
+        entries |= draw_points(axes, lattice, look.colour, f"{name}, lattice", look.marker, filled=False)
     axes.axhline(1, color=GREY, linewidth=1, zorder=0)
     log_axis(axes, "x", dataset(file, "k_r"))
     title_axis(axes, "y", dataset(file, VARIABLES[0]))

@@ -5,11 +5,12 @@ import numpy as np
 from ..curves import legend, panels_by_reading, title_axis
 from ..readings import one_page
 from ..results import axis_values, constant, dataset, point_numbers, read, select, setting
-from ..style import COLOURS, GREY, symbol
+from ..style import GREY, looks, symbol
 
 AXES = ["sampling", "rows", "seed"]
 FORCE = "slab_force"
 VARIABLES = ["R_n", "R_x", "N_c_ratio"]
+MARKS = "Means over lattices and over the time in which a row enters. Grey area: the time before $t_1 = L_x/V_0$; grey line: the ensemble mean"
 
 
 @one_page
@@ -21,9 +22,9 @@ def draw(file):
     for axes, reading in panels:
         axes.axvspan(0, begin, color="#e4e4e4", zorder=0)
         axes.axhline(1, color=GREY, linewidth=1, zorder=0)
-        for name, colour in zip(VARIABLES, COLOURS):
+        for name, look in looks(VARIABLES):
             t, ratio = history(file, name, reading)
-            axes.plot(t, ratio, color=colour, linewidth=1.4, label=symbol(dataset(file, f"{FORCE}/{name}")))
+            axes.plot(t, ratio, color=look.colour, linestyle=look.line, linewidth=1.4, label=symbol(dataset(file, f"{FORCE}/{name}")))
         axes.set(xlim=(0, t[-1]), ylim=(0, 1.2))
         title_axis(axes, "x", dataset(file, f"{FORCE}/t"))
         axes.set_ylabel("over the ensemble mean")

@@ -2,12 +2,13 @@
 
 import numpy as np
 
-from ..curves import draw_panels
+from ..curves import curve_marks, draw_panels
 from ..readings import one_page, reading_name, readings
 from ..results import axis_values, dataset, select
 
 AXES = ["path", "k_r"]
 VARIABLES = ["R_x_norm", "z_0"]
+MARKS = curve_marks
 APART = 1.5  # factor between the frictions of two branches
 
 
@@ -15,7 +16,7 @@ APART = 1.5  # factor between the frictions of two branches
 def draw(file):
     curves = {f"after {path}": {"path": path} for path in axis_values(file, "path")}
     windows = "\n".join(window(file, reading) for reading in readings(file))
-    return draw_panels(file, VARIABLES, "k_r", curves, markers="os", note=windows)
+    return draw_panels(file, VARIABLES, "k_r", curves, note=windows)
 
 
 def windows(file, reading, k_r_text="$k_r$"):

@@ -2,13 +2,17 @@
 
 import numpy as np
 
-from ..curves import draw_panels, title_axis, with_symbol
+from ..curves import curve_marks, draw_panels, title_axis, with_symbol
 from ..readings import one_page
 from ..results import axis_values, dataset
 from ..style import GREY
 
 AXES = ["concentration", "mean_deg"]
 VARIABLES = ["R_norm", "direction"]
+
+
+def MARKS(file):
+    return f"{curve_marks(file, 'mean_deg')} Grey line: friction against the motion of the bristles relative to the slab"
 
 
 @one_page

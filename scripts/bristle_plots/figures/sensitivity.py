@@ -15,6 +15,11 @@ NOTE = ("Bars: total indices, a parameter's share of the variance with all its i
 DOTS = "Dots: the points of the sample, with the design's further points pale. A model with two branches has two clouds."
 
 
+def MARKS(file):
+    indices = table(file, "indices")
+    return f"{NOTE.format('' if indices is None else left_out(indices))} {DOTS}"
+
+
 @one_page
 def draw(file):
     indices = table(file, "indices")

@@ -2,11 +2,12 @@
 
 import numpy as np
 
-from ..curves import BANDS, coloured, draw_curve, legend, log_axis, read_curve, title_axis
+from ..curves import BANDS, LINES, draw_curve, legend, log_axis, read_curve, title_axis
 from ..layout import Cell, across, corners, heading, legend_at_foot, place_cell, sheet
-from ..page import is_plain, paper_width
+from ..page import is_plain, lettered, paper_width
 from ..readings import one_page
 from ..results import CHOICE_NAMES, attribute, axis_values, dataset, select
+from ..style import LOOKS
 
 AXES = ["friction", "R_n_N", "V0_m_per_s"]
 # Of each column: the variable, the axis it is drawn over, and the axis that tells the curves apart.
@@ -14,15 +15,19 @@ COLUMNS = [("friction_coefficient", "V0_m_per_s", "R_n_N"), ("R_x_in_N", "R_n_N"
 SHOWN = 4  # curves in a panel at most
 
 
+def MARKS(file):
+    return f"{LINES} {BANDS} {above_one(file)}"
+
+
 @one_page
 def draw(file):
     laws = axis_values(file, "friction")
-    panels = [(law, *column) for law in laws for column in COLUMNS]
-    cell, columns = across(len(COLUMNS), Cell(5.3, 3.75, 0.8, 0.7, 4.1, 2.9), 0.5)
+    panels = lettered([(law, *column) for law in laws for column in COLUMNS])
+    cell, columns = across(min(len(panels), len(COLUMNS)), Cell(5.3, 3.75, 0.8, 0.7, 4.1, 2.9), 0.5)
     height = cell.height * -(-len(panels) // columns) + (0 if is_plain() else 0.25)
     figure, bottom = sheet(file, cell.width * columns, height, f"{BANDS}\n{above_one(file)}")
     entries, statuses = {}, {}
-    for letter, panel, corner in zip("abcdef", panels, corners(len(panels), columns, cell, bottom)):
+    for (letter, panel), corner in zip(panels, corners(len(panels), columns, cell, bottom)):
         law, name, along, other = panel
         axes = place_cell(figure, corner, cell)
         found = draw_panel(axes, file, law, name, along, other)
@@ -57,9 +62,10 @@ def draw_panel(axes, file, law, name, along, other):
     entries = {}
     lines = axis_values(file, other)
     shown = lines[np.unique(np.linspace(0, len(lines) - 1, min(SHOWN, len(lines))).round().astype(int))]
-    for value, colour in coloured(shown):
+    first = SHOWN * (along == COLUMNS[1][1])  # in a paper both columns have one legend, so each line its own look
+    for value, look in zip(shown, LOOKS[first:]):
         curve = read_curve(file, name, along, friction=law, **{other: value})
-        entries |= draw_curve(axes, curve, colour, with_units(dataset(file, other), value))
+        entries |= draw_curve(axes, curve, look, with_units(dataset(file, other), value))
     if along == "V0_m_per_s":
         log_axis(axes, "x", dataset(file, along))
         low, high = axes.get_ylim()

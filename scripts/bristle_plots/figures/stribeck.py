@@ -1,11 +1,12 @@
 """The exponential Stribeck law beside Coulomb's: friction and its modulation by the speed."""
 
-from ..curves import draw_panels
+from ..curves import curve_marks, draw_panels
 from ..readings import one_page
 from ..results import CHOICE_NAMES, axis_values
 
 AXES = ["friction", "A", "k_r"]
 VARIABLES = ["R_x_norm", "gamma_1"]
+MARKS = curve_marks
 
 
 @one_page
