@@ -11,10 +11,10 @@ from .errors import BristleError
 DEFAULT = "build/bristle"
 
 
-def run(arguments):
-    """The finished process; exit codes 0 and 1 are results."""
+def run(arguments, text=None):
+    """The finished process, which reads the text; exit codes 0 and 1 are results."""
     try:
-        done = subprocess.run(arguments, capture_output=True, text=True, check=False)
+        done = subprocess.run(arguments, input=text, capture_output=True, text=True, check=False)
     except OSError as error:
         raise BristleError(f"{arguments[0]}: cannot be run ({error.strerror}); `make build` makes it") from error
     if done.returncode not in (0, 1):
@@ -50,6 +50,13 @@ def measure(program, path, reading, quantities):
         lines = export(program, path, "--group", "checks", "--checks", file.name).splitlines()
     rows = csv.DictReader(line for line in lines if not line.startswith("#"))
     return [float(row["measured"] or "nan") for row in rows if row["reading"] == reading]
+
+
+def laws(program, experiment):
+    """The modulation of each friction law of the experiment (a document) over V_R: name and numbers of each column."""
+    lines = run([program, "law", "-"], json.dumps(experiment)).stdout.splitlines()
+    rows = list(csv.DictReader(line for line in lines if not line.startswith("#")))
+    return {name: [float(row[name]) for row in rows] for name in rows[0]}
 
 
 def outcome(deviation):

@@ -1,0 +1,47 @@
+"""The friction laws of any result over the sliding speed, as the program evaluates them."""
+
+from ..computing import find_program
+from ..layout import Cell, heading, legend_at_foot, place, sheet
+from ..maps import LEGEND_INCHES
+from ..page import drawn_on
+from ..program import laws
+from ..readings import OPTIONS
+from ..results import CHOICE_NAMES, as_result, experiment
+from ..style import LOOKS
+
+AXES = []
+MARKS = "Circles: the values of the experiment's own law"
+CELL = Cell(5, 4, 0.7, 0.6, 4, 3)
+OWN = "custom"
+
+
+def draw(file, *, plain=True, width=None, panels=None, maps_only=False, cmap=None, style=None):
+    """Always as for a paper, 7 inches wide unless there is a width."""
+    with drawn_on(plain, 7 if width is None else width, panels, maps_only, cmap, style):
+        return draw_laws(as_result(file))
+
+
+draw.__doc__ = f"{__doc__}\n\n{draw.__doc__}{OPTIONS}"
+
+
+def draw_laws(file):
+    document = experiment(file)
+    curves = laws(find_program(), document)
+    speeds = curves.pop("V_R")
+    figure, bottom = sheet(file, CELL.width, CELL.height + LEGEND_INCHES)
+    axes = place(figure, CELL.left, bottom + LEGEND_INCHES + CELL.low, CELL.inner_width, CELL.inner_height)
+    entries = {}
+    for look, (name, line) in zip(LOOKS, curves.items()):
+        title = CHOICE_NAMES.get(name, "the experiment's own law" if name == OWN else name.capitalize())
+        entries[title], = axes.plot(speeds[1:], line[1:], **look)
+    points = document.get("friction_law", {})
+    if OWN in curves and "mu" in points:
+        own = points.get("V_R") or [speed / document["si"]["V0_m_per_s"] for speed in points["V_R_m_per_s"]]
+        entries["its values"], = axes.plot(own[1:], points["mu"][1:], "o", color="black", fillstyle="none")
+    axes.set_xscale("log")
+    axes.set_ylim(bottom=0)
+    axes.set_xlabel("Sliding speed $V_R/V_0$ (dimensionless)")
+    axes.set_ylabel(r"$\mu(V_R)$ (dimensionless)" if list(curves) == [OWN] else "Modulation of the friction (dimensionless)")
+    heading(axes, "", "", [])
+    legend_at_foot(figure, entries, bottom + 0.2 * LEGEND_INCHES)
+    return figure
