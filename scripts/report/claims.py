@@ -31,7 +31,7 @@ def claim_of(figure, file, claim, checks, names):
     main, further = ([check_of(file, check, rows, names) for check, rows in checks if (rows[0].role == "main") == of_main]
                      for of_main in (True, False))
     verdicts = [cell(reading, verdict) for reading, verdict in verdicts_of(checks).items()]
-    return {"claim": claim, "place": f"claim-{figure}-{claim}", "short": "; ".join(texts("short")), "quotes": texts("quote"),
+    return {"claim": claim, "place": f"claim-{figure}-{claim}", "short": next(iter(texts("short")), ""), "quotes": texts("quote"),
             "left_open": texts("leaves_open"), "main": main, "further": further, "verdicts": verdicts,
             "whys": [{**found, "text": symbols.prose(attempt(explained, found["word"], checks), names)}
                      for found in verdicts if found["verdict"] != "supported"]}

@@ -19,7 +19,7 @@ function drawScenes(box, passages, only) {
   scenes.querySelector("svg")?.remove();
   for (const { panel, mine } of made) {
     const width = panel.clientWidth, unit = width / 3.3, tall = hero ? 0 : 34;
-    const shown = hero ? mine.slice(1, 2) : mine, height = 1.45 * unit, step = height + 0.2 * unit + tall + 14;
+    const shown = hero ? mine.slice(1, 2) : mine, height = 1.3 * unit, step = height + 0.2 * unit + tall + 14;
     const svg = element("svg", { class: "scene", role: "img", width, height: step * shown.length, viewBox: `0 0 ${width} ${step * shown.length}`,
       "aria-label": `${shown.length} recorded bristles under the slab` });
     shown.forEach((passage, i) => {

@@ -17,7 +17,7 @@ async function readPassages(name) {
       model: columns.bending[row], first: row, phase: columns.phase });
     found.get(key).last = row;
   });
-  return [...found.values()].map((passage) => ({ ...passage, ...numbers, end: numbers.xi[passage.last] }));
+  return [...found.values()].map((passage) => ({ ...numbers, ...passage, end: numbers.xi[passage.last] }));
 }
 
 // The last row of the passage that is not after the time.
