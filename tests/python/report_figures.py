@@ -169,7 +169,7 @@ def check_curves_map(driver):
     """The map of traced curves lies over the gap, and colour bars have several ticks."""
     select(driver, "#choose-figure", "fig3")
     assert "z" in one(driver, "#map .x-title").text and "gap" in one(driver, "#map .x-title").text
-    assert "node" not in one(driver, "#point h3").text
+    assert "node" not in one(driver, "#point h4").text
     assert len(driver.find_elements("css selector", "#map .ramp span")) >= 3
     places = driver.execute_script("""return [...document.querySelector('#map [role=row]').children]
       .filter(e => e.matches('rect')).map(e => [+e.getAttribute('x'), +e.getAttribute('width')])""")
