@@ -85,7 +85,7 @@ def check_phone(driver, keys, page, saved):
     assert not (found := driver.execute_script(lost)), found
     assert one(driver, "#fig5 .foot").text.startswith("Bands"), "the note of the figure is missing"
     overflow = "return document.documentElement.scrollWidth - document.documentElement.clientWidth"
-    assert driver.execute_script(overflow) <= 0
+    assert driver.execute_script(overflow) <= 0, driver.execute_script(overflow)
     check_narrow_points(driver, keys, drawing, values)
     check_wide_on_phone(driver, keys, drawing, saved)
     resize(driver, *DESKTOP)
