@@ -1,5 +1,6 @@
 """What explanations and the summary of the findings state: numbers from the result files or measured by the program, as text."""
 
+from collections import namedtuple
 from contextvars import ContextVar
 
 import numpy as np
@@ -13,6 +14,11 @@ READINGS = {"polar": "exact", "polar_as_printed": "as printed", "rod": "rod"}  #
 
 PROGRAM = ContextVar("program", default=DEFAULT)  # what measures
 MATRIX = ContextVar("matrix", default=None)  # the matrix of assumptions, if there is one
+
+# The three steps of k_r about the steepest fall of R_x_norm. place: k_r; ends: the k_r before and behind; share: of the whole
+# fall of ln R_x_norm; before: the factor by which R_x_norm changes up to there; area: by which gamma_3 falls there; gaps, spreads:
+# z_0 and F_n_spread before and behind; fall: the factor by which R_x_norm falls over all k_r.
+Jump = namedtuple("Jump", "place ends share before area gaps spreads fall")
 
 
 def short(value):
@@ -162,3 +168,21 @@ def falls_of_laws(file, reading):
     """By law and nominal friction, the factor by which R_x_norm falls from the lowest to the highest k_r of Figure 7."""
     return {(law, nominal): falls(file, reading, "R_x_norm", friction=law, nominal_friction=nominal)[0]
             for nominal in axis_values(file, "nominal_friction")[::-1] for law in axis_values(file, "friction")}
+
+
+def jump_of(file, reading):
+    """The jump of Figure 7 under nominal shear stress of the paper's magnitude."""
+    k_r = axis_values(file, "k_r")
+    law = {"friction": "nss", "nominal_friction": max(axis_values(file, "nominal_friction"))}
+
+    def along(predicate, name, **chosen):
+        return measured(file, reading, {"predicate": predicate, "variable": name, "along": "k_r", "where": {**law, **chosen}})[0]
+
+    place = along("steepest_fall", "R_x_norm")
+    i = int(np.searchsorted(k_r, place))  # the step ends there
+    before, behind = max(i - 2, 0), min(i + 1, len(k_r) - 1)
+    ends = [k_r[before], k_r[behind]]
+    gaps, spreads = (select(dataset(file, name), ["k_r"], bending=reading, **law)[[before, behind]] for name in ("z_0", "F_n_spread"))
+    return Jump(place, ends, along("rise", "R_x_norm", k_r=ends) / along("rise", "R_x_norm"),
+                along("end_ratio", "R_x_norm", k_r=[k_r[0], ends[0]]), 1 / along("end_ratio", "gamma_3", k_r=ends), gaps, spreads,
+                1 / along("end_ratio", "R_x_norm"))

@@ -3,7 +3,7 @@
 import numpy as np
 
 from .figures.hysteresis import windows
-from .quantities import (at_most, chosen_at, falls_of_laws, listed, measured, on_k_theta, percent,
+from .quantities import (at_most, chosen_at, falls_of_laws, jump_of, listed, measured, on_k_theta, percent,
                          periodic_part, READINGS, short, span, where_saturated)
 from .results import as_text, axis_values, dataset, select
 from .verdicts import declared_checks, number, with_uncertainty
@@ -75,23 +75,16 @@ def on_claim(what, claim, verdicts):
 
 def one_jump(file, _):
     """How much of the fall of friction lies within three steps of k_r at its steepest place."""
-    k_r, law = axis_values(file, "k_r"), {"friction": "nss", "nominal_friction": max(axis_values(file, "nominal_friction"))}
-    shares, places, before, areas = {}, {}, {}, {}
-    for reading in READINGS:
-        def along(predicate, name, **chosen):
-            return measured(file, reading, {"predicate": predicate, "variable": name, "along": "k_r", "where": {**law, **chosen}})[0]
-        place = along("steepest_fall", "R_x_norm")
-        i = int(np.searchsorted(k_r, place))  # the step ends there
-        there = [k_r[max(i - 2, 0)], k_r[min(i + 1, len(k_r) - 1)]]
-        shares[reading] = percent(along("rise", "R_x_norm", k_r=there) / along("rise", "R_x_norm"))
-        before[reading] = short(along("end_ratio", "R_x_norm", k_r=[k_r[0], there[0]]))
-        areas[reading] = short(1 / along("end_ratio", "gamma_3", k_r=there))
-        places[reading] = chosen_at(place)
-    return (f"Stiffer bristles have less friction because of one jump (nominal shear stress, Figure 7): {of_each(shares.get)} of "
-            f"the fall of ln R_x_norm from k_r = {chosen_at(k_r[0])} to {chosen_at(k_r[-1])} lies within three of {len(k_r) - 1} "
-            f"steps of k_r, at k_r of about {of_each(places.get)}. From the lowest k_r to the first of these steps R_x_norm changes "
-            f"by a factor of {of_each(before.get)}. At the jump the slab rises from one branch of gaps to another, and the load becomes "
-            f"spiky, so that the contact area under it, gamma_3, falls by a factor of {of_each(areas.get)}.")
+    k_r, jumps = axis_values(file, "k_r"), {reading: jump_of(file, reading) for reading in READINGS}
+    def found(text):
+        return of_each(lambda reading: text(jumps[reading]))
+    return (f"Stiffer bristles have less friction because of one jump (nominal shear stress, Figure 7): "
+            f"{found(lambda jump: percent(jump.share))} of the fall of ln R_x_norm from k_r = {chosen_at(k_r[0])} to "
+            f"{chosen_at(k_r[-1])} lies within three of {len(k_r) - 1} steps of k_r, at k_r of about "
+            f"{found(lambda jump: chosen_at(jump.place))}. From the lowest k_r to the first of these steps R_x_norm changes by a "
+            f"factor of {found(lambda jump: short(jump.before))}. At the jump the slab rises from one branch of gaps to another, and "
+            f"the load becomes spiky, so that the contact area under it, gamma_3, falls by a factor of "
+            f"{found(lambda jump: short(jump.area))}.")
 
 
 def two_frictions(file, _):

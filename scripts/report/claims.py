@@ -1,84 +1,96 @@
-"""The checks of a result under each reading of Eq. (17) as rows of a table, in HTML."""
+"""The paper's claims beside a figure, with their checks and verdicts for each model of bending, in HTML."""
 
 from collections import Counter
 
-import numpy as np
-
 import symbols
-from bristle_plots.results import CHOICE_NAMES, readable, table
-from bristle_plots.verdicts import (VERDICT_SIGNS, declared_checks, number, p_text, quantity, threshold_text,
-                                    with_uncertainty)
+from bristle_plots.errors import BristleError
+from bristle_plots.explanations import explain_claim, explain_further, what_was_measured
+from bristle_plots.quantities import READINGS
+from bristle_plots.results import readable, table
+from bristle_plots.summary import claims_of, verdicts_of
+from bristle_plots.verdicts import VERDICT_SIGNS, number, p_text, quantity, threshold_text, with_uncertainty
 
 ORDER = ["supported", "refuted", "undecided"]
 
 
 def read(figure, file, names):
-    """One row for each check of the experiment, in its order, and each reading; names: the symbols of quantities."""
+    """The claims in the order of the experiment; names: the symbols of quantities."""
     if table(file, "checks") is None:
         return []
-    return [row(figure, check, claim, names) for check, claim in declared_checks(file)]
+    return [claim_of(figure, file, claim, checks, names) for claim, checks in claims_of(file).items()]
 
 
-def row(figure, check, claim, names):
+def claim_of(figure, file, claim, checks, names):
+    """What the paper says, the main and the further checks, the verdicts, and the reason of each that is not "supported"."""
+    def texts(key):
+        return [symbols.prose(text, names) for text in dict.fromkeys(check[key] for check, _ in checks if key in check)]
+
+    def explained(reading):
+        return explain_claim(file, [(check, row) for check, rows in checks for row in rows if row.reading == reading])
+
+    main, further = ([check_of(file, check, rows, names) for check, rows in checks if (rows[0].role == "main") == of_main]
+                     for of_main in (True, False))
+    verdicts = [cell(reading, verdict) for reading, verdict in verdicts_of(checks).items()]
+    return {"claim": claim, "place": f"claim-{figure}-{claim}", "short": next(iter(texts("short")), ""), "quotes": texts("quote"),
+            "left_open": texts("leaves_open"), "main": main, "further": further, "verdicts": verdicts,
+            "whys": [{**found, "text": symbols.prose(attempt(explained, found["word"], checks), names)}
+                     for found in verdicts if found["verdict"] != "supported"]}
+
+
+def attempt(explained, reading, checks):
+    """The explanation; for an experiment that lacks what it reads, only what was measured."""
+    try:
+        return explained(reading)
+    except (BristleError, LookupError, ValueError):
+        return what_was_measured([(check, row) for check, rows in checks for row in rows
+                                  if row.reading == reading and row.role == "main"])
+
+
+def cell(reading, verdict):
+    return {"word": reading, "reading": READINGS.get(reading, readable(reading)), "verdict": verdict, "sign": sign(verdict)}
+
+
+def check_of(file, check, rows, names):
+    """One check: what it measures and requires, and for each model the verdict with its numbers."""
+    first = rows[0]
     return {
-        "figure": figure,
-        "claim": claim.claim,
-        "statement": symbols.prose(claim.statement, names),
-        "quantity": quantity(check),
-        "measured": with_uncertainty(claim.measured, claim.uncertainty) + p_text(claim),
-        "measured_value": sortable(claim.measured),
-        "threshold": threshold_text(claim.relation, claim.threshold, claim.band),
-        "threshold_value": sortable(claim.threshold),
-        "margin": number(claim.margin, "+.3f"),
-        "margin_value": sortable(claim.margin),
-        "verdict": claim.verdict,
-        "sign": sign(claim.verdict),
-        "declared": claim.declared,
-        "reading": CHOICE_NAMES.get(claim.reading, readable(claim.reading)),
-        "reading_word": claim.reading,
-        "further": claim.role != "main",
-        "claim_verdict": claim.claim_verdict,
-        **{key: symbols.prose(check.get(key, ""), names) for key in ("quote", "interpretation", "leaves_open")},
+        "statement": symbols.prose(first.statement, names), "quantity": quantity(check),
+        "interpretation": symbols.prose(check.get("interpretation", ""), names),
+        "threshold": threshold_text(first.relation, first.threshold, first.band),
+        "cells": [{**cell(row.reading, row.verdict), "measured": with_uncertainty(row.measured, row.uncertainty) + p_text(row),
+                   "margin": number(row.margin, "+.3f"), "why": symbols.prose(why_further(file, check, row), names)}
+                  for row in rows],
     }
+
+
+def why_further(file, check, row):
+    if row.role == "main" or row.verdict != "refuted":
+        return ""
+    try:
+        return explain_further(file, check, row)
+    except (BristleError, LookupError, ValueError):
+        return ""
 
 
 def sign(verdict):
     return VERDICT_SIGNS.get(verdict, ("\u2022",))[0]
 
 
-def sortable(value):
-    return repr(float(value)) if np.isfinite(value) else ""
-
-
-def by_check(rows):
-    """The rows of each check of one result: one for each reading."""
+def by_reading(claims):
+    """For each model, the claims' verdicts as (claim, verdict)."""
     found = {}
-    for row in rows:
-        found.setdefault(row["declared"], []).append(row)
-    return list(found.values())
+    for claim in claims:
+        for one in claim["verdicts"]:
+            found.setdefault(one["reading"], []).append((claim["claim"], one["verdict"]))
+    return found
 
 
-def by_claim(rows):
-    """For each reading, the claims with their verdicts, and the number of each claim's first check."""
-    found = {}
-    for row in rows:
-        claims = found.setdefault((row["reading"], row["reading_word"]), {})
-        claims.setdefault((row["claim"], row["claim_verdict"]), row["declared"])
-    return [{"reading": reading, "word": word, "claims": [{"claim": claim, "verdict": verdict, "sign": sign(verdict),
-                                                           "declared": declared}
-                                                          for (claim, verdict), declared in claims.items()]}
-            for (reading, word), claims in found.items()]
-
-
-def count(rows):
-    """Numbers of checks and claims, of claims by verdict under each reading, and of rows by verdict."""
-    return {"checks": len({(row["figure"], row["declared"]) for row in rows}),
-            "claims": len({row["claim"] for row in rows}), "rows": counted(row["verdict"] for row in rows),
-            "readings": [(found["reading"], found["word"], counted(claim["verdict"] for claim in found["claims"]))
-                         for found in by_claim(rows)]}
+def count(claims):
+    """Numbers of claims and checks, and for each model (verdict, number of claims, sign)."""
+    return {"claims": len({claim["claim"] for claim in claims}), "checks": sum(len(claim["main"] + claim["further"]) for claim in claims),
+            "readings": {reading: counted(verdict for _, verdict in found) for reading, found in by_reading(claims).items()}}
 
 
 def counted(verdicts):
-    """(verdict, number, sign) of each verdict."""
     found = Counter(verdicts)
     return [(verdict, found[verdict], sign(verdict)) for verdict in ORDER + sorted(set(found) - set(ORDER))]

@@ -2,6 +2,7 @@
 
 import importlib
 import io
+import math
 import re
 
 import numpy as np
@@ -18,6 +19,8 @@ from bristle_plots.verdicts import STRIP, read_claims, strip_height
 from symbols import plain, prose
 
 NARROW = "3.5in"  # page of the drawings for phones, whose letters have at least 9 pixels there
+LEAST_LETTER = 9  # pixels on the screen
+LETTERS = re.compile(r"scale\(0?(\.\d+) -")  # of glyphs, in hundredths of their size in an SVG's units
 LONG_NUMBER = re.compile(r"-?\d+\.\d{3,}")  # of an SVG's units, 1/72 inch
 EQUAL_LINES = re.compile(r'<path d="[^"]*"( clip-path="[^"]*" style="fill: none;[^"]*"/>)(?:\s*<path d="[^"]*"\1)+')
 
@@ -28,9 +31,9 @@ FURTHER_NAMES = {"energy": "energy budget", "parts": "factors of the friction"}
 def draw(name, file, verdicts):
     """The figure's drawings, one for each reading: what it shows besides the figure's heading, and two layouts of it.
 
-    wide: panels side by side, `width` pixels wide; narrow: for phones, panels below each other, without the wide one's
-    note. Both have the same ids: a page has one of them at a time.
-    verdicts: the claims with their verdicts under each reading, for the description.
+    wide: panels side by side, `width` pixels wide; narrow: where the wide one's letters would be too small, panels below each
+    other, without its note. Both have the same ids: a page has one of them at a time.
+    verdicts: for each reading the claims with their verdicts, for the description.
     """
     module = importlib.import_module(f"bristle_plots.figures.{name if name in FIGURES else 'curve'}")
     require_axes(file, name, module.AXES)
@@ -52,10 +55,13 @@ def draw(name, file, verdicts):
 
 
 def layout(figure, file, words):
-    """The SVG element, its width over its height, and the points of its curves; words: those of `inline`."""
+    """The SVG element, its width over its height, the least width (pixels) at which its letters can be read, and the points of
+    its curves; words: those of `inline`."""
     foot, top = trim(figure, file)
+    svg = as_svg(figure, foot, top)
+    least = 100 * min(map(float, LETTERS.findall(svg)))
     return {"shape": f"{figure.get_figwidth() / (top - foot):.3f}", "points": points_of(figure, top),
-            "svg": inline(as_svg(figure, foot, top), *words)}
+            "least": math.ceil(72 * figure.get_figwidth() * LEAST_LETTER / least), "svg": inline(svg, *words)}
 
 
 def note_of(figure):
@@ -151,10 +157,9 @@ def describe(module, file, verdicts):
     if ranges:
         sentences.append(f"Swept: {'; '.join(ranges)}.")
     sentences.append(f"Plotted: {'; '.join(value_range(file, name) for name in shown)}.")
-    for found in verdicts:
-        heading = ", ".join(filter(None, ["Verdicts", found["reading"]]))
-        words = ", ".join(f"{row['claim']} {row['verdict']}" for row in found["claims"])
-        sentences.append(f"{heading}: {words}.")
+    for reading, found in verdicts.items():
+        heading = ", ".join(filter(None, ["Verdicts", reading]))
+        sentences.append(f"{heading}: {', '.join(' '.join(one) for one in found)}.")
     return " ".join(sentences)
 
 

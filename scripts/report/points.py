@@ -48,6 +48,7 @@ def read_axis(file, name):
         "name": name,
         "symbol": symbol(data, name),
         "title": as_text(data.attrs.get("long_name", name)),
+        "unit": "" if words else unit(data),
         "words": words,
         "keys": line if words else line.tolist(),  # in the CSV
         "values": [CHOICE_NAMES.get(word, word) for word in line] if words else line.tolist(),
@@ -66,8 +67,9 @@ def shown(file, shape):
 
 def read_variable(file, name):
     data = dataset(file, name)
-    return {"name": name, "symbol": symbol(data, name), "title": attribute(data, "long_name"),
-            "equation": as_text(data.attrs.get("equation", "")), "words": words_of(data)}
+    words = words_of(data)
+    return {"name": name, "symbol": symbol(data, name), "title": attribute(data, "long_name"), "unit": "" if words else unit(data),
+            "equation": as_text(data.attrs.get("equation", "")), "words": words}
 
 
 def words_of(data):
@@ -75,9 +77,18 @@ def words_of(data):
     return [readable(word) for word in flags(data)[0]] if "flag_meanings" in data.attrs else None
 
 
+def unit(data):
+    found = as_text(data.attrs.get("units", "1"))
+    return "dimensionless" if found in ("", "1") else found
+
+
 def symbol(data, name):
+    """The symbol as HTML: with the unit, if it has one, and with a mark if it is a target and not what was computed."""
     found = as_text(data.attrs.get("symbol", ""))
-    return str(symbols.html(found)) if found not in ("", name) else name  # a name is not a formula
+    if found in ("", name):
+        return name  # a name is not a formula
+    mark = r"^{\mathrm{target}}" if name.endswith("_target") else ""
+    return str(symbols.html(found + mark)) + (f" [{unit(data)}]" if unit(data) != "dimensionless" else "")
 
 
 def embedded(data):

@@ -18,18 +18,24 @@ import matrix  # noqa: E402
 import plots  # noqa: E402
 import points  # noqa: E402
 import sources  # noqa: E402
+import story  # noqa: E402
 import symbols  # noqa: E402
 import tables  # noqa: E402
 from bristle_plots import assumptions, program, summary, verdicts  # noqa: E402
 from bristle_plots.command_line import run  # noqa: E402
 from bristle_plots.errors import BristleError  # noqa: E402
 from bristle_plots.files import write_text  # noqa: E402
-from bristle_plots.quantities import MATRIX, PROGRAM  # noqa: E402
-from bristle_plots.results import CHOICE_NAMES, as_text, experiment, open_result, readable  # noqa: E402
+from bristle_plots.figures.fig2 import PHASES  # noqa: E402
+from bristle_plots.quantities import MATRIX, PROGRAM, READINGS  # noqa: E402
+from bristle_plots.results import as_text, experiment, open_result, readable, setting  # noqa: E402
 from bristle_plots.style import COLORMAP, apply_look  # noqa: E402
 
-ASSETS = {"css": ["base.css", "parts.css", "print.css"],
-          "js": ["page.js", "tables.js", "data.js", "figures.js", "curves.js", "map.js", "explorer.js", "readings.js"]}
+ASSETS = {"css": ["base.css", "parts.css", "story.css", "print.css"],
+          "js": ["page.js", "tables.js", "data.js", "figures.js", "curves.js", "map.js", "explorer.js", "readings.js",
+                 "scene.js", "player.js", "hand.js"]}
+# The parts behind a click: the template and the title of each.
+REST = [("explorer", "Single points"), ("assumptions", "Assumptions"), ("deviations", "Deviations from the references"),
+        ("diagnostics", "Diagnostics"), ("provenance", "Provenance"), ("citing", "Verify and cite")]
 
 
 def main():
@@ -52,18 +58,18 @@ def main():
     if not present:
         raise BristleError(f"no such files: {', '.join(arguments.results)}; `make figures` computes them")
     figures = [figure(path, arguments) if path in present else missing(path) for path in arguments.results]
-    page = render(figures, in_short(present, figures), arguments)
+    page = render(figures, findings(present, figures), arguments)
     write_text(arguments.output, page)
     print(f"{arguments.output}: {len(present)} of {len(figures)} figures, {len(page.encode()) / 1e6:.1f} MB")
 
 
-def in_short(paths, figures):
-    """The findings to know first, as docs/findings.md has them."""
+def findings(paths, figures):
+    """The first screen's numbers, and the findings to know first, as docs/findings.md has them."""
     files = [open_result(path) for path in paths]
     judged = [file for file in files if verdicts.read_claims(file) or not experiment(file).get("checks")]
-    lines = summary.in_short([(file, summary.claims_of(file)) for file in judged])
+    found = [(file, summary.claims_of(file)) for file in judged]
     names = {name: text for figure in figures if figure["present"] for name, text in figure["symbols"].items()}
-    return [symbols.prose(line.replace("`", ""), names) for line in lines]
+    return {**story.read(found), "findings": [symbols.prose(line.replace("`", ""), names) for line in summary.in_short(found)]}
 
 
 def figure(path, arguments):
@@ -71,17 +77,16 @@ def figure(path, arguments):
     with open_result(path) as file:
         name = as_text(file.attrs["name"])
         names = verdicts.symbols(file)
-        rows = claims.read(name, file, names)
+        found = claims.read(name, file, names)
         deviation, replay = program.check(arguments.program, path, arguments.reference)
-        drawings = plots.draw(name, file, claims.by_claim(rows))
+        drawings = plots.draw(name, file, claims.by_reading(found))
         return {
             "name": name, "path": path, "present": True, "symbols": names, **labels(name, as_text(file.attrs.get("figure", ""))),
             "title": symbols.prose(heading(file)),
             "caption": symbols.prose(as_text(file.attrs.get("caption", ""))),
             "tier": as_text(file.attrs.get("tier", "full")),
             "notes": [symbols.prose(note, names) for note in experiment(file).get("notes", [])],
-            "drawings": drawings, "claims": rows, "checks": claims.by_check(rows),
-            "verdicts": claims.by_claim(rows),
+            "drawings": drawings, "claims": found,
             "points": points.collect(file, replay),
             "tables": tables.read(arguments.program, path, file),
             "deviation": deviation, "outcome": program.outcome(deviation),
@@ -110,23 +115,36 @@ def missing(path):
             "command": f"make {name}{tier}"}
 
 
-def render(figures, in_short, arguments):
+def render(figures, story_found, arguments):
     environment = Environment(loader=FileSystemLoader(os.path.join(HERE, "templates")), autoescape=True,
                               undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True)
-    rows = [row for figure in figures for row in figure["claims"]]
+    all_claims = [claim for figure in figures for claim in figure["claims"]]
     shown = [figure for figure in figures if figure["present"]]
     provenance = sources.compare([figure["provenance"] for figure in shown])
     citation = sources.citation(arguments.citation, provenance["same"].get("commit", ""))
     names = {figure["name"]: figure["symbols"] for figure in shown}
     words = [drawing["reading"] for figure in shown for drawing in figure["drawings"] if drawing["reading"]]
+    parts = [*["findings"] * bool(story_found["findings"]), *["player"] * ("fig2" in names), *["jump"] * ("fig4" in names),
+             *["claims"] * bool(all_claims)]
     return environment.get_template("page.html.j2").render(
-        figures=figures, shown=shown, in_short=in_short, readings={word: CHOICE_NAMES.get(word, readable(word)) for word in words}, missing=[figure for figure in figures if not figure["present"]],
-        claims=rows, count=claims.count(rows), tiers=sorted({figure["tier"] for figure in shown}),
+        figures=figures, shown=shown, missing=[figure for figure in figures if not figure["present"]], names=names,
+        story=story_found, parts=parts, rest=REST, readings={word: READINGS.get(word, readable(word)) for word in words},
+        claims=sorted(all_claims, key=lambda claim: claim["claim"]), count=claims.count(all_claims),
+        tiers=sorted({figure["tier"] for figure in shown}),
         matrix=matrix.read(arguments.assumptions, names), citation=citation,
         paper=next((entry["link"] for entry in citation if entry["kind"] == "article"), ""),
-        provenance=provenance,
+        provenance=provenance, slab_length=slab_length(arguments.results), phases=points.embedded(PHASES),
         colours=points.embedded([colors.to_hex(colormaps[COLORMAP](i / 32)) for i in range(33)]),
         packed=lambda data: tables.packed(points.embedded(data)), **{kind: asset(names) for kind, names in ASSETS.items()})
+
+
+def slab_length(paths):
+    """L_x of Figure 2, in lengths of a bristle; nothing without its result."""
+    path = next((path for path in paths if os.path.basename(path).startswith("fig2") and os.path.exists(path)), None)
+    if path is None:
+        return ""
+    with open_result(path) as file:
+        return setting(file, "model", "L_x")
 
 
 def asset(names):

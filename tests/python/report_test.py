@@ -16,7 +16,8 @@ import h5py
 import numpy as np
 
 from browser import AXE, axe_core, browser, one, press, select, texts, view
-from report_figures import check_curves_map, check_figures, check_phone, check_readings, check_saved, show_narrow
+from report_figures import check_curves_map, check_figures, check_phone, check_readings, check_saved, show_narrow, waited
+from report_story import check_hand, check_player, check_story, check_tables
 
 root, program, folder, *results = (pathlib.Path(word).absolute() for word in sys.argv[1:])
 named = {re.split("[-_]", path.stem)[0]: path for path in results}
@@ -87,34 +88,30 @@ def check_errors():
     assert report(fig4, o="/proc/none/index.html").returncode == 3
 
 
-def check_claims(driver, keys):
-    """Sorting by click and by keyboard, filtering by words and verdicts."""
-    verdicts = "#all-claims tbody tr .verdict"
-    everything = texts(driver, verdicts)
-    margin = "document.querySelector('#all-claims th:nth-child(7) button')"
-    driver.execute_script(f"{margin}.click()")
-    header = one(driver, "#all-claims th:nth-child(7)")
-    assert header.get_attribute("aria-sort") == "ascending"
-    values = """return [...document.querySelectorAll('#all-claims tbody td:nth-child(7)')]
-      .map(e => +e.dataset.value)"""
-    margins = driver.execute_script(values)
-    assert margins == sorted(margins) and margins[0] < 0 < margins[-1], margins
-    driver.execute_script(f"{margin}.focus()")
+def check_table(driver, keys):
+    """Sorting the points by click and by keyboard, and filtering them."""
+    select(driver, "#choose-figure", "fig4")
+    driver.execute_script("document.getElementById('explorer').open = true; document.getElementById('table-of-points').open = true")
+    waited(driver, "return document.querySelectorAll('#points tbody tr').length > 9")
+    everything = texts(driver, "#points tbody tr td:nth-child(2)")
+    header, button = "#points th:nth-child(4)", "document.querySelector('#points th:nth-child(4) button')"
+    driver.execute_script(f"{button}.click()")
+    assert one(driver, header).get_attribute("aria-sort") == "ascending"
+    values = """return [...document.querySelectorAll('#points tbody td:nth-child(4)')].map(e => e.dataset.value)
+      .filter(Boolean).map(Number)"""
+    found = driver.execute_script(values)
+    assert found == sorted(found) and found[0] < found[-1], found
+    driver.execute_script(f"{button}.focus()")
     press(driver, keys.ENTER)
-    assert header.get_attribute("aria-sort") == "descending"
-    assert driver.execute_script(values) == margins[::-1]
-    words = one(driver, "[data-table=all-claims] input[type=search]")
-    words.send_keys("4a steeply")
-    assert texts(driver, "#all-claims tbody tr th") == ["4a"] * 3  # under each of the three models
-    words.send_keys(" nowhere")
-    assert texts(driver, verdicts) == []
+    assert one(driver, header).get_attribute("aria-sort") == "descending"
+    assert driver.execute_script(values) == found[::-1]
+    words = one(driver, "[data-table=points] input[type=search]")
+    words.send_keys("ok exact")
+    left = texts(driver, "#points tbody tr td:nth-child(2)")
+    assert 0 < len(left) < len(everything)
+    assert f"{len(left)} of {len(everything)}" in one(driver, "[data-table=points] .shown").text
     words.send_keys(keys.CONTROL, "a")
     words.send_keys(keys.DELETE)
-    assert len(texts(driver, verdicts)) == len(everything)
-    driver.execute_script("document.querySelector('[data-table=all-claims] [value=supported]').click()")
-    left = texts(driver, verdicts)
-    assert 0 < len(left) < len(everything) and not any("supported" in word for word in left)
-    assert f"{len(left)} of {len(everything)}" in one(driver, "[data-table=all-claims] .shown").text
 
 
 def shown_numbers(driver):
@@ -196,6 +193,7 @@ def check_replay(command):
 
 
 def check_matrix(driver, keys):
+    driver.execute_script("document.getElementById('assumptions').open = true")
     cells = driver.find_elements("css selector", "#matrix td")
     driver.execute_script("arguments[0].click()", cells[0])
     assert one(driver, "#matrix-details").text.startswith("4a, baseline: ✔ supported: measured 0.35")
@@ -268,7 +266,11 @@ check_errors()
 with browser() as chromium:
     from selenium.webdriver.common.keys import Keys
     view(chromium, page, 1280, 900)
-    check_claims(chromium, Keys)
+    check_story(chromium, page)
+    check_tables(chromium, named)
+    check_player(chromium, Keys)
+    check_hand(chromium, Keys, named["fig4"])
+    check_table(chromium, Keys)
     check_matrix(chromium, Keys)
     check_replay(check_map(chromium, Keys))
     check_every_figure(chromium)

@@ -44,7 +44,7 @@ function numberRow(data, variable, point) {
   const cell = (content, exact) => element("td", { class: "number" },
     (exact ?? null) === null ? content : element("data", { value: exact, title: exact, text: content }));
   const head = element("th", { scope: "row", html: variable.symbol });
-  head.append(element("small", { text: variable.title + (variable.equation && `, ${variable.equation}`) }));
+  head.append(element("small", { text: [variable.title, variable.equation, variable.unit].filter(Boolean).join(", ") }));
   row.append(head, cell(shown, value), cell(uncertain && `± ${uncertain}`, error));
   return row;
 }
@@ -62,7 +62,7 @@ function showPoint() {
     text: data.replay[Math.floor(point / data.nodes)] }),
   element("button", { type: "button", class: "copy", "data-what": "The command", text: "Copy" }));
   control("point").replaceChildren(
-    element("h3", { html: placeOf(data, at, "symbol") || "The point" }),
+    element("h4", { html: placeOf(data, at, "symbol") || "The point" }),
     element("p", { class: "caption",
       text: `Status: ${statusOf(data, point)}. Rest on a number to see all its digits.` }),
     element("div", { class: "scroll", tabindex: 0, role: "group", "aria-label": "Its numbers" }, table),

@@ -1,7 +1,7 @@
 // The figures: laid out for the page's width, enlarged in a dialog, saved as SVG.
 
 const dialog = document.getElementById("enlarged"), drawings = document.querySelectorAll(".drawing");
-const phone = matchMedia("screen and (max-width: 40rem)");
+const frame = document.querySelector("main");
 
 // Shows one of a drawing's two layouts: they have the same ids, so the other one is not in the document.
 function put(drawing, layout) {
@@ -34,15 +34,18 @@ function fit(drawing, narrow) {
   else near.observe(drawing);
 }
 
-function fitAll(narrow) {
-  for (const drawing of drawings) if (!drawing.closest("dialog")) fit(drawing, narrow);
+// The wide layout where its letters can be read there.
+const isNarrow = (drawing) => frame.clientWidth - 66 < Number(drawing.dataset.least);
+
+function fitAll(printed) {
+  for (const drawing of drawings) if (!drawing.closest("dialog")) fit(drawing, !printed && isNarrow(drawing));
 }
 
 for (const drawing of drawings) drawing.wide = drawing.shown = { svg: drawing.querySelector("svg.plot") };
-phone.addEventListener("change", () => fitAll(phone.matches));
-addEventListener("beforeprint", () => fitAll(false));
-addEventListener("afterprint", () => fitAll(phone.matches));
-fitAll(phone.matches);
+addEventListener("resize", () => fitAll(false));
+addEventListener("beforeprint", () => fitAll(true));
+addEventListener("afterprint", () => fitAll(false));
+fitAll(false);
 
 // The drawing itself is moved: a copy would have the same ids. Enlarged it is the wide one.
 function enlarge(drawing) {
@@ -53,7 +56,7 @@ function enlarge(drawing) {
   dialog.querySelector(".whole").replaceChildren(drawing);
   dialog.addEventListener("close", () => {
     place.replaceWith(drawing);
-    fit(drawing, phone.matches);
+    fit(drawing, isNarrow(drawing));
     drawing.closest("figure").querySelector(".enlarge").focus({ preventScroll: true });
   }, { once: true });
   dialog.showModal();

@@ -48,7 +48,7 @@ document.addEventListener("click", async (event) => {
 const opened = [];
 addEventListener("beforeprint", () => {
   for (const details of document.querySelectorAll("details:not([open])")) {
-    if (details.closest("#explorer")) continue;
+    if (details.closest("#explorer, .contents")) continue;
     details.open = true;
     opened.push(details);
   }
@@ -57,7 +57,19 @@ addEventListener("afterprint", () => {
   for (const details of opened.splice(0)) details.open = false;
 });
 
-if (matchMedia("(max-width: 64rem)").matches) document.querySelector(".contents details").open = false;
+// A link to a part behind a click opens it; the lists of the contents close.
+function openTarget() {
+  const target = location.hash && document.getElementById(decodeURIComponent(location.hash.slice(1)));
+  const part = target && target.closest("details");
+  if (!part || part.open) return;
+  part.open = true;
+  target.scrollIntoView();
+}
+addEventListener("hashchange", openTarget);
+addEventListener("DOMContentLoaded", openTarget);
+document.querySelector(".contents").addEventListener("click", (event) => {
+  if (event.target.closest("a")) for (const list of document.querySelectorAll(".contents details")) list.open = false;
+});
 
 // Steps of the arrow keys in a grid: [rows, columns].
 const STEPS = { ArrowUp: [-1, 0], ArrowDown: [1, 0], ArrowLeft: [0, -1], ArrowRight: [0, 1] };

@@ -1,12 +1,11 @@
-// The switch between the readings of Eq. (17): figures, verdicts and the explorer's map show both or one of them.
+// The switch between the models of bending: figures and the explorer's map show one of them, or figures all. Printed are all.
 
 function showReading(word) {
   const sections = [...document.querySelectorAll("main article, main section")].reverse();
   const seen = sections.find((found) => found.getBoundingClientRect().top < innerHeight / 3);
   const before = seen?.getBoundingClientRect().top;
-  for (const found of document.querySelectorAll("[data-reading]:not(tbody tr)"))
+  for (const found of document.querySelectorAll("[data-reading]"))
     found.hidden = word !== "" && found.dataset.reading !== word;
-  document.querySelectorAll("form.filters").forEach(filter);
   const axis = chosen.data?.axes.findIndex(({ keys }) => keys.includes(word)) ?? -1;
   if (axis >= 0) {
     chosen.at[axis] = chosen.data.axes[axis].keys.indexOf(word);
@@ -22,3 +21,5 @@ function readingShown() {
 
 document.querySelector("form.readings")?.addEventListener("change", () => showReading(readingShown()));
 if (readingShown()) showReading(readingShown());  // kept by the browser when the page is loaded again
+addEventListener("beforeprint", () => showReading(""));
+addEventListener("afterprint", () => showReading(readingShown()));

@@ -1,5 +1,4 @@
-// Tables with class "sortable": a button in each header sorts, a form with data-table filters by words and
-// verdicts.
+// Tables with class "sortable": a button in each header sorts, a form with data-table filters by words.
 
 function sortKey(row, column) {
   const cell = row.cells[column];
@@ -38,23 +37,16 @@ function makeSortable(table) {
 function filter(form) {
   const rows = [...document.getElementById(form.dataset.table).tBodies[0].rows];
   const words = form.elements.words.value.toLowerCase().split(/\s+/).filter(Boolean);
-  const verdicts = [...form.querySelectorAll("[name=verdict]")];
-  const wanted = verdicts.filter((box) => box.checked).map((box) => box.value);
   let shown = 0;
   for (const row of rows) {
     const content = row.textContent.toLowerCase();
-    const other = readingShown() && row.dataset.reading && row.dataset.reading !== readingShown();
-    row.hidden = other || !words.every((word) => content.includes(word)) ||
-      (verdicts.length > 0 && !wanted.includes(row.dataset.verdict));
+    row.hidden = !words.every((word) => content.includes(word));
     shown += !row.hidden;
   }
   form.querySelector(".shown").textContent = `${shown} of ${rows.length} shown`;
 }
 
-for (const table of document.querySelectorAll("table.sortable"))
-  if (table.tHead.rows.length) makeSortable(table);
 for (const form of document.querySelectorAll("form.filters")) {
   form.addEventListener("input", () => filter(form));
   form.addEventListener("submit", (event) => event.preventDefault());
-  if (document.getElementById(form.dataset.table).tHead.rows.length) filter(form);
 }
