@@ -4,6 +4,7 @@ plots_test.py RESULT FOLDER
 """
 import hashlib
 import inspect
+import json
 import os
 import pathlib
 import shutil
@@ -92,6 +93,18 @@ before = pathlib.Path(result).read_bytes()
 done = subprocess.run([SCRIPTS / "plot", "curve", result, "-o", result, "--dpi", "30"], capture_output=True, text=True)
 assert done.returncode != 0 and "Traceback" not in done.stderr, done.stderr
 assert pathlib.Path(result).read_bytes() == before
+
+# The friction laws over the speed, of the result's experiment and of one with its own law.
+own = {"V_R": [0, 0.01, 0.1, 1], "mu": [0, 1.2, 0.8, 0.7], "between": "linear"}
+with open_result(result) as file:
+    document = json.loads(file.attrs["experiment"])
+    axes, = bristle_plots.law.draw(file).axes
+    assert abs(axes.lines[0].get_ydata()[-1] - 1) < 1e-3 and len(axes.lines) == 1  # chi, far above V_s
+    document["model"]["friction"], document["friction_law"] = "custom", own
+    axes, = bristle_plots.law.draw(file.assign_attrs(experiment=json.dumps(document))).axes
+    curve, points = (line.get_xydata() for line in axes.lines)
+    assert points.tolist() == [[0.01, 1.2], [0.1, 0.8], [1, 0.7]] and abs(curve[-1, 1] - 0.7) < 1e-12
+    assert numpy.allclose(numpy.interp(points[:, 0], *curve.T), points[:, 1], atol=0.02)
 
 # Verdicts with each model of bending.
 with open_result(result) as file:

@@ -1,8 +1,7 @@
 """The friction laws of any result over the sliding speed, as the program evaluates them."""
 
 from ..computing import find_program
-from ..layout import Cell, heading, legend_at_foot, place, sheet
-from ..maps import LEGEND_INCHES
+from ..layout import Cell, across, legend_at_foot, place_cell, sheet
 from ..page import drawn_on
 from ..program import laws
 from ..readings import OPTIONS
@@ -10,8 +9,7 @@ from ..results import CHOICE_NAMES, as_result, experiment
 from ..style import LOOKS
 
 AXES = []
-MARKS = "Circles: the values of the experiment's own law"
-CELL = Cell(5, 4, 0.7, 0.6, 4, 3)
+MARKS = "Circles: the values that define the own law of the experiment"
 OWN = "custom"
 
 
@@ -28,20 +26,20 @@ def draw_laws(file):
     document = experiment(file)
     curves = laws(find_program(), document)
     speeds = curves.pop("V_R")
-    figure, bottom = sheet(file, CELL.width, CELL.height + LEGEND_INCHES)
-    axes = place(figure, CELL.left, bottom + LEGEND_INCHES + CELL.low, CELL.inner_width, CELL.inner_height)
+    cell, _ = across(1, Cell(5, 4, 0.7, 0.5, 4, 3))
+    figure, bottom = sheet(file, cell.width, cell.height)
+    axes = place_cell(figure, (0, bottom), cell)
     entries = {}
     for look, (name, line) in zip(LOOKS, curves.items()):
-        title = CHOICE_NAMES.get(name, "the experiment's own law" if name == OWN else name.capitalize())
-        entries[title], = axes.plot(speeds[1:], line[1:], **look)
+        title = CHOICE_NAMES.get(name, "own" if name == OWN else name.capitalize())
+        entries[title], = axes.plot(speeds[1:], line[1:], color=look.colour, linestyle=look.line)
     points = document.get("friction_law", {})
     if OWN in curves and "mu" in points:
         own = points.get("V_R") or [speed / document["si"]["V0_m_per_s"] for speed in points["V_R_m_per_s"]]
-        entries["its values"], = axes.plot(own[1:], points["mu"][1:], "o", color="black", fillstyle="none")
+        entries["own, values given"], = axes.plot(own[1:], points["mu"][1:], "o", color="black", fillstyle="none")
     axes.set_xscale("log")
     axes.set_ylim(bottom=0)
     axes.set_xlabel("Sliding speed $V_R/V_0$ (dimensionless)")
     axes.set_ylabel(r"$\mu(V_R)$ (dimensionless)" if list(curves) == [OWN] else "Modulation of the friction (dimensionless)")
-    heading(axes, "", "", [])
-    legend_at_foot(figure, entries, bottom + 0.2 * LEGEND_INCHES)
+    legend_at_foot(figure, entries, bottom)
     return figure
