@@ -32,7 +32,7 @@ expect 2 "cannot be written" "$bristle" run experiments/paper.json -o /proc/nowh
 
 # The friction laws of an experiment over the speed, and what to cite.
 expect 0 "V_R,nss" "$bristle" law experiments/fig4.json
-expect 0 "V_R,coulomb,stribeck" "$bristle" law experiments/stribeck.json
+expect 0 "V_R,nss,coulomb" "$bristle" law experiments/fig7.json
 [ "$("$bristle" law experiments/fig4.json | tail -n 1 | cut -c 1-8)" = "10,1.000" ] || failed "law: chi is not 1 at V_R = 10"
 expect 0 "author = {Menga, N. and Bottiglione, F. and Carbone, G.}" "$bristle" cite
 expect 0 "@misc{bristle-" "$bristle" cite "$result"
