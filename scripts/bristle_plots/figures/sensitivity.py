@@ -7,7 +7,7 @@ from ..errors import BristleError
 from ..layout import Cell, across, corners, heading, legend_at_foot, place_cell, sheet
 from ..readings import one_page, reading_name, readings
 from ..results import attribute, dataset, place_of, table, table_with
-from ..style import COLOURS, label
+from ..style import COLOURS, bar_looks, label
 
 AXES = ["sample"]
 NOTE = ("Bars: total indices, a parameter's share of the variance with all its interactions; circles: first-order indices, its "
@@ -67,10 +67,10 @@ def largest(indices):
 
 def draw_indices(axes, indices, inputs, models):
     width = 0.8 / len(models)
-    for i, (model, colour) in enumerate(zip(models, COLOURS)):
+    for i, (model, look) in enumerate(zip(models, bar_looks())):
         at = np.arange(len(inputs)) - 0.4 + (i + 0.5) * width
         of_model = indices.isel(bending=i) if "bending" in indices.dims else indices
-        axes.bar(at, of_model["ST"], width * 0.9, yerr=of_model["ST_err"], color=colour, alpha=0.75,
+        axes.bar(at, of_model["ST"], width * 0.9, yerr=of_model["ST_err"], **look,
                  error_kw={"linewidth": 0.8}, label=reading_name(model) or "total index")
         axes.errorbar(at, of_model["S1"], of_model["S1_err"], fmt="o", markersize=3.5, color="black", markerfacecolor="white",
                       linewidth=0.8)
