@@ -29,7 +29,10 @@ def run(main, program=None):
 
 def draw_figure():
     """FIGURE RESULT.h5: all pages of a figure, and its further figures."""
-    arguments = figure_parser().parse_args(with_values(sys.argv[1:]))
+    parser = figure_parser()
+    arguments = parser.parse_args(with_values(sys.argv[1:]))
+    if arguments.animate:
+        require_animation(arguments, parser)
     for_paper = arguments.plain or arguments.width is not None
     directory = arguments.directory or ("figures/paper" if for_paper else "figures")
     variable = {} if arguments.y is None else {"y": arguments.y}
@@ -40,6 +43,9 @@ def draw_figure():
     with open_result(arguments.result) as file:
         if arguments.reading:
             file = of_reading(file, arguments.reading)
+        if arguments.animate:
+            importlib.import_module(".animation", __package__).write_animation(file, directory, arguments.figure)
+            return
         if arguments.caption and arguments.panels:
             raise BristleError("--caption is of all panels; draw with --panels, and shorten the caption by hand")
         if arguments.caption:
@@ -52,6 +58,16 @@ def draw_figure():
                           maps_only=arguments.maps_only, cmap=arguments.cmap, **variable)
             save_pages(drawn, directory, "-".join(filter(None, [arguments.figure, ending])), arguments.formats,
                        arguments.dpi, (title_of(module, file, ending), source_of(file)))
+
+
+def require_animation(arguments, parser):
+    """Raises BristleError for another figure, and for options that an animation does not have."""
+    if arguments.figure != "fig2":
+        raise BristleError(f"--animate: only fig2 has recorded trajectories, not {arguments.figure}")
+    without = {"plain": "plain", "width": "width", "panels": "panels", "maps_only": "maps-only", "cmap": "cmap", "y": "y",
+               "caption": "caption", "formats": "format", "dpi": "dpi"}
+    if given := [f"--{option}" for name, option in without.items() if getattr(arguments, name) != parser.get_default(name)]:
+        raise BristleError(f"--animate writes a GIF of one size; it has no {', '.join(given)}")
 
 
 def with_values(words):
@@ -83,6 +99,9 @@ def figure_parser():
     parser.add_argument("--cmap", metavar="NAME", help="matplotlib's colour map for maps and surfaces (default: viridis)")
     parser.add_argument("--y", metavar="VARIABLE", help="what the figures curve and map draw (default: R_x_norm)")
     parser.add_argument("--caption", action="store_true", help="draws nothing, but prints a caption in LaTeX for each page")
+    parser.add_argument("--animate", action="store_true",
+                        help="only fig2: writes FIGURE.gif, the bristles under the moving slab, instead of the figure; of the other "
+                             "options it has -o and --reading")
     parser.add_argument("--format", dest="formats", type=formats, metavar="FORMAT,...", default=["pdf", "png"],
                         help=f"of {', '.join(METADATA)} (default: pdf,png)")
     parser.add_argument("--dpi", type=dpi, default=300, help="pixels per inch of a PNG (default: %(default)s)")

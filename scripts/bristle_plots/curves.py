@@ -8,7 +8,7 @@ from matplotlib.lines import Line2D
 
 from .errors import BristleError
 from .jumps import LEAST_CHANGE, WIDEST_STEP, located_axis, located_jumps, read_jumps
-from .layout import Cell, across, corners, heading, legend_at_foot, place_cell, row_title, sheet
+from .layout import NO_VALUE, Cell, across, corners, heading, legend_at_foot, place_cell, row_title, sheet
 from .page import lettered, paper_width, points
 from .readings import reading_name, readings
 from .results import (CHOICE_NAMES, attribute, axis_values, dataset, place_of, readable, select, select_errors, select_flags,
@@ -126,7 +126,7 @@ def draw_statuses(axes, curve, colour):
             look = dict(linestyle="", marker="x", markersize=5, markeredgewidth=1.2)
             axes.plot(curve.x[empty], np.full(empty.sum(), 0.03), color=colour, clip_on=False,
                       transform=axes.get_xaxis_transform(), **look)
-            entries[f"no value: {meaning}"] = Line2D([], [], color="black", **look)
+            entries[f"{NO_VALUE}{meaning}"] = Line2D([], [], color="black", **look)
         if remarked.any():
             look = dict(linestyle="", marker=status_marker(status), markersize=9,
                         markerfacecolor="none", markeredgecolor="black", markeredgewidth=0.9, zorder=5)
@@ -197,8 +197,8 @@ def log_range(axes, which, low, high):
 def label_line(axes, x, y, power, string, colour=GREY, **look):
     """A text along the line y ~ x^power, at a point of the plot."""
     angle = np.degrees(np.arctan2(power * y, x))
-    axes.text(x, y, string, color=colour, rotation=angle, rotation_mode="anchor", va="bottom", fontsize=points(9),
-              transform_rotates_text=True, **look)
+    axes.text(x, y, string, color=colour, rotation=angle, rotation_mode="anchor", fontsize=points(9),
+              transform_rotates_text=True, **{"va": "bottom", **look})
 
 
 def draw_panels(file, names, along, curves, x_axis=log_axis, finish=None, note=""):

@@ -11,6 +11,7 @@ from .errors import NOT_WRITTEN, BristleError
 from .style import METADATA
 
 FIGURE_FORMATS = ("pdf", "png")
+GIF = b"GIF89a"
 
 
 def read_json(path, remedy):
@@ -45,17 +46,22 @@ def write_whole(path, content):
 def require_replaceable(path, content):
     """Raises BristleError unless nothing stands at path, or an empty file, or one with the same first line.
 
-    The first line is the title of a page, or the signature of PDF and PNG.
+    The first line is the title of a page, or the signature of PDF and PNG. A GIF has no lines, but begins with its version.
     """
     if not os.path.lexists(path):
         return
     if os.path.islink(path) or not os.path.isfile(path):
         raise BristleError(f"{path}: not a regular file, and would be replaced; choose another name for the output")
     with open(path, "rb") as file:
-        found = file.readline(1000)
-    if found and found != io.BytesIO(content).readline(1000):
+        found = beginning(file)
+    if found and found != beginning(io.BytesIO(content)):
         raise BristleError(f"{path}: something else than this script writes, and would be replaced; "
                            "choose another name for the output")
+
+
+def beginning(file):
+    line = file.readline(1000)
+    return GIF if line.startswith(GIF) else line
 
 
 def write_text(path, text):

@@ -5,6 +5,7 @@ from collections import namedtuple
 
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 
 from .page import is_plain, paper_width, points
 from .readings import reading_name
@@ -13,6 +14,7 @@ from .remarks import pinned_note, start_note, validity_note
 from .style import GREY, wrapped
 from .verdicts import draw_strip, read_claims, strip_height, symbols
 
+NO_VALUE = "no value: "  # begins the legend of a status without a value
 HEADER, NOTE = "header", "note"  # gids of the texts of the header, of the note's lines
 TITLE_INCHES, CAPTION_INCHES, NOTE_INCHES = 0.32, 0.22, 0.18  # line heights
 
@@ -125,6 +127,7 @@ def legend_at_foot(figure, entries, y):
     """
     if not entries:
         return
+    entries = with_one_cross(entries)
     if paper_width() is None:
         wide = legend_size(figure, entries, len(entries))[0] > figure.get_figwidth() - 0.2
         draw_legend_at(figure, entries, y, len(entries), columnspacing=0.8 if wide else None)
@@ -136,6 +139,14 @@ def legend_at_foot(figure, entries, y):
             break
     make_room_below(figure, height + 0.05)
     draw_legend_at(figure, entries, 0.03, columns)
+
+
+def with_one_cross(entries):
+    """The entries, with one for all statuses without a value whose mark is a cross; maps have a hatch for each."""
+    crosses = [text for text, entry in entries.items() if text.startswith(NO_VALUE) and isinstance(entry, Line2D)]
+    others = {text: entry for text, entry in entries.items() if text not in crosses}
+    together = NO_VALUE + ", ".join(text.removeprefix(NO_VALUE) for text in crosses)
+    return others | {together: entries[text] for text in crosses[:1]}
 
 
 def legend_size(figure, entries, columns):

@@ -10,7 +10,7 @@ from matplotlib.lines import Line2D
 from .contour_labels import label_contours
 from .errors import BristleError
 from .jumps import LEAST_CHANGE, located_axis, located_jumps, read_jumps
-from .layout import Cell, across, corners, heading, legend_at_foot, place, sheet
+from .layout import NO_VALUE, Cell, across, corners, heading, legend_at_foot, place, sheet
 from .page import lettered, maps_only, paper_width, points
 from .results import attribute, dataset, place_of, readable, select, select_flags, values
 from .style import VERMILION, bar_ticks, described, label, log_ticks, status_marker, value_ticks, wrapped
@@ -304,7 +304,7 @@ def draw_status(flat, grid, field):
             look = dict(facecolor="#dddddd", edgecolor="#555555", linewidth=0,
                         hatch=HATCHES[status % len(HATCHES)])
             flat.add_collection(PatchCollection(cells, **look))
-            entries[f"no value: {meaning}"] = patches.Patch(**look)
+            entries[f"{NO_VALUE}{meaning}"] = patches.Patch(**look)
         marked = here & remarked(grid, field)
         if marked.any():
             look = dict(marker=status_marker(status), markersize=4, linestyle="",

@@ -73,6 +73,12 @@ def looks(items):
     return zip(items, cycle(LOOKS))
 
 
+def bar_looks():
+    """Options of bars, without end; the hatches tell them apart in grey."""
+    return cycle({"facecolor": colour, "edgecolor": BLACK, "linewidth": 0.6, "alpha": 0.75, "hatch": hatch}
+                 for colour, hatch in zip(COLOURS, BAR_HATCHES))
+
+
 def status_marker(status):
     return MARKERS[status % len(MARKERS)]
 

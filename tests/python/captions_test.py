@@ -1,4 +1,4 @@
-"""Captions of all figures compile with LaTeX; lines are told apart in grey; files name the result they are of.
+"""Captions of all figures compile with LaTeX; lines are told apart in grey; files name the result they are of; the animation.
 
 captions_test.py FOLDER RESULTS FIGURE...: of RESULTS/FIGURE_smoke.h5. Without pdflatex the test counts as skipped (77).
 """
@@ -63,9 +63,24 @@ def check_metadata(name, result):
     assert b"/Title" in pdf and all(word.encode() in pdf for word in told)
 
 
+def check_animation(result):
+    done = called("plot", "fig2", result, "--animate", "-o", folder)
+    assert done.code == 0, done.messages
+    path = folder / "fig2.gif"
+    with Image.open(path) as image:
+        assert 60 <= image.n_frames <= 120 and image.info["loop"] == 0, (image.n_frames, image.info)
+    assert path.stat().st_size <= 2_000_000, path.stat().st_size
+    before = path.read_bytes()
+    done = called("plot", "fig2", result, "--animate", "-o", folder)
+    assert done.code == 0 and path.read_bytes() == before, done.messages
+    done = called("plot", "fig2", result, "--animate", "-o", folder, "--plain", "--caption")
+    assert done.code == 2 and "it has no --plain, --caption" in done.messages, done.messages
+
+
 shutil.rmtree(folder, ignore_errors=True)
 folder.mkdir(parents=True)
 assert all(hasattr(getattr(bristle_plots, name), "MARKS") for name in FIGURES)
+check_animation(results / "fig2_smoke.h5")
 captions = []
 for name in sys.argv[3:]:
     result = results / f"{name}_smoke.h5"

@@ -263,6 +263,8 @@ with xarray.open_dataset(result) as ds:
     assert numpy.array_equal(line[numpy.isfinite(line)][:1], ds["gamma_1"].values[0, :1, 0])
     assert "no dataset '/gamma_9'" in refusal(lambda: curve.draw(ds, "gamma_9"))
     assert "a curve needs" in refusal(lambda: curve.draw(ds, "status"))
+done = plot("--animate")
+assert done.code == 2 and "--animate: only fig2 has recorded trajectories, not fig4" in done.messages, done.messages
 for options, words in ((["--panels", "z"], "there is no panel z; this figure has the panels a to b"), (["--panels", "A"], "no letter"),
                        (["--panels", "a", "--caption"], "all panels")):
     done = plot(*options)

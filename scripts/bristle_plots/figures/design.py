@@ -7,7 +7,7 @@ from ..errors import BristleError
 from ..layout import Cell, across, corners, heading, place_cell, sheet
 from ..readings import one_page
 from ..results import attribute, place_of, table, table_with
-from ..style import COLOURS, label
+from ..style import COLOURS, bar_looks, label
 
 AXES = ["sample"]
 ALL, FRONT, BEST, JUMP = "0.75", COLOURS[0], COLOURS[1], "0.35"
@@ -94,10 +94,10 @@ def draw_profile(axes, profile, name, best, margin):
 def draw_indices(axes, indices, trials):
     inputs = [str(name) for name in indices["input"].values]
     width = 0.8 / indices.sizes["objective"]
-    for i, colour in zip(range(indices.sizes["objective"]), COLOURS):
+    for i, look in zip(range(indices.sizes["objective"]), bar_looks()):
         at = np.arange(len(inputs)) - 0.4 + (i + 0.5) * width
         one = indices.isel(objective=i)
-        axes.bar(at, one["ST"], width * 0.9, yerr=one["ST_err"], color=colour, alpha=0.75, error_kw={"linewidth": 0.8},
+        axes.bar(at, one["ST"], width * 0.9, yerr=one["ST_err"], error_kw={"linewidth": 0.8}, **look,
                  label=label(trials[f"objective_{i + 1}"]))
     axes.set_xticks(range(len(inputs)), [f"${attribute(trials[name], 'symbol')}$" for name in inputs])
     axes.set_ylabel("total Sobol index over the tolerances")

@@ -26,7 +26,7 @@ PHASES = {"stick": ("sticking", BLUE), "slip": ("sliding", GREY), "side_slip": (
 NOTE = """Sticking: $V_R < V_s$. Side-slip: $V_R$ turned by more than SIDE_SLIP\u00b0 from the slab's motion. \
 Rebound: tip more than WALL_RANGES wall ranges $\\lambda_z$ off the slab. Of several, rebound comes first, then \
 sticking.
-$t_0$, $t_1$, $t_2$: where the longest spells of sticking begin. Above: grey, the bristle at equal intervals of \
+$t_0$, $t_1$, $t_2$: where the three longest spells of sticking begin. In space: grey, the bristle at equal intervals of \
 time; dashed, before the slab arrives; plane, the slab. Dotted: mean load per bristle, $\\tilde{R}_n/N_{c,0}$."""
 
 # In inches: the figure; the columns, one for each bristle; by how much the view in space is wider, lower end and height of
@@ -42,8 +42,8 @@ Passage = namedtuple("Passage", "theta_0 phi_0 numbers phase")
 def MARKS(file):
     """The legend in words, for a caption."""
     return ("Rows: the tip's path in space, from above, the speed relative to the slab, the normal force and the friction force. Colours of "
-            "paths and areas: blue, sticking; grey or none, sliding; orange, side-slip; purple, rebound. Cross: the root. In the last row "
-            f"black is $F_{{f,x}}$ and vermilion $F_{{f,y}}$. Vertical dashed lines: the times below. {note(file)}")
+            "paths and areas: blue, sticking; grey or none, sliding; orange, side-slip; purple, rebound. Cross, and dot in space: the root. In the "
+            f"last row, linear between -1 and 1, black is $F_{{f,x}}$ and vermilion $F_{{f,y}}$. Vertical dashed lines: the times below. {note(file)}")
 
 
 @page_for_each_reading

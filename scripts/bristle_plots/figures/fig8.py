@@ -60,4 +60,4 @@ def draw_limits(axes, stiff, tested):
         force = stiff.x[valued[0]] * stiff.y[valued[0]]
         ends = stiff.x[valued[[0, -1]]]
         axes.plot(ends, force / ends, color=GREY, linewidth=1, zorder=0)
-        label_line(axes, 1.15 * ends[0], 1.03 * force / (1.15 * ends[0]), -1, r"constant force $R_x$")
+        label_line(axes, 1.1 * ends[0], 0.94 * force / (1.1 * ends[0]), -1, r"constant force $R_x$", va="top")

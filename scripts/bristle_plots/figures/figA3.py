@@ -9,7 +9,7 @@ from ..style import GREY, looks
 
 AXES = ["friction", "sampling", "k_r"]
 VARIABLES = ["N_c_ratio"]
-MARKS = f"Lines: the mean over the azimuth by quadrature; open markers: lattices. {BANDS} {BARS} Grey: as many bristles as stand under the slab"
+MARKS = f"Lines: the mean over the azimuth by quadrature; open markers: lattices. {BANDS} {BARS} Grey line: as many bristles as rigid ones"
 
 
 @one_page
@@ -34,7 +34,7 @@ def draw_panel(axes, file, reading):
     axes.axhline(1, color=GREY, linewidth=1, zorder=0)
     log_axis(axes, "x", dataset(file, "k_r"))
     title_axis(axes, "y", dataset(file, VARIABLES[0]))
-    label_line(axes, axis_values(file, "k_r")[0], 1.003, 0, r"$N_c = N_0$")
+    label_line(axes, axis_values(file, "k_r")[0], 1.003, 0, r"$N_c = N_{c,0}$")
     if paper_width() is None:
         legend(axes, entries, loc="upper right")
     return entries

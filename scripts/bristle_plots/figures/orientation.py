@@ -12,7 +12,7 @@ VARIABLES = ["R_norm", "direction"]
 
 
 def MARKS(file):
-    return f"{curve_marks(file, 'mean_deg')} Grey line: friction against the motion of the bristles relative to the slab"
+    return f"{curve_marks(file, 'mean_deg')} Grey line, at 0: no force across the motion"
 
 
 @one_page

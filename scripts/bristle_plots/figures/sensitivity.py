@@ -2,14 +2,17 @@
 
 import numpy as np
 
+from .. import style
 from ..curves import log_axis, title_axis
 from ..errors import BristleError
 from ..layout import Cell, across, corners, heading, legend_at_foot, place_cell, sheet
+from ..page import paper_width
 from ..readings import one_page, reading_name, readings
-from ..results import attribute, dataset, place_of, table, table_with
-from ..style import COLOURS, label
+from ..results import dataset, place_of, table, table_with
+from ..style import COLOURS, bar_looks, label
 
 AXES = ["sample"]
+LEGEND_INCHES = 0.3
 NOTE = ("Bars: total indices, a parameter's share of the variance with all its interactions; circles: first-order indices, its "
         "share on its own. Error bars: standard errors by bootstrap.{}")
 DOTS = "Dots: the points of the sample, with the design's further points pale. A model with two branches has two clouds."
@@ -31,9 +34,10 @@ def draw(file):
     inputs = [str(name) for name in indices["input"].values]
     models = readings(file)
     cell, columns = across(len(outputs), Cell(5.6, 3.6, 1.0, 0.6, 4.3, 2.7), 0.5)
+    below = LEGEND_INCHES if paper_width() is None else 0  # of the legend
     rows = 2 * -(-len(outputs) // columns)
-    figure, bottom = sheet(file, cell.width * columns, cell.height * rows, f"{NOTE.format(left_out(indices))}\n{DOTS}")
-    places = corners(2 * len(outputs), columns, cell, bottom)
+    figure, bottom = sheet(file, cell.width * columns, cell.height * rows + below, f"{NOTE.format(left_out(indices))}\n{DOTS}")
+    places = corners(2 * len(outputs), columns, cell, bottom + below)
     # The bars of all outputs first, then the dots.
     for letter, output, corner in zip("abcdefgh", outputs, places):
         axes = place_cell(figure, corner, cell)
@@ -45,12 +49,12 @@ def draw(file):
         draw_dots(axes, file, output, largest(indices.sel(output=output)), models, len(inputs) + 2)
         heading(axes, letter)
     handles, texts = figure.axes[0].get_legend_handles_labels()
-    legend_at_foot(figure, dict(zip(texts, handles)), bottom)
+    legend_at_foot(figure, dict(zip(texts, handles)), bottom + below / 3)
     return figure
 
 
 def symbol(file, name):
-    return f"${attribute(dataset(file, 'R_n_target' if name == 'R_n' and 'R_n_target' in file else name), 'symbol')}$"
+    return style.symbol(dataset(file, "R_n_target" if name == "R_n" and "R_n_target" in file else name))
 
 
 def left_out(indices):
@@ -67,10 +71,10 @@ def largest(indices):
 
 def draw_indices(axes, indices, inputs, models):
     width = 0.8 / len(models)
-    for i, (model, colour) in enumerate(zip(models, COLOURS)):
+    for i, (model, look) in enumerate(zip(models, bar_looks())):
         at = np.arange(len(inputs)) - 0.4 + (i + 0.5) * width
         of_model = indices.isel(bending=i) if "bending" in indices.dims else indices
-        axes.bar(at, of_model["ST"], width * 0.9, yerr=of_model["ST_err"], color=colour, alpha=0.75,
+        axes.bar(at, of_model["ST"], width * 0.9, yerr=of_model["ST_err"], **look,
                  error_kw={"linewidth": 0.8}, label=reading_name(model) or "total index")
         axes.errorbar(at, of_model["S1"], of_model["S1_err"], fmt="o", markersize=3.5, color="black", markerfacecolor="white",
                       linewidth=0.8)
