@@ -102,9 +102,9 @@ with open_result(result) as file:
     assert abs(axes.lines[0].get_ydata()[-1] - 1) < 1e-3 and len(axes.lines) == 1  # chi, far above V_s
     document["model"]["friction"], document["friction_law"] = "custom", own
     axes, = bristle_plots.law.draw(file.assign_attrs(experiment=json.dumps(document))).axes
-    curve, points = (line.get_xydata() for line in axes.lines)
-    assert points.tolist() == [[0.01, 1.2], [0.1, 0.8], [1, 0.7]] and abs(curve[-1, 1] - 0.7) < 1e-12
-    assert numpy.allclose(numpy.interp(points[:, 0], *curve.T), points[:, 1], atol=0.02)
+    mu, points = (line.get_xydata() for line in axes.lines)
+    assert points.tolist() == [[0.01, 1.2], [0.1, 0.8], [1, 0.7]] and abs(mu[-1, 1] - 0.7) < 1e-12
+    assert numpy.allclose(numpy.interp(points[:, 0], *mu.T), points[:, 1], atol=0.02)
 
 # Verdicts with each model of bending.
 with open_result(result) as file:
