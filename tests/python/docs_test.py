@@ -36,7 +36,7 @@ INSTEAD = [
     (r"ctest (.*)$", r"ctest --show-only \1"),  # the log of the tests in progress must stay
     (r"make (archive|verify\b.*|release\b.*)$", r"make -n \1"),  # tests/program/archive_test.sh, tests/program/release_test.sh
     (r"make (sanitize|tidy|coverage|fuzz|stress)\b(.*)$", r"make -n \1\2"),  # take hours, or have their own tests
-    (r"scripts/plot (\w+) results/\1\.h5(.*)$", r"scripts/plot \1 results/\1-smoke.h5\2"),
+    (rf"scripts/plot (\w+) results/({FIGURES})\.h5(.*)$", r"scripts/plot \1 results/\2-smoke.h5\3"),
     (r"(build/bristle run experiments/fig4.json --(shard \S+|complete))$", r"\1 --tier smoke"),
     (r"scripts/slurm/.*", "test -x scripts/slurm/array.sh"),  # tests/program/slurm_test.sh
 ]
