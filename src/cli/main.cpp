@@ -38,13 +38,15 @@ void add_experiment(CLI::App& command, ExperimentOptions& options) {
            "smoke: a small subset of the points; study: the subset for `assumptions`; full: all");
 }
 
-CLI::App* add_new(CLI::App& app, std::string& name, bool& in_si) {
+CLI::App* add_new(CLI::App& app, std::string& name, bool& in_si, bool& repository) {
   auto* command = app.add_subcommand("new", "write an experiment to start from");
   command
       ->add_option("NAME", name,
                    "its name: letters, digits, _ . -; written to experiments/NAME.json, or NAME.json")
       ->required();
   command->add_flag("--si", in_si, "of a material in SI units: friction over velocity");
+  command->add_flag("--repository", repository,
+                    "in a folder NAME, with a script and a workflow that check its numbers at every commit");
   return command;
 }
 
@@ -212,8 +214,8 @@ class CommandLine {
     app_.footer(
         "Exit codes: 0 success; 1 a check failed; 2 wrong input or command line; "
         "3 the run could not finish; 130 interrupted (Ctrl-C).");
-    set_action(add_new(app_, new_name_, new_in_si_),
-               [this] { return cli::new_command(new_name_, new_in_si_); });
+    set_action(add_new(app_, new_name_, new_in_si_, new_repository_),
+               [this] { return cli::new_command(new_name_, new_in_si_, new_repository_); });
     set_action(add_run(app_, experiment_, run_, instruction_set_),
                [this] { return cli::run_command(experiment_, run_, instruction_set_); });
     set_action(add_design(app_, experiment_, run_), [this] { return cli::run_command(experiment_, run_, "", true); });
@@ -264,7 +266,7 @@ class CommandLine {
   CLI::App app_{"bristle: dry friction of a lattice of elastic bristles under a sliding slab"};
   Command selected_;
   std::string command_line_, new_name_, instruction_set_, cited_;
-  bool new_in_si_ = false;
+  bool new_in_si_ = false, new_repository_ = false;
   ExperimentOptions experiment_;
   run::RunOptions run_;
   InfoOptions info_;

@@ -1,6 +1,7 @@
 #include "cli/commands.hpp"
 
 #include "experiment/experiment.hpp"
+#include "run/provenance.hpp"
 #include "util/data.hpp"
 #include "util/error.hpp"
 #include "util/file.hpp"
@@ -65,20 +66,44 @@ constexpr const char* kStartInSi = R"({
  "sweep": {"V0_m_per_s": {"logspace": [3, 30, 7]}}
 })";
 
-}  // namespace
+// Computes the smoke tier of every experiment of a repository and compares it with the stored values.
+constexpr const char* kCheckScript = R"(#!/bin/sh
+# Computes the smoke tier of each experiment and compares it with the values in reference/.
+set -eu
+for file in *.json; do
+  result=results/${file%.json}-smoke.h5
+  bristle run "$file" --tier smoke -o "$result"
+  bristle check "$result" --reference reference --report-only
+done
+)";
 
-std::string new_experiment_path(const std::string& name) {
-  return std::filesystem::is_directory("experiments") ? fmt::format("experiments/{}.json", name)
-                                                      : name + ".json";
-}
+// The repository variable BRISTLE has the address, because the program does not know it.
+constexpr const char* kWorkflow = R"(name: check
+on: [push, pull_request]
+jobs:
+  check:
+    runs-on: ubuntu-24.04
+    container: debian:bookworm
+    steps:
+      - run: apt-get update && apt-get install -y --no-install-recommends git make ca-certificates
+      - uses: actions/checkout@v4
+      # The variable BRISTLE of the repository's settings has the address of bristle's repository.
+      - run: git clone "$BRISTLE" /opt/bristle && git -C /opt/bristle checkout COMMIT && make -C /opt/bristle install
+        env:
+          BRISTLE: ${{ vars.BRISTLE }}
+      - run: sh check.sh
+)";
 
-int new_command(const std::string& given, bool in_si) {
+std::string checked_name(const std::string& given) {
   const std::string name = given.ends_with(".json") ? given.substr(0, given.size() - 5) : given;
   if (name.empty() || name.find_first_not_of(
                           "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_.-") != name.npos)
     throw InputError(
         fmt::format("new: NAME {} is not allowed; allowed: letters, digits, _ . -", Json(given).dump()));
-  const std::string path = new_experiment_path(name);
+  return name;
+}
+
+void write_experiment(const std::string& path, const std::string& name, bool in_si) {
   if (std::filesystem::exists(std::filesystem::symlink_status(path)))
     throw InputError(fmt::format("{}: exists; choose another name, or remove it first", path));
   if (!std::filesystem::exists(std::filesystem::path(path).replace_filename("paper.json")) &&
@@ -89,6 +114,40 @@ int new_command(const std::string& given, bool in_si) {
   write_whole(path, replace_all(in_si ? kStartInSi : kStart, "NAME", name) + "\n",
               {"an experiment", "{", {}});
   experiment::load_experiment(path, {});
+}
+
+// The folder NAME with an experiment, the script that checks its numbers, and a workflow that runs it.
+int new_repository(const std::string& name, bool in_si) {
+  if (std::filesystem::exists(std::filesystem::symlink_status(name)))
+    throw InputError(fmt::format("{}: exists; choose another name, or remove it first", name));
+  const std::string commit = replace_all(run::kCommit, "-dirty", "");
+  write_experiment(fmt::format("{0}/{0}.json", name), name, in_si);
+  write_whole(name + "/.gitignore", "results/\n", {"a list of files", "results/", {}});
+  write_whole(name + "/check.sh", kCheckScript, {"a script", "#!/bin/sh", {}});
+  write_whole(name + "/.github/workflows/check.yml", replace_all(kWorkflow, "COMMIT", commit), {"a workflow", "name:", {}});
+  fmt::print(
+      "{0}/: written, with an experiment, check.sh and a workflow for continuous integration. Next:\n"
+      "  cd {0} && git init && git add . && git commit -m \"An experiment\"\n"
+      "  bristle run {0}.json --tier smoke\n"
+      "  bristle reference update results/{0}-smoke.h5 --reason \"first values\"\n"
+      "  git add reference && git commit -m \"Reference values\"\n"
+      "  sh check.sh\n",
+      name);
+  return kSuccess;
+}
+
+}  // namespace
+
+std::string new_experiment_path(const std::string& name) {
+  return std::filesystem::is_directory("experiments") ? fmt::format("experiments/{}.json", name)
+                                                      : name + ".json";
+}
+
+int new_command(const std::string& given, bool in_si, bool repository) {
+  const std::string name = checked_name(given);
+  if (repository) return new_repository(name, in_si);
+  const std::string path = new_experiment_path(name);
+  write_experiment(path, name, in_si);
   fmt::print("{}: written; compute it with `bristle run {}`\n", path, path);
   return kSuccess;
 }

@@ -40,6 +40,13 @@ digest=$("$bristle" info --json "$result" | sed -n 's/.*"payload_sha256": "\([0-
 expect 0 "SHA-256 of the numbers $digest;" "$bristle" cite "$result"
 expect 2 "nowhere.h5: no such file" "$bristle" cite nowhere.h5
 
+# A repository that checks its own numbers, and its values, which change.
+own() (cd "$folder" && PATH=$(dirname "$bristle"):$PATH "$@")
+expect 0 "own/: written, with an experiment, check.sh and a workflow" own bristle new own --repository
+expect 2 "own: exists" own bristle new own --repository
+expect 0 "5 points" own bristle validate own/own.json --set /sweep/friction=null
+grep -q "checkout [0-9a-f]\{40\} " "$folder/own/.github/workflows/check.yml" || failed "new --repository: no commit in the workflow"
+
 # Standard input and standard output in place of files.
 point='{"extends": "paper.json", "name": "piped", "orientation": {"rtol": 0.1}}'
 piped() { printf %s "$1" | "$bristle" "${@:2}"; }
