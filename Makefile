@@ -5,7 +5,7 @@
 DRAWN := $(filter $(basename $(notdir $(wildcard experiments/*.json))),$(basename $(notdir $(wildcard scripts/bristle_plots/figures/*.py))))
 FIGURES := $(sort $(filter fig%,$(DRAWN)))
 STUDIES := $(sort $(filter-out fig%,$(DRAWN)))
-.PHONY: help packages build test bench accuracy clean figures findings assumptions inference report archive verify citation release \
+.PHONY: help packages build test bench accuracy clean figures findings assumptions inference report archive verify citation deposit release \
   sanitize fuzz tidy coverage $(FIGURES) $(STUDIES)
 JOBS ?= $(shell nproc 2>/dev/null || echo 1)
 BUILD := build
@@ -151,6 +151,10 @@ verify: build ## check the archive; RERUN=N also computes N points again and com
 # Zenodo reads .zenodo.json.
 citation: packages report-packages ## write .zenodo.json from CITATION.cff, after every change of that file
 	@$$(scripts/find-python yaml matplotlib) scripts/zenodo.py
+
+deposit: packages report-packages ## what Zenodo asks about the archive: dist/bristle-<version>.tar.zenodo.json
+	@$$(scripts/find-python yaml matplotlib) scripts/zenodo.py --archive $(ARCHIVE)
+	@echo "$(ARCHIVE).zenodo.json: written"
 
 release: packages report-packages ## VERSION=x.y.z [DOI=10.x/y]: write the new version and its DOI everywhere, commit nothing
 	@scripts/release '$(VERSION)' '$(DOI)'

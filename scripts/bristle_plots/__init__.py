@@ -25,7 +25,9 @@ from .style import apply_look
 FIGURES = sorted(name.removesuffix(".py") for name in os.listdir(os.path.join(os.path.dirname(__file__), "figures"))
                  if name.endswith(".py") and not name.startswith("_"))
 
-__all__ = ["BristleError", "FIGURES", "apply_look", "open_result", "pages", "run", *(name for name in FIGURES if name != "map")]  # map: not over Python's own
+# Without map, which would hide Python's own.
+__all__ = ["BristleError", "FIGURES", "apply_look", "open_result", "pages", "run",
+           *(name for name in FIGURES if name != "map")]
 
 
 def __getattr__(name):

@@ -1,7 +1,9 @@
 """CITATION.cff gives .zenodo.json, which is up to date, and the report's citations. citation_test.py SOURCE"""
+import hashlib
 import json
 import pathlib
 import sys
+import tarfile
 import tempfile
 
 import yaml
@@ -52,6 +54,29 @@ for wrong, text in [({**cff, "authors": [{"family-names": "A"}]}, "lacks given-n
                     ("[]", "not a citation file of version"), ({"title": "x"}, "lacks version")]:
     code, message, _ = zenodo(wrong)
     assert code == 2 and text in message and len(message.splitlines()) <= 6, message
+
+# The dataset's record: from the citation in the archive, with its hash; it names people.
+def deposit(authors):
+    data = folder / "bristle-1/data"
+    data.mkdir(parents=True, exist_ok=True)
+    program = {"type": "software", "title": "t", "authors": authors}
+    (data / "CITATION.cff").write_text(json.dumps({**cff, "type": "dataset", "title": "Data of t", "authors": authors,
+                                                   "references": [program, *cff["references"]]}))
+    with tarfile.open(folder / "bristle-1.tar", "w") as archive:
+        archive.add(folder / "bristle-1", "bristle-1")
+    done = called("zenodo.py", "--archive", folder / "bristle-1.tar")
+    output = folder / "bristle-1.tar.zenodo.json"
+    return done.code, done.messages, json.loads(output.read_text()) if output.exists() else None
+
+
+code, message, found = deposit([{"name": "The bristle developers"}])
+assert code == 2 and found is None and "a dataset names people" in message, message
+code, message, found = deposit(people)
+assert code == 0 and found["upload_type"] == "dataset" and found["license"] == "cc-by-4.0", message
+assert found["title"] == "Data of t" and found["creators"][1] == {"name": "A group", "affiliation": "C"}
+assert hashlib.sha512((folder / "bristle-1.tar").read_bytes()).hexdigest() in found["description"]
+done = called("zenodo.py", "--archive", source / "CITATION.cff")
+assert done.code == 2 and "not an archive of `make archive`" in done.messages, done.messages
 
 paper = sources.citation(source / "CITATION.cff")[1]
 assert paper["text"].endswith(" Nonlinear Dynamics, no. 4, pp. 3099\u20133112."), paper["text"]

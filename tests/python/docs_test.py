@@ -34,7 +34,7 @@ INSTEAD = [
     (r"make accuracy$", "make -n accuracy"),  # tests/python/accuracy_test.py
     (r"make (build|build-tests|test|test-all)$", r"make -n \1"),  # this test is part of them
     (r"ctest (.*)$", r"ctest --show-only \1"),  # the log of the tests in progress must stay
-    (r"make (archive|verify\b.*|release\b.*)$", r"make -n \1"),  # tests/program/archive_test.sh, tests/program/release_test.sh
+    (r"make (archive|verify\b.*|deposit\b.*|release\b.*)$", r"make -n \1"),  # tests/program/archive_test.sh, tests/program/release_test.sh
     (r"make (sanitize|tidy|coverage|fuzz|stress)\b(.*)$", r"make -n \1\2"),  # take hours, or have their own tests
     (rf"scripts/plot (\w+) results/({FIGURES})\.h5(.*)$", r"scripts/plot \1 results/\2-smoke.h5\3"),
     (r"(build/bristle run experiments/fig4.json --(shard \S+|complete))$", r"\1 --tier smoke"),
