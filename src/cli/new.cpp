@@ -95,7 +95,7 @@ jobs:
 )";
 
 std::string checked_name(const std::string& given) {
-  const std::string name = given.ends_with(".json") ? given.substr(0, given.size() - 5) : given;
+  std::string name = given.ends_with(".json") ? given.substr(0, given.size() - 5) : given;
   if (name.empty() || name.find_first_not_of(
                           "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_.-") != name.npos)
     throw InputError(

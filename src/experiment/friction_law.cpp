@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <algorithm>
-#include <cmath>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 namespace bristle::experiment {

@@ -190,7 +190,7 @@ inline const auto& choices() {
       choice<&Parameters::pole_rule>("pole_rule", "rule for a tip that reaches s = s_min"),
   };
   static_assert(sizeof(Parameters) == kParameters.size() * sizeof(double) + table.size() * sizeof(int) +
-                                          sizeof(Parameters::custom_friction),
+                                          sizeof(void*),
                 "kParameters and choices() describe every other member of Parameters");
   return table;
 }

@@ -5,6 +5,7 @@
 #include <boost/math/interpolators/pchip.hpp>
 #include <fmt/format.h>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 

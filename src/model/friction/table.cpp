@@ -47,7 +47,7 @@ ModulationTable::ModulationTable(FrictionLaw law, const FrictionConstants<double
 ModulationTable::ModulationTable(double V_s, std::vector<double> coefficients)
     : law_(FrictionLaw::custom),
       V_s_(V_s),
-      intervals_(double(coefficients.size() / 4 - 1)),
+      intervals_(double(coefficients.size()) / 4 - 1),
       coefficients_(std::move(coefficients)) {}
 
 ModulationTable::Entry ModulationTable::entry(double V_R) const {
