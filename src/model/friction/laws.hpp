@@ -12,17 +12,17 @@
 
 namespace bristle {
 
-// The registered friction laws, in the order of FrictionLaw. Experiments select a law by Law::name. A law is
+// The registered friction laws, in the order of FrictionLaw; stored references hold its numbers. Experiments select a law by Law::name. A law is
 //   F_f = factor modulation(V_R) load(F_n)
 // where modulation tends to 1 at speeds far above V_s (not for "custom") and factor is
 // proportional to the parameter strength. rigid() is the friction force of rigid bristles
 // (docs/extending.md).
-using FrictionLaws = std::tuple<Nss, Coulomb, Custom, Stribeck>;
+using FrictionLaws = std::tuple<Nss, Coulomb, Stribeck, Custom>;
 enum class FrictionLaw : int {
   nss,
   coulomb,
-  custom,
   stribeck,
+  custom,
   count
 };
 static_assert(std::tuple_size_v<FrictionLaws> == std::size_t(FrictionLaw::count));
