@@ -4,6 +4,7 @@
 #include "results/journal.hpp"
 #include "results/reader.hpp"
 #include "run/provenance.hpp"
+#include "util/error.hpp"
 #include "util/text.hpp"
 
 #include <fmt/format.h>
@@ -64,6 +65,9 @@ int cite_command(const std::string& result) {
   const results::ResultReader file(result);
   file.require_intact();
   const auto provenance = file.provenance();
+  for (const char* key : {"commit", "finished"})
+    if (!provenance.contains(key))
+      throw InputError(fmt::format("{}: /provenance lacks {}; only results of `bristle run` can be cited", result, key));
   print_entry("misc", "bristle-" + file.text("name"),
               {{"title", "{Result of bristle: " + file.text("title") + "}"},
                {"year", provenance.at("finished").substr(0, 4)},

@@ -81,9 +81,8 @@ struct InfoOptions {
 };
 int info_command(const InfoOptions& options);
 
-// Writes an experiment to start from, with in_si one of a material in SI units, and with repository a folder that
-// has it, a script that checks its numbers and a workflow. It extends the paper.json
-// beside it or, if there is none, the one that comes with the program. Throws InputError if the name is not
+// Writes an experiment to start from, with in_si one of a material in SI units, and with repository a folder
+// with the experiment, a script that checks its numbers and a workflow. It extends the paper.json beside it or, if there is none, the one that comes with the program. Throws InputError if the name is not
 // allowed or the file exists.
 int new_command(const std::string& name, bool in_si, bool repository);
 // experiments/NAME.json or, if there is no such folder, NAME.json

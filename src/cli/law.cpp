@@ -30,14 +30,14 @@ double modulation(const Parameters& p, double V_R) {
 int law_command(const ExperimentOptions& options) {
   const Experiment e = experiment::load_experiment(options.file, options.load);
   std::vector<Parameters> laws;  // of the points, each once, with the first values of the other axes
-  for (std::size_t i = 0; i < e.points(); ++i) {
+  for (std::size_t i = 0; i < e.points() && laws.size() < std::size_t(FrictionLaw::count); ++i) {
     const Parameters p = e.point(i).setup.parameters;
     if (std::ranges::none_of(laws, [&](const Parameters& known) { return known.friction == p.friction; }))
       laws.push_back(p);
   }
-  fmt::print("# {}: friction over its value where the modulation is 1, dimensionless; for custom: mu\n"
-             "# V_R: sliding speed, in units of V0{}\nV_R", e.name,
-             laws.size() < e.points() ? "; of several points with a law: the first" : "");
+  fmt::print("# {}: modulation of each friction law, dimensionless; of custom: mu\n"
+             "# V_R: sliding speed, in units of V0\n{}V_R", e.name,
+             laws.size() < e.points() ? "# A law has the parameters of the first point that uses it.\n" : "");
   for (const Parameters& p : laws) fmt::print(",{}", word(p.friction));
   for (const double V_R : speeds()) {
     fmt::print("\n{}", results::csv_number(V_R));

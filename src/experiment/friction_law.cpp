@@ -21,7 +21,8 @@ std::vector<double> read_speeds(const Document& d, const Json& law, const std::v
   const Json& json = d.json();
   if (!json.contains("si")) d.fail("/friction_law/V_R_m_per_s", "needs the block /si; use V_R, in units of V0");
   if (swept(axes, "V0_m_per_s"))
-    d.fail("/friction_law/V_R_m_per_s", "needs one sliding speed, but the sweep varies V0_m_per_s; use V_R, in units of V0");
+    d.fail("/friction_law/V_R_m_per_s", "is divided by one V0_m_per_s, but the sweep varies it; compute an experiment for each velocity (V_R in "
+           "units of V0 would be another law at each of them)");
   for (double& speed : speeds) speed /= json["si"]["V0_m_per_s"].get<double>();
   return speeds;
 }

@@ -116,6 +116,7 @@ TEST_CASE("custom friction: what is not a law is refused with the place and the 
       {R"J({"V_R": [0, 1, 2], "mu": [0, 1, -1]})J", "/friction_law/mu/2: -1 is not allowed; allowed: a number at least 0"},
       {R"J({"V_R": [0, 1, 2], "mu": [0, 1, 1]})J", "/friction_law/between: pchip needs at least 4 values"},
       {R"J({"V_R": [0, 1e-6, 1e6], "mu": [0, 1, 1e6], "between": "linear"})J", "/friction_law/V_R: changes too steeply"},
+      {R"J({"V_R": [0, 1e-320, 1], "mu": [0, 1, 1], "between": "linear"})J", "/friction_law/V_R: changes too steeply"},
       {R"J({"V_R": [0, 1], "mu": [0, 1], "between": "linear", "to": 3})J", "/friction_law/to: belongs to a formula"},
       {R"J({"V_R_m_per_s": [0, 1], "mu": [0, 1], "between": "linear"})J", "/friction_law/V_R_m_per_s: needs the block /si"},
       {R"J({"formula": "1"})J", "/friction_law/formula: is 1 at V_R = 0; a bristle at rest on the slab has no friction"},

@@ -84,7 +84,8 @@ double fill(std::vector<double>& coefficients, const Interpolant& mu, double V_s
     from = to;
   }
   coefficients.insert(coefficients.end(), {from.q, 0, 0, 0});
-  return worst;
+  const bool finite = std::ranges::all_of(coefficients, [](double one) { return std::isfinite(one); });
+  return finite ? worst : INFINITY;
 }
 
 }  // namespace

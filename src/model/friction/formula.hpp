@@ -6,9 +6,9 @@
 namespace bristle {
 
 // The function of one variable that the text describes: numbers, the variable, pi, + - * / ^, parentheses,
-// and the functions abs, atan, cos, exp, log, sin, sqrt and tanh. Its bits are the same on all machines, which no library for
-// formulas promises: it uses the elementary functions of the equations. Throws std::invalid_argument with
-// the position in the text and what is allowed there.
+// and the functions abs, atan, cos, exp, log, sin, sqrt and tanh. It uses the elementary functions of the
+// equations, so that its bits are the same on all machines; libraries for formulas call the C library's.
+// Throws std::invalid_argument with the position in the text and what is allowed there.
 std::function<double(double)> parse_formula(const std::string& text, const std::string& variable);
 
 }  // namespace bristle
