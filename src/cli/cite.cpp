@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 namespace bristle::cli {
 
@@ -41,6 +42,8 @@ std::string field(const Json& source, const char* key) { return source.contains(
 }  // namespace
 
 int cite_command(const std::string& result) {
+  std::optional<results::ResultReader> file;  // read before anything is printed
+  if (!result.empty()) file.emplace(result).require_intact();
   const Json software = archive::parse_citation(citation_file());
   const std::string version = run::kVersion;
   print_entry("software", "bristle-" + version,
@@ -61,18 +64,16 @@ int cite_command(const std::string& result) {
                  {"number", field(reference, "issue")},
                  {"pages", field(reference, "start") + "--" + field(reference, "end")},
                  {"doi", field(reference, "doi")}});
-  if (result.empty()) return kSuccess;
-  const results::ResultReader file(result);
-  file.require_intact();
-  const auto provenance = file.provenance();
+  if (!file) return kSuccess;
+  const auto provenance = file->provenance();
   for (const char* key : {"commit", "finished"})
     if (!provenance.contains(key))
       throw InputError(fmt::format("{}: /provenance lacks {}; only results of `bristle run` can be cited", result, key));
-  print_entry("misc", "bristle-" + file.text("name"),
-              {{"title", "{Result of bristle: " + file.text("title") + "}"},
+  print_entry("misc", "bristle-" + file->text("name"),
+              {{"title", "{Result of bristle: " + file->text("title") + "}"},
                {"year", provenance.at("finished").substr(0, 4)},
                {"note", fmt::format("computed by commit {}; SHA-256 of the numbers {}; `bristle info` prints both",
-                                    provenance.at("commit"), file.text("payload_sha256"))}});
+                                    provenance.at("commit"), file->text("payload_sha256"))}});
   if (results::is_dirty(provenance.at("commit")))
     write_message(fmt::format("{}: was computed by a program with uncommitted changes: nobody else can compute it again\n", result));
   return kSuccess;
