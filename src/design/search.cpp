@@ -8,9 +8,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <limits>
+#include <map>
 #include <numeric>
+#include <optional>
 
 namespace bristle::design {
 namespace {
@@ -126,6 +127,52 @@ std::vector<std::size_t> local_minima(const std::vector<Point>& points, const st
   return minima;
 }
 
+// Subplex from one start, which asks for one trial at a time. NLopt calls for values, whereas trials of several
+// searches are computed together; so each trial repeats the search from its start with the values it knows, up to
+// the first that it does not know.
+class LocalSearch {
+ public:
+  LocalSearch(Point start, double value, double step, double enough)
+      : start_(std::move(start)), step_(step), enough_(enough) {
+    add(start_, value);
+  }
+  void add(const Point& point, double value) { known_[point] = value; }
+
+  // The trial it needs next; none once it has ended.
+  std::optional<Point> next() {
+    unknown_.reset();
+    nlopt::opt search(nlopt::LN_SBPLX, unsigned(start_.size()));
+    search.set_min_objective(
+        [](const Point& x, Point&, void* data) {
+          auto& self = *static_cast<LocalSearch*>(data);
+          const auto known = self.known_.find(x);
+          if (known != self.known_.end()) return known->second;
+          self.unknown_ = x;
+          throw nlopt::forced_stop();
+        },
+        this);
+    search.set_lower_bounds(0);
+    search.set_upper_bounds(1);
+    search.set_initial_step(step_);
+    search.set_xtol_abs(1e-5);
+    search.set_stopval(enough_);
+    Point x = start_;
+    double least = 0;
+    try {
+      search.optimize(x, least);
+    } catch (const nlopt::roundoff_limited&) {  // it has ended
+    } catch (const nlopt::forced_stop&) {
+    }
+    return unknown_;
+  }
+
+ private:
+  Point start_;
+  double step_, enough_;
+  std::map<Point, double> known_;
+  std::optional<Point> unknown_;
+};
+
 }  // namespace
 
 bool better(const Score& a, const Score& b) {
@@ -179,66 +226,40 @@ std::vector<std::size_t> search_minima(std::size_t dimensions, std::size_t budge
                                        double enough, const Evaluate& evaluate) {
   std::vector<Point> points = sobol_points((budget + 1) / 2, dimensions, seed);
   std::vector<Score> scores = evaluate(points);
+  double worst = 0;  // of the trials without violation: those with one are worse
+  for (const Score& score : scores)
+    if (score.violation == 0) worst = std::max(worst, score.objectives.front());
+  const auto value = [&](const Score& score) {
+    if (score.violation == 0) return score.objectives.front();
+    return std::isfinite(score.violation) ? worst + (1 + std::abs(worst)) * (1 + score.violation) : HUGE_VAL;
+  };
+
   std::vector<std::size_t> starts = local_minima(points, scores);
   std::size_t rest = budget - points.size();
   const std::size_t least = 10 * (dimensions + 1);  // trials of a local search
   starts.resize(std::min(starts.size(), std::max<std::size_t>(1, rest / least)));
-  double worst = 0;  // of the trials without violation: those with one are worse
-  for (const Score& score : scores)
-    if (score.violation == 0) worst = std::max(worst, score.objectives.front());
-
-  std::vector<std::size_t> ends;
   const double edge = 1 / pow(double(points.size()), 1 / double(dimensions));
-  for (std::size_t k = 0; k < starts.size(); ++k) {
-    const std::size_t trials = rest / (starts.size() - k);
-    std::size_t end = starts[k];
-    std::exception_ptr error;
-    const auto value = [&](const std::vector<double>& x) {
-      const std::vector<Score> score = evaluate({x});
-      points.push_back(x);
-      scores.push_back(score.front());
-      --rest;
-      if (better(scores.back(), scores[end])) end = scores.size() - 1;
-      const double violation = scores.back().violation;
-      if (violation > 0) return std::isfinite(violation) ? worst + (1 + std::abs(worst)) * (1 + violation) : HUGE_VAL;
-      return scores.back().objectives.front();
-    };
-    if (trials > 0 && !(scores[end].violation == 0 && scores[end].objectives.front() <= enough)) {
-      struct Call {
-        decltype(value)& of;
-        std::exception_ptr& error;
-        nlopt::opt& search;
-      };
-      nlopt::opt search(nlopt::LN_SBPLX, unsigned(dimensions));
-      Call call{value, error, search};
-      search.set_min_objective(
-          [](const std::vector<double>& x, std::vector<double>&, void* data) {
-            auto& [of, error, search] = *static_cast<Call*>(data);
-            try {
-              return of(x);
-            } catch (...) {
-              error = std::current_exception();
-              search.force_stop();
-              return HUGE_VAL;
-            }
-          },
-          &call);
-      search.set_lower_bounds(0);
-      search.set_upper_bounds(1);
-      search.set_initial_step(std::min(edge, 0.25) / 2);
-      search.set_xtol_abs(1e-5);
-      search.set_stopval(enough);
-      search.set_maxeval(int(trials));
-      std::vector<double> x = points[end];
-      double least_value = 0;
-      try {
-        search.optimize(x, least_value);
-      } catch (const nlopt::roundoff_limited&) {  // the best trial is known
-      } catch (const nlopt::forced_stop&) {
+  std::vector<LocalSearch> searches;
+  for (const std::size_t start : starts)
+    searches.emplace_back(points[start], value(scores[start]), std::min(edge, 0.25) / 2, enough);
+  std::vector<std::size_t> ends = starts;
+  while (rest > 0) {
+    std::vector<std::size_t> asking;
+    std::vector<Point> asked;
+    for (std::size_t k = 0; k < searches.size() && asked.size() < rest; ++k)
+      if (const auto next = searches[k].next()) {
+        asking.push_back(k);
+        asked.push_back(*next);
       }
-      if (error) std::rethrow_exception(error);
+    if (asked.empty()) break;
+    const std::vector<Score> found = evaluate(asked);
+    for (std::size_t i = 0; i < asked.size(); ++i) {
+      searches[asking[i]].add(asked[i], value(found[i]));
+      points.push_back(asked[i]);
+      scores.push_back(found[i]);
+      if (std::size_t& end = ends[asking[i]]; better(found[i], scores[end])) end = scores.size() - 1;
     }
-    ends.push_back(end);
+    rest -= asked.size();
   }
   std::ranges::stable_sort(ends, [&](std::size_t a, std::size_t b) { return better(scores[a], scores[b]); });
   std::vector<std::size_t> distinct;

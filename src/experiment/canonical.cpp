@@ -56,13 +56,12 @@ void add_parameters(Text& out, const Parameters& p) {
   for (const Choice& one : choices()) out.add(one.name, one.words[std::size_t(one.get(p))]);
 }
 
-// The words of the law that the experiment gives, and the unit of its speeds.
+// The words of the law that the experiment gives, and V_0 in the unit of its speeds.
 void add_friction_law(Text& out, const Experiment& e, const Parameters& p) {
   if (p.friction != FrictionLaw::custom) return;
   const Json& law = (*e.document)["friction_law"];
-  const bool in_si = law.contains("V_R_m_per_s");
   out.add("friction_law", law.dump());
-  if (in_si) out.add("friction_law_V0", (*e.document)["si"]["V0_m_per_s"].get<double>());
+  if (law.contains("V_R_m_per_s")) out.add("friction_law_V0", p.custom_friction.V_0);
 }
 
 void add_orientation(Text& out, const Orientation& o, const std::string& azimuths_sha256) {

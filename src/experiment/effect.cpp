@@ -10,7 +10,8 @@ namespace {
 
 // All that a point's numbers depend on, beside what the points of an experiment have in common.
 std::vector<double> effective_input(const PointInput& point) {
-  const auto& [setup, loading, si, nominal_friction] = point;  // the strength of friction is in the setup
+  // The strength of friction and the unit of its speeds are in the setup.
+  const auto& [setup, loading, si, friction_law_in_si, nominal_friction] = point;
   Parameters p = setup.parameters;
   if (!has_pole(p.bending)) p.pole_rule = {};
   const Orientation& o = setup.orientation;

@@ -304,7 +304,8 @@ Experiment read(const Document& d) {
   e.engine = from_word<Engine>(json["integrator"].value("engine", "fast"));
   e.base.setup = {read_model(d), read_orientation(d), read_integrator(d)};
   e.friction_law = read_friction_law(d, e.axes);
-  e.base.setup.parameters.custom_friction = e.friction_law.get();
+  e.base.setup.parameters.custom_friction.table = e.friction_law.get();
+  e.base.friction_law_in_si = e.friction_law && json["friction_law"].contains("V_R_m_per_s");
   e.azimuths_sha256 = sha256_of(fmt::format("{}", fmt::join(e.base.setup.orientation.theta_0, ",")));
   e.base.setup.max_evaluations_per_point =
       json["integrator"].value("max_evaluations_per_point", e.base.setup.max_evaluations_per_point);

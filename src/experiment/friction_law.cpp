@@ -14,19 +14,6 @@ namespace {
 
 constexpr double kFormulaEnd = 10;  // default of /friction_law/to
 
-// The speeds of the table in units of V0, which are given so or in m/s.
-std::vector<double> read_speeds(const Document& d, const Json& law, const std::vector<Axis>& axes) {
-  if (law.contains("V_R")) return law["V_R"];
-  std::vector<double> speeds = law["V_R_m_per_s"];
-  const Json& json = d.json();
-  if (!json.contains("si")) d.fail("/friction_law/V_R_m_per_s", "needs the block /si; use V_R, in units of V0");
-  if (swept(axes, "V0_m_per_s"))
-    d.fail("/friction_law/V_R_m_per_s", "is divided by one V0_m_per_s, but the sweep varies it; compute an experiment for each velocity (V_R in "
-           "units of V0 would be another law at each of them)");
-  for (double& speed : speeds) speed /= json["si"]["V0_m_per_s"].get<double>();
-  return speeds;
-}
-
 void check_values(const Document& d, const std::string& speeds, const FrictionValues& law) {
   const std::string& at = speeds;
   const auto& [V_R, mu, linear] = law;
@@ -47,10 +34,11 @@ void check_values(const Document& d, const std::string& speeds, const FrictionVa
     d.fail("/friction_law/between", fmt::format("pchip needs at least 4 values, and there are {}; use \"linear\"", V_R.size()));
 }
 
-std::shared_ptr<const ModulationTable> read_table(const Document& d, const Json& law, const std::vector<Axis>& axes) {
+std::shared_ptr<const ModulationTable> read_table(const Document& d, const Json& law) {
   if (law.contains("to")) d.fail("/friction_law/to", "belongs to a formula; the last value of a table holds beyond it");
-  const std::string at = law.contains("V_R") ? "/friction_law/V_R" : "/friction_law/V_R_m_per_s";
-  const FrictionValues values{read_speeds(d, law, axes), law["mu"], law.value("between", "pchip") == "linear"};
+  const std::string speeds = law.contains("V_R") ? "V_R" : "V_R_m_per_s", at = "/friction_law/" + speeds;
+  if (speeds != "V_R" && !d.json().contains("si")) d.fail(at, "needs the block /si; use V_R, in units of V0");
+  const FrictionValues values{law[speeds], law["mu"], law.value("between", "pchip") == "linear"};
   check_values(d, at, values);
   try {
     return modulation_table(values);
@@ -93,7 +81,7 @@ std::shared_ptr<const ModulationTable> read_friction_law(const Document& d, cons
                                         "removes a key that is inherited)",
                                         given.empty() ? "none of them" : fmt::format("{}", fmt::join(given, ", "))));
   }
-  auto out = table ? read_table(d, law, axes) : read_formula(d, law);
+  auto out = table ? read_table(d, law) : read_formula(d, law);
   if (!used) d.fail("/friction_law", "is the law of no point; choose it by /model/friction: \"custom\", or remove it with null");
   return out;
 }

@@ -121,6 +121,7 @@ void apply_si_units(PointInput& input) {
   if (input.si.empty()) return;
   const SiScales scales = si_scales(input);
   apply_material(input, scales);
+  if (input.friction_law_in_si) input.setup.parameters.custom_friction.V_0 = scales.velocity;
   for (const SiQuantity& q : si_quantities())
     if (const auto given = input.si.find(q.name); q.scale && given != input.si.end())
       find_sweepable(q.replaces.front())->set(input, given->second / (scales.*q.scale));

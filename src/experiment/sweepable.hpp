@@ -15,6 +15,7 @@ struct PointInput {
   Setup setup;
   Loading loading;
   std::map<std::string, double> si{};  // SI quantities by JSON key, see si_units.hpp
+  bool friction_law_in_si = false;     // the speeds of the experiment's own law are in m/s
   // R_rigid/R_n at the target load: with a value, it replaces the strength of the friction law.
   std::optional<double> nominal_friction{};
 };

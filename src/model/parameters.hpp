@@ -62,6 +62,12 @@ inline Words words<PoleRule>() {
   return list;
 }
 
+// What the law "custom" of an experiment needs. The experiment owns the table.
+struct CustomFriction {
+  const ModulationTable* table = nullptr;
+  double V_0 = 1;  // in the unit of the table's speeds
+};
+
 // The parameters of bristle, friction and slab, dimensionless (length r0, time r0/V0, force m V0^2/r0), with
 // their defaults. kParameters and choices() below describe them. Values without a source in the paper are
 // assumptions, listed in docs/model.md.
@@ -94,7 +100,7 @@ struct Parameters {
   double R = 0.0637;  // of the paper's k_phi, E_star and nu = 0.4, by k_phi = 3 pi E R^4/4
   double strain_limit = 0.05;
   double stretch_limit = 0.5;
-  const ModulationTable* custom_friction = nullptr;  // of the law "custom"; the experiment owns it
+  CustomFriction custom_friction;
 };
 
 // The values that an experiment may give a number.
@@ -190,7 +196,7 @@ inline const auto& choices() {
       choice<&Parameters::pole_rule>("pole_rule", "rule for a tip that reaches s = s_min"),
   };
   static_assert(sizeof(Parameters) == kParameters.size() * sizeof(double) + table.size() * sizeof(int) +
-                                          sizeof(void*),
+                                          sizeof(CustomFriction),
                 "kParameters and choices() describe every other member of Parameters");
   return table;
 }

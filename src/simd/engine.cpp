@@ -294,8 +294,8 @@ SimdEngine::LaneSet& SimdEngine::lane_set_for(const PassageTask& task, bool near
   for (const auto& set : sets_)
     if (set->has_modulation_of(task)) modulation = set->modulation();
   const Bristle<double>& b = task.bristle;
-  if (const ModulationTable* own = b.friction_constants.table)
-    modulation = {std::shared_ptr<void>(), own};  // the experiment's, which lives longer
+  if (!modulation && b.friction == FrictionLaw::custom)
+    modulation = std::make_shared<ModulationTable>(b.friction_constants);
   if (!modulation)
     modulation = std::make_shared<ModulationTable>(b.friction, b.friction_constants, task.parameters->V_s);
   sets_.push_back(std::make_unique<LaneSet>(*this, task, std::move(modulation), near_pole));

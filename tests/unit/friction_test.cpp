@@ -15,7 +15,7 @@ Parameters with_friction(int law) {
   p.C = chi_C_peak_at_V_s(p.A);
   p.V_s = 0.02;
   static const auto table = modulation_table({{0, p.V_s, 5 * p.V_s, 1}, {0, p.A, 1, 1}});
-  p.custom_friction = table.get();
+  p.custom_friction.table = table.get();
   return p;
 }
 

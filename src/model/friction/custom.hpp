@@ -18,10 +18,11 @@ struct Custom {
   static constexpr const char* title = "the experiment's own law";
   static constexpr double load_exponent = 1;
   static constexpr double Parameters::*strength = &Parameters::mu_c;
-  static FrictionConstants<double> constants(const Parameters& p) { return {{}, p.custom_friction}; }
+  // Constant: V_0 in the unit of the table's speeds.
+  static FrictionConstants<double> constants(const Parameters& p) { return {{p.custom_friction.V_0}, p.custom_friction.table}; }
   template <class T, class P>
   static T modulation(const T& V_R, const FrictionConstants<P>& c) {
-    return interpolated(*c.table, V_R);
+    return interpolated(*c.table, T(V_R * c[0]));
   }
   static double factor(const Parameters& p) { return p.mu_c; }
   template <class T>
@@ -29,13 +30,13 @@ struct Custom {
     return wall.F_n;
   }
   // At the sliding speed V_0.
-  static double rigid(const Parameters& p, double R_n) { return factor(p) * p.custom_friction->at(1) * R_n; }
+  static double rigid(const Parameters& p, double R_n) { return factor(p) * p.custom_friction.table->at(p.custom_friction.V_0) * R_n; }
 };
 
 // Values of a law over ascending speeds, from mu = 0 at V_R = 0; positive and constant beyond the last one.
 // Between them mu is linear, or cubic and monotone (pchip, Fritsch and Butland 1984; at least 4 values).
 struct FrictionValues {
-  std::vector<double> V_R, mu;  // V_R in units of V0, mu dimensionless
+  std::vector<double> V_R, mu;  // V_R in units of V0 or in m/s, mu dimensionless
   bool linear = false;
 };
 

@@ -50,6 +50,13 @@ ModulationTable::ModulationTable(double V_s, std::vector<double> coefficients)
       intervals_(double(coefficients.size()) / 4 - 1),
       coefficients_(std::move(coefficients)) {}
 
+ModulationTable::ModulationTable(const FrictionConstants<double>& custom)
+    : law_(FrictionLaw::custom),
+      constants_(custom),
+      V_s_(custom.table->V_s_ / custom[0]),
+      intervals_(custom.table->intervals_),
+      coefficients_(custom.table->coefficients_) {}
+
 ModulationTable::Entry ModulationTable::entry(double V_R) const {
   const double t = V_R / (V_R + V_s_), scaled = t * intervals_;
   const auto interval = std::ptrdiff_t(scaled <= intervals_ ? scaled : 0);  // 0: V_R is not finite

@@ -17,6 +17,8 @@ class ModulationTable {
  public:
   // Throws std::runtime_error if the law's modulation is too steep for the largest number of intervals.
   ModulationTable(FrictionLaw law, const FrictionConstants<double>& constants, double V_s);
+  // The table of the law "custom" for passages with these constants, whose speeds are in units of V0.
+  explicit ModulationTable(const FrictionConstants<double>& custom);
   // A law that is defined by its table, with t = V_R/(V_R + V_s) for any V_s. coefficients: as coefficients(), of
   // the intervals and of one more, which begins at t = 1.
   ModulationTable(double V_s, std::vector<double> coefficients);
@@ -30,7 +32,7 @@ class ModulationTable {
   double slope(double V_R) const;  // its derivative by V_R
 
   bool serves(FrictionLaw law, const FrictionConstants<double>& constants, double V_s) const {
-    return constants.table ? constants.table == this : law == law_ && constants == constants_ && V_s == V_s_;
+    return law == law_ && constants == constants_ && (constants.table || V_s == V_s_);
   }
 
  private:
