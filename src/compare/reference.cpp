@@ -139,6 +139,15 @@ std::vector<std::size_t> shape_of(const Json& reference) {
   return shape;
 }
 
+// The words of a choice, or numbers.
+Json axis_json(const results::ResultReader& result, const std::string& name) {
+  const std::vector<double>& values = result.variable(name).values;
+  if (result.flag_meanings(name).empty()) return values;
+  Json out = Json::array();
+  for (const double value : values) out.push_back(results::value_text(result, name, value));
+  return out;
+}
+
 // Length of the rows, which are along the last axis.
 std::size_t row_length(const std::vector<std::size_t>& shape) { return shape.empty() ? 1 : shape.back(); }
 
@@ -190,18 +199,30 @@ Side result_side(const results::ResultReader& result) {
           }};
 }
 
-Side reference_side(const Json& reference, const std::string& label) {
+// Values of an axis of the reference. A word becomes its code in the result; -1 if the result has no such word.
+std::vector<double> codes_of(const Json& values, const std::string& axis, const results::ResultReader& result) {
+  if (!values.front().is_string()) return values;
+  const std::vector<std::string> words = result.has(axis) ? result.flag_meanings(axis) : std::vector<std::string>();
+  std::vector<double> out;
+  for (const std::string word : values) {
+    const auto at = std::ranges::find(words, word);
+    out.push_back(at == words.end() ? -1 : double(at - words.begin()));
+  }
+  return out;
+}
+
+Side reference_side(const Json& reference, const std::string& label, const results::ResultReader& result) {
   Side side{label, {}, {}};
   std::vector<std::string> axes;
   for (const auto& [name, values] : reference["axes"].items()) axes.push_back(name);
   for (const std::string& name : axes) side.kinds[name] = DatasetKind::coordinate;
   for (const auto& [name, codes] : reference["flags"].items()) side.kinds[name] = DatasetKind::flags;
   for (const auto& [name, variable] : reference["variables"].items()) side.kinds[name] = DatasetKind::real;
-  side.read = [&reference, axes](const std::string& name) -> Numbers {
+  side.read = [&reference, &result, axes](const std::string& name) -> Numbers {
     const std::vector<std::size_t> shape = shape_of(reference);
     const std::size_t length = row_length(shape);
     if (const Json& all = reference["axes"]; all.contains(name))
-      return {{name}, {all[name].size()}, all[name], {}};
+      return {{name}, {all[name].size()}, codes_of(all[name], name, result), {}};
     if (const Json& all = reference["flags"]; all.contains(name))
       return {axes, shape, numbers_of(all[name], length), {}};
     const Json& variable = reference["variables"][name];
@@ -249,7 +270,7 @@ Json make_reference(const results::ResultReader& result, const std::vector<claim
               {"flags", Json::object()},
               {"variables", Json::object()}};
   const std::vector<std::string> axes = dimensions_of(result);
-  for (const std::string& name : axes) out["axes"][name] = result.variable(name).values;
+  for (const std::string& name : axes) out["axes"][name] = axis_json(result, name);
   const std::vector<std::size_t> shape = shape_of(out);
   const std::size_t length = row_length(shape);
   for (const auto& [name, kind] : kinds_of(result)) {
@@ -289,7 +310,7 @@ std::string reference_path(const std::string& folder, const std::string& name) {
 Comparison compare_with_reference(const results::ResultReader& result,
                                   const std::vector<claims::CheckResult>& checks, const Json& reference,
                                   const std::string& label) {
-  Comparison out = compare_sides(result, result_side(result), reference_side(reference, label));
+  Comparison out = compare_sides(result, result_side(result), reference_side(reference, label, result));
   const long version = h5::read_integer_attribute(result.file(), "numerics_version");
   if (reference["numerics_version"] != version)
     out.notes.push_back(fmt::format("numerics_version is {}, that of the reference is {}", version,

@@ -2,7 +2,7 @@
 #include "compare/reference.hpp"
 #include "compare/replay.hpp"
 #include "util/error.hpp"
-#include "small_result.hpp"
+#include "shards.hpp"
 
 #include "catch.hpp"
 
@@ -33,6 +33,22 @@ struct Pair {
 };
 
 }  // namespace
+
+TEST_CASE("reference: the axis of a choice has words, whatever their codes") {
+  const Scratch s;
+  const Experiment experiment =
+      sharded(s, "", R"("friction": {"values": ["coulomb", "nss"]}, "k_r": {"values": [5, 20]})");
+  const std::string file = small_result(s, "a.h5", experiment);
+  Json reference = reference_of(file);
+  CHECK(reference["axes"]["friction"] == Json({"coulomb", "nss"}));
+  CHECK(compare_files(file, reference).agree());
+  Json other_order = reference;
+  std::swap(other_order["axes"]["friction"][0], other_order["axes"]["friction"][1]);
+  CHECK_FALSE(compare_files(file, other_order).agree());
+  reference["axes"]["friction"][1] = "no_longer_a_law";
+  CHECK_THAT(comparison_text(compare_files(file, reference)), Contains("friction"));
+  CHECK_FALSE(compare_files(file, reference).agree());
+}
 
 TEST_CASE("reference: its content, and tolerances that are rounded down to two digits") {
   const Scratch s;

@@ -12,8 +12,7 @@
 
 namespace bristle {
 
-// The registered friction laws, in the order of FrictionLaw. Stored references hold the numbers of laws, so
-// their order must stay. Experiments select a law by Law::name. A law is
+// The registered friction laws, in the order of FrictionLaw. Experiments select a law by Law::name. A law is
 //   F_f = factor modulation(V_R) load(F_n)
 // where modulation tends to 1 at speeds far above V_s (not for "custom") and factor is
 // proportional to the parameter strength. rigid() is the friction force of rigid bristles
