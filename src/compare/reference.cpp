@@ -199,14 +199,17 @@ Side result_side(const results::ResultReader& result) {
           }};
 }
 
-// Values of an axis of the reference. A word becomes its code in the result; -1 if the result has no such word.
-std::vector<double> codes_of(const Json& values, const std::string& axis, const results::ResultReader& result) {
-  if (!values.front().is_string()) return values;
+// Values of an axis of the reference. A word becomes its code in the result.
+std::vector<double> axis_values(const Json& values, const std::string& axis, const std::string& label,
+                                const results::ResultReader& result) {
   const std::vector<std::string> words = result.has(axis) ? result.flag_meanings(axis) : std::vector<std::string>();
   std::vector<double> out;
-  for (const std::string word : values) {
-    const auto at = std::ranges::find(words, word);
-    out.push_back(at == words.end() ? -1 : double(at - words.begin()));
+  for (const Json& value : values) {
+    const auto word = std::ranges::find(words, value.is_string() ? value.get<std::string>() : "");
+    if (value.is_string() && word == words.end())
+      throw InputError(fmt::format("{}: /axes/{}: the result {} does not know {}; it knows {}", label, axis, result.path(),
+                                   value.dump(), words.empty() ? "no words" : fmt::format("{}", fmt::join(words, ", "))));
+    out.push_back(value.is_string() ? double(word - words.begin()) : value.get<double>());
   }
   return out;
 }
@@ -218,11 +221,11 @@ Side reference_side(const Json& reference, const std::string& label, const resul
   for (const std::string& name : axes) side.kinds[name] = DatasetKind::coordinate;
   for (const auto& [name, codes] : reference["flags"].items()) side.kinds[name] = DatasetKind::flags;
   for (const auto& [name, variable] : reference["variables"].items()) side.kinds[name] = DatasetKind::real;
-  side.read = [&reference, &result, axes](const std::string& name) -> Numbers {
+  side.read = [&reference, &result, axes, label](const std::string& name) -> Numbers {
     const std::vector<std::size_t> shape = shape_of(reference);
     const std::size_t length = row_length(shape);
     if (const Json& all = reference["axes"]; all.contains(name))
-      return {{name}, {all[name].size()}, codes_of(all[name], name, result), {}};
+      return {{name}, {all[name].size()}, axis_values(all[name], name, label, result), {}};
     if (const Json& all = reference["flags"]; all.contains(name))
       return {axes, shape, numbers_of(all[name], length), {}};
     const Json& variable = reference["variables"][name];
