@@ -86,9 +86,7 @@ def described(file, path):
             "keywords": cff["keywords"],
             "license": cff["license"],
             "references": [reference_text(article) for article in articles],
-            "related_identifiers": [
-                {"identifier": article["doi"], "relation": "references", "scheme": "doi",
-                 "resource_type": "publication-article"} for article in articles if "doi" in article],
+            "related_identifiers": related(cff),
         }
         return {key: value for key, value in found.items() if value}
     except (OSError, UnicodeDecodeError, yaml.YAMLError) as error:
@@ -97,6 +95,18 @@ def described(file, path):
         raise BristleError(f"{path}: lacks {error.args[0]}; Zenodo requires it") from error
     except (AttributeError, TypeError) as error:
         raise BristleError(f"{path}: not a citation file of version 1.2.0 ({error})") from error
+
+
+# By the type of a reference: how Zenodo calls the relation and the type.
+RELATIONS = {"article": ("references", "publication-article"), "software": ("isSupplementTo", "software"),
+             "dataset": ("isSupplementedBy", "dataset")}
+
+
+def related(cff):
+    """The works with a DOI: the references, and the dataset, which is among the identifiers of the software."""
+    works = [*cff.get("references", []), *({"type": "dataset", "doi": i["value"]} for i in cff.get("identifiers", []))]
+    return [{"identifier": work["doi"], "relation": RELATIONS[work["type"]][0], "scheme": "doi",
+             "resource_type": RELATIONS[work["type"]][1]} for work in works if "doi" in work]
 
 
 def name_of(author):

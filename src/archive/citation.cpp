@@ -92,7 +92,7 @@ Json dataset_citation(const Json& software, const std::string& commit) try {
       throw MalformedError(fmt::format("{} is missing; an archive requires it", key));
 
   Json program = {{"type", "software"}, {"commit", commit}};
-  for (const char* key : {"title", "version", "authors", "license", "repository-code", "url"})
+  for (const char* key : {"title", "version", "authors", "license", "repository-code", "url", "doi"})
     if (software.contains(key)) program[key] = software[key];
   Json out;
   out["cff-version"] = "1.2.0";
@@ -100,8 +100,10 @@ Json dataset_citation(const Json& software, const std::string& commit) try {
   out["type"] = "dataset";
   out["title"] = fmt::format("Data of {}", software.value("title", ""));
   out["abstract"] = "Results, experiments, references and figures, with the program that computed them.";
-  for (const char* key : {"version", "date-released", "doi", "authors", "contact", "keywords"})
+  for (const char* key : {"version", "date-released", "authors", "contact", "keywords"})
     if (software.contains(key)) out[key] = software[key];
+  for (const Json& identifier : software.value("identifiers", Json::array()))
+    if (identifier["type"] == "doi") out["doi"] = identifier["value"];
   out["license"] = kDataLicense;
   out["commit"] = commit;
   out["references"] = software.value("references", Json::array());

@@ -7,6 +7,7 @@
 #include "util/error.hpp"
 #include "util/text.hpp"
 
+#include <boost/algorithm/string/case_conv.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
@@ -27,8 +28,6 @@ std::string people(const Json& authors) {
   return fmt::format("{}", fmt::join(names, " and "));
 }
 
-std::string text_of(const Json& value) { return value.is_string() ? value.get<std::string>() : value.dump(); }
-
 // The fields of a BibTeX entry that the source has, in this order.
 void print_entry(const char* kind, const std::string& key, const std::vector<std::pair<const char*, std::string>>& fields) {
   fmt::print("@{}{{{}", kind, key);
@@ -37,7 +36,22 @@ void print_entry(const char* kind, const std::string& key, const std::vector<std
   fmt::print("\n}}\n");
 }
 
-std::string field(const Json& source, const char* key) { return source.contains(key) ? text_of(source[key]) : ""; }
+std::string field(const Json& source, const char* key) {
+  if (!source.contains(key)) return "";
+  return source[key].is_string() ? source[key].get<std::string>() : source[key].dump();
+}
+
+// The program, or the data of `make archive`.
+void print_release(const char* kind, const std::string& key, const Json& citation) {
+  print_entry(kind, key,
+              {{"author", people(citation["authors"])},
+               {"title", "{" + field(citation, "title") + "}"},
+               {"version", run::kVersion},
+               {"year", field(citation, "date-released").substr(0, 4)},
+               {"doi", field(citation, "doi")},
+               {"url", field(citation, "repository-code")},
+               {"note", fmt::format("commit {}", run::kCommit)}});
+}
 
 }  // namespace
 
@@ -46,16 +60,11 @@ int cite_command(const std::string& result) {
   if (!result.empty()) file.emplace(result).require_intact();
   const Json software = archive::parse_citation(citation_file());
   const std::string version = run::kVersion;
-  print_entry("software", "bristle-" + version,
-              {{"author", people(software["authors"])},
-               {"title", "{" + field(software, "title") + "}"},
-               {"version", version},
-               {"year", field(software, "date-released").substr(0, 4)},
-               {"doi", field(software, "doi")},
-               {"url", field(software, "repository-code")},
-               {"note", fmt::format("commit {}", run::kCommit)}});
+  print_release("software", "bristle-" + version, software);
+  if (const Json data = archive::dataset_citation(software, run::kCommit); data.contains("doi"))
+    print_release("misc", "bristle-data-" + version, data);
   for (const Json& reference : software.value("references", Json::array()))
-    print_entry("article", "menga2022",
+    print_entry("article", boost::to_lower_copy(field(reference["authors"][0], "family-names")) + field(reference, "year"),
                 {{"author", people(reference["authors"])},
                  {"title", "{" + field(reference, "title") + "}"},
                  {"journal", field(reference, "journal")},

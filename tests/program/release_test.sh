@@ -56,16 +56,19 @@ output=$(scripts/release 99.10.0 '10.5281/zenodo.12' 2>&1) || failed "a release:
 grep -qF "git tag -a v99.10.0" <<<"$output" || failed "the commands to commit and tag: $output"
 today=$(date -u +%Y-%m-%d)
 for file in CMakeLists.txt CITATION.cff; do [ "$(version_of $file)" = 99.10.0 ] || failed "$file: $(version_of $file)"; done
-[ "$(grep -A 1 '^date-released: ' CITATION.cff)" = "$(printf 'date-released: %s\ndoi: 10.5281/zenodo.12' "$today")" ] ||
+archived='identifiers:\n  - type: doi\n    value: 10.5281/zenodo.12\n    description: the archive of this version, with its results'
+[ "$(grep -A 4 '^date-released: ' CITATION.cff)" = "$(printf "date-released: %s\n$archived" "$today")" ] ||
   failed "date and DOI: $(cat CITATION.cff)"
 [ "$(sed -n 3,7p CHANGELOG.md)" = "$(printf '## Unreleased\n\n## 99.10.0 (%s)\n\n- new' "$today")" ] || failed "CHANGELOG.md: $(cat CHANGELOG.md)"
-[ "$(git diff --numstat | awk '{ print $1 + $2 }' | paste -sd ' ')" = "2 5 2" ] || failed "more was changed: $(git diff)"
+[ "$(git diff --numstat | awk '{ print $1 + $2 }' | paste -sd ' ')" = "2 8 2" ] || failed "more was changed: $(git diff)"
 grep -qF '"version": "99.10.0"' .zenodo.json || failed ".zenodo.json: $(cat .zenodo.json)"
 if grep -rnF -- "$old" CMakeLists.txt CITATION.cff | grep -v cff-version; then failed "$old is still there"; fi
 sed -i 's/^## 99.10.0/## Unreleased\n\n&/' CHANGELOG.md && commit
 refuse "is not newer than 99.10.0" 99.9.1
 
-# A release without a DOI must not keep that of the previous one.
+# A release without a DOI must not keep that of the previous archive; the software keeps its own.
+sed -i 's/^license: MIT$/&\ndoi: 10.5281\/zenodo.99/' CITATION.cff && commit
 output=$(scripts/release 99.11.0 2>&1) || failed "a second release: $output"
-grep -qF "No DOI was given" <<<"$output" && ! grep -q '^doi' CITATION.cff || failed "without a DOI: $output $(cat CITATION.cff)"
+grep -qF "No DOI was given" <<<"$output" && ! grep -qE '^identifiers|zenodo.12' CITATION.cff &&
+  grep -qx "doi: 10.5281/zenodo.99" CITATION.cff || failed "without a DOI: $output $(cat CITATION.cff)"
 exit $((failures > 0))

@@ -41,6 +41,10 @@ assert found["references"] == [
     "Menga, N.; Bottiglione, F.; Carbone, G. (2022). Exploiting surface textures dynamics for dry friction control. "
     "Nonlinear Dynamics 7, no. 4, pp. 3099-3112, https://doi.org/10.1000/1"], found["references"]
 
+archived = {**cff, "identifiers": [{"type": "doi", "value": "10.5281/zenodo.12", "description": "the archive"}]}
+relation = lambda found: [(one["identifier"], one["relation"]) for one in found["related_identifiers"]]
+assert relation(zenodo(archived)[2]) == [("10.5281/zenodo.12", "isSupplementedBy")]
+
 people = [{"family-names": "A", "given-names": "B", "orcid": "https://orcid.org/0000-0001-2345-6789"},
           {"name": "A group", "affiliation": "C"}]
 found = zenodo({**cff, "authors": people})[2]
@@ -59,7 +63,7 @@ for wrong, text in [({**cff, "authors": [{"family-names": "A"}]}, "lacks given-n
 def deposit(authors):
     data = folder / "bristle-1/data"
     data.mkdir(parents=True, exist_ok=True)
-    program = {"type": "software", "title": "t", "authors": authors}
+    program = {"type": "software", "title": "t", "authors": authors, "doi": "10.5281/zenodo.99"}
     (data / "CITATION.cff").write_text(json.dumps({**cff, "type": "dataset", "title": "Data of t", "authors": authors,
                                                    "references": [program, *cff["references"]]}))
     with tarfile.open(folder / "bristle-1.tar", "w") as archive:
@@ -73,6 +77,7 @@ code, message, found = deposit([{"name": "The bristle developers"}])
 assert code == 2 and found is None and "a dataset names people" in message, message
 code, message, found = deposit(people)
 assert code == 0 and found["upload_type"] == "dataset" and found["license"] == "cc-by-4.0", message
+assert relation(found) == [("10.5281/zenodo.99", "isSupplementTo")]
 assert found["title"] == "Data of t" and found["creators"][1] == {"name": "A group", "affiliation": "C"}
 assert hashlib.sha512((folder / "bristle-1.tar").read_bytes()).hexdigest() in found["description"]
 done = called("zenodo.py", "--archive", source / "CITATION.cff")
