@@ -110,12 +110,17 @@ bool compute_to_standard_output(const Experiment& experiment, const run::RunOpti
   const ReservedOutput output;
   run::RunOptions in_folder = options;
   in_folder.output = folder.path + "/" + experiment.name + ".h5";
+  // The folder is removed, so that what messages say about the points saved in it does not hold.
+  constexpr const char* lost = "; -o - keeps no points: with the name of a file, the same command continues";
   try {
     const bool succeeded = compute(experiment, in_folder, needs_design);
     output.write(read_file(in_folder.output));
     return succeeded;
   } catch (const Interrupted&) {
-    throw Interrupted("interrupted; -o - keeps no points: with the name of a file, the same command continues");
+    throw Interrupted(std::string("interrupted") + lost);
+  } catch (const RunError& e) {
+    const std::string what = e.what();
+    throw RunError(what.substr(0, what.find("; ")) + lost + " (TMPDIR names the folder for temporary files)");
   }
 }
 
