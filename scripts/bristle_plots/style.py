@@ -34,6 +34,7 @@ MARKERS = " o^sDvP"  # by index of the status; 0 is a point without remark
 
 DPI = 160
 LETTER_INCHES = 0.08  # width of a tick's letter
+DECADE_INCHES = 0.55  # width of a decade with ticks at 1, 2 and 5
 
 LOOK = {
     "font.family": "DejaVu Sans",  # comes with matplotlib: the same glyphs on every machine
@@ -118,10 +119,10 @@ def is_math(string):
     return True
 
 
-def log_ticks(low, high):
-    """Positions (log10) and texts of ticks: 1-2-5, only decades in a long range, equal steps in a short one."""
+def log_ticks(low, high, width=np.inf):
+    """Positions (log10) and texts of ticks: 1-2-5, only decades in a long range or on few inches, equal steps in a short one."""
     decades = np.arange(np.floor(low), np.ceil(high) + 1)
-    places = np.add.outer(decades, np.log10([1] if high - low > 2.5 else [1, 2, 5])).ravel()
+    places = np.add.outer(decades, np.log10([1] if high - low > min(2.5, width / DECADE_INCHES) else [1, 2, 5])).ravel()
     places = places[(places > low - 1e-9) & (places < high + 1e-9)]
     if places.size < 2 and high > low:
         numbers = value_ticks(2).tick_values(10 ** low, 10 ** high)
