@@ -46,11 +46,9 @@ def draw_figure():
         if arguments.animate:
             importlib.import_module(".animation", __package__).write_animation(file, directory, arguments.figure)
             return
-        if arguments.caption and arguments.panels:
-            raise BristleError("--caption is of all panels; draw with --panels, and shorten the caption by hand")
         if arguments.caption:
             require_axes(file, arguments.figure, module.AXES)
-            print("\n".join(captions(module, file, arguments.y)))
+            print("\n".join(captions(module, file, arguments.y, arguments.panels)))
             return
         further = {} if arguments.panels else getattr(module, "FURTHER", {})  # letters are those of the main figure
         for ending, function in {"": module.draw, **further}.items():

@@ -51,6 +51,18 @@ def check_captions(name, result):
     return found
 
 
+def check_first_panel(name, result):
+    """Its caption for each page, where the figure has panels; it is then drawn alone, without a letter."""
+    done = called("plot", name, result, "--caption", "--panels", "a")
+    if done.code == 2 and "has no panels with letters" in done.messages:
+        return []
+    assert done.code == 0, done.messages
+    with open_result(result) as ds:
+        figure = getattr(bristle_plots, name).draw(ds, panels="a")
+    assert [axes.panel[0] for axes in figure.axes if hasattr(axes, "panel")] == [""], name
+    return re.findall(r"\\caption\{.*\}", done.out)
+
+
 def check_metadata(name, result):
     done = called("plot", name, result, "-o", folder, "--dpi", "30")
     assert done.code == 0, done.messages
@@ -84,7 +96,7 @@ check_animation(results / "fig2_smoke.h5")
 captions = []
 for name in sys.argv[3:]:
     result = results / f"{name}_smoke.h5"
-    captions += check_captions(name, result)
+    captions += check_captions(name, result) + check_first_panel(name, result)
     with open_result(result) as ds:
         check_grey(getattr(bristle_plots, name).draw(ds))
     check_metadata(name, result)

@@ -277,8 +277,7 @@ with xarray.open_dataset(result) as ds:
     assert "a curve needs" in refusal(lambda: curve.draw(ds, "status"))
 done = plot("--animate")
 assert done.code == 2 and "--animate: only fig2 has recorded trajectories, not fig4" in done.messages, done.messages
-for options, words in ((["--panels", "z"], "there is no panel z; this figure has the panels a to b"), (["--panels", "A"], "no letter"),
-                       (["--panels", "a", "--caption"], "all panels")):
+for options, words in ((["--panels", "z"], "there is no panel z; this figure has the panels a to b"), (["--panels", "A"], "no letter")):
     done = plot(*options)
     assert done.code == 2 and words in done.messages, done.messages
 with xarray.open_dataset(result) as ds:
@@ -292,6 +291,10 @@ assert done.code == 0 and done.out.count("\\caption{") == 4 and done.out.count("
 exact, printed = done.out.split("% page 2")
 assert r"$\check{R}_x$; (b) " in exact and r"$\tilde{k}_r =$ 5, " in exact and "exact" in exact and "as printed" not in exact
 assert "as printed" in printed and "exact" not in printed
+done = plot("--caption", "--panels", "b")
+assert done.code == 0 and done.out.count("\\caption{") == 3 and r"\tilde{\gamma}_1$. Over" in done.out and "check{R}" not in done.out, done.out
+done = called("plot", "map", result, "--caption", "--panels", "b")
+assert done.code == 0 and r"$\check{R}_x$, Eq. (17) as printed. Over" in done.out and "exact" not in done.out, done.out
 told = captions.in_latex(captions.plain(r"50 % of \input{x} & $ # x_y"))  # a stranger's title
 assert told == r"50 \% of \textbackslash{}input\{x\} \& \$ \# x\_y", told
 told = captions.in_latex(captions.plain("a\x1b[2J\u2028b\nc"))  # control characters reach neither LaTeX nor a terminal
