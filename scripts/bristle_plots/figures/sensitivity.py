@@ -15,7 +15,8 @@ AXES = ["sample"]
 LEGEND_INCHES = 0.3
 NOTE = ("Bars: total indices, a parameter's share of the variance with all its interactions; circles: first-order indices, its "
         "share on its own. Error bars: standard errors by bootstrap.{}")
-DOTS = "Dots: the points of the sample, with the design's further points pale. A model with two branches has two clouds."
+DOTS = ("Dots: the points of the sample, circles, squares and triangles in the order of the models, with the design's further points "
+        "pale. A model with two branches has two clouds.")
 
 
 def MARKS(file):
