@@ -8,11 +8,12 @@ from collections import namedtuple
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib import patches
-from matplotlib.animation import PillowWriter
+from matplotlib.animation import FFMpegWriter, PillowWriter
 from matplotlib.collections import LineCollection
 from matplotlib.lines import Line2D
 from PIL import Image, ImageSequence
 
+from .errors import BristleError
 from .figures.fig2 import PHASES, TABLE, path_colours, read_passages
 from .files import write_whole
 from .layout import place
@@ -21,6 +22,8 @@ from .results import attribute, dataset, point_numbers, setting
 from .style import BLACK, GREY, SKY, VERMILION
 
 FRAMES, PER_SECOND, DPI = 90, 12, 100
+MP4 = ".mp4"
+IMAGES = {".gif": dict(format="GIF"), ".webp": dict(format="WEBP", lossless=True, method=6, minimize_size=True)}  # by ending
 COLOURS = 64  # of all frames, so that the file is small
 # In inches: the width of a view, and with what is between them; places for the azimuths, for time and names, and for the legend.
 WIDE, SIDE, START, HEAD, FOOT = 3.35, 3.45, 0.95, 0.7, 0.8
@@ -36,16 +39,36 @@ ARROW = dict(arrowstyle="-|>", mutation_scale=10, shrinkA=0, shrinkB=0, color=VE
 Moving = namedtuple("Moving", "passage origin shaft path tip force")
 
 
-def write_animation(file, directory, name):
-    """Writes name.gif."""
+def film_path(output, name):
+    """The file to write: `output`, or name.gif in it if it is a folder or has no ending."""
+    ending = os.path.splitext(output)[1]
+    if os.path.isdir(output) or not ending:
+        return os.path.join(output, f"{name}.gif")
+    if ending not in (*IMAGES, MP4):
+        raise BristleError(f"{output}: no animation has the ending {ending}; known are {', '.join((*IMAGES, MP4))}")
+    if ending == MP4 and not FFMpegWriter.isAvailable():
+        raise BristleError(f"{output}: the program ffmpeg, which writes {MP4}, is not installed; on Debian, the package is ffmpeg")
+    return output
+
+
+def write_animation(file, path):
+    """Writes the format of the path's ending."""
+    ending = os.path.splitext(path)[1]
     with tempfile.TemporaryDirectory() as folder:
-        path = os.path.join(folder, "animation.gif")
-        draw_frames(file, path)
-        write_whole(os.path.join(directory, f"{name}.gif"), with_few_colours(path))
+        if ending == MP4:
+            film = os.path.join(folder, "film.mp4")
+            draw_frames(file, film, FFMpegWriter(fps=PER_SECOND))
+            with open(film, "rb") as made:
+                content = made.read()
+        else:
+            film = os.path.join(folder, "film.gif")
+            draw_frames(file, film, PillowWriter(fps=PER_SECOND))
+            content = with_few_colours(film, IMAGES[ending])
+    write_whole(path, content)
 
 
-def with_few_colours(path):
-    """The GIF with the same colours in all frames, without dots that mix them."""
+def with_few_colours(path, options):
+    """The GIF with the same colours in all frames, without dots that mix them; options: of Pillow's save."""
     with Image.open(path) as made:
         frames = [Image.fromarray(np.asarray(frame.convert("RGB"))) for frame in ImageSequence.Iterator(made)]
         every = made.info["duration"]
@@ -54,11 +77,11 @@ def with_few_colours(path):
     palette.putpalette([level for _, colour in most for level in colour])
     first, *others = [frame.quantize(palette=palette, dither=Image.Dither.NONE) for frame in frames]
     out = io.BytesIO()
-    first.save(out, format="GIF", save_all=True, append_images=others, duration=every, loop=0)
+    first.save(out, save_all=True, append_images=others, duration=every, loop=0, **options)
     return out.getvalue()
 
 
-def draw_frames(file, path):
+def draw_frames(file, path, writer):
     models = [read_passages(file, point_numbers(file).sel(reading))[0] for reading in readings(file)]
     figure, panels = panels_of(file, models)
     end = max(passage.numbers["xi"][-1] for passages in models for passage in passages)
@@ -67,7 +90,6 @@ def draw_frames(file, path):
     length = setting(file, "model", "L_x")
     bristles = [start_bristles(axes, passages) for axes, passages in zip(panels, models)]
     slabs = [start_slab(axes, gap, len(passages)) for axes, gap, passages in zip(panels, gaps(file), models)]
-    writer = PillowWriter(fps=PER_SECOND)
     with writer.saving(figure, path, DPI):
         for xi in np.linspace(0, end, FRAMES):
             time.set_text(f"time since the slab's edge arrived: ${symbol}$ = {xi:.2f}")

@@ -1,10 +1,15 @@
 """A caption in LaTeX for each page of a figure, with the values of the result."""
 
 import re
+import unicodedata
+from functools import partial
 from types import SimpleNamespace
 
+from .curves import with_symbol
+from .page import drawn_on
 from .readings import AXIS, reading_name, readings
 from .results import CHOICE_NAMES, as_text, attribute, axis_names, axis_values, dataset, readable, status_counts
+from .style import described
 
 # Signs of the result's own texts that mean something to LaTeX, as characters that no text has until in_latex().
 SPECIAL = {"\\": r"\textbackslash{}", "{": r"\{", "}": r"\}", "$": r"\$", "&": r"\&", "#": r"\#", "^": r"\^{}",
@@ -17,18 +22,28 @@ CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f\u2028\u2029]")
 LATEX = {"%": r"\%", "\u2013": "--", "\u00b0": r"$^\circ$", "theta_0 ": r"$\theta_0$ "}
 
 
-def captions(module, file, y=None):
-    """\\caption{...} for each page of the module's main figure, then of its further figures."""
+def captions(module, file, y=None, panels=None):
+    """\\caption{...} for each page of the module's main figure, then of its further figures; of chosen panels, the former."""
     if module.__name__.endswith((".curve", ".map")):
         name = y or "R_x_norm"
         dataset(file, name)  # must be there
-        module = SimpleNamespace(**{**vars(module), "VARIABLES": [name], "TITLES": {"": attribute(file[name], "long_name")}})
+        module = SimpleNamespace(**{**vars(module), "VARIABLES": [name], "TITLES": {"": attribute(file[name], "long_name")},
+                                    "draw": partial(module.draw, y=name)})
     out = []
-    for ending, draw in {"": module.draw, **getattr(module, "FURTHER", {})}.items():
+    for ending, draw in {"": module.draw, **({} if panels else getattr(module, "FURTHER", {}))}.items():
         shown = draw.shown(file) if hasattr(draw, "shown") else [{}]
-        out += [f"% {ending}\n" * bool(ending) + caption(module, file, reading, i + 1 if len(shown) > 1 else 0, ending)
-                for i, reading in enumerate(shown)]
+        for i, reading in enumerate(shown):
+            chosen = panels_of(draw(file, **({"reading": reading} if reading else {}), panels=panels)) if panels else []
+            with drawn_on(panels=panels):
+                text = caption(module, file, reading, i + 1 if len(shown) > 1 else 0, ending, chosen)
+            out.append(f"% {ending}\n" * bool(ending) + text)
     return out
+
+
+def panels_of(figure):
+    """(letter, what it shows) of each panel of a drawn figure."""
+    return [(letter, list(filter(None, labels))) for letter, labels in
+            (axes.panel for axes in figure.axes if hasattr(axes, "panel"))]
 
 
 def title_of(module, file, ending=""):
@@ -36,20 +51,34 @@ def title_of(module, file, ending=""):
     return getattr(module, "TITLES", {}).get(ending) or as_text(file.attrs.get("title", ""))
 
 
-def caption(module, file, reading, page, ending=""):
+def caption(module, file, reading, page, ending="", chosen=()):
+    """chosen: the panels, as of `panels_of`, that the figure has instead of all."""
     title = re.sub(r"^(Figure|Appendix) \w+(, continued)?: ", "", plain(title_of(module, file, ending)))
+    labels = [label for _, found in chosen for label in found]
     names = [name for name in getattr(module, "VARIABLES", []) if name in file and not ending]
+    if any(described(file[name]) in labels for name in names):
+        names = []
     shown = [f"{plain(attribute(file[name], 'long_name'))}, {latex_symbol(attribute(file[name], 'symbol'))}" for name in names]
     if len(names) > 1 and hasattr(module.draw, "shown"):  # a panel for each
         shown = [f"({letter}) {text}" for letter, text in zip("abcdefg", shown)]
-    part = file.sel({axis: [value] for axis, value in {**getattr(module, "CHOSEN", {}), **reading}.items()})
+    shown += [f"({letter}) " * bool(letter) + with_symbols(", ".join(found)) for letter, found in chosen]
+    part = of_labels(file.sel({axis: [value] for axis, value in {**getattr(module, "CHOSEN", {}), **reading}.items()}), labels)
     axes = [name for name in axis_names(dataset(part, "status")) if name not in (AXIS, "node")]
     over, fixed = ([axis_range(part, name) for name in axes if (part.sizes[name] > 1) == several] for several in (True, False))
+    models = [name for name in map(reading_name, readings(part)) if name and name not in labels]
     sentences = [title, "; ".join(shown), f"Over {'; '.join(over)}" if over else "",
                  f"Fixed: {'; '.join([*fixed, with_symbols(file.attrs.get('caption', ''))])}",
-                 ", and ".join(filter(None, map(reading_name, readings(part)))), marks(module, file, ending), statuses(part)]
+                 ", and ".join(models), marks(module, file, ending), statuses(part)]
     text = in_latex(". ".join(sentence[0].upper() + sentence[1:] for sentence in sentences if sentence))
     return f"% page {page}\n" * bool(page) + f"\\caption{{{text}.}}"
+
+
+def of_labels(file, labels):
+    """The part of the result that the panels with these labels show: of axes whose values are among them, only these."""
+    for axis in axis_names(dataset(file, "status")):
+        if found := [value for value in axis_values(file, axis) if with_symbol(dataset(file, axis), value) in labels]:
+            file = file.sel({axis: found})
+    return file
 
 
 def axis_range(file, name):
@@ -90,6 +119,7 @@ def with_symbols(text):
 
 
 def latex_symbol(symbol):
+    symbol = re.sub("(\\w)\u030c", r"\\check{\1}", unicodedata.normalize("NFD", symbol))  # undoes with_carons()
     return f"${symbol}$" if SYMBOL.fullmatch(symbol) and symbol.count("{") == symbol.count("}") else plain(symbol)
 
 

@@ -32,7 +32,8 @@ def draw_figure():
     parser = figure_parser()
     arguments = parser.parse_args(with_values(sys.argv[1:]))
     if arguments.animate:
-        require_animation(arguments, parser)
+        draw_animation(arguments, parser)
+        return
     for_paper = arguments.plain or arguments.width is not None
     directory = arguments.directory or ("figures/paper" if for_paper else "figures")
     variable = {} if arguments.y is None else {"y": arguments.y}
@@ -43,14 +44,9 @@ def draw_figure():
     with open_result(arguments.result) as file:
         if arguments.reading:
             file = of_reading(file, arguments.reading)
-        if arguments.animate:
-            importlib.import_module(".animation", __package__).write_animation(file, directory, arguments.figure)
-            return
-        if arguments.caption and arguments.panels:
-            raise BristleError("--caption is of all panels; draw with --panels, and shorten the caption by hand")
         if arguments.caption:
             require_axes(file, arguments.figure, module.AXES)
-            print("\n".join(captions(module, file, arguments.y)))
+            print("\n".join(captions(module, file, arguments.y, arguments.panels)))
             return
         further = {} if arguments.panels else getattr(module, "FURTHER", {})  # letters are those of the main figure
         for ending, function in {"": module.draw, **further}.items():
@@ -60,14 +56,19 @@ def draw_figure():
                        arguments.dpi, (title_of(module, file, ending), source_of(file)))
 
 
-def require_animation(arguments, parser):
-    """Raises BristleError for another figure, and for options that an animation does not have."""
+def draw_animation(arguments, parser):
+    """Only of fig2, and without most of the options."""
     if arguments.figure != "fig2":
         raise BristleError(f"--animate: only fig2 has recorded trajectories, not {arguments.figure}")
     without = {"plain": "plain", "width": "width", "panels": "panels", "maps_only": "maps-only", "cmap": "cmap", "y": "y",
                "caption": "caption", "formats": "format", "dpi": "dpi"}
     if given := [f"--{option}" for name, option in without.items() if getattr(arguments, name) != parser.get_default(name)]:
-        raise BristleError(f"--animate writes a GIF of one size; it has no {', '.join(given)}")
+        raise BristleError(f"--animate has one size; it has no {', '.join(given)}")
+    animation = importlib.import_module(".animation", __package__)
+    path = animation.film_path(arguments.directory or "figures", arguments.figure)
+    apply_look()
+    with open_result(arguments.result) as file:
+        animation.write_animation(of_reading(file, arguments.reading) if arguments.reading else file, path)
 
 
 def with_values(words):
@@ -87,7 +88,7 @@ def figure_parser():
     parser.add_argument("result", metavar="RESULT.h5", help="result file of `bristle run`")
     parser.add_argument("-o", dest="directory", metavar="DIRECTORY",
                         help="where to write FIGURE.pdf and FIGURE.png, and a PNG for each further page (default: "
-                             "figures; with --plain or --width: figures/paper)")
+                             "figures; with --plain or --width: figures/paper); with --animate also a file")
     parser.add_argument("--plain", action="store_true", help="without title, notes and verdicts")
     parser.add_argument("--width", type=width, metavar="WIDTH",
                         help="width of the page, such as 3.5in, 7in, 9cm or 180mm: panels are arranged for it and letters "
@@ -100,8 +101,8 @@ def figure_parser():
     parser.add_argument("--y", metavar="VARIABLE", help="what the figures curve and map draw (default: R_x_norm)")
     parser.add_argument("--caption", action="store_true", help="draws nothing, but prints a caption in LaTeX for each page")
     parser.add_argument("--animate", action="store_true",
-                        help="only fig2: writes FIGURE.gif, the bristles under the moving slab, instead of the figure; of the other "
-                             "options it has -o and --reading")
+                        help="only fig2: the bristles under the moving slab instead of the figure, as FIGURE.gif or as the .gif, .webp or "
+                             ".mp4 that -o names; of the other options it has --reading")
     parser.add_argument("--format", dest="formats", type=formats, metavar="FORMAT,...", default=["pdf", "png"],
                         help=f"of {', '.join(METADATA)} (default: pdf,png)")
     parser.add_argument("--dpi", type=dpi, default=300, help="pixels per inch of a PNG (default: %(default)s)")

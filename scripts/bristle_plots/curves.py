@@ -186,7 +186,8 @@ def log_range(axes, which, low, high):
     """Limits (log10) of a logarithmic axis, with ticks at round numbers."""
     getattr(axes, f"set_{which}scale")("log")
     getattr(axes, f"set_{which}lim")(10 ** low, 10 ** high)
-    places, texts = log_ticks(low, high)
+    width = axes.get_position().width * axes.figure.get_figwidth() if which == "x" else np.inf
+    places, texts = log_ticks(low, high, width)
     line = getattr(axes, f"{which}axis")
     line.set_major_locator(ticker.FixedLocator(10 ** places))
     line.set_major_formatter(ticker.FixedFormatter(texts))

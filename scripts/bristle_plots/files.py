@@ -4,6 +4,7 @@ import contextlib
 import io
 import json
 import os
+import re
 
 from matplotlib.backends.backend_pdf import PdfPages
 
@@ -11,7 +12,8 @@ from .errors import NOT_WRITTEN, BristleError
 from .style import METADATA
 
 FIGURE_FORMATS = ("pdf", "png")
-GIF = b"GIF89a"
+# Of formats without lines: what names them, among numbers.
+SIGNATURE = re.compile(rb"(GIF89a)|RIFF....(WEBP)|....(ftyp)", re.DOTALL)
 
 
 def read_json(path, remedy):
@@ -46,7 +48,7 @@ def write_whole(path, content):
 def require_replaceable(path, content):
     """Raises BristleError unless nothing stands at path, or an empty file, or one with the same first line.
 
-    The first line is the title of a page, or the signature of PDF and PNG. A GIF has no lines, but begins with its version.
+    The first line is the title of a page, or the signature of PDF and PNG. Animations have no lines, but a signature.
     """
     if not os.path.lexists(path):
         return
@@ -60,8 +62,12 @@ def require_replaceable(path, content):
 
 
 def beginning(file):
-    line = file.readline(1000)
-    return GIF if line.startswith(GIF) else line
+    """The first line, or the signature."""
+    start = file.read(1000)
+    signature = SIGNATURE.match(start)
+    if signature:
+        return signature[signature.lastindex]
+    return start[:start.find(b"\n") + 1] or start
 
 
 def write_text(path, text):

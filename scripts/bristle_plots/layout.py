@@ -12,7 +12,7 @@ from .readings import reading_name
 from .results import as_text
 from .remarks import pinned_note, start_note, validity_note
 from .style import GREY, wrapped
-from .verdicts import draw_strip, read_claims, strip_height, symbols
+from .verdicts import draw_strip, read_claims, strip_height
 
 NO_VALUE = "no value: "  # begins the legend of a status without a value
 HEADER, NOTE = "header", "note"  # gids of the texts of the header, of the note's lines
@@ -65,7 +65,7 @@ def sheet(file, width, body, note="", reading=None, verdicts=True, title=None):
     draw_header(figure, header)
     for i, line in enumerate(lines):
         figure.text(0.3 / width, (bottom - NOTE_INCHES * i) / height, line, va="top", fontsize=9, color=GREY, gid=NOTE)
-    draw_strip(figure, claims, symbols(file))
+    draw_strip(figure, claims)
     return figure, bottom
 
 

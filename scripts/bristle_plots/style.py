@@ -10,6 +10,8 @@ from itertools import cycle
 import matplotlib
 import numpy as np
 from matplotlib import mathtext, ticker
+from matplotlib.font_manager import FontProperties
+from matplotlib.textpath import text_to_path
 
 from .errors import BristleError
 from .results import attribute, place_of
@@ -32,6 +34,7 @@ MARKERS = " o^sDvP"  # by index of the status; 0 is a point without remark
 
 DPI = 160
 LETTER_INCHES = 0.08  # width of a tick's letter
+DECADE_INCHES = 0.55  # width of a decade with ticks at 1, 2 and 5
 
 LOOK = {
     "font.family": "DejaVu Sans",  # comes with matplotlib: the same glyphs on every machine
@@ -116,10 +119,10 @@ def is_math(string):
     return True
 
 
-def log_ticks(low, high):
-    """Positions (log10) and texts of ticks: 1-2-5, only decades in a long range, equal steps in a short one."""
+def log_ticks(low, high, width=np.inf):
+    """Positions (log10) and texts of ticks: 1-2-5, only decades in a long range or on few inches, equal steps in a short one."""
     decades = np.arange(np.floor(low), np.ceil(high) + 1)
-    places = np.add.outer(decades, np.log10([1] if high - low > 2.5 else [1, 2, 5])).ravel()
+    places = np.add.outer(decades, np.log10([1] if high - low > min(2.5, width / DECADE_INCHES) else [1, 2, 5])).ravel()
     places = places[(places > low - 1e-9) & (places < high + 1e-9)]
     if places.size < 2 and high > low:
         numbers = value_ticks(2).tick_values(10 ** low, 10 ** high)
@@ -146,7 +149,31 @@ def bar_ticks(norm, width):
 
 def wrapped(string, width):
     """A sentence in lines of at most `width` characters; $...$ is mathtext if it is valid, else plain text."""
+    return "\n".join(textwrap.wrap(with_whole_formulas(string), width)).replace("\0", " ")
+
+
+def lines_within(string, inches, look):
+    """The same in a list of lines of at most this width. look: of the text, with its fontsize."""
+    space = text_inches("n n", look) - text_inches("nn", look)
+    lines, end = [[]], 0
+    for word in with_whole_formulas(string).split():
+        wide = text_inches(word.replace("\0", " "), look)
+        if lines[-1] and end + wide > inches:
+            lines.append([])
+            end = 0
+        lines[-1].append(word)
+        end += wide + space
+    return [" ".join(line).replace("\0", " ") for line in lines]
+
+
+def with_whole_formulas(string):
+    """The string with \0 for spaces within formulas, at which it is not broken; not valid as mathtext, it has none."""
     if string.count("$") % 2 or not is_math(string):
         string = string.replace("$", r"\$")
-    whole = re.sub(r"\$[^$]+\$", lambda formula: formula.group().replace(" ", "\0"), string)
-    return "\n".join(textwrap.wrap(whole, width)).replace("\0", " ")
+    return re.sub(r"\$[^$]+\$", lambda formula: formula.group().replace(" ", "\0"), string)
+
+
+def text_inches(string, look):
+    """Width of a text in one line."""
+    font = FontProperties(size=look["fontsize"], weight=look.get("weight"))
+    return text_to_path.get_text_width_height_descent(string, font, "$" in string)[0] / 72

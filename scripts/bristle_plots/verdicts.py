@@ -6,7 +6,7 @@ from math import floor, isfinite, log10
 
 from .errors import BristleError
 from .results import CHOICE_NAMES, as_text, attribute, experiment, is_whole, place_of, read, readable, table
-from .style import BLUE, GREEN, GREY, VERMILION, with_carons, wrapped
+from .style import BLUE, GREEN, GREY, VERMILION, lines_within, text_inches, with_carons
 
 NUMBERS = ("measured", "uncertainty", "threshold", "band", "margin", "significance")
 TEXTS = ("claim", "statement", "is", "verdict", "reading", "role", "claim_verdict")
@@ -15,8 +15,9 @@ TEXTS = ("claim", "statement", "is", "verdict", "reading", "role", "claim_verdic
 # reading: the reading of Eq. (17), if the experiment has several; declared: number of the check in the experiment.
 # interpretation: of an ambiguous sentence of the paper, under which the check belongs to the claim.
 # role: the claim's verdict under a reading rests on its main checks, not on further ones.
+# symbols: of the quantities that the statement and the interpretation may name.
 Claim = namedtuple("Claim", "claim statement relation verdict reading role claim_verdict " + " ".join(NUMBERS) +
-                   " declared interpretation")
+                   " declared interpretation symbols")
 
 VERDICT_SIGNS = {"supported": ("\u2714", GREEN), "refuted": ("\u2718", VERMILION), "undecided": ("?", BLUE)}
 RELATION_SIGNS = {"at_most": "\u2264", "at_least": "\u2265", "near": "near"}
@@ -31,12 +32,18 @@ FURTHER_SYMBOLS = {"k_r": r"\tilde{k}_r", "k_theta": r"\tilde{k}_\theta", "k_phi
 
 LINE_INCHES = 0.2
 BASELINE_INCHES = 0.13  # below the top of a line
-STRIP = "strip"  # gid of the strip's axes
-LETTERS_PER_INCH = 13.5  # of a statement
+RULE_INCHES = 0.06  # below the titles
+MARGIN, STATEMENT = 0.3, 0.85  # inches, where claims and statements begin
+GAP = 0.25  # inches between columns
 LEAST_STATEMENT = 3.4  # inches; in figures with less room the numbers are below the statement
+STRIP = "strip"  # gid of the strip's axes
+TITLE, TEXT = dict(color=GREY, fontsize=9), dict(fontsize=9.5)  # looks of texts
 
-# A row of the strip. verdicts: (verdict, text) by reading.
-Row = namedtuple("Row", "claim statement measured threshold verdicts")
+# A row of the strip. statement: a text, and in the Strip its lines; cells: (text, look) in each column after it.
+Row = namedtuple("Row", "claim statement cells look")
+
+# places: of the columns after the statement (inches); below: whether these are below the statement. The first row has titles.
+Strip = namedtuple("Strip", "rows places below")
 
 
 def read_claims(file):
@@ -49,9 +56,9 @@ def read_claims(file):
     if len({len(column) for column in columns}) > 1:
         raise BristleError(f"{place_of(file)}: the datasets of /checks differ in length")
     texts = len(TEXTS)
-    declared = dict(enumerate(experiment(file).get("checks", [])))
+    declared, names = dict(enumerate(experiment(file).get("checks", []))), symbols(file)
     return [Claim(*map(as_text, row[:texts]), *map(float, row[texts:-1]), int(row[-1]),
-                  declared.get(int(row[-1]), {}).get("interpretation", "")) for row in zip(*columns)]
+                  declared.get(int(row[-1]), {}).get("interpretation", ""), names) for row in zip(*columns)]
 
 
 def declared_checks(file):
@@ -124,64 +131,73 @@ def p_text(claim):
     return f", p = {claim.significance:.1g}" if claim.significance >= 1e-4 else ", p < 0.0001"
 
 
-def columns(readings, width):
-    """Titles of the strip's columns after the statement, with their places (inches)."""
-    if readings == [""]:
-        return {"measured": width - 4.4, "threshold": width - 2.85, "verdict": width - 1.35}
-    verdicts = {CHOICE_NAMES.get(word, f"verdict, {readable(word)}"): width - 2.05 * (len(readings) - i)
-                for i, word in enumerate(readings)}
-    return {"threshold": width - 2.05 * len(readings) - 1.3, **verdicts}
+def strip_of(claims, width):
+    """The strip for a figure of this width (inches): columns as wide as their texts, and the rest for the statement."""
+    rows = strip_rows(claims)
+    widths = [max(text_inches(*cell) for cell in column) + GAP for column in zip(*(row.cells for row in rows))]
+    places = [width - MARGIN + GAP - sum(widths[i:]) for i in range(len(widths))]
+    whole, beside = width - MARGIN - STATEMENT, places[0] - GAP - STATEMENT
+    below = beside < LEAST_STATEMENT
+    rooms = [whole if below or not has_cells(row) else beside for row in rows]
+    return Strip([row._replace(statement=lines_within(row.statement, room, row.look)) for row, room in zip(rows, rooms)],
+                 places, below)
 
 
-def statement_inches(readings, width):
-    """Room for the statement beside the numbers, or 0 if they are below it."""
-    room = min(columns(readings, width).values()) - 1.2
-    return room if room >= LEAST_STATEMENT else 0
-
-
-def strip_rows(claims, width):
-    """The rows of the strip: the main checks of each claim, and with readings a row for a claim of several of them."""
+def strip_rows(claims):
+    """Titles, the main checks of each claim, with readings a row for a claim of several of them, and a key."""
     readings = reading_words(claims)
-    room = statement_inches(readings, width) or width - 1.2
-    out = []
+    titles = ["measured", "threshold", "verdict"] if readings == [""] else [
+        "threshold", *(CHOICE_NAMES.get(word, f"verdict, {readable(word)}") for word in readings)]
+    empty = [("", TEXT)] * len(titles)
+    out = [Row("claim", "statement", [(title, TITLE) for title in titles], TITLE)]
     for checks in by_claim([claim for claim in claims if claim.role == "main"]):
         name, interpretation = first(checks[0]).claim, ""
         repeated = name if readings == [""] else ""
         for check in checks:
             if first(check).interpretation not in ("", interpretation):
                 interpretation = first(check).interpretation
-                empty = {word: ("", "") for word in check}
-                statement = wrapped(f"if {interpretation}:", int(LETTERS_PER_INCH * room))
-                out.append(Row(name, statement, "", "", empty))
+                out.append(Row(name, f"if {in_symbols(interpretation, first(check).symbols)}:", empty, TEXT))
                 name = repeated
-            out.append(check_row(check, name, int(LETTERS_PER_INCH * room)))
+            out.append(Row(name, in_symbols(first(check).statement, first(check).symbols), check_cells(check, readings), TEXT))
             name = repeated
         if readings != [""] and len(checks) > 1:
-            whole = {word: (claim.claim_verdict, claim.claim_verdict) for word, claim in checks[0].items()}
-            out.append(Row("", f"claim {first(checks[0]).claim}, by its main checks", "", "", whole))
+            whole = [verdict_cell(checks[0][word].claim_verdict) if word in checks[0] else ("", TEXT) for word in readings]
+            out.append(Row("", f"claim {first(checks[0]).claim}, by its main checks", [("", TEXT), *whole], TEXT))
+    if key := key_of_signs(claims):
+        out.append(Row("", key, empty, TITLE))
     return out
 
 
-def check_row(check, claim, characters):
+def check_cells(check, readings):
     """One check. With several readings, the number measured takes the place of the verdict's word."""
     one = first(check)
-    measured = {word: with_uncertainty(found.measured, found.uncertainty) for word, found in check.items()}
-    verdicts = {word: (found.verdict, measured[word] if word else found.verdict) for word, found in check.items()}
-    statement = wrapped(one.statement, characters)
-    return Row(claim, statement, measured.get("", ""), threshold_text(one.relation, one.threshold, one.band), verdicts)
+    threshold = threshold_text(one.relation, one.threshold, one.band), TEXT
+    if readings == [""]:
+        return [(with_uncertainty(one.measured, one.uncertainty), TEXT), threshold, verdict_cell(one.verdict)]
+    return [threshold, *(verdict_cell(check[word].verdict, with_uncertainty(check[word].measured, check[word].uncertainty))
+                         if word in check else verdict_cell("", "\u2013") for word in readings)]
 
 
-def line_count(row, width):
-    numbers_below = any(cell for _, cell in row.verdicts.values()) and not statement_inches(list(row.verdicts), width)
-    return row.statement.count("\n") + 1 + numbers_below
+def verdict_cell(verdict, text=None):
+    """The sign of a verdict with a text, or with its word."""
+    sign, colour = VERDICT_SIGNS.get(verdict, ("\u2022", GREY))
+    return f"{sign} {text or verdict}", dict(TEXT, color=colour, weight="bold")
+
+
+def has_cells(row):
+    return any(text for text, _ in row.cells)
+
+
+def line_count(row, below):
+    return len(row.statement) + (below and has_cells(row))
 
 
 def strip_height(claims, width):
     """Height of the strip in inches."""
     if not claims:
         return 0
-    lines = sum(line_count(row, width) for row in strip_rows(claims, width))
-    return (lines + 1 + bool(key_of_signs(claims))) * LINE_INCHES + 0.2
+    strip = strip_of(claims, width)
+    return sum(line_count(row, strip.below) for row in strip.rows) * LINE_INCHES + RULE_INCHES + 0.14
 
 
 def symbols(file):
@@ -202,28 +218,23 @@ def in_symbols(text, symbols):
     return re.sub(rf"(?<!\w)(?:{names})(?!\w)", symbol, text)
 
 
-def draw_strip(figure, claims, symbols):
+def draw_strip(figure, claims):
     """A row for each main check at the foot of the figure: statement, threshold, and the verdict under each reading."""
     if not claims:
         return
     width, height = figure.get_size_inches()
-    tall = strip_height(claims, width)
-    strip = figure.add_axes((0, 0, 1, tall / height), xlim=(0, width), ylim=(0, tall))
-    strip.axis("off")
-    strip.set_gid(STRIP)
-    readings, rows = reading_words(claims), strip_rows(claims, width)
-    places = {"claim": 0.3, "statement": 0.85, **columns(readings, width)}
-    line = tall - LINE_INCHES / 2
-    for title, x in places.items():
-        strip.text(x, line, title, color=GREY, va="center", fontsize=9)
-    strip.axhline(line - LINE_INCHES / 2, 0.3 / width, 1 - 0.3 / width, color=GREY, linewidth=0.6)
-    line -= 1.3 * LINE_INCHES
+    strip, tall = strip_of(claims, width), strip_height(claims, width)
+    axes = figure.add_axes((0, 0, 1, tall / height), xlim=(0, width), ylim=(0, tall))
+    axes.axis("off")
+    axes.set_gid(STRIP)
+    titles, *rows = strip.rows
+    draw_row(axes, titles, strip, tall)
+    top = tall - line_count(titles, strip.below) * LINE_INCHES
+    axes.axhline(top, MARGIN / width, 1 - MARGIN / width, color=GREY, linewidth=0.6)
+    top -= RULE_INCHES
     for row in rows:
-        narrow = not statement_inches(readings, width)
-        row = row._replace(statement=in_symbols(row.statement, symbols))
-        draw_row(strip, row, readings, list(places.values()), line + LINE_INCHES / 2, narrow)
-        line -= line_count(row, width) * LINE_INCHES
-    strip.text(places["statement"], line, key_of_signs(claims), color=GREY, va="center", fontsize=9)
+        draw_row(axes, row, strip, top)
+        top -= line_count(row, strip.below) * LINE_INCHES
 
 
 def key_of_signs(claims):
@@ -234,20 +245,12 @@ def key_of_signs(claims):
                                    f"further checks, on which no verdict rests: {further}, in docs/findings.md" if further else ""]))
 
 
-def draw_row(strip, row, readings, places, top, narrow):
-    text = dict(va="baseline", fontsize=9.5)
-    lines = row.statement.split("\n")
+def draw_row(axes, row, strip, top):
     line = top - BASELINE_INCHES
-    strip.text(places[0], line, row.claim, **text)
-    for i, part in enumerate(lines):
-        strip.text(places[1], line - i * LINE_INCHES, part, **text)
-    below = line - len(lines) * LINE_INCHES if narrow else line
-    numbers = [row.threshold] if readings != [""] else [row.measured, row.threshold]
-    for x, cell in zip(places[2:], numbers):
-        strip.text(x, below, cell, **text)
-    for x, word in zip(places[2 + len(numbers):], readings):
-        verdict, cell = row.verdicts.get(word, ("", "\u2013"))
-        if not cell:
-            continue
-        sign, colour = VERDICT_SIGNS.get(verdict, ("\u2022", GREY))
-        strip.text(x, below, f"{sign} {cell}", color=colour, weight="bold", **text)
+    axes.text(MARGIN, line, row.claim, **row.look)
+    for i, part in enumerate(row.statement):
+        axes.text(STATEMENT, line - i * LINE_INCHES, part, **row.look)
+    if strip.below:
+        line -= len(row.statement) * LINE_INCHES
+    for x, (text, look) in zip(strip.places, row.cells):
+        axes.text(x, line, text, **look)

@@ -51,6 +51,18 @@ def check_captions(name, result):
     return found
 
 
+def check_first_panel(name, result):
+    """Its caption for each page, where the figure has panels; it is then drawn alone, without a letter."""
+    done = called("plot", name, result, "--caption", "--panels", "a")
+    if done.code == 2 and "has no panels with letters" in done.messages:
+        return []
+    assert done.code == 0, done.messages
+    with open_result(result) as ds:
+        figure = getattr(bristle_plots, name).draw(ds, panels="a")
+    assert [axes.panel[0] for axes in figure.axes if hasattr(axes, "panel")] == [""], name
+    return re.findall(r"\\caption\{.*\}", done.out)
+
+
 def check_metadata(name, result):
     done = called("plot", name, result, "-o", folder, "--dpi", "30")
     assert done.code == 0, done.messages
@@ -63,18 +75,32 @@ def check_metadata(name, result):
     assert b"/Title" in pdf and all(word.encode() in pdf for word in told)
 
 
+def animate(result, *options):
+    return called("plot", "fig2", result, "--animate", "-o", *options)
+
+
 def check_animation(result):
-    done = called("plot", "fig2", result, "--animate", "-o", folder)
-    assert done.code == 0, done.messages
-    path = folder / "fig2.gif"
-    with Image.open(path) as image:
-        assert 60 <= image.n_frames <= 120 and image.info["loop"] == 0, (image.n_frames, image.info)
-    assert path.stat().st_size <= 2_000_000, path.stat().st_size
-    before = path.read_bytes()
-    done = called("plot", "fig2", result, "--animate", "-o", folder)
-    assert done.code == 0 and path.read_bytes() == before, done.messages
-    done = called("plot", "fig2", result, "--animate", "-o", folder, "--plain", "--caption")
-    assert done.code == 2 and "it has no --plain, --caption" in done.messages, done.messages
+    """Written twice over itself, with equal bytes, small, with all frames, repeated without end."""
+    for output, path in ((folder, folder / "fig2.gif"), (folder / "film.webp", folder / "film.webp")):
+        done = animate(result, output)
+        assert done.code == 0, done.messages
+        with Image.open(path) as image:
+            assert 60 <= image.n_frames <= 120 and image.info["loop"] == 0, (image.n_frames, image.info)
+        assert path.stat().st_size <= 2_000_000, path.stat().st_size
+        before = path.read_bytes()
+        done = animate(result, output)
+        assert done.code == 0 and path.read_bytes() == before, done.messages
+    done = animate(result, folder / "film.mp4")
+    if shutil.which("ffmpeg"):
+        assert done.code == 0 and (folder / "film.mp4").read_bytes()[4:8] == b"ftyp", done.messages
+        done = animate(result, folder / "film.mp4")
+        assert done.code == 0, done.messages
+    else:
+        assert done.code == 2 and "on Debian, the package is ffmpeg" in done.messages, done.messages
+    for output, options, words in (("film.avi", [], "the ending .avi; known are .gif, .webp, .mp4"),
+                                   (".", ["--plain", "--caption"], "it has no --plain, --caption")):
+        done = animate(result, folder / output, *options)
+        assert done.code == 2 and words in done.messages, done.messages
 
 
 shutil.rmtree(folder, ignore_errors=True)
@@ -84,7 +110,7 @@ check_animation(results / "fig2_smoke.h5")
 captions = []
 for name in sys.argv[3:]:
     result = results / f"{name}_smoke.h5"
-    captions += check_captions(name, result)
+    captions += check_captions(name, result) + check_first_panel(name, result)
     with open_result(result) as ds:
         check_grey(getattr(bristle_plots, name).draw(ds))
     check_metadata(name, result)

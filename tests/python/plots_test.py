@@ -28,7 +28,7 @@ from bristle_plots.files import read_json, write_text, write_whole
 from bristle_plots.integrity import read_group
 from bristle_plots.jumps import jumps_between_neighbours, located_jumps, read_jumps
 from bristle_plots.maps import Grid, cells_at, draw_jumps, read_grid, torn_faces
-from bristle_plots.verdicts import STRIP, by_check, in_symbols, by_claim, declared_checks, read_claims, symbols
+from bristle_plots.verdicts import STRIP, by_check, by_claim, declared_checks, draw_strip, in_symbols, read_claims, symbols
 
 result, folder = sys.argv[1], pathlib.Path(sys.argv[2])
 fig4.VARIABLES = fig4.VARIABLES[:2]  # two maps show what is tested here; figures_test.py draws all
@@ -114,6 +114,18 @@ with open_result(result) as file:
     for checks in by_claim(claims):
         roles = [check["polar"].role for check in checks]
         assert roles == sorted(roles, key=lambda role: role != "main") and roles[0] == "main"
+
+# Their texts neither touch each other nor leave the figure, with the numbers beside the statement or below it.
+for width in (7, 11, 15):
+    figure = matplotlib.figure.Figure((width, 8))
+    draw_strip(figure, claims)
+    renderer = FigureCanvasAgg(figure).get_renderer()
+    lines = {}
+    for text in filter(matplotlib.text.Text.get_text, figure.axes[0].texts):
+        lines.setdefault(text.get_position()[1], []).append(text.get_window_extent(renderer))
+    for boxes in lines.values():
+        ends = [0, *(end for box in sorted(boxes, key=lambda box: box.x0) for end in (box.x0, box.x1)), renderer.width]
+        assert len(lines) > 10 and ends == sorted(ends), (width, ends)
 
 # Jumps of the gap between neighbours, but not on a grid that is too coarse to tell them from a slope.
 gaps = numpy.array([[0.1, 0.6, 0.61], [0.1, numpy.nan, 0.6]])
@@ -265,8 +277,7 @@ with xarray.open_dataset(result) as ds:
     assert "a curve needs" in refusal(lambda: curve.draw(ds, "status"))
 done = plot("--animate")
 assert done.code == 2 and "--animate: only fig2 has recorded trajectories, not fig4" in done.messages, done.messages
-for options, words in ((["--panels", "z"], "there is no panel z; this figure has the panels a to b"), (["--panels", "A"], "no letter"),
-                       (["--panels", "a", "--caption"], "all panels")):
+for options, words in ((["--panels", "z"], "there is no panel z; this figure has the panels a to b"), (["--panels", "A"], "no letter")):
     done = plot(*options)
     assert done.code == 2 and words in done.messages, done.messages
 with xarray.open_dataset(result) as ds:
@@ -280,6 +291,10 @@ assert done.code == 0 and done.out.count("\\caption{") == 4 and done.out.count("
 exact, printed = done.out.split("% page 2")
 assert r"$\check{R}_x$; (b) " in exact and r"$\tilde{k}_r =$ 5, " in exact and "exact" in exact and "as printed" not in exact
 assert "as printed" in printed and "exact" not in printed
+done = plot("--caption", "--panels", "b")
+assert done.code == 0 and done.out.count("\\caption{") == 3 and r"\tilde{\gamma}_1$. Over" in done.out and "check{R}" not in done.out, done.out
+done = called("plot", "map", result, "--caption", "--panels", "b")
+assert done.code == 0 and r"$\check{R}_x$, Eq. (17) as printed. Over" in done.out and "exact" not in done.out, done.out
 told = captions.in_latex(captions.plain(r"50 % of \input{x} & $ # x_y"))  # a stranger's title
 assert told == r"50 \% of \textbackslash{}input\{x\} \& \$ \# x\_y", told
 told = captions.in_latex(captions.plain("a\x1b[2J\u2028b\nc"))  # control characters reach neither LaTeX nor a terminal

@@ -1,10 +1,13 @@
 """The trials of a design, its front, and what is beside the recommended trial: friction, jumps, tolerances."""
 
+from functools import partial
+
 import numpy as np
 
 from ..curves import title_axis
 from ..errors import BristleError
 from ..layout import Cell, across, corners, heading, place_cell, sheet
+from ..page import lettered
 from ..readings import one_page
 from ..results import attribute, place_of, table, table_with
 from ..style import COLOURS, bar_looks, label
@@ -30,25 +33,20 @@ def draw(file):
     margins = table_with(file, "margins", "margin_below", "margin_above")
     indices = None if table(file, "indices") is None else table_with(file, "indices", "ST", "ST_err")
     quantities = [str(name) for name in margins["quantity"].values]
-    panels = 1 + len(quantities) + (indices is not None)
-    cell, columns = across(panels, Cell(5.6, 4.0, 1.2, 0.8, 4.1, 2.8), 0.3)
-    columns = min(columns, 3)
-    figure, bottom = sheet(file, cell.width * columns, cell.height * -(-panels // columns), NOTE)
-    places = iter(zip("abcdefghijklmn", corners(panels, columns, cell, bottom)))
-    letter, corner = next(places)
-    axes = place_cell(figure, corner, cell)
-    draw_trials(axes, trials, front, best)
-    heading(axes, letter)
+    panels = [partial(draw_trials, trials=trials, front=front, best=best)]
     for name, margin in zip(quantities, margins.transpose("quantity").to_dataframe().itertuples()):
-        letter, corner = next(places)
-        axes = place_cell(figure, corner, cell)
-        draw_profile(axes, table_with(file, f"profile_{name}", name, *values), name, best, margin)
-        heading(axes, letter)
+        profile = table_with(file, f"profile_{name}", name, *values)
+        panels.append(partial(draw_profile, profile=profile, name=name, best=best, margin=margin))
     if indices is not None:
-        letter, corner = next(places)
+        panels.append(partial(draw_indices, indices=indices, trials=trials))
+    panels = lettered(panels)
+    cell, columns = across(len(panels), Cell(5.6, 4.0, 1.2, 0.8, 4.1, 2.8), 0.3)
+    columns = min(columns, 3)
+    figure, bottom = sheet(file, cell.width * columns, cell.height * -(-len(panels) // columns), NOTE)
+    for (letter, draw_panel), corner in zip(panels, corners(len(panels), columns, cell, bottom)):
         axes = place_cell(figure, corner, cell)
-        draw_indices(axes, indices, trials)
-        heading(axes, letter)
+        draw_panel(axes)
+        heading(axes, letter, labels=[f"{axes.get_ylabel()} over {axes.get_xlabel()}" if axes.get_xlabel() else axes.get_ylabel()])
     return figure
 
 

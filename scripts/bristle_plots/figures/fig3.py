@@ -47,7 +47,7 @@ def draw(file, reading):
     for (letter, i), (x, y, *size) in zip(order, boxes):
         axes = place(figure, x, bottom + y, *size)
         entries = draw_panel(axes, file, traces[i], small=letter not in ("", "a"))
-        set_range(axes, file)
+        set_range(axes, file, traces[i])
         heading(axes, letter, with_symbol(dataset(file, "k_phi"), polar[i]))
     colours = {with_symbol(dataset(file, "k_r"), value): Line2D([], [], color=colour, linewidth=2.6)
                for value, colour in shaded(radial)}
@@ -79,7 +79,8 @@ def arrangement(panels):
 
 def note(file):
     string = ("A to D: the loading path of the curve with the largest jump under growing load. An arrow that "
-              "ends at the frame: no equilibrium on the traced curve carries the load beyond it.")
+              "ends at the frame: no equilibrium on the traced curve carries the load beyond it. Curves end at the smallest gap that is "
+              f"traced, {label(dataset(file, 'z_0'))} = {np.nanmin(read(file, 'z_0')):.3g}.")
     if "R_n_err" in file:
         error = read(file, "R_n_err") / read(file, "R_n")
         if np.isfinite(error).any():
@@ -100,9 +101,9 @@ def read_trace(file, **chosen):
                  np.isin(on, ["unloading", "both"])[there], status[there], meanings, curve)
 
 
-def set_range(axes, file):
-    """The same ranges and titles in all panels."""
-    loads = positive(dataset(file, "R_n"), read(file, "R_n"))
+def set_range(axes, file, traces):
+    """The range of the panel's loads; the same range of the gap, and the same titles, in all panels."""
+    loads = positive(dataset(file, "R_n"), np.concatenate([trace.load for trace in traces]))
     log_range(axes, "x", np.log10(loads.min()) - 0.08, np.log10(loads.max()) + 0.08)
     axes.set_ylim(LOW, HIGH)
     title_axis(axes, "x", dataset(file, "R_n"))

@@ -54,10 +54,9 @@ def where_tested(file):
 def draw_limits(axes, stiff, tested):
     """Lines for rigid bristles, and for the friction force that stiff bristles have where the check of it begins."""
     axes.axhline(1, color=GREY, linewidth=1, zorder=0)
-    label_line(axes, 1.05 * stiff.x[0], 1.03, 0, "rigid bristles")
+    label_line(axes, stiff.x[-1] / 1.05, 1.03, 0, "rigid bristles", ha="right")
     valued = np.flatnonzero(np.isfinite(stiff.y) & (stiff.x >= (tested or np.inf) * (1 - 1e-9)))
     if valued.size > 1:
         force = stiff.x[valued[0]] * stiff.y[valued[0]]
         ends = stiff.x[valued[[0, -1]]]
-        axes.plot(ends, force / ends, color=GREY, linewidth=1, zorder=0)
-        label_line(axes, 1.1 * ends[0], 0.94 * force / (1.1 * ends[0]), -1, r"constant force $R_x$", va="top")
+        axes.plot(ends, force / ends, color=GREY, linewidth=1, zorder=0, label=r"constant force $R_x$")

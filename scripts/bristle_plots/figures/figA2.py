@@ -5,8 +5,8 @@ import numpy as np
 from ..curves import (draw_points, label_line, legend, log_range, positive, read_curve, title_axis,
                       with_symbol)
 from ..errors import BristleError
-from ..layout import Cell, across, corners, heading, place, place_cell, sheet
-from ..page import paper_width
+from ..layout import Cell, across, corners, heading, place, sheet
+from ..page import lettered, paper_width
 from ..readings import page_for_each_reading
 from ..results import (attribute, axis_values, constant, dataset, place_of, point_numbers, read, select,
                        select_errors)
@@ -14,31 +14,47 @@ from ..style import BLUE, COLOURS, GREY, ORANGE, VERMILION, label
 
 AXES = ["sampling", "L_y", "seed"]
 FORCE = "slab_force"
-NOTE = """a: grey, the transient; dashed, the mean over $t_1$ to $t_2$, with its standard error as a band.
-b: one point for each seed; grey, two standard errors.
-c: one point for each seed, bars are standard errors; grey lines, slope for independent bristles."""
+NOTES = [r"grey, the transient; dashed, the mean over $t_1$ to $t_2$, with its standard error as a band.",
+         "one point for each seed; grey, two standard errors.",
+         "one point for each seed, bars are standard errors; grey lines, slope for independent bristles."]
+# Of the caption, what the legends say.
+LEGENDS = ["Orange: the narrowest lattice; blue: the widest.", "Circles: load; squares: friction.",
+           "Circles: as it is; squares: means over a row's time."]
 # Of panel c: R_n(t), and its means over a row's time, which do not contain the rows' period.
-MARKS = NOTE + " Orange: the narrowest lattice; blue: the widest. b: circles, load; squares, friction"
 FLUCTUATIONS = (("R_n_fluctuation", "as it is", BLUE, "o"),
                 ("R_n_fluctuation_of_rows", "means over a row's time", VERMILION, "s"))
 
 
+def lettered_notes(notes):
+    return "\n".join(f"({letter}) {text}" if letter else text[0].upper() + text[1:] for letter, text in lettered(notes))
+
+
+def MARKS(_):
+    return lettered_notes([f"{note} {entries}" for note, entries in zip(NOTES, LEGENDS)])
+
+
 @page_for_each_reading
 def draw(file, reading):
-    cell, columns = across(2, Cell(5.2, 3.4, 0.9, 0.6, 4.1, 2.35), 0.6)
+    shown = lettered([draw_history, draw_deviations, draw_fluctuation])
+    history = shown[:1] if shown[0][1] is draw_history else []
+    below = shown[len(history):]
+    wide = 4.1 if len(below) > 1 else 6
+    cell, columns = across(max(1, len(below)), Cell(wide + 1.1, 3.4, 0.9, 0.6, wide, 2.35), 0.6)
     width = cell.width * columns + (0.2 if paper_width() is None else 0)
-    upper, lower = (2.9, 3.4) if paper_width() is None else (2.0, cell.height * (2 // columns))
-    figure, bottom = sheet(file, width, upper + lower, NOTE, reading)
-    history = cell.left, bottom + lower + cell.low, (columns - 1) * cell.width + cell.inner_width, upper - cell.low - 0.35
-    draw_history(place(figure, *history), file, reading)
-    boxes = corners(2, columns, cell, bottom)
-    draw_deviations(place_cell(figure, boxes[0], cell), file, reading)
-    draw_fluctuation(place_cell(figure, boxes[1], cell), file, reading)
+    upper, lower = (2.9 if paper_width() is None else 2.0) * len(history), cell.height * -(-len(below) // columns)
+    figure, bottom = sheet(file, width, upper + lower, lettered_notes(NOTES), reading)
+    places = [(cell.left, bottom + lower + cell.low, (columns - 1) * cell.width + cell.inner_width, upper - cell.low - 0.35)
+              for _ in history]
+    places += [(x + cell.left, y + cell.low, cell.inner_width, cell.inner_height)
+               for x, y in corners(len(below), columns, cell, bottom)]
+    for (letter, draw_panel), room in zip(shown, places):
+        axes = place(figure, *room)
+        heading(axes, letter, draw_panel(axes, file, reading))
     return figure
 
 
 def draw_history(axes, file, reading):
-    """R_n(t) of the smallest and the largest lattice with the first seed."""
+    """R_n(t) of the smallest and the largest lattice with the first seed; returns the panel's title, like the next two."""
     sizes, seed = axis_values(file, "L_y"), axis_values(file, "seed")[0]
     begin = constant(dataset(file, f"{FORCE}/t"), "t_1")
     point = read(file, f"{FORCE}/point")
@@ -59,7 +75,7 @@ def draw_history(axes, file, reading):
     title_axis(axes, "x", dataset(file, f"{FORCE}/t"))
     title_axis(axes, "y", dataset(file, f"{FORCE}/R_n"))
     axes.legend(loc="lower right")
-    heading(axes, "a", attribute(dataset(file, f"{FORCE}/R_n"), "long_name"))
+    return attribute(dataset(file, f"{FORCE}/R_n"), "long_name")
 
 
 def draw_deviations(axes, file, reading):
@@ -83,7 +99,7 @@ def draw_deviations(axes, file, reading):
     title_axis(axes, "x", dataset(file, "L_y"))
     axes.set_ylabel("deviation [standard errors]")
     axes.legend(loc="upper right", ncol=2)
-    heading(axes, "b", "lattices' means less the quadrature's")
+    return "lattices' means less the quadrature's"
 
 
 def draw_fluctuation(axes, file, reading):
@@ -112,4 +128,4 @@ def draw_fluctuation(axes, file, reading):
     axes.set_xlabel("$N_{c,0}$")
     title_axis(axes, "y", dataset(file, FLUCTUATIONS[0][0]))
     legend(axes, entries, loc="upper right")
-    heading(axes, "c", "standard deviation of $R_n(t)$ over its mean")
+    return "standard deviation of $R_n(t)$ over its mean"

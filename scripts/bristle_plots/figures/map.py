@@ -53,7 +53,7 @@ def draw_variable(file, name):
         image = draw_map(flat, grid, field, norm)
         label_map(flat, grid, titles)
         words = in_words(file, chosen)
-        heading(flat, letter, words, [described(data), words])
+        heading(flat, letter, words, [described(data), *(in_words(file, {axis: value}) for axis, value in chosen.items())])
         entries |= draw_jumps(flat, grid) | draw_status(flat, grid, field)
     wide = 0.6 * figure.get_figwidth()
     bar = colour_bar(figure, image, (0.2 * figure.get_figwidth(), bottom + 0.55, wide, 0.1), orientation="horizontal",

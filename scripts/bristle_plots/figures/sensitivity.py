@@ -6,16 +6,17 @@ from .. import style
 from ..curves import log_axis, title_axis
 from ..errors import BristleError
 from ..layout import Cell, across, corners, heading, legend_at_foot, place_cell, sheet
-from ..page import paper_width
+from ..page import lettered, paper_width
 from ..readings import one_page, reading_name, readings
 from ..results import dataset, place_of, table, table_with
-from ..style import COLOURS, bar_looks, label
+from ..style import bar_looks, label, looks
 
 AXES = ["sample"]
 LEGEND_INCHES = 0.3
 NOTE = ("Bars: total indices, a parameter's share of the variance with all its interactions; circles: first-order indices, its "
         "share on its own. Error bars: standard errors by bootstrap.{}")
-DOTS = "Dots: the points of the sample, with the design's further points pale. A model with two branches has two clouds."
+DOTS = ("Dots: the points of the sample, circles, squares and triangles in the order of the models, with the design's further points "
+        "pale. A model with two branches has two clouds.")
 
 
 def MARKS(file):
@@ -31,23 +32,15 @@ def draw(file):
                            '"analysis": {"sobol_indices": [...]}, and its file is opened by open_result(PATH)')
     table_with(file, "indices", "S1", "S1_err", "ST", "ST_err", "blocks")
     outputs = [str(name) for name in indices["output"].values]
-    inputs = [str(name) for name in indices["input"].values]
-    models = readings(file)
-    cell, columns = across(len(outputs), Cell(5.6, 3.6, 1.0, 0.6, 4.3, 2.7), 0.5)
-    below = LEGEND_INCHES if paper_width() is None else 0  # of the legend
-    rows = 2 * -(-len(outputs) // columns)
-    figure, bottom = sheet(file, cell.width * columns, cell.height * rows + below, f"{NOTE.format(left_out(indices))}\n{DOTS}")
-    places = corners(2 * len(outputs), columns, cell, bottom + below)
     # The bars of all outputs first, then the dots.
-    for letter, output, corner in zip("abcdefgh", outputs, places):
+    panels = lettered([(kind, output) for kind in (draw_indices, draw_dots) for output in outputs])
+    cell, columns = across(min(len(panels), len(outputs)), Cell(5.6, 3.6, 1.0, 0.6, 4.3, 2.7), 0.5)
+    below = LEGEND_INCHES if paper_width() is None else 0  # of the legend
+    rows = -(-len(panels) // columns)
+    figure, bottom = sheet(file, cell.width * columns, cell.height * rows + below, f"{NOTE.format(left_out(indices))}\n{DOTS}")
+    for (letter, (draw_panel, output)), corner in zip(panels, corners(len(panels), columns, cell, bottom + below)):
         axes = place_cell(figure, corner, cell)
-        draw_indices(axes, indices.sel(output=output), inputs, models)
-        axes.set_xticks(range(len(inputs)), [symbol(file, name) for name in inputs])
-        heading(axes, letter, f"Sobol indices of {symbol(file, output)}")
-    for letter, output, corner in zip("abcdefgh"[len(outputs):], outputs, places[len(outputs):]):
-        axes = place_cell(figure, corner, cell)
-        draw_dots(axes, file, output, largest(indices.sel(output=output)), models, len(inputs) + 2)
-        heading(axes, letter)
+        heading(axes, letter, *draw_panel(axes, file, output, indices.sel(output=output)))
     handles, texts = figure.axes[0].get_legend_handles_labels()
     legend_at_foot(figure, dict(zip(texts, handles)), bottom + below / 3)
     return figure
@@ -69,7 +62,9 @@ def largest(indices):
     return str(indices["input"].values[int(np.nanargmax(total))])
 
 
-def draw_indices(axes, indices, inputs, models):
+def draw_indices(axes, file, output, indices):
+    """Bars of one output; returns the panel's title."""
+    inputs, models = [str(name) for name in indices["input"].values], readings(file)
     width = 0.8 / len(models)
     for i, (model, look) in enumerate(zip(models, bar_looks())):
         at = np.arange(len(inputs)) - 0.4 + (i + 0.5) * width
@@ -81,18 +76,24 @@ def draw_indices(axes, indices, inputs, models):
     axes.axhline(0, color="black", linewidth=0.6)
     low, high = axes.get_ylim()
     axes.set_ylim(max(low, -0.5), min(high, 1.5))  # errors of few blocks are large
+    axes.set_xticks(range(len(inputs)), [symbol(file, name) for name in inputs])
     axes.set_ylabel("share of the variance")
+    return [f"Sobol indices of {symbol(file, output)}"]
 
 
-def draw_dots(axes, file, output, parameter, models, block):
+def draw_dots(axes, file, output, indices):
+    """The output over the parameter that matters most; returns that there is no title, and what the panel shows."""
+    parameter = largest(indices)
     x = dataset(file, parameter).values
-    independent = np.arange(x.size) % block < 2
-    for model, colour in zip(models, COLOURS):
+    independent = np.arange(x.size) % (indices.sizes["input"] + 2) < 2
+    for model, look in looks(readings(file)):
         y = dataset(file, output).sel(model).values
-        axes.plot(x[~independent], y[~independent], ".", color=colour, markersize=2, alpha=0.15)
-        axes.plot(x[independent], y[independent], ".", color=colour, markersize=4, alpha=0.8)
+        style = dict(linestyle="", marker=look.marker, color=look.colour, markeredgewidth=0)
+        axes.plot(x[~independent], y[~independent], markersize=1.8, alpha=0.15, **style)
+        axes.plot(x[independent], y[independent], markersize=3, alpha=0.8, label=reading_name(model), **style)
     if x.min() > 0 and x.max() / x.min() > 8:
         log_axis(axes, "x", dataset(file, parameter))
     else:
         title_axis(axes, "x", dataset(file, parameter))
     axes.set_ylabel(label(dataset(file, output)))
+    return "", [f"{symbol(file, output)} over {symbol(file, parameter)}"]

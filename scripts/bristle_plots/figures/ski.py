@@ -39,7 +39,7 @@ def draw(file):
             entries |= dict(zip(texts, lines))
             statuses |= found
         title = attribute(dataset(file, name), "long_name").split(" per")[0]
-        heading(axes, letter, f"{CHOICE_NAMES.get(law, law)}: {title}")
+        heading(axes, letter, f"{CHOICE_NAMES.get(law, law)}: {title}", [CHOICE_NAMES.get(law, law), title])
     legend_at_foot(figure, entries | statuses, bottom)
     return figure
 
