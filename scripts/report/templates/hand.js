@@ -65,8 +65,8 @@ function handBristles(passages, axes) {
   return (at) => {
     const nearest = passages.reduce((a, b) => (apart(b, at) < apart(a, at) ? b : a));
     change((passage) => apart(passage, nearest) === 0);
-    words.innerHTML = `Three bristles recorded at ${pointInWords(nearest)}, ` + (apart(nearest, at) === 0 ? "the handle's point."
-      : `the nearest recorded point (dots in the maps) to the handle's, ${pointInWords(at)}.`);
+    words.innerHTML = `Recorded at ${pointInWords(nearest)}, ` +
+      (apart(nearest, at) === 0 ? "the handle's point." : "the nearest of the dots in the maps.");
   };
 }
 
