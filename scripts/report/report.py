@@ -12,6 +12,7 @@ from matplotlib import colormaps, colors
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.append(os.path.dirname(HERE))  # for bristle_plots
 
+import bristles  # noqa: E402
 import claims  # noqa: E402
 import diagnostics  # noqa: E402
 import matrix  # noqa: E402
@@ -58,7 +59,7 @@ def main():
     if not present:
         raise BristleError(f"no such files: {', '.join(arguments.results)}; `make figures` computes them")
     figures = [figure(path, arguments) if path in present else missing(path) for path in arguments.results]
-    page = render(figures, findings(present, figures), arguments)
+    page = render(figures, findings(present, figures), bristles.recorded(present), arguments)
     write_text(arguments.output, page)
     print(f"{arguments.output}: {len(present)} of {len(figures)} figures, {len(page.encode()) / 1e6:.1f} MB")
 
@@ -88,7 +89,7 @@ def figure(path, arguments):
             "notes": [symbols.prose(note, names) for note in experiment(file).get("notes", [])],
             "drawings": drawings, "claims": found,
             "points": points.collect(file, replay),
-            "tables": tables.read(arguments.program, path, file),
+            "tables": tables.read(arguments.program, path, file, [] if name == bristles.NAME else tables.RECORDED),
             "deviation": deviation, "outcome": program.outcome(deviation),
             "diagnostics": diagnostics.read(file), "provenance": sources.provenance(file, path),
         }
@@ -115,7 +116,7 @@ def missing(path):
             "command": f"make {name}{tier}"}
 
 
-def render(figures, story_found, arguments):
+def render(figures, story_found, recorded, arguments):
     environment = Environment(loader=FileSystemLoader(os.path.join(HERE, "templates")), autoescape=True,
                               undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True)
     all_claims = [claim for figure in figures for claim in figure["claims"]]
@@ -133,7 +134,7 @@ def render(figures, story_found, arguments):
         tiers=sorted({figure["tier"] for figure in shown}),
         matrix=matrix.read(arguments.assumptions, names), citation=citation,
         paper=next((entry["link"] for entry in citation if entry["kind"] == "article"), ""),
-        provenance=provenance, slab_length=slab_length(arguments.results), phases=points.embedded(PHASES),
+        provenance=provenance, slab_length=slab_length(arguments.results), recorded=recorded, phases=points.embedded(PHASES),
         colours=points.embedded([colors.to_hex(colormaps[COLORMAP](i / 32)) for i in range(33)]),
         packed=lambda data: tables.packed(points.embedded(data)), **{kind: asset(names) for kind, names in ASSETS.items()})
 

@@ -11,12 +11,12 @@ from bristle_plots.results import as_text, table
 RECORDED = ["trajectories", "slab_force"]
 
 
-def read(executable, path, file):
-    """For each table: the name of its file, and the gzip file in base64."""
+def read(executable, path, file, recorded):
+    """For each table: the name of its file, and the gzip file in base64; recorded: names of the recorded ones."""
     name = as_text(file.attrs["name"])
     found = [(f"{name}.csv", program.export(executable, path))]
     found += [(f"{name}-{group}.csv", shortened(program.export(executable, path, "--group", group)))
-              for group in RECORDED if table(file, group) is not None]
+              for group in recorded if table(file, group) is not None]
     return [{"name": name, "gzip": packed(text)} for name, text in found]
 
 

@@ -13,6 +13,15 @@ LETTERS = """let least = [99, ''];
     if (size < least[0]) least = [size, e.textContent.slice(0, 40)];
   }
   return least"""
+# What the page says of the bristles at the handle, the time, and of each: place of the tip from the root in lengths, phase.
+LANES = """const numbers = e => e.getAttribute('d').match(/-?[0-9.]+/g).map(Number);
+  const phases = Object.entries(JSON.parse(document.getElementById('phases').textContent));
+  return [document.getElementById('recorded-at').textContent, /[0-9.]+/.exec(document.querySelector('#recorded output').textContent)[0],
+    [...document.querySelectorAll('#recorded g')].map(lane => {
+      const [left, , , , , , above] = numbers(lane.querySelector('.ground')), unit = (above - left) / (0.28 * 1.4);
+      const rod = lane.querySelector('.rod'), [x, y, tipX, tipY] = numbers(rod), colour = rod.style.getPropertyValue('--phase');
+      return [(tipX - x) / unit, (y - tipY) / unit, phases.find(([, found]) => found[1] === colour)[0]];
+    })]"""
 LOWER = "return Math.max(...[...document.querySelectorAll(arguments[0])].map(e => e.getBoundingClientRect().bottom + scrollY))"
 
 
@@ -84,3 +93,32 @@ def check_hand(driver, keys, fig4):
                 values = file[name][()]
                 wanted = values[:, k_r, values.shape[2] // 2]
                 assert np.allclose(shown, wanted, rtol=1e-3), (name, shown, wanted)
+
+
+def check_recorded(driver, keys, fig4, bristles):
+    """At each k_r of the handle the bristles are those recorded there, or at the nearest k_r that has them; and the page says so."""
+    driver.execute_script("document.querySelector('#jump [name=k_r]').focus()")
+    with h5py.File(fig4) as file, h5py.File(bristles) as recorded:
+        grid, places = file["k_r"][()], [list(file["k_r"][()]).index(value) for value in recorded["k_r"][()]]
+        for column in range(len(grid)):
+            press(driver, keys.ARROW_RIGHT if column else keys.HOME)
+            place = min(range(len(places)), key=lambda i: abs(places[i] - column))
+            words, time, lanes = driver.execute_script(LANES)
+            assert f"= {grid[places[place]]:.4g}" in words and ("the handle's point" in words) == (places[place] == column), words
+            wanted = recorded_at(recorded, place, float(time))
+            assert np.allclose([lane[:2] for lane in lanes], [lane[:2] for lane in wanted], atol=0.1), (column, lanes, wanted)
+            assert [lane[2] for lane in lanes] == [lane[2] for lane in wanted], (column, lanes, wanted)
+
+
+def recorded_at(file, place, time):
+    """Of each model and azimuth at the k_r with this place: the tip as the page's side view shows it, and the tip's phase."""
+    rows = {name: data[()] for name, data in file["trajectories"].items()}
+    words = file["trajectories/phase"].attrs["flag_meanings"].decode().split()
+    out = []
+    for point in np.arange(file["status"].size).reshape(file["status"].shape)[:, place, 0]:
+        for theta_0 in np.unique(rows["theta_0"]):
+            here = (rows["point"] == point) & (rows["theta_0"] == theta_0)
+            x, y, z = (np.interp(time, rows["xi"][here], rows[name][here]) for name in "xyz")
+            phase = rows["phase"][here][np.searchsorted(rows["xi"][here], time, "right") - 1]
+            out.append([x + 0.28 * y, 0.85 * z + 0.5 * y, words[phase]])
+    return out

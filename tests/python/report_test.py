@@ -1,6 +1,6 @@
 """The report in a browser without a network: numbers, sorting, filters, keyboard, phone, dark scheme, print and errors.
 
-report_test.py ROOT PROGRAM FOLDER RESULT.h5...: results of the smoke tier, including fig4 and fig6. tests/assumptions.json
+report_test.py ROOT PROGRAM FOLDER RESULT.h5...: results of the smoke tier, including fig4, fig6 and bristles. tests/assumptions.json
 has invented numbers. Exits with 77 (skipped) without Chromium, its driver or Selenium, or axe-core, which npm fetches.
 """
 import base64
@@ -17,7 +17,7 @@ import numpy as np
 
 from browser import AXE, axe_core, browser, one, press, select, texts, view
 from report_figures import check_curves_map, check_figures, check_phone, check_readings, check_saved, show_narrow, waited
-from report_story import check_hand, check_player, check_story, check_tables
+from report_story import check_hand, check_player, check_recorded, check_story, check_tables
 
 root, program, folder, *results = (pathlib.Path(word).absolute() for word in sys.argv[1:])
 named = {re.split("[-_]", path.stem)[0]: path for path in results}
@@ -66,11 +66,14 @@ def check_errors():
     document = json.loads((root / "tests/python/assumptions.json").read_text())
     document["cells"][0]["under"].pop()
     (folder / "cell.json").write_text(json.dumps(document))
-    fig4, other = named["fig4"], {"o": folder / "other.html"}
+    fig4, other, steeper = named["fig4"], {"o": folder / "other.html"}, folder / "steeper.h5"
+    subprocess.run([program, "run", root / "experiments/bristles.json", "--tier", "smoke", "--set", "/model/phi_0_deg=85", "--quiet",
+                    "-o", steeper], check=True)
     for files, options, words in (
             ([folder / "none.h5"], {}, "make figures"),
             ([folder / "text.h5"], {}, "not an HDF5 file"),
             ([fig4], {"program": folder / "none"}, "cannot be run"),
+            ([fig4, steeper], {}, "they differ in /model of their experiments"),
             ([fig4], {"assumptions": folder / "wrong.json"}, "bristle-assumptions/0"),
             ([fig4], {"assumptions": folder / "torn.json"}, "torn.json"),
             ([fig4], {"assumptions": folder / "cell.json"}, "check 0 has 6 cells, not 7"),
@@ -83,6 +86,7 @@ def check_errors():
     done = report(fig4, "/proc/none/fig5-smoke.h5", **other, assumptions=folder / "none.json",
                   citation=folder / "cited.cff")
     made = (folder / "other.html").read_text()
+    assert 'id="jump"' in made and 'id="recorded"' not in made
     assert made.count('<a href="https://doi.org/10.1000/invented">') == 2
     assert done.returncode == 0 and "make fig5 TIER=smoke" in made and "make assumptions" in made, done.stderr
     assert report(fig4, o="/proc/none/index.html").returncode == 3
@@ -270,6 +274,7 @@ with browser() as chromium:
     check_tables(chromium, named)
     check_player(chromium, Keys)
     check_hand(chromium, Keys, named["fig4"])
+    check_recorded(chromium, Keys, named["fig4"], named["bristles"])
     check_table(chromium, Keys)
     check_matrix(chromium, Keys)
     check_replay(check_map(chromium, Keys))

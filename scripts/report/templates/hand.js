@@ -1,4 +1,5 @@
-// Figure 4 by hand: a handle moves over the maps of the three models, and the stored numbers of that point are shown.
+// Figure 4 by hand: a handle moves over the maps of the three models, and the stored numbers of that point are shown, with
+// the recorded bristles of the nearest point that has them.
 
 const SHOWN = ["z_0", "R_x", "R_x_norm", "gamma_1", "gamma_2", "gamma_3", "F_n_spread"];
 
@@ -7,8 +8,8 @@ function pointOf(data, model, at) {
   return pointAt(data, data.axes.map((axis) => (axis.name === "bending" ? axis.keys.indexOf(model) : words[axis.name])));
 }
 
-// The map of R_x_norm of one model; returns mark(at).
-function handMap(panel, data, model, choose) {
+// The map of R_x_norm of one model, with dots where bristles are recorded; returns mark(at).
+function handMap(panel, data, model, choose, passages) {
   const variable = data.variables.find(({ name }) => name === "R_x_norm"), range = rangeOf(variable);
   const [k_r, k_theta] = ["k_r", "k_theta"].map((name) => data.axes.find((axis) => axis.name === name));
   const width = panel.clientWidth, tall = 130, cell = [width / k_r.values.length, tall / k_theta.values.length];
@@ -19,6 +20,8 @@ function handMap(panel, data, model, choose) {
     svg.append(element("rect", { x: i * cell[0], y: tall - (j + 1) * cell[1], width: cell[0] + 0.5, height: cell[1] + 0.5,
       fill: value === null ? "#ddd" : colour(range.share(value)) }));
   }));
+  for (const at of passages.filter((passage) => passage.model === model))
+    svg.append(element("circle", { class: "dot", r: 2, cx: (at.k_r + 0.5) * cell[0], cy: tall - (at.k_theta + 0.5) * cell[1] }));
   const handle = [0, 1].map((i) => svg.appendChild(element("path", { class: `handle rim${i}` })));
   const drag = (event) => {
     const box = svg.getBoundingClientRect(), within = (share, count) => Math.max(0, Math.min(count - 1, Math.floor(share * count)));
@@ -54,13 +57,28 @@ function handGap(panel, data, model, gap) {
   return (at) => bar.setAttribute("y", tall - 12 - 38 * (gap.values[pointOf(data, model, at)] ?? 0));
 }
 
+// The player of the recorded bristles; returns mark(at).
+function handBristles(passages, axes) {
+  const change = startPlayer(document.getElementById("recorded"), passages), words = document.getElementById("recorded-at");
+  const apart = (passage, at) => Math.hypot(...axes.map(({ name }) => passage[name] - at[name]));
+  const pointInWords = (at) => axes.map((axis) => `${axis.symbol} = ${shortly(axis.values[at[axis.name]])}`).join(", ");
+  return (at) => {
+    const nearest = passages.reduce((a, b) => (apart(b, at) < apart(a, at) ? b : a));
+    change((passage) => apart(passage, nearest) === 0);
+    words.innerHTML = `Recorded at ${pointInWords(nearest)}, ` +
+      (apart(nearest, at) === 0 ? "the handle's point." : "the nearest of the dots in the maps.");
+  };
+}
+
 async function startHand(section) {
   const data = await read("fig4"), box = document.getElementById("jump-models");
-  const sliders = [...section.querySelectorAll("input")], axes = sliders.map(({ name }) => data.axes.find((axis) => axis.name === name));
+  const passages = document.getElementById("recorded") ? await readRecorded() : [];
+  const sliders = [...section.querySelectorAll(".hand input")], axes = sliders.map(({ name }) => data.axes.find((axis) => axis.name === name));
+  const follow = passages.length ? handBristles(passages, axes) : () => {};
   let at = Object.fromEntries(axes.map((axis) => [axis.name, Math.floor(axis.values.length / 2)])), marks = [];
   function choose(next) {
     at = { ...at, ...next };
-    marks.forEach((mark) => mark(at));
+    [...marks, follow].forEach((mark) => mark(at));
     sliders.forEach((slider, i) => {
       const value = shortly(axes[i].values[at[slider.name]]);
       slider.value = at[slider.name];
@@ -73,7 +91,7 @@ async function startHand(section) {
     box.replaceChildren();
     marks = data.axes.find((axis) => axis.name === "bending").keys.flatMap((model) => {
       const panel = box.appendChild(element("div", { class: "model" }, element("h3", { text: MODELS[model] })));
-      return [handMap(panel, data, model, choose), handGap(panel, data, model, variables[0]),
+      return [handMap(panel, data, model, choose, passages), handGap(panel, data, model, variables[0]),
         ...variables.map((variable) => handCurve(panel, data, model, variable))];
     });
     choose({});

@@ -4,34 +4,34 @@
 const MODELS = { polar: "exact", polar_as_printed: "as printed", rod: "rod" };
 const calm = matchMedia("(prefers-reduced-motion: reduce)");
 const SPEED = 0.7;  // units of time in a second
+const BEGIN = { bristle: 1.2, recorded: 2.4 };  // time of a player that has not started
 
 // One scene for each model: a drawing of its own width, so that letters keep their size. Returns move(time).
-function drawScenes(box, passages, only) {
-  const scenes = box.querySelector(".scenes"), end = Math.max(...passages.map((passage) => passage.end));
-  const most = Math.max(...passages.flatMap((passage) => passage.F_n.slice(passage.first, passage.last + 1)));
-  const lanes = [], hero = Boolean(only);
+function drawScenes(box, passages, only, scales) {
+  const scenes = box.querySelector(".scenes"), lanes = [], hero = Boolean(only);
+  scenes.replaceChildren();
   const made = Object.keys(MODELS).filter((model) => (only ? model === only : true)).map((model) => {
     const panel = element("div", { class: "model" });
     if (!hero) panel.append(element("h3", { text: MODELS[model] }));
     scenes.append(panel);
     return { panel, mine: passages.filter((passage) => passage.model === model) };
   }).filter(({ mine }) => mine.length);
-  scenes.querySelector("svg")?.remove();
   for (const { panel, mine } of made) {
-    const width = panel.clientWidth, unit = width / 3.3, tall = hero ? 0 : 34;
+    const width = panel.clientWidth, unit = width / scales.wide, tall = hero ? 0 : 34;
     const shown = hero ? mine.slice(1, 2) : mine, height = 1.3 * unit, step = height + 0.2 * unit + tall + 14;
     const svg = element("svg", { class: "scene", role: "img", width, height: step * shown.length, viewBox: `0 0 ${width} ${step * shown.length}`,
       "aria-label": `${shown.length} recorded bristles under the slab` });
     shown.forEach((passage, i) => {
       const lane = makeLane(passage, { width, height, bottom: i * step + height, length: Number(box.dataset.length), words: hero ? heroWords : laneWords,
-        strip: hero ? null : { tall, end, most } });
+        wide: scales.wide,
+        strip: hero ? null : { tall, ...scales } });
       svg.append(lane.group);
       lanes.push(lane);
     });
     if (hero) addLabels(svg, width, height);
     panel.append(svg);
   }
-  return { end, move: (time) => lanes.forEach((lane) => lane.move(time)) };
+  return (time) => lanes.forEach((lane) => lane.move(time));
 }
 
 function addLabels(svg, width, height) {
@@ -44,22 +44,27 @@ const heroWords = (_, state) => `tip: ${phaseOf(state)}`;
 const laneWords = ({ theta_0 }, state) => `θ₀ ${Math.round(theta_0 * 180 / Math.PI)}°: ${phaseOf(state)}` +
   (state.left ? "" : `, Fₙ ${state.F_n.toFixed(1)}, F_f ${Math.hypot(state.F_fx, state.F_fy).toFixed(1)}`);
 
-async function startPlayer(box) {
-  const passages = await readPassages("fig2"), only = box.dataset.models;
-  let scene = drawScenes(box, passages, only), time = 0, playing = false, before = 0, seen = true;
+// Plays some of the passages: those of choose(passage), a function that the returned one replaces.
+function startPlayer(box, passages, choose = () => true) {
+  const only = box.dataset.models, scales = scalesOf(passages), { end } = scales;
+  let move, time = BEGIN[box.id] ?? 0, playing = false, before = 0, seen = true;
   const button = box.querySelector(".start"), slider = box.querySelector("input"), output = box.querySelector("output");
   function show(next) {
     time = next;
-    scene.move(time);
-    slider.value = Math.round(1000 * time / scene.end);
+    move(time);
+    slider.value = Math.round(1000 * time / end);
     output.textContent = `t = ${time.toFixed(2)} r₀/V₀`;
-    slider.setAttribute("aria-valuetext", `time ${time.toFixed(2)} of ${scene.end.toFixed(2)}, in r0/V0`);
+    slider.setAttribute("aria-valuetext", `time ${time.toFixed(2)} of ${end.toFixed(2)}, in r0/V0`);
+  }
+  function draw() {
+    move = drawScenes(box, passages.filter(choose), only, scales);
+    show(time);
   }
   function frame(now) {
     if (!playing) return;
     const next = time + SPEED * Math.min(0.1, (now - before) / 1000);
     before = now;
-    if (seen) show(next > scene.end + 0.4 ? 0 : next);
+    if (seen) show(next > end + 0.4 ? 0 : next);
     requestAnimationFrame(frame);
   }
   function play(on) {
@@ -70,24 +75,25 @@ async function startPlayer(box) {
     if (on) requestAnimationFrame(frame);
   }
   button.addEventListener("click", () => play(!playing));
-  slider.addEventListener("input", () => { play(false); show(scene.end * slider.value / 1000); });
+  slider.addEventListener("input", () => { play(false); show(end * slider.value / 1000); });
   new IntersectionObserver(([entry]) => { seen = entry.isIntersecting; }).observe(box);
   let width = box.clientWidth;
   new ResizeObserver(() => {
     if (box.clientWidth === width || !box.clientWidth) return;
     width = box.clientWidth;
-    box.querySelector(".scenes").replaceChildren();
-    scene = drawScenes(box, passages, only);
-    show(time);
+    draw();
   }).observe(box);
   box.querySelector(".key").replaceChildren(...Object.values(PHASES).map(([text, colour]) =>
     element("span", { style: `--phase:${colour}`, text })), element("span", { class: "of-normal", text: "load Fₙ" }),
   element("span", { class: "of-friction", text: "friction F_f" }));
   box.querySelector(".play").hidden = false;
-  show(only ? 1.2 : 0);
+  draw();
   if (!calm.matches) play(true);
   box.dataset.ready = "true";
+  return (next) => { choose = next; draw(); };
 }
 
 if (document.querySelector('a.data[download="fig2-trajectories.csv.gz"]'))
-  for (const box of document.querySelectorAll(".player")) startPlayer(box);
+  readPassages("fig2").then((passages) => {
+    for (const box of document.querySelectorAll("#bristle, #passages")) startPlayer(box, passages);
+  });

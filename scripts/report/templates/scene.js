@@ -2,6 +2,8 @@
 
 const PHASES = JSON.parse(document.getElementById("phases").textContent);  // by phase: [text, colour]
 const UP = 0.85, BACK = 0.5, ASKEW = 0.28;  // on the screen: of z, and of y upwards and to the right
+const LEFT = 1.15;  // from the left edge of a scene to the root
+const FORCES = ["F_n", "F_fx", "F_fy"];
 const RECENT = 0.04;  // time over which the arrows show the largest force
 
 // The passages of a result: for each point of its sweep those of all azimuths, and the gap.
@@ -20,6 +22,12 @@ async function readPassages(name) {
   return [...found.values()].map((passage) => ({ ...numbers, ...passage, end: numbers.xi[passage.last] }));
 }
 
+// The passages at points of Figure 4, with the places of the points on its axes.
+async function readRecorded() {
+  const found = JSON.parse(await inflate(JSON.parse(document.getElementById("recorded-passages").textContent)));
+  return found.map((passage) => ({ ...passage, first: 0, last: passage.xi.length - 1, end: passage.xi.at(-1) }));
+}
+
 // The last row of the passage that is not after the time.
 function rowAt({ xi, first, last }, time) {
   let [low, high] = [first, last];
@@ -36,23 +44,29 @@ function stateAt(passage, time) {
   const row = rowAt(passage, time), next = Math.min(row + 1, passage.last);
   const step = passage.xi[next] - passage.xi[row], share = step > 0 ? Math.min(1, (time - passage.xi[row]) / step) : 0;
   const between = (name) => passage[name][row] + share * (passage[name][next] - passage[name][row]);
-  let strong = row;
+  const state = Object.fromEntries(["x", "y", "z", ...FORCES].map((name) => [name, between(name)]));
   for (let i = row; i >= passage.first && passage.xi[i] > time - RECENT; --i)
-    if (passage.F_n[i] > passage.F_n[strong]) strong = i;
-  return { x: between("x"), y: between("y"), z: between("z"), phase: passage.phase[row], left: time >= passage.end,
-    F_n: passage.F_n[strong], F_fx: passage.F_fx[strong], F_fy: passage.F_fy[strong] };
+    if (passage.F_n[i] > state.F_n) for (const name of FORCES) state[name] = passage[name][i];
+  return { ...state, phase: passage.phase[row], left: time >= passage.end };
 }
 
 const long = (force) => Math.min(0.75, 0.16 * Math.sqrt(Math.abs(force)));  // of an arrow
 
+// Scales that passages share: the end of time, the largest force, and the width of a scene, which holds the paths of all tips.
+function scalesOf(passages) {
+  const all = (name) => passages.flatMap((passage) => passage[name].slice(passage.first, passage.last + 1));
+  const y = all("y"), right = Math.max(...all("x").map((x, i) => x + ASKEW * y[i]));
+  return { end: Math.max(...all("xi")), most: Math.max(...all("F_n")), wide: LEFT + Math.max(2.15, right + 0.1) };
+}
+
 // Draws one passage into a group; returns the function that moves it to a time.
-function makeLane(passage, { width, height, bottom, strip, length, words }) {
-  const unit = width / 3.3, origin = [1.15 * unit, bottom];
+function makeLane(passage, { width, height, bottom, strip, length, words, wide }) {
+  const unit = width / wide, origin = [LEFT * unit, bottom], edge = wide - 1.45;
   const place = (x, y, z) => [origin[0] + unit * (x + ASKEW * y), origin[1] - unit * (UP * z + BACK * y)];
   const path = (...points) => `M${points.map((point) => place(...point).map((number) => number.toFixed(1)).join(" ")).join("L")}`;
   const plate = (left, right, z) => `${path([left, -0.35, z], [right, -0.35, z], [right, 1.05, z], [left, 1.05, z])}z`;
   const group = element("g"), line = (name) => group.appendChild(element("path", { class: name }));
-  group.append(element("path", { class: "ground", d: plate(-1.1, 1.85, 0) }));
+  group.append(element("path", { class: "ground", d: plate(-1.1, edge, 0) }));
   const [s, up] = [Math.cos(1.396), Math.sin(1.396)];  // of the undeformed bristle, 80 degrees
   group.append(element("path", { class: "ghost", d: path([0, 0, 0], [s * Math.cos(passage.theta_0), s * Math.sin(passage.theta_0), up]) }));
   const slab = line("slab"), marks = line("marks");
@@ -71,7 +85,7 @@ function makeLane(passage, { width, height, bottom, strip, length, words }) {
   return { group, move(time) {
     const state = stateAt(passage, time), { x, y, z } = state;
     const [behind, front] = [passage.x[passage.first] + time - length, passage.x[passage.first] + time];
-    const [left, right] = [Math.max(-1.1, behind), Math.min(1.85, front)];
+    const [left, right] = [Math.max(-1.1, behind), Math.min(edge, front)];
     slab.setAttribute("d", right > left ? plate(left, right, passage.z_0) : "");
     marks.setAttribute("d", [...Array(12).keys()].map((i) => front - i * 0.5).filter((at) => at > left && at < right)
       .map((at) => path([at, -0.35, passage.z_0], [at, 1.05, passage.z_0])).join(""));
