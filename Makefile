@@ -5,8 +5,6 @@
 DRAWN := $(filter $(basename $(notdir $(wildcard experiments/*.json))),$(basename $(notdir $(wildcard scripts/bristle_plots/figures/*.py))))
 FIGURES := $(sort $(filter fig%,$(DRAWN)))
 STUDIES := $(sort $(filter-out fig%,$(DRAWN)))
-# Passages that the report shows beside the handle of Figure 4; they have no figure of their own.
-RECORDED := bristles
 .PHONY: help packages build test bench accuracy clean figures findings assumptions inference report archive verify citation deposit release \
   sanitize fuzz tidy coverage $(FIGURES) $(STUDIES)
 JOBS ?= $(shell nproc 2>/dev/null || echo 1)
@@ -48,11 +46,8 @@ $(FIGURES) $(STUDIES): %: build
 	@$(MAKE) --no-print-directory compute-$*
 	@$(MAKE) --no-print-directory draw-$*
 
-$(RECORDED): %: build
-	@$(MAKE) --no-print-directory compute-$*
-
-.PHONY: $(RECORDED) $(addprefix compute-,$(FIGURES) $(STUDIES) $(RECORDED)) $(addprefix draw-,$(FIGURES) $(STUDIES))
-$(addprefix compute-,$(FIGURES) $(STUDIES) $(RECORDED)): compute-%:
+.PHONY: $(addprefix compute-,$(FIGURES) $(STUDIES)) $(addprefix draw-,$(FIGURES) $(STUDIES))
+$(addprefix compute-,$(FIGURES) $(STUDIES)): compute-%:
 	@test -e results/$*$(SUFFIX).h5 || echo "Computing $*, $(if $(SUFFIX),some seconds,some minutes) on two cores ..."
 	$(BUILD)/bristle run experiments/$*.json --tier $(TIER) -o results/$*$(SUFFIX).h5
 
@@ -93,8 +88,8 @@ assumptions: assumptions-matrix ## every claim under every alternative to what t
 inference: inference-matrix ## joint sets of choices ranked by the claims they support: docs/inference.md
 	@$$($(PLOT_PYTHON)) scripts/inference.py results/inference.json
 
-report: figures $(STUDIES) $(RECORDED) report-packages ## one page of all figures, claims, points and sources: report/index.html
-	@$$($(PLOT_PYTHON) jinja2 yaml) scripts/report/report.py $(patsubst %,results/%$(SUFFIX).h5,$(FIGURES) $(STUDIES) $(RECORDED)) -o report$(SUFFIX)/index.html
+report: figures $(STUDIES) report-packages ## one page of all figures, claims, points and sources: report/index.html
+	@$$($(PLOT_PYTHON) jinja2 yaml) scripts/report/report.py $(patsubst %,results/%$(SUFFIX).h5,$(FIGURES) $(STUDIES)) -o report$(SUFFIX)/index.html
 
 # The tests are configured into the same build folder; the program is not compiled again.
 $(BUILD)/tests/CTestTestfile.cmake: tests/CMakeLists.txt benchmarks/CMakeLists.txt | test-packages

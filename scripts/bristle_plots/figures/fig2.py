@@ -48,10 +48,15 @@ def MARKS(file):
 
 @page_for_each_reading
 def draw(file, reading):
+    return passages_page(file, reading, point_numbers(file).sel(reading))
+
+
+def passages_page(file, reading, selected, more=""):
+    """The page of the passages of the first of the selected points, with a further line in its note."""
     numbers = point_numbers(file)
-    passages, point = read_passages(file, numbers.sel(reading))
+    passages, point = read_passages(file, selected)
     inches = arrangement(len(passages))
-    figure, bottom = sheet(file, inches.width, inches.height, note(file), reading)
+    figure, bottom = sheet(file, inches.width, inches.height, note(file) + more, reading)
     gap, load = (float(dataset(file, name).where(numbers == point).max()) for name in ("z_0", "R_n"))
     symbol = attribute(dataset(file, f"{TABLE}/theta_0"), "symbol")
     for i, passage in enumerate(passages):
