@@ -105,6 +105,16 @@ with open_result(result) as file:
     mu, points = (line.get_xydata() for line in axes.lines)
     assert points.tolist() == [[0.01, 1.2], [0.1, 0.8], [1, 0.7]] and abs(mu[-1, 1] - 0.7) < 1e-12
     assert numpy.allclose(numpy.interp(points[:, 0], *mu.T), points[:, 1], atol=0.02)
+    # Speeds in m/s, in a sweep over the velocity: the law is over m/s, too.
+    for key in ("checks", "checks_for_each", "locate_jumps"):
+        document.pop(key, None)
+    si = {"m_kg": 1e-4, "r0_m": 0.017, "V0_m_per_s": 10}
+    document |= {"si": si, "sweep": {"V0_m_per_s": {"values": [3, 30]}},
+                 "friction_law": {"V_R_m_per_s": own["V_R"], "mu": own["mu"], "between": "linear"}}
+    axes, = bristle_plots.law.draw(file.assign_attrs(experiment=json.dumps(document))).axes
+    mu, points = (line.get_xydata() for line in axes.lines)
+    assert points.tolist() == [[0.01, 1.2], [0.1, 0.8], [1, 0.7]] and "m/s" in axes.get_xlabel()
+    assert numpy.allclose(numpy.interp(points[:, 0], *mu.T), points[:, 1], atol=0.02)
 
 # Verdicts with each model of bending.
 with open_result(result) as file:

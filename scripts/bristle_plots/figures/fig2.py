@@ -227,8 +227,7 @@ def scale_rows(rows, passages):
     low, high = extent(passages, ["F_fx", "F_fy"], 0.1)
     friction.set_yscale("symlog", linthresh=1)
     friction.set_ylim(min(low, -1), max(1.4 * high, 1))
-    if paper_width() is not None:
-        friction.yaxis.get_major_locator().set_params(numticks=5)
+    friction.yaxis.get_major_locator().set_params(numticks=4)
 
 
 def shade(axes, passage):

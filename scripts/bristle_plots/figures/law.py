@@ -26,6 +26,7 @@ def draw_laws(file):
     document = experiment(file)
     curves = laws(find_program(), document)
     speeds = curves.pop("V_R")
+    speeds, unit = (curves.pop("V_R_m_per_s"), "m/s") if "V_R_m_per_s" in curves else (speeds, "")
     cell, _ = across(1, Cell(5, 4, 0.7, 0.5, 4, 3))
     figure, bottom = sheet(file, cell.width, cell.height)
     axes = place_cell(figure, (0, bottom), cell)
@@ -35,11 +36,11 @@ def draw_laws(file):
         entries[title], = axes.plot(speeds[1:], line[1:], color=look.colour, linestyle=look.line)
     points = document.get("friction_law", {})
     if OWN in curves and "mu" in points:
-        own = points.get("V_R") or [speed / document["si"]["V0_m_per_s"] for speed in points["V_R_m_per_s"]]
+        own = points["V_R_m_per_s" if unit else "V_R"]
         entries["own, values given"], = axes.plot(own[1:], points["mu"][1:], "o", color="black", fillstyle="none")
     axes.set_xscale("log")
     axes.set_ylim(bottom=0)
-    axes.set_xlabel("Sliding speed $V_R/V_0$ (dimensionless)")
+    axes.set_xlabel(f"Sliding speed $V_R$ ({unit})" if unit else "Sliding speed $V_R/V_0$ (dimensionless)")
     axes.set_ylabel(r"$\mu(V_R)$ (dimensionless)" if list(curves) == [OWN] else "Modulation of the friction (dimensionless)")
     legend_at_foot(figure, entries, bottom)
     return figure
