@@ -103,7 +103,7 @@ Json dataset_citation(const Json& software, const std::string& commit) try {
   for (const char* key : {"version", "date-released", "authors", "contact", "keywords"})
     if (software.contains(key)) out[key] = software[key];
   for (const Json& identifier : software.value("identifiers", Json::array()))
-    if (identifier["type"] == "doi") out["doi"] = identifier["value"];
+    if (identifier.value("type", "") == "doi") out["doi"] = identifier.at("value");
   out["license"] = kDataLicense;
   out["commit"] = commit;
   out["references"] = software.value("references", Json::array());

@@ -121,6 +121,11 @@ TEST_CASE("a payload from which the metadata cannot be generated is refused") {
 
 TEST_CASE("an incomplete or malformed citation is refused") {
   CHECK_THROWS_WITH(dataset_citation(parse_citation("title: x"), "c"), Contains("version is missing"));
+  for (const char* identifiers : {"x", "[x]", "[{type: [doi]}]", "[{type: doi}]", "{type: doi}"}) {
+    CAPTURE(identifiers);
+    const std::string rest = "title: x\nversion: x\ndate-released: x\nlicense: x\nauthors: []\n";
+    CHECK_THROWS_AS(dataset_citation(parse_citation(rest + "identifiers: " + identifiers), "c"), MalformedError);
+  }
   CHECK_THROWS_WITH(parse_citation("a: ["), Contains("not YAML"));
   CHECK_THROWS_WITH(parse_citation("a: 1\na: 2"), Contains("the key a appears twice"));
   CHECK_THROWS_WITH(parse_citation("a: \xff"), Contains("UTF-8"));
