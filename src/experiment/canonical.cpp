@@ -59,7 +59,7 @@ void add_parameters(Text& out, const Parameters& p) {
 // The words of the law that the experiment gives, and V_0 in the unit of its speeds.
 void add_friction_law(Text& out, const Experiment& e, const Parameters& p) {
   if (p.friction != FrictionLaw::custom) return;
-  const Json& law = (*e.document)["friction_law"];
+  const Json law = e.document->value("friction_law", Json::object());
   out.add("friction_law", law.dump());
   if (law.contains("V_R_m_per_s")) out.add("friction_law_V0", p.custom_friction.V_0);
 }
