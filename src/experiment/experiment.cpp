@@ -276,6 +276,8 @@ Analysis read_analysis(const Document& d, const Experiment& e) {
   const Json json = d.json().value("analysis", Json::object());
   Analysis analysis = {json.value("sobol_indices", std::vector<std::string>()),
                              json.value("quantiles", std::vector<std::string>())};
+  if (!json.empty() && e.design)
+    d.fail("/analysis", "cannot be combined with /design, which computes the indices of its tolerances itself");
   if (!json.empty() && !e.swept(kSample)) d.fail("/analysis", "needs a sample in the sweep (/sweep/sample)");
   if (!json.empty() && e.base.loading.trace) d.fail("/analysis", "cannot be combined with a trace of R_n(z_0)");
   if (!analysis.sobol_indices.empty() && !d.json()["sweep"][kSample].contains("sobol"))

@@ -233,6 +233,9 @@ TEST_CASE("malformed designs: the message names place, value and remedy") {
              Catch::Contains("k_r is varied by the sweep, too"));
   CHECK_THAT(f.error(with(R"("k_r": [5, 9])"), R"(, "sweep": {"sample": {"sobol": 2, "seed": 1, "over": {"k_phi": {"uniform": [1, 2]}}}})"),
              Catch::Contains("/sweep/sample: the design chooses the points of the sample; remove it"));
+  for (const char* analysis : {"sobol_indices", "quantiles"})
+    CHECK_THAT(f.error(with(R"("k_r": [5, 9])"), fmt::format(R"(, "analysis": {{"{}": ["R_x"]}})", analysis)),
+               Catch::Contains("/analysis: cannot be combined with /design"));
   CHECK_THAT(f.error(with(R"("rows": [1, 5])", R"(, "seed": 1)")), Catch::Contains("rows is an integer"));
   CHECK_THAT(f.error(with(R"("k_r": [5, 9])", R"(, "second_model": {"bending": "rod"})"), R"(, "sweep": {"bending": {"values": ["polar", "rod"]}})"),
              Catch::Contains("bending is varied by the sweep, too"));
