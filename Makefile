@@ -115,7 +115,7 @@ test: build-tests ## what every commit needs: minutes
 test-all: ## everything, nightly and before a release: sanitizers, fuzzers, other compiler, all figures, documents
 	@scripts/install-packages test test-all
 	@$(MAKE) --no-print-directory build-tests
-	@ninja -C $(BUILD) --quiet -j $(JOBS) bench_engine accuracy
+	@ninja -C $(BUILD) --quiet -j $(JOBS) bench_engine bench_quadrature scipy_slopes accuracy
 	@scripts/run-ctest $(BUILD)
 
 DESIGNS := target robust front indices
