@@ -7,7 +7,9 @@
 #include "catch.hpp"
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 namespace bristle::experiment_test {
 using namespace testing;
@@ -40,6 +42,20 @@ std::string quoted_laws() { return fmt::format("\"{}\"", fmt::join(texts(words<F
 std::string with(const std::string& members) { return R"({"extends": "paper.json", )" + members + "}"; }
 
 }  // namespace
+
+TEST_CASE("the points of each smoke tier are points of the full tier, with which references are compared") {
+  for (const auto& file : std::filesystem::directory_iterator(BRISTLE_EXPERIMENTS)) {
+    if (file.path().extension() != ".json") continue;
+    CAPTURE(file.path());
+    const Experiment full = load_experiment(file.path(), {}), smoke = load_experiment(file.path(), {.tier = "smoke"});
+    if (smoke.design) continue;  // the trials of another search
+    REQUIRE(smoke.axes.size() == full.axes.size());
+    for (std::size_t d = 0; d < smoke.axes.size(); ++d) {
+      CHECK(smoke.axes[d].name == full.axes[d].name);
+      for (const double value : smoke.axes[d].values) CHECK(std::ranges::count(full.axes[d].values, value) == 1);
+    }
+  }
+}
 
 TEST_CASE("malformed experiments: the message names file, place, value and what is allowed") {
   struct Row {
