@@ -33,7 +33,7 @@ struct Libm {
   friend Libm decay(Libm x) { return x.value < kNegligible ? 0 : std::exp(x.value); }
   friend Libm atan(Libm x) { return std::atan(x.value); }
   friend Libm sin(Libm x) { return std::sin(x.value); }
-  friend Libm interpolated(const ModulationTable& table, Libm V_R) { return table.at(V_R.value); }
+  friend Libm interpolated(const ModulationTable& table, Libm u) { return table.at(u.value); }
 };
 
 struct System {

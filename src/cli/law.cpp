@@ -21,10 +21,6 @@ std::vector<double> speeds() {
   return out;
 }
 
-double modulation(const Parameters& p, double V_R) {
-  return with_law(p.friction, [&](auto law) { return law.modulation(V_R, law.constants(p)); });
-}
-
 }  // namespace
 
 int law_command(const ExperimentOptions& options) {

@@ -34,8 +34,8 @@ AutoDiffScalar<D> decay(const AutoDiffScalar<D>& u) {
   return {y, u.derivatives() * y};
 }
 template <class D>
-AutoDiffScalar<D> interpolated(const bristle::ModulationTable& table, const AutoDiffScalar<D>& V_R) {
-  return {table.at(V_R.value()), V_R.derivatives() * table.slope(V_R.value())};
+AutoDiffScalar<D> interpolated(const bristle::ModulationTable& table, const AutoDiffScalar<D>& u) {
+  return {table.at(u.value()), u.derivatives() * table.slope(u.value())};
 }
 }  // namespace Eigen
 

@@ -1,7 +1,9 @@
 #include "ensemble/integrator_error.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 namespace bristle {
 namespace {
@@ -33,17 +35,31 @@ std::vector<WeightedPassage> sample(const std::vector<WeightedPassage>& all, std
   return out;
 }
 
+// All passages if there are no more than the sample of a mean over many has.
+std::vector<WeightedPassage> chosen_of(const std::vector<WeightedPassage>& passages, std::size_t effort) {
+  if (passages.size() <= effort * std::accumulate(kClasses.begin(), kClasses.end(), std::size_t(0))) return passages;
+  std::array<std::vector<WeightedPassage>, kClasses.size()> classes;
+  for (const WeightedPassage& one : passages) classes[class_of(*one.passage)].push_back(one);
+  std::vector<WeightedPassage> out;
+  for (std::size_t i = 0; i < classes.size(); ++i)
+    for (const WeightedPassage& one : sample(classes[i], effort * kClasses[i])) out.push_back(one);
+  return out;
+}
+
+// The share of passages with another number of impacts than the passage before.
+double share_of_other_impacts(const std::vector<WeightedPassage>& passages) {
+  const auto impacts = [&](std::size_t i) { return passages[i].passage->path[IMPACTS]; };
+  double changes = 0;
+  for (std::size_t i = 1; i < passages.size(); ++i) changes += impacts(i) != impacts(i - 1) ? 1 : 0;
+  return changes / double(passages.size());
+}
+
 }  // namespace
 
 ObservableArray integrator_error(const std::vector<WeightedPassage>& passages, const Parameters& parameters,
                                  const std::function<PassageTask(const Passage&)>& task,
                                  const PassageRunner& run, std::size_t effort, long& count) {
-  std::array<std::vector<WeightedPassage>, kClasses.size()> classes;
-  for (const WeightedPassage& one : passages) classes[class_of(*one.passage)].push_back(one);
-  std::vector<WeightedPassage> chosen;
-  for (std::size_t i = 0; i < classes.size(); ++i)
-    for (const WeightedPassage& one : sample(classes[i], effort * kClasses[i])) chosen.push_back(one);
-
+  const std::vector<WeightedPassage> chosen = chosen_of(passages, effort);
   std::vector<PassageTask> tasks;
   for (const WeightedPassage& one : chosen) {
     tasks.push_back(task(*one.passage));
@@ -56,9 +72,11 @@ ObservableArray integrator_error(const std::vector<WeightedPassage>& passages, c
   count += long(exact.size());
 
   ObservableArray difference{}, squares{};
+  double largest_weight = 0;
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     const ObservableArray a = observables(*chosen[i].passage, parameters);
     const ObservableArray b = exact[i].complete() ? observables(exact[i], parameters) : ObservableArray{};
+    largest_weight = std::max(largest_weight, chosen[i].weight);
     for (std::size_t k = 0; k < OBSERVABLES; ++k) {
       const double change = chosen[i].weight * (b[k] - a[k]);
       difference[k] += change;
@@ -68,6 +86,9 @@ ObservableArray integrator_error(const std::vector<WeightedPassage>& passages, c
   ObservableArray error;
   for (std::size_t k = 0; k < OBSERVABLES; ++k)
     error[k] = kTighter / (kTighter - 1) * std::sqrt(difference[k] * difference[k] + squares[k]);
+  // Repeated passages often show no change of a number of whole impacts. The more often it changes from one
+  // azimuth to the next, the more sensitive it is to small changes of a passage.
+  error[IMPACT_COUNT] = std::max(error[IMPACT_COUNT], largest_weight * share_of_other_impacts(passages));
   return error;
 }
 

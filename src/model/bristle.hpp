@@ -17,12 +17,12 @@ struct Bristle {
   P k_r, k_theta, k_phi, c_theta, c_phi, theta_0, phi_0;
   P cos_theta_0, sin_theta_0, cos_phi_0, sin_phi_0;
   FrictionConstants<P> friction_constants;
-  P friction_factor;                 // Eqs. (14-16): F_f = friction_factor * modulation(V_R) * load(F_n)
+  P friction_factor;                 // Eqs. (14-16): F_f = friction_factor * modulation(V_R/V_scale) * load(F_n)
   P pole_peak, pole_rate;            // Eq. (4): alpha/(2 lambda), 1/lambda
   P wall_peak, wall_rate;            // Eq. (3): beta/(2 lambda_z), 1/lambda_z
   P wall_root_peak, wall_root_rate;  // cube root of wall_peak, wall_rate/3
   P z_0;
-  P V_s;
+  P V_s, V_scale;  // below V_s a tip sticks; V_scale is that of the friction law
 };
 
 // Pointers to all numbers of a Bristle, in a fixed order.
@@ -33,8 +33,8 @@ constexpr auto constants_of(B& b) {
   return std::array{
       &b.k_r,       &b.k_theta,     &b.k_phi,          &b.c_theta,         &b.c_phi,     &b.theta_0,
       &b.phi_0,     &b.cos_theta_0, &b.sin_theta_0,    &b.cos_phi_0,       &b.sin_phi_0, &friction[0],
-      &friction[1], &friction[2],   &friction[3],      &b.friction_factor, &b.pole_peak, &b.pole_rate,
-      &b.wall_peak, &b.wall_rate,   &b.wall_root_peak, &b.wall_root_rate,  &b.z_0,       &b.V_s};
+      &friction[1], &friction[2],   &b.friction_factor, &b.pole_peak,      &b.pole_rate, &b.wall_peak,
+      &b.wall_rate, &b.wall_root_peak, &b.wall_root_rate, &b.z_0,          &b.V_s,       &b.V_scale};
 }
 constexpr std::size_t kConstants =
     std::tuple_size_v<decltype(constants_of(std::declval<Bristle<double>&>()))>;
@@ -62,6 +62,7 @@ inline Bristle<double> make_bristle(const Parameters& p, double z_0, double thet
   with_law(p.friction, [&](auto law) {
     b.friction_constants = law.constants(p);
     b.friction_factor = law.factor(p);
+    b.V_scale = law.V_scale(p);
   });
   b.pole_peak = has_pole(p.bending) ? p.alpha / (2 * p.lambda) : 0;
   b.pole_rate = has_pole(p.bending) ? 1 / p.lambda : 0;

@@ -109,7 +109,7 @@ template <class T, class P>
 Sliding<T> sliding_at(const Bristle<P>& b, const T& v_x, const T& v_y) {
   Sliding<T> s = relative_motion(v_x, v_y);
   s.modulation =
-      with_law(b.friction, [&](auto law) -> T { return law.modulation(s.V_R, b.friction_constants); });
+      with_law(b.friction, [&](auto law) -> T { return law.modulation(T(s.V_R / b.V_scale), b.friction_constants); });
   return s;
 }
 

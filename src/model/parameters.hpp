@@ -204,7 +204,7 @@ inline const auto& choices() {
 // Constants of a friction law's modulation. Each law documents its own; only "custom" has a table.
 template <class P>
 struct FrictionConstants {
-  std::array<P, 4> values{};
+  std::array<P, 3> values{};
   const ModulationTable* table = nullptr;
 
   const P& operator[](std::size_t i) const { return values[i]; }

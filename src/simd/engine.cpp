@@ -57,7 +57,7 @@ class SimdEngine::LaneSet {
     return near_pole == near_pole_ && task.bristle.bending == block_.bending && has_modulation_of(task);
   }
   bool has_modulation_of(const PassageTask& task) const {
-    return modulation_->serves(task.bristle.friction, task.bristle.friction_constants, task.parameters->V_s);
+    return modulation_->serves(task.bristle.friction, task.bristle.friction_constants);
   }
   const std::shared_ptr<const ModulationTable>& modulation() const { return modulation_; }
   int occupied() const { return __builtin_popcount(block_.occupied); }
@@ -220,7 +220,7 @@ class SimdEngine::LaneSet {
   SlabForces slab_forces(const Bristle<double>& b, const OdeState& y) const {
     const WallForce<double> wall = wall_force(b.z_0 - y[Z], b.wall_root_peak, b.wall_root_rate);
     Sliding<double> sliding = relative_motion(y[VX], y[VY]);
-    sliding.modulation = modulation_->at(sliding.V_R);
+    sliding.modulation = modulation_->at(sliding.V_R / b.V_scale);
     return {wall.F_n, friction_force(friction_limit(b, wall), sliding)};
   }
 
@@ -294,10 +294,7 @@ SimdEngine::LaneSet& SimdEngine::lane_set_for(const PassageTask& task, bool near
   for (const auto& set : sets_)
     if (set->has_modulation_of(task)) modulation = set->modulation();
   const Bristle<double>& b = task.bristle;
-  if (!modulation && b.friction == FrictionLaw::custom)
-    modulation = std::make_shared<ModulationTable>(b.friction_constants);
-  if (!modulation)
-    modulation = std::make_shared<ModulationTable>(b.friction, b.friction_constants, task.parameters->V_s);
+  if (!modulation) modulation = std::make_shared<ModulationTable>(b.friction, b.friction_constants);
   sets_.push_back(std::make_unique<LaneSet>(*this, task, std::move(modulation), near_pole));
   return *sets_.back();
 }

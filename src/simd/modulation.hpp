@@ -15,19 +15,19 @@ struct Modulation {
 // The interval of the table at one speed. Loading what has just been stored in other portions is slow:
 // computations between look_up() and modulation_of() hide that.
 struct TableEntry {
-  Lanes t, inverse, u;  // inverse is 1/(V_R + V_s), u the position in the interval
+  Lanes t, inverse, position;  // inverse is 1/(V_R + V_scale); position in the interval
   alignas(64) double coefficients[4 * Lanes::kWidth];  // those of one lane after the other
 };
 
-inline void look_up(const ModulationTable& table, Lanes V_R, TableEntry& out) {
+inline void look_up(const ModulationTable& table, Lanes V_R, Lanes V_scale, TableEntry& out) {
   const hn::RebindToSigned<Lanes::D> integers;
   const Lanes intervals = table.intervals();
-  out.inverse = 1.0 / (V_R + table.V_s());
+  out.inverse = 1.0 / (V_R + V_scale);
   out.t = V_R * out.inverse;
   const Lanes scaled = out.t * intervals;
   // A state that is not finite uses the first interval; its step is rejected.
   const auto index = hn::ConvertTo(integers, hn::IfThenElseZero(hn::Le(scaled.v, intervals.v), scaled.v));
-  out.u = scaled - Lanes(hn::ConvertTo(Lanes::tag, index));
+  out.position = scaled - Lanes(hn::ConvertTo(Lanes::tag, index));
   alignas(64) std::int64_t interval[Lanes::kWidth];
   hn::Store(index, integers, interval);
   // Copying and transposing the coefficients is faster than gathering them.
@@ -36,14 +36,14 @@ inline void look_up(const ModulationTable& table, Lanes V_R, TableEntry& out) {
                 4 * sizeof(double));
 }
 
-inline Modulation modulation_of(const ModulationTable& table, const TableEntry& at) {
+inline Modulation modulation_of(const ModulationTable& table, Lanes V_scale, const TableEntry& at) {
   hn::Vec<Lanes::D> c_0, c_1, c_2, c_3;
   hn::LoadInterleaved4(Lanes::tag, at.coefficients, c_0, c_1, c_2, c_3);
-  const Lanes u = at.u, c0 = c_0, c1 = c_1, c2 = c_2, c3 = c_3;
-  const Lanes q = c0 + u * Lanes(c1 + u * Lanes(c2 + u * c3));
-  const Lanes dq = table.intervals() * Lanes(c1 + u * Lanes(2.0 * c2 + u * Lanes(3.0 * c3)));
+  const Lanes x = at.position, c0 = c_0, c1 = c_1, c2 = c_2, c3 = c_3;
+  const Lanes q = c0 + x * Lanes(c1 + x * Lanes(c2 + x * c3));
+  const Lanes dq = table.intervals() * Lanes(c1 + x * Lanes(2.0 * c2 + x * Lanes(3.0 * c3)));
   return {at.t * q, q * at.inverse,
-          Lanes(q + at.t * dq) * Lanes(table.V_s() * Lanes(at.inverse * at.inverse))};
+          Lanes(q + at.t * dq) * Lanes(V_scale * Lanes(at.inverse * at.inverse))};
 }
 
 }  // namespace bristle::HWY_NAMESPACE

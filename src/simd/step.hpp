@@ -57,10 +57,10 @@ class AdditiveStep {
 
   static HWY_INLINE void set_sliding(const Group& g, Work& w, Lanes v_x, Lanes v_y) {
     w.sliding = relative_motion(v_x, v_y);
-    look_up(*g.modulation, w.sliding.V_R, w.entry);
+    look_up(*g.modulation, w.sliding.V_R, g.bristle.V_scale, w.entry);
   }
   static HWY_INLINE void set_modulation(const Group& g, Work& w) {
-    const Modulation modulation = modulation_of(*g.modulation, w.entry);
+    const Modulation modulation = modulation_of(*g.modulation, g.bristle.V_scale, w.entry);
     w.sliding.modulation = modulation.value;
     w.secant = modulation.secant;
     w.slope = modulation.slope;

@@ -213,7 +213,7 @@ TEST_CASE("the tabulated modulation has an error below its bound, for every law"
     p.C = *rc::gen::arbitrary<bool>() ? chi_C_peak_at_V_s(p.A) : uniform(-1000, 0.9);
     p.V_s = log_uniform(1e-4, 1);
     const auto b = make_bristle(p, 0.6, 0);
-    const ModulationTable table(p.friction, b.friction_constants, p.V_s);
+    const ModulationTable table(p.friction, b.friction_constants);
     for (int i = 0; i < 100; ++i) {
       const double V_R = log_uniform(1e-12, 1e3), t = V_R / (V_R + p.V_s), scaled = t * table.intervals();
       const int interval = int(scaled);

@@ -19,14 +19,15 @@ T chi(const T& u, const P& A, const P& B, const P& C) {
   return A * T(sin(angle));
 }
 
-// Base of the paper's two laws, which are modulated by chi. Constants: A, B, C, 1/V_s.
+// Base of the paper's two laws, which are modulated by chi. Constants: A, B, C.
 struct ModulatedByChi {
   static FrictionConstants<double> constants(const Parameters& p) {
-    return {{p.A, chi_B(p.A), p.C, 1 / p.V_s}};
+    return {{p.A, chi_B(p.A), p.C}};
   }
+  static double V_scale(const Parameters& p) { return p.V_s; }
   template <class T, class P>
-  static T modulation(const T& V_R, const FrictionConstants<P>& c) {
-    return chi(T(V_R * c[3]), c[0], c[1], c[2]);
+  static T modulation(const T& u, const FrictionConstants<P>& c) {
+    return chi(u, c[0], c[1], c[2]);
   }
 };
 

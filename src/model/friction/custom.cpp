@@ -131,7 +131,7 @@ std::shared_ptr<const ModulationTable> modulation_table(const FrictionValues& la
     auto table = std::make_shared<ModulationTable>(V_scale, coefficients);
     double worst = 0;  // at the corners
     for (std::size_t i = 0; i < law.V_R.size(); ++i)
-      worst = std::max(worst, std::abs(table->at(law.V_R[i]) - law.mu[i]));
+      worst = std::max(worst, std::abs(table->at(law.V_R[i] / V_scale) - law.mu[i]));
     if (worst <= allowed) return table;
   }
   throw std::invalid_argument("changes too steeply with V_R; take fewer values where speeds are close to each other, or "

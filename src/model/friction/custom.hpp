@@ -9,7 +9,7 @@
 
 namespace bristle {
 
-inline double interpolated(const ModulationTable& table, double V_R) { return table.at(V_R); }
+inline double interpolated(const ModulationTable& table, double u) { return table.at(u); }
 
 // The law of an experiment's own: F_f = mu_c mu(V_R) F_n, where mu is a table or a formula of the experiment
 // (docs/experiments.md). Its modulation is mu.
@@ -18,11 +18,11 @@ struct Custom {
   static constexpr const char* title = "the experiment's own law";
   static constexpr double load_exponent = 1;
   static constexpr double Parameters::*strength = &Parameters::mu_c;
-  // Constant: V_0 in the unit of the table's speeds.
-  static FrictionConstants<double> constants(const Parameters& p) { return {{p.custom_friction.V_0}, p.custom_friction.table}; }
+  static FrictionConstants<double> constants(const Parameters& p) { return {{}, p.custom_friction.table}; }
+  static double V_scale(const Parameters& p) { return p.custom_friction.table->V_scale() / p.custom_friction.V_0; }
   template <class T, class P>
-  static T modulation(const T& V_R, const FrictionConstants<P>& c) {
-    return interpolated(*c.table, T(V_R * c[0]));
+  static T modulation(const T& u, const FrictionConstants<P>& c) {
+    return interpolated(*c.table, u);
   }
   static double factor(const Parameters& p) { return p.mu_c; }
   template <class T>
@@ -30,7 +30,7 @@ struct Custom {
     return wall.F_n;
   }
   // At the sliding speed V_0.
-  static double rigid(const Parameters& p, double R_n) { return factor(p) * p.custom_friction.table->at(p.custom_friction.V_0) * R_n; }
+  static double rigid(const Parameters& p, double R_n) { return factor(p) * p.custom_friction.table->at(1 / V_scale(p)) * R_n; }
 };
 
 // Values of a law over ascending speeds, from mu = 0 at V_R = 0; positive and constant beyond the last one.

@@ -13,8 +13,8 @@
 namespace bristle {
 
 // The registered friction laws, in the order of FrictionLaw. Experiments select a law by Law::name. A law is
-//   F_f = factor modulation(V_R) load(F_n)
-// where modulation tends to 1 at speeds far above V_s (not for "custom") and factor is
+//   F_f = factor modulation(V_R/V_scale) load(F_n)
+// where modulation tends to 1 at speeds far above V_scale (not for "custom") and factor is
 // proportional to the parameter strength. rigid() is the friction force of rigid bristles
 // (docs/extending.md).
 using FrictionLaws = std::tuple<Nss, Coulomb, Stribeck, Custom>;
@@ -40,6 +40,11 @@ inline Words words<FrictionLaw>() {
   static constexpr auto list =
       std::apply([](auto... law) { return std::array{decltype(law)::name...}; }, FrictionLaws());
   return list;
+}
+
+// The modulation of the law of p at the sliding speed V_R, dimensionless.
+inline double modulation(const Parameters& p, double V_R) {
+  return with_law(p.friction, [&](auto law) { return law.modulation(V_R / law.V_scale(p), law.constants(p)); });
 }
 
 }  // namespace bristle

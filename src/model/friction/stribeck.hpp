@@ -13,13 +13,12 @@ struct Stribeck {
   static constexpr const char* title = "exponential Stribeck";
   static constexpr double load_exponent = 1;
   static constexpr double Parameters::*strength = &Parameters::mu_c;
-  // Constants: A - 1, 1/V_s, 1/(creep speed).
-  static FrictionConstants<double> constants(const Parameters& p) {
-    return {{p.A - 1, 1 / p.V_s, 5 / p.V_s, 0}};
-  }
+  // Constants: A - 1, V_s/(creep speed).
+  static FrictionConstants<double> constants(const Parameters& p) { return {{p.A - 1, 5}}; }
+  static double V_scale(const Parameters& p) { return p.V_s; }
   template <class T, class P>
-  static T modulation(const T& V_R, const FrictionConstants<P>& c) {
-    const T u = V_R * c[1], creep = V_R * c[2];
+  static T modulation(const T& u, const FrictionConstants<P>& c) {
+    const T creep = u * c[1];
     const T static_part = c[0] * T(decay(T(-u * u)));
     return T(1.0 + static_part) * T(creep * T(inverse_sqrt(T(1.0 + creep * creep))));
   }

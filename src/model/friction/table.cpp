@@ -32,8 +32,14 @@ std::array<double, 4> cubic_through(std::array<double, 4> value) {
 
 }  // namespace
 
-ModulationTable::ModulationTable(FrictionLaw law, const FrictionConstants<double>& constants, double V_s)
-    : law_(law), constants_(constants), V_s_(V_s) {
+ModulationTable::ModulationTable(FrictionLaw law, const FrictionConstants<double>& constants)
+    : law_(law), constants_(constants) {
+  if (const ModulationTable* own = constants.table) {
+    V_scale_ = own->V_scale_;
+    intervals_ = own->intervals_;
+    coefficients_ = own->coefficients_;
+    return;
+  }
   int intervals = kFewestIntervals;
   while (!build(intervals)) {
     intervals *= 2;
@@ -44,41 +50,33 @@ ModulationTable::ModulationTable(FrictionLaw law, const FrictionConstants<double
   }
 }
 
-ModulationTable::ModulationTable(double V_s, std::vector<double> coefficients)
+ModulationTable::ModulationTable(double V_scale, std::vector<double> coefficients)
     : law_(FrictionLaw::custom),
-      V_s_(V_s),
+      V_scale_(V_scale),
       intervals_(double(coefficients.size()) / 4 - 1),
       coefficients_(std::move(coefficients)) {}
 
-ModulationTable::ModulationTable(const FrictionConstants<double>& custom)
-    : law_(FrictionLaw::custom),
-      constants_(custom),
-      V_s_(custom.table->V_s_ / custom[0]),
-      intervals_(custom.table->intervals_),
-      coefficients_(custom.table->coefficients_) {}
-
-ModulationTable::Entry ModulationTable::entry(double V_R) const {
-  const double t = V_R / (V_R + V_s_), scaled = t * intervals_;
-  const auto interval = std::ptrdiff_t(scaled <= intervals_ ? scaled : 0);  // 0: V_R is not finite
+ModulationTable::Entry ModulationTable::entry(double u) const {
+  const double t = u / (1 + u), scaled = t * intervals_;
+  const auto interval = std::ptrdiff_t(scaled <= intervals_ ? scaled : 0);  // 0: u is not finite
   return {t, scaled - double(interval), coefficients_.data() + 4 * interval};
 }
 
-double ModulationTable::at(double V_R) const {
-  const auto [t, u, c] = entry(V_R);
-  return t * (c[0] + u * (c[1] + u * (c[2] + u * c[3])));
+double ModulationTable::at(double u) const {
+  const auto [t, x, c] = entry(u);
+  return t * (c[0] + x * (c[1] + x * (c[2] + x * c[3])));
 }
 
-double ModulationTable::slope(double V_R) const {
-  const auto [t, u, c] = entry(V_R);
-  const double q = c[0] + u * (c[1] + u * (c[2] + u * c[3]));
-  const double dq = intervals_ * (c[1] + u * (2 * c[2] + u * 3 * c[3]));
-  return (q + t * dq) * (V_s_ / ((V_R + V_s_) * (V_R + V_s_)));
+double ModulationTable::slope(double u) const {
+  const auto [t, x, c] = entry(u);
+  const double q = c[0] + x * (c[1] + x * (c[2] + x * c[3]));
+  const double dq = intervals_ * (c[1] + x * (2 * c[2] + x * 3 * c[3]));
+  return (q + t * dq) / ((1 + u) * (1 + u));
 }
 
 // q(t), for 0 < t < 1.
 double ModulationTable::exact(double t) const {
-  const double V_R = V_s_ * (t / (1 - t));
-  return with_law(law_, [&](auto law) { return law.modulation(V_R, constants_); }) / t;
+  return with_law(law_, [&](auto law) { return law.modulation(t / (1 - t), constants_); }) / t;
 }
 
 // Returns false if the error, measured between the nodes, is too large. A modulation that overflows has a
