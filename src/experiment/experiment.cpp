@@ -396,6 +396,7 @@ Experiment load_experiment(const std::string& path, const DocumentOptions& optio
   const Document document = Document::load(path, options);
   Experiment experiment = read(document);
   experiment.tier = options.tier;
+  experiment.has_study_tier = document.has_tier("study");
   // Reports mistakes in the other tiers, too. Not with --set, as its changes are meant for this tier only.
   for (const char* tier : {"smoke", "study", "full"})
     if (tier != options.tier && options.set.empty()) try {
