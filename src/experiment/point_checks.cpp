@@ -1,0 +1,94 @@
+#include "experiment/point_checks.hpp"
+
+#include "ensemble/lattice.hpp"
+#include "model/elementary.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+
+namespace bristle::experiment {
+namespace {
+
+// The experiment with the first value only of every axis but these.
+Experiment along(const Experiment& e, const std::vector<std::string>& axes) {
+  Experiment out = e;
+  for (Axis& axis : out.axes)
+    if (std::ranges::none_of(axes, [&](const std::string& name) { return experiment::swept({axis}, name); }))
+      axis.keep_first();
+  return out;
+}
+
+void check_gap(const Document& d, const Experiment& experiment) {
+  const Experiment e = along(experiment, {"z_0", "z_0_m", "r0_m", "phi_0_deg"});
+  for (std::size_t i = 0; i < e.points(); ++i) {
+    const PointInput point = e.point(i);
+    const double highest = sin(point.setup.parameters.phi_0);
+    if (!point.loading.z_0) return;
+    if (*point.loading.z_0 > highest)
+      d.fail(d.json()["load"].contains("z_0") ? "/load/z_0"
+             : experiment.swept("z_0_m")      ? "/sweep/z_0_m"
+             : experiment.swept("z_0")        ? "/sweep/z_0"
+                                              : "/si/z_0_m",
+             fmt::format("{} is above first contact; allowed: at most sin(phi_0) = {:.6f}",
+                         *point.loading.z_0, highest));
+  }
+}
+
+// chi has a maximum at V_s for A > 1 only; near 1 it would be a step at u = 0, which no integrator resolves.
+void check_chi(const Document& d, const Experiment& experiment) {
+  constexpr double least = 1.001;
+  const Experiment e = along(experiment, {"A"});
+  if (!e.C_peaks_at_V_s) return;
+  for (std::size_t i = 0; i < e.points(); ++i)
+    if (const double A = e.point(i).setup.parameters.A; A < least)
+      d.fail(e.swept("A") ? "/sweep/A" : "/model/A",
+             fmt::format("{} has no maximum of chi at V_s; allowed: at least {}, or a number for C (0: chi "
+                         "rises to 1)",
+                         A, least));
+}
+
+// Checks at every point that the slab is a whole number of lattice spacings wide and that rows still enter
+// after t_1.
+void check_lattice(const Document& d, const Experiment& experiment) {
+  constexpr double most = 1e7;  // bristles, which memory holds
+  const Experiment e =
+      along(experiment, {"L_x", "L_y", "spacing", "L_x_m", "L_y_m", "spacing_m", "r0_m", "rows", "sampling"});
+  const bool used = e.on_lattice();
+  if (used && e.base.loading.trace)
+    d.fail("/load/trace", "cannot be combined with \"sampling\": \"lattice\"; use quadrature or list");
+  if (e.record.slab_force && !used) d.fail("/record", "slab_force needs \"sampling\": \"lattice\"");
+  for (const char* key : {"seed", "rows", "t_1"})
+    if (!used && (d.json()["orientation"].contains(key) || e.swept(key)))
+      d.fail(std::string("/orientation/") + key, "is allowed with \"sampling\": \"lattice\" only");
+  for (std::size_t i = 0; used && i < e.points(); ++i) {
+    const Setup point = e.point(i).setup;
+    const Parameters& p = point.parameters;
+    const double across = p.L_y / p.spacing;
+    if (std::abs(across - std::round(across)) > 1e-6 || across < 0.5)
+      d.fail("/model/L_y", fmt::format("{} is {:.6g} times the spacing {}; a lattice needs a whole number",
+                                       p.L_y, across, p.spacing));
+    if (const double bristles = across * double(point.orientation.rows); bristles > most)
+      d.fail("/orientation/rows",
+             fmt::format("{} rows of {:.0f} bristles are {:.3g} bristles; allowed: at most {:.0e}",
+                         point.orientation.rows, across, bristles, most));
+    if (point.orientation.rows == 0)
+      d.fail("/orientation/rows", "is missing; a lattice needs the number of rows that enter");
+    if (lattice_end(point) <= lattice_start(point))
+      d.fail(
+          "/orientation/rows",
+          fmt::format(
+              "the {} rows have entered by t_2 = {}, but averaging begins at t_1 = {} [2 L_x]; use more rows",
+              point.orientation.rows, lattice_end(point), lattice_start(point)));
+  }
+}
+
+}  // namespace
+
+void check_points(const Document& d, const Experiment& e) {
+  check_lattice(d, e);
+  check_gap(d, e);
+  check_chi(d, e);
+}
+
+}  // namespace bristle::experiment

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "experiment/document.hpp"
+#include "experiment/experiment.hpp"
+
+namespace bristle::experiment {
+
+// Checks what depends on several values of a point, at all points of the sweep: a gap is not above first contact,
+// chi has a maximum if C asks for one, and a lattice fits the slab. Throws InputError with the place of the value.
+void check_points(const Document& document, const Experiment& experiment);
+
+}  // namespace bristle::experiment
