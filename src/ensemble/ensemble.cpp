@@ -256,9 +256,6 @@ const Ensemble& EnsembleMean::with_integrator_error() {
       break;
     }
   if (half_circle_) more[R_Y] = 0;
-  // Over a list a count changes by whole impacts, so repeated passages often show no change.
-  if (!quadrature_ && checked_->mean[IMPACT_COUNT] > 0)
-    more[IMPACT_COUNT] = std::max(more[IMPACT_COUNT], 1 / double(passages_.size()));
   for (std::size_t k = 0; k < OBSERVABLES; ++k) checked_->error[k] += more[k];
   return *checked_;
 }

@@ -46,14 +46,6 @@ std::vector<WeightedPassage> chosen_of(const std::vector<WeightedPassage>& passa
   return out;
 }
 
-// The share of passages with another number of impacts than the passage before.
-double share_of_other_impacts(const std::vector<WeightedPassage>& passages) {
-  const auto impacts = [&](std::size_t i) { return passages[i].passage->path[IMPACTS]; };
-  double changes = 0;
-  for (std::size_t i = 1; i < passages.size(); ++i) changes += impacts(i) != impacts(i - 1) ? 1 : 0;
-  return changes / double(passages.size());
-}
-
 }  // namespace
 
 ObservableArray integrator_error(const std::vector<WeightedPassage>& passages, const Parameters& parameters,
@@ -72,11 +64,11 @@ ObservableArray integrator_error(const std::vector<WeightedPassage>& passages, c
   count += long(exact.size());
 
   ObservableArray difference{}, squares{};
-  double largest_weight = 0;
+  double most_impact_weight = 0;  // of a repeated passage with impacts
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     const ObservableArray a = observables(*chosen[i].passage, parameters);
     const ObservableArray b = exact[i].complete() ? observables(exact[i], parameters) : ObservableArray{};
-    largest_weight = std::max(largest_weight, chosen[i].weight);
+    if (a[IMPACT_COUNT] > 0) most_impact_weight = std::max(most_impact_weight, chosen[i].weight);
     for (std::size_t k = 0; k < OBSERVABLES; ++k) {
       const double change = chosen[i].weight * (b[k] - a[k]);
       difference[k] += change;
@@ -86,9 +78,8 @@ ObservableArray integrator_error(const std::vector<WeightedPassage>& passages, c
   ObservableArray error;
   for (std::size_t k = 0; k < OBSERVABLES; ++k)
     error[k] = kTighter / (kTighter - 1) * std::sqrt(difference[k] * difference[k] + squares[k]);
-  // Repeated passages often show no change of a number of whole impacts. The more often it changes from one
-  // azimuth to the next, the more sensitive it is to small changes of a passage.
-  error[IMPACT_COUNT] = std::max(error[IMPACT_COUNT], largest_weight * share_of_other_impacts(passages));
+  // A number of impacts changes by whole ones, so that few repeated passages often show no change.
+  error[IMPACT_COUNT] = std::max(error[IMPACT_COUNT], most_impact_weight);
   return error;
 }
 
