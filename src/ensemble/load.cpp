@@ -141,19 +141,19 @@ class CrossingFinder {
   }
 
   // A gap before the crossing whose load is above the target already: then the load between has a maximum and
-  // a minimum. Starts at this distance and goes back along the path as long as the load falls less than
-  // expected.
+  // a minimum. Looks at this distance, then twice as far each time, down to the near end of the scan's bracket,
+  // unless a load computed already shows that the load falls as expected there.
   std::optional<GapLoad> earlier_crossing(const GapLoad& crossing, double distance) {
     const double slope = (scan_.far.excess - scan_.near.excess) / std::abs(scan_.far.z_0 - scan_.near.z_0);
     const double room = std::abs(scan_.near.z_0 - crossing.z_0);
-    for (; distance < room && !falls_before(crossing.z_0, distance, kEven * slope); distance *= 2) {
+    for (; distance < room; distance *= 2) {
+      if (falls_before(crossing.z_0, distance, kEven * slope)) continue;
       const double z_0 = loads_.beyond(crossing.z_0, -distance);
       GapLoad probe = loads_.at(z_0, Accuracy::rough);
       if (probe.excess >= -kDistinct * probe.load.error) {
         probe = loads_.at(z_0, Accuracy::precise);
         if (probe.excess >= 0) return probe;
       }
-      if (probe.excess + probe.load.error < -kEven * slope * distance) break;
     }
     return {};
   }
@@ -163,7 +163,7 @@ class CrossingFinder {
   bool falls_before(double crossing, double distance, double slope) const {
     return std::ranges::any_of(loads_.computed(), [&](const GapLoad& one) {
       const double before = search_.path == LoadPath::loading ? one.z_0 - crossing : crossing - one.z_0;
-      return distance / 2 <= before && before <= 2 * distance &&
+      return distance / M_SQRT2 <= before && before <= M_SQRT2 * distance &&
              one.excess + kDistinct * one.load.error < -slope * before;
     });
   }

@@ -247,6 +247,13 @@ TEST_CASE("load control: an earlier crossing within the same step of the scan is
   CHECK(curve(p.z_0) == Approx(2).epsilon(1e-3));
 }
 
+TEST_CASE("load control: a hump between an even slope and the gap of the scan before it is found") {
+  const auto curve = [](double z_0) {
+    return rising(z_0) + 0.2 * std::exp(-std::pow((z_0 - 0.461) / 0.003, 2));
+  };
+  CHECK(search(curve, 2.13).z_0 > 0.46);
+}
+
 TEST_CASE("load control: a curve that cannot be computed has status failed") {
   CHECK(search([](double z_0) { return z_0 < 0.7 ? NAN : 0.1; }, 2).status == LoadStatus::failed);
 }
