@@ -73,7 +73,7 @@ findings: figures hysteresis tuning ## all figures; docs/findings.md, each claim
 # The matrices, of which the next two targets draw the pages.
 .PHONY: assumptions-matrix inference-matrix
 assumptions-matrix: build
-	@test -e results/assumptions.json || echo "Computing the claims under other assumptions, more than an hour on two cores ..."
+	@test -e results/assumptions.json || echo "Computing the claims under other assumptions, about 15 minutes on two cores ..."
 	$(BUILD)/bristle assumptions
 
 # The same machinery on joint sets of choices.
@@ -81,9 +81,10 @@ inference-matrix: build
 	@test -e results/inference.json || echo "Computing joint sets of choices, more than half an hour on two cores ..."
 	$(BUILD)/bristle assumptions experiments/inference/*.json --only fig3,fig3a,fig4,fig5,fig6,fig7,fig8,fig8c -o results/inference.json
 
-assumptions: assumptions-matrix ## every claim under every alternative to what the paper leaves open: docs/assumptions.md
+assumptions: assumptions-matrix ## every claim under every alternative to what the paper leaves open: docs/assumptions.md, reference/assumptions.json
 	@$$($(PLOT_PYTHON)) scripts/assumptions.py results/assumptions.json -o figures --text docs/assumptions.md
 	@cp figures/assumptions.png docs/images/
+	@cp results/assumptions.json reference/
 
 inference: inference-matrix ## joint sets of choices ranked by the claims they support: docs/inference.md
 	@$$($(PLOT_PYTHON)) scripts/inference.py results/inference.json
