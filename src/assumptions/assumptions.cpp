@@ -23,7 +23,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// All experiments with checks and a tier `study`, in the order of their file names.
+// All experiments with checks that belong to a figure of the paper or have a tier `study`, in the order of their
+// file names.
 std::vector<Experiment> experiments_with_claims(const AssumptionsOptions& options) {
   if (!fs::is_directory(options.experiments))
     throw InputError(fmt::format("--experiments {}: not a folder", options.experiments));
@@ -34,10 +35,10 @@ std::vector<Experiment> experiments_with_claims(const AssumptionsOptions& option
   std::vector<Experiment> out;
   for (const std::string& file : files) {
     Experiment e = experiment::load_experiment(file, {{}, options.tier});
-    if (e.has_study_tier && !e.checks.empty()) out.push_back(std::move(e));
+    if (!e.checks.empty() && (e.has_study_tier || !e.figure.empty())) out.push_back(std::move(e));
   }
   if (out.empty())
-    throw InputError(fmt::format("--experiments {}: no experiment in this folder has checks and a tier \"study\"",
+    throw InputError(fmt::format("--experiments {}: no experiment in this folder has checks and a figure or a tier \"study\"",
                                  options.experiments));
   return out;
 }
@@ -52,7 +53,7 @@ std::vector<std::string> names_of(const std::vector<Experiment>& experiments) {
 void require_experiment(const std::vector<Experiment>& all, const std::string& name,
                         const std::string& where) {
   if (std::ranges::find(all, name, &Experiment::name) == all.end())
-    throw InputError(fmt::format("{}: there is no experiment {} with checks and a tier \"study\"{}", where, name,
+    throw InputError(fmt::format("{}: there is no experiment {} with checks and a figure or a tier \"study\"{}", where, name,
                                  did_you_mean(name, names_of(all))));
 }
 

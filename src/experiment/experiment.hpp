@@ -36,7 +36,7 @@ struct Analysis {
 // A validated experiment in dimensionless form.
 struct Experiment {
   std::string name, title, figure, path, tier;
-  bool has_study_tier = false;        // `assumptions` evaluates its checks
+  bool has_study_tier = false;        // `assumptions` evaluates its checks, too
   PointInput base;                    // before the sweep's values
   std::vector<Axis> axes;             // in the file's order; the last varies fastest
   bool C_peaks_at_V_s = true;         // C is computed from A at every point, so that chi peaks at V_R = V_s

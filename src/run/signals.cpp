@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <csignal>
+#include <ctime>
 
 namespace bristle::run {
 namespace {
@@ -11,10 +12,28 @@ namespace {
 std::atomic<int> received = 0;
 static_assert(std::atomic<int>::is_always_lock_free);
 
-// The first signal requests an end, the second terminates the process.
+// `timeout` and `make` pass a signal on that the terminal has already sent to all processes of the command: one
+// request arrives twice within this time.
+constexpr double kSameRequest = 0.5;  // s
+
+std::atomic<double> first_request = 0;  // s
+static_assert(std::atomic<double>::is_always_lock_free);
+
+double seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
+}
+
+// The first request asks for an end, the second terminates the process.
 void on_signal(int signal) {
-  received = signal;
-  std::signal(signal, SIG_DFL);
+  if (received == 0) {
+    first_request = seconds();
+    received = signal;
+  } else if (seconds() - first_request > kSameRequest) {
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+  }
 }
 
 }  // namespace

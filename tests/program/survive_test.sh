@@ -80,7 +80,8 @@ for ((i = 0; 2 * i < wanted; ++i)); do
 done
 finish "kill -9 while writing"
 
-# Ctrl-C and SIGTERM: report the saved points, exit code 128 plus the signal, and the same command resumes.
+# Ctrl-C and SIGTERM: report the saved points, exit code 128 plus the signal, and the same command resumes. `timeout`
+# passes Ctrl-C on, so that the signal arrives twice.
 begin
 "${again[@]}" 2>"$folder/log" &
 pid=$!
@@ -94,6 +95,7 @@ begin
 "${again[@]}" 2>"$folder/log" &
 pid=$!
 while [ "$(points)" -lt 3 ]; do sleep 0.01; done
+kill -INT $pid
 kill -INT $pid
 wait $pid
 [ $? = 130 ] || failed "Ctrl-C: exit code"

@@ -24,7 +24,7 @@ assert names == ["baseline", *declared, *pairs], "reference/assumptions.json has
 checks = []
 for path in sorted((source / "experiments").glob("*.json")):
     experiment = json.loads(path.read_text())
-    if "study" in experiment.get("tiers", {}):
+    if experiment.get("figure") or "study" in experiment.get("tiers", {}):
         checks += [(experiment["name"], c["claim"], c["statement"]) for c in experiment.get("checks", [])]
 assert [(c["experiment"], c["claim"], c["statement"]) for c in recorded["checks"]] == checks, "reference/assumptions.json has different checks: make assumptions"
 assert len(recorded["cells"]) == len(names) * len(checks)

@@ -23,11 +23,11 @@ struct SmallStudy {
     std::filesystem::copy_file(kExperiments + "/paper.json", s.path("experiments/paper.json"));
     const std::string list =
         R"("orientation": {"sampling": "list", "theta_0_deg": [20, 70]}, "load": {"R_n": null, "z_0": 0.5})";
-    s.write("experiments/a.json", R"({"extends": "paper.json", "name": "a", "figure": "1", "tiers": {"study": {}}, )" + list + R"(,
+    s.write("experiments/a.json", R"({"extends": "paper.json", "name": "a", "figure": "1", )" + list + R"(,
       "sweep": {"mu_c": {"values": [0.5, 1]}}, "model": {"friction": "coulomb"},
       "checks": [{"claim": "1a", "statement": "R_x grows with mu_c", "predicate": "end_ratio", "variable": "R_x",
                   "along": "mu_c", "is": "at_least", "threshold": 1.1}]})");
-    s.write("experiments/b.json", R"({"extends": "paper.json", "name": "b", "figure": "2", "tiers": {"study": {}}, )" + list + R"(,
+    s.write("experiments/b.json", R"({"extends": "paper.json", "name": "b", "figure": "2", )" + list + R"(,
       "sweep": {"k_r": {"values": [5, 10]}},
       "checks": [{"claim": "2a", "statement": "R_x is positive", "predicate": "level", "variable": "R_x", "along": "k_r",
                   "is": "at_least", "threshold": 0}]})");
@@ -173,7 +173,7 @@ TEST_CASE("mistakes in assumptions are reported before anything is computed") {
            R"("alternatives": [{"name": "n", "description": "d", "experiments": {"a": {"set": {"/checks/7/is": 1}}}}]})",
        "alternative n: a has no value at /checks/7/is"},
       {head + R"("alternatives": [{"name": "n", "description": "d", "experiments": {"aa": {}}}]})",
-       "alternative n: /experiments: there is no experiment aa with checks and a tier \"study\" (did you mean a?)"},
+       "alternative n: /experiments: there is no experiment aa with checks and a figure or a tier \"study\" (did you mean a?)"},
       {head + R"("windows": [{"name": "w", "where": {"k_r": [5, 7]}, "experiments": ["bb"]}]})",
        "window w: /experiments: there is no experiment bb"},
       {head + R"("windows": [{"name": "w", "where": {"k_rr": [5, 7]}, "experiments": ["b"]}]})",
