@@ -29,6 +29,11 @@ def check(program, path, reference):
     return found["deviation"], found["replay"]
 
 
+def cite(program):
+    """BibTeX entries of the software and the paper."""
+    return run([program, "cite"]).stdout
+
+
 def export(program, path, *options):
     """The text of an exported table."""
     with tempfile.TemporaryDirectory() as folder:

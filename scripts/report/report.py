@@ -132,7 +132,7 @@ def render(figures, story_found, recorded, arguments):
         story=story_found, parts=parts, rest=REST, readings={word: READINGS.get(word, readable(word)) for word in words},
         claims=sorted(all_claims, key=lambda claim: claim["claim"]), count=claims.count(all_claims),
         tiers=sorted({figure["tier"] for figure in shown}),
-        matrix=matrix.read(arguments.assumptions, names), citation=citation,
+        matrix=matrix.read(arguments.assumptions, names), citation=citation, bibtex=program.cite(arguments.program),
         paper=next((entry["link"] for entry in citation if entry["kind"] == "article"), ""),
         provenance=provenance, slab_length=slab_length(arguments.results), recorded=recorded, phases=points.embedded(PHASES),
         colours=points.embedded([colors.to_hex(colormaps[COLORMAP](i / 32)) for i in range(33)]),

@@ -56,7 +56,7 @@ def duration(found):
 
 
 def citation(path, commit=""):
-    """The software, with the commit that computed all results if they have one, and the paper: text and BibTeX."""
+    """The software, with the commit that computed all results if they have one, and the paper, as text."""
     try:
         with open(path, encoding="utf-8") as file:
             cff = yaml.safe_load(file)
@@ -64,8 +64,7 @@ def citation(path, commit=""):
         if commit and "doi" not in cff:
             software["commit"] = f"commit {commit}"
         entries = [software, *({**reference, "kind": "article"} for reference in cff.get("references", []))]
-        return [{"text": citation_text(entry), "bibtex": bibtex(entry), "kind": entry["kind"], "link": link(entry)}
-                for entry in entries]
+        return [{"text": citation_text(entry), "kind": entry["kind"], "link": link(entry)} for entry in entries]
     except (OSError, yaml.YAMLError, KeyError, TypeError) as error:
         raise BristleError(f"{path}: not a citation file ({type(error).__name__}: {error})") from error
 
@@ -91,17 +90,3 @@ def journal_text(entry):
 def link(entry):
     """Where the work is, as far as the file says."""
     return f"https://doi.org/{entry['doi']}" if "doi" in entry else entry.get("url", "")
-
-
-def bibtex(entry):
-    first = entry["authors"][0]
-    key = f"{first.get('family-names', 'bristle').lower()}{entry['year']}"
-    people = [f"{{{name}}}" if "name" in author else f"{author['family-names']}, {author['given-names']}"
-              for name, author in zip(authors(entry), entry["authors"])]
-    fields = {"author": " and ".join(people), "title": f"{{{entry['title']}}}", "year": entry["year"]}
-    names = {"journal": "journal", "volume": "volume", "issue": "number", "version": "version", "doi": "doi", "commit": "note"}
-    fields |= {name: entry[key] for key, name in names.items() if key in entry}
-    if "end" in entry:
-        fields["pages"] = f"{entry['start']}--{entry['end']}"
-    lines = [f"  {name} = {{{value}}}" for name, value in fields.items()]
-    return "\n".join([f"@{entry['kind']}{{{key},", ",\n".join(lines), "}"])

@@ -35,6 +35,8 @@ expect 0 "V_R,nss" "$bristle" law experiments/fig4.json
 expect 0 "V_R,nss,coulomb" "$bristle" law experiments/fig7.json
 [ "$("$bristle" law experiments/fig4.json | tail -n 1 | cut -c 1-8)" = "10,1.000" ] || failed "law: chi is not 1 at V_R = 10"
 expect 0 "author = {Menga, N. and Bottiglione, F. and Carbone, G.}" "$bristle" cite
+expect 0 "number = {4}" "$bristle" cite
+expect 0 "pages = {3099--3112}" "$bristle" cite
 expect 0 "@misc{bristle-" "$bristle" cite "$result"
 digest=$("$bristle" info --json "$result" | sed -n 's/.*"payload_sha256": "\([0-9a-f]*\)".*/\1/p' | head -n 1)
 expect 0 "SHA-256 of the numbers $digest;" "$bristle" cite "$result"

@@ -88,6 +88,7 @@ def check_errors():
     made = (folder / "other.html").read_text()
     assert 'id="jump"' in made and 'id="recorded"' not in made
     assert made.count('<a href="https://doi.org/10.1000/invented">') == 2
+    assert "@article{menga2022," in made
     assert done.returncode == 0 and "make fig5 TIER=smoke" in made and "make assumptions" in made, done.stderr
     assert report(fig4, o="/proc/none/index.html").returncode == 3
 
