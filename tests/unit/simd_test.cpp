@@ -81,6 +81,25 @@ TEST_CASE("a passage has the same bits alone, in batches of any order, and with 
   });
 }
 
+TEST_CASE("bristles of different threshold speeds share lanes") {
+  std::deque<Parameters> parameters;
+  std::size_t ended = 0;
+  SimdEngine engine(best_kernels(), [&](std::size_t, Passage&& p) { ended += p.complete() ? 1 : 0; });
+  constexpr std::size_t count = 4 * kLanes;
+  for (std::size_t i = 0; i < count; ++i) {
+    Parameters& p = parameters.emplace_back();
+    p.bending = Bending::rod;
+    p.C = chi_C_peak_at_V_s(p.A);
+    p.V_s = 0.005 + 0.001 * double(i);
+    engine.submit(Sample::task(p, 0.6, 1), i);
+  }
+  while (engine.advance()) {
+  }
+  CHECK(ended == count);
+  // With lanes for each speed alone it would be 1/8 or less.
+  CHECK(engine.usage().passage_steps > 0.5 * engine.usage().lane_steps);
+}
+
 TEST_CASE("without vectors with fused multiply-add the fast engine computes one number at a time") {
   const Restricted old_processor(HWY_SCALAR);
   CHECK(available_kernels().size() == 1);
