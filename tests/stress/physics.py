@@ -86,8 +86,9 @@ def experiment(seed):
         if r.chance(0.2):
             orientation.update(sampling="list", theta_0_deg={"random": r.randint(1, 20), "seed": r.randint(1, 99)})
     elif r.chance(0.15):
-        # Azimuths anywhere, beside the head-on bristle, exactly head-on and exactly forward.
-        azimuths = [r.choice([r.uniform(-180, 180), 180 - r.log(1e-3, 5), -180 + r.log(1e-3, 5), 180, 0])
+        # Azimuths anywhere, beside the head-on bristle and exactly forward. A bristle that is exactly head-on depends on
+        # rounding (docs/limitations.md).
+        azimuths = [r.choice([r.uniform(-180, 180), 180 - r.log(1e-3, 5), -180 + r.log(1e-3, 5), 0])
                     for _ in range(r.randint(1, 12))]
         orientation.update(sampling="list", theta_0_deg=azimuths)
     elif r.chance(0.1):
