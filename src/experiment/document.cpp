@@ -236,6 +236,8 @@ Document Document::with_tier(const std::string& tier) const {
   return d;
 }
 
+bool Document::has_tier(const std::string& tier) const { return !with_tier(tier).tier_patches().empty(); }
+
 // The tier's patches of all files, parents first. They are applied one by one: merging two patches into one
 // would lose the keys that the first removes.
 std::vector<Json> Document::tier_patches() const {

@@ -35,7 +35,7 @@ class Document {
   // Throws InputError with origin(pointer), the JSON pointer and the description of the mistake.
   [[noreturn]] void fail(const std::string& pointer, const std::string& what) const;
   // Whether this tier differs from the others, by a patch of the file or of a parent.
-  bool has_tier(const std::string& tier) const { return !with_tier(tier).tier_patches().empty(); }
+  bool has_tier(const std::string& tier) const;
   // The same document for another tier.
   Document with_tier(const std::string& tier) const;
 
