@@ -130,12 +130,7 @@ class Search {
     const std::size_t dimensions = design_.variables.size();
     const bool one = design_.objectives.size() == 1;
     if (one) {
-      // A target is met within a ten-thousandth, which is less than the values' errors.
-      const experiment::Objective& objective = design_.objectives.front();
-      const double enough = objective.goal == Goal::target
-                                ? 1e-4 * std::max(std::abs(objective.target), 1e-3)
-                                : -std::numeric_limits<double>::infinity();
-      out.chosen = search_minima(dimensions, design_.budget, design_.seed, enough, evaluate);
+      out.chosen = search_minima(dimensions, design_.budget, design_.seed, evaluate);
     } else {
       search_front(dimensions, design_.budget, design_.seed, evaluate);
     }
@@ -145,6 +140,9 @@ class Search {
     if (!one) out.chosen = knee_of(scores, out.front);
     out.nearest_miss = std::size_t(std::ranges::min_element(scores, better) - scores.begin());
     std::erase_if(out.chosen, [&](std::size_t i) { return scores[i].violation > 0; });
+    // Where a target is met, the minima of the distance from it that do not meet it are no solutions.
+    if (std::ranges::any_of(out.chosen, [&](std::size_t i) { return scores[i].is_met; }))
+      std::erase_if(out.chosen, [&](std::size_t i) { return !scores[i].is_met; });
     return out;
   }
 

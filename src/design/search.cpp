@@ -132,15 +132,14 @@ std::vector<std::size_t> local_minima(const std::vector<Point>& points, const st
 // the first that it does not know.
 class LocalSearch {
  public:
-  LocalSearch(Point start, double value, double step, double enough)
-      : start_(std::move(start)), step_(step), enough_(enough) {
-    add(start_, value);
-  }
+  LocalSearch(Point start, double value, double step) : start_(std::move(start)), step_(step) { add(start_, value); }
   void add(const Point& point, double value) { known_[point] = value; }
+  void end() { ended_ = true; }
 
   // The trial it needs next; none once it has ended.
   std::optional<Point> next() {
     unknown_.reset();
+    if (ended_) return {};
     nlopt::opt search(nlopt::LN_SBPLX, unsigned(start_.size()));
     search.set_min_objective(
         [](const Point& x, Point&, void* data) {
@@ -155,7 +154,6 @@ class LocalSearch {
     search.set_upper_bounds(1);
     search.set_initial_step(step_);
     search.set_xtol_abs(1e-5);
-    search.set_stopval(enough_);
     Point x = start_;
     double least = 0;
     try {
@@ -168,7 +166,8 @@ class LocalSearch {
 
  private:
   Point start_;
-  double step_, enough_;
+  double step_;
+  bool ended_ = false;
   std::map<Point, double> known_;
   std::optional<Point> unknown_;
 };
@@ -223,7 +222,7 @@ void search_front(std::size_t dimensions, std::size_t budget, std::uint64_t seed
 }
 
 std::vector<std::size_t> search_minima(std::size_t dimensions, std::size_t budget, std::uint64_t seed,
-                                       double enough, const Evaluate& evaluate) {
+                                       const Evaluate& evaluate) {
   std::vector<Point> points = sobol_points((budget + 1) / 2, dimensions, seed);
   std::vector<Score> scores = evaluate(points);
   double worst = 0;  // of the trials without violation: those with one are worse
@@ -240,8 +239,10 @@ std::vector<std::size_t> search_minima(std::size_t dimensions, std::size_t budge
   starts.resize(std::min(starts.size(), std::max<std::size_t>(1, rest / least)));
   const double edge = 1 / pow(double(points.size()), 1 / double(dimensions));
   std::vector<LocalSearch> searches;
-  for (const std::size_t start : starts)
-    searches.emplace_back(points[start], value(scores[start]), std::min(edge, 0.25) / 2, enough);
+  for (const std::size_t start : starts) {
+    searches.emplace_back(points[start], value(scores[start]), std::min(edge, 0.25) / 2);
+    if (scores[start].is_met) searches.back().end();
+  }
   std::vector<std::size_t> ends = starts;
   while (rest > 0) {
     std::vector<std::size_t> asking;
@@ -254,7 +255,9 @@ std::vector<std::size_t> search_minima(std::size_t dimensions, std::size_t budge
     if (asked.empty()) break;
     const std::vector<Score> found = evaluate(asked);
     for (std::size_t i = 0; i < asked.size(); ++i) {
-      searches[asking[i]].add(asked[i], value(found[i]));
+      LocalSearch& search = searches[asking[i]];
+      search.add(asked[i], value(found[i]));
+      if (found[i].is_met) search.end();
       points.push_back(asked[i]);
       scores.push_back(found[i]);
       if (std::size_t& end = ends[asking[i]]; better(found[i], scores[end])) end = scores.size() - 1;

@@ -16,6 +16,7 @@ using Point = std::vector<double>;
 struct Score {
   std::vector<double> objectives;  // to be minimised
   double violation = 0;            // of constraints; 0: none, infinite: the objectives have no value
+  bool is_met = false;             // the only objective is a target, and the value's error allows no better trial
 };
 
 // Whether a is better than b: less violation, or else no objective worse and at least one better (K. Deb et
@@ -33,9 +34,9 @@ void search_front(std::size_t dimensions, std::size_t budget, std::uint64_t seed
 
 // Minimises one objective: half of the budget is a Sobol sequence, and each of its trials that is a minimum
 // among its neighbours starts a local search by Subplex (T. H. Rowan, 1990; NLopt), which needs no derivatives and
-// ends early where the objective is at most `enough`. Returns the trials at which these searches ended,
+// ends early where the target is met. Returns the trials at which these searches ended,
 // without those closer than 1 % of the cube's edge to a better one. The first is the best.
 std::vector<std::size_t> search_minima(std::size_t dimensions, std::size_t budget, std::uint64_t seed,
-                                       double enough, const Evaluate& evaluate);
+                                       const Evaluate& evaluate);
 
 }  // namespace bristle::design

@@ -237,6 +237,11 @@ Score Trials::score_of(const Trial& trial) const {
   Score score{{}, trial.violation};
   for (std::size_t i = 0; i < trial.objectives.size(); ++i)
     score.objectives.push_back(cost(design_.objectives[i], trial.objectives[i].value));
+  // A target is met within half of the value's error, or within a ten-thousandth of the target.
+  if (const Objective& first = design_.objectives.front(); first.goal == Goal::target && score.objectives.size() == 1)
+    score.is_met = trial.violation == 0 &&
+                   score.objectives.front() <= std::max(trial.objectives.front().error / 2,
+                                                        1e-4 * std::max(std::abs(first.target), 1e-3));
   return score;
 }
 

@@ -105,22 +105,39 @@ TEST_CASE("the search of one objective finds the minima on both sides of a jump,
     const double f = x[0] < 0.37 ? 0.5 + 8 * std::pow(x[0] - 0.2, 2) : 0.2 + 3 * std::pow(x[0] - 0.8, 2);
     return Score{{f}, 0};
   });
-  const auto minima = design::search_minima(1, 80, 1, -HUGE_VAL, std::ref(jumping));
+  const auto minima = design::search_minima(1, 80, 1, std::ref(jumping));
   CHECK(jumping.points.size() <= 80);
   REQUIRE(minima.size() == 2);
   CHECK(jumping.points[minima[0]][0] == Approx(0.8).margin(1e-3));
   CHECK(jumping.points[minima[1]][0] == Approx(0.2).margin(1e-3));
 }
 
+TEST_CASE("the search of a target ends where it is met, within the value's error") {
+  constexpr double error = 0.01;
+  Searched target([](const Point& x) {
+    const double f = std::abs(std::abs(x[0] - 0.5) - 0.3);  // met at 0.2 and at 0.8
+    return Score{{f}, 0, f <= error / 2};
+  });
+  const auto met = design::search_minima(1, 400, 1, std::ref(target));
+  REQUIRE(met.size() >= 2);
+  std::vector<double> at;
+  for (const std::size_t i : {met[0], met[1]}) {
+    CHECK(target.scores[i].is_met);
+    at.push_back(target.points[i][0]);
+  }
+  CHECK(std::abs(at[0] - at[1]) == Approx(0.6).margin(error));
+  CHECK(target.points.size() < 300);  // of the budget
+}
+
 TEST_CASE("a minimum at the edge of a constraint, and a budget of one") {
   Searched edge([](const Point& x) {
     return Score{{x[0] + x[1]}, std::max(0.0, 0.3 - x[0]) + std::max(0.0, 0.25 - x[1])};
   });
-  const auto minima = design::search_minima(2, 300, 1, -HUGE_VAL, std::ref(edge));
+  const auto minima = design::search_minima(2, 300, 1, std::ref(edge));
   REQUIRE(edge.scores[minima.front()].violation == 0);
   CHECK(edge.scores[minima.front()].objectives[0] == Approx(0.55).margin(0.01));
   Searched one([](const Point& x) { return Score{{x[0]}, 0}; });
-  CHECK(design::search_minima(2, 1, 1, -HUGE_VAL, std::ref(one)).size() == 1);
+  CHECK(design::search_minima(2, 1, 1, std::ref(one)).size() == 1);
   CHECK(one.points.size() == 1);
   design::search_front(2, 1, 1, std::ref(one));
   CHECK(one.points.size() == 2);
