@@ -86,6 +86,14 @@ std::optional<JournalLine> line_of(const Json& json) {
   }
 }
 
+// The key of a line as encode() writes it, which need not be intact.
+std::optional<std::string> key_of(std::string_view line) {
+  static const std::string before = fmt::format(R"( {{"schema":"{}","key":")", kJournalSchema);
+  if (line.size() < kDigestLength + before.size() || line.substr(kDigestLength, before.size()) != before) return {};
+  const std::string_view rest = line.substr(kDigestLength + before.size());
+  return std::string(rest.substr(0, rest.find('"')));
+}
+
 // Calls visit(line, offset) for every line that ends with a line feed. Returns the end of the last of them.
 template <class Visit>
 std::uint64_t each_line(const std::string& path, Visit visit) {
@@ -225,17 +233,39 @@ void Journal::sync() {
   synced_ = std::time(nullptr);
 }
 
+// The lines of another journal, which may be damaged, as only the start of each is read.
+const Journal::Entries& Journal::entries_of(const std::string& other) {
+  std::error_code none;  // it may have been removed since; then it has no lines
+  const std::uintmax_t size = fs::file_size(other, none);
+  auto& [known_size, entries] = others_.try_emplace(other, Other{0, {}}).first->second;
+  if (known_size != size) {
+    entries.clear();
+    each_line(other, [&](const std::string& text, std::uint64_t offset) {
+      if (const auto key = key_of(text)) entries[*key] = {offset, text.size()};
+    });
+    known_size = size;
+  }
+  return entries;
+}
+
 void Journal::adopt(const std::string& other, const PointLayout& layout,
                     const std::map<std::string, std::string>& points) {
-  read_journal(other, commit_, [&](JournalLine&& line) {
-    const auto point = points.find(line.key);
-    if (point == points.end() || !fits(line.record, layout)) return;
-    if (!has(line.key) || !fits(read(line.key).record, layout)) return append(line);
-    if (const auto names = differences(read(line.key).record, line.record); !names.empty())
+  const Entries& entries = entries_of(other);
+  std::ifstream in(other, std::ios::binary);
+  for (const auto& [key, place] : points) {
+    const auto entry = entries.find(key);
+    if (entry == entries.end()) continue;
+    std::string text(entry->second.length, '\0');
+    in.clear();
+    in.seekg(std::streamoff(entry->second.offset)).read(text.data(), std::streamsize(text.size()));
+    const auto line = decode(text);
+    if (!line || line->key != key || !accepts(commit_, line->commit) || !fits(line->record, layout)) continue;
+    if (!has(key) || !fits(read(key).record, layout)) append(*line);
+    else if (const auto names = differences(read(key).record, line->record); !names.empty())
       throw InputError(fmt::format(
           "{} and {} differ at the point {}: {}; move one of them away, and run the same command again",
-          path_, other, point->second, fmt::join(names, ", ")));
-  });
+          path_, other, place, fmt::join(names, ", ")));
+  }
 }
 
 void Journal::remove_copied(const std::string& other) const {

@@ -61,8 +61,9 @@ class Journal {
   void append(const std::string& key, PointRecord record);
   void sync();
 
-  // Copies these points (key -> place, for messages), as far as the other journal has them in this layout.
-  // Throws InputError if both journals have one of them with different numbers.
+  // Copies these points (key -> place, for messages), as far as the other journal has them in this layout. Reads the
+  // whole file the first time, and again if its size has changed. Throws InputError if both journals have one of the
+  // points with different numbers.
   void adopt(const std::string& other, const PointLayout& layout,
              const std::map<std::string, std::string>& points);
   // Removes the other journal if this one has all its points, unless a run is writing it. Call sync() before.
@@ -72,15 +73,22 @@ class Journal {
   struct Entry {
     std::uint64_t offset, length;
   };
+  using Entries = std::unordered_map<std::string, Entry>;  // by key
+  struct Other {
+    std::uintmax_t size;
+    Entries entries;
+  };
 
   void scan();
   void append(const JournalLine& line);
+  const Entries& entries_of(const std::string& other);
 
   std::string path_, commit_;
   int file_ = -1;
   std::uint64_t end_ = 0;  // of the last complete line
   long synced_ = 0;        // time of the last sync(), s
-  std::unordered_map<std::string, Entry> entries_;
+  Entries entries_;
+  std::map<std::string, Other> others_;  // journals of which points were wanted, by path
 };
 
 }  // namespace bristle::results

@@ -192,9 +192,28 @@ TEST_CASE("points of this experiment in another journal are copied") {
   CHECK(!journal.has(point_key(e, 1)));
   CHECK(holds(journal, e, 2));
   CHECK(!journal.has(point_key(e, 5)));
+  write_journal(s.path("other.h5"), e, 6);  // it has grown since
+  journal.adopt(s.path("other.h5.journal"), e, keys_of(e, {5}));
+  CHECK(holds(journal, e, 5));
   const Experiment recorded = small_experiment(s, R"(, "record": ["observables", "bristles"])");
   journal.adopt(s.path("other.h5.journal"), recorded, keys_of(recorded, {0, 1, 2, 3}));
   CHECK(points_in(journal, recorded) == 0);
+}
+
+TEST_CASE("of another journal, a damaged line is left out, and a point that differs is an error") {
+  const Scratch s;
+  const Experiment e = small_experiment(s);
+  const std::string path = s.path("other.h5.journal");
+  write_journal(s.path("other.h5"), e, 2);
+  std::string bytes = read_file(path);
+  bytes[bytes.size() - 20] ^= 1;
+  s.write("other.h5.journal", bytes);
+  Journal journal(s.path("r.h5.journal"), "0123abc", false);
+  journal.adopt(path, e, keys_of(e, {0, 1}));
+  CHECK(holds(journal, e, 0));
+  CHECK(!journal.has(point_key(e, 1)));
+  Journal(s.path("third.h5.journal"), "0123abc", false).append(point_key(e, 0), small_record(e, 1));
+  CHECK_THROWS_WITH(journal.adopt(s.path("third.h5.journal"), e, keys_of(e, {0})), Catch::Contains("differ at the point"));
 }
 
 TEST_CASE("equal points have equal keys regardless of grid and names") {
