@@ -33,6 +33,7 @@ std::string outcome(const Comparison& c) {
     const std::string tolerance = c.exact ? "" : fmt::format(", {} of them above their tolerances", above);
     return fmt::format("FAILED: {} values differ{}; {} other failures", differ, tolerance, c.failures.size());
   }
+  if (c.values == 0) return "not compared";
   if (differ == 0) return "the same, bit for bit";
   return fmt::format(
       "within the tolerances: {} differ, by at most {:.3g} of the tolerance, {} above half of it", differ,

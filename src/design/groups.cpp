@@ -145,7 +145,9 @@ Group indices_group(const Experiment& e, const Findings& found) {
   return group;
 }
 
-std::string estimate_text(const Estimate& e) { return fmt::format("{:.4g} +- {:.1g}", e.value, e.error); }
+std::string estimate_text(const Estimate& e) {
+  return std::isnan(e.value) ? "no value" : fmt::format("{:.4g} +- {:.1g}", e.value, e.error);
+}
 
 std::string place_of(const Experiment& e, std::size_t scenario) {
   Experiment scenarios = e;

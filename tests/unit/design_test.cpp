@@ -1,3 +1,5 @@
+#include "compare/comparison.hpp"
+#include "compare/reference.hpp"
 #include "design/design.hpp"
 #include "design/search.hpp"
 #include "experiment/experiment.hpp"
@@ -193,6 +195,17 @@ TEST_CASE("design: equal bits for any number of threads, resumed or not, and the
   // The result has all that its points need.
   const Experiment stored = experiment::stored_experiment(file.experiment(), "full", "stored");
   CHECK(stored.points() == 48);
+}
+
+TEST_CASE("design: only a result with the inputs of the reference is compared with it") {
+  const Folder f;
+  const std::string design = R"({"variables": {"k_r": [5, 60]}, "objectives": [{"minimise": "R_x"}], "budget": )";
+  const auto with_budget = [&](int budget) { return f.run(f.load(design + std::to_string(budget) + "}", kFew)); };
+  const Json reference = compare::make_reference(with_budget(6), {});
+  CHECK(compare::compare_with_reference(with_budget(6), {}, reference, "reference").points == 6);
+  const compare::Comparison other = compare::compare_with_reference(with_budget(8), {}, reference, "reference");
+  CHECK(other.agree());
+  CHECK_THAT(compare::comparison_text(other), Catch::Contains("0 of 8 points: not compared"));
 }
 
 TEST_CASE("design: the margin is the distance to the located jump, on both sides of it") {
