@@ -78,7 +78,7 @@ assumptions-matrix: build
 
 # The same machinery on joint sets of choices.
 inference-matrix: build
-	@test -e results/inference.json || echo "Computing joint sets of choices, more than half an hour on two cores ..."
+	@test -e results/inference.json || echo "Computing joint sets of choices, about 15 minutes on two cores ..."
 	$(BUILD)/bristle assumptions experiments/inference/*.json --only fig3,fig3a,fig4,fig5,fig6,fig7,fig8,fig8c -o results/inference.json
 
 assumptions: assumptions-matrix ## every claim under every alternative to what the paper leaves open: docs/assumptions.md, reference/assumptions.json
