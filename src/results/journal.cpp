@@ -237,15 +237,15 @@ void Journal::sync() {
 const Journal::Entries& Journal::entries_of(const std::string& other) {
   std::error_code none;  // it may have been removed since; then it has no lines
   const std::uintmax_t size = fs::file_size(other, none);
-  auto& [known_size, entries] = others_.try_emplace(other, Other{0, {}}).first->second;
-  if (known_size != size) {
-    entries.clear();
+  Other& known = others_.try_emplace(other, Other{0, {}}).first->second;
+  if (known.size != size) {
+    known.entries.clear();
     each_line(other, [&](const std::string& text, std::uint64_t offset) {
-      if (const auto key = key_of(text)) entries[*key] = {offset, text.size()};
+      if (const auto key = key_of(text)) known.entries[*key] = {offset, text.size()};
     });
-    known_size = size;
+    known.size = size;
   }
-  return entries;
+  return known.entries;
 }
 
 void Journal::adopt(const std::string& other, const PointLayout& layout,
