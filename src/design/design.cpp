@@ -140,7 +140,7 @@ class Search {
     if (!one) out.chosen = knee_of(scores, out.front);
     out.nearest_miss = std::size_t(std::ranges::min_element(scores, better) - scores.begin());
     std::erase_if(out.chosen, [&](std::size_t i) { return scores[i].violation > 0; });
-    // Where a target is met, the minima of the distance from it that do not meet it are no solutions.
+    // If a local minimum of the distance from a target meets the target, only those that meet it are solutions.
     if (std::ranges::any_of(out.chosen, [&](std::size_t i) { return scores[i].is_met; }))
       std::erase_if(out.chosen, [&](std::size_t i) { return !scores[i].is_met; });
     return out;

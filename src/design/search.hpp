@@ -16,7 +16,7 @@ using Point = std::vector<double>;
 struct Score {
   std::vector<double> objectives;  // to be minimised
   double violation = 0;            // of constraints; 0: none, infinite: the objectives have no value
-  bool is_met = false;             // the only objective is a target, and the value's error allows no better trial
+  bool is_met = false;             // the only objective is a target, and the value meets it within its error
 };
 
 // Whether a is better than b: less violation, or else no objective worse and at least one better (K. Deb et

@@ -3,7 +3,7 @@
 namespace bristle::run {
 
 // Installs handlers for SIGINT, SIGTERM and SIGHUP. The first
-// makes interrupted() return true; a second one, more than half a second later, terminates the process.
+// signal makes interrupted() return true; one that follows more than half a second later terminates the process.
 void install_signal_handlers();
 bool interrupted();
 int received_signal();  // its number; 0: none
