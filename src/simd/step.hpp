@@ -284,6 +284,7 @@ struct FarFromPole {
   static Lanes::Mask pole_event(const Group& g) {
     return (in_plane_distance_squared(g.y_new) < Lanes(g.s_handover * g.s_handover)) | passes_pole(g);
   }
+  static Lanes::Mask passes_by(const Group&) { return none(); }
   static Lanes::Mask leaves_pole(const Group&) { return none(); }
 
  private:
@@ -330,10 +331,35 @@ inline Lanes::Mask may_reach_s_min(const Group& g, const Approach& from, const A
   return within | (turned & (near | aims_there(from) | aims_there(to)));
 }
 
+// The tip, which may have reached s_min, has not: the cubic through both ends of the step lies within the hull
+// of its four control points, and all of these are farther than s_min in one direction from the singular
+// place. Dimensions: 2 in the plane, 3 in space.
+template <int Dimensions>
+inline Lanes::Mask stays_outside(const Group& g) {
+  Lanes points[4][Dimensions], direction[Dimensions], length2 = 0.0;
+  for (int i = 0; i < Dimensions; ++i) {
+    points[0][i] = g.y[X + i];
+    points[1][i] = g.y[X + i] + g.h * Lanes(g.y[VX + i] * Lanes(1.0 / 3));
+    points[2][i] = g.y_new[X + i] - g.h * Lanes(g.y_new[VX + i] * Lanes(1.0 / 3));
+    points[3][i] = g.y_new[X + i];
+    direction[i] = (points[0][i] + points[1][i]) + (points[2][i] + points[3][i]);
+    length2 += direction[i] * direction[i];
+  }
+  Lanes::Mask outside = !none();
+  for (const auto& point : points) {
+    Lanes along = 0.0;
+    for (int i = 0; i < Dimensions; ++i) along += direction[i] * point[i];
+    const Lanes reach = 1.001 * g.s_min;
+    outside = outside & (Lanes(0.0) < along) & (Lanes(Lanes(reach * reach) * length2) < Lanes(along * along));
+  }
+  return outside;
+}
+
 struct NearPole {
   static constexpr bool kImplicitAzimuthDamper = true, kImplicitPolarDamper = true,
                         kImplicitRodDampers = false;
   static Lanes::Mask pole_event(const Group& g) { return may_reach_s_min(g, to_pole(g.y), to_pole(g.y_new)); }
+  static Lanes::Mask passes_by(const Group& g) { return stays_outside<2>(g); }
   static Lanes::Mask leaves_pole(const Group& g) {
     return Lanes(g.s_handover * g.s_handover) < in_plane_distance_squared(g.y_new);
   }
@@ -344,6 +370,7 @@ struct WithoutPole {
   static constexpr bool kImplicitAzimuthDamper = false, kImplicitPolarDamper = false,
                         kImplicitRodDampers = true;
   static Lanes::Mask pole_event(const Group& g) { return may_reach_s_min(g, to_base(g.y), to_base(g.y_new)); }
+  static Lanes::Mask passes_by(const Group& g) { return stays_outside<3>(g); }
   static Lanes::Mask leaves_pole(const Group&) { return none(); }
 };
 

@@ -167,6 +167,40 @@ TEST_CASE("pinned bristles have the values of an independent prototype, with and
   }
 }
 
+TEST_CASE("the lanes near the pole stop where a step may reach s_min, and not where it turns beside it") {
+  Parameters p;
+  p.zeta_theta = p.zeta_phi = 0;  // without forces that grow towards the pole, which would bend the path
+  const PassageTask task = Sample::task(p, 0.62, M_PI);
+  const double s_min = p.s_min, h = 1e-6;
+  const ModulationTable modulation(task.bristle.friction, task.bristle.friction_constants);
+  for (const double closest : {0.5, 0.9, 1.1, 3.0, 30.0}) {  // in s_min
+    Block block{};
+    block.friction = task.bristle.friction;
+    block.bending = task.bristle.bending;
+    block.modulation = &modulation;
+    int i = 0;
+    for (const double* constant : constants_of(task.bristle)) block.constants[i++].lane[0] = *constant;
+    block.rtol.lane[0] = block.atol.lane[0] = 1;
+    block.L_x.lane[0] = p.L_x;
+    block.s_handover.lane[0] = 1;
+    block.s_min.lane[0] = s_min;
+    block.next_sample.lane[0] = INFINITY;
+    block.max_attempts.lane[0] = block.last_error.lane[0] = 1;
+    block.occupied = 1;
+    block.h.lane[0] = h;
+    // The tip moves straight past the pole, from one side to the other in this step.
+    OdeState y = pack(state_at_rest(task.bristle, task.start));
+    y[X] = -2 * s_min;
+    y[Y] = closest * s_min;
+    y[VX] = 4 * s_min / h;
+    for (int c = 0; c < COMPONENTS; ++c) block.y[c].lane[0] = y[c];
+    const Events events = best_kernels().near_steps(block);
+    CAPTURE(closest);
+    CHECK(events.pole == (closest < 1 ? 1 : 0));
+    CHECK(events.exhausted == 1);
+  }
+}
+
 TEST_CASE("a tip that is pushed to the base, where its dampers are stiff, takes a bounded number of steps") {
   Parameters p;
   p.k_phi = 3.8;
