@@ -6,7 +6,8 @@ Each point is computed as an experiment asks for it, and again by the reference 
 integrator that is 100 times tighter and a tolerance of the means that is 10 times tighter. The table counts, for each
 variable, the values whose distance from the second computation exceeds 2 and 10 times the sum of both stated errors.
 Fails if less than 97 % of the values lie within twice that sum, if one lies beyond 10 times, or if an invariant does
-not hold. Exit code 1 for a failure; the experiments of failed points stay in DIR.
+not hold. Where the load has a maximum too narrow to be seen, the fast engine may find the crossing after it: values
+are then compared with converged ones at the same gap. Exit code 1 for a failure; the experiments of failed points stay in DIR.
 """
 import argparse
 import collections
@@ -25,6 +26,7 @@ import numpy
 TIGHTER_STEPS, TIGHTER_MEANS = 100, 10
 REQUIRED_SHARE = 0.97
 FACTOR, LIMIT = 2, 10
+NARROW = 0.005  # a maximum of R_n(z_0) that is narrower may be missed (docs/limitations.md)
 SECONDS = 600  # within which every point ends
 # Distances below this share of a variable's scale are rounding.
 ROUNDING = 1e-9
@@ -186,8 +188,10 @@ class Table:
     def __init__(self):
         self.ratios = collections.defaultdict(list)
 
-    def add(self, number, fast, exact, allowed):
-        """allowed: difference between two loads that both equal the target within their tolerances."""
+    @staticmethod
+    def compare(number, fast, exact, allowed):
+        """allowed: difference between two loads that both equal the target within their tolerances. Yields for each
+        variable its distance in errors, the number of the point, and both values with their errors."""
         for name in sorted(fast):
             if name + "_err" not in fast or name in DIAGNOSTICS:
                 continue
@@ -201,7 +205,11 @@ class Table:
             if math.isnan(a) and math.isnan(b):
                 continue
             ratio = 0 if distance <= ROUNDING * max(abs(a), abs(b), 1e-3) else distance / error if error > 0 else math.inf
-            self.ratios[name].append((ratio, number, a, fast[name + "_err"], b, exact[name + "_err"]))
+            yield name, (ratio, number, a, fast[name + "_err"], b, exact[name + "_err"])
+
+    def add(self, *points):
+        for name, compared in self.compare(*points):
+            self.ratios[name].append(compared)
 
     def text(self):
         lines = [f"{'variable':<20} {'values':>6} {'median':>7} {'97 %':>7} {'worst':>8}  beyond {FACTOR}  beyond {LIMIT}"]
@@ -256,9 +264,32 @@ class Comparison:
             exact = {"exit": 0, "status": "not computed in time"}
         status = exact["status"] if exact["exit"] == 0 else "failed"
         self.references[status] += 1
-        if status in STATUS_WITH_VALUES:
-            self.table.add(number, fast["values"], exact["values"], load_tolerance(document))
+        if status not in STATUS_WITH_VALUES:
+            return None
+        points = number, fast["values"], exact["values"], load_tolerance(document)
+        if "R_n" in document["load"] and any(ratio > FACTOR for _, (ratio, *_) in self.table.compare(*points)):
+            if values := self.behind_narrow_maximum(*points, converged(document)):
+                self.references["behind a narrow maximum of the load"] += 1
+                points = number, fast["values"], values, load_tolerance(document)
+        self.table.add(*points)
         return None
+
+    def behind_narrow_maximum(self, number, fast, exact, allowed, document):
+        """The converged values at the gap of the fast engine, if the load is met there, too, and if the load falls below
+        its target within NARROW of the converged gap. None otherwise."""
+        target, on = document["load"]["R_n"], -1 if document["load"]["path"] == "loading" else 1
+        if (fast["z_0"] - exact["z_0"]) * on <= 0:
+            return None
+
+        def at(z_0):
+            one = compute(self.bristle, document | {"load": {"z_0": z_0}}, self.folder / f"gap-{number}.json", self.patience)
+            return one.get("values", {"R_n": math.nan})
+
+        values = at(fast["z_0"])
+        if not abs(values["R_n"] - target) <= fast["R_n_err"] + values["R_n_err"] + allowed:
+            return None
+        gaps = [exact["z_0"] + on * NARROW * i / 10 for i in range(1, 11)]
+        return values if any(at(z_0)["R_n"] < target for z_0 in gaps) else None
 
     def report(self):
         counts = lambda of: ", ".join(f"{n} {what}" for what, n in of.most_common())
