@@ -236,17 +236,17 @@ Document Document::with_tier(const std::string& tier) const {
   return d;
 }
 
-bool Document::has_tier(const std::string& tier) const { return !with_tier(tier).tier_patches().empty(); }
+bool Document::has_tier(const std::string& tier) const { return !tier_patches(tier).empty(); }
 
 // The tier's patches of all files, parents first. They are applied one by one: merging two patches into one
 // would lose the keys that the first removes.
-std::vector<Json> Document::tier_patches() const {
+std::vector<Json> Document::tier_patches(const std::string& tier) const {
   std::vector<Json> patches;
   for (const Source& s : files_) {
     const Json tiers = s.content->value("tiers", Json::object());
-    const bool named = tiers.is_object() && tiers.contains(tier_);
-    if (tiers.is_null() || (named && tiers[tier_].is_null())) patches.clear();
-    else if (named && tiers[tier_].is_object()) patches.push_back(tiers[tier_]);
+    const bool named = tiers.is_object() && tiers.contains(tier);
+    if (tiers.is_null() || (named && tiers[tier].is_null())) patches.clear();
+    else if (named && tiers[tier].is_object()) patches.push_back(tiers[tier]);
   }
   return patches;
 }
@@ -257,7 +257,7 @@ void Document::merge() {
     if (s.content->contains("si") && !merged.contains("si")) merged["model"]["bending"] = word(Bending::rod);
     merged.merge_patch(*s.content);
   }
-  for (const Json& patch : tier_patches()) merged.merge_patch(patch);
+  for (const Json& patch : tier_patches(tier_)) merged.merge_patch(patch);
   for (const Change& change : set_) apply(merged, change);
   merged_ = std::make_shared<const Json>(std::move(merged));
 }

@@ -50,7 +50,7 @@ class Document {
   };
 
  private:
-  std::vector<Json> tier_patches() const;
+  std::vector<Json> tier_patches(const std::string& tier) const;
   void merge();
 
   std::string path_, tier_;

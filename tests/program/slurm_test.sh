@@ -41,7 +41,7 @@ fi
 
 # Sixteen points, about a second each.
 options=(--set '/sweep/k_r={"values":[2,5,10,20],"logspace":null}' --set '/sweep/k_theta={"values":[0.3,3],"logspace":null}'
-  --set '/load={"R_n":null,"path":null,"z_0":0.5}' --set /checks=null
+  --set '/load={"R_n":null,"path":null,"z_0":0.5}' --set /checks=null --set /locate_jumps=null
   --set /integrator/engine=reference --set '/orientation={"rtol":0.003}')
 whole=$folder/whole/fig4.h5 result=$folder/shards/fig4.h5
 submit() { BRISTLE=$bristle scripts/slurm/array.sh -o "$result" experiments/fig4.json "3%3" --cpus-per-task=1 -- "${options[@]}"; }

@@ -47,7 +47,7 @@ TEST_CASE("the points of each smoke tier are points of the full tier, with which
   for (const auto& file : std::filesystem::directory_iterator(BRISTLE_EXPERIMENTS)) {
     if (file.path().extension() != ".json") continue;
     CAPTURE(file.path());
-    const Experiment full = load_experiment(file.path(), {}), smoke = load_experiment(file.path(), {.tier = "smoke"});
+    const Experiment full = load_experiment(file.path(), {}), smoke = load_experiment(file.path(), {{}, "smoke"});
     if (smoke.design) continue;  // the trials of another search
     REQUIRE(smoke.axes.size() == full.axes.size());
     for (std::size_t d = 0; d < smoke.axes.size(); ++d) {
@@ -467,6 +467,15 @@ TEST_CASE("a tier removes keys by null, and an extending experiment can remove t
   CHECK_FALSE(load_experiment(parent, {}).base.loading.z_0);
   const auto child = s.write("experiments/b.json", R"({"extends": "a.json", "tiers": {"smoke": null}})");
   CHECK_FALSE(load_experiment(child, {{}, "smoke"}).base.loading.z_0);
+}
+
+TEST_CASE("a change by --set concerns the chosen tier, also where another tier lacks the key") {
+  Scratch s;
+  s.write("experiments/paper.json", bytes_of(kExperiments + "/paper.json"));
+  const auto file = s.write("experiments/a.json", R"({"extends": "paper.json", "name": "a", "load": {"path": "loading"},
+    "sweep": {"k_r": {"values": [5, 10]}}, "locate_jumps": "k_r", "tiers": {"study": {"locate_jumps": null}}})");
+  CHECK(load_experiment(file, {}).locate_jumps == "k_r");
+  CHECK(load_experiment(file, {{"/locate_jumps=null"}, "full"}).locate_jumps.empty());
 }
 
 }  // namespace bristle::experiment_test
