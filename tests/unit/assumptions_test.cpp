@@ -173,9 +173,9 @@ TEST_CASE("mistakes in assumptions are reported before anything is computed") {
            R"("alternatives": [{"name": "n", "description": "d", "experiments": {"a": {"set": {"/checks/7/is": 1}}}}]})",
        "alternative n: a has no value at /checks/7/is"},
       {head + R"("alternatives": [{"name": "n", "description": "d", "experiments": {"aa": {}}}]})",
-       "alternative n: /experiments: there is no experiment aa with checks and a figure or a tier \"study\" (did you mean a?)"},
+       "alternative n: /experiments: no experiment aa has claims to evaluate: checks, and either a figure or a tier \"study\" (did you mean a?)"},
       {head + R"("windows": [{"name": "w", "where": {"k_r": [5, 7]}, "experiments": ["bb"]}]})",
-       "window w: /experiments: there is no experiment bb"},
+       "window w: /experiments: no experiment bb has claims"},
       {head + R"("windows": [{"name": "w", "where": {"k_rr": [5, 7]}, "experiments": ["b"]}]})",
        "window w: /where/k_rr: none of its experiments sweeps k_rr (did you mean k_r?)"},
   };
