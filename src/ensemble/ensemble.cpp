@@ -247,11 +247,13 @@ const Ensemble& EnsembleMean::with_integrator_error() {
         weighted_passages(), setup_.parameters, [this](const Passage& p) { return task(p.theta_0); }, run_,
         effort, checked_->passages);
   };
+  const long before = checked_->passages;
   estimate(1);
-  // Of the few repeated passages, one may be far more sensitive than the others.
+  const bool all_repeated = checked_->passages - before == long(passages().size());
+  // Of a few repeated passages, one may be far more sensitive than the others.
   const auto is_controlled = [](Observable k) { return kObservables[k].controlled && k != R_Y; };
   for (Observable k = 0; k < kObservables.size(); ++k)
-    if (is_controlled(k) && more[k] > kLargeError * setup_.orientation.rtol * std::abs(checked_->mean[k])) {
+    if (!all_repeated && is_controlled(k) && more[k] > kLargeError * setup_.orientation.rtol * std::abs(checked_->mean[k])) {
       estimate(kMoreEffort);
       break;
     }

@@ -252,7 +252,7 @@ class SimdEngine::LaneSet {
   void hand_over(int lane) {
     release(lane);
     ActivePassage active = std::move(active_[lane]);
-    active.h = std::min(block_.h.lane[lane], kFirstStep);
+    active.h = block_.h.lane[lane];
     active.near_pole = true;
     engine_.lane_set_for(active.task, !near_pole_).add(std::move(active));
   }

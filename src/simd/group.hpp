@@ -128,17 +128,13 @@ class Kernel {
     const Lanes::Mask good = g.error < 1.0;
     const Lanes slip = t_new - (g.y_new[X] - g.x_0);
     const Lanes::Mask exits = good & (slip >= g.L_x - kSlipTolerance);
-    const Lanes::Mask may_meet_pole = good & Region::pole_event(g);
-    const Lanes::Mask passes_by = may_meet_pole & Region::passes_by(g);
-    const Lanes::Mask meets_pole = may_meet_pole & !passes_by;
+    const Lanes::Mask meets_pole = good & Region::pole_event(g);
     const Lanes::Mask ordinary = good & !(exits | meets_pole);
     const Lanes::Mask samples = ordinary & (t_new >= g.next_sample);
     const Lanes::Mask accepted = ordinary & !samples;
     const Lanes::Mask failed = (!good) & (h_next < kSmallestStep);
-    const Lanes::Mask leaves_pole = ordinary & Region::leaves_pole(g) & !passes_by;
+    const Lanes::Mask leaves_pole = ordinary & Region::leaves_pole(g);
     const Lanes::Mask exhausted = g.attempts >= g.max_attempts;
-    // After a turn beside the pole the controller starts anew, as after one at the pole.
-    g.error = select(passes_by, 1.0, g.error);
 
     const auto bits = [&](Lanes::Mask m) { return (m.bits() << first) & block.occupied; };
     if (bits(exits | meets_pole | samples | leaves_pole | failed | exhausted) != 0) {

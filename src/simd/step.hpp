@@ -2,6 +2,7 @@
 
 #include "simd/group.hpp"
 #include "simd/modulation.hpp"
+#include "simd/regions.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -273,105 +274,6 @@ class AdditiveStep {
     g.error = norm.value();
     g.path_new = w.path;
   }
-};
-
-inline Lanes::Mask none() { return Lanes(0.0) < Lanes(0.0); }
-
-// Far from the pole: its neighbourhood is an event, as a step could cross it.
-struct FarFromPole {
-  static constexpr bool kImplicitAzimuthDamper = true, kImplicitPolarDamper = false,
-                        kImplicitRodDampers = false;
-  static Lanes::Mask pole_event(const Group& g) {
-    return (in_plane_distance_squared(g.y_new) < Lanes(g.s_handover * g.s_handover)) | passes_pole(g);
-  }
-  static Lanes::Mask passes_by(const Group&) { return none(); }
-  static Lanes::Mask leaves_pole(const Group&) { return none(); }
-
- private:
-  // The tip approached the pole, now recedes, and its straight path would have come within s_handover.
-  static Lanes::Mask passes_pole(const Group& g) {
-    const Lanes angular_momentum = g.y[X] * g.y[VY] - g.y[Y] * g.y[VX];
-    const Lanes speed2 = g.y[VX] * g.y[VX] + g.y[VY] * g.y[VY];
-    const Lanes reach = g.s_handover * g.s_handover;
-    return (radial_product(g.y) < Lanes(0.0)) & (Lanes(0.0) < radial_product(g.y_new)) &
-           (Lanes(angular_momentum * angular_momentum) < Lanes(reach * speed2));
-  }
-};
-
-// What tells whether a tip comes to a singular place: the squares of its distance, of its speed and of their
-// angular momentum, and the product of position and velocity, in the plane or in space.
-struct Approach {
-  Lanes distance2, speed2, momentum2, product;
-};
-inline Approach to_pole(const std::array<Lanes, COMPONENTS>& y) {
-  const Lanes momentum = y[X] * y[VY] - y[Y] * y[VX];
-  return {in_plane_distance_squared(y), y[VX] * y[VX] + y[VY] * y[VY], momentum * momentum,
-          radial_product(y)};
-}
-inline Approach to_base(const std::array<Lanes, COMPONENTS>& y) {
-  Approach a = to_pole(y);
-  a.distance2 += y[Z] * y[Z];
-  a.speed2 += y[VZ] * y[VZ];
-  a.product += y[Z] * y[VZ];
-  a.momentum2 = a.distance2 * a.speed2 - a.product * a.product;
-  return a;
-}
-
-// The tip may have reached s_min: it is inside at the end of the step and
-// approaches; or it approached at the start, recedes at the end,
-// and either is near or has a straight path that comes near.
-inline Lanes::Mask may_reach_s_min(const Group& g, const Approach& from, const Approach& to) {
-  const Lanes zero = 0.0, reach = g.s_min * g.s_min;
-  const auto aims_there = [&](const Approach& a) {
-    return a.momentum2 < Lanes(Lanes(4.0 * reach) * a.speed2);
-  };
-  const Lanes::Mask within = (to.distance2 < 1.01 * reach) & (to.product < zero);
-  const Lanes::Mask turned = (from.product < zero) & (to.product >= zero);
-  const Lanes::Mask near = (from.distance2 < 100.0 * reach) | (to.distance2 < 100.0 * reach);
-  return within | (turned & (near | aims_there(from) | aims_there(to)));
-}
-
-// The tip, which may have reached s_min, has not: the cubic through both ends of the step lies within the hull
-// of its four control points, and all of these are farther than s_min in one direction from the singular
-// place. Dimensions: 2 in the plane, 3 in space.
-template <int Dimensions>
-inline Lanes::Mask stays_outside(const Group& g) {
-  Lanes points[4][Dimensions], direction[Dimensions], length2 = 0.0;
-  for (int i = 0; i < Dimensions; ++i) {
-    points[0][i] = g.y[X + i];
-    points[1][i] = g.y[X + i] + g.h * Lanes(g.y[VX + i] * Lanes(1.0 / 3));
-    points[2][i] = g.y_new[X + i] - g.h * Lanes(g.y_new[VX + i] * Lanes(1.0 / 3));
-    points[3][i] = g.y_new[X + i];
-    direction[i] = (points[0][i] + points[1][i]) + (points[2][i] + points[3][i]);
-    length2 += direction[i] * direction[i];
-  }
-  Lanes::Mask outside = !none();
-  for (const auto& point : points) {
-    Lanes along = 0.0;
-    for (int i = 0; i < Dimensions; ++i) along += direction[i] * point[i];
-    const Lanes reach = 1.001 * g.s_min;
-    outside = outside & (Lanes(0.0) < along) & (Lanes(Lanes(reach * reach) * length2) < Lanes(along * along));
-  }
-  return outside;
-}
-
-struct NearPole {
-  static constexpr bool kImplicitAzimuthDamper = true, kImplicitPolarDamper = true,
-                        kImplicitRodDampers = false;
-  static Lanes::Mask pole_event(const Group& g) { return may_reach_s_min(g, to_pole(g.y), to_pole(g.y_new)); }
-  static Lanes::Mask passes_by(const Group& g) { return stays_outside<2>(g); }
-  static Lanes::Mask leaves_pole(const Group& g) {
-    return Lanes(g.s_handover * g.s_handover) < in_plane_distance_squared(g.y_new);
-  }
-};
-
-// Of a rod: only its base is singular.
-struct WithoutPole {
-  static constexpr bool kImplicitAzimuthDamper = false, kImplicitPolarDamper = false,
-                        kImplicitRodDampers = true;
-  static Lanes::Mask pole_event(const Group& g) { return may_reach_s_min(g, to_base(g.y), to_base(g.y_new)); }
-  static Lanes::Mask passes_by(const Group& g) { return stays_outside<3>(g); }
-  static Lanes::Mask leaves_pole(const Group&) { return none(); }
 };
 
 template <class Tableau, class Region>
