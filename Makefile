@@ -119,7 +119,7 @@ test-all: ## everything, nightly and before a release: sanitizers, fuzzers, othe
 	@ninja -C $(BUILD) --quiet -j $(JOBS) bench_engine bench_quadrature scipy_slopes accuracy
 	@scripts/run-ctest $(BUILD)
 
-DESIGNS := target robust front indices
+DESIGNS := target target_at_jump robust front indices
 bench: build ## benchmarks: ratios against peers in the same run, into docs/performance.md
 	@scripts/install-packages bench
 	@ninja -C $(BUILD) --quiet -j $(JOBS) bench_engine bench_quadrature scipy_slopes
