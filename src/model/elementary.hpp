@@ -27,7 +27,10 @@ inline double erfc(double x) { return Sleef_cinz_erfcd1_u15purec(x); }
 // Functions that the equations require of a number type beyond its operators. A SIMD type overloads them.
 
 inline double inverse_sqrt(double x) { return 1 / std::sqrt(x); }
-inline double select(bool condition, double yes, double no) { return condition ? yes : no; }
+template <class T>
+T select(bool condition, const T& yes, const T& no) {
+  return condition ? yes : no;
+}
 inline double max(double a, double b) { return a < b ? b : a; }
 
 // Below this exponent a short-range force is less than e^-40 = 4e-18 of its peak: below the rounding error of
