@@ -5,6 +5,7 @@
 #include "model/friction/laws.hpp"
 
 #include <algorithm>
+#include <ranges>
 #include <cmath>
 
 namespace bristle {
@@ -251,12 +252,12 @@ const Ensemble& EnsembleMean::with_integrator_error() {
   estimate(1);
   const bool all_repeated = checked_->passages - before == long(passages().size());
   // Of a few repeated passages, one may be far more sensitive than the others.
-  const auto is_controlled = [](Observable k) { return kObservables[k].controlled && k != R_Y; };
-  for (Observable k = 0; k < kObservables.size(); ++k)
-    if (!all_repeated && is_controlled(k) && more[k] > kLargeError * setup_.orientation.rtol * std::abs(checked_->mean[k])) {
-      estimate(kMoreEffort);
-      break;
-    }
+  const auto is_large = [&](Observable k) {
+    return kObservables[k].controlled && k != R_Y &&
+           more[k] > kLargeError * setup_.orientation.rtol * std::abs(checked_->mean[k]);
+  };
+  if (!all_repeated && std::ranges::any_of(std::views::iota(Observable(0), Observable(OBSERVABLES)), is_large))
+    estimate(kMoreEffort);
   if (half_circle_) more[R_Y] = 0;
   for (std::size_t k = 0; k < OBSERVABLES; ++k) checked_->error[k] += more[k];
   return *checked_;

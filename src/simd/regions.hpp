@@ -27,9 +27,9 @@ struct FarFromPole {
   }
 };
 
-// Whether a step may reach s_min: the tip approaches the singular place at its start, and the hull of the four
-// control points of the cubic through both ends, which contains the cubic, may come there. It does not if in
-// one direction all of these points are farther. Dimensions: 2 in the plane, 3 in space.
+// Whether a step may reach s_min. The tip approaches the singular place at its start, and the cubic through both
+// ends may come as near: it lies within the hull of its four control points, and stays away if all of these are
+// farther than s_min in one direction. Dimensions: 2 in the plane, 3 in space.
 template <int Dimensions>
 inline Lanes::Mask may_reach_s_min(const Group& g) {
   Lanes points[4][Dimensions], direction[Dimensions], length2 = 0.0, product = 0.0;
