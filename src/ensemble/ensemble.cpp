@@ -256,7 +256,7 @@ const Ensemble& EnsembleMean::with_integrator_error() {
     return kObservables[k].controlled && k != R_Y &&
            more[k] > kLargeError * setup_.orientation.rtol * std::abs(checked_->mean[k]);
   };
-  if (!all_repeated && std::ranges::any_of(std::views::iota(Observable(0), Observable(OBSERVABLES)), is_large))
+  if (!all_repeated && std::ranges::any_of(std::views::iota(Observable(0), kObservables.size()), is_large))
     estimate(kMoreEffort);
   if (half_circle_) more[R_Y] = 0;
   for (std::size_t k = 0; k < OBSERVABLES; ++k) checked_->error[k] += more[k];
