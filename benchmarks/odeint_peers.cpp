@@ -29,6 +29,7 @@ struct Libm {
   friend Libm operator-(Libm a, Libm b) { return a.value - b.value; }
   friend Libm operator*(Libm a, Libm b) { return a.value * b.value; }
   friend Libm operator/(Libm a, Libm b) { return a.value / b.value; }
+  friend bool operator<(Libm a, Libm b) { return a.value < b.value; }
   friend Libm inverse_sqrt(Libm x) { return 1 / std::sqrt(x.value); }
   friend Libm decay(Libm x) { return x.value < kNegligible ? 0 : std::exp(x.value); }
   friend Libm atan(Libm x) { return std::atan(x.value); }
