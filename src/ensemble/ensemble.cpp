@@ -5,7 +5,6 @@
 #include "model/friction/laws.hpp"
 
 #include <algorithm>
-#include <ranges>
 #include <cmath>
 
 namespace bristle {
@@ -256,8 +255,9 @@ const Ensemble& EnsembleMean::with_integrator_error() {
     return kObservables[k].controlled && k != R_Y &&
            more[k] > kLargeError * setup_.orientation.rtol * std::abs(checked_->mean[k]);
   };
-  if (!all_repeated && std::ranges::any_of(std::views::iota(Observable(0), kObservables.size()), is_large))
-    estimate(kMoreEffort);
+  bool any_large = false;
+  for (Observable k = 0; k < kObservables.size(); ++k) any_large = any_large || is_large(k);
+  if (any_large && !all_repeated) estimate(kMoreEffort);
   if (half_circle_) more[R_Y] = 0;
   for (std::size_t k = 0; k < OBSERVABLES; ++k) checked_->error[k] += more[k];
   return *checked_;
