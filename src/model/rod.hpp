@@ -22,8 +22,8 @@ struct AngleOverSine {
 
 namespace rod {
 
-// Of the polynomial through g at the 24 Chebyshev nodes of 0 <= 1 - c <= 1, in powers of 1 - c. Its coefficients
-// as rounded here give g to within 1e-16 there, relatively, and the derivative to within 1e-15.
+// Coefficients of the polynomial in 1 - c that equals g at the 24 Chebyshev nodes of 0 <= 1 - c <= 1. As rounded
+// here they give g in this range with a relative error below 1e-16, and its derivative with one below 1e-15.
 constexpr std::array kPolynomial = {
     1.0, 0.3333333333333335, 0.13333333333330513, 0.05714285714499993, 0.025396825310535744,
     0.011544013675423239, 0.005327970080234008, 0.0024868159073461495, 0.0011664917099132952,
@@ -37,7 +37,8 @@ constexpr auto kDerivative = [] {
   return a;
 }();
 
-// The sum of a_i x^i, by Estrin's scheme: its operations wait for few others.
+// The sum of a_i x^i by Estrin's scheme, in which most operations do not depend on each other, so that the
+// processor overlaps them.
 template <std::size_t N, class T>
 T polynomial(const std::array<double, N>& a, T x) {
   std::array<T, (N + 1) / 2> sums;

@@ -207,8 +207,8 @@ class Table:
             ratio = 0 if distance <= ROUNDING * max(abs(a), abs(b), 1e-3) else distance / error if error > 0 else math.inf
             yield name, (ratio, number, a, fast[name + "_err"], b, exact[name + "_err"])
 
-    def add(self, *points):
-        for name, compared in self.compare(*points):
+    def add(self, *pair):
+        for name, compared in self.compare(*pair):
             self.ratios[name].append(compared)
 
     def text(self):
@@ -266,12 +266,12 @@ class Comparison:
         self.references[status] += 1
         if status not in STATUS_WITH_VALUES:
             return None
-        points = number, fast["values"], exact["values"], load_tolerance(document)
-        if "R_n" in document["load"] and any(ratio > FACTOR for _, (ratio, *_) in self.table.compare(*points)):
-            if values := self.behind_narrow_maximum(*points, converged(document)):
-                self.references["behind a narrow maximum of the load"] += 1
-                points = number, fast["values"], values, load_tolerance(document)
-        self.table.add(*points)
+        pair = number, fast["values"], exact["values"], load_tolerance(document)
+        if "R_n" in document["load"] and any(ratio > FACTOR for _, (ratio, *_) in self.table.compare(*pair)):
+            if values := self.behind_narrow_maximum(*pair, converged(document)):
+                self.references["of them behind a narrow maximum of the load"] += 1
+                pair = number, fast["values"], values, load_tolerance(document)
+        self.table.add(*pair)
         return None
 
     def behind_narrow_maximum(self, number, fast, exact, allowed, document):
