@@ -17,12 +17,12 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 // relative change is then taken to be this share of the load's.
 constexpr double kLeastSensitivity = 0.01;
 
-// Adds the effect of a deviation of the load from its target (in units of R_n) to the errors, by the secant
-// to another gap. Larger errors remain.
+// Adds the effect of a deviation of the load from its target (in units of R_n) to the errors: by interpolation
+// to another gap, and by all of the difference if the loads at both gaps differ by less than the deviation.
+// Larger errors remain.
 void add_load_error(PointResult& out, const Ensemble& other, double deviation) {
   const double span = std::abs(other.mean[R_N] - out.value[R_N]);
-  if (span == 0) return;
-  const double share = deviation / span;
+  const double share = span > deviation ? deviation / span : 1;
   for (std::size_t k = 0; k < OBSERVABLES; ++k)
     if (k != R_N)
       out.load_error[k] = std::max(out.load_error[k], std::abs(other.mean[k] - out.value[k]) * share);

@@ -83,6 +83,23 @@ TEST_CASE("errors include those of the integrator: few nodes and sensitive brist
   }
 }
 
+TEST_CASE("the error by the load is at most the difference to the gap that it is taken from") {
+  // R_n has a maximum at the target here. z_0 was 0.98856 +- 1.02, and R_x_norm 0.127 +- 1.1: the error was
+  // extrapolated from a gap whose load is nearly the same.
+  Setup setup = paper(90.49661471446959, 2e-3);
+  Parameters& p = setup.parameters;
+  p.k_phi = 1.5;
+  p.zeta_theta = p.zeta_phi = 0.05;
+  p.initial_state = InitialState::at_slab;
+  setup.integrator = {1e-4, 2e-4};
+  const PointResult r = solve(setup, Loading{});
+  CHECK(r.status == PointStatus::ambiguous);
+  REQUIRE(std::isfinite(r.z_0_other));
+  CHECK(r.z_0_error > 0);
+  CHECK(r.z_0_error < 0.05);  // a step of the search
+  CHECK(r.R_x_norm_error < 0.1 * r.R_x_norm);
+}
+
 TEST_CASE("a point whose error is undefined is not ok") {
   Ensemble ensemble;
   ensemble.mean.fill(0.5);
