@@ -90,8 +90,7 @@ class Search {
     progress_.emplace(experiment_.name, design_.budget * trials_.rows_of_a_trial() * scenarios, options_.quiet);
     Findings found = search();
     searching_ = false;
-    progress_->stage("computing what is beside the recommended trial");
-    if (!found.chosen.empty()) look_beside(found);
+    recommend(found);
 
     std::vector<Values> nominal;
     for (const Trial& trial : found.trials) nominal.push_back(trial.nominal);
@@ -129,21 +128,23 @@ class Search {
     };
     const std::size_t dimensions = design_.variables.size();
     const bool one = design_.objectives.size() == 1;
-    if (one) {
-      out.chosen = search_minima(dimensions, design_.budget, design_.seed, evaluate);
-    } else {
-      search_front(dimensions, design_.budget, design_.seed, evaluate);
-    }
-    std::vector<Score> scores;
-    for (const Trial& trial : out.trials) scores.push_back(trials_.score_of(trial));
-    out.front = front_of(scores);
-    if (!one) out.chosen = knee_of(scores, out.front);
-    out.nearest_miss = std::size_t(std::ranges::min_element(scores, better) - scores.begin());
-    std::erase_if(out.chosen, [&](std::size_t i) { return scores[i].violation > 0; });
-    // If a local minimum of the distance from a target meets the target, only those that meet it are solutions.
-    if (std::ranges::any_of(out.chosen, [&](std::size_t i) { return scores[i].is_met; }))
-      std::erase_if(out.chosen, [&](std::size_t i) { return !scores[i].is_met; });
+    if (one) out.optima = search_minima(dimensions, design_.budget, design_.seed, evaluate);
+    else search_front(dimensions, design_.budget, design_.seed, evaluate);
+    choose(out);
     return out;
+  }
+
+  void choose(Findings& found) const {
+    std::vector<Score> scores;
+    for (const Trial& trial : found.trials) scores.push_back(trials_.score_of(trial));
+    found.front = front_of(scores);
+    found.chosen = design_.objectives.size() == 1 ? found.optima : knee_of(scores, found.front);
+    found.nearest_miss = std::size_t(std::ranges::min_element(scores, better) - scores.begin());
+    std::erase_if(found.chosen, [&](std::size_t i) { return scores[i].violation > 0; });
+    if (found.chosen.empty() && !found.front.empty()) found.chosen = {found.front.front()};
+    // If a local minimum of the distance from a target meets the target, only those that meet it are solutions.
+    if (std::ranges::any_of(found.chosen, [&](std::size_t i) { return scores[i].is_met; }))
+      std::erase_if(found.chosen, [&](std::size_t i) { return !scores[i].is_met; });
   }
 
   // Of a front, the trial nearest to the best values of all objectives, relative to their ranges.
@@ -162,10 +163,23 @@ class Search {
     return {*std::ranges::min_element(front, {}, distance)};
   }
 
-  void look_beside(Findings& found) {
-    const Values& best = found.trials[found.chosen.front()].nominal;
-    for (const std::string& quantity : design_.quantities())
-      found.profiles.push_back(trials_.profile(best, quantity, profile_values(design_, quantity, best.at(quantity))));
+  // Looks beside the recommended trial. Its profiles have more values than the neighbours by which the search
+  // judged its margin; if they show a jump that is nearer than required, the next trial is recommended.
+  void recommend(Findings& found) {
+    for (; !found.chosen.empty(); choose(found)) {
+      progress_->stage("computing what is beside the recommended trial");
+      Trial& best = found.trials[found.chosen.front()];
+      found.profiles.clear();
+      for (const std::string& quantity : design_.quantities())
+        found.profiles.push_back(trials_.profile(
+            best.nominal, quantity, profile_values(design_, quantity, best.nominal.at(quantity))));
+      const double margin = least_margin(found.profiles);
+      if (margin >= design_.jump_margin()) return look_beside(found, best.nominal);
+      trials_.set_jump_margin(best, margin);
+    }
+  }
+
+  void look_beside(Findings& found, const Values& best) {
     if (!design_.tolerances.empty()) found.indices = trials_.indices(best);
     if (design_.second_choice.empty()) return;
     Experiment second = experiment_;

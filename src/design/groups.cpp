@@ -268,6 +268,9 @@ std::string text_of(const Experiment& e, const Findings& found) {
   const Trial& best = found.trials[found.chosen.front()];
   out += fmt::format("recommended, trial {}: {}\n  {}\n", found.chosen.front(), values_text(e, best),
                      objectives_text(e, best));
+  const experiment::Objective& first = e.design->objectives.front();
+  if (e.design->objectives.size() == 1 && first.goal == Goal::target && !meets_target(*e.design, best))
+    out += "  no trial meets the target; this one is the nearest: other bounds or a larger budget may meet it\n";
   out += margins_text(found) + indices_text(e, found);
   if (found.second)
     out += fmt::format("  with {} = {}: {}\n", e.design->second_choice,

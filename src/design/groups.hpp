@@ -10,6 +10,7 @@ namespace bristle::design {
 // What a search found.
 struct Findings {
   std::vector<Trial> trials;
+  std::vector<std::size_t> optima;  // trials at which the searches of one objective ended, the best first
   std::vector<std::size_t> chosen;  // trials: the recommended one first, then other local optima
   std::vector<std::size_t> front;   // trials that no other surpasses
   std::size_t nearest_miss = 0;     // the least violation, where no trial meets the constraints

@@ -77,6 +77,19 @@ double beyond(double value, double limit) {
 
 }  // namespace
 
+bool meets_target(const experiment::Design& design, const Trial& trial) {
+  const Objective& first = design.objectives.front();
+  if (first.goal != Goal::target || design.objectives.size() > 1 || trial.violation > 0) return false;
+  const Estimate& value = trial.objectives.front();
+  return cost(first, value.value) <= std::max(value.error / 2, 1e-4 * std::max(std::abs(first.target), 1e-3));
+}
+
+double least_margin(const std::vector<Profile>& profiles) {
+  double least = kInfinity;
+  for (const Profile& p : profiles) least = std::fmin(least, std::fmin(p.margin_below, p.margin_above));
+  return least;
+}
+
 Trials::Trials(const Experiment& experiment, Solve solve)
     : experiment_(experiment), design_(*experiment.design), solve_(std::move(solve)) {
   if (!design_.tolerances.empty())
@@ -200,13 +213,15 @@ Trial Trials::judge(const Values& nominal, const results::PointRecord* records) 
     if (std::isnan(value)) out.violation = kInfinity;
     else if (most > 0) out.violation = std::max(out.violation, beyond(value, value > c.max ? c.max : c.min));
   }
-  if (design_.jump_margin() > 0 && out.violation == 0) {
-    const double margin = jump_margin(nominal, records);
-    for (std::size_t i = 0; i < design_.constraints.size(); ++i)
-      if (design_.constraints[i].variable == experiment::kJumpMargin) out.constraints[i] = margin;
-    if (margin < design_.jump_margin()) out.violation = beyond(margin, design_.jump_margin());
-  }
+  if (design_.jump_margin() > 0 && out.violation == 0)
+    set_jump_margin(out, jump_margin(nominal, records));
   return out;
+}
+
+void Trials::set_jump_margin(Trial& trial, double margin) const {
+  for (std::size_t i = 0; i < design_.constraints.size(); ++i)
+    if (design_.constraints[i].variable == experiment::kJumpMargin) trial.constraints[i] = margin;
+  if (margin < design_.jump_margin()) trial.violation = beyond(margin, design_.jump_margin());
 }
 
 // The least relative change of a quantity that reaches a jump; infinite if none up to the required margin
@@ -226,9 +241,7 @@ double Trials::jump_margin(const Values& nominal, const results::PointRecord* re
     for (const double change : {-design_.jump_margin(), 0.0, design_.jump_margin()})
       values.push_back(neighbour(nominal, quantities[q], change));
     values.erase(std::unique(values.begin(), values.end()), values.end());
-    const Profile p = profile(nominal, quantities[q], values);
-    for (const double one : {p.margin_below, p.margin_above})
-      if (one < margin) margin = one;
+    margin = std::fmin(margin, least_margin({profile(nominal, quantities[q], values)}));
   }
   return margin;
 }
@@ -237,11 +250,7 @@ Score Trials::score_of(const Trial& trial) const {
   Score score{{}, trial.violation};
   for (std::size_t i = 0; i < trial.objectives.size(); ++i)
     score.objectives.push_back(cost(design_.objectives[i], trial.objectives[i].value));
-  // A target is met within half of the value's error, or within a ten-thousandth of the target.
-  if (const Objective& first = design_.objectives.front(); first.goal == Goal::target && score.objectives.size() == 1)
-    score.is_met = trial.violation == 0 &&
-                   score.objectives.front() <= std::max(trial.objectives.front().error / 2,
-                                                        1e-4 * std::max(std::abs(first.target), 1e-3));
+  score.is_met = meets_target(design_, trial);
   return score;
 }
 

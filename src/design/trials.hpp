@@ -41,6 +41,12 @@ struct Profile {
   double margin_below, margin_above;              // relative change that reaches a jump; NaN: none among the values
 };
 
+// Whether the only objective is a target, and the trial meets it within half of the value's error, or within a
+// ten-thousandth of the target.
+bool meets_target(const experiment::Design& design, const Trial& trial);
+// The least relative change of any of the quantities that reaches a jump; infinite if none does.
+double least_margin(const std::vector<Profile>& profiles);
+
 // The trials of a design: what they are as points of a sweep, and what the points say about them.
 class Trials {
  public:
@@ -50,6 +56,8 @@ class Trials {
   // The nominal values of a point of the unit cube.
   Values at(const Point& point) const;
   std::vector<Trial> evaluate(const std::vector<Values>& nominal) const;
+  // Sets the value of the constraint jump_margin, and the violation if it is below its limit.
+  void set_jump_margin(Trial& trial, double margin) const;
   // For the search: objectives are to be minimised.
   Score score_of(const Trial& trial) const;
 

@@ -67,12 +67,13 @@ std::optional<GapLoad> find_in_hump(LoadsOnPath& loads, const GapLoad& a, const 
   return top;
 }
 
-// The wall is soft: a load below R_n at first contact occurs a few wall ranges lambda_z above it.
+// The first gap of some above first contact whose load is below the target. The wall is soft: a load below R_n
+// at first contact occurs a few wall ranges lambda_z above it.
 GapLoad above_contact(LoadsOnPath& loads) {
   const LoadSearch& search = loads.search;
   GapLoad probe = loads.at(search.first_contact, Accuracy::precise);
   double height = search.wall_range;  // above first contact
-  while (probe.excess >= 0 && height < 100 * search.wall_range) {
+  while (probe.load.R_n >= search.target && height < 100 * search.wall_range) {
     probe = loads.at(search.first_contact + height, Accuracy::precise);
     height *= 2;
   }
@@ -117,7 +118,8 @@ class Scan {
       }
       if (const auto found = add(next)) return found;
     }
-    return {};
+    if (loads_.search.path == LoadPath::loading) return {};
+    return if_encloses({loads_.at(loads_.search.first_contact, Accuracy::precise), above_contact(loads_)});
   }
 
  private:

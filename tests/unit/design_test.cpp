@@ -228,6 +228,35 @@ TEST_CASE("design: the margin is the distance to the located jump, on both sides
   CHECK(place("minimise", "below", -1) == Approx(jump).epsilon(0.02));
 }
 
+TEST_CASE("design: the recommended trial keeps to the jump margin in its profile, too") {
+  // The profile of the trial with the least friction shows a jump at -19.8 %, which its neighbours do not show.
+  const Folder f;
+  const auto file = f.run(f.load(R"({"variables": {"R_m": [0.0007, 0.0014]}, "budget": 10, "seed": 1,
+      "objectives": [{"minimise": "friction_coefficient"}], "constraints": [{"jump_margin": 0.2}]})",
+                                 R"(, "load": {"R_n": null}, "orientation": {"rtol": 0.02},
+      "model": {"k_r": null, "k_phi": null, "k_theta": null, "tau_f": null, "R_c": null, "E_star": null, "V_s": null,
+                "beta": null, "spacing": null, "L_x": null, "bending": "rod"},
+      "si": {"m_kg": 1e-4, "r0_m": 0.017, "V0_m_per_s": 10, "E_Pa": 1e8, "nu": 0.4, "R_m": 0.00108, "k_r_over_k_phi": 10,
+             "R_c_m": 0.001, "tau_f_Pa": 1e7, "V_s_m_per_s": 0.1, "beta_J": 0.01, "R_n_N": 0.6, "spacing_m": 0.0034,
+             "L_x_m": 0.085})"));
+  for (const char* side : {"below", "above"})
+    CHECK_FALSE(first(file, std::string("margins/margin_") + side) < 0.2);
+  const auto& violations = file.variable("trials/violation").values;
+  CHECK(violations.at(std::size_t(first(file, "best/trial"))) == 0);
+  CHECK(std::ranges::any_of(violations, [](double v) { return v > 0 && v < 0.011; }));  // of the trial before
+}
+
+TEST_CASE("design: a target that no trial meets is not called met") {
+  const Folder f;
+  const auto text = [&](double value) {
+    return f.run(f.load(fmt::format(R"({{"variables": {{"k_r": [5, 40]}}, "budget": 4,
+        "objectives": [{{"target": "R_x", "value": {}}}]}})", value), kFew, fmt::format("target_{}", value)))
+        .provenance().at("design");
+  };
+  CHECK_THAT(text(-1), Catch::Contains("no trial meets the target"));
+  CHECK_THAT(text(-1), Catch::Contains("recommended, trial"));
+}
+
 TEST_CASE("design: a trial at which a constraint fails is the nearest miss") {
   const Folder f;
   const Experiment e = f.load(R"({"variables": {"k_r": [5, 40]}, "objectives": [{"minimise": "R_x"}],

@@ -36,6 +36,18 @@ TEST_CASE("load control: a monotonic curve on both paths") {
   }
 }
 
+TEST_CASE("load control: both paths find a small load above first contact") {
+  const auto soft = [](double z_0) { return std::max(0.0, rising(z_0)) + 0.2 * std::min(1.0, std::exp((kContact - z_0) / 1e-3)); };
+  for (const auto path : {LoadPath::loading, LoadPath::unloading}) {
+    const LoadPoint p = search(soft, 0.1, path);
+    CHECK(p.status == LoadStatus::reached);
+    CHECK(p.z_0 > kContact);
+    CHECK(p.load.R_n == Approx(0.1).epsilon(1e-3));
+    CHECK_FALSE(p.ambiguous);
+  }
+  CHECK(search(rising, 100, LoadPath::unloading).status == LoadStatus::unreachable);
+}
+
 TEST_CASE(
     "load control: at a fold the loading path finds the first crossing and the unloading path the last") {
   const LoadPoint loading = search(folded, 1.2), unloading = search(folded, 1.2, LoadPath::unloading);
