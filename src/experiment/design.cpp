@@ -75,7 +75,8 @@ class DesignReader {
     const Json& ends = log ? range["log"] : range;
     DesignVariable v{name, ends[0], ends[1], log};
     if (!(v.low < v.high))
-      fail(at, fmt::format("the lower bound {} is not below the upper bound {}; swap them", v.low, v.high));
+      fail(at, fmt::format("the lower bound {} is not below the upper bound {}; {}", v.low, v.high,
+                           v.low == v.high ? "give a range, or remove the variable" : "swap them"));
     if (log && !(v.low > 0)) fail(at, fmt::format("a logarithmic range cannot begin at {}", v.low));
     check_values(document_, name, {v.low, v.high}, [&](std::size_t) { return JsonPointer(at); });
     return v;

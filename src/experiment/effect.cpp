@@ -64,7 +64,8 @@ std::vector<std::string> axes_without_effect(const Experiment& with_sample) {
   const Experiment experiment = without_sample(with_sample);
   std::vector<std::string> out;
   for (std::size_t axis = 0; axis < experiment.axes.size(); ++axis) {
-    if (experiment.axes[axis].values.size() < 2) continue;
+    const auto [least, greatest] = std::ranges::minmax(experiment.axes[axis].values);
+    if (least == greatest) continue;
     const Experiment ends = ends_of(experiment, axis);
     bool differ = false;
     for (std::size_t i = 0; i < ends.points() && !differ; i += 2)

@@ -26,13 +26,13 @@ void check_gap(const Document& d, const Experiment& experiment) {
     const PointInput point = e.point(i);
     const double highest = sin(point.setup.parameters.phi_0);
     if (!point.loading.z_0) return;
-    if (*point.loading.z_0 > highest)
-      d.fail(d.json()["load"].contains("z_0") ? "/load/z_0"
-             : experiment.swept("z_0_m")      ? "/sweep/z_0_m"
-             : experiment.swept("z_0")        ? "/sweep/z_0"
-                                              : "/si/z_0_m",
-             fmt::format("{} is above first contact; allowed: at most sin(phi_0) = {:.6f}",
-                         *point.loading.z_0, highest));
+    if (*point.loading.z_0 <= highest) continue;
+    if (const auto in_m = point.si.find("z_0_m"); in_m != point.si.end())
+      d.fail(experiment.swept("z_0_m") ? "/sweep/z_0_m" : "/si/z_0_m",
+             fmt::format("{} m is above first contact; allowed: at most r_0 sin(phi_0) = {:.6g} m", in_m->second,
+                         highest * point.si.at("r0_m")));
+    d.fail(d.json()["load"].contains("z_0") ? "/load/z_0" : "/sweep/z_0",
+           fmt::format("{} is above first contact; allowed: at most sin(phi_0) = {:.6f}", *point.loading.z_0, highest));
   }
 }
 

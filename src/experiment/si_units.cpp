@@ -23,7 +23,7 @@ void apply_material(PointInput& input, const SiScales& scales) {
   const auto has = [&](const char* key) { return input.si.contains(key); };
   Parameters& p = input.setup.parameters;
   if (has("R_m")) {
-    p.k_phi = cantilever(value("E_Pa"), value("R_m"), scales.length) / scales.energy;
+    p.k_phi = (has("k_phi_N_m") ? value("k_phi_N_m") : cantilever(value("E_Pa"), value("R_m"), scales.length)) / scales.energy;
     p.R = value("R_m") / scales.length;
     p.k_theta = (has("k_theta_over_k_phi") ? value("k_theta_over_k_phi") : 1) * p.k_phi;
     if (has("k_r_over_k_phi")) p.k_r = value("k_r_over_k_phi") * p.k_phi;

@@ -134,8 +134,8 @@ std::string indices_line(const results::Group& group, std::size_t row, std::size
                                 group.values[2][i], group.values[3][i], group.values[0][i], group.values[1][i]));
   const auto complete = std::size_t(group.values[4][first]);
   if (!std::isfinite(group.values[2][first]))
-    return complete < 2 ? fmt::format("none, as only {} of {} blocks of the design have all values", complete, blocks)
-                        : "none, as all values are the same";
+    return complete < 2 ? fmt::format("none, as they need two blocks of the design with all values, and {} of {} has them", complete, blocks)
+                        : "none, as all or nearly all values are the same";
   return fmt::format("{}{}", fmt::join(parts, ", "),
                      complete < blocks ? fmt::format("; from {} of {} blocks of the design, the others have points "
                                                      "without a value",
@@ -147,7 +147,8 @@ std::string quantiles_line(const results::Group& group, std::size_t row, std::si
   std::vector<std::string> parts;
   for (std::size_t i = 0; i < kShares.size(); ++i) {
     const std::size_t at = row * kShares.size() + i;
-    parts.push_back(fmt::format("{:.0f} % {:.4g} +- {:.1g}", 100 * kShares[i], group.values[0][at], group.values[1][at]));
+    parts.push_back(fmt::format("{:.0f} % {:.4g}", 100 * kShares[i], group.values[0][at]));
+    if (const double error = group.values[1][at]; std::isfinite(error)) parts.back() += fmt::format(" +- {:.1g}", error);
   }
   const auto present = std::size_t(group.values[2][row * kShares.size()]);
   return fmt::format("{}{}", fmt::join(parts, ", "),

@@ -115,6 +115,8 @@ SobolIndices sobol_indices(const std::vector<double>& values, std::size_t inputs
   const std::vector<double> indices = estimates(blocks, all_of(n), inputs);
   const std::vector<double> errors =
       bootstrap_errors(n, [&](const auto& drawn) { return estimates(blocks, drawn, inputs); });
+  // Where a resample has no variance, nearly all values are the same, and an index would be noise.
+  if (!std::ranges::all_of(errors, [](double one) { return std::isfinite(one); })) return out;
   for (std::size_t i = 0; i < inputs; ++i) {
     out.first[i] = {indices[i], errors[i]};
     out.total[i] = {indices[inputs + i], errors[inputs + i]};
@@ -132,6 +134,7 @@ Estimate quantile(std::vector<double> values, double share) {
     const double below = values[places[low]], above = values[places[std::min(low + 1, places.size() - 1)]];
     return below + (above - below) * (at - double(low));
   };
+  if (values.size() == 1) return {values.front(), kNone};
   return {of(all_of(values.size())),
           bootstrap_errors(values.size(), [&](const auto& drawn) { return std::vector{of(drawn)}; }).front()};
 }

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kSamplingError = 1e-5, kTableError = 1e-4;  // as a share of the largest mu
 
-// mu and its derivative by V_R.
+// mu and its derivative by V_R. At the last speed, beyond which mu is constant, the derivative before it.
 struct Value {
   double mu, slope;
 };
@@ -30,9 +30,9 @@ class Interpolant {
 
   Value operator()(double V_R) const {
     const std::vector<double>&x = law_.V_R, &y = law_.mu;
-    if (V_R >= x.back()) return {y.back(), 0};
+    if (V_R > x.back()) return {y.back(), 0};
     if (at_) return at_(V_R);
-    const auto i = std::size_t(std::ranges::upper_bound(x, V_R) - x.begin());
+    const auto i = std::size_t(std::upper_bound(x.begin(), x.end() - 1, V_R) - x.begin());
     const double slope = (y[i] - y[i - 1]) / (x[i] - x[i - 1]);
     return {y[i - 1] + slope * (V_R - x[i - 1]), slope};
   }
@@ -47,11 +47,26 @@ struct Knot {
   double q, slope;
 };
 
-Knot knot(const Interpolant& mu, double V_scale, double t) {
-  if (t == 1) return {mu(INFINITY).mu, -mu(INFINITY).mu};
+// The law over t = V_R/(V_R + V_scale). V_scale is such that the last speed, beyond which mu is constant, is at
+// t_end = 1 - 2^-k: mu may have a corner there, which is then between two intervals of every table.
+struct Law {
+  Interpolant mu;
+  double V_end, V_scale, t_end;
+};
+
+// V_scale is near the geometric mean of the first speed and the last.
+Law law_of(const FrictionValues& values) {
+  const double V_end = values.V_R.back();
+  const double k = std::max(1.0, std::round(std::log2(1 + std::sqrt(V_end / values.V_R[1]))));
+  const double rest = std::exp2(-std::min(k, std::log2(kFewestIntervals)));
+  return {Interpolant(values), V_end, V_end * rest / (1 - rest), 1 - rest};
+}
+
+Knot knot(const Law& law, double t) {
+  if (t == 1) return {law.mu(INFINITY).mu, -law.mu(INFINITY).mu};
   const double rest = 1 - t;
-  const auto [value, slope] = mu(V_scale * t / rest);
-  return {value / t, (slope * V_scale / (rest * rest) - value / t) / t};
+  const auto [value, slope] = law.mu(t == law.t_end ? law.V_end : law.V_scale * t / rest);
+  return {value / t, (slope * law.V_scale / (rest * rest) - value / t) / t};
 }
 
 // The cubic with these values and slopes at both ends of the interval.
@@ -62,26 +77,26 @@ std::array<double, 4> cubic_between(const Knot& a, const Knot& b, double width) 
 
 // As cubic_between(), for the first interval: q at t = 0 is a limit, and its slope there is chosen so that
 // the cubic has the right value in the middle.
-Knot first_knot(const Interpolant& mu, double V_scale, double width, const Knot& next) {
-  const double q = mu(0).slope * V_scale, middle = knot(mu, V_scale, width / 2).q;
+Knot first_knot(const Law& law, double width, const Knot& next) {
+  const double q = law.mu(0).slope * law.V_scale, middle = knot(law, width / 2).q;
   return {q, 8 * (middle - (q + next.q) / 2) / width + next.slope};
 }
 
 // The coefficients for this number of intervals, and the largest error of mu between their ends.
-double fill(std::vector<double>& coefficients, const Interpolant& mu, double V_scale, int intervals) {
+double fill(std::vector<double>& coefficients, const Law& law, int intervals) {
   coefficients.clear();
   const double width = 1.0 / intervals;
   double worst = 0;
-  Knot from = first_knot(mu, V_scale, width, knot(mu, V_scale, width));
+  Knot from = first_knot(law, width, knot(law, width));
   for (int i = 0; i < intervals; ++i) {
-    const Knot to = knot(mu, V_scale, double(i + 1) / intervals);
+    const Knot to = knot(law, double(i + 1) / intervals);
     const std::array<double, 4> c = cubic_between(from, to, width);
     for (const double u : {0.25, 0.5, 0.75}) {
       const double t = (i + u) / intervals, cubic = t * (c[0] + u * (c[1] + u * (c[2] + u * c[3])));
-      worst = std::max(worst, std::abs(cubic - t * knot(mu, V_scale, t).q));
+      worst = std::max(worst, std::abs(cubic - t * knot(law, t).q));
     }
     coefficients.insert(coefficients.end(), c.begin(), c.end());
-    from = to;
+    from = double(i + 1) / intervals == law.t_end ? Knot{to.q, -to.q / law.t_end} : to;
   }
   coefficients.insert(coefficients.end(), {from.q, 0, 0, 0});
   const bool finite = std::ranges::all_of(coefficients, [](double one) { return std::isfinite(one); });
@@ -121,21 +136,20 @@ FrictionValues sampled(const std::function<double(double)>& mu, double V_end) {
   throw std::invalid_argument(fmt::format("changes too steeply with V_R: {} values do not describe it", kMostIntervals));
 }
 
-std::shared_ptr<const ModulationTable> modulation_table(const FrictionValues& law) {
-  const Interpolant mu(law);
-  const double V_scale = std::sqrt(law.V_R[1] * law.V_R.back());
-  const double allowed = kTableError * std::ranges::max(law.mu);
+std::shared_ptr<const ModulationTable> modulation_table(const FrictionValues& values) {
+  const Law law = law_of(values);
+  const double allowed = kTableError * std::ranges::max(values.mu);
   std::vector<double> coefficients;
   for (int intervals = kFewestIntervals; intervals <= kMostIntervals; intervals *= 2) {
-    if (fill(coefficients, mu, V_scale, intervals) > allowed) continue;
-    auto table = std::make_shared<ModulationTable>(V_scale, coefficients);
+    if (fill(coefficients, law, intervals) > allowed) continue;
+    auto table = std::make_shared<ModulationTable>(law.V_scale, coefficients);
     double worst = 0;  // at the corners
-    for (std::size_t i = 0; i < law.V_R.size(); ++i)
-      worst = std::max(worst, std::abs(table->at(law.V_R[i] / V_scale) - law.mu[i]));
+    for (std::size_t i = 0; i < values.V_R.size(); ++i)
+      worst = std::max(worst, std::abs(table->at(values.V_R[i] / law.V_scale) - values.mu[i]));
     if (worst <= allowed) return table;
   }
-  throw std::invalid_argument("changes too steeply with V_R; take fewer values where speeds are close to each other, or "
-                              "a narrower range of speeds");
+  throw std::invalid_argument("changes too steeply with V_R; take a narrower range of speeds, and in a table fewer values "
+                              "where speeds are close to each other");
 }
 
 }  // namespace bristle

@@ -45,9 +45,9 @@ struct FrictionValues {
 // steep.
 FrictionValues sampled(const std::function<double(double)>& mu, double V_end);
 
-// The table that both engines evaluate. It has a continuous slope, rounds the corners of linear
+// The table that both engines evaluate. Its slope is continuous but at the last speed; it rounds the corners of linear
 // interpolation, and differs from it by at most 1e-4 of the largest mu. Throws std::invalid_argument if that
 // takes too many intervals.
-std::shared_ptr<const ModulationTable> modulation_table(const FrictionValues& law);
+std::shared_ptr<const ModulationTable> modulation_table(const FrictionValues& values);
 
 }  // namespace bristle
