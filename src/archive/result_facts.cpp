@@ -49,7 +49,7 @@ Json claims_of(const std::vector<claims::CheckResult>& checks) {
         std::ranges::find_if(claims, [&](const Json& claim) { return claim["claim"] == one.claim; });
     Json& claim = known == claims.end() ? claims.emplace_back() : *known;
     claim["claim"] = one.claim;
-    claim["verdicts"][one.reading] = claims::to_string(one.verdict);
+    claim["verdicts"][one.reading] = word(one.verdict);
     const auto first = std::ranges::find_if(
         checks, [&](const auto& c) { return c.check.claim == one.claim && c.check.main; });
     claim["statement"] = first == checks.end() ? "" : first->check.statement;

@@ -14,15 +14,15 @@ namespace {
 Json number(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
 
 // Supported against refuted.
-bool reversed(claims::Verdict a, claims::Verdict b) {
-  return a != b && a != claims::Verdict::undecided && b != claims::Verdict::undecided;
+bool reversed(Verdict a, Verdict b) {
+  return a != b && a != Verdict::undecided && b != Verdict::undecided;
 }
 
 Json check_json(const Matrix::Row& row) {
   const experiment::Check& c = row.cells.front().result.check;
   return {{"experiment", row.experiment},         {"claim", c.claim},
           {"role", c.main ? "main" : "further"},  {"statement", c.statement},
-          {"is", claims::to_string(c.criterion)}, {"threshold", c.threshold},
+          {"is", word(c.criterion)}, {"threshold", c.threshold},
           {"band", number(c.band.value_or(NAN))}};
 }
 
@@ -34,8 +34,8 @@ const std::vector<std::string> kCellKeys = {"claim_verdict", "verdict", "measure
 Json cell_json(const Cell& cell) {
   const claims::CheckResult& c = cell.result;
   if (!cell.affected) return nullptr;
-  return {claims::to_string(c.claim_verdict),
-          claims::to_string(c.verdict),
+  return {word(c.claim_verdict),
+          word(c.verdict),
           number(c.measured.value),
           number(c.measured.uncertainty),
           number(c.margin),
@@ -62,25 +62,25 @@ Json named_cells(const Json& document) {
 }
 
 // The verdict on a row's check under an alternative, in the first window.
-claims::Verdict verdict_under(const Matrix& matrix, const Matrix::Row& row, std::size_t alternative) {
+Verdict verdict_under(const Matrix& matrix, const Matrix::Row& row, std::size_t alternative) {
   return row.cells[alternative * matrix.windows.size()].result.verdict;
 }
 
 // The conclusion about one check, with the names of the alternatives that change its verdict.
 Json conclusion_json(const Matrix& matrix, std::size_t index) {
   const Matrix::Row& row = matrix.rows[index];
-  const claims::Verdict baseline = verdict_under(matrix, row, 0);
+  const Verdict baseline = verdict_under(matrix, row, 0);
   Json reversing = Json::array(), undecided = Json::array(), choices = Json::array();
   for (std::size_t a = 1; a < matrix.alternatives.size(); ++a) {
-    const claims::Verdict verdict = verdict_under(matrix, row, a);
+    const Verdict verdict = verdict_under(matrix, row, a);
     if (verdict == baseline) continue;
     const Alternative& alternative = matrix.alternatives[a];
-    (verdict == claims::Verdict::undecided ? undecided : reversing).push_back(alternative.name);
+    (verdict == Verdict::undecided ? undecided : reversing).push_back(alternative.name);
     if (std::find(choices.begin(), choices.end(), alternative.choice) == choices.end())
       choices.push_back(alternative.choice);
   }
   return {{"check", index},
-          {"baseline", claims::to_string(baseline)},
+          {"baseline", word(baseline)},
           {"conclusion", conclusion(matrix, row)},
           {"depends_on", choices},
           {"other", reversing},
@@ -90,11 +90,11 @@ Json conclusion_json(const Matrix& matrix, std::size_t index) {
 }  // namespace
 
 const char* conclusion(const Matrix& matrix, const Matrix::Row& row) {
-  const claims::Verdict baseline = verdict_under(matrix, row, 0);
-  if (baseline == claims::Verdict::undecided) return "open";
+  const Verdict baseline = verdict_under(matrix, row, 0);
+  if (baseline == Verdict::undecided) return "open";
   const char* out = "robust";
   for (std::size_t a = 1; a < matrix.alternatives.size(); ++a) {
-    const claims::Verdict verdict = verdict_under(matrix, row, a);
+    const Verdict verdict = verdict_under(matrix, row, a);
     if (reversed(verdict, baseline)) return "assumption-dependent";
     if (verdict != baseline) out = "weakened";
   }

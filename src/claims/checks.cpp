@@ -20,9 +20,9 @@ constexpr double kSignificanceLevel = 0.05;
 // Distance from the threshold or from the end of the band; positive if the claim holds.
 double margin_of(const experiment::Check& check, double value) {
   switch (check.criterion) {
-    case experiment::Criterion::near: return *check.band - std::abs(value - check.threshold);
-    case experiment::Criterion::at_most: return check.threshold - value;
-    case experiment::Criterion::at_least: break;
+    case Criterion::near: return *check.band - std::abs(value - check.threshold);
+    case Criterion::at_most: return check.threshold - value;
+    case Criterion::at_least: break;
   }
   return value - check.threshold;
 }
@@ -69,24 +69,6 @@ Verdict verdict_on_claim(const std::vector<CheckResult>& checks, const std::stri
 }
 
 }  // namespace
-
-const char* to_string(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::supported: return "supported";
-    case Verdict::refuted: return "refuted";
-    case Verdict::undecided: return "undecided";
-  }
-  return "?";
-}
-
-const char* to_string(experiment::Criterion criterion) {
-  switch (criterion) {
-    case experiment::Criterion::at_most: return "at_most";
-    case experiment::Criterion::at_least: return "at_least";
-    case experiment::Criterion::near: return "near";
-  }
-  return "?";
-}
 
 std::vector<CheckResult> evaluate_checks(
     const results::ResultReader& result,

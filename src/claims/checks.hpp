@@ -3,7 +3,7 @@
 #include "claims/predicates.hpp"
 #include "experiment/experiment.hpp"
 
-namespace bristle::claims {
+namespace bristle {
 
 // undecided: the threshold lies within the uncertainty of the measurement, too few points have values, or a
 // trend is not significant.
@@ -12,9 +12,13 @@ enum class Verdict {
   refuted,
   undecided
 };
-const char* to_string(Verdict verdict);
+template <>
+inline Words words<Verdict>() {
+  static constexpr const char* list[] = {"supported", "refuted", "undecided"};
+  return list;
+}
 
-const char* to_string(experiment::Criterion criterion);
+namespace claims {
 
 // The check of a claim of the paper, evaluated on a result.
 struct CheckResult {
@@ -54,4 +58,5 @@ std::string checks_table(const std::vector<CheckResult>& checks);
 // predicate needs, or names a variable, an axis or a value that the result of the experiment will not have.
 void validate_checks(const Experiment& experiment);
 
-}  // namespace bristle::claims
+}  // namespace claims
+}  // namespace bristle

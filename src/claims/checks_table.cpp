@@ -10,15 +10,15 @@ namespace {
 
 std::string claimed(const experiment::Check& check) {
   switch (check.criterion) {
-    case experiment::Criterion::near: return fmt::format("{:.3g} +- {:.3g}", check.threshold, *check.band);
-    case experiment::Criterion::at_most: return fmt::format("at most {:.3g}", check.threshold);
-    case experiment::Criterion::at_least: break;
+    case Criterion::near: return fmt::format("{:.3g} +- {:.3g}", check.threshold, *check.band);
+    case Criterion::at_most: return fmt::format("at most {:.3g}", check.threshold);
+    case Criterion::at_least: break;
   }
   return fmt::format("at least {:.3g}", check.threshold);
 }
 
 std::string measured(const CheckResult& c) {
-  return fmt::format("{:<10} {:>18}", to_string(c.verdict),
+  return fmt::format("{:<10} {:>18}", word(c.verdict),
                      fmt::format("{:.3f} +- {:.3f}", c.measured.value, c.measured.uncertainty));
 }
 

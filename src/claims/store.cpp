@@ -24,10 +24,10 @@ const CheckColumn<std::string> kTexts[] = {
     {"role", "main checks decide the verdict on the claim",
      [](C c) { return std::string(c.check.main ? "main" : "further"); }},
     {"is", "required relation of the measured number to the threshold",
-     [](C c) { return std::string(to_string(c.check.criterion)); }},
-    {"verdict", "verdict of the check", [](C c) { return std::string(to_string(c.verdict)); }},
+     [](C c) { return std::string(word(c.check.criterion)); }},
+    {"verdict", "verdict of the check", [](C c) { return std::string(word(c.verdict)); }},
     {"claim_verdict", "verdict on the claim under this reading, by its main checks",
-     [](C c) { return std::string(to_string(c.claim_verdict)); }},
+     [](C c) { return std::string(word(c.claim_verdict)); }},
 };
 
 const CheckColumn<double> kNumbers[] = {

@@ -69,7 +69,7 @@ class CheckValidator {
       fail("compare",
            fmt::format("is missing; {} needs either \"compare\", two values of an axis, or \"expected\"",
                        predicate.name));
-    if (check_.criterion == experiment::Criterion::near && !check_.band)
+    if (check_.criterion == Criterion::near && !check_.band)
       fail("band", "is missing; \"near\" needs the largest allowed distance");
   }
 

@@ -29,7 +29,7 @@ void print_conclusions(const assumptions::Matrix& matrix) {
   for (const assumptions::Matrix::Row& row : matrix.rows) {
     ++counts[assumptions::conclusion(matrix, row)];
     fmt::print("{:<5} {:<10} {:<20} {}\n", row.cells.front().result.check.claim,
-               claims::to_string(row.cells.front().result.verdict), assumptions::conclusion(matrix, row),
+               word(row.cells.front().result.verdict), assumptions::conclusion(matrix, row),
                row.cells.front().result.check.statement);
   }
   fmt::print("{} checks under {} alternatives: {} robust, {} weakened, {} assumption-dependent, {} open\n",

@@ -19,7 +19,7 @@ namespace {
 
 bool all_supported(const std::vector<claims::CheckResult>& checks) {
   return std::ranges::all_of(
-      checks, [](const claims::CheckResult& c) { return c.claim_verdict == claims::Verdict::supported; });
+      checks, [](const claims::CheckResult& c) { return c.claim_verdict == Verdict::supported; });
 }
 
 // Prints the verdicts of the claims; returns whether all are supported.
@@ -29,7 +29,7 @@ bool report_claims(const CheckOptions& options, const std::vector<claims::CheckR
     return true;
   }
   fmt::print("{}", claims::checks_table(checks));
-  std::vector<std::pair<std::string, std::map<claims::Verdict, int>>> counts;  // by reading
+  std::vector<std::pair<std::string, std::map<Verdict, int>>> counts;  // by reading
   for (const claims::ClaimVerdict& c : claims::claim_verdicts(checks)) {
     auto of_reading = std::ranges::find(counts, c.reading, [](const auto& one) { return one.first; });
     if (of_reading == counts.end()) of_reading = counts.insert(counts.end(), {c.reading, {}});
@@ -37,8 +37,8 @@ bool report_claims(const CheckOptions& options, const std::vector<claims::CheckR
   }
   for (auto& [reading, count] : counts)
     fmt::print("{}: {} supported, {} refuted, {} undecided\n",
-               reading.empty() ? "claims" : "claims, " + reading, count[claims::Verdict::supported],
-               count[claims::Verdict::refuted], count[claims::Verdict::undecided]);
+               reading.empty() ? "claims" : "claims, " + reading, count[Verdict::supported],
+               count[Verdict::refuted], count[Verdict::undecided]);
   return all_supported(checks);
 }
 

@@ -120,7 +120,7 @@ Json claims_json(const std::vector<claims::CheckResult>& checks) {
   for (const claims::CheckResult& c : checks)
     out.push_back({{"claim", c.check.claim},
                    {"reading", c.check.reading},
-                   {"verdict", claims::to_string(c.verdict)},
+                   {"verdict", word(c.verdict)},
                    {"statement", c.check.statement}});
   return out;
 }

@@ -45,13 +45,11 @@ class CheckReader {
     check.difference = json_.value("by", "ratio") == "difference";
     check.logarithmic = json_.value("scale", "log") == "log";
     check.independent_errors = json_.value("errors", "") == "independent";
-    const std::string pairs = json_.value("pairs", "all"), is = json_["is"];
+    const std::string pairs = json_.value("pairs", "all");
     check.pairs = pairs == "within"   ? PointPairs::within
                   : pairs == "across" ? PointPairs::across
                                       : PointPairs::all;
-    check.criterion = is == "near"      ? Criterion::near
-                      : is == "at_most" ? Criterion::at_most
-                                        : Criterion::at_least;
+    check.criterion = from_word<Criterion>(json_["is"]);
     check.threshold = json_.value("threshold", 0.0);
     return check;
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "util/json.hpp"
+#include "util/words.hpp"
 
 #include <array>
 #include <optional>
@@ -9,7 +10,20 @@
 #include <variant>
 #include <vector>
 
-namespace bristle::experiment {
+namespace bristle {
+
+enum class Criterion {
+  at_most,
+  at_least,
+  near  // within band of the threshold
+};
+template <>
+inline Words words<Criterion>() {
+  static constexpr const char* list[] = {"at_most", "at_least", "near"};
+  return list;
+}
+
+namespace experiment {
 
 // Selects points by a word of a choice, a value, or a range [from, to] of values.
 using Selection = std::variant<std::string, double, std::array<double, 2>>;
@@ -27,12 +41,6 @@ enum class PointPairs {
   all,
   within,
   across
-};
-
-enum class Criterion {
-  at_most,
-  at_least,
-  near  // within band of the threshold
 };
 
 // The check of a claim of the paper, as declared by an experiment: a predicate measures one number on a
@@ -77,4 +85,5 @@ std::vector<Check> for_each_reading(const std::vector<Check>& checks, const std:
 // The JSON text of a selection, for messages.
 std::string selection_text(const Selection& selection);
 
-}  // namespace bristle::experiment
+}  // namespace experiment
+}  // namespace bristle
