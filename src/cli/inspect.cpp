@@ -50,9 +50,9 @@ void print_variable(const results::ResultReader& result, const std::string& name
 std::vector<std::pair<std::string, long>> status_counts(const results::ResultReader& result) {
   const std::vector<double> status = result.variable("status").values;
   std::vector<std::pair<std::string, long>> counts;
-  for (std::size_t s = 0; s < results::kPointStatusNames.size(); ++s)
-    if (const auto n = std::count(status.begin(), status.end(), double(s)))
-      counts.emplace_back(results::kPointStatusNames[s], n);
+  const Words names = words<PointStatus>();
+  for (std::size_t s = 0; s < names.size(); ++s)
+    if (const auto n = std::count(status.begin(), status.end(), double(s))) counts.emplace_back(names[s], n);
   return counts;
 }
 

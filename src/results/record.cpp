@@ -69,11 +69,11 @@ PointLayout::PointLayout(const Experiment& experiment) {
   datasets.push_back({{"passages", "number of passages computed for the point", "N", "", H5T_NATIVE_LONG},
                       [](const PointResult& p) { return double(p.passages); },
                       0});
-  datasets.push_back({{"status", "outcome of the point", "", "", H5T_NATIVE_SCHAR, kPointStatusNames},
+  datasets.push_back({{"status", "outcome of the point", "", "", H5T_NATIVE_SCHAR, texts(words<PointStatus>())},
                       [](const PointResult& p) { return double(p.status); },
                       double(PointStatus::absent)});
   datasets.push_back({{"start", "whether bristles bend or are crushed as the slab comes down", "", "",
-                       H5T_NATIVE_SCHAR, kStartNames},
+                       H5T_NATIVE_SCHAR, texts(words<Start>())},
                       [](const PointResult& p) { return double(p.start); },
                       double(Start::undetermined)});
   for (const ValidityRow& row : kValidity)
@@ -83,7 +83,7 @@ PointLayout::PointLayout(const Experiment& experiment) {
                         double(Exceeds::unknown)});
   if (loading.trace)
     datasets.push_back(
-        {{"branch", "paths of the slab on which the node lies", "", "", H5T_NATIVE_SCHAR, kBranchNames},
+        {{"branch", "paths of the slab on which the node lies", "", "", H5T_NATIVE_SCHAR, texts(words<Branch>())},
          {},
          double(Branch::absent)});
   if (experiment.record.bristles) tables.emplace_back("bristles");
@@ -185,7 +185,7 @@ bool fits(const PointRecord& record, const PointLayout& layout) {
   });
   const auto& status = record.values.at("status");
   const bool status_known = std::all_of(status.begin(), status.end(), [](double s) {
-    return s >= 0 && s < double(kPointStatusNames.size()) && s == std::floor(s);
+    return s >= 0 && s < double(words<PointStatus>().size()) && s == std::floor(s);
   });
   return nodes_valid && equal_lengths && tables_valid && status_known;
 }

@@ -1,6 +1,5 @@
 #include "results/tables.hpp"
 
-#include "results/variables.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -48,8 +47,8 @@ struct Field {
   Values values;
 };
 
-Column flag(const char* name, const char* long_name, const std::vector<std::string>& meanings) {
-  return {name, long_name, "", "", H5T_NATIVE_SCHAR, meanings};
+Column flag(const char* name, const char* long_name, Words meanings) {
+  return {name, long_name, "", "", H5T_NATIVE_SCHAR, texts(meanings)};
 }
 
 Column angle(const char* name, const char* long_name, const char* symbol, const char* equation) {
@@ -59,7 +58,7 @@ Column angle(const char* name, const char* long_name, const char* symbol, const 
 using B = const Passage&;
 std::vector<Field> bristle_fields() {
   return {
-      {flag("status", "how the passage ended", kOutcomeNames), [](B b) { return double(b.outcome); }},
+      {flag("status", "how the passage ended", words<Outcome>()), [](B b) { return double(b.outcome); }},
       {angle("theta_0", "undeformed azimuth", R"(\theta_0)", ""), [](B b) { return b.theta_0; }},
       {{"contact_time", "contact time", R"(\Delta\xi)", "Eq. (A2)"}, [](B b) { return b.contact_time; }},
       {{"normal_impulse", "integral of F_n", R"(\int F_n)", "Eq. (3)"}, [](B b) { return b.end[NORMAL]; }},
@@ -84,7 +83,7 @@ std::vector<Field> bristle_fields() {
 }
 
 Column phase_column() {
-  Column column = flag("phase", "phase of the tip's motion", kPhaseNames);
+  Column column = flag("phase", "phase of the tip's motion", words<Phase>());
   column.constants = {{"off_slab_wall_ranges", kOffSlabRanges}, {"side_slip_rad", kSideSlip}};
   return column;
 }
@@ -93,7 +92,7 @@ using T = const TrajectoryPoint&;
 std::vector<Field> trajectory_fields() {
   return {
       {angle("theta_0", "undeformed azimuth", R"(\theta_0)", ""), [](B b, T) { return b.theta_0; }},
-      {flag("status", "how the passage ended", kOutcomeNames), [](B b, T) { return double(b.outcome); }},
+      {flag("status", "how the passage ended", words<Outcome>()), [](B b, T) { return double(b.outcome); }},
       {{"xi", "time since the leading edge reached the bristle", R"(\xi)", "Eq. (A1)"},
        [](B, T p) { return p.xi; }},
       {{"x", "tip position along the motion", R"(\tilde{x})", "Eq. (2)"}, [](B, T p) { return p.y[X]; }},

@@ -252,8 +252,4 @@ std::vector<ResultVariable> result_variables(const Experiment& experiment) {
   return variables;
 }
 
-const std::vector<std::string> kPointStatusNames = texts(words<PointStatus>()),
-                               kBranchNames = texts(words<Branch>()), kOutcomeNames = texts(words<Outcome>()),
-                               kPhaseNames = texts(words<Phase>()), kStartNames = texts(words<Start>());
-
 }  // namespace bristle::results

@@ -26,8 +26,4 @@ struct ResultVariable : Column {
 // The variables of a result of this experiment.
 std::vector<ResultVariable> result_variables(const Experiment& experiment);
 
-// Flag meanings, in the order of PointStatus, Branch, Outcome, Phase and Start.
-extern const std::vector<std::string> kPointStatusNames, kBranchNames, kOutcomeNames, kPhaseNames,
-    kStartNames;
-
 }  // namespace bristle::results

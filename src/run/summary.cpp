@@ -42,7 +42,7 @@ std::string Summary::text() const {
   std::string out;
   for (std::size_t i = 0; i < counts_.size(); ++i)
     if (counts_[i] > 0)
-      out += fmt::format("{}{} {}", out.empty() ? "" : ", ", counts_[i], results::kPointStatusNames[i]);
+      out += fmt::format("{}{} {}", out.empty() ? "" : ", ", counts_[i], words<PointStatus>()[i]);
   return out;
 }
 
@@ -92,9 +92,8 @@ std::string Summary::cause_and_remedy(PointStatus status, const Example& example
 
 void Summary::report_points_without_values() const {
   for (const auto& [status, example] : first_) {
-    const std::string& name = results::kPointStatusNames[std::size_t(status)];
     const long more = counts_[std::size_t(status)] - 1;
-    write_message(fmt::format("{}: {} at {}{}: {}\n", path_, name, experiment_.place(example.index),
+    write_message(fmt::format("{}: {} at {}{}: {}\n", path_, word(status), experiment_.place(example.index),
                               more > 0 ? fmt::format(" and {} more", more) : "",
                               cause_and_remedy(status, example)));
   }

@@ -40,7 +40,7 @@ class Summary {
 
   const Experiment& experiment_;
   std::string path_, analysis_;
-  std::vector<long> counts_ = std::vector<long>(results::kPointStatusNames.size(), 0);
+  std::vector<long> counts_ = std::vector<long>(words<PointStatus>().size(), 0);
   std::size_t points_ = 0;
   std::vector<std::string> failures_;
   std::map<PointStatus, Example> first_;  // of each status without values
