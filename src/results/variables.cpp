@@ -15,6 +15,13 @@ using Value = std::function<Derived(P)>;
 Value mean_of(Observable k) {
   return [k](P p) { return Derived{p.value[k], p.error[k], p.load_error[k]}; };
 }
+// A number without an error.
+Value exact(double PointResult::*number) {
+  return [number](P p) { return Derived{p.*number, 0, 0}; };
+}
+
+Derived gap(P p) { return {p.z_0, p.z_0_error, p.z_0_error}; }
+
 ResultVariable mean(const Column& column, Observable k) { return {column, mean_of(k), Errors::with_load}; }
 
 // "R_n" as in "R_n/N_c0".
@@ -87,36 +94,30 @@ void add_norms(Variables& variables) {
 void add_load_jump(Variables& variables) {
   variables.push_back({{"jump_z_0", "last gap before R_n(z_0) jumps across the target",
                         R"(\tilde{z}_{0,\mathrm{jump}})", "Fig. 3"},
-                       [](P p) {
-                         return Derived{p.jump_z_0, 0, 0};
-                       },
+                       exact(&PointResult::jump_z_0),
                        Errors::none});
   variables.push_back(
       {{"jump_R_n", "normal load at jump_z_0", R"(\tilde{R}_{n,\mathrm{jump}}/N_{c,0})", "Fig. 3"},
-       [](P p) {
-         return Derived{p.jump_R_n, 0, 0};
-       },
+       exact(&PointResult::jump_R_n),
        Errors::none});
 }
 
 // The values at the other gap of an ambiguous point, with the same errors as those of the point.
 void add_other_gap(Variables& variables) {
   const auto add = [&](const std::string& name, const std::string& long_name, const std::string& symbol,
-                       const char* equation, std::function<double(P)> value) {
+                       const char* equation, const Value& value) {
     const auto subscript = symbol.find('_') == std::string::npos ? symbol : with_subscript(symbol, "other");
     variables.push_back(
         {{name + "_other", long_name + ", at the other gap of an ambiguous point", subscript, equation},
-         [value](P p) {
-           return Derived{value(p), 0, 0};
-         },
+         value,
          Errors::none});
   };
-  add("z_0", "gap between slab and ground", R"(\tilde{z}_0)", "Fig. 3", [](P p) { return p.z_0_other; });
+  add("z_0", "gap between slab and ground", R"(\tilde{z}_0)", "Fig. 3", exact(&PointResult::z_0_other));
   for (Observable k = 0; k < kObservables.size(); ++k)
     if (const ObservableRow& row = kObservables[k]; row.controlled)
-      add(row.name, row.long_name, row.symbol, row.equation, [k](P p) { return p.value_other[k]; });
+      add(row.name, row.long_name, row.symbol, row.equation, [k](P p) { return Derived{p.value_other[k], 0, 0}; });
   add("R_x_norm", "friction force over that of rigid bristles", R"(\check{R}_x)", "Eq. (20)",
-      [](P p) { return p.R_x_norm_other; });
+      exact(&PointResult::R_x_norm_other));
 }
 
 void add_fluctuations(Variables& variables) {
@@ -163,11 +164,7 @@ std::vector<SiRow> si_rows() {
                       without_tilde(row.symbol), row.equation, row.si->units, mean_of(k),
                       [scale = row.si->scale](P p) { return p.si.*scale; }});
   const std::vector<SiRow> others = {
-      {"z_0_in_m", "gap between slab and ground", "z_0", "Fig. 3", "m",
-       [](P p) {
-         return Derived{p.z_0, p.z_0_error, p.z_0_error};
-       },
-       in_m},
+      {"z_0_in_m", "gap between slab and ground", "z_0", "Fig. 3", "m", gap, in_m},
       {"L_x_in_m", "slab length", "L_x", "", "m", length(&Parameters::L_x), in_m},
       {"spacing_in_m", "lattice spacing", R"(\Delta)", "", "m", length(&Parameters::spacing), in_m},
       {"impacts_per_s", "impacts on the slab per bristle in contact and time", R"(\dot{N}_\mathrm{impacts})",
@@ -227,9 +224,7 @@ void add_direction(Variables& variables) {
 
 std::vector<ResultVariable> result_variables(const Experiment& experiment) {
   Variables variables = {{{"z_0", "gap between slab and ground", R"(\tilde{z}_0)", "Fig. 3"},
-                          [](P p) {
-                            return Derived{p.z_0, p.z_0_error, p.z_0_error};
-                          },
+                          gap,
                           Errors::with_load}};
   add_observables(variables);
   add_norms(variables);
@@ -238,9 +233,7 @@ std::vector<ResultVariable> result_variables(const Experiment& experiment) {
                         .symbol = R"(\theta_0)",
                         .equation = "",
                         .units = "rad"},
-                       [](P p) {
-                         return Derived{p.incomplete_theta_0, 0, 0};
-                       },
+                       exact(&PointResult::incomplete_theta_0),
                        Errors::none});
   if (!experiment.base.loading.z_0 && !experiment.base.loading.trace) {
     add_load_jump(variables);
