@@ -11,22 +11,6 @@
 #include <numeric>
 
 namespace bristle::results {
-
-ResultWriter::ResultWriter(const Experiment& experiment, const std::string& path)
-    : experiment_(experiment), layout_(experiment), whole_(path, result_file()) {
-  whole_.close();  // HDF5 opens it itself
-  file_ = h5::create_file(partial());
-  for (const experiment::Axis& axis : experiment_.axes) create_axis(axis);
-  if (layout_.nodes) {
-    std::vector<double> numbers(*layout_.nodes);
-    std::iota(numbers.begin(), numbers.end(), 0.0);
-    create_scale({"node", "index of the node, from first contact down", "node", "", H5T_NATIVE_LONG},
-                 numbers);
-  }
-  create_variables();
-  for (const std::string& name : layout_.tables) tables_.try_emplace(name, file_, name);
-}
-
 namespace {
 
 Column axis_column(const experiment::Axis& axis) {
@@ -64,6 +48,21 @@ h5::Handle create_numbers(hid_t parent, const Column& column, const std::vector<
 
 }  // namespace
 
+ResultWriter::ResultWriter(const Experiment& experiment, const std::string& path)
+    : experiment_(experiment), layout_(experiment), whole_(path, result_file()) {
+  whole_.close();  // HDF5 opens it itself
+  file_ = h5::create_file(partial());
+  for (const experiment::Axis& axis : experiment_.axes) create_axis(axis);
+  if (layout_.nodes) {
+    std::vector<double> numbers(*layout_.nodes);
+    std::iota(numbers.begin(), numbers.end(), 0.0);
+    add_scale(create_numbers(
+        file_, {"node", "index of the node, from first contact down", "node", "", H5T_NATIVE_LONG}, numbers));
+  }
+  create_variables();
+  for (const std::string& name : layout_.tables) tables_.try_emplace(name, file_, name);
+}
+
 GroupDimension word_dimension(const std::string& name, const std::string& meaning,
                               const std::vector<std::string>& words) {
   std::vector<double> codes(words.size());
@@ -90,7 +89,7 @@ void ResultWriter::create_axis(const experiment::Axis& axis) {
   const experiment::Sweepable& what = axis.quantity();
   const Column scale = axis_column(axis);
   if (what.options.empty()) {
-    create_scale(scale, axis.values);
+    add_scale(create_numbers(file_, scale, axis.values));
     if (!axis.columns.empty()) create_sample(axis);
     return;
   }
@@ -112,10 +111,6 @@ void ResultWriter::create_sample(const experiment::Axis& axis) {
     names.push_back(variable.name);
   }
   h5::write_attribute(file_, "coordinates", fmt::format("{}", fmt::join(names, " ")));
-}
-
-void ResultWriter::create_scale(const Column& column, const std::vector<double>& values) {
-  add_scale(create_numbers(file_, column, values));
 }
 
 void ResultWriter::add_scale(h5::Handle dataset) {

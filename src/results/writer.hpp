@@ -57,7 +57,6 @@ class ResultWriter {
  private:
   void create_axis(const experiment::Axis& axis);
   void create_sample(const experiment::Axis& axis);
-  void create_scale(const Column& column, const std::vector<double>& values);
   void add_scale(h5::Handle dataset);
   void create_variables();
   void finish(const std::map<std::string, std::string>& provenance);
