@@ -294,8 +294,6 @@ Json make_reference(const results::ResultReader& result, const std::vector<claim
   return out;
 }
 
-std::string reference_text(const Json& reference) { return json_lines(reference); }
-
 Json read_reference(const std::string& path) {
   try {
     return read(path);

@@ -14,9 +14,6 @@ namespace bristle::compare {
 // over all points.
 Json make_reference(const results::ResultReader& result, const std::vector<claims::CheckResult>& checks);
 
-// Deterministic JSON text with one variable per line. All numbers read back exactly.
-std::string reference_text(const Json& reference);
-
 // Throws InputError with file and JSON pointer for every mistake.
 Json read_reference(const std::string& path);
 

@@ -141,7 +141,7 @@ std::string update_reference(const ReferenceUpdate& update) {
   Json same_commit = made;
   if (old.is_object()) same_commit["commit"] = old["commit"];
   // As text: a value that is missing is NaN in one and null in the other.
-  if (old.is_object() && reference_text(old) == reference_text(same_commit)) return "";
+  if (old.is_object() && json_lines(old) == json_lines(same_commit)) return "";
   require_clean_work_tree(update.folder);
   const std::string added = fmt::format(
       "\n## {} {}\n\n{}\n\n- program: {}\n- payload: {} -> {}\n{}", update.day,
@@ -152,7 +152,7 @@ std::string update_reference(const ReferenceUpdate& update) {
                       : "- new reference\n");
   const std::string log = (fs::path(update.folder) / "CHANGELOG.md").string();
   const std::string before = fs::exists(log) ? read_file(log) : kLogStart;
-  write_files(path, reference_text(made), log, before + added);
+  write_files(path, json_lines(made), log, before + added);
   return added;
 }
 

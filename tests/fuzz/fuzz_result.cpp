@@ -118,7 +118,7 @@ void read(const Original& original, const std::string& path, Reader reader) {
     }
     case Reader::reference: {
       checks_table(evaluate_checks(result));
-      reference_text(reference_of(path));
+      json_lines(reference_of(path));
       break;
     }
   }

@@ -94,9 +94,9 @@ TEST_CASE("reference: errors of any size give finite tolerances") {
 
 TEST_CASE("reference: a file that is read and written again is unchanged") {
   const Pair p;
-  const std::string text = reference_text(p.reference);
+  const std::string text = json_lines(p.reference);
   CHECK(text.back() == '\n');
-  CHECK(reference_text(read_reference(p.s.write("r.json", text))) == text);
+  CHECK(json_lines(read_reference(p.s.write("r.json", text))) == text);
   CHECK_THAT(text, Contains("\"jump_z_0\": {\n   \"values\": [[],[]],\n"));
 }
 
@@ -108,8 +108,8 @@ TEST_CASE("reference: a row ends after its last value, and a point without a val
   CHECK(values[0] == old[0]);
   REQUIRE(values[1].size() == 2);
   CHECK(std::isnan(values[1][0].get<double>()));
-  CHECK_THAT(reference_text(r), Contains("[null,"));
-  const Json again = read_reference(p.s.write("r.json", reference_text(r)));
+  CHECK_THAT(json_lines(r), Contains("[null,"));
+  const Json again = read_reference(p.s.write("r.json", json_lines(r)));
   CHECK(compare_files(p.b, again).differences.empty());
   CHECK(compare_files(p.a, again).total(&Difference::above) == 2);
   CHECK(compare_files(p.b, p.reference).total(&Difference::above) == 2);
@@ -316,7 +316,7 @@ TEST_CASE("reference: a malformed file is refused with the JSON pointer of the m
   expected = "/variables/R_x/tolerance: is missing";
   refused(json.dump());
   expected = "not JSON";
-  refused(reference_text(p.reference).substr(0, 500));
+  refused(json_lines(p.reference).substr(0, 500));
   refused("");
   expected = "expected a JSON object";
   refused("[1]");
