@@ -4,6 +4,8 @@
 #include <string>
 #include <string_view>
 
+struct evp_md_ctx_st;
+
 namespace bristle {
 
 enum class Sha {
@@ -15,14 +17,12 @@ enum class Sha {
 class Digest {
  public:
   explicit Digest(Sha algorithm);
-  ~Digest();
   void add(const void* data, std::size_t bytes);
   void add(std::string_view text) { add(text.data(), text.size()); }
   std::string hex();  // call once, after the last add()
 
  private:
-  struct State;
-  std::unique_ptr<State> state_;
+  std::unique_ptr<evp_md_ctx_st, void (*)(evp_md_ctx_st*)> context_;
 };
 
 std::string sha256_of(std::string_view text);
