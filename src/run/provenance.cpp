@@ -6,6 +6,7 @@
 
 #include <boost/version.hpp>
 #include <ctime>
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <hdf5.h>
 #include <nlohmann/json_fwd.hpp>
@@ -18,9 +19,6 @@
 namespace bristle::run {
 
 namespace {
-
-// Instruction set of the kernels in use.
-std::string instruction_set() { return best_kernels().target; }
 
 // Instruction sets for vectors that the processor supports.
 std::string cpu_features() {
@@ -46,12 +44,7 @@ std::string system_text() {
 }  // namespace
 
 std::string utc_now() {
-  const std::time_t now = std::time(nullptr);
-  std::tm parts{};
-  gmtime_r(&now, &parts);
-  char text[32];
-  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
-  return text;
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
 }
 
 std::map<std::string, std::string> provenance(const std::string& command_line, int threads) {
@@ -72,7 +65,7 @@ std::map<std::string, std::string> provenance(const std::string& command_line, i
       {"sleef", fmt::format("{}.{}.{}", SLEEF_VERSION_MAJOR, SLEEF_VERSION_MINOR, SLEEF_VERSION_PATCHLEVEL)},
       {"openssl", OPENSSL_VERSION_STR},
       {"c_library", gnu_get_libc_version()},
-      {"instruction_set", instruction_set()},
+      {"instruction_set", best_kernels().target},
       {"cpu_features", cpu_features()},
       {"cpu", cpu_model()},
       {"system", system_text()},
