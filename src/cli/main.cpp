@@ -29,13 +29,16 @@ void add_tier(CLI::App& command, std::string& tier, const std::string& descripti
       ->capture_default_str();
 }
 
-void add_experiment(CLI::App& command, ExperimentOptions& options) {
-  command.add_option("EXPERIMENT", options.file, "experiment file (JSON), or - for standard input")->required();
-  command.add_option("--set", options.load.set, "change a value: /json/pointer=value (repeatable)")
+// A command on an experiment.
+CLI::App* add_experiment(CLI::App& app, const char* name, const char* description, ExperimentOptions& options) {
+  auto* command = app.add_subcommand(name, description);
+  command->add_option("EXPERIMENT", options.file, "experiment file (JSON), or - for standard input")->required();
+  command->add_option("--set", options.load.set, "change a value: /json/pointer=value (repeatable)")
       ->type_name("PTR=VALUE")
       ->allow_extra_args(false);
-  add_tier(command, options.load.tier,
+  add_tier(*command, options.load.tier,
            "smoke: a small subset of the points; study: the subset for `assumptions`; full: all");
+  return command;
 }
 
 CLI::App* add_new(CLI::App& app, std::string& name, bool& in_si, bool& repository) {
@@ -52,8 +55,7 @@ CLI::App* add_new(CLI::App& app, std::string& name, bool& in_si, bool& repositor
 
 CLI::App* add_run(CLI::App& app, ExperimentOptions& experiment, run::RunOptions& run,
                   std::string& instruction_set) {
-  auto* command = app.add_subcommand("run", "compute an experiment into an HDF5 result file");
-  add_experiment(*command, experiment);
+  auto* command = add_experiment(app, "run", "compute an experiment into an HDF5 result file", experiment);
   command->add_option("-o,--output", run.output,
                       "result file, or - for standard output [results/<name>.h5 or, of another tier, "
                       "results/<name>-<tier>.h5]");
@@ -75,24 +77,12 @@ CLI::App* add_run(CLI::App& app, ExperimentOptions& experiment, run::RunOptions&
 }
 
 CLI::App* add_design(CLI::App& app, ExperimentOptions& experiment, run::RunOptions& run) {
-  auto* command = app.add_subcommand("design", "the same as `run`, of an experiment with a design: look for the best brush");
-  add_experiment(*command, experiment);
+  auto* command = add_experiment(
+      app, "design", "the same as `run`, of an experiment with a design: look for the best brush", experiment);
   command->add_option("-o,--output", run.output, "result file [as of `run`]");
   command->add_option("--threads", run.threads, "threads [all cores]")->check(CLI::Range(1, 1024));
   command->add_flag("--force", run.force, "compute even if the result is up to date");
   command->add_flag("--quiet", run.quiet, "no progress, no summary");
-  return command;
-}
-
-CLI::App* add_validate(CLI::App& app, ExperimentOptions& experiment) {
-  auto* command = app.add_subcommand("validate", "check an experiment file without computing it");
-  add_experiment(*command, experiment);
-  return command;
-}
-
-CLI::App* add_law(CLI::App& app, ExperimentOptions& experiment) {
-  auto* command = app.add_subcommand("law", "print the friction laws of an experiment over the sliding speed (CSV)");
-  add_experiment(*command, experiment);
   return command;
 }
 
@@ -146,8 +136,7 @@ CLI::App* add_diff(CLI::App& app, DiffOptions& diff) {
 }
 
 CLI::App* add_merge(CLI::App& app, ExperimentOptions& experiment, run::RunOptions& run) {
-  auto* command = app.add_subcommand("merge", "the same as `run --complete`");
-  add_experiment(*command, experiment);
+  auto* command = add_experiment(app, "merge", "the same as `run --complete`", experiment);
   command->add_option("-o,--output", run.output, "result file [as of `run`]");
   return command;
 }
@@ -219,8 +208,11 @@ class CommandLine {
     set_action(add_run(app_, experiment_, run_, instruction_set_),
                [this] { return cli::run_command(experiment_, run_, instruction_set_); });
     set_action(add_design(app_, experiment_, run_), [this] { return cli::run_command(experiment_, run_, "", true); });
-    set_action(add_validate(app_, experiment_), [this] { return cli::validate_command(experiment_); });
-    set_action(add_law(app_, experiment_), [this] { return cli::law_command(experiment_); });
+    set_action(add_experiment(app_, "validate", "check an experiment file without computing it", experiment_),
+               [this] { return cli::validate_command(experiment_); });
+    set_action(add_experiment(app_, "law", "print the friction laws of an experiment over the sliding speed (CSV)",
+                              experiment_),
+               [this] { return cli::law_command(experiment_); });
     set_action(app_.add_subcommand("schema", "print the JSON schema of experiment files, for editors"),
                [] { return cli::schema_command(); });
     set_action(add_info(app_, info_), [this] { return cli::info_command(info_); });
