@@ -16,16 +16,16 @@ using results::Column;
 using results::Group;
 using results::GroupDimension;
 
-// A table with named columns over one dimension.
+// A table with named columns over one dimension; of(i) is the value of a column at the i-th place.
 class Table {
  public:
   Table(const std::string& name, GroupDimension dimension) : group_{name, {}, {std::move(dimension)}, {}, {}} {}
 
   template <class Of>
-  void add(const Column& column, std::size_t rows, const Of& of) {
+  void add(const Column& column, const Of& of) {
     group_.columns.push_back(column);
-    group_.values.emplace_back();
-    for (std::size_t i = 0; i < rows; ++i) group_.values.back().push_back(double(of(i)));
+    std::vector<double>& values = group_.values.emplace_back(group_.dimensions.front().values.size());
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = double(of(i));
   }
   const Group& group() const { return group_; }
 
@@ -52,35 +52,34 @@ Column column_of(const std::string& quantity) {
 
 // The columns objective_1, objective_1_err, ... of estimates by row and objective.
 template <class Of>
-void add_objectives(Table& table, const Experiment& e, std::size_t rows, const Of& of) {
+void add_objectives(Table& table, const Experiment& e, const Of& of) {
   const std::vector<results::ResultVariable> variables = results::result_variables(e);
   for (std::size_t o = 0; o < e.design->objectives.size(); ++o) {
     const experiment::Objective& objective = e.design->objectives[o];
     Column column = *std::ranges::find(variables, objective.variable, &results::ResultVariable::name);
     column.name = fmt::format("objective_{}", o + 1);
     column.long_name = fmt::format("{}: {}", objective.text(), column.long_name);
-    table.add(column, rows, [&](std::size_t row) { return of(row)[o].value; });
+    table.add(column, [&](std::size_t row) { return of(row)[o].value; });
     column.name += "_err";
     column.long_name = "error of " + objective.variable;
-    table.add(column, rows, [&](std::size_t row) { return of(row)[o].error; });
+    table.add(column, [&](std::size_t row) { return of(row)[o].error; });
   }
 }
 
 // The columns that all lists of trials have.
 void add_trials(Table& table, const Experiment& e, const Findings& found, const std::vector<std::size_t>& list) {
   for (const std::string& quantity : e.design->quantities())
-    table.add(column_of(quantity), list.size(),
-              [&](std::size_t i) { return found.trials[list[i]].nominal.at(quantity); });
-  add_objectives(table, e, list.size(), [&](std::size_t i) { return found.trials[list[i]].objectives; });
+    table.add(column_of(quantity), [&](std::size_t i) { return found.trials[list[i]].nominal.at(quantity); });
+  add_objectives(table, e, [&](std::size_t i) { return found.trials[list[i]].objectives; });
   for (std::size_t c = 0; c < e.design->constraints.size(); ++c)
-    table.add({fmt::format("constraint_{}", c + 1), e.design->constraints[c].text(), "", ""}, list.size(),
+    table.add({fmt::format("constraint_{}", c + 1), e.design->constraints[c].text(), "", ""},
               [&](std::size_t i) { return found.trials[list[i]].constraints[c]; });
 }
 
 Group list_of(const std::string& name, const std::string& item, const std::string& meaning, const Experiment& e,
               const Findings& found, const std::vector<std::size_t>& list) {
   Table table(name, numbers(item, meaning, list.size()));
-  table.add(integer("trial", "number of the trial"), list.size(), [&](std::size_t i) { return list[i]; });
+  table.add(integer("trial", "number of the trial"), [&](std::size_t i) { return list[i]; });
   add_trials(table, e, found, list);
   return table.group();
 }
@@ -92,16 +91,16 @@ Group all_trials(const Experiment& e, const Trials& trials, const Findings& foun
   add_trials(table, e, found, all);
   const auto trial = [&](std::size_t i) -> const Trial& { return found.trials[i]; };
   table.add({"violation", "greatest excess over a constraint's limit, relative; infinite without values", "", ""},
-            all.size(), [&](std::size_t i) { return trial(i).violation; });
-  table.add(integer("first_row", "number in the sample of the point with the nominal values"), all.size(),
+            [&](std::size_t i) { return trial(i).violation; });
+  table.add(integer("first_row", "number in the sample of the point with the nominal values"),
             [&](std::size_t i) { return i * trials.rows_of_a_trial(); });
-  table.add(integer("missing", "points without a value of an objective"), all.size(),
+  table.add(integer("missing", "points without a value of an objective"),
             [&](std::size_t i) { return trial(i).missing; });
-  table.add(integer("ambiguous", "points whose load another gap carries as well"), all.size(),
+  table.add(integer("ambiguous", "points whose load another gap carries as well"),
             [&](std::size_t i) { return trial(i).ambiguous; });
   for (std::size_t o = 0; o < e.design->objectives.size(); ++o)
     table.add(integer(fmt::format("scenario_{}", o + 1), fmt::format("scenario in which objective_{} is worst", o + 1)),
-              all.size(), [&](std::size_t i) { return trial(i).scenarios[o]; });
+              [&](std::size_t i) { return trial(i).scenarios[o]; });
   return table.group();
 }
 
@@ -110,15 +109,15 @@ Group margins(const Findings& found) {
   for (const Profile& p : found.profiles) quantities.push_back(p.quantity);
   Table table("margins", results::word_dimension("quantity", "quantity of the recommended trial", quantities));
   table.add({"margin_below", "relative decrease that reaches a jump of the gap; NaN: none in the range", "", ""},
-            quantities.size(), [&](std::size_t i) { return found.profiles[i].margin_below; });
+            [&](std::size_t i) { return found.profiles[i].margin_below; });
   table.add({"margin_above", "relative increase that reaches a jump of the gap; NaN: none in the range", "", ""},
-            quantities.size(), [&](std::size_t i) { return found.profiles[i].margin_above; });
+            [&](std::size_t i) { return found.profiles[i].margin_above; });
   return table.group();
 }
 
 Group profile_group(const Experiment& e, const Profile& p) {
   Table table("profile_" + p.quantity, {column_of(p.quantity), {}, p.values});
-  add_objectives(table, e, p.values.size(), [&](std::size_t i) { return p.objectives[i]; });
+  add_objectives(table, e, [&](std::size_t i) { return p.objectives[i]; });
   return table.group();
 }
 
@@ -256,7 +255,7 @@ std::vector<Group> groups_of(const Experiment& e, const Trials& trials, const Fi
   if (found.second) {
     Table table("second", results::word_dimension(e.design->second_choice, "second model of the recommended trial",
                                 {experiment::find_sweepable(e.design->second_choice)->text(e.design->second_option)}));
-    add_objectives(table, e, 1, [&](std::size_t) { return found.second->objectives; });
+    add_objectives(table, e, [&](std::size_t) { return found.second->objectives; });
     groups.push_back(table.group());
   }
   return groups;
