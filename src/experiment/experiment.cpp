@@ -213,7 +213,7 @@ Analysis read_analysis(const Document& d, const Experiment& e) {
 }
 
 Experiment read(const Document& d) {
-  check_schema(d);
+  check_schema(d, experiment_schema());
   const Json& json = d.json();
   Experiment e;
   Json document = json;

@@ -210,8 +210,6 @@ std::string allowed_by_schema(const Json& schema) {
   return text;
 }
 
-void check_schema(const Document& document) { check_schema(document, experiment_schema()); }
-
 void check_schema(const Document& document, const Json& root) {
   require_short_name(document);
   std::vector<std::vector<std::string>> contexts;
