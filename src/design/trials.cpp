@@ -23,10 +23,6 @@ Estimate value_of(const results::PointRecord& record, const std::string& variabl
   return {record.values.at(variable).front(), error == record.values.end() ? 0 : error->second.front()};
 }
 
-bool is_ambiguous(const results::PointRecord& record) {
-  return record.values.at("status").front() == double(PointStatus::ambiguous);
-}
-
 // The statistic of values with errors. Its error is that of few values, and the mean error of the values.
 Estimate statistic(Statistic of, const std::vector<Estimate>& all) {
   std::vector<double> values;
@@ -176,7 +172,7 @@ Trial Trials::judge(const Values& nominal, const results::PointRecord* records) 
     return records[row * scenarios + scenario];
   };
   for (std::size_t i = 0; i < samples * scenarios; ++i) {
-    out.ambiguous += is_ambiguous(records[i]);
+    out.ambiguous += run::gap_of(records[i]).undecided;
     out.missing += std::ranges::any_of(
         design_.objectives, [&](const Objective& o) { return std::isnan(value_of(records[i], o.variable).value); });
   }
@@ -246,6 +242,13 @@ double Trials::jump_margin(const Values& nominal, const results::PointRecord* re
   return margin;
 }
 
+// The value in the scenario where it is worst. records: of one row, those of all scenarios
+Estimate Trials::worst_nominal(const Objective& objective, const results::PointRecord* records) const {
+  std::vector<Estimate> by_scenario;
+  for (std::size_t s = 0; s < scenarios(); ++s) by_scenario.push_back(value_of(records[s], objective.variable));
+  return by_scenario[worst_scenario(objective, by_scenario)];
+}
+
 Score Trials::score_of(const Trial& trial) const {
   Score score{{}, trial.violation};
   for (std::size_t i = 0; i < trial.objectives.size(); ++i)
@@ -267,12 +270,8 @@ Profile Trials::profile(const Values& nominal, const std::string& quantity,
   Profile out{quantity, values, {}, kNone, kNone};
   for (std::size_t i = 0; i < values.size(); ++i) {
     out.objectives.emplace_back();
-    for (const Objective& objective : design_.objectives) {
-      std::vector<Estimate> by_scenario;
-      for (std::size_t s = 0; s < scenarios(); ++s)
-        by_scenario.push_back(value_of(records[i * scenarios() + s], objective.variable));
-      out.objectives.back().push_back(by_scenario[worst_scenario(objective, by_scenario)]);
-    }
+    for (const Objective& objective : design_.objectives)
+      out.objectives.back().push_back(worst_nominal(objective, records.data() + i * scenarios()));
   }
   if (along.base.loading.z_0) return out;  // a given gap does not jump
   std::vector<run::Gap> gaps;
@@ -302,12 +301,8 @@ std::vector<SobolIndices> Trials::indices(const Values& nominal) const {
   std::vector<SobolIndices> out;
   for (const Objective& objective : design_.objectives) {
     std::vector<double> values;
-    for (std::size_t row = 0; row < rows.size(); ++row) {
-      std::vector<Estimate> by_scenario;
-      for (std::size_t s = 0; s < scenarios(); ++s)
-        by_scenario.push_back(value_of(records[row * scenarios() + s], objective.variable));
-      values.push_back(by_scenario[worst_scenario(objective, by_scenario)].value);
-    }
+    for (std::size_t row = 0; row < rows.size(); ++row)
+      values.push_back(worst_nominal(objective, records.data() + row * scenarios()).value);
     out.push_back(sobol_indices(values, inputs));
   }
   return out;

@@ -76,6 +76,7 @@ class Trials {
   Values deviated(const Values& nominal, const Point& deviations) const;
   double neighbour(const Values& nominal, const std::string& quantity, double change) const;
   Trial judge(const Values& nominal, const results::PointRecord* records) const;
+  Estimate worst_nominal(const experiment::Objective& objective, const results::PointRecord* records) const;
   double jump_margin(const Values& nominal, const results::PointRecord* records) const;
 
   const Experiment& experiment_;
