@@ -25,7 +25,7 @@ struct Predicate {
 // All predicates. docs/claims.md describes them; a test compares the names.
 const std::vector<Predicate>& predicates();
 std::vector<std::string> predicate_names();
-// Throws InputError for a name that is not in the table.
+// name: one in the table.
 const Predicate& find_predicate(const std::string& name);
 
 // The number that the check measures, with its uncertainty. A check with "compare" measures at two values of
