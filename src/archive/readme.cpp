@@ -1,8 +1,8 @@
 #include "archive/contents.hpp"
 
 #include "archive/crate.hpp"
-#include "util/text.hpp"
 
+#include <boost/algorithm/string/replace.hpp>
 #include <fmt/format.h>
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -90,7 +90,7 @@ std::string archive_readme(const Contents& contents) {
       {"{{claims}}", claims_table(contents)},
   };
   std::string text = readme_template();
-  for (const auto& [key, value] : values) text = replace_all(std::move(text), key, value);
+  for (const auto& [key, value] : values) boost::replace_all(text, key, value);
   return text;
 }
 

@@ -5,8 +5,8 @@
 #include "util/data.hpp"
 #include "util/error.hpp"
 #include "util/file.hpp"
-#include "util/text.hpp"
 
+#include <boost/algorithm/string/replace.hpp>
 #include <fmt/format.h>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -111,7 +111,7 @@ void write_experiment(const std::string& path, const std::string& name, bool in_
     throw InputError(
         "new: paper.json did not come with this program, and the new experiment extends it; "
         "install bristle with `cmake --install`, or use the program of a checkout");
-  write_whole(path, replace_all(in_si ? kStartInSi : kStart, "NAME", name) + "\n",
+  write_whole(path, boost::replace_all_copy(std::string(in_si ? kStartInSi : kStart), "NAME", name) + "\n",
               {"an experiment", "{", {}});
   experiment::load_experiment(path, {});
 }
@@ -120,11 +120,12 @@ void write_experiment(const std::string& path, const std::string& name, bool in_
 int new_repository(const std::string& name, bool in_si) {
   if (std::filesystem::exists(std::filesystem::symlink_status(name)))
     throw InputError(fmt::format("{}: exists; choose another name, or remove it first", name));
-  const std::string commit = replace_all(run::kCommit, "-dirty", "");
+  const std::string commit = boost::replace_all_copy(std::string(run::kCommit), "-dirty", "");
   write_experiment(fmt::format("{0}/{0}.json", name), name, in_si);
   write_whole(name + "/.gitignore", "results/\n", {"a list of files", "results/", {}});
   write_whole(name + "/check.sh", kCheckScript, {"a script", "#!/bin/sh", {}});
-  write_whole(name + "/.github/workflows/check.yml", replace_all(kWorkflow, "COMMIT", commit), {"a workflow", "name:", {}});
+  write_whole(name + "/.github/workflows/check.yml",
+              boost::replace_all_copy(std::string(kWorkflow), "COMMIT", commit), {"a workflow", "name:", {}});
   fmt::print(
       "{0}/: written, with an experiment, check.sh and a workflow for continuous integration. Next:\n"
       "  cd {0} && git init && git add . && git commit -m \"An experiment\"\n"

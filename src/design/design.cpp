@@ -10,8 +10,8 @@
 #include "run/signals.hpp"
 #include "run/sweep.hpp"
 #include "util/error.hpp"
-#include "util/text.hpp"
 
+#include <boost/algorithm/string/replace.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <algorithm>
@@ -214,7 +214,7 @@ bool run_design(const Experiment& experiment, const run::RunOptions& options) {
     const results::ResultReader file(options.output);
     if (!options.quiet)
       fmt::print("{} is up to date: nothing to compute (--force computes it again)\n{}", options.output,
-                 replace_all(file.provenance().at(kFound), "\\x0a", "\n"));
+                 boost::replace_all_copy(file.provenance().at(kFound), "\\x0a", "\n"));
     return file.has("best");
   }
   run::RunOptions with_threads = options;

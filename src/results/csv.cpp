@@ -4,6 +4,7 @@
 #include "util/grid.hpp"
 #include "util/text.hpp"
 
+#include <boost/algorithm/string/replace.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <algorithm>
@@ -102,7 +103,7 @@ std::string quoted(std::string cell) {
   if (!cell.empty() && !is_number && std::strchr("=+-@", cell.front())) cell.insert(0, "'");
   cell = printable(cell);
   if (cell.find_first_of(",\"#") == std::string::npos) return cell;
-  return "\"" + replace_all(cell, "\"", "\"\"") + "\"";
+  return "\"" + boost::replace_all_copy(cell, "\"", "\"\"") + "\"";
 }
 
 }  // namespace

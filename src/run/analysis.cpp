@@ -7,6 +7,7 @@
 #include "util/sensitivity.hpp"
 #include "util/text.hpp"
 
+#include <boost/algorithm/string/erase.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <algorithm>
@@ -203,7 +204,7 @@ std::string analysis_text(const Experiment& experiment, const std::vector<result
     const std::size_t block = experiment.analysis.sobol_indices.empty() ? 1 : inputs_of(experiment).size() + 2;
     for (std::size_t row = 0; row < others.points() * outputs.size(); ++row) {
       std::string place = others.place(row / outputs.size());
-      place = replace_all(replace_all(place, "sample = 0, ", ""), ", sample = 0", "");
+      for (const char* sample : {"sample = 0, ", ", sample = 0"}) boost::erase_all(place, sample);
       text += fmt::format("{} of {}{}: {}\n",
                           of_indices ? "total (and first-order) Sobol indices" : "quantiles", outputs[row % outputs.size()],
                           place == "sample = 0" ? "" : " at " + place,

@@ -62,12 +62,6 @@ std::string printable(const std::string& text, const std::string& kept) {
   return out;
 }
 
-std::string replace_all(std::string text, const std::string& what, const std::string& by) {
-  for (auto at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size()))
-    text.replace(at, what.size(), by);
-  return text;
-}
-
 void write_message(const std::string& text) { write_stderr(printable(text, "\n")); }
 
 void write_stderr(const std::string& text) {

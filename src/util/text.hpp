@@ -15,8 +15,6 @@ std::string shell_quoted(const std::string& text);
 // terminal would execute them.
 std::string printable(const std::string& text, const std::string& kept = "");
 
-std::string replace_all(std::string text, const std::string& what, const std::string& by);
-
 // Writes the text to standard error. If that is closed or on a full disk the text is lost, and nothing else:
 // a message must not end the command that it is about.
 void write_stderr(const std::string& text);

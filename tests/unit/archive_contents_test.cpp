@@ -75,10 +75,10 @@ TEST_CASE("an archive of another tier is a draft that says so") {
 TEST_CASE("the archive has the licence of the data, the DOI, the paper and its authors") {
   const Release r([](const Scratch& s) {
     std::string text =
-        replace_all(bytes_of(s.path("CITATION.cff")), "license: MIT", "license: MIT\ndoi: 10.5281/zenodo.99\nidentifiers:\n  - type: doi\n"
+        boost::replace_all_copy(bytes_of(s.path("CITATION.cff")), "license: MIT", "license: MIT\ndoi: 10.5281/zenodo.99\nidentifiers:\n  - type: doi\n"
                     "    value: 10.5281/zenodo.12\n    description: the archive");
     s.write("CITATION.cff",
-            replace_all(text, "    issue: 4", "    doi: 10.1000/p\n    volume: 7\n    issue: 4"));
+            boost::replace_all_copy(text, "    issue: 4", "    doi: 10.1000/p\n    volume: 7\n    issue: 4"));
   });
   Files files = read_tar(r.build());
   strip_folder(files);
@@ -203,7 +203,7 @@ TEST_CASE("studies, matrices and the report are archived, and refused with the c
 
   std::filesystem::remove(r.options.output);
   r.s.write("experiments/assumptions/one.json",
-            replace_all(bytes_of(r.s.path("experiments/assumptions/one.json")), "0.02", "0.03"));
+            boost::replace_all_copy(bytes_of(r.s.path("experiments/assumptions/one.json")), "0.02", "0.03"));
   r.commit();
   r.options.commit = r.head();
   CHECK_THAT(refusal(r),

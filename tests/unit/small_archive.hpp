@@ -4,10 +4,10 @@
 #include "archive/citation.hpp"
 #include "archive/verify.hpp"
 #include "util/error.hpp"
-#include "util/text.hpp"
 #include "small_result.hpp"
 
 #include "catch.hpp"
+#include <boost/algorithm/string/replace.hpp>
 #include <cstdlib>
 
 // An archive of one small result in a repository of its own, and functions to repack it.
@@ -22,7 +22,7 @@ struct Release {
     const std::string root = std::string(BRISTLE_EXPERIMENTS) + "/../";
     for (const char* name : {"LICENSE", "LICENSE-DATA", "experiments/paper.json"})
       s.write(name, bytes_of(root + name));
-    s.write("CITATION.cff", replace_all(bytes_of(root + "CITATION.cff"), "  - name: The bristle developers",
+    s.write("CITATION.cff", boost::replace_all_copy(bytes_of(root + "CITATION.cff"), "  - name: The bristle developers",
                                         "  - family-names: Somebody\n    given-names: Somebody\n"
                                         "    affiliation: Somebody\n    orcid: "
                                         "https://orcid.org/0000-0001-2345-6789"));
