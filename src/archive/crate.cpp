@@ -1,6 +1,5 @@
 #include "archive/crate.hpp"
 
-#include "archive/citation.hpp"
 #include "util/sha.hpp"
 #include "util/text.hpp"
 

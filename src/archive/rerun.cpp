@@ -9,7 +9,6 @@
 #include "util/random.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <algorithm>
 #include <nlohmann/json.hpp>
 

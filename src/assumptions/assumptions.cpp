@@ -13,7 +13,6 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <chrono>
 #include <filesystem>
 #include <iterator>
 #include <map>

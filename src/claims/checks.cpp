@@ -1,13 +1,11 @@
 #include "claims/checks.hpp"
 
 #include "claims/measure.hpp"
-#include "experiment/experiment.hpp"
 #include "util/error.hpp"
 #include "util/json.hpp"
 
 #include <nlohmann/json.hpp>
 
-#include <fmt/format.h>
 #include <cmath>
 #include <map>
 

@@ -13,11 +13,8 @@
 
 #include <boost/algorithm/string/replace.hpp>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
-#include <numeric>
 
 namespace bristle::design {
 namespace {

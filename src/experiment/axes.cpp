@@ -1,10 +1,7 @@
 #include "experiment/experiment.hpp"
 
 #include "experiment/sample.hpp"
-#include "experiment/schema.hpp"
 #include "model/elementary.hpp"
-#include "util/error.hpp"
-#include "util/text.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

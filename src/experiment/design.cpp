@@ -3,7 +3,6 @@
 #include "experiment/sample.hpp"
 #include "experiment/schema.hpp"
 #include "model/elementary.hpp"
-#include "util/text.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>

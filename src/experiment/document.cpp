@@ -14,9 +14,7 @@
 #include <cctype>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
-#include <set>
 
 namespace bristle::experiment {
 namespace fs = std::filesystem;

@@ -2,7 +2,6 @@
 #include "experiment/si_units.hpp"
 #include "model/equations.hpp"
 
-#include <fmt/format.h>
 #include <algorithm>
 
 namespace bristle::experiment {

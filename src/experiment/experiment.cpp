@@ -5,7 +5,6 @@
 #include "experiment/schema.hpp"
 #include "experiment/friction_law.hpp"
 #include "experiment/si_units.hpp"
-#include "model/elementary.hpp"
 #include "model/friction/chi.hpp"
 #include "model/friction/laws.hpp"
 #include "util/error.hpp"

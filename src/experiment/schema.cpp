@@ -2,7 +2,6 @@
 
 #include "experiment/design.hpp"
 #include "experiment/si_units.hpp"
-#include "util/error.hpp"
 #include "util/text.hpp"
 
 #include <fmt/format.h>

@@ -1,12 +1,9 @@
 #include "experiment/si_units.hpp"
 
-#include "util/error.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string_view>

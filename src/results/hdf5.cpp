@@ -10,7 +10,6 @@
 #include <cstring>
 #include <hdf5_hl.h>
 #include <limits>
-#include <nlohmann/json.hpp>
 
 namespace bristle::h5 {
 namespace {

@@ -2,7 +2,6 @@
 
 #include "results/journal.hpp"
 
-#include <map>
 #include <string>
 #include <vector>
 

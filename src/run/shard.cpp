@@ -4,7 +4,6 @@
 #include "util/error.hpp"
 
 #include <fmt/format.h>
-#include <algorithm>
 #include <charconv>
 #include <filesystem>
 #include <regex>
