@@ -1,6 +1,7 @@
 #pragma once
 
 #include "assumptions/matrix.hpp"
+#include "run/sweep.hpp"
 
 namespace bristle::assumptions {
 
@@ -11,7 +12,7 @@ struct AssumptionsOptions {
   // File of the matrix. The results of the runs go to a folder of that name without .json.
   std::string output = "results/assumptions.json";
   std::string tier = "study";
-  int threads = 0;  // 0: all cores
+  int threads = run::all_cores();
   bool quiet = false;
   std::string command_line;
 };

@@ -8,7 +8,6 @@
 #include "run/analysis.hpp"
 #include "run/provenance.hpp"
 #include "run/signals.hpp"
-#include "run/sweep.hpp"
 #include "util/error.hpp"
 
 #include <boost/algorithm/string/replace.hpp>
@@ -214,12 +213,10 @@ bool run_design(const Experiment& experiment, const run::RunOptions& options) {
                  boost::replace_all_copy(file.provenance().at(kFound), "\\x0a", "\n"));
     return file.has("best");
   }
-  run::RunOptions with_threads = options;
-  if (options.threads == 0) with_threads.threads = run::all_cores();
   run::install_signal_handlers();
-  auto entries = run::provenance(options.command_line, with_threads.threads);
+  auto entries = run::provenance(options.command_line, options.threads);
   entries["started"] = run::utc_now();
-  const auto [text, found] = Search(experiment, with_threads).run(entries);
+  const auto [text, found] = Search(experiment, options).run(entries);
   if (!options.quiet) fmt::print("{}", text);
   return found;
 }

@@ -11,7 +11,6 @@
 #include "run/provenance.hpp"
 #include "run/signals.hpp"
 #include "run/summary.hpp"
-#include "run/sweep.hpp"
 #include "util/error.hpp"
 #include "util/file.hpp"
 
@@ -243,9 +242,7 @@ void run_experiment(const Experiment& experiment, const RunOptions& options) {
     return;
   }
   if (!options.force && !options.shard) require_no_loss(experiment, options.output);
-  RunOptions with_threads = options;
-  if (options.threads == 0) with_threads.threads = all_cores();
-  compute(experiment, with_threads);
+  compute(experiment, options);
 }
 
 }  // namespace bristle::run

@@ -5,6 +5,7 @@
 #include "run/progress.hpp"
 #include "run/shard.hpp"
 #include "run/summary.hpp"
+#include "run/sweep.hpp"
 
 #include <map>
 #include <optional>
@@ -16,7 +17,7 @@ struct RunOptions {
   std::string output;            // the result file; journals are in the same folder
   std::optional<Shard> shard{};  // compute these points into a journal of their own, and write no result
   bool complete = false;         // write the result of points that are in journals; throw if one is missing
-  int threads = 0;               // 0: all cores
+  int threads = all_cores();
   bool force = false, quiet = false;
   std::string command_line{};  // stored in the provenance
 };
