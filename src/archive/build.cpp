@@ -274,7 +274,7 @@ BuiltArchive build_archive(const ArchiveOptions& options) {
   built.draft = contents.draft;
   WholeFile out(built.path, kind);
   const std::string bytes = write_tar(in_folder(folder, bag_of(contents)), contents.time);
-  out.write(bytes.data(), bytes.size());
+  out.write(bytes);
   out.close();
   const Verification verified = verify_archive(out.partial());
   if (!verified.problems.empty())

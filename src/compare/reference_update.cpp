@@ -103,8 +103,8 @@ void write_files(const std::string& reference, const std::string& text, const st
                  const std::string& record) {
   WholeFile new_reference(reference, {"a reference of bristle", "{", {"\"bristle-reference/"}});
   WholeFile new_log(log, {"the record of the references", kLogTitle, {}});
-  new_reference.write(text.data(), text.size());
-  new_log.write(record.data(), record.size());
+  new_reference.write(text);
+  new_log.write(record);
   new_reference.close();
   new_log.close();
   new_log.publish();

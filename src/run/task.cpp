@@ -50,8 +50,7 @@ void refresh_description(const Experiment& experiment, const std::string& path) 
   if (results::ResultReader(path).experiment() == *experiment.document) return;
   const results::Journal lock(journal_path(path, {}), kCommit, false);
   WholeFile copy(path, results::result_file());
-  const std::string bytes = read_file(path);
-  copy.write(bytes.data(), bytes.size());
+  copy.write(read_file(path));
   copy.close();
   results::annotate(copy.partial(), experiment);
   add_checks(copy.partial());

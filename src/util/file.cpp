@@ -129,15 +129,6 @@ int lock_file(const std::string& result, const std::string& path) {
   }
 }
 
-void replace_file(const std::string& from, const std::string& to) {
-  flush_to_disk(from, from, O_RDONLY);
-  std::error_code error;
-  fs::rename(from, to, error);
-  if (error) throw RunError(fmt::format("{}: cannot be renamed to {}: {}", from, to, error.message()));
-  const fs::path folder = fs::path(to).parent_path();
-  flush_to_disk(to, folder.empty() ? "." : folder.string(), O_RDONLY | O_DIRECTORY);
-}
-
 std::string not_a_file(const std::string& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
@@ -175,7 +166,7 @@ WholeFile::~WholeFile() {
   ::close(lock_);
 }
 
-void WholeFile::write(const char* bytes, std::size_t count) { out_.write(bytes, std::streamsize(count)); }
+void WholeFile::write(const std::string& bytes) { out_ << bytes; }
 
 void WholeFile::close() {
   out_.close();
@@ -183,13 +174,18 @@ void WholeFile::close() {
 }
 
 void WholeFile::publish() {
-  replace_file(partial_, path_);
+  flush_to_disk(partial_, partial_, O_RDONLY);
+  std::error_code error;
+  fs::rename(partial_, path_, error);
+  if (error) throw RunError(fmt::format("{}: cannot be renamed to {}: {}", partial_, path_, error.message()));
+  const fs::path folder = fs::path(path_).parent_path();
+  flush_to_disk(path_, folder.empty() ? "." : folder.string(), O_RDONLY | O_DIRECTORY);
   published_ = true;
 }
 
 void write_whole(const std::string& path, const std::string& text, const FileKind& kind) {
   WholeFile file(path, kind);
-  file.write(text.data(), text.size());
+  file.write(text);
   file.close();
   file.publish();
 }

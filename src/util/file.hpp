@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <fstream>
 #include <string>
@@ -40,10 +39,6 @@ void require_replaceable(const std::string& output, const FileKind& kind);
 // holds the lock.
 int lock_file(const std::string& result, const std::string& path);
 
-// Renames a finished file after flushing it to the disk, so that a power cut leaves either the old file or
-// the complete new one. Throws RunError.
-void replace_file(const std::string& from, const std::string& to);
-
 // A file that is written completely or not at all: it is written under a temporary name in the same folder,
 // and publish() renames it. Without publish() the destructor removes the temporary file, and an existing file
 // remains unchanged.
@@ -56,9 +51,11 @@ class WholeFile {
   WholeFile(const WholeFile&) = delete;
   WholeFile& operator=(const WholeFile&) = delete;
 
-  void write(const char* bytes, std::size_t count);
+  void write(const std::string& bytes);
   void close();    // throws RunError if writing failed
-  void publish();  // call after close(); throws RunError
+  // Call after close(). Renames the file after flushing it to the disk, so that a power cut leaves either the
+  // old file or the complete new one. Throws RunError.
+  void publish();
   const std::string& partial() const { return partial_; }
 
  private:
