@@ -116,6 +116,31 @@ std::string number_range(const Json& s) {
   return limits.empty() ? text : fmt::format("{} {}", text, fmt::join(limits, " and "));
 }
 
+// What a subschema allows: "a number greater than 0 (radial stiffness, dimensionless)".
+std::string allowed_by_schema(const Json& schema) {
+  const Json& s = resolve(schema);
+  std::string text;
+  if (s.contains("const")) {
+    text = s["const"].dump();
+  } else if (s.contains("enum")) {
+    std::vector<std::string> options;
+    for (const Json& option : s["enum"]) options.push_back(option.dump());
+    text = fmt::format("{}", fmt::join(options, ", "));
+  } else if (s.contains("anyOf")) {
+    std::vector<std::string> options;
+    for (const Json& option : s["anyOf"]) options.push_back(allowed_by_schema(option));
+    text = fmt::format("{}", fmt::join(options, " or "));
+  } else if (s.contains("type")) {
+    const std::string type = s["type"];
+    if (type == "number" || type == "integer") text = number_range(s);
+    else if (type == "array")
+      text = s.contains("items") ? "an array, each " + allowed_by_schema(s["items"]) : "an array";
+    else text = (type == "object" ? "an " : "a ") + type;
+  }
+  if (s.contains("description")) text += fmt::format(" ({})", s["description"].get<std::string>());
+  return text;
+}
+
 // Throws InputError that explains why the value does not match the schema.
 [[noreturn]] void explain(const Document& d, const JsonPointer& at, const Json& schema) {
   const Json& value = d.json().at(at);
@@ -183,30 +208,6 @@ const Json& parameter_schema(const std::string& name) {
     if (const Json& properties = experiment_schema()[JsonPointer(place)]; properties.contains(name))
       return properties[name];
   throw std::logic_error("no schema for " + name);
-}
-
-std::string allowed_by_schema(const Json& schema) {
-  const Json& s = resolve(schema);
-  std::string text;
-  if (s.contains("const")) {
-    text = s["const"].dump();
-  } else if (s.contains("enum")) {
-    std::vector<std::string> options;
-    for (const Json& option : s["enum"]) options.push_back(option.dump());
-    text = fmt::format("{}", fmt::join(options, ", "));
-  } else if (s.contains("anyOf")) {
-    std::vector<std::string> options;
-    for (const Json& option : s["anyOf"]) options.push_back(allowed_by_schema(option));
-    text = fmt::format("{}", fmt::join(options, " or "));
-  } else if (s.contains("type")) {
-    const std::string type = s["type"];
-    if (type == "number" || type == "integer") text = number_range(s);
-    else if (type == "array")
-      text = s.contains("items") ? "an array, each " + allowed_by_schema(s["items"]) : "an array";
-    else text = (type == "object" ? "an " : "a ") + type;
-  }
-  if (s.contains("description")) text += fmt::format(" ({})", s["description"].get<std::string>());
-  return text;
 }
 
 void check_schema(const Document& document, const Json& root) {

@@ -14,8 +14,6 @@ void check_schema(const Document& document, const Json& schema);
 // The experiment schema: experiment.schema.json, with the keys of the blocks "model" and "si" from
 // kParameters, choices() and si_quantities(), and the words of enumerations.
 const Json& experiment_schema();
-// A description of what a subschema allows: "a number greater than 0 (radial stiffness, dimensionless)".
-std::string allowed_by_schema(const Json& schema);
 
 // The schema of a sweepable number: in the model, load, orientation or si block.
 const Json& parameter_schema(const std::string& name);

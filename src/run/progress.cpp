@@ -12,6 +12,13 @@ namespace {
 
 constexpr double kTerminalSeconds = 0.2, kFirstPlainSeconds = 3, kPlainSeconds = 30;
 
+// "15,300"
+std::string count_text(std::size_t count) {
+  std::string out = std::to_string(count);
+  for (std::size_t i = out.size(); i > 3; i -= 3) out.insert(i - 3, ",");
+  return out;
+}
+
 }  // namespace
 
 std::string duration_text(double seconds) {
@@ -19,12 +26,6 @@ std::string duration_text(double seconds) {
   if (s < 60) return fmt::format("{} s", s);
   if (s < 3600) return fmt::format("{} min {} s", s / 60, s % 60);
   return fmt::format("{} h {} min", s / 3600, s / 60 % 60);
-}
-
-std::string count_text(std::size_t count) {
-  std::string out = std::to_string(count);
-  for (std::size_t i = out.size(); i > 3; i -= 3) out.insert(i - 3, ",");
-  return out;
 }
 
 Progress::Progress(const std::string& name, std::size_t total, bool quiet)

@@ -32,7 +32,5 @@ class Progress {
 
 // "3 min 20 s"
 std::string duration_text(double seconds);
-// "15,300"
-std::string count_text(std::size_t count);
 
 }  // namespace bristle::run
