@@ -50,12 +50,14 @@ Column column_of(const std::string& quantity) {
   return out;
 }
 
-// The columns objective_1, objective_1_err, ... of estimates by row and objective.
+// The columns objective_1, objective_1_err, ... of estimates by row and objective. nominal: whether they are nominal
+// values, whatever counts over the tolerances.
 template <class Of>
-void add_objectives(Table& table, const Experiment& e, const Of& of) {
+void add_objectives(Table& table, const Experiment& e, const Of& of, bool nominal = false) {
   const std::vector<results::ResultVariable> variables = results::result_variables(e);
   for (std::size_t o = 0; o < e.design->objectives.size(); ++o) {
-    const experiment::Objective& objective = e.design->objectives[o];
+    experiment::Objective objective = e.design->objectives[o];
+    if (nominal) objective.of = Statistic::nominal;
     Column column = *std::ranges::find(variables, objective.variable, &results::ResultVariable::name);
     column.name = fmt::format("objective_{}", o + 1);
     column.long_name = fmt::format("{}: {}", objective.text(), column.long_name);
@@ -117,7 +119,7 @@ Group margins(const Findings& found) {
 
 Group profile_group(const Experiment& e, const Profile& p) {
   Table table("profile_" + p.quantity, {column_of(p.quantity), {}, p.values});
-  add_objectives(table, e, [&](std::size_t i) { return p.objectives[i]; });
+  add_objectives(table, e, [&](std::size_t i) { return p.objectives[i]; }, true);
   return table.group();
 }
 

@@ -235,7 +235,7 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
        "null "
        "removes an inherited key)"},
       {with(R"("si": {"m_kg": 1, "r0_m": 2, "V0_m_per_s": 1, "z_0_m": 1.99}, "load": {"R_n": null})"),
-       "@/e.json: /si/z_0_m: 0.995 is above first contact; allowed: at most sin(phi_0) = 0.984808"},
+       "@/e.json: /si/z_0_m: 1.99 m is above first contact; allowed: at most r_0 sin(phi_0) = 1.96962 m"},
       {with(R"("load": {"R_n": null, "z_0": 0.9, "nominal_friction": 2})"),
        "@/e.json: /load/nominal_friction: needs a target load R_n, which it multiplies"},
       {with(R"("sweep": {"nominal_friction": {"values": [1]}, "tau_f": {"values": [1]}})"),
@@ -411,6 +411,16 @@ TEST_CASE("a material in SI units has the same stiffness at every velocity") {
   CHECK(a.E_star * 1e-4 * 4 / std::pow(0.017, 3) == Approx(1e8 / (1 - 0.16)));
   CHECK(slow.loading.R_n * si_scales(slow).force == Approx(0.1));
   CHECK(fast.loading.R_n * si_scales(fast).force == Approx(0.1));
+}
+
+TEST_CASE("a measured polar stiffness replaces that of the shaft, and the ratios are to it") {
+  const Experiment e = load_experiment(kExperiments + "/ski.json", {{"/si/k_phi_N_m=0.02"}, "full"});
+  const PointInput point = e.point(0);
+  const Parameters& p = point.setup.parameters;
+  CHECK(p.k_phi * si_scales(point).energy == Approx(0.02));
+  CHECK(p.k_r == Approx(10 * p.k_phi));
+  CHECK(p.k_theta == p.k_phi);
+  CHECK(p.R == Approx(0.00108 / 0.017));
 }
 
 TEST_CASE("gap, slab and spacing in metres follow the bristle's length") {

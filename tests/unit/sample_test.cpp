@@ -142,6 +142,8 @@ TEST_CASE("a row of a table is the same point as the same values on axes") {
   CHECK(canonical_point(e, 2) == canonical_point(axes, 0));
   CHECK(canonical_point(e, 3) == canonical_point(axes, 1));
   CHECK(e.place(3) == "sample = 1, bending = rod");
+  f.s.write("one.csv", "k_r,mu_c\n5,0.2\n");
+  CHECK(f.load(R"({"sample": {"table": "one.csv"}})").warnings.empty());  // one value shows no effect, and is no mistake
   // The document has all that the points need: the file may change or be lost.
   std::filesystem::remove(f.s.path("t.csv"));
   const Experiment stored = stored_experiment(*e.document, "full", "stored");

@@ -58,7 +58,7 @@ struct Law {
 Law law_of(const FrictionValues& values) {
   const double V_end = values.V_R.back();
   const double k = std::max(1.0, std::round(std::log2(1 + std::sqrt(V_end / values.V_R[1]))));
-  const double rest = std::exp2(-std::min(k, std::log2(kFewestIntervals)));
+  const double rest = std::exp2(-k);
   return {Interpolant(values), V_end, V_end * rest / (1 - rest), 1 - rest};
 }
 
@@ -141,6 +141,7 @@ std::shared_ptr<const ModulationTable> modulation_table(const FrictionValues& va
   const double allowed = kTableError * std::ranges::max(values.mu);
   std::vector<double> coefficients;
   for (int intervals = kFewestIntervals; intervals <= kMostIntervals; intervals *= 2) {
+    if (intervals * (1 - law.t_end) < 1) continue;  // the last speed would be within an interval
     if (fill(coefficients, law, intervals) > allowed) continue;
     auto table = std::make_shared<ModulationTable>(law.V_scale, coefficients);
     double worst = 0;  // at the corners
