@@ -282,8 +282,11 @@ class Comparison:
             return None
 
         def at(z_0):
-            one = compute(self.bristle, document | {"load": {"z_0": z_0}}, self.folder / f"gap-{number}.json", self.patience)
-            return one.get("values", {"R_n": math.nan})
+            try:
+                one = compute(self.bristle, document | {"load": {"z_0": z_0}}, self.folder / f"gap-{number}.json", self.patience)
+            except subprocess.TimeoutExpired:
+                one = {}
+            return one.get("values", {"R_n": math.nan, "R_n_err": math.nan})
 
         values = at(fast["z_0"])
         if not abs(values["R_n"] - target) <= fast["R_n_err"] + values["R_n_err"] + allowed:
