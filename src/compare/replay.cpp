@@ -6,6 +6,7 @@
 #include "util/text.hpp"
 
 #include <fmt/format.h>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -68,7 +69,9 @@ std::size_t nodes_per_point(const results::ResultReader& result) {
 std::string replay_command(const results::ResultReader& result, std::size_t point) {
   const Json experiment = result.experiment();
   const std::string file = experiment_file(result), tier = tier_of(result);
-  std::vector<std::string> words = {"build/bristle", "run", file};
+  // In a checkout of bristle the program is where `make build` puts it; elsewhere it is an installed one.
+  const char* own_build = "build/bristle";
+  std::vector<std::string> words = {std::filesystem::exists(own_build) ? own_build : "bristle", "run", file};
   if (tier != "full") words.insert(words.end(), {"--tier", tier});
   add_changes(words, experiment, file, tier);
   const Json sweep = experiment.value("sweep", Json::object());

@@ -180,13 +180,13 @@ std::string objectives_text(const Experiment& e, const Trial& trial) {
 
 std::string counts_text(const Experiment& e, const Findings& found) {
   const auto count = [&](auto is) { return std::ranges::count_if(found.trials, is); };
-  std::string out = fmt::format("{} trials", found.trials.size());
+  std::string out = fmt::format("{} trial{}", found.trials.size(), found.trials.size() == 1 ? "" : "s");
   if (!e.design->constraints.empty())
     out += fmt::format(", {} meet the constraints", count([](const Trial& t) { return t.violation == 0; }));
   const auto missing = count([](const Trial& t) { return std::isinf(t.violation); }),
              ambiguous = count([](const Trial& t) { return t.ambiguous > 0; });
-  if (missing > 0) out += fmt::format("; {} have points without a value and are left out", missing);
-  if (ambiguous > 0) out += fmt::format("; {} have points whose load another gap carries as well", ambiguous);
+  if (missing > 0) out += fmt::format("; left out, as points have no value: {}", missing);
+  if (ambiguous > 0) out += fmt::format("; with points whose load another gap carries as well: {}", ambiguous);
   return out;
 }
 

@@ -130,7 +130,7 @@ TEST_CASE("deviations: none, above half a tolerance, and above the tolerance") {
   CHECK(p.report().differences[0].where == 3);
   CHECK_THAT(p.text(), Contains("FAILED"));
   CHECK_THAT(replay_command(ResultReader(p.b), p.report().differences[0].where),
-             Contains(R"(build/bristle run experiments/small.json --tier smoke --set )"
+             Contains(R"(bristle run experiments/small.json --tier smoke --set )"
                       R"('/sweep/k_r={"values":[20.0],"logspace":null,"linspace":null,"take":null}' )"
                       R"(--set '/sweep/k_theta={"values":[0.3],)"));
 }
@@ -147,7 +147,7 @@ TEST_CASE("replay: the command names the experiment file of the run and the chan
     h5::write_attribute(group, "command_line", "bristle run " + s.path("small.json") + " -o a.h5");
   }
   const std::string command = replay_command(ResultReader(file), 4);
-  CHECK_THAT(command, Contains("build/bristle run " + s.path("small.json") + " --set /model/k_phi=2.5 ") &&
+  CHECK_THAT(command, Contains("bristle run " + s.path("small.json") + " --set /model/k_phi=2.5 ") &&
                           Contains("--set /load/z_0=0.5 --set /load/R_n=null ") && !Contains("--tier"));
   CHECK_THAT(command,
              Contains(R"('/sweep/k_r={"values":[20.0],)") && Contains(R"('/sweep/k_theta={"values":[1.0],)"));
