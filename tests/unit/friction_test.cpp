@@ -32,7 +32,8 @@ TEST_CASE("every friction law: the modulation rises from zero to its static valu
     double highest = 0;
     for (double V_R = 0; V_R < 0.1; V_R += 1e-4) highest = std::max(highest, modulation(p, V_R));
     CHECK(highest > 1 + (p.A - 1) / 2);
-    CHECK(highest < p.A + 1e-9);
+    // The table of a law of one's own rounds corners by up to 1e-4 of the largest mu.
+    CHECK(highest < p.A * (1 + (p.friction == FrictionLaw::custom ? 1e-4 : 1e-9)));
     CHECK(modulation(p, 20 * p.V_s) == Approx(1).epsilon(0.05));
     CHECK(modulation(p, 1) == Approx(1).epsilon(0.01));
   }
