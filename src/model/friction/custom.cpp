@@ -57,8 +57,9 @@ struct Law {
 // V_scale is near the geometric mean of the first speed and the last.
 Law law_of(const FrictionValues& values) {
   const double V_end = values.V_R.back();
-  const double k = std::max(1.0, std::round(std::log2(1 + std::sqrt(V_end / values.V_R[1]))));
-  const double rest = std::exp2(-k);
+  const double wanted = 1 / (1 + std::sqrt(V_end / values.V_R[1]));
+  double rest = 0.5;  // 2^-k
+  while (rest > M_SQRT2 * wanted) rest /= 2;
   return {Interpolant(values), V_end, V_end * rest / (1 - rest), 1 - rest};
 }
 
