@@ -207,7 +207,9 @@ class SampleReader {
       if (!(second > 0)) fail(at / kind, fmt::format("the standard deviation {} is not positive", second));
       return [first, second](double share) { return rounded(first + second * normal_quantile(share)); };
     }
-    if (!(first < second)) fail(at / kind, fmt::format("{} is not below {}; {}", first, second, first == second ? "give a range" : "swap them"));
+    if (!(first < second))
+      fail(at / kind, fmt::format("{} is not below {}; {}", first, second,
+                                  first == second ? "give a range" : "swap them"));
     if (kind == "uniform")
       return [first, second](double share) { return rounded(first + (second - first) * share); };
     if (!(first > 0))

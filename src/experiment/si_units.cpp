@@ -1,6 +1,5 @@
 #include "experiment/si_units.hpp"
 
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <cmath>
