@@ -89,10 +89,10 @@ void split_by_outcome(ObservableArray& o, Outcome outcome) {
   }
 }
 
-EnsembleMean::EnsembleMean(const Setup& setup, double z_0, PassageRunner run)
+EnsembleMean::EnsembleMean(const Setup& setup, double z_0, const Equilibrium& start, PassageRunner run)
     : setup_(setup),
       run_(std::move(run)),
-      start_(initial_state(setup.parameters, z_0)),
+      start_(start),
       density_(setup.orientation),
       half_circle_(mirror_symmetric(setup.orientation) && !setup.orientation.full_circle) {
   out_.z_0 = z_0;

@@ -42,7 +42,10 @@ struct WeightedPassage {
 // is refined any more. A numerical failure is reported in the result. The setup must outlive the object.
 class EnsembleMean {
  public:
-  EnsembleMean(const Setup& setup, double z_0, PassageRunner run);
+  // start: of the bristles, at this gap.
+  EnsembleMean(const Setup& setup, double z_0, const Equilibrium& start, PassageRunner run);
+  EnsembleMean(const Setup& setup, double z_0, PassageRunner run)
+      : EnsembleMean(setup, z_0, InitialStates(setup.parameters).at(z_0), std::move(run)) {}
   EnsembleMean(const EnsembleMean&) = delete;
   EnsembleMean& operator=(const EnsembleMean&) = delete;
 

@@ -86,7 +86,7 @@ class Lattice {
         run_(run),
         p_(setup.parameters),
         z_0_(z_0),
-        start_(initial_state(p_, z_0)),
+        start_(InitialStates(p_).at(z_0)),
         row_size_(std::lround(p_.L_y / p_.spacing)),
         interval_(p_.spacing / kIntervalsPerRow),
         window_start_(std::lround(std::ceil(lattice_start(setup) / interval_ - 1e-9))),

@@ -67,7 +67,7 @@ class PointSolver {
       out = without_values(PointStatus::work_limit);
     }
     if (setup_.orientation.sampling == Sampling::lattice && std::isfinite(out.z_0)) out = lattice_values(out);
-    out.start = start_of(setup_.parameters);
+    out.start = starts_.start();
     out.passages = lattice_passages_;
     for (const auto& [z_0, mean] : means_) out.passages += mean.count();
     out.passages_for = passages_for_;
@@ -212,7 +212,8 @@ class PointSolver {
   }
 
   EnsembleMean& mean_at(double z_0) {
-    return means_.try_emplace(z_0, setup_, z_0, limited_run_).first->second;
+    if (const auto known = means_.find(z_0); known != means_.end()) return known->second;
+    return means_.try_emplace(z_0, setup_, z_0, starts_.at(z_0), limited_run_).first->second;
   }
 
   std::vector<Passage> run_within_limit(const std::vector<PassageTask>& tasks) {
@@ -274,7 +275,7 @@ class PointSolver {
 
   void record_trajectories(double z_0) {
     const Parameters& p = setup_.parameters;
-    const Equilibrium start = initial_state(p, z_0);
+    const Equilibrium start = starts_.at(z_0);
     for (const double theta_0 : record_.trajectories)
       recorded_.trajectories.push_back(
           record_trajectory({&p, make_bristle(p, z_0, theta_0), start, setup_.integrator}));
@@ -285,6 +286,7 @@ class PointSolver {
   const PassageRunner& run_;
   const Recording& record_;
   Recorded& recorded_;
+  InitialStates starts_{setup_.parameters};
   const PassageRunner limited_run_ = [this](const auto& tasks) { return run_within_limit(tasks); };
   long evaluations_ = 0;
   Purpose purpose_ = VALUES;
@@ -325,7 +327,6 @@ PointResult values_of(const Parameters& parameters, const Ensemble& ensemble) {
   out.value = ensemble.mean;
   out.error = ensemble.error;
   out.load_error.fill(0);
-  out.start = start_of(parameters);
   normalise(out, parameters);
   if (out.status == PointStatus::ok) out.status = quality(parameters, out);
   return out;

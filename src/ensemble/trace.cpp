@@ -57,9 +57,10 @@ class Tracer {
     run_together(jobs, run_);
   }
 
-  PointResult solve(double z_0, const PassageRunner& run) const {
-    EnsembleMean mean(setup_, z_0, run);
+  PointResult solve(double z_0, const PassageRunner& run) {
+    EnsembleMean mean(setup_, z_0, starts_.at(z_0), run);
     PointResult node = values_of(setup_.parameters, mean.with_integrator_error());
+    node.start = starts_.start();
     node.passages = mean.count();
     node.z_0 = z_0;
     return node;
@@ -71,9 +72,9 @@ class Tracer {
 
   // R_n at a gap where it is about `near`, without making a node there. NaN if it cannot be computed. Adds
   // the number of computed passages to `passages`.
-  double searched_load(double z_0, double near, const PassageRunner& run, long& passages) const {
+  double searched_load(double z_0, double near, const PassageRunner& run, long& passages) {
     if (const auto node = nodes_.find(z_0); node != nodes_.end()) return node->second.value[R_N];
-    EnsembleMean mean(setup_, z_0, run);
+    EnsembleMean mean(setup_, z_0, starts_.at(z_0), run);
     const Ensemble& e = mean.precise_load(near);
     passages += e.passages;
     return e.incomplete == 0 ? e.mean[R_N] : std::numeric_limits<double>::quiet_NaN();
@@ -228,6 +229,7 @@ class Tracer {
   const Setup& setup_;
   const Trace& trace_;
   const PassageRunner& run_;
+  InitialStates starts_{setup_.parameters};
   std::map<double, PointResult> nodes_;  // by gap
   long pending_ = 0;                     // nodes being computed by searches
 };

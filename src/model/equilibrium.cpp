@@ -126,49 +126,46 @@ double downhill(Polar polar, double phi, double phi_0) {
   return bracketed_root(polar, lower, upper, phi);
 }
 
-// Follows the minimum from first contact, z_0 = sin(phi_0), down to the gap of b, as the polar angle of a
-// bristle does under a slab that comes down slowly: soft bristles have two minima under the slab.
-// minimum(b, phi) is the polar angle of the minimum downhill from phi.
-template <class Minimum>
-double follow(const Bristle<double>& b, Minimum minimum) {
-  constexpr double step = 1. / 64;  // of the gap
-  Bristle<double> above = b;
-  double phi = b.phi_0;
-  for (above.z_0 = sin(b.phi_0); above.z_0 > b.z_0 && !std::isnan(phi); above.z_0 -= step)
-    phi = minimum(above, phi);
-  return std::isnan(phi) ? phi : minimum(b, phi);
-}
-
-double followed_at_slab(const Bristle<double>& b) {
-  return follow(b, [](const Bristle<double>& at, double from) {
-    return downhill([&](double angle) { return AtSlab(at, angle).polar(); }, from, at.phi_0);
-  });
-}
-
-double followed_under_slab(const Bristle<double>& b) {
-  double z = sin(b.phi_0);
-  return follow(b, [&](const Bristle<double>& at, double from) {
-    return downhill(
-        [&](double angle) {
-          const Bent bent(at, angle, z);
-          z = std::isnan(bent.z()) ? at.z_0 : bent.z();
-          return bent.polar();
-        },
-        from, at.phi_0);
-  });
-}
-
 }  // namespace
 
-Equilibrium static_equilibrium(const Bristle<double>& b) {
-  const double phi = followed_under_slab(b);
-  const double r = std::isnan(phi) ? phi : Bent(b, phi, b.z_0).r();
+FollowedMinimum::Step FollowedMinimum::minimum(double z_0, const Step& from) const {
+  Bristle<double> b = bristle_;
+  b.z_0 = z_0;
+  double z = from.z;
+  const auto polar = [&](double angle) {
+    if (at_slab_) return AtSlab(b, angle).polar();
+    const Bent bent(b, angle, z);
+    z = std::isnan(bent.z()) ? z_0 : bent.z();
+    return bent.polar();
+  };
+  const double phi = downhill(polar, from.phi, b.phi_0);
+  return {z_0, phi, z};
+}
+
+double FollowedMinimum::phi(double z_0) {
+  constexpr double step = 1. / 64;  // of the gap
+  const double contact = sin(bristle_.phi_0);
+  Step last = {contact, bristle_.phi_0, contact};
+  double gap = contact;
+  for (std::size_t i = 0; gap > z_0 && !std::isnan(last.phi); ++i, gap -= step) {
+    if (i == steps_.size()) steps_.push_back(minimum(gap, last));
+    last = steps_[i];
+  }
+  return std::isnan(last.phi) ? last.phi : minimum(z_0, last).phi;
+}
+
+namespace {
+
+Equilibrium static_equilibrium(Bristle<double> b, double z_0, FollowedMinimum& minimum) {
+  b.z_0 = z_0;
+  const double phi = minimum.phi(z_0);
+  const double r = std::isnan(phi) ? phi : Bent(b, phi, z_0).r();
   if (std::isnan(r))
     throw std::runtime_error(
         fmt::format("no static equilibrium of the bristle under a slab that comes down to z_0 = {:.6g}: the "
                     "wall (lambda_z, beta) is "
                     "stronger than the springs (k_r, k_phi)",
-                    b.z_0));
+                    z_0));
   return {r, phi};
 }
 
@@ -178,30 +175,36 @@ Equilibrium unstretched(const Parameters& p, double z_0) {
   return {1, std::min(asin(std::clamp(z_0 - clearance * p.lambda_z, 0.0, 1.0)), p.phi_0)};
 }
 
-Equilibrium initial_state(const Parameters& p, double z_0) {
-  const Bristle<double> b = make_bristle(p, z_0, 0);
-  switch (p.initial_state) {
-    case InitialState::at_slab: {
-      const double phi = followed_at_slab(b);
-      return {AtSlab(b, phi).r(), phi};
-    }
-    case InitialState::unstretched: return unstretched(p, z_0);
-    case InitialState::upright: return {z_0 / sin(p.phi_0), p.phi_0};
-    case InitialState::static_equilibrium: break;
-  }
-  return static_equilibrium(b);
+}  // namespace
+
+Equilibrium static_equilibrium(const Bristle<double>& b) {
+  FollowedMinimum minimum(b, false);
+  return static_equilibrium(b, b.z_0, minimum);
 }
 
-Start start_of(const Parameters& p) {
-  constexpr double ground = 0.01;
-  const Bristle<double> b = make_bristle(p, ground, 0);
-  double phi = 0;
-  switch (p.initial_state) {
-    case InitialState::static_equilibrium: phi = followed_under_slab(b); break;
-    case InitialState::at_slab: phi = followed_at_slab(b); break;
-    default: return Start::undetermined;
+InitialStates::InitialStates(const Parameters& p)
+    : p_(p), minimum_(make_bristle(p, 0, 0), p.initial_state == InitialState::at_slab) {}
+
+Equilibrium InitialStates::at(double z_0) {
+  const Bristle<double> b = make_bristle(p_, z_0, 0);
+  switch (p_.initial_state) {
+    case InitialState::at_slab: {
+      const double phi = minimum_.phi(z_0);
+      return {AtSlab(b, phi).r(), phi};
+    }
+    case InitialState::unstretched: return unstretched(p_, z_0);
+    case InitialState::upright: return {z_0 / sin(p_.phi_0), p_.phi_0};
+    case InitialState::static_equilibrium: break;
   }
-  return std::isnan(phi) ? Start::undetermined : phi > p.phi_0 / 2 ? Start::crushed : Start::bent;
+  return static_equilibrium(b, z_0, minimum_);
+}
+
+Start InitialStates::start() {
+  constexpr double ground = 0.01;
+  if (p_.initial_state != InitialState::static_equilibrium && p_.initial_state != InitialState::at_slab)
+    return Start::undetermined;
+  const double phi = minimum_.phi(ground);
+  return std::isnan(phi) ? Start::undetermined : phi > p_.phi_0 / 2 ? Start::crushed : Start::bent;
 }
 
 State<double> state_at_rest(const Bristle<double>& b, const Equilibrium& e) {

@@ -3,6 +3,8 @@
 #include "model/equations.hpp"
 #include "util/words.hpp"
 
+#include <vector>
+
 namespace bristle {
 
 template <class T>
@@ -19,10 +21,6 @@ struct Equilibrium {
 // (parameters far outside the physical ranges).
 Equilibrium static_equilibrium(const Bristle<double>& b);
 
-// Position of a bristle at the leading edge of a slab with the gap z_0, as Parameters::initial_state
-// specifies. Throws std::runtime_error like static_equilibrium().
-Equilibrium initial_state(const Parameters& p, double z_0);
-
 // How a bristle yields to a slab that comes down from first contact to the ground. It depends on k_r/k_phi
 // and phi_0; which of both a curve over the stiffness has may change along it.
 enum class Start {
@@ -35,7 +33,44 @@ inline Words words<Start>() {
   static constexpr const char* list[] = {"bent", "crushed", "undetermined"};
   return list;
 }
-Start start_of(const Parameters& p);
+
+// Follows the minimum of the energy from first contact, z_0 = sin(phi_0), down to a gap in small steps, as the
+// polar angle of a bristle does under a slab that comes down slowly: soft bristles have two minima under the
+// slab. The steps are common to all gaps and are computed once.
+class FollowedMinimum {
+ public:
+  // At the slab: the tip is held at z = z_0 instead of being pushed by the wall. The gap of b does not matter.
+  FollowedMinimum(const Bristle<double>& b, bool at_slab) : bristle_(b), at_slab_(at_slab) {}
+
+  // Polar angle, rad; NaN if there is no minimum at a gap on the way.
+  double phi(double z_0);
+
+ private:
+  struct Step {
+    double z_0, phi, z;  // z: a guess of the tip's height at the next step
+  };
+  // The minimum downhill from another gap's.
+  Step minimum(double z_0, const Step& from) const;
+
+  Bristle<double> bristle_;
+  bool at_slab_;
+  std::vector<Step> steps_;
+};
+
+// Positions of a bristle at the leading edge of a slab, as Parameters::initial_state specifies. The parameters
+// must outlive the object.
+class InitialStates {
+ public:
+  explicit InitialStates(const Parameters& p);
+
+  // For the gap z_0. Throws std::runtime_error like static_equilibrium().
+  Equilibrium at(double z_0);
+  Start start();
+
+ private:
+  const Parameters& p_;
+  FollowedMinimum minimum_;
+};
 
 // State of the bristle at rest at this position, with the azimuth theta_0 of b.
 State<double> state_at_rest(const Bristle<double>& b, const Equilibrium& e);

@@ -158,7 +158,7 @@ TEST_CASE("a tip that starts at the slab is there at the angle followed from fir
   p.initial_state = InitialState::at_slab;
   for (const double k_r : {2., 4.5, 5., 20.}) {
     p.k_r = k_r;
-    const Equilibrium hard = initial_state(p, 0.2);
+    const Equilibrium hard = InitialStates(p).at(0.2);
     CAPTURE(k_r);
     CHECK(hard.r * std::sin(hard.phi) == Approx(0.2).epsilon(1e-12));
     // The wall is steep: the equilibrium under it is almost the same.

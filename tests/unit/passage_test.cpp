@@ -165,19 +165,19 @@ TEST_CASE("a tip that crosses the pole continues on the other side and leaves") 
 TEST_CASE("the initial states: tip at the gap, at rest, and with minimum energy for at_slab") {
   Parameters p = with_peak();
   const double z_0 = 0.6;
-  const Equilibrium under = initial_state(p, z_0);
+  const Equilibrium under = InitialStates(p).at(z_0);
   CHECK(under.r * std::sin(under.phi) < z_0);
   p.initial_state = InitialState::upright;
-  const Equilibrium upright = initial_state(p, z_0);
+  const Equilibrium upright = InitialStates(p).at(z_0);
   CHECK(upright.phi == p.phi_0);
   CHECK(upright.r * std::sin(upright.phi) == Approx(z_0));
   p.initial_state = InitialState::unstretched;
-  const Equilibrium unstretched = initial_state(p, z_0);
+  const Equilibrium unstretched = InitialStates(p).at(z_0);
   CHECK(unstretched.r == 1);
   CHECK(std::sin(unstretched.phi) == Approx(z_0 - 5 * p.lambda_z));
-  CHECK(initial_state(p, 1.2).phi == p.phi_0);
+  CHECK(InitialStates(p).at(1.2).phi == p.phi_0);
   p.initial_state = InitialState::at_slab;
-  const Equilibrium bent = initial_state(p, z_0);
+  const Equilibrium bent = InitialStates(p).at(z_0);
   CHECK(bent.r * std::sin(bent.phi) == Approx(z_0));
   const auto b = make_bristle(p, z_0, 0);
   const auto U = [&](double phi) {
