@@ -88,7 +88,7 @@ inline Lanes next_size(Lanes h, Lanes error, Lanes last_error, double exponent) 
 
 // Attempts steps of all lanes until one of them has an event, by a Step for the Region, which tells which
 // steps are events because of the pole. The processor overlaps the computations of different vectors, as
-// their phases alternate.
+// their stages alternate.
 template <class Step, class Region>
 class Kernel {
  public:

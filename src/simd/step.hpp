@@ -5,6 +5,7 @@
 #include "simd/regions.hpp"
 
 #include <algorithm>
+#include <new>
 #include <numeric>
 
 namespace bristle::HWY_NAMESPACE {
@@ -25,9 +26,7 @@ class AdditiveStep {
   // Attempts a step of each group.
   static void attempt(Group* groups, int count) {
     alignas(64) static thread_local Work work[kVectors];
-    for (int i = 0; i < count; ++i) first_stage(groups[i], work[i]);
     stages(groups, work, count, std::make_index_sequence<S>());
-    for (int i = 0; i < count; ++i) finish(groups[i], work[i]);
   }
 
  private:
@@ -44,7 +43,7 @@ class AdditiveStep {
     Slopes<S> k;
     Slopes<S, kImplicit> implicit;  // acceleration by friction and the implicit dampers
     State<Lanes> state;  // of the stage; before solve(), without the implicit acceleration of this stage
-    Place<Lanes> place;
+    Place<Lanes> place;  // constructed in place: an assignment would copy its 19 vectors
     InPlane<Lanes> velocity, velocity_before;  // of the last stage and of the one before it
     // Where Newton's method starts, then at the velocity of the stage; the modulation's secant and slope
     // are those of the start.
@@ -82,7 +81,7 @@ class AdditiveStep {
     w.state = unpack<Lanes>(g.y);
     w.velocity = {w.state.v[0], w.state.v[1]};
     set_sliding(g, w, w.velocity[0], w.velocity[1]);
-    w.place = place_at(g.bristle, w.state.r, kPole);
+    new (&w.place) Place<Lanes>(place_at(g.bristle, w.state.r, kPole));
     set_modulation(g, w);
     w.friction = friction_force(w.place.friction_limit, w.sliding);
     const Frame<Lanes>& f = w.place.frame;
@@ -137,7 +136,7 @@ class AdditiveStep {
       };
       set_sliding(g, w, extrapolated(0), extrapolated(1));
     }
-    w.place = place_at(g.bristle, w.state.r, kPole);
+    new (&w.place) Place<Lanes>(place_at(g.bristle, w.state.r, kPole));
     if constexpr (I > 1) set_modulation(g, w);
   }
 
@@ -231,18 +230,28 @@ class AdditiveStep {
   }
 
   template <std::size_t... I>
-  static HWY_INLINE void stages(Group* g, Work* w, int count, std::index_sequence<I...>) {
-    (stage<int(I)>(g, w, count), ...);
+  static HWY_INLINE void stages(Group* groups, Work* work, int count, std::index_sequence<I...>) {
+    const auto all = [&](auto stage) {
+      for (int i = 0; i < count; ++i) advance<stage>(groups[i], work[i]);
+    };
+    (all(std::integral_constant<int, int(I)>{}), ...);
   }
+  // The slopes of stage I, then the next stage up to where its velocity is solved for, or the end of the step.
+  // Solving takes long for its few operations, as each waits for the one before; the processor overlaps it
+  // with what precedes it here in the other group.
   template <int I>
-  static HWY_INLINE void stage(Group* g, Work* w, int count) {
-    if constexpr (I > 0) {
-      for (int i = 0; i < count; ++i) {
-        predict<I>(g[i], w[i]);
-        locate<I>(g[i], w[i]);
-      }
-      for (int i = 0; i < count; ++i) solve(g[i], w[i], w[i].implicit[I]);
-      for (int i = 0; i < count; ++i) evaluate<I>(g[i], w[i]);
+  static HWY_INLINE void advance(Group& g, Work& w) {
+    if constexpr (I == 0) {
+      first_stage(g, w);
+    } else {
+      solve(g, w, w.implicit[I]);
+      evaluate<I>(g, w);
+    }
+    if constexpr (I + 1 < S) {
+      predict<I + 1>(g, w);
+      locate<I + 1>(g, w);
+    } else {
+      finish(g, w);
     }
   }
 
