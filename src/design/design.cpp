@@ -124,7 +124,8 @@ class Search {
     };
     const std::size_t dimensions = design_.variables.size();
     const bool one = design_.objectives.size() == 1;
-    if (one) out.optima = search_minima(dimensions, design_.budget, design_.seed, evaluate);
+    if (one) out.optima = search_minima(dimensions, design_.budget, design_.seed, evaluate,
+                                      design_.objectives.front().goal == Goal::target);
     else search_front(dimensions, design_.budget, design_.seed, evaluate);
     choose(out);
     return out;

@@ -130,9 +130,15 @@ std::vector<std::size_t> local_minima(const std::vector<Point>& points, const st
 // the first that it does not know.
 class LocalSearch {
  public:
-  LocalSearch(Point start, double value, double step) : start_(std::move(start)), step_(step) { add(start_, value); }
+  LocalSearch(Point start, double value, double step, std::size_t best)
+      : best(best), start_(std::move(start)), step_(step) {
+    add(start_, value);
+  }
   void add(const Point& point, double value) { known_[point] = value; }
   void end() { ended_ = true; }
+  bool is_active() const { return !ended_; }
+
+  std::size_t best;  // of its trials, as the caller numbers them
 
   // The trial it needs next; none once it has ended.
   std::optional<Point> next() {
@@ -159,6 +165,7 @@ class LocalSearch {
     } catch (const nlopt::roundoff_limited&) {  // it has ended
     } catch (const nlopt::forced_stop&) {
     }
+    ended_ = !unknown_;
     return unknown_;
   }
 
@@ -219,57 +226,116 @@ void search_front(std::size_t dimensions, std::size_t budget, std::uint64_t seed
   }
 }
 
-std::vector<std::size_t> search_minima(std::size_t dimensions, std::size_t budget, std::uint64_t seed,
-                                       const Evaluate& evaluate) {
-  std::vector<Point> points = sobol_points((budget + 1) / 2, dimensions, seed);
-  std::vector<Score> scores = evaluate(points);
-  double worst = 0;  // of the trials without violation: those with one are worse
-  for (const Score& score : scores)
-    if (score.violation == 0) worst = std::max(worst, score.objectives.front());
-  const auto value = [&](const Score& score) {
-    if (score.violation == 0) return score.objectives.front();
-    return std::isfinite(score.violation) ? worst + (1 + std::abs(worst)) * (1 + score.violation) : HUGE_VAL;
-  };
+namespace {
 
-  std::vector<std::size_t> starts = local_minima(points, scores);
-  std::size_t rest = budget - points.size();
-  const std::size_t least = 10 * (dimensions + 1);  // trials of a local search
-  starts.resize(std::min(starts.size(), std::max<std::size_t>(1, rest / least)));
-  const double edge = 1 / pow(double(points.size()), 1 / double(dimensions));
-  std::vector<LocalSearch> searches;
-  for (const std::size_t start : starts) {
-    searches.emplace_back(points[start], value(scores[start]), std::min(edge, 0.25) / 2);
-    if (scores[start].is_met) searches.back().end();
+// Minimises one objective. Keeps all trials and the local searches.
+class MinimumSearch {
+ public:
+  MinimumSearch(std::size_t dimensions, std::uint64_t seed, const Evaluate& evaluate)
+      : dimensions_(dimensions), seed_(seed), evaluate_(evaluate) {}
+
+  bool is_met() const {
+    return std::ranges::any_of(scores_, [](const Score& score) { return score.is_met; });
   }
-  std::vector<std::size_t> ends = starts;
-  while (rest > 0) {
-    std::vector<std::size_t> asking;
-    std::vector<Point> asked;
-    for (std::size_t k = 0; k < searches.size() && asked.size() < rest; ++k)
-      if (const auto next = searches[k].next()) {
-        asking.push_back(k);
-        asked.push_back(*next);
-      }
-    if (asked.empty()) break;
-    const std::vector<Score> found = evaluate(asked);
-    for (std::size_t i = 0; i < asked.size(); ++i) {
-      LocalSearch& search = searches[asking[i]];
-      search.add(asked[i], value(found[i]));
-      if (found[i].is_met) search.end();
-      points.push_back(asked[i]);
-      scores.push_back(found[i]);
-      if (std::size_t& end = ends[asking[i]]; better(found[i], scores[end])) end = scores.size() - 1;
+
+  // Goes on up to this many trials: half of them are the Sobol sequence, the others those of local searches, of
+  // which as many are active as can have of_a_search.
+  void run(std::size_t trials, std::size_t of_a_search) {
+    const std::vector<Point> sample = sobol_points((trials + 1) / 2, dimensions_, seed_);
+    add({sample.begin() + std::ptrdiff_t(sampled_), sample.end()});
+    sampled_ = sample.size();
+    for (const Score& score : scores_)
+      if (score.violation == 0) worst_ = std::max(worst_, score.objectives.front());
+    searched_.resize(points_.size(), false);
+    start_searches(std::max<std::size_t>(1, trials / 2 / of_a_search));
+    while (points_.size() < trials && ask(trials - points_.size())) {
     }
-    rest -= asked.size();
+    searched_.resize(points_.size(), true);
   }
-  std::ranges::stable_sort(ends, [&](std::size_t a, std::size_t b) { return better(scores[a], scores[b]); });
-  std::vector<std::size_t> distinct;
-  for (const std::size_t end : ends)
-    if (std::ranges::none_of(distinct, [&](std::size_t other) {
-          return square_of_distance(points[end], points[other]) < 1e-4 * double(dimensions);
-        }))
-      distinct.push_back(end);
-  return distinct;
+
+  // Without those closer than 1 % of the cube's edge to a better one. The best first.
+  std::vector<std::size_t> distinct_ends() const {
+    std::vector<std::size_t> ends, distinct;
+    for (const LocalSearch& search : searches_) ends.push_back(search.best);
+    std::ranges::stable_sort(ends, [&](std::size_t a, std::size_t b) { return better(scores_[a], scores_[b]); });
+    for (const std::size_t end : ends)
+      if (std::ranges::none_of(distinct, [&](std::size_t other) {
+            return square_of_distance(points_[end], points_[other]) < 1e-4 * double(dimensions_);
+          }))
+        distinct.push_back(end);
+    return distinct;
+  }
+
+ private:
+  void add(const std::vector<Point>& points) {
+    for (Score& score : evaluate_(points)) scores_.push_back(std::move(score));
+    points_.insert(points_.end(), points.begin(), points.end());
+  }
+
+  // Those of trials with a violation are worse than all others.
+  double value(std::size_t i) const {
+    const Score& score = scores_[i];
+    if (score.violation == 0) return score.objectives.front();
+    return std::isfinite(score.violation) ? worst_ + (1 + std::abs(worst_)) * (1 + score.violation) : HUGE_VAL;
+  }
+
+  // Until this many are active.
+  void start_searches(std::size_t most) {
+    auto active = std::size_t(std::ranges::count_if(searches_, &LocalSearch::is_active));
+    const double edge = 1 / pow(double(sampled_), 1 / double(dimensions_));
+    for (const std::size_t start : local_minima(points_, scores_)) {
+      if (active >= most) break;
+      if (searched_[start]) continue;
+      searched_[start] = true;
+      searches_.emplace_back(points_[start], value(start), std::min(edge, 0.25) / 2, start);
+      if (scores_[start].is_met) searches_.back().end();
+      else ++active;
+    }
+  }
+
+  // One trial of each active search, at most this many. False if none is active.
+  bool ask(std::size_t most) {
+    std::vector<LocalSearch*> asking;
+    std::vector<Point> asked;
+    for (LocalSearch& search : searches_)
+      if (asked.size() < most)
+        if (const auto next = search.next()) {
+          asking.push_back(&search);
+          asked.push_back(*next);
+        }
+    const std::size_t first = points_.size();
+    add(asked);
+    for (std::size_t i = 0; i < asked.size(); ++i) {
+      LocalSearch& search = *asking[i];
+      search.add(asked[i], value(first + i));
+      if (scores_[first + i].is_met) search.end();
+      if (better(scores_[first + i], scores_[search.best])) search.best = first + i;
+    }
+    return !asked.empty();
+  }
+
+  std::size_t dimensions_;
+  std::uint64_t seed_;
+  const Evaluate& evaluate_;
+  std::size_t sampled_ = 0;  // points of the Sobol sequence
+  std::vector<Point> points_;
+  std::vector<Score> scores_;
+  std::vector<bool> searched_;  // whether a local search has been at the trial
+  std::vector<LocalSearch> searches_;
+  double worst_ = 0;  // of the trials without violation
+};
+
+}  // namespace
+
+std::vector<std::size_t> search_minima(std::size_t dimensions, std::size_t budget, std::uint64_t seed,
+                                       const Evaluate& evaluate, bool target) {
+  MinimumSearch search(dimensions, seed, evaluate);
+  const std::size_t whole = 10 * (dimensions + 1);  // trials of a local search that finds its minimum
+  if (target)
+    for (const std::size_t trials : {budget / 4, budget / 2})
+      if (trials / 2 >= whole && !search.is_met()) search.run(trials, whole / 2);
+  if (!search.is_met()) search.run(budget, whole);
+  return search.distinct_ends();
 }
 
 }  // namespace bristle::design
