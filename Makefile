@@ -122,6 +122,7 @@ test-all: ## everything, nightly and before a release: sanitizers, fuzzers, othe
 DESIGNS := target target_at_jump robust front indices
 bench: build ## benchmarks: ratios against peers in the same run, into docs/performance.md
 	@scripts/install-packages bench
+	@scripts/quietly cmake --preset release -G Ninja  # finds peers that have just been installed
 	@ninja -C $(BUILD) --quiet -j $(JOBS) bench_engine bench_quadrature scipy_slopes
 	@mkdir -p $(BUILD)/bench
 	$(BUILD)/benchmarks/bench_engine >$(BUILD)/bench/engine.json

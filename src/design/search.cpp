@@ -303,6 +303,7 @@ class MinimumSearch {
           asking.push_back(&search);
           asked.push_back(*next);
         }
+    if (asked.empty()) return false;
     const std::size_t first = points_.size();
     add(asked);
     for (std::size_t i = 0; i < asked.size(); ++i) {
@@ -311,7 +312,7 @@ class MinimumSearch {
       if (scores_[first + i].is_met) search.end();
       if (better(scores_[first + i], scores_[search.best])) search.best = first + i;
     }
-    return !asked.empty();
+    return true;
   }
 
   std::size_t dimensions_;

@@ -75,7 +75,7 @@ double beyond(double value, double limit) {
 bool meets_target(const experiment::Design& design, const Trial& trial) {
   const Objective& first = design.objectives.front();
   if (first.goal != Goal::target || design.objectives.size() > 1) return false;
-  if (trial.violation > 0 || trial.ambiguous > 0) return false;
+  if (trial.violation > 0 || trial.ambiguous > design.tolerance_samples / 2) return false;
   const Estimate& value = trial.objectives.front();
   return cost(first, value.value) <= std::max(value.error / 2, 1e-4 * std::max(std::abs(first.target), 1e-3));
 }

@@ -42,7 +42,8 @@ struct Profile {
 };
 
 // Whether the only objective is a target, and the trial meets it within half of the value's error, or within a
-// ten-thousandth of the target. One with a violation, or whose load another gap carries as well, does not.
+// ten-thousandth of the target. One with a violation does not, nor one of which another gap carries the load as
+// well at more than half of the points.
 bool meets_target(const experiment::Design& design, const Trial& trial);
 // The least relative change of any of the quantities that reaches a jump; infinite if none does.
 double least_margin(const std::vector<Profile>& profiles);

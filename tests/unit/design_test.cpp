@@ -2,6 +2,7 @@
 #include "compare/reference.hpp"
 #include "design/design.hpp"
 #include "design/search.hpp"
+#include "design/trials.hpp"
 #include "experiment/experiment.hpp"
 #include "results/reader.hpp"
 #include "run/task.hpp"
@@ -129,6 +130,29 @@ TEST_CASE("the search of a target ends where it is met, within the value's error
   }
   CHECK(std::abs(at[0] - at[1]) == Approx(0.6).margin(error));
   CHECK(target.points.size() < 120);  // of the budget
+}
+
+TEST_CASE("the search of a target goes on with all of the budget if no trial meets it") {
+  Searched never([](const Point& x) { return Score{{0.1 + std::pow(x[0] - 0.3, 2)}, 0}; });
+  const auto ends = design::search_minima(1, 400, 1, std::ref(never), true);
+  CHECK(never.points.size() > 200);
+  CHECK(never.points.size() <= 400);
+  REQUIRE(!ends.empty());
+  CHECK(never.points[ends.front()][0] == Approx(0.3).margin(1e-3));
+}
+
+TEST_CASE("a trial whose load another gap carries as well does not meet a target") {
+  experiment::Design design;
+  design.objectives = {{Goal::target, "R_x", Statistic::nominal, 0.5}};
+  design.tolerance_samples = 0;
+  design::Trial trial{{}, {{0.5, 0.01}}, {0}, {}, 0, 0, 0};
+  CHECK(design::meets_target(design, trial));
+  trial.ambiguous = 1;
+  CHECK(!design::meets_target(design, trial));
+  design.tolerance_samples = 15;
+  CHECK(design::meets_target(design, trial));  // at one deviation
+  trial.ambiguous = 8;
+  CHECK(!design::meets_target(design, trial));
 }
 
 TEST_CASE("a minimum at the edge of a constraint, and a budget of one") {
