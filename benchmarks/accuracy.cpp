@@ -266,7 +266,7 @@ std::optional<Curve> dense(const RandomPoint& point) {
   Setup setup = point.setup;
   setup.integrator.rtol /= 10;
   setup.integrator.atol /= 10;
-  const Equilibrium start = initial_state(setup.parameters, point.z_0);
+  const Equilibrium start = InitialStates(setup.parameters).at(point.z_0);
   Curve curve;
   const auto compute = [&](const std::vector<double>& azimuths) {
     std::vector<PassageTask> tasks;
