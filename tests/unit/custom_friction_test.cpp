@@ -75,14 +75,14 @@ TEST_CASE("custom friction: the table has the values and the curve between them"
 
 TEST_CASE("custom friction: a law that still rises at the last speed has a corner there") {
   const Files files;
-  const auto stribeck = [](double V_R) { return 0.1 * V_R + 0.3 * std::tanh(V_R / 0.01); };
+  const auto rising = [](double V_R) { return 0.1 * V_R + 0.3 * std::tanh(V_R / 0.01); };
   for (const double to : {1., 3., 9.}) {
     const Experiment line = files.with_law(fmt::format(R"({{"formula": "V_R", "to": {}}})", to)),
                      viscous = files.with_law(fmt::format(R"J({{"formula": "0.1*V_R + 0.3*tanh(V_R/0.01)", "to": {}}})J", to));
     for (double V_R = 1e-3; V_R < 20; V_R *= 1.13) {
       CAPTURE(to, V_R);
       CHECK(mu(line, V_R) == Approx(std::min(V_R, to)).margin(1.5e-4 * to));
-      CHECK(mu(viscous, V_R) == Approx(stribeck(std::min(V_R, to))).margin(1.5e-4 * stribeck(to)));
+      CHECK(mu(viscous, V_R) == Approx(rising(std::min(V_R, to))).margin(1.5e-4 * rising(to)));
     }
     CHECK(mu(line, to) == Approx(to).epsilon(1e-9));
   }
