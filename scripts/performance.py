@@ -21,14 +21,14 @@ DESIGN_GOALS = {"target": 15, "target_at_jump": 15, "robust": 240, "front": 120,
 
 # Phases of a step, and their shares of the kernel's time in %: samples of `perf record build/benchmarks/bench_engine
 # --kernel`, taken by hand.
-SAMPLED = "22 November 2026 on an AMD EPYC with AVX-512"
-PHASES = {"first_stage": ("first stage of a step", 12.1),
-          "predict": ("state of a stage from the stages before", 5.6),
-          "locate": ("geometry and wall force of a stage", 19.2),
-          "solve": ("its velocity, by a 2 x 2 system; place in the friction table", 27.3),
-          "evaluate": ("friction from the table, slopes of the stage", 15.7),
-          "finish": ("new state and error of the step", 11.6),
-          "control": ("step size, acceptance, events", 8.6)}
+SAMPLED = "26 November 2026 on an AMD EPYC with AVX-512"
+PHASES = {"first_stage": ("first stage of a step", 11.7),
+          "predict": ("state of a stage from the stages before", 5.8),
+          "locate": ("geometry, wall force and friction table of a stage", 33.0),
+          "solve": ("its velocity, by a 2 x 2 system", 14.5),
+          "evaluate": ("slopes of the stage", 14.0),
+          "finish": ("new state and error of the step", 12.8),
+          "control": ("step size, acceptance, events", 8.1)}
 
 
 def at_error(curve, key):
@@ -79,6 +79,11 @@ def solver_table(peers):
 
 def times_limit(kernel):
     return kernel["cycles_per_lane_step"] / kernel["limit_cycles_per_lane_step"]
+
+
+def clock_text(kernels):
+    """The processor's clock in the run, on which all times depend; empty where it could not be measured."""
+    return f", whose clock ran at {kernels['polar']['clock_GHz']:.1f} GHz" if kernels else ""
 
 
 def kernel_text(kernels):
@@ -193,7 +198,7 @@ def document(engine, kernels, peers, cases, purposes, figures, designs):
 
 Written by `make bench` from one run on one machine: {engine['processor']}, {os.cpu_count()} cores,
 instruction set {engine['instruction_set']} (Highway's names: AVX3 is AVX-512, eight numbers in a
-vector). Ratios are medians of pairs in that run; times are for orientation.
+vector){clock_text(kernels)}. Ratios are medians of pairs in that run; times are for orientation.
 
 ## What to expect
 
