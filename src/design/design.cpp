@@ -123,10 +123,9 @@ class Search {
       return scores;
     };
     const std::size_t dimensions = design_.variables.size();
-    const bool one = design_.objectives.size() == 1;
-    if (one) out.optima = search_minima(dimensions, design_.budget, design_.seed, evaluate,
-                                      design_.objectives.front().goal == Goal::target);
-    else search_front(dimensions, design_.budget, design_.seed, evaluate);
+    const experiment::Objective& first = design_.objectives.front();
+    if (design_.objectives.size() > 1) search_front(dimensions, design_.budget, design_.seed, evaluate);
+    else out.optima = search_minima(dimensions, design_.budget, design_.seed, evaluate, first.goal == Goal::target);
     choose(out);
     return out;
   }

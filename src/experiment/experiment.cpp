@@ -248,6 +248,7 @@ Experiment read(const Document& d) {
   e.checks = read_all_checks(d, e);
   check_points(d, e);
   e.warnings = si_warnings(d, e);
+  std::ranges::move(shaft_warnings(d, e), std::back_inserter(e.warnings));
   for (const std::string& name : axes_without_effect(e)) {
     const bool is_axis = std::ranges::find(e.axes, name, &Axis::name) != e.axes.end();
     const JsonPointer at = JsonPointer("/sweep") / (is_axis ? name : kSample);

@@ -92,4 +92,35 @@ void check_points(const Document& d, const Experiment& e) {
   check_chi(d, e);
 }
 
+std::vector<std::string> shaft_warnings(const Document& d, const Experiment& experiment) {
+  // Shear, which the stiffnesses leave out, makes a shaft of the radius 0.1 r_0 2 % softer (S. P. Timoshenko).
+  const Experiment e = along(experiment, {"R", "R_m", "r0_m", "spacing", "spacing_m"});
+  std::vector<std::string> out;
+  // Warns at the first point of which it is true.
+  const auto warn_if = [&](const std::string& quantity, const auto& is_true, const auto& text) {
+    JsonPointer at = JsonPointer("/model") / quantity;
+    for (const char* block : {"/si", "/sweep"})
+      for (const char* unit : {"", "_m"})
+        if (const JsonPointer place = JsonPointer(block) / (quantity + unit); d.json().contains(place)) at = place;
+    for (std::size_t i = 0; i < e.points(); ++i)
+      if (const Parameters p = e.point(i).setup.parameters; is_true(p)) {
+        out.push_back(fmt::format("{}: {}: {}", d.origin(at), at.to_string(), text(p)));
+        return;
+      }
+  };
+  warn_if(
+      "spacing", [](const Parameters& p) { return p.spacing < 2 * p.R; },
+      [](const Parameters& p) {
+        return fmt::format("{:.4g} r_0 is less than the diameter of the shafts, {:.4g} r_0", p.spacing, 2 * p.R);
+      });
+  warn_if(
+      "R", [](const Parameters& p) { return p.R > 0.1; },
+      [](const Parameters& p) {
+        return fmt::format("{:.4g} r_0 is thick; the formulas of a slender rod (stiffnesses, strain at the root) "
+                           "are accurate up to 0.1 r_0",
+                           p.R);
+      });
+  return out;
+}
+
 }  // namespace bristle::experiment

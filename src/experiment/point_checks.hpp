@@ -9,4 +9,7 @@ namespace bristle::experiment {
 // chi has a maximum if C asks for one, and a lattice fits the slab. Throws InputError with the place of the value.
 void check_points(const Document& document, const Experiment& experiment);
 
+// Warnings of shafts that are thicker than their spacing, or too thick for a slender rod, at a point of the sweep.
+std::vector<std::string> shaft_warnings(const Document& document, const Experiment& experiment);
+
 }  // namespace bristle::experiment

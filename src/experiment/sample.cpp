@@ -22,12 +22,13 @@ namespace bristle::experiment {
 namespace fs = std::filesystem;
 namespace {
 
-// The number that the text is, or else the text.
+// The number that the text is, or else the text, which nan and inf are, too.
 Json cell_value(const std::string& text) {
   double number = 0;
   const char* end = text.data() + text.size();
   const auto parsed = std::from_chars(text.data(), end, number);
-  return parsed.ec == std::errc() && parsed.ptr == end ? Json(number) : Json(text);
+  const bool is_number = parsed.ec == std::errc() && parsed.ptr == end && std::isfinite(number);
+  return is_number ? Json(number) : Json(text);
 }
 
 std::string trimmed(const std::string& text) {

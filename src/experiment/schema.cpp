@@ -22,6 +22,8 @@ namespace {
 
 using Plain = nlohmann::json;  // the type that valijson's adapter requires
 
+bool is_whole(double value) { return value == std::floor(value) && std::abs(value) < 1e15; }
+
 Json number_schema(const Bounds& limits, const std::string& description) {
   Json out = {{"type", "number"}};
   const auto add = [&out](const char* keyword, double value) {
@@ -133,8 +135,13 @@ std::string allowed_by_schema(const Json& schema) {
   } else if (s.contains("type")) {
     const std::string type = s["type"];
     if (type == "number" || type == "integer") text = number_range(s);
-    else if (type == "array")
-      text = s.contains("items") ? "an array, each " + allowed_by_schema(s["items"]) : "an array";
+    else if (type == "array") {
+      const std::size_t least = s.value("minItems", 0), most = s.value("maxItems", 0);
+      text = "an array";
+      if (most > 0) text += least == most ? fmt::format(" of {}", most) : fmt::format(" of {} to {}", least, most);
+      else if (least > 0) text += fmt::format(" of at least {}", least);
+      if (s.contains("items")) text += ", each " + allowed_by_schema(s["items"]);
+    }
     else text = (type == "object" ? "an " : "a ") + type;
   }
   if (s.contains("description")) text += fmt::format(" ({})", s["description"].get<std::string>());
@@ -159,6 +166,11 @@ std::string allowed_by_schema(const Json& schema) {
   std::string hint;
   if (value.is_string() && schema.contains("enum"))
     hint = did_you_mean(value, schema["enum"].get<std::vector<std::string>>());
+  if (value.is_number_float() && schema.value("type", "") == "integer" && is_whole(value))
+    hint = fmt::format("; write {}", value.get<long>());
+  if (value.is_array() && schema.value("uniqueItems", false))
+    for (auto one = value.begin(); one != value.end(); ++one)
+      if (std::find(value.begin(), one, *one) != one) hint = fmt::format(": {} appears twice", shown(*one));
   d.fail(at.to_string(),
          fmt::format("{} is not allowed{}; allowed: {}", shown(value), hint, allowed_by_schema(schema)));
 }
@@ -227,8 +239,7 @@ void check_schema(const Document& document, const Json& root) {
 void check_parameter(const Document& document, const JsonPointer& at, const std::string& parameter,
                      double value) {
   const Json& schema = parameter_schema(parameter);
-  const bool whole = value == std::floor(value) && std::abs(value) < 1e15;
-  if (!matches(Plain(schema), whole ? Json(long(value)) : Json(value), nullptr))
+  if (!matches(Plain(schema), is_whole(value) ? Json(long(value)) : Json(value), nullptr))
     document.fail(at.to_string(), fmt::format("{} is out of range for {}; allowed: {}", value, parameter,
                                               allowed_by_schema(schema)));
 }

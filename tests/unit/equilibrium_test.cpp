@@ -166,4 +166,18 @@ TEST_CASE("a tip that starts at the slab is there at the angle followed from fir
   }
 }
 
+TEST_CASE("initial states at several gaps, in any order, are those computed at each gap alone, bit for bit") {
+  rc::prop("under both rules of the initial state", [] {
+    Parameters p = random_parameters();
+    p.initial_state = *rc::gen::element(InitialState::static_equilibrium, InitialState::at_slab);
+    InitialStates common(p);
+    for (int i = 0; i < 5; ++i) {
+      const double z_0 = uniform(0.01, std::sin(p.phi_0));
+      const Equilibrium one = common.at(z_0), alone = InitialStates(p).at(z_0);
+      RC_ASSERT(one.r == alone.r);
+      RC_ASSERT(one.phi == alone.phi);
+    }
+  });
+}
+
 }  // namespace bristle::equilibrium_test

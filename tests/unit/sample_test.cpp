@@ -183,7 +183,7 @@ TEST_CASE("malformed samples: the message names place, value and remedy") {
       {table("range.csv"), at + "table/rows/1/0: -2 is out of range for k_r; allowed: a number greater than 0 "
                                 "(radial stiffness, dimensionless)"},
       {table("text.csv"), at + "table/rows/0/0: \"fast\" is not a number, which k_r needs"},
-      {table("infinite.csv"), at + "table/rows/0/0: null is not a number, which k_r needs"},
+      {table("infinite.csv"), at + "table/rows/0/0: \"inf\" is not a number, which k_r needs"},
       {table("twice.csv"), at + "table/columns/1: k_r appears twice"},
       {R"({"sample": {}})", "e.json: /sweep/sample: needs exactly one of table and sobol; neither is given"},
       {R"({"sample": {"sobol": 8, "over": {"k_r": {"log": [1, 2]}}}})",

@@ -1,0 +1,132 @@
+#include "experiment/experiment.hpp"
+#include "experiment/si_units.hpp"
+#include "scratch.hpp"
+
+#include "catch.hpp"
+#include <cmath>
+#include <filesystem>
+
+namespace bristle::si_units_test {
+using namespace testing;
+
+namespace {
+
+const std::string kExperiments = BRISTLE_EXPERIMENTS;
+
+}  // namespace
+
+TEST_CASE("an SI block gives the dimensionless values of the paper") {
+  const Experiment e = load_experiment(
+      kExperiments + "/paper.json",
+      {{R"(/si={"m_kg":1e-4,"r0_m":0.017,"V0_m_per_s":10,"R_c_m":0.001,"E_star_Pa":1.190476e8,"k_theta_N_m":0.01,
+           "k_r_N_per_m":346.0207612})"},
+       "full"});
+  const Parameters& p = e.base.setup.parameters;
+  CHECK(p.R_c == Approx(1.0 / 17));
+  CHECK(p.E_star == Approx(5.849e4).epsilon(1e-3));
+  CHECK(p.k_theta == Approx(1));
+  CHECK(p.k_r == Approx(10));
+}
+
+TEST_CASE("a material in SI units has the same stiffness at every velocity") {
+  const Experiment e = load_experiment(kExperiments + "/ski.json", {});
+  // V0_m_per_s is the last axis: 13 values from 2 to 32.
+  const PointInput slow = e.point(0), fast = e.point(12);
+  const Parameters &a = slow.setup.parameters, &b = fast.setup.parameters;
+  CHECK(slow.si.at("V0_m_per_s") == 2);
+  CHECK(fast.si.at("V0_m_per_s") == 32);
+  // 3 pi E R^4/(4 r0), computed here independently
+  const double k = 3 * M_PI * 1e8 * std::pow(0.00108, 4) / (4 * 0.017);
+  CHECK(a.k_phi * 1e-4 * 4 == Approx(k));
+  CHECK(b.k_phi * 1e-4 * 1024 == Approx(k));
+  CHECK(a.k_theta == a.k_phi);
+  CHECK(a.bending == Bending::rod);
+  CHECK(a.k_r == Approx(10 * a.k_phi));
+  for (const auto member : {&Parameters::k_r, &Parameters::E_star, &Parameters::tau_f, &Parameters::beta})
+    CHECK(a.*member / (b.*member) == Approx(256));
+  CHECK(a.V_s / b.V_s == Approx(16));
+  CHECK(a.E_star * 1e-4 * 4 / std::pow(0.017, 3) == Approx(1e8 / (1 - 0.16)));
+  CHECK(slow.loading.R_n * si_scales(slow).force == Approx(0.1));
+  CHECK(fast.loading.R_n * si_scales(fast).force == Approx(0.1));
+}
+
+TEST_CASE("a measured polar stiffness replaces that of the shaft, and the ratios are to it") {
+  const Experiment e = load_experiment(kExperiments + "/ski.json", {{"/si/k_phi_N_m=0.02"}, "full"});
+  const PointInput point = e.point(0);
+  const Parameters& p = point.setup.parameters;
+  CHECK(p.k_phi * si_scales(point).energy == Approx(0.02));
+  CHECK(p.k_r == Approx(10 * p.k_phi));
+  CHECK(p.k_theta == p.k_phi);
+  CHECK(p.R == Approx(0.00108 / 0.017));
+}
+
+TEST_CASE("gap, slab and spacing in metres follow the bristle's length") {
+  Scratch s;
+  std::filesystem::copy_file(kExperiments + "/paper.json", s.path("paper.json"));
+  const Experiment e = load_experiment(s.write("e.json", R"({"extends": "paper.json", "name": "e",
+    "load": {"R_n": null}, "si": {"m_kg": 1, "r0_m": 2, "V0_m_per_s": 1, "z_0_m": 1.2, "L_x_m": 7, "L_y_m": 3,
+    "spacing_m": 0.5}, "sweep": {"r0_m": {"values": [2, 4]}}})"),
+                                       {});
+  for (const std::size_t i : {0, 1}) {
+    const PointInput point = e.point(i);
+    const double r0 = i == 0 ? 2 : 4;
+    CHECK(*point.loading.z_0 == Approx(1.2 / r0));
+    CHECK(point.setup.parameters.L_x == Approx(7 / r0));
+    CHECK(point.setup.parameters.L_y == Approx(3 / r0));
+    CHECK(point.setup.parameters.spacing == Approx(0.5 / r0));
+  }
+}
+
+TEST_CASE("an SI block warns of values that it replaces, and of a load that is not in newtons") {
+  Scratch s;
+  std::filesystem::copy_file(kExperiments + "/ski.json", s.path("ski.json"));
+  std::filesystem::copy_file(kExperiments + "/paper.json", s.path("paper.json"));
+  const auto warnings = [&](const std::string& text, const std::vector<std::string>& set = {}) {
+    return load_experiment(s.write("e.json", text), {set, "full"}).warnings;
+  };
+  // Inherited values are those of the paper, which an SI block is meant to replace.
+  CHECK(warnings(R"({"extends": "ski.json", "name": "e"})").empty());
+  const auto own = warnings(R"({"extends": "ski.json", "name": "e", "model": {"k_r": 7, "mu_c": 0.5}})");
+  REQUIRE(own.size() == 1);
+  CHECK(own[0] == s.path("e.json") +
+                      ": /model/k_r: has no effect, because the si block replaces it by R_m and "
+                      "k_r_over_k_phi");
+  const auto set = warnings(R"({"extends": "ski.json", "name": "e"})", {"/model/tau_f=1"});
+  REQUIRE(set.size() == 1);
+  CHECK_THAT(set[0], Catch::StartsWith("--set /model/tau_f=1: /model/tau_f: has no effect"));
+  const auto load = warnings(
+      R"({"extends": "ski.json", "name": "e", "load": {"R_n": 0.005}, "sweep": null, "tiers": null})");
+  REQUIRE(load.size() == 1);
+  // m V_0^2/r_0 at 10 m/s is 0.588 N.
+  CHECK_THAT(load[0], Catch::Contains("/load/R_n: is in units of m V_0^2/r_0, 0.588 N at the first point"));
+  CHECK(load_experiment(s.path("paper.json"), {{"/model/k_r=7"}, "full"}).warnings.empty());
+  const Experiment stored =
+      stored_experiment(*load_experiment(s.path("e.json"), {}).document, "full", "stored");
+  CHECK(stored.warnings.size() == 1);  // of the load; a stored experiment states every value
+}
+
+TEST_CASE("shafts that overlap or are not slender at a point of the sweep are warned of, with the value's place") {
+  Scratch s;
+  for (const char* file : {"ski.json", "paper.json"})
+    std::filesystem::copy_file(kExperiments + std::string("/") + file, s.path(file));
+  const auto warnings = [&](const std::vector<std::string>& set) {
+    return load_experiment(s.path("ski.json"), {set, "full"}).warnings;
+  };
+  const std::string thick =
+      "r_0 is thick; the formulas of a slender rod (stiffnesses, strain at the root) are accurate up to 0.1 r_0";
+  CHECK(warnings({"/si/R_m=0.0017", "/si/spacing_m=0.0034"}).empty());  // shafts that touch, of radius r_0/10
+  CHECK(warnings({"/si/spacing_m=0.0017"}) ==
+        std::vector<std::string>{
+            "--set /si/spacing_m=0.0017: /si/spacing_m: 0.1 r_0 is less than the diameter of the shafts, 0.1271 r_0"});
+  CHECK(warnings({"/model/R=0.01", "/si/R_m=null", "/si/E_Pa=null", "/si/nu=null", "/si/k_r_over_k_phi=null",
+                  "/model/spacing=0.019"}) ==
+        std::vector<std::string>{
+            "--set /model/spacing=0.019: /model/spacing: 0.019 r_0 is less than the diameter of the shafts, 0.02 r_0"});
+  // The second radius is too large for the spacing, the third is not slender either.
+  const std::string sweep = R"(/sweep/R_m={"values":[0.001,0.00171,0.00204]})";
+  CHECK(warnings({sweep}) ==
+        std::vector<std::string>{
+            s.path("paper.json") + ": /model/spacing: 0.2 r_0 is less than the diameter of the shafts, 0.2012 r_0",
+            "--set " + sweep + ": /sweep/R_m: 0.1006 " + thick});
+}
+}  // namespace bristle::si_units_test
