@@ -88,7 +88,7 @@ def status_marker(status):
 
 def label(data):
     """Axis label of a dataset: its symbol, and its unit unless dimensionless."""
-    units = attribute(data, "units")
+    units = re.sub(r"(?<=[A-Za-z])-(\d)", r"$^{-\1}$", attribute(data, "units"))  # "W m-2"
     return symbol(data) if units == "1" else f"{symbol(data)} [{units}]"
 
 

@@ -10,7 +10,7 @@ from ..layout import Cell, across, corners, heading, place_cell, sheet
 from ..page import lettered
 from ..readings import one_page
 from ..results import attribute, place_of, table, table_with
-from ..style import COLOURS, bar_looks, label
+from ..style import COLOURS, bar_looks, label, value_ticks
 
 AXES = ["sample"]
 ALL, FRONT, BEST, JUMP = "0.75", COLOURS[0], COLOURS[1], "0.35"
@@ -85,6 +85,7 @@ def draw_profile(axes, profile, name, best, margin):
         if np.isfinite(change):
             axes.axvline(at * (1 + change), color=JUMP, linestyle="--", linewidth=1)
     axes.plot(at, np.interp(at, x, y), "d", color=BEST)
+    axes.xaxis.set_major_locator(value_ticks(5))
     title_axis(axes, "x", profile[name])
     axes.set_ylabel("nominal " + label(profile["objective_1"]))
 
