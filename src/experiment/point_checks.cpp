@@ -96,10 +96,10 @@ std::vector<std::string> shaft_warnings(const Document& d, const Experiment& exp
   // Shear, which the stiffnesses leave out, makes a shaft of the radius 0.1 r_0 2 % softer (S. P. Timoshenko).
   const Experiment e = along(experiment, {"R", "R_m", "r0_m", "spacing", "spacing_m"});
   std::vector<std::string> out;
-  // Warns at the first point of which it is true.
+  // Warns once, of the first point for which is_true() holds, and names the place that sets the quantity.
   const auto warn_if = [&](const std::string& quantity, const auto& is_true, const auto& text) {
     JsonPointer at = JsonPointer("/model") / quantity;
-    for (const char* block : {"/si", "/sweep"})
+    for (const char* block : {"/si", "/design/variables", "/sweep/sample/over", "/sweep"})
       for (const char* unit : {"", "_m"})
         if (const JsonPointer place = JsonPointer(block) / (quantity + unit); d.json().contains(place)) at = place;
     for (std::size_t i = 0; i < e.points(); ++i)

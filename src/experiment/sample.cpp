@@ -22,7 +22,7 @@ namespace bristle::experiment {
 namespace fs = std::filesystem;
 namespace {
 
-// The number that the text is, or else the text, which nan and inf are, too.
+// The number that the text states, or else the text itself, also if that is nan or inf.
 Json cell_value(const std::string& text) {
   double number = 0;
   const char* end = text.data() + text.size();

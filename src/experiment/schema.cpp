@@ -134,15 +134,17 @@ std::string allowed_by_schema(const Json& schema) {
     text = fmt::format("{}", fmt::join(options, " or "));
   } else if (s.contains("type")) {
     const std::string type = s["type"];
-    if (type == "number" || type == "integer") text = number_range(s);
-    else if (type == "array") {
+    if (type == "number" || type == "integer") {
+      text = number_range(s);
+    } else if (type == "array") {
       const std::size_t least = s.value("minItems", 0), most = s.value("maxItems", 0);
       text = "an array";
       if (most > 0) text += least == most ? fmt::format(" of {}", most) : fmt::format(" of {} to {}", least, most);
       else if (least > 0) text += fmt::format(" of at least {}", least);
       if (s.contains("items")) text += ", each " + allowed_by_schema(s["items"]);
+    } else {
+      text = (type == "object" ? "an " : "a ") + type;
     }
-    else text = (type == "object" ? "an " : "a ") + type;
   }
   if (s.contains("description")) text += fmt::format(" ({})", s["description"].get<std::string>());
   return text;

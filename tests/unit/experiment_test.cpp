@@ -1,10 +1,7 @@
 #include "experiment/experiment.hpp"
-#include "experiment/si_units.hpp"
-#include "util/error.hpp"
 #include "scratch.hpp"
 
 #include "catch.hpp"
-#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
 #include <filesystem>

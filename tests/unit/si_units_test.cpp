@@ -128,5 +128,9 @@ TEST_CASE("shafts that overlap or are not slender at a point of the sweep are wa
         std::vector<std::string>{
             s.path("paper.json") + ": /model/spacing: 0.2 r_0 is less than the diameter of the shafts, 0.2012 r_0",
             "--set " + sweep + ": /sweep/R_m: 0.1006 " + thick});
+  const std::string sample = R"(/sweep/sample={"sobol":2,"seed":1,"over":{"R_m":{"values":[0.0016,0.00171]}}})";
+  CHECK(warnings({sample, "/si/spacing_m=0.01"}) ==
+        std::vector<std::string>{"--set " + sample + ": /sweep/sample/over/R_m: 0.1006 " + thick});
 }
+
 }  // namespace bristle::si_units_test
