@@ -28,8 +28,8 @@ REQUIRED_SHARE = 0.97
 FACTOR, LIMIT = 2, 10
 NARROW = 0.005  # a maximum of R_n(z_0) that is narrower may be missed (docs/limitations.md)
 SECONDS = 600  # within which every point ends
-# Distances below this share of a variable's scale are rounding.
-ROUNDING = 1e-9
+# Distances below this share of a variable's scale are rounding, as are those below this share of the integrator's rtol.
+ROUNDING, OF_RTOL = 1e-9, 1e-3
 # Measures of the integrator's error: tight tolerances are meant to change them.
 DIAGNOSTICS = ("energy_residual",)
 STATUS_WITH_VALUES = ("ok",)
@@ -189,9 +189,10 @@ class Table:
         self.ratios = collections.defaultdict(list)
 
     @staticmethod
-    def compare(number, fast, exact, allowed):
-        """allowed: difference between two loads that both equal the target within their tolerances. Yields for each
-        variable its distance in errors, the number of the point, and both values with their errors."""
+    def compare(number, fast, exact, allowed, rounding):
+        """allowed: difference between two loads that both equal the target within their tolerances; rounding: relative
+        distance that no error need contain. Yields for each variable its distance in errors, the number of the point,
+        and both values with their errors."""
         for name in sorted(fast):
             if name + "_err" not in fast or name in DIAGNOSTICS:
                 continue
@@ -204,7 +205,7 @@ class Table:
             distance = abs(math.remainder(a - b, 360) if name == "direction" else a - b)
             if math.isnan(a) and math.isnan(b):
                 continue
-            ratio = 0 if distance <= ROUNDING * max(abs(a), abs(b), 1e-3) else distance / error if error > 0 else math.inf
+            ratio = 0 if distance <= rounding * max(abs(a), abs(b), 1e-3) else distance / error if error > 0 else math.inf
             yield name, (ratio, number, a, fast[name + "_err"], b, exact[name + "_err"])
 
     def add(self, *pair):
@@ -266,11 +267,12 @@ class Comparison:
         self.references[status] += 1
         if status not in STATUS_WITH_VALUES:
             return None
-        pair = number, fast["values"], exact["values"], load_tolerance(document)
+        tolerances = load_tolerance(document), max(ROUNDING, OF_RTOL * document["integrator"]["rtol"])
+        pair = number, fast["values"], exact["values"], *tolerances
         if "R_n" in document["load"] and any(ratio > FACTOR for _, (ratio, *_) in self.table.compare(*pair)):
-            if values := self.behind_narrow_maximum(*pair, converged(document)):
+            if values := self.behind_narrow_maximum(*pair[:-1], converged(document)):
                 self.references["of them behind a narrow maximum of the load"] += 1
-                pair = number, fast["values"], values, load_tolerance(document)
+                pair = number, fast["values"], values, *tolerances
         self.table.add(*pair)
         return None
 

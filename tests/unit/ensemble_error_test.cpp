@@ -148,7 +148,34 @@ TEST_CASE("all passages of a short list are repeated for its error") {
   const PointResult converged = solve_point(setup, Loading{0.2865917850431994}, make_runner(Engine::fast));
   CHECK(std::abs(r.value[GAMMA_1] - converged.value[GAMMA_1]) <= 2 * r.error[GAMMA_1]);
   setup.orientation.rtol = 1e-12;  // every error is large; more passages cannot be repeated
-  CHECK(solve(setup, Loading{0.2865917850431994}).passages == 2 * 18);
+  CHECK(solve(setup, Loading{0.2865917850431994}).passages == 3 * 18);
+}
+
+TEST_CASE("a short list is repeated with two tolerances, as the results of one may agree by chance") {
+  // R_x was 19.182 +- 0.0017: it is 19.183 with a tolerance 4 times tighter, and 19.000 with one 16 times tighter.
+  Setup setup;
+  Parameters& p = setup.parameters;
+  p.friction = FrictionLaw::coulomb;
+  p.k_r = 172.44187394985045;
+  p.k_theta = 1.959008073510143;
+  p.zeta_theta = 0.2441076209350237;
+  p.mu_c = 0.22007618534234624;
+  p.R_c = 0.1810198286511954;
+  p.A = 1.7999322197902705;
+  p.C = chi_C_peak_at_V_s(p.A);
+  p.lambda = 0.0017287842824954915;
+  p.lambda_z = 0.0010911413054083192;
+  p.initial_state = InitialState::upright;
+  p.L_x = 1.4121872956786128;
+  setup.orientation.sampling = Sampling::list;
+  for (const double degrees : {177.72445272247455, -179.88167588237394})
+    setup.orientation.theta_0.push_back(degrees * M_PI / 180);
+  setup.integrator.rtol = 9.28383183019985e-06;
+  setup.integrator.atol = setup.integrator.rtol / 100;
+  const PointResult r = solve(setup, Loading{0.5228084839551013});
+  constexpr double converged = 18.984;
+  CHECK(std::abs(r.value[R_X] - converged) <= 2 * r.error[R_X]);
+  CHECK(r.error[R_X] < 0.5);
 }
 
 TEST_CASE("the number of impacts is uncertain by one impact of a repeated passage") {
