@@ -16,6 +16,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <string_view>
 
 namespace bristle::sample_test {
 using namespace testing;
@@ -46,7 +47,7 @@ std::string sobol(const std::string& over, int points = 8, int seed = 1) {
   return fmt::format(R"({{"sample": {{"sobol": {}, "seed": {}, "over": {{{}}}}}}})", points, seed, over);
 }
 
-const std::vector<double>& column(const Experiment& e, const std::string& name) {
+const std::vector<double>& column(const Experiment& e, std::string_view name) {
   return std::ranges::find(e.axes.front().columns, name, &Axis::name)->values;
 }
 
