@@ -8,8 +8,9 @@
 namespace bristle {
 namespace {
 
-// Ratios of the tolerances: the first for a sample of the passages, both if all are repeated. Two passages of
-// a bristle that is about to be pinned, or two largest values, may agree by chance.
+// By how much the tolerance of a repeated passage is tighter: by the first ratio for a sample of the
+// passages; if all are repeated, by each of the two. With one ratio alone, the original and the repeated
+// passage of a bristle that is about to be pinned may agree by chance.
 constexpr std::array<double, 2> kTighter = {4, 16};
 constexpr long kMoreEvaluations = 10;  // allowed for a repeated passage
 // Number of repeated passages of each class, all if there are fewer: of those that came near the pole, of
@@ -47,7 +48,8 @@ std::vector<WeightedPassage> sample_of_classes(const std::vector<WeightedPassage
   return out;
 }
 
-// By the differences of these passages to those with a tighter tolerance.
+// The error by the differences between these passages and the same with a tolerance that is tighter by this
+// ratio.
 ObservableArray error_by(double tighter, const std::vector<WeightedPassage>& chosen,
                          const Parameters& parameters, const std::function<PassageTask(const Passage&)>& task,
                          const PassageRunner& run, long& count) {
@@ -90,7 +92,7 @@ ObservableArray integrator_error(const std::vector<WeightedPassage>& passages, c
   const auto by = [&](double tighter, const std::vector<WeightedPassage>& chosen) {
     return error_by(tighter, chosen, parameters, task, run, count);
   };
-  // No more than the sample of a mean over many.
+  // No more passages than the sample of a mean over many would have.
   const bool all =
       passages.size() <= effort * std::accumulate(kClasses.begin(), kClasses.end(), std::size_t(0));
   if (!all) return by(kTighter[0], sample_of_classes(passages, effort));

@@ -28,7 +28,7 @@ REQUIRED_SHARE = 0.97
 FACTOR, LIMIT = 2, 10
 NARROW = 0.005  # a maximum of R_n(z_0) that is narrower may be missed (docs/limitations.md)
 SECONDS = 600  # within which every point ends
-# Distances below this share of a variable's scale are rounding, as are those below this share of the integrator's rtol.
+# Relative distances below ROUNDING, or below OF_RTOL times the experiment's integrator.rtol, do not count.
 ROUNDING, OF_RTOL = 1e-9, 1e-3
 # Measures of the integrator's error: tight tolerances are meant to change them.
 DIAGNOSTICS = ("energy_residual",)
