@@ -193,9 +193,8 @@ std::string counts_text(const Experiment& e, const Findings& found) {
 std::string miss_text(const Experiment& e, const Findings& found) {
   const Trial& nearest = found.trials[found.nearest_miss];
   if (std::isinf(nearest.violation))
-    return fmt::format("no trial has a value of {} in all scenarios; the statuses above say why: give other bounds or "
-                       "scenarios\n",
-                       e.design->objectives.front().variable);
+    return "every trial has points without a value (its points are all scenarios, nominal and with all deviations); the "
+           "statuses above say why: give other bounds, scenarios or tolerances\n";
   std::vector<std::string> parts;
   for (std::size_t c = 0; c < nearest.constraints.size(); ++c)
     if (!std::isnan(nearest.constraints[c]))

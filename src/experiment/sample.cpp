@@ -65,6 +65,8 @@ Json read_table(const std::string& path) {
     const std::vector<std::string> cells = cells_of(line);
     if (names.empty()) {
       names = cells;
+      if (names.size() == 1 && names[0].find_first_of("; \t") != std::string::npos)
+        fail(number, "the columns are not separated by commas; write k_r,tau_f and numbers such as 0.5,3e4");
       continue;
     }
     if (cells.size() != names.size())

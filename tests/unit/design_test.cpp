@@ -4,6 +4,7 @@
 #include "design/search.hpp"
 #include "design/trials.hpp"
 #include "experiment/experiment.hpp"
+#include "model/friction/laws.hpp"
 #include "results/reader.hpp"
 #include "run/task.hpp"
 #include "util/error.hpp"
@@ -195,6 +196,39 @@ TEST_CASE("design: a target of Coulomb friction is its coefficient") {
   CHECK(first(file, "best/mu_c") == Approx(0.13).epsilon(0.02));
 }
 
+TEST_CASE("design: the largest friction over mu_c of stiff bristles is the plateau") {
+  // R_x saturates at 1.55 +- 0.05, as printed and for round rods (k_theta = k_phi).
+  const Folder f;
+  const auto largest = [&](const std::string& bending, double k_theta) {
+    const auto file = f.run(f.load(R"({"variables": {"mu_c": {"log": [0.1, 10]}}, "objectives": [{"maximise": "R_x"}],
+        "budget": 16})", fmt::format(R"(, "orientation": {{"rtol": 0.01}}, "model": {{"friction": "coulomb", "k_r": 50,
+            "k_theta": {}, "bending": "{}"}})", k_theta, bending), bending));
+    CHECK(first(file, "best/objective_1_err") < 0.02);
+    return first(file, "best/objective_1");
+  };
+  CHECK(largest("polar_as_printed", 1) == Approx(1.55).margin(0.05));
+  CHECK(largest("rod", 1.9) == Approx(1.55).margin(0.05));
+}
+
+TEST_CASE("design: with vanishing friction the bristles are rigid") {
+  // They stand still, so the modulation of friction is that at the slab's speed: chi = 1.0014.
+  const Folder f;
+  const Experiment e = f.load(R"({"variables": {"tau_f": {"log": [0.1, 1]}, "k_r": [5, 50]},
+      "objectives": [{"minimise": "R_x_norm"}, {"maximise": "R_x_norm"}], "budget": 12})",
+                              R"(, "orientation": {"rtol": 0.01})");
+  const auto file = f.run(e);
+  const double chi = modulation(e.base.setup.parameters, 1);
+  for (const char* objective : {"trials/objective_1", "trials/objective_2"}) {
+    const auto &R_x_norm = file.variable(objective).values,
+               &error = file.variable(std::string(objective) + "_err").values;
+    REQUIRE(R_x_norm.size() == 12);
+    for (std::size_t i = 0; i < R_x_norm.size(); ++i) {
+      CHECK(R_x_norm[i] == Approx(chi).margin(error[i]));
+      CHECK(error[i] < 3e-4);
+    }
+  }
+}
+
 TEST_CASE("design: equal bits for any number of threads, resumed or not, and the second run computes nothing") {
   const Folder f;
   const std::string design = R"({"variables": {"k_r": [5, 40], "k_phi": [1.5, 3.5]},
@@ -290,6 +324,18 @@ TEST_CASE("design: a trial at which a constraint fails is the nearest miss") {
   CHECK_FALSE(file.has("best"));
   CHECK(file.variable("trials/violation").values.size() == 4);
   CHECK_THAT(file.provenance().at("design"), Catch::Contains("the nearest miss is trial"));
+}
+
+TEST_CASE("design: trials whose deviations have no value are left out, and the text says so") {
+  // These bristles carry 8, but not all the deviations from it, up to 15.
+  const Folder f;
+  const auto file = f.run(f.load(R"({"variables": {"k_r": [0.5, 1]}, "budget": 2, "tolerances": {"R_n": {"uniform": 0.9}},
+      "tolerance_samples": 4, "objectives": [{"minimise": "R_x", "of": "nominal"}],
+      "constraints": [{"variable": "R_x", "max": 1000}]})", std::string(R"(, "load": {"R_n": 8})") + kFew));
+  CHECK_FALSE(file.has("best"));
+  CHECK(std::isfinite(first(file, "trials/objective_1")));
+  CHECK(first(file, "trials/missing") < 5);
+  CHECK_THAT(file.provenance().at("design"), Catch::Contains("every trial has points without a value"));
 }
 
 TEST_CASE("malformed designs: the message names place, value and remedy") {

@@ -171,6 +171,7 @@ TEST_CASE("malformed samples: the message names place, value and remedy") {
   f.s.write("text.csv", "k_r\nfast\n");
   f.s.write("infinite.csv", "k_r\ninf\n");
   f.s.write("column.csv", "k_rr\n1\n");
+  f.s.write("semicolons.csv", "k_r;mu_c\n0,5;1\n");
   f.s.write("twice.csv", "k_r,k_r\n1,2\n");
   const auto table = [](const std::string& name) { return R"({"sample": {"table": ")" + name + "\"}}"; };
   const std::string at = "e.json: /sweep/sample/", laws = fmt::format("{}", fmt::join(texts(words<FrictionLaw>()), ", "));
@@ -179,6 +180,8 @@ TEST_CASE("malformed samples: the message names place, value and remedy") {
       {table("empty.csv"), "empty.csv: has no rows; a table needs a line with the names of its columns, such as "
                            "k_r,tau_f, and one line for each point"},
       {table("cell.csv"), "cell.csv: line 2: the cell of mu_c is empty; give it a value, or remove the row"},
+      {table("semicolons.csv"), "semicolons.csv: line 1: the columns are not separated by commas; write k_r,tau_f and "
+                                "numbers such as 0.5,3e4"},
       {table("short.csv"), "short.csv: line 2: has 1 cells, and the first line names 2 columns"},
       {table("word.csv"), at + "table/rows/0/1: \"columb\" is not known (did you mean coulomb?); allowed: " + laws},
       {table("range.csv"), at + "table/rows/1/0: -2 is out of range for k_r; allowed: a number greater than 0 "
