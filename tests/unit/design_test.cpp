@@ -201,7 +201,7 @@ TEST_CASE("design: the largest friction over mu_c of stiff bristles is the plate
   const Folder f;
   const auto largest = [&](const std::string& bending, double k_theta) {
     const auto file = f.run(f.load(R"({"variables": {"mu_c": {"log": [0.1, 10]}}, "objectives": [{"maximise": "R_x"}],
-        "budget": 16})", fmt::format(R"(, "orientation": {{"rtol": 0.01}}, "model": {{"friction": "coulomb", "k_r": 50,
+        "budget": 24})", fmt::format(R"(, "orientation": {{"rtol": 0.01}}, "model": {{"friction": "coulomb", "k_r": 50,
             "k_theta": {}, "bending": "{}"}})", k_theta, bending), bending));
     CHECK(first(file, "best/objective_1_err") < 0.02);
     return first(file, "best/objective_1");
