@@ -61,4 +61,15 @@ expect 0 "points: " "${run[@]}" --shard 1/2 -o "$folder/foreign/r.h5" --set /mod
 expect 2 "r.h5.1-of-2.journal has 23 points, none of which can be used" "${run[@]}" --complete -o "$folder/foreign/r.h5"
 expect 2 "is not a result of bristle" "${run[@]}" --shard 1/2 -o CMakeLists.txt
 expect 2 "EXPERIMENT" "$bristle" merge
+
+# The analysis of a sample, whose points are in the journals of two shards; a design cannot be split.
+run=("$bristle" run experiments/paper.json --set '/orientation={"sampling":"list","theta_0_deg":[10,100]}')
+sample=(--set '/sweep/sample={"sobol":8,"seed":1,"over":{"k_r":{"log":[5,50]},"k_theta":{"uniform":[0.5,4]}}}'
+  --set '/analysis={"sobol_indices":["R_x"],"quantiles":["R_x"]}')
+expect 0 "total (and first-order) Sobol indices of R_x" "${run[@]}" "${sample[@]}" -o "$folder/whole/sample.h5"
+for i in 2 1; do expect 0 "points: " "${run[@]}" "${sample[@]}" --shard $i/2 -o "$folder/sample.h5"; done
+expect 0 "32 computed before" "${run[@]}" "${sample[@]}" --complete -o "$folder/sample.h5"
+expect 0 "the same, bit for bit" "$bristle" diff "$folder/sample.h5" "$folder/whole/sample.h5"
+expect 2 "a search cannot be split into shards" "${run[@]}" --shard 1/2 -o "$folder/x.h5" \
+  --set '/design={"variables":{"k_r":[2,20]},"budget":8,"objectives":[{"minimise":"R_x"}]}'
 exit $((failures > 0))

@@ -12,20 +12,22 @@ trap cleanup EXIT
 RANDOM=${SEED:-$$}
 echo "seed $RANDOM (SEED=... repeats)"
 
-# 32 points that take about a second; the old result is the same experiment with a different stiffness.
-azimuths=[10,20,40,55,70,85,100,115,130,145,160,170]
-options=(--set '/sweep={"k_r":{"logspace":[2,20,8]},"k_theta":{"values":[0.5,1,2,4]}}' --set '/load={"R_n":null,"z_0":0.5}'
-  --set '/orientation={"sampling":"list","theta_0_deg":'"$azimuths"'}' --set /integrator/engine=reference --quiet)
 run() { "$bristle" run experiments/paper.json "${options[@]}" "$@"; }
-run -o "$folder/undisturbed.h5" || failed "the undisturbed run"
-run -o "$folder/old.h5" --set /model/k_phi=2.5 || failed "the old result"
-new=$(digest "$folder/undisturbed.h5") old=$(digest "$folder/old.h5")
-[ -n "$new" ] && [ -n "$old" ] && [ "$new" != "$old" ] || failed "digests of the undisturbed runs: '$new' and '$old'"
-rm "$folder"/*.journal
-
 r=$folder/results/r.h5
-again=("$bristle" run experiments/paper.json "${options[@]}" -o "$r")  # an array, because a function in the background would run in another shell
 points() { if [ -f "$r.journal" ]; then wc -l <"$r.journal"; else echo 0; fi; }
+# subject OPTION...: runs the experiment with these options undisturbed, and for the old result with a different stiffness.
+subject() {
+  options=("$@" --set '/orientation={"sampling":"list","theta_0_deg":[10,20,40,55,70,85,100,115,130,145,160,170]}'
+    --set '/load={"R_n":null,"z_0":0.5}' --set /integrator/engine=reference --quiet)
+  again=("$bristle" run experiments/paper.json "${options[@]}" -o "$r")  # an array, because a function in the background would run in another shell
+  rm -f "$folder"/*.h5*
+  run -o "$folder/undisturbed.h5" || failed "the undisturbed run"
+  all=$(wc -l <"$folder/undisturbed.h5.journal")
+  run -o "$folder/old.h5" --set /model/k_phi=2.5 || failed "the old result"
+  new=$(digest "$folder/undisturbed.h5") old=$(digest "$folder/old.h5")
+  [ -n "$new" ] && [ -n "$old" ] && [ "$new" != "$old" ] || failed "digests of the undisturbed runs: '$new' and '$old'"
+  rm "$folder"/*.journal
+}
 # The result must be the old or the new one, complete.
 whole() {
   local is
@@ -44,29 +46,44 @@ finish() {
   [ ! -e "$r.partial" ] || failed "$1: a partial file is left"
 }
 
-# Killed repeatedly after up to seven further points and a random time, until one run finishes. The number of
-# points, not the time alone, decides: however busy the machine is, most kills come between the first point and the last.
-kills=0 kept=0
-while [ $kills -lt "$wanted" ]; do
-  begin
-  for ((i = 0; i < 60; ++i)); do
-    before=$(points)
-    "${again[@]}" &
-    pid=$!
-    until=$((before + RANDOM % 8))
-    while [ "$(points)" -lt "$until" ] && kill -0 $pid 2>/dev/null; do sleep 0.005; done
-    sleep "0.0$(printf %02d $((RANDOM % 30)))"
-    if kill -KILL $pid 2>/dev/null; then kills=$((kills + 1)); fi
-    wait $pid 2>/dev/null && break
-    whole "kill -9"
-    after=$(points)
-    [ "$after" -ge "$before" ] || failed "kill -9: $before points were saved, then $after"
-    [ "$after" -gt 0 ] && [ "$after" -lt 32 ] && kept=$((kept + 1))
+# killed TIMES: killed repeatedly after up to seven further points and a random time, until one run finishes. The number
+# of points, not the time alone, decides: however busy the machine is, most kills come between the first point and the last.
+killed() {
+  local kills=0 kept=0 before after until pid i
+  while [ $kills -lt "$1" ]; do
+    begin
+    for ((i = 0; i < 60; ++i)); do
+      before=$(points)
+      "${again[@]}" &
+      pid=$!
+      until=$((before + RANDOM % 8))
+      while [ "$(points)" -lt "$until" ] && kill -0 $pid 2>/dev/null; do sleep 0.005; done
+      sleep "0.0$(printf %02d $((RANDOM % 30)))"
+      if kill -KILL $pid 2>/dev/null; then kills=$((kills + 1)); fi
+      wait $pid 2>/dev/null && break
+      whole "kill -9"
+      after=$(points)
+      [ "$after" -ge "$before" ] || failed "kill -9: $before points were saved, then $after"
+      [ "$after" -gt 0 ] && [ "$after" -lt "$all" ] && kept=$((kept + 1))
+    done
+    finish "kill -9"
   done
-  finish "kill -9"
-done
-[ $((8 * kept)) -gt $kills ] || failed "only $kept of $kills kills came between the first point and the last"
-echo "$kills kills, $kept of them between the first point and the last"
+  [ $((8 * kept)) -gt $kills ] || failed "only $kept of $kills kills came between the first point and the last"
+  echo "$kills kills, $kept of them between the first point and the last of $all"
+}
+
+if [ "$wanted" -ge 40 ]; then
+  # A design, whose trials follow from each other, with what is computed beside the one that it recommends.
+  subject --set '/design={"variables":{"k_r":[2,20]},"budget":8,"objectives":[{"minimise":"R_x"},{"minimise":"R_n"}]}'
+  killed "$wanted"
+  # A sample and its analysis.
+  subject --set '/sweep/sample={"sobol":8,"seed":1,"over":{"k_r":{"log":[2,20]},"k_theta":{"uniform":[0.5,4]}}}' \
+    --set '/analysis={"sobol_indices":["R_x"],"quantiles":["R_n"]}'
+  killed "$wanted"
+fi
+# A sweep of 32 points that take about a second.
+subject --set '/sweep={"k_r":{"logspace":[2,20,8]},"k_theta":{"values":[0.5,1,2,4]}}'
+killed "$wanted"
 
 # Killed while the result is written, when all points are in the journal.
 for ((i = 0; 2 * i < wanted; ++i)); do
