@@ -178,9 +178,11 @@ std::string objectives_text(const Experiment& e, const Trial& trial) {
   return fmt::format("{}", fmt::join(parts, "; "));
 }
 
+std::string trials_text(std::size_t count) { return fmt::format("{} trial{}", count, count == 1 ? "" : "s"); }
+
 std::string counts_text(const Experiment& e, const Findings& found) {
   const auto count = [&](auto is) { return std::ranges::count_if(found.trials, is); };
-  std::string out = fmt::format("{} trial{}", found.trials.size(), found.trials.size() == 1 ? "" : "s");
+  std::string out = trials_text(found.trials.size());
   if (!e.design->constraints.empty())
     out += fmt::format(", {} meet the constraints", count([](const Trial& t) { return t.violation == 0; }));
   const auto missing = count([](const Trial& t) { return std::isinf(t.violation); }),
@@ -239,8 +241,8 @@ std::string front_text(const Experiment& e, const Findings& found) {
     const auto [least, most] = std::ranges::minmax(found.front, {}, value);
     parts.push_back(fmt::format("{} from {:.4g} to {:.4g}", e.design->objectives[o].variable, value(least), value(most)));
   }
-  return fmt::format("the front, of which the recommended trial is nearest to the best of each: {} trials, {}\n",
-                     found.front.size(), fmt::join(parts, ", "));
+  return fmt::format("the front, of which the recommended trial is nearest to the best of each: {}, {}\n",
+                     trials_text(found.front.size()), fmt::join(parts, ", "));
 }
 
 }  // namespace

@@ -91,9 +91,9 @@ const Json& subschema(const Json& schema, const std::string& token) {
     return resolve(here["properties"][token]);
   if (here.contains("anyOf"))
     for (const Json& option : here["anyOf"])
-      if (option.contains("properties") && option["properties"].contains(token))
-        return resolve(option["properties"][token]);
-  if (here.contains("items")) return resolve(here["items"]);
+      if (const Json& found = subschema(option, token); !found.is_null()) return found;
+  const bool is_index = token.find_first_not_of("0123456789") == token.npos;
+  if (here.contains("items") && is_index) return resolve(here["items"]);
   if (here.contains("additionalProperties") && here["additionalProperties"].is_object())
     return resolve(here["additionalProperties"]);
   return none;
@@ -144,6 +144,7 @@ std::string allowed_by_schema(const Json& schema) {
       if (s.contains("items")) text += ", each " + allowed_by_schema(s["items"]);
     } else {
       text = (type == "object" ? "an " : "a ") + type;
+      if (s.contains("minProperties")) text += " that is not empty";
     }
   }
   if (s.contains("description")) text += fmt::format(" ({})", s["description"].get<std::string>());

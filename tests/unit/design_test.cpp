@@ -347,6 +347,10 @@ TEST_CASE("malformed designs: the message names place, value and remedy") {
   CHECK(f.error(with(R"("k_r": [2, 1])")) ==
         "e.json: /design/variables/k_r: the lower bound 2 is not below the upper bound 1; swap them");
   CHECK_THAT(f.error(with(R"("k_r": [-2, 1])")), Catch::Contains("/design/variables/k_r: -2 is out of range for k_r"));
+  CHECK(f.error(with("")) == "e.json: /design/variables: {} is not allowed; allowed: an object that is not empty (names of "
+                             "numbers and their bounds)");
+  CHECK(f.error(with(R"("bending": ["polar", "rod"])")) ==
+        "e.json: /design/variables/bending/0: \"polar\" is not allowed; allowed: a number");
   CHECK_THAT(f.error(with(R"("friction": [1, 2])")), Catch::Contains("friction is a choice, not a number"));
   CHECK_THAT(f.error(with(R"("k_r": [1, 2])", R"(, "tolerances": {"k_r": {"normal": 0.5}})")),
              Catch::Contains("/design/tolerances/k_r: 0.5 is too wide"));
