@@ -99,5 +99,5 @@ def draw_indices(axes, indices, trials):
         axes.bar(at, one["ST"], width * 0.9, yerr=one["ST_err"], error_kw={"linewidth": 0.8}, **look,
                  label=label(trials[f"objective_{i + 1}"]))
     axes.set_xticks(range(len(inputs)), [f"${attribute(trials[name], 'symbol')}$" for name in inputs])
-    axes.set_ylabel("total Sobol index over the tolerances")
+    axes.set_ylabel("total Sobol index\nover the tolerances")
     axes.legend(frameon=False)
