@@ -227,6 +227,12 @@ Document Document::stored(const Json& content, const std::string& source) {
   return d;
 }
 
+Document Document::with_places(const Json& content, std::function<std::string(const std::string&)> place_of) {
+  Document d = stored(content, "");
+  d.place_of_ = std::move(place_of);
+  return d;
+}
+
 Document Document::with_tier(const std::string& tier) const {
   Document d = *this;
   d.tier_ = tier;
@@ -261,7 +267,9 @@ void Document::merge() {
 }
 
 void Document::fail(const std::string& pointer, const std::string& what) const {
-  throw InputError(fmt::format("{}: {}: {}", origin(JsonPointer(pointer)), pointer, what));
+  const std::string place =
+      place_of_ ? place_of_(pointer) : fmt::format("{}: {}", origin(JsonPointer(pointer)), pointer);
+  throw InputError(fmt::format("{}: {}", place, what));
 }
 
 bool Document::chosen(const JsonPointer& pointer) const {

@@ -2,6 +2,7 @@
 
 #include "util/json.hpp"
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -24,6 +25,8 @@ class Document {
   static Document load(const std::string& path, const DocumentOptions& options);
   // An experiment as stored in a result file: merged, without tiers. source names it in messages.
   static Document stored(const Json& content, const std::string& source);
+  // A document whose messages name the place of a JSON pointer in these words instead of source and pointer.
+  static Document with_places(const Json& content, std::function<std::string(const std::string&)> place_of);
 
   const Json& json() const { return *merged_; }
   const std::string& path() const { return path_; }
@@ -54,6 +57,7 @@ class Document {
   void merge();
 
   std::string path_, tier_;
+  std::function<std::string(const std::string&)> place_of_;
   std::vector<Source> files_;  // parents first
   std::vector<Change> set_;
   std::shared_ptr<const Json> merged_;

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <numeric>
@@ -58,13 +59,15 @@ Json read_table(const std::string& path) {
   std::istringstream lines(text);
   Json table = {{"columns", Json::array()}, {"rows", Json::array()}};
   std::vector<std::string> names;
-  std::size_t number = 0;
+  std::vector<std::size_t> line_of_row;
+  std::size_t number = 0, first_line = 0;
   for (std::string line; std::getline(lines, line);) {
     ++number;
     if (trimmed(line).empty() || trimmed(line).front() == '#') continue;
     const std::vector<std::string> cells = cells_of(line);
     if (names.empty()) {
       names = cells;
+      first_line = number;
       if (names.size() == 1 && names[0].find_first_of("; \t") != std::string::npos)
         fail(number, "the columns are not separated by commas; write k_r,tau_f and numbers such as 0.5,3e4");
       continue;
@@ -78,12 +81,20 @@ Json read_table(const std::string& path) {
       row.push_back(cell_value(cells[i]));
     }
     table["rows"].push_back(row);
+    line_of_row.push_back(number);
   }
   if (table["rows"].empty())
     throw InputError(fmt::format("{}: has no rows; a table needs a line with the names of its columns, such "
                                  "as k_r,tau_f, and one line for each point",
                                  path));
   for (const std::string& name : names) table["columns"].push_back(printable(name));
+  // The values are checked here, where their lines are known.
+  const auto place_of = [&](const std::string& pointer) {
+    std::size_t row = 0;
+    const bool is_row = std::sscanf(pointer.c_str(), "/sweep/sample/table/rows/%zu", &row) == 1;
+    return fmt::format("{}: line {}", path, is_row ? line_of_row[row] : first_line);
+  };
+  read_sample(Document::with_places({{"sweep", {{kSample, {{"table", table}}}}}}, place_of));
   return table;
 }
 
