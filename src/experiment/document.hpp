@@ -25,7 +25,7 @@ class Document {
   static Document load(const std::string& path, const DocumentOptions& options);
   // An experiment as stored in a result file: merged, without tiers. source names it in messages.
   static Document stored(const Json& content, const std::string& source);
-  // A document whose messages name the place of a JSON pointer in these words instead of source and pointer.
+  // An experiment whose messages say place_of(JSON pointer), such as "t.csv: line 3", instead of source and pointer.
   static Document with_places(const Json& content, std::function<std::string(const std::string&)> place_of);
 
   const Json& json() const { return *merged_; }
