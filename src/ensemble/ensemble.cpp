@@ -33,6 +33,8 @@ bool too_wide(bool pole, double left, double right) {
   return right - left > std::min(most, distance < M_PI / 2 - rounding ? kBackwardPanel : kForwardPanel);
 }
 
+bool near_pole(const Passage& passage) { return passage.implicit || passage.reflections > 0; }
+
 // Edges of the first panels. A narrow distribution is integrated around its mean only, over panels of 3 or 4
 // standard deviations; beyond the last edge its density is below exp(-40) of the peak.
 std::vector<double> initial_edges(const Orientation& o, bool half_circle) {
@@ -123,6 +125,7 @@ std::vector<Sample> EnsembleMean::samples(const std::vector<double>& theta_0) {
   for (const Passage& one : run(theta_0)) {
     Sample sample;
     sample.label = int(one.outcome);
+    sample.sensitive = near_pole(one);
     sample.valid = one.complete();
     sample.value = observables(one, setup_.parameters);
     if (half_circle_) sample.value[R_Y] = 0;  // cancels against the mirror image
@@ -178,7 +181,6 @@ double EnsembleMean::hidden_fraction() const {
   std::vector<const Passage*> nodes;
   for (const Passage& one : passages_) nodes.push_back(&one);
   std::ranges::sort(nodes, {}, &Passage::theta_0);
-  const auto near_pole = [](const Passage& p) { return p.implicit || p.reflections > 0; };
   double hidden = 0;
   for (std::size_t i = 1; i < nodes.size(); ++i) {
     const Passage &left = *nodes[i - 1], &right = *nodes[i];
@@ -212,14 +214,25 @@ const Ensemble& EnsembleMean::refine(const QuadratureGoal& goal) {
     if (passages_.empty()) average_list();
     return out_;
   }
-  const auto& result = quadrature_->refine(goal);
+  take(quadrature_->refine(goal));
+  return out_;
+}
+
+void EnsembleMean::take(const QuadratureResult& result) {
   out_.mean = result.integral;
   out_.error = result.error;
   const double missing = std::abs(out_.mean[WEIGHT] - 1);
   out_.converged = result.status == QuadratureStatus::converged &&
                    missing <= std::max(setup_.orientation.rtol, out_.error[WEIGHT]);
   out_.jumps = result.jumps;
-  return out_;
+}
+
+bool EnsembleMean::interrupt() {
+  if (full_ || !quadrature_ || passages_.empty() || out_.incomplete > 0) return false;
+  take(quadrature_->interrupted());
+  full_ = true;
+  add_hidden_errors();
+  return true;
 }
 
 std::vector<WeightedPassage> EnsembleMean::weighted_passages() const {

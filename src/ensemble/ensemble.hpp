@@ -59,6 +59,9 @@ class EnsembleMean {
   const Ensemble& known() const { return checked_ ? *checked_ : out_; }
   // R_n, R_x, N_c and gamma_1..3 to orientation.rtol.
   const Ensemble& full();
+  // Ends the quadrature as it is, not converged, after the runner has thrown: full() returns these values. Returns
+  // false, and changes nothing, without a first estimate or for a list.
+  bool interrupt();
   // The values of full(); errors include an estimate of the error of the integrator, see
   // integrator_error.hpp.
   const Ensemble& with_integrator_error();
@@ -86,6 +89,7 @@ class EnsembleMean {
   // seen.
   void add_hidden_errors();
   const Ensemble& refine(const QuadratureGoal& goal);
+  void take(const QuadratureResult& result);
   void average_list();
   QuadratureGoal goal() const;
 

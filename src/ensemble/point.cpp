@@ -81,7 +81,7 @@ class PointSolver {
 
  private:
   PointResult ensemble_values() {
-    if (loading_.z_0) return at_gap(*loading_.z_0, LoadStatus::reached);
+    if (loading_.z_0) return at_given_gap(*loading_.z_0);
     const LoadPoint found = search();
     if (found.status == LoadStatus::unreachable) return without_values(PointStatus::unreachable);
     if (found.status == LoadStatus::failed) return incomplete();
@@ -217,7 +217,7 @@ class PointSolver {
   }
 
   std::vector<Passage> run_within_limit(const std::vector<PassageTask>& tasks) {
-    if (evaluations_ > setup_.max_evaluations_per_point) throw WorkLimitReached{};
+    if (limited_ && evaluations_ > setup_.max_evaluations_per_point) throw WorkLimitReached{};
     std::vector<Passage> passages = run_(tasks);
     for (const Passage& one : passages) evaluations_ += one.evaluations;
     passages_for_[purpose_] += long(passages.size());
@@ -228,6 +228,18 @@ class PointSolver {
     PointResult out = without_values(PointStatus::incomplete);
     out.incomplete_theta_0 = incomplete_theta_0_;
     return out;
+  }
+
+  // If the limit of work ends the mean, its values so far are not converged. The estimate of the integrator's error
+  // may then exceed the limit by some dozens of passages.
+  PointResult at_given_gap(double z_0) {
+    try {
+      return at_gap(z_0, LoadStatus::reached);
+    } catch (const WorkLimitReached&) {
+      if (!mean_at(z_0).interrupt()) throw;
+      limited_ = false;
+      return at_gap(z_0, LoadStatus::reached);
+    }
   }
 
   PointResult at_gap(double z_0, LoadStatus status) {
@@ -289,6 +301,7 @@ class PointSolver {
   InitialStates starts_{setup_.parameters};
   const PassageRunner limited_run_ = [this](const auto& tasks) { return run_within_limit(tasks); };
   long evaluations_ = 0;
+  bool limited_ = true;  // by max_evaluations_per_point
   Purpose purpose_ = VALUES;
   std::array<long, PURPOSES> passages_for_{};
   std::map<double, EnsembleMean> means_;  // by gap

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 
 namespace bristle {
@@ -17,24 +18,38 @@ constexpr std::size_t kMaxNodes = 9;
 constexpr double kRoughnessFactor = 1;
 
 std::vector<Quadrature::Node> Quadrature::evaluate(const std::vector<double>& at) {
-  const std::vector<Sample> samples = f_(at);
+  std::vector<double> missing;
+  std::ranges::copy_if(at, std::back_inserter(missing), [&](double x) { return !kept_.contains(x); });
+  const std::vector<Sample> samples = missing.empty() ? std::vector<Sample>() : f_(missing);
+  result_.samples += long(missing.size());
   std::vector<Node> nodes;
-  for (std::size_t i = 0; i < at.size(); ++i) {
-    nodes.push_back({at[i], samples[i]});
-    if (!samples[i].valid) result_.status = QuadratureStatus::invalid;
+  auto computed = samples.begin();
+  for (const double x : at) {
+    const auto kept = kept_.find(x);
+    nodes.push_back({x, kept == kept_.end() ? *computed++ : kept->second});
+    if (!nodes.back().sample.valid) result_.status = QuadratureStatus::invalid;
   }
-  result_.samples += long(at.size());
   return nodes;
 }
 
-// Samples the initial panels, of 5 nodes, in one batch.
-void Quadrature::sample_initial_panels() {
+// The 5 nodes of the initial panel that begins at this edge.
+std::vector<double> Quadrature::initial_nodes(std::size_t panel) const {
   constexpr std::size_t steps = kMaxNodes / 2;
   std::vector<double> at;
-  for (std::size_t e = 1; e < edges_.size(); ++e)
-    for (std::size_t i = 0; i < steps; ++i)
-      at.push_back(edges_[e - 1] + (edges_[e] - edges_[e - 1]) * double(i) / steps);
-  at.push_back(edges_.back());
+  for (std::size_t i = 0; i < steps; ++i)
+    at.push_back(edges_[panel] + (edges_[panel + 1] - edges_[panel]) * double(i) / steps);
+  at.push_back(edges_[panel + 1]);
+  return at;
+}
+
+// Samples the initial panels in one batch.
+void Quadrature::sample_initial_panels() {
+  constexpr std::size_t steps = kMaxNodes / 2;
+  std::vector<double> at = {edges_.front()};
+  for (std::size_t panel = 0; panel + 1 < edges_.size(); ++panel) {
+    const std::vector<double> nodes = initial_nodes(panel);
+    at.insert(at.end(), nodes.begin() + 1, nodes.end());
+  }
   const std::vector<Node> nodes = evaluate(at);
   for (std::size_t first = 0; first + steps < nodes.size(); first += steps) {
     panels_.push_back(make_panel({nodes.begin() + first, nodes.begin() + first + steps + 1}));
@@ -53,6 +68,7 @@ Quadrature::Values Quadrature::rule(const Panel& panel, std::size_t stride) cons
 }
 
 void Quadrature::evaluate_panel(Panel& panel) const {
+  if (panel.alternating) return evaluate_alternating(panel);
   const std::size_t n = panel.nodes.size();
   const auto value = [&](std::size_t i, std::size_t k) { return panel.nodes[i].sample.value[k]; };
   panel.integral = rule(panel, 1);
@@ -80,13 +96,13 @@ void Quadrature::evaluate_panel(Panel& panel) const {
 }
 
 Quadrature::Panel Quadrature::make_panel(std::vector<Node> nodes) const {
-  Panel panel{std::move(nodes), {}, {}, false};
+  Panel panel{.nodes = std::move(nodes)};
   evaluate_panel(panel);
   return panel;
 }
 
 // Evaluates, in one batch, the middles between the nodes of these panels and of these jumps. A panel that
-// then has too many nodes is split.
+// then has too many nodes is split, unless it is alternating.
 void Quadrature::refine_in_batch(const std::vector<std::size_t>& panels,
                                  const std::vector<std::size_t>& jumps) {
   const auto middle = [](const Node& left, const Node& right) { return left.at + (right.at - left.at) / 2; };
@@ -109,7 +125,12 @@ void Quadrature::refine_in_batch(const std::vector<std::size_t>& panels,
       nodes.push_back(*next++);
       nodes.push_back(panels_[i].nodes[k]);
     }
-    append_panels(kept, nodes, false);
+    if (panels_[i].alternating) {
+      kept.push_back({.nodes = std::move(nodes), .alternating = true});
+      evaluate_panel(kept.back());
+    } else {
+      append_panels(kept, nodes, false);
+    }
   }
   for (const std::size_t i : jumps) {
     LabelChange& jump = jumps_[i];
@@ -128,9 +149,11 @@ void Quadrature::sort_panels() {
 
 std::vector<Quadrature::LabelChange> Quadrature::changes_in(const Panel& panel) {
   std::vector<LabelChange> changes;
+  if (panel.alternating) return changes;
   for (std::size_t i = 1; i < panel.nodes.size(); ++i)
     if (panel.nodes[i - 1].sample.label != panel.nodes[i].sample.label)
-      changes.push_back({panel.nodes[i - 1], panel.nodes[i]});
+      changes.push_back(
+          {panel.nodes[i - 1], panel.nodes[i], {}, panel.nodes[i].at - panel.nodes[i - 1].at});
   if (changes.empty()) return changes;
   Values spread{};
   for (std::size_t k = 0; k < OBSERVABLES; ++k) {
@@ -324,6 +347,22 @@ Quadrature::Selection Quadrature::largest() const {
   return chosen;
 }
 
+// The panels that the first two bisections of these jumps have left beside them. A node in their middle shows
+// whether the label changes once only.
+std::vector<std::size_t> Quadrature::beside(const std::vector<std::size_t>& jumps) const {
+  std::vector<std::size_t> out;
+  for (std::size_t i = 0; i < panels_.size(); ++i) {
+    const Panel& panel = panels_[i];
+    const auto left_by = [&](const LabelChange& jump) {
+      const bool adjacent = panel.nodes.back().at == jump.left.at || panel.nodes.front().at == jump.right.at;
+      return adjacent && panel.width() > jump.gap / 5;
+    };
+    if (panel.nodes.size() == 2 && std::ranges::any_of(jumps, [&](std::size_t j) { return left_by(jumps_[j]); }))
+      out.push_back(i);
+  }
+  return out;
+}
+
 // Refines the panels and narrows the jumps with the largest errors. Initial panels first get all their nodes.
 void Quadrature::refine_largest() {
   const Selection chosen = largest();
@@ -336,7 +375,9 @@ void Quadrature::refine_largest() {
     (panels_[i].initial ? initial : largest_change(panels_[i]) ? changing : others).push_back(i);
   if (!initial.empty()) return refine_in_batch(initial, {});
   if (!changing.empty()) return split_at_changes(changing);
-  refine_in_batch(others, chosen.jumps);
+  std::vector<std::size_t> all;
+  std::ranges::set_union(others, beside(chosen.jumps), std::back_inserter(all));
+  refine_in_batch(all, chosen.jumps);
 }
 
 std::vector<std::size_t> Quadrature::too_wide() const {
@@ -359,13 +400,25 @@ const QuadratureResult& Quadrature::refine(const QuadratureGoal& goal) {
       break;
     }
     refine_largest();
+    find_alternating_ranges();
     sum();
   }
+  list_jumps();
+  return result_;
+}
+
+const QuadratureResult& Quadrature::interrupted() {
+  sum();
+  list_jumps();
+  result_.status = QuadratureStatus::not_converged;
+  return result_;
+}
+
+void Quadrature::list_jumps() {
   result_.jumps.clear();
   for (const LabelChange& jump : jumps_)
     result_.jumps.push_back(jump.left.at + (jump.right.at - jump.left.at) / 2);
   std::sort(result_.jumps.begin(), result_.jumps.end());
-  return result_;
 }
 
 }  // namespace bristle

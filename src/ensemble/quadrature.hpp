@@ -3,6 +3,7 @@
 #include "ensemble/observables.hpp"
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -14,9 +15,12 @@ namespace bristle {
 // 17 nodes becomes two of 9. Each sample has a label. A difference between the labels of neighbours is a jump
 // of the integrand, which is located by bisection on the label (one sample per step). Each batch refines all
 // panels and jumps without which the goal cannot be met.
+// Labels may also alternate at every scale. Each jump would then stand for many, so that neither the integral nor
+// its error could be trusted. Such a range becomes one panel of equidistant nodes with a statistical error.
 struct Sample {
   ObservableArray value{};
   int label = 0;
+  bool sensitive = false;  // whether a small change of the place may change the label
   bool valid = true;  // false ends the quadrature: its result would be invalid
 };
 
@@ -42,7 +46,8 @@ struct QuadratureResult {
   // jumps, which count by the spread of the values beside them. The error of a panel is the difference
   // between its rule and the rule of every second node, with a lower bound from the misfit between its nodes
   // and the polynomial through every second node: for a rough integrand the difference can be small by
-  // accident (Gonnet 2010).
+  // accident (Gonnet 2010). Where labels alternate it is the standard error of a sum of independent values, by
+  // the differences between neighbours (von Neumann).
   ObservableArray integral{}, error{};
   std::vector<double> jumps;  // ascending
   long samples = 0;
@@ -60,6 +65,9 @@ class Quadrature {
   // Samples until the goal is met. A later call, with another goal, continues from the existing samples.
   const QuadratureResult& refine(const QuadratureGoal& goal);
 
+  // The result of the samples so far, as not converged, after the function has thrown.
+  const QuadratureResult& interrupted();
+
   // The integral of the other's integrand minus this one's, by the rule of this one's nodes: most of the
   // errors of both integrals cancel. None if the other lacks one of these nodes.
   std::optional<QuadratureResult> difference_to(const Quadrature& other) const;
@@ -72,7 +80,8 @@ class Quadrature {
   struct Panel {
     std::vector<Node> nodes;  // 2^k + 1, equidistant
     Values integral{}, error{};
-    bool initial = false;  // with half of the nodes only
+    bool initial = false;      // with half of the nodes only
+    bool alternating = false;  // any number of nodes, and changes of the label between them that are no jumps
     double width() const { return nodes.back().at - nodes.front().at; }
   };
   // Neighbouring nodes with different labels. For a located jump: panels end at left and continue at right.
@@ -81,15 +90,26 @@ class Quadrature {
   struct LabelChange {
     Node left, right;
     Values spread{};
+    double gap = 0;  // distance of the nodes between which it was found
+  };
+
+  // A range of neighbouring panels and jumps whose samples are sensitive, or which have changes of the label.
+  struct SensitiveRange {
+    double from, to;
+    std::size_t changes = 0;
+    bool alternating = false;  // one alternating panel already
   };
 
   struct Selection {
     std::vector<std::size_t> panels, jumps;  // indices, those of the panels ascending
   };
 
+  // The samples at these places. Those in kept_ are not computed again.
   std::vector<Node> evaluate(const std::vector<double>& at);
+  std::vector<double> initial_nodes(std::size_t panel) const;
   void sample_initial_panels();
   void evaluate_panel(Panel& panel) const;
+  static void evaluate_alternating(Panel& panel);
   Values rule(const Panel& panel, std::size_t stride) const;
   Panel make_panel(std::vector<Node> nodes) const;
   void refine_in_batch(const std::vector<std::size_t>& panels, const std::vector<std::size_t>& jumps);
@@ -97,14 +117,21 @@ class Quadrature {
   void sort_panels();
   Selection largest() const;
   std::vector<std::size_t> too_wide() const;
+  std::vector<std::size_t> beside(const std::vector<std::size_t>& jumps) const;
   void refine_largest();
   void append_panels(std::vector<Panel>& out, const std::vector<Node>& nodes, bool from_right) const;
+  // The changes that may become jumps: none in an alternating panel.
   static std::vector<LabelChange> changes_in(const Panel& panel);
+  std::vector<SensitiveRange> sensitive_ranges() const;
+  std::vector<double> equidistant(const SensitiveRange& range) const;
+  void make_alternating(const SensitiveRange& range);
+  void find_alternating_ranges();
   std::optional<LabelChange> largest_change(const Panel& panel) const;
   static Values uncertainty(const LabelChange& change);
   static Values squares(const Values& error);
   static Values squares(const Panel& panel);
   void sum();
+  void list_jumps();
   double tolerance(std::size_t component) const;
   double severity(const Values& error) const;
   double unmet_severity(Values error) const;
@@ -116,6 +143,7 @@ class Quadrature {
   QuadratureGoal goal_;
   std::vector<Panel> panels_;       // ascending
   std::vector<LabelChange> jumps_;  // located
+  std::map<double, Sample> kept_;   // of panels and jumps that an alternating panel has replaced
   QuadratureResult result_;
 };
 

@@ -3,6 +3,9 @@
 #include "generators.hpp"
 
 #include <algorithm>
+#include <array>
+#include <random>
+#include <stdexcept>
 #include "catch.hpp"
 
 namespace bristle::quadrature_test {
@@ -26,7 +29,7 @@ Result integrate(const std::function<double(double)>& f, const std::function<int
   goal.rtol[0] = rtol;
   goal.too_wide = [](double left, double right) { return right - left > 0.35; };
   return Quadrature(batched([&](double x) {
-                      return Sample{{f(x)}, label(x), true};
+                      return Sample{{f(x)}, label(x), false, true};
                     }),
                     {0, 2.6, M_PI})
       .refine(goal);
@@ -57,7 +60,7 @@ TEST_CASE("nested rules and their interpolation from every second node are exact
 
 TEST_CASE("a change of outcome counts by the spread of the values in its panel") {
   // The nodes on both sides of the change, at 0.25 and 0.5, have the same value.
-  const auto f = [](double x) { return Sample{{x > 0.6 ? 1.0 : 0.0}, x > 0.3 ? 1 : 0, true}; };
+  const auto f = [](double x) { return Sample{{x > 0.6 ? 1.0 : 0.0}, x > 0.3 ? 1 : 0, false, true}; };
   QuadratureGoal anything;
   anything.rtol[0] = 100;
   const auto r = Quadrature(batched(f), {0, 1}).refine(anything);
@@ -66,7 +69,7 @@ TEST_CASE("a change of outcome counts by the spread of the values in its panel")
 }
 
 TEST_CASE("panels that are too wide are divided whatever the errors are") {
-  const auto f = [](double) { return Sample{{1.0}, 0, true}; };
+  const auto f = [](double) { return Sample{{1.0}, 0, false, true}; };
   QuadratureGoal goal;
   goal.rtol[0] = 1;
   // Nodes near 1 must be closer than elsewhere.
@@ -88,7 +91,7 @@ TEST_CASE("a second goal reuses the existing samples") {
   std::vector<double> asked;
   const auto f = [&](double x) {
     asked.push_back(x);
-    return Sample{{std::exp(x) + (x > 2 ? 5 : 0)}, x > 2 ? 1 : 0, true};
+    return Sample{{std::exp(x) + (x > 2 ? 5 : 0)}, x > 2 ? 1 : 0, false, true};
   };
   Quadrature quadrature(batched(f), {0, 2.6, M_PI});
   QuadratureGoal rough, fine;
@@ -172,6 +175,81 @@ TEST_CASE(
   CHECK(within_three >= cases * 0.9);
 }
 
+namespace {
+
+// Labels that change at every scale above `from`, in a set with a share of some ten per cent: where Weierstrass's
+// function with random phases is large.
+struct AlternatingLabels {
+  double from;
+  std::array<double, 14> phases{};
+
+  AlternatingLabels(double from_, unsigned seed) : from(from_) {
+    for (double& phase : phases) phase = 2 * M_PI * double(std::mt19937(seed++)()) / 4294967296.0;
+  }
+  int operator()(double x) const {
+    double sum = 0, frequency = 20, size = 1;
+    for (const double phase : phases) {
+      sum += size * std::cos(frequency * x + phase);
+      frequency *= 2.3;
+      size *= 0.8;
+    }
+    return x > from && sum > 0.8 ? 1 : 0;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("where labels alternate at every scale, the error is the statistical one of equidistant nodes") {
+  int beyond_three = 0;
+  for (const double rtol : {1e-2, 3e-3, 1e-3}) {
+    int beyond_two = 0;
+    const int cases = 40;
+    for (int seed = 0; seed < cases; ++seed) {
+      const AlternatingLabels label(2.9, 100 * seed);
+      const auto f = [&](double x) { return 1 + 0.3 * std::cos(x) + (label(x) == 1 ? 8 : 0); };
+      QuadratureGoal goal;
+      goal.rtol[0] = rtol;
+      goal.too_wide = [](double left, double right) {  // as for bristles that point against the motion
+        return right - left > std::clamp(M_PI - right, 0.01, 0.175) + 1e-9;
+      };
+      const auto sample = batched([&](double x) { return Sample{{f(x)}, label(x), x > 2.87, true}; });
+      const auto r = Quadrature(sample, {0, 2.6, M_PI}).refine(goal);
+      double exact = M_PI;
+      const int steps = 100000;
+      const double step = (M_PI - label.from) / steps;
+      for (int i = 0; i < steps; ++i) exact += label(label.from + (i + 0.5) * step) == 1 ? 8 * step : 0;
+      const double distance = std::abs(r.integral[0] - exact) / r.error[0];
+      CAPTURE(rtol, seed, exact, r.integral[0], r.error[0], r.samples);
+      beyond_three += distance > 3;
+      CHECK(distance <= 4);
+      CHECK((r.status == QuadratureStatus::converged) == (r.error[0] <= rtol * r.integral[0]));
+      beyond_two += distance > 2;
+    }
+    CAPTURE(rtol);
+    CHECK(beyond_two <= 3);
+  }
+  // As of independent values: of 120, 1 is beyond three errors. With jumps in place of these panels it was 79.
+  CHECK(beyond_three <= 1);
+}
+
+TEST_CASE("a quadrature that its function ends keeps what it has") {
+  long left = 150;
+  const auto f = [&](const std::vector<double>& at) {
+    if (left < long(at.size())) throw std::runtime_error("enough");
+    left -= long(at.size());
+    return batched([](double x) { return Sample{{std::exp(std::sin(40 * x))}, 0, false, true}; })(at);
+  };
+  Quadrature quadrature(f, {0, 2.6, M_PI});
+  QuadratureGoal goal;
+  goal.rtol[0] = 1e-9;
+  CHECK_THROWS(quadrature.refine(goal));
+  const auto& r = quadrature.interrupted();
+  CHECK(r.status == QuadratureStatus::not_converged);
+  CHECK(r.samples <= 150);
+  CHECK(r.error[0] > 0);
+  CHECK(std::abs(r.integral[0] - 3.97746) < 3 * r.error[0]);
+}
+
 TEST_CASE("a jump that becomes the largest error later is narrowed further") {
   // Next to a range so rough that the errors of its panels fall below the error of the jump only later.
   for (const double height : {20.0, 40.0, 80.0}) {
@@ -190,16 +268,16 @@ TEST_CASE("a jump that becomes the largest error later is narrowed further") {
 TEST_CASE("a tolerance that cannot be reached and an invalid sample are reported") {
   QuadratureGoal goal;
   goal.rtol[0] = 1e-12;
-  const auto rough = batched([](double x) { return Sample{{1 + std::sin(1e4 * x)}, 0, true}; });
+  const auto rough = batched([](double x) { return Sample{{1 + std::sin(1e4 * x)}, 0, false, true}; });
   CHECK(Quadrature(rough, {0, 1}, 100).refine(goal).status == QuadratureStatus::not_converged);
-  const auto broken = batched([](double x) { return Sample{{1}, 0, x < 0.5}; });
+  const auto broken = batched([](double x) { return Sample{{1}, 0, false, x < 0.5}; });
   const auto r = Quadrature(broken, {0, 1}, 100).refine(goal);
   CHECK(r.status == QuadratureStatus::invalid);
   CHECK(r.samples < 40);
 }
 
 TEST_CASE("comparing with a threshold needs fewer samples than a precise value") {
-  const auto f = batched([](double x) { return Sample{{1 + std::pow(std::abs(x - 1.3), 0.3)}, 0, true}; });
+  const auto f = batched([](double x) { return Sample{{1 + std::pow(std::abs(x - 1.3), 0.3)}, 0, false, true}; });
   QuadratureGoal goal;
   goal.rtol[0] = 1e-6;
   const auto value = Quadrature(f, {0, M_PI}).refine(goal);
