@@ -15,6 +15,11 @@ constexpr double kHumpBelow = 0.01, kHumpStep = 1. / 16;
 // goes on in steps of half the distance, down to this share of its step, as long as a load comes within
 // kNear of the target, times the distance in steps.
 constexpr double kFinest = 1. / 8, kNear = 0.08;
+// Where the loads do not lie on straight lines, R_n(z_0) may oscillate between the gaps. So one gap is computed in the
+// middle of a step whose loads come within kLook of the target, and the scan goes on, down to kFinestRough of its step,
+// as long as a load comes within kRough times the deviation of that gap from the straight line. Of the deviation of a
+// step, half counts within its parts. (docs/numerics.md)
+constexpr double kLook = 0.25, kRough = 2, kFinestRough = 1. / 64, kWholeStep = 0.9;
 
 // The scan skips a gap if the loads at the gap before it and at the gap after it are below the target by this
 // share of the target: between such gaps the load does not rise to the target (docs/numerics.md).
@@ -127,15 +132,25 @@ class Scan {
     return loads_.search.path == LoadPath::loading && one.excess < -kFarBelow * loads_.search.target;
   }
 
+  // Whether a gap is needed between these two. roughness: the deviation of the loads around them from straight lines.
+  bool is_needed_between(const GapLoad& from, const GapLoad& to, double roughness) const {
+    const double steps = std::abs(to.z_0 - from.z_0) / loads_.search.step, target = loads_.search.target;
+    const double distance = -(to.excess < 0 ? std::max(from.excess, to.excess) : from.excess);
+    return (steps > kFinest && distance <= kNear * steps * target) ||
+           (steps > kWholeStep && distance <= kLook * target) ||
+           (steps > kFinestRough && distance <= kRough * roughness);
+  }
+
   // Scans between two neighbouring gaps, in the order of the path.
-  std::optional<LoadBracket> between(const GapLoad& from, const GapLoad& to) {
-    const double steps = std::abs(to.z_0 - from.z_0) / loads_.search.step;
-    const double nearest = to.excess < 0 ? std::max(from.excess, to.excess) : from.excess;
-    if (steps <= kFinest || nearest < -kNear * steps * loads_.search.target) return {};
+  std::optional<LoadBracket> between(const GapLoad& from, const GapLoad& to, double roughness = 0) {
+    if (!is_needed_between(from, to, roughness)) return {};
     const GapLoad middle = loads_.at(from.z_0 + (to.z_0 - from.z_0) / 2, Accuracy::rough);
-    if (const auto found = between(from, middle)) return found;
+    const double error = middle.load.error + (from.load.error + to.load.error) / 2;
+    const double deviation = std::max(0.0, std::abs(middle.excess - (from.excess + to.excess) / 2) - error);
+    roughness = std::max(deviation, roughness / 2);
+    if (const auto found = between(from, middle, roughness)) return found;
     if (const auto found = add(middle)) return found;
-    return between(middle, to);
+    return between(middle, to, roughness);
   }
 
   // Adds the next gap of the path: the crossing before it, or in the hump between the last three gaps, if

@@ -55,8 +55,9 @@ TEST_CASE(
   REQUIRE(unloading.status == LoadStatus::reached);
   CHECK(loading.z_0 > 0.7);
   CHECK(unloading.z_0 < 0.5);
-  CHECK(folded(loading.z_0) == Approx(1.2).epsilon(1e-3));
-  CHECK(folded(unloading.z_0) == Approx(1.2).epsilon(1e-3));
+  // Three times the tolerance suffices where values at the target follow from both sides.
+  for (const LoadPoint& p : {loading, unloading})
+    CHECK(folded(p.z_0) == Approx(1.2).epsilon(p.even_between ? 3e-3 : 1e-3));
 }
 
 TEST_CASE(
