@@ -47,14 +47,30 @@ def test_engines_agree_where_s_min_exceeds_the_range_of_the_repulsion():
 
 def test_errors_cover_what_lies_between_the_nodes():
     """The second number is that of 3600 equidistant azimuths."""
-    for name, variable, exact in [("off-mean", "R_n", 1.4948), ("mean-291", "R_x", 4.994), ("mean-355", "R_x", 5.312),
+    for name, variable, exact in [("off-mean", "R_n", 1.4948), ("mean-355", "R_x", 5.312),
                                   ("pinned-84", "pinned_fraction", 0.0264), ("pinned-910", "pinned_fraction", 0.0139),
                                   ("pinned-969", "pinned_fraction", 0.00833), ("pinned-1160", "pinned_fraction", 0.0047)]:
         result = values(name)
         value, error = result[variable], result[f"{variable}_err"]
-        # Nearly all values lie within twice their error, and none beyond 8 times (docs/accuracy.md).
-        allowed = 8 if name == "mean-291" else 2
-        assert 0 < error and abs(value - exact) <= allowed * error, (name, variable, value, error, exact)
+        # Nearly all values lie within twice their error (docs/accuracy.md).
+        assert 0 < error and abs(value - exact) <= 2 * error, (name, variable, value, error, exact)
+
+
+def test_outcomes_that_alternate_at_every_scale():
+    """The second number is that of 3000 equidistant azimuths from 169 to 180 degrees, between which 303 outcomes change."""
+    for rtol in [3.6e-3, 1e-3, 5e-4]:
+        result = values("mean-291", "--set", f"/orientation/rtol={rtol}")
+        for variable, exact in [("R_x", 4.986), ("pinned_fraction", 0.01514)]:
+            value, error = result[variable], result[f"{variable}_err"]
+            assert 0 < error < 0.2 * exact and abs(value - exact) <= 3 * error, (rtol, variable, value, error)
+    # The limit of work of that experiment suffices for the widest tolerance only.
+    assert "1 not_converged" in bristle("info", "r.h5")
+
+
+def test_a_narrow_maximum_of_an_oscillating_load_is_found():
+    """By gaps 0.001 apart, the load first reaches 2 between the gaps 0.479 and 0.478, and falls below it again at 0.475."""
+    result = values("missed-hump")
+    assert abs(result["z_0"] - 0.4785) < 1e-3 and abs(result["R_x_norm"] - 0.234) < 3 * result["R_x_norm_err"], result["z_0"]
 
 
 def test_the_uncertainty_of_the_load_counts_at_an_extremum_over_the_gap():
