@@ -37,6 +37,7 @@ Experiment load_checked(const ExperimentOptions& options) {
   Experiment experiment = experiment::load_experiment(options.file, options.load);
   claims::validate_checks(experiment);
   run::validate_analysis(experiment);
+  design::validate_design(experiment);
   return experiment;
 }
 

@@ -13,6 +13,7 @@
 #include <boost/algorithm/string/replace.hpp>
 #include <fmt/format.h>
 #include <algorithm>
+#include <set>
 #include <nlohmann/json.hpp>
 
 namespace bristle::design {
@@ -21,7 +22,7 @@ namespace {
 constexpr std::size_t kProfileValues = 25;
 constexpr const char* kFound = "design";  // entry of the provenance: the findings in words
 
-// Throws InputError if an objective or a constraint names a variable that the result does not have.
+// Throws InputError if an objective or a constraint names a variable that a result of this experiment does not have.
 void require_variables(const Experiment& e) {
   for (std::size_t i = 0; i < e.design->objectives.size(); ++i)
     run::require_variable(e, fmt::format("/design/objectives/{}", i), e.design->objectives[i].variable);
@@ -159,28 +160,45 @@ class Search {
     return {*std::ranges::min_element(front, {}, distance)};
   }
 
-  // Looks beside the recommended trial. Its profiles have more values than the neighbours by which the search
-  // judged its margin; if they show a jump that is nearer than required, the next trial is recommended.
+  // Locates the jump margins of all trials that are chosen or on the front. The search has judged them by two
+  // neighbours of each quantity; a jump may lie between. Returns whether a trial turned out to be nearer to a jump than
+  // required.
+  bool locate_margins(Findings& found) {
+    bool any_nearer = false;
+    std::set<std::size_t> reported(found.chosen.begin(), found.chosen.end());
+    reported.insert(found.front.begin(), found.front.end());
+    for (const std::size_t i : reported) {
+      if (!located_.insert(i).second) continue;
+      trials_.set_jump_margin(found.trials[i], trials_.located_margin(found.trials[i].nominal));
+      any_nearer = any_nearer || found.trials[i].violation > 0;
+    }
+    return any_nearer;
+  }
+
+  // Looks beside the recommended trial. Its profiles have more values than those by which its margin was located; if
+  // they show a jump that is nearer than required, the next trial is recommended.
   void recommend(Findings& found) {
     for (; !found.chosen.empty(); choose(found)) {
       progress_->stage("computing what is beside the recommended trial");
+      if (design_.jump_margin() > 0 && locate_margins(found)) continue;
       Trial& best = found.trials[found.chosen.front()];
       found.profiles.clear();
       for (const std::string& quantity : design_.quantities())
         found.profiles.push_back(trials_.profile(
             best.nominal, quantity, profile_values(design_, quantity, best.nominal.at(quantity))));
       const double margin = least_margin(found.profiles);
+      if (design_.jump_margin() > 0) trials_.set_jump_margin(best, margin);
       if (margin >= design_.jump_margin()) return look_beside(found, best.nominal);
-      trials_.set_jump_margin(best, margin);
     }
   }
 
   void look_beside(Findings& found, const Values& best) {
-    if (!design_.tolerances.empty()) found.indices = trials_.indices(best);
+    if (!design_.tolerances.empty()) {
+      found.verification = trials_.verify(best);
+      found.indices = trials_.indices(best);
+    }
     if (design_.second_choice.empty()) return;
-    Experiment second = experiment_;
-    experiment::find_sweepable(design_.second_choice)->set(second.base, design_.second_option);
-    second.axes.insert(second.axes.begin() + 1, {design_.second_choice, {design_.second_option}});
+    const Experiment second = experiment::second_model_of(experiment_);
     found.second = Trials(second, solver()).evaluate({best}).front();
   }
 
@@ -191,10 +209,17 @@ class Search {
   std::optional<run::Progress> progress_;
   run::Progress silent_{"", 0, true};
   bool searching_ = true;
+  std::set<std::size_t> located_;  // trials whose jump margins are located
   Trials trials_;
 };
 
 }  // namespace
+
+void validate_design(const Experiment& experiment) {
+  if (!experiment.design) return;
+  require_variables(experiment);
+  if (!experiment.design->second_choice.empty()) require_variables(experiment::second_model_of(experiment));
+}
 
 bool run_design(const Experiment& experiment, const run::RunOptions& options) {
   if (!experiment.design)
@@ -202,7 +227,7 @@ bool run_design(const Experiment& experiment, const run::RunOptions& options) {
                                  experiment.path));
   if (experiment.document->contains(JsonPointer("/sweep/sample")))
     throw InputError(experiment.path + ": /sweep/sample: the design chooses the points of the sample; remove it");
-  require_variables(experiment);
+  validate_design(experiment);
   require_replaceable(options.output, results::result_file());
   if (options.shard || options.complete)
     throw InputError(experiment.path + ": /design: a search cannot be split into shards; each trial follows from the others");

@@ -117,6 +117,17 @@ Group margins(const Findings& found) {
   return table.group();
 }
 
+Group verification_group(const Experiment& e, const Verification& verified) {
+  Table table("verification", numbers("solution", "0: recommended", 1));
+  add_objectives(table, e, [&](std::size_t) { return verified.objectives; });
+  table.add(integer("brushes", "brushes as made, each with its deviations"), [&](std::size_t) { return verified.brushes; });
+  table.add(integer("missing", "brushes without a value of an objective in a scenario"),
+            [&](std::size_t) { return verified.missing; });
+  table.add(integer("violated", "brushes with values beyond a constraint"),
+            [&](std::size_t) { return verified.violated; });
+  return table.group();
+}
+
 Group profile_group(const Experiment& e, const Profile& p) {
   Table table("profile_" + p.quantity, {column_of(p.quantity), {}, p.values});
   add_objectives(table, e, [&](std::size_t i) { return p.objectives[i]; }, true);
@@ -170,12 +181,24 @@ std::string values_text(const Experiment& e, const Trial& trial) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-std::string objectives_text(const Experiment& e, const Trial& trial) {
+// found: a trial, or its verification.
+template <class Found>
+std::string objectives_text(const Experiment& e, const Found& found) {
   std::vector<std::string> parts;
-  for (std::size_t o = 0; o < trial.objectives.size(); ++o)
-    parts.push_back(fmt::format("{}: {}{}", e.design->objectives[o].text(), estimate_text(trial.objectives[o]),
-                                place_of(e, trial.scenarios[o])));
+  for (std::size_t o = 0; o < found.objectives.size(); ++o)
+    parts.push_back(fmt::format("{}: {}{}", e.design->objectives[o].text(), estimate_text(found.objectives[o]),
+                                place_of(e, found.scenarios[o])));
   return fmt::format("{}", fmt::join(parts, "; "));
+}
+
+std::string verification_text(const Experiment& e, const Verification& verified) {
+  const auto share = [&](std::size_t count) { return 100 * double(count) / double(verified.brushes); };
+  std::string out = fmt::format("  of {} brushes with other deviations: {}\n", verified.brushes, objectives_text(e, verified));
+  if (verified.missing > 0)
+    out += fmt::format("  {:.1f} % of these brushes have no value in some scenario and are left out\n", share(verified.missing));
+  if (verified.violated > 0)
+    out += fmt::format("  {:.1f} % of these brushes violate a constraint\n", share(verified.violated));
+  return out;
 }
 
 std::string trials_text(std::size_t count) { return fmt::format("{} trial{}", count, count == 1 ? "" : "s"); }
@@ -254,6 +277,7 @@ std::vector<Group> groups_of(const Experiment& e, const Trials& trials, const Fi
   groups.push_back(list_of("best", "solution", "0: recommended; then other local optima", e, found, found.chosen));
   groups.push_back(margins(found));
   for (const Profile& p : found.profiles) groups.push_back(profile_group(e, p));
+  if (found.verification) groups.push_back(verification_group(e, *found.verification));
   if (!found.indices.empty()) groups.push_back(indices_group(e, found));
   if (found.second) {
     Table table("second", results::word_dimension(e.design->second_choice, "second model of the recommended trial",
@@ -273,6 +297,7 @@ std::string text_of(const Experiment& e, const Findings& found) {
   const experiment::Objective& first = e.design->objectives.front();
   if (e.design->objectives.size() == 1 && first.goal == Goal::target && !meets_target(*e.design, best))
     out += "  no trial meets the target; this one is the nearest: other bounds or a larger budget may meet it\n";
+  if (found.verification) out += verification_text(e, *found.verification);
   out += margins_text(found) + indices_text(e, found);
   if (found.second)
     out += fmt::format("  with {} = {}: {}\n", e.design->second_choice,

@@ -15,11 +15,12 @@ struct Findings {
   std::vector<std::size_t> front;   // trials that no other surpasses
   std::size_t nearest_miss = 0;     // the least violation, where no trial meets the constraints
   std::vector<Profile> profiles;    // beside the recommended trial, by quantity
+  std::optional<Verification> verification;  // of the recommended trial; none without tolerances
   std::vector<SobolIndices> indices;  // by objective; empty without tolerances
   std::optional<Trial> second;        // the recommended trial with the second model
 };
 
-// The groups /trials, /front, /best, /profiles, /indices and /second of the result.
+// The groups /trials, /front, /best, /profiles, /verification, /indices and /second of the result.
 std::vector<results::Group> groups_of(const Experiment& experiment, const Trials& trials, const Findings& found);
 
 // The findings in words.

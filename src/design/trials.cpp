@@ -16,55 +16,9 @@ using experiment::Axis;
 using experiment::Objective;
 
 constexpr std::size_t kIndexBlocks = 128;  // of the design for Sobol indices
-
-Estimate value_of(const results::PointRecord& record, const std::string& variable) {
-  const auto error = record.values.find(variable + "_err");
-  return {record.values.at(variable).front(), error == record.values.end() ? 0 : error->second.front()};
-}
-
-// The statistic of values with errors. Its error is that of few values, and the mean error of the values.
-Estimate statistic(Statistic of, const std::vector<Estimate>& all) {
-  std::vector<double> values;
-  double sum = 0, sum_of_squares = 0, square_of_errors = 0;
-  const double n = double(all.size());
-  for (const auto& [value, error] : all) {
-    values.push_back(value);
-    sum += value;
-    square_of_errors += error * error / n;
-  }
-  if (std::isnan(sum)) return {kNone, kNone};
-  const double mean = sum / n;
-  for (const double value : values) sum_of_squares += (value - mean) * (value - mean);
-  const auto with_errors = [&](Estimate e) {
-    return Estimate{e.value, std::sqrt(e.error * e.error + square_of_errors)};
-  };
-  const auto smaller = [](const Estimate& a, const Estimate& b) { return a.value < b.value; };
-  switch (of) {
-    case Statistic::mean: return with_errors({mean, std::sqrt(sum_of_squares / (n - 1) / n)});
-    case Statistic::q05: return with_errors(quantile(values, 0.05));
-    case Statistic::q95: return with_errors(quantile(values, 0.95));
-    case Statistic::least: return *std::ranges::min_element(all, smaller);
-    case Statistic::greatest: return *std::ranges::max_element(all, smaller);
-    case Statistic::nominal: break;
-  }
-  return all.front();
-}
-
-// The number to be minimised.
-double cost(const Objective& objective, double value) {
-  switch (objective.goal) {
-    case Goal::minimise: return value;
-    case Goal::maximise: return -value;
-    case Goal::target: break;
-  }
-  return std::abs(value - objective.target);
-}
-
-// The scenario with the highest cost; one without a value is worse than all.
-std::size_t worst_scenario(const Objective& objective, const std::vector<Estimate>& by_scenario) {
-  const auto of = [&](const Estimate& e) { return std::isnan(e.value) ? kInfinity : cost(objective, e.value); };
-  return std::size_t(std::ranges::max_element(by_scenario, {}, of) - by_scenario.begin());
-}
+constexpr std::size_t kVerification = 256;  // least number of deviations of a trial that is recommended
+// A reported jump margin is located between this number of points on both sides of the nominal values.
+constexpr std::size_t kMarginPoints = 8;
 
 double beyond(double value, double limit) {
   return limit == 0 ? std::abs(value) : std::abs((value - limit) / limit);
@@ -164,6 +118,12 @@ std::vector<Trial> Trials::evaluate(const std::vector<Values>& nominal) const {
   return out;
 }
 
+// By how much the value at a point is beyond a limit; negative within, infinite without a value.
+double Trials::excess(const experiment::Constraint& constraint, const results::PointRecord& record) const {
+  const double value = value_of(record, constraint.variable).value;
+  return std::isnan(value) ? kInfinity : std::max(value - constraint.max, constraint.min - value);
+}
+
 // records: of the rows of the trial, for each row those of all scenarios
 Trial Trials::judge(const Values& nominal, const results::PointRecord* records) const {
   const std::size_t scenarios = this->scenarios(), samples = 1 + deviations_.size();
@@ -197,12 +157,10 @@ Trial Trials::judge(const Values& nominal, const results::PointRecord* records) 
       continue;
     }
     for (std::size_t i = 0; i < samples * scenarios; ++i) {
-      const double one = value_of(records[i], c.variable).value;
-      // By how much it is beyond a limit; negative within.
-      const double excess = std::isnan(one) ? kInfinity : std::max(one - c.max, c.min - one);
-      if (excess > most) {
-        most = excess;
-        value = one;
+      const double beyond = excess(c, records[i]);
+      if (beyond > most) {
+        most = beyond;
+        value = value_of(records[i], c.variable).value;
       }
     }
     out.constraints.push_back(value);
@@ -233,13 +191,26 @@ double Trials::jump_margin(const Values& nominal, const results::PointRecord* re
         differ = differ || run::jumps(run::gap_of(records[s]),
                                       run::gap_of(records[(1 + deviations_.size() + neighbour) * scenarios + s]));
     if (!differ) continue;
-    std::vector<double> values;
-    for (const double change : {-design_.jump_margin(), 0.0, design_.jump_margin()})
-      values.push_back(neighbour(nominal, quantities[q], change));
-    values.erase(std::unique(values.begin(), values.end()), values.end());
-    margin = std::fmin(margin, least_margin({profile(nominal, quantities[q], values)}));
+    margin = std::fmin(margin, least_margin({profile(nominal, quantities[q], values_beside(nominal, quantities[q], 1))}));
   }
   return margin;
+}
+
+double Trials::located_margin(const Values& nominal) const {
+  std::vector<Profile> profiles;
+  for (const std::string& quantity : design_.quantities())
+    profiles.push_back(profile(nominal, quantity, values_beside(nominal, quantity, kMarginPoints)));
+  return least_margin(profiles);
+}
+
+// From one neighbour to the other, with the nominal value between as many intervals on both sides.
+std::vector<double> Trials::values_beside(const Values& nominal, const std::string& quantity,
+                                          std::size_t intervals) const {
+  std::vector<double> values;
+  for (std::size_t i = 0; i <= 2 * intervals; ++i)
+    values.push_back(neighbour(nominal, quantity, design_.jump_margin() * (double(i) / double(intervals) - 1)));
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+  return values;
 }
 
 // The value in the scenario where it is worst. records: of one row, those of all scenarios
@@ -287,6 +258,40 @@ Profile Trials::profile(const Values& nominal, const std::string& quantity,
     const double change = ((jumps[1][i] + jumps[2][i]) / 2 - x) / x;  // to the middle of the interval
     double& margin = change < 0 ? out.margin_below : out.margin_above;
     if (!(margin <= std::abs(change))) margin = std::abs(change);
+  }
+  return out;
+}
+
+Verification Trials::verify(const Values& nominal) const {
+  const std::size_t brushes = std::max(kVerification, design_.tolerance_samples);
+  std::vector<Values> rows;
+  for (const Point& deviations : sobol_points(brushes, design_.tolerances.size(), design_.seed))
+    rows.push_back(deviated(nominal, deviations));
+  const Experiment batch = with_rows(rows);
+  const std::vector<results::PointRecord> records = solve_all(batch, Purpose::beside);
+  Verification out{{}, {}, brushes, 0, 0};
+  for (std::size_t row = 0; row < brushes; ++row) {
+    bool missing = false, violated = false;
+    for (std::size_t s = 0; s < scenarios(); ++s) {
+      const results::PointRecord& record = records[row * scenarios() + s];
+      for (const Objective& o : design_.objectives) missing = missing || std::isnan(value_of(record, o.variable).value);
+      for (const experiment::Constraint& c : design_.constraints)
+        violated = violated || (c.variable != experiment::kJumpMargin && excess(c, record) > 0);
+    }
+    out.missing += missing;
+    out.violated += violated && !missing;
+  }
+  for (const Objective& objective : design_.objectives) {
+    std::vector<Estimate> by_scenario;
+    for (std::size_t s = 0; s < scenarios(); ++s) {
+      std::vector<Estimate> values;
+      for (std::size_t row = 0; row < brushes; ++row)
+        if (const Estimate value = value_of(records[row * scenarios() + s], objective.variable); !std::isnan(value.value))
+          values.push_back(value);
+      by_scenario.push_back(values.empty() ? Estimate{kNone, kNone} : statistic(objective.of, values));
+    }
+    out.scenarios.push_back(worst_scenario(objective, by_scenario));
+    out.objectives.push_back(by_scenario[out.scenarios.back()]);
   }
   return out;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "design/search.hpp"
+#include "design/statistics.hpp"
 #include "experiment/experiment.hpp"
 #include "results/record.hpp"
 #include "util/sensitivity.hpp"
@@ -10,8 +11,6 @@
 #include <vector>
 
 namespace bristle::design {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 using Values = std::map<std::string, double>;  // of quantities of the design, by name
 
@@ -41,6 +40,15 @@ struct Profile {
   double margin_below, margin_above;              // relative change that reaches a jump; NaN: none among the values
 };
 
+// What many deviations of one trial show. Each is a brush that was made.
+struct Verification {
+  std::vector<Estimate> objectives;    // of the brushes with a value, in the scenario where each objective is worst
+  std::vector<std::size_t> scenarios;  // by objective
+  std::size_t brushes;
+  std::size_t missing;   // brushes without a value of an objective in a scenario
+  std::size_t violated;  // brushes with values beyond a constraint
+};
+
 // Whether the only objective is a target, and the trial meets it within half of the value's error, or within a
 // ten-thousandth of the target. One with a violation does not, nor one of which another gap carries the load as
 // well at more than half of the points.
@@ -59,10 +67,15 @@ class Trials {
   std::vector<Trial> evaluate(const std::vector<Values>& nominal) const;
   // Sets the value of the constraint jump_margin, and the violation if it is below its limit.
   void set_jump_margin(Trial& trial, double margin) const;
+  // The least relative change of a quantity that reaches a jump, by points between the neighbours of the nominal values;
+  // infinite if none up to the required margin does.
+  double located_margin(const Values& nominal) const;
   // For the search: objectives are to be minimised.
   Score score_of(const Trial& trial) const;
 
   Profile profile(const Values& nominal, const std::string& quantity, const std::vector<double>& values) const;
+  // The trial with a number of deviations that shows the tails of its statistics, 256 or more. Requires tolerances.
+  Verification verify(const Values& nominal) const;
   // Total and first-order indices of the nominal objectives over the tolerances, by objective.
   std::vector<SobolIndices> indices(const Values& nominal) const;
 
@@ -76,7 +89,9 @@ class Trials {
   std::vector<results::PointRecord> solve_all(const Experiment& experiment, Purpose purpose) const;
   Values deviated(const Values& nominal, const Point& deviations) const;
   double neighbour(const Values& nominal, const std::string& quantity, double change) const;
+  double excess(const experiment::Constraint& constraint, const results::PointRecord& record) const;
   Trial judge(const Values& nominal, const results::PointRecord* records) const;
+  std::vector<double> values_beside(const Values& nominal, const std::string& quantity, std::size_t intervals) const;
   Estimate worst_nominal(const experiment::Objective& objective, const results::PointRecord* records) const;
   double jump_margin(const Values& nominal, const results::PointRecord* records) const;
 

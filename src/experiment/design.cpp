@@ -17,6 +17,9 @@ namespace {
 constexpr double kNoNominal = std::numeric_limits<double>::quiet_NaN(), kNoTarget = kNoNominal,
                  kNoLimit = std::numeric_limits<double>::infinity();
 
+// The largest relative deviation: a normal one of a sample of a million is within five standard deviations.
+double reach(const Tolerance& t) { return t.width * (t.normal ? 5 : 1); }
+
 class DesignReader {
  public:
   explicit DesignReader(const Document& document) : document_(document), json_(document.json()["design"]) {}
@@ -77,6 +80,7 @@ class DesignReader {
       fail(at, fmt::format("the lower bound {} is not below the upper bound {}; {}", v.low, v.high,
                            v.low == v.high ? "give a range, or remove the variable" : "swap them"));
     if (log && !(v.low > 0)) fail(at, fmt::format("a logarithmic range cannot begin at {}", v.low));
+    require_distinct(document_, at, v.low, v.high, json_["budget"]);
     check_values(document_, name, {v.low, v.high}, [&](std::size_t) { return JsonPointer(at); });
     return v;
   }
@@ -88,29 +92,22 @@ class DesignReader {
     const bool normal = deviation.contains("normal");
     Tolerance t{name, normal, deviation.front(),
                       std::ranges::count(variables, name, &DesignVariable::name) > 0 ? kNoNominal : nominal(at, name)};
+    if (t.nominal == 0)
+      fail(at, fmt::format("deviates relative to {}, which is 0, so that every deviation is 0, too; remove it, or give "
+                           "{} another value",
+                           name, name));
     if (reach(t) >= 1)
       fail(at, fmt::format("{} is too wide: values could reach zero; allowed: less than {}", t.width,
                            normal ? 0.2 : 1.0));
     return t;
   }
 
-  // A normal deviation of a sample of a million is within five standard deviations.
-  static double reach(const Tolerance& t) { return t.width * (t.normal ? 5 : 1); }
-
-  // With all deviations the values are in the range of the quantity, as the trials are points of a sweep. So
-  // are the neighbours that a jump margin needs: those of a variable are within its bounds.
+  // The values of all points of the design are in the ranges of their quantities.
   void check_reach(const Design& d) const {
-    for (const Tolerance& t : d.tolerances) {
-      double low = t.nominal, high = t.nominal, change = std::max(reach(t), d.jump_margin());
-      if (const auto v = std::ranges::find(d.variables, t.name, &DesignVariable::name); v != d.variables.end()) {
-        low = v->low;
-        high = v->high;
-        change = reach(t);
-      }
-      check_values(document_, t.name,
-                   {rounded(low * (1 - change)), rounded(low * (1 + change)), rounded(high * (1 - change)),
-                    rounded(high * (1 + change))},
-                   [&](std::size_t) { return kDesign / "tolerances" / t.name; });
+    for (const Axis& extremes : extremes_of(d)) {
+      const bool varied = std::ranges::count(d.tolerances, extremes.name, &Tolerance::name) > 0;
+      check_values(document_, extremes.name, extremes.values,
+                   [&](std::size_t) { return kDesign / (varied ? "tolerances" : "variables") / extremes.name; });
     }
   }
 
@@ -199,6 +196,24 @@ std::vector<std::string> Design::quantities() const {
 std::optional<Design> read_design(const Document& document) {
   if (!document.json().contains("design")) return {};
   return DesignReader(document).read();
+}
+
+std::vector<Axis> extremes_of(const Design& design) {
+  std::vector<Axis> axes;
+  for (const DesignVariable& v : design.variables) axes.push_back({v.name, {v.low, v.high}});
+  for (const Tolerance& t : design.tolerances) {
+    const bool is_variable = std::ranges::count(axes, t.name, &Axis::name) > 0;
+    // The neighbours that a jump margin needs are within the bounds of a variable.
+    const double change = is_variable ? reach(t) : std::max(reach(t), design.jump_margin());
+    if (!is_variable) axes.push_back({t.name, {t.nominal, t.nominal}});
+    Axis& axis = *std::ranges::find(axes, t.name, &Axis::name);
+    const double low = axis.values.front(), high = axis.values.back();
+    axis.values = {rounded(low * (1 - change)), rounded(low * (1 + change)), rounded(high * (1 - change)),
+                   rounded(high * (1 + change))};
+    const auto [least, greatest] = std::ranges::minmax(axis.values);
+    axis.values = {least, greatest};
+  }
+  return axes;
 }
 
 std::vector<Axis> bounds_of(const Design& design) {

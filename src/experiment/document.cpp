@@ -272,12 +272,15 @@ void Document::fail(const std::string& pointer, const std::string& what) const {
   throw InputError(fmt::format("{}: {}", place, what));
 }
 
+bool Document::set_by_option(const JsonPointer& pointer) const {
+  return std::ranges::any_of(set_, [&](const Change& change) { return sets(change, pointer); });
+}
+
 bool Document::chosen(const JsonPointer& pointer) const {
   const auto has = [](const Json& content, const JsonPointer& at) {
     return content.contains(at) && !content.at(at).is_null();
   };
-  if (std::ranges::any_of(set_, [&](const Change& change) { return sets(change, pointer); }))
-    return has(*merged_, pointer);
+  if (set_by_option(pointer)) return has(*merged_, pointer);
   const Json& own = *files_.back().content;
   return files_.size() > 1 && (has(own, pointer) || has(own, JsonPointer("/tiers/" + tier_) / pointer));
 }

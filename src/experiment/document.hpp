@@ -35,6 +35,8 @@ class Document {
   // Whether the experiment's own file or --set gives the value at pointer. False for a file without parents,
   // which states every value.
   bool chosen(const JsonPointer& pointer) const;
+  // Whether --set gives the value at pointer.
+  bool set_by_option(const JsonPointer& pointer) const;
   // Throws InputError with origin(pointer), the JSON pointer and the description of the mistake.
   [[noreturn]] void fail(const std::string& pointer, const std::string& what) const;
   // Whether this tier differs from the others, by a patch of the file or of a parent.

@@ -59,6 +59,8 @@ Experiment ends_of(const Experiment& e, std::size_t axis) {
 
 }  // namespace
 
+bool same_effect(const PointInput& a, const PointInput& b) { return effective_input(a) == effective_input(b); }
+
 std::vector<std::string> axes_without_effect(const Experiment& with_sample) {
   const Experiment experiment = without_sample(with_sample);
   std::vector<std::string> out;
@@ -68,7 +70,7 @@ std::vector<std::string> axes_without_effect(const Experiment& with_sample) {
     const Experiment ends = ends_of(experiment, axis);
     bool differ = false;
     for (std::size_t i = 0; i < ends.points() && !differ; i += 2)
-      differ = effective_input(ends.point(i)) != effective_input(ends.point(i + 1));
+      differ = !same_effect(ends.point(i), ends.point(i + 1));
     if (!differ) out.push_back(experiment.axes[axis].name);
   }
   return out;

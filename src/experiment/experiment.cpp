@@ -1,5 +1,6 @@
 #include "experiment/experiment.hpp"
 
+#include "experiment/overrides.hpp"
 #include "experiment/point_checks.hpp"
 #include "experiment/sample.hpp"
 #include "experiment/schema.hpp"
@@ -155,7 +156,7 @@ std::optional<double> read_nominal_friction(const Document& d, const std::vector
   if (!load.contains("nominal_friction") && !swept(axes, "nominal_friction")) return {};
   if (input.loading.z_0 || input.loading.trace) d.fail(place, "needs a target load R_n, which it multiplies");
   for (const char* name : {"mu_c", "tau_f", "tau_f_Pa"})
-    if (swept(axes, name) || input.si.contains(name))
+    if (swept(axes, name) || input.si.contains(name) || d.chosen(JsonPointer("/model") / name))
       d.fail(place, fmt::format("and {} both give the strength of friction; remove one of them", name));
   return load.value("nominal_friction", 1.0);
 }
@@ -211,6 +212,21 @@ Analysis read_analysis(const Document& d, const Experiment& e) {
   return analysis;
 }
 
+// Throws InputError if the second model of the design is no valid experiment, or is the first.
+void check_second_model(const Document& d, const Experiment& e) {
+  const std::string place = "/design/second_model/" + e.design->second_choice;
+  const auto fail = [&](const std::string& why) {
+    d.fail(place, fmt::format("{} {}", d.json().at(JsonPointer(place)).dump(), why));
+  };
+  try {
+    if (same_effect(e.point(0), second_model_of(e).point(0)))
+      fail("is the first model, too: give another choice, or remove the second model");
+  } catch (const InputError& error) {
+    if (std::string_view(error.what()).find(place) != std::string_view::npos) throw;
+    fail(fmt::format("needs another experiment than this one: {}", error.what()));
+  }
+}
+
 Experiment read(const Document& d) {
   check_schema(d, experiment_schema());
   const Json& json = d.json();
@@ -246,7 +262,9 @@ Experiment read(const Document& d) {
   e.locate_jumps = read_jump_axis(d, e);
   e.analysis = read_analysis(d, e);
   e.checks = read_all_checks(d, e);
+  check_overrides(d);
   check_points(d, e);
+  if (e.design && !e.design->second_choice.empty()) check_second_model(d, e);
   e.warnings = si_warnings(d, e);
   std::ranges::move(shaft_warnings(d, e), std::back_inserter(e.warnings));
   for (const std::string& name : axes_without_effect(e)) {
@@ -331,6 +349,16 @@ Experiment load_experiment(const std::string& path, const DocumentOptions& optio
         throw InputError(message.find(named) != message.npos ? message : fmt::format("{} {}", message, named));
       }
   return experiment;
+}
+
+Experiment second_model_of(const Experiment& experiment) {
+  Json document = *experiment.document;
+  const Design& design = *experiment.design;
+  const Sweepable& choice = *find_sweepable(design.second_choice);
+  document["sweep"][design.second_choice]["values"] = {choice.text(design.second_option)};
+  document["design"].erase("second_model");
+  for (const char* key : {"checks", "checks_for_each", "locate_jumps"}) document.erase(key);
+  return read(Document::with_places(document, [](const std::string& pointer) { return pointer; }));
 }
 
 Experiment stored_experiment(const Json& document, const std::string& tier, const std::string& source) {

@@ -60,10 +60,14 @@ struct Experiment {
   bool on_lattice() const;  // for at least one point
 };
 
-// Throws InputError for every mistake in the experiment, with source, JSON pointer, value and remedy.
+// Throws InputError for every mistake in the experiment, with source, JSON pointer, value and remedy. The second
+// model of a design, and the extremes of its quantities, are checked as if they had been written.
 Experiment load_experiment(const std::string& path, const DocumentOptions& options);
 // The experiment of a result file, from the document and the tier stored there. Throws as load_experiment().
 Experiment stored_experiment(const Json& document, const std::string& tier, const std::string& source);
+
+// The experiment of a design under its second model: the choice is an axis of one word. Requires one.
+Experiment second_model_of(const Experiment& experiment);
 
 // Exactly the input that determines a point's numbers, as text: the same text for equal points of any two
 // experiments, regardless of names, axes and their order. Choices are written as words, so that inserting
@@ -76,6 +80,8 @@ std::vector<Axis> read_axes(const Document& document);
 
 constexpr double kMaxPoints = 1e7;
 
+// Whether two points of experiments that differ in points only have the same numbers.
+bool same_effect(const PointInput& a, const PointInput& b);
 // The axes along which all points have the same numbers, such as mu_c where no friction law reads it.
 std::vector<std::string> axes_without_effect(const Experiment& experiment);
 

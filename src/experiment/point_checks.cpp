@@ -1,19 +1,26 @@
 #include "experiment/point_checks.hpp"
 
 #include "ensemble/lattice.hpp"
+#include "experiment/overrides.hpp"
 #include "model/elementary.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 namespace bristle::experiment {
 namespace {
 
-// The experiment with the first value only of every axis but these.
+// The experiment with the first value only of every axis but these. A design has an axis for each of its quantities,
+// with their extremes, in place of the sample of its trials.
 Experiment along(const Experiment& e, const std::vector<std::string>& axes) {
   Experiment out = e;
+  if (e.design && !e.document->contains(JsonPointer("/sweep/sample"))) {
+    std::erase_if(out.axes, [](const Axis& axis) { return axis.name == kSample; });
+    std::ranges::move(extremes_of(*e.design), std::back_inserter(out.axes));
+  }
   for (Axis& axis : out.axes)
     if (std::ranges::none_of(axes, [&](const std::string& name) { return experiment::swept({axis}, name); }))
       axis.keep_first();
@@ -27,12 +34,14 @@ void check_gap(const Document& d, const Experiment& experiment) {
     const double highest = sin(point.setup.parameters.phi_0);
     if (!point.loading.z_0) return;
     if (*point.loading.z_0 <= highest) continue;
+    const std::string where = e.points() > 1 ? fmt::format(" at {}", e.place(i)) : "";
     if (const auto in_m = point.si.find("z_0_m"); in_m != point.si.end())
-      d.fail(experiment.swept("z_0_m") ? "/sweep/z_0_m" : "/si/z_0_m",
-             fmt::format("{} m is above first contact; allowed: at most r_0 sin(phi_0) = {:.6g} m", in_m->second,
-                         highest * point.si.at("r0_m")));
-    d.fail(d.json()["load"].contains("z_0") ? "/load/z_0" : "/sweep/z_0",
-           fmt::format("{} is above first contact; allowed: at most sin(phi_0) = {:.6f}", *point.loading.z_0, highest));
+      d.fail(place_of(d, "z_0_m").to_string(),
+             fmt::format("{} m is above first contact{}; allowed: at most r_0 sin(phi_0) = {:.6g} m", in_m->second,
+                         where, highest * point.si.at("r0_m")));
+    d.fail(place_of(d, "z_0").to_string(),
+           fmt::format("{} is above first contact{}; allowed: at most sin(phi_0) = {:.6f}", *point.loading.z_0, where,
+                       highest));
   }
 }
 
@@ -43,7 +52,7 @@ void check_chi(const Document& d, const Experiment& experiment) {
   if (!e.C_peaks_at_V_s) return;
   for (std::size_t i = 0; i < e.points(); ++i)
     if (const double A = e.point(i).setup.parameters.A; A < least)
-      d.fail(e.swept("A") ? "/sweep/A" : "/model/A",
+      d.fail(place_of(d, "A").to_string(),
              fmt::format("{} has no maximum of chi at V_s; allowed: at least {}, or a number for C (0: chi "
                          "rises to 1)",
                          A, least));
@@ -62,6 +71,12 @@ void check_lattice(const Document& d, const Experiment& experiment) {
   for (const char* key : {"seed", "rows", "t_1"})
     if (!used && (d.json()["orientation"].contains(key) || e.swept(key)))
       d.fail(std::string("/orientation/") + key, "is allowed with \"sampling\": \"lattice\" only");
+  if (used && e.design)
+    for (const char* quantity : {"L_y", "L_y_m", "spacing", "spacing_m", "r0_m"})
+      for (const std::string& varied : e.design->quantities())
+        if (varied == quantity)
+          d.fail(place_of(d, varied).to_string(),
+                 "cannot vary with \"sampling\": \"lattice\", as L_y is a whole number of spacings; use quadrature");
   for (std::size_t i = 0; used && i < e.points(); ++i) {
     const Setup point = e.point(i).setup;
     const Parameters& p = point.parameters;
@@ -98,10 +113,7 @@ std::vector<std::string> shaft_warnings(const Document& d, const Experiment& exp
   std::vector<std::string> out;
   // Warns once, of the first point for which is_true() holds, and names the place that sets the quantity.
   const auto warn_if = [&](const std::string& quantity, const auto& is_true, const auto& text) {
-    JsonPointer at = JsonPointer("/model") / quantity;
-    for (const char* block : {"/si", "/design/variables", "/sweep/sample/over", "/sweep"})
-      for (const char* unit : {"", "_m"})
-        if (const JsonPointer place = JsonPointer(block) / (quantity + unit); d.json().contains(place)) at = place;
+    const JsonPointer at = place_of(d, quantity);
     for (std::size_t i = 0; i < e.points(); ++i)
       if (const Parameters p = e.point(i).setup.parameters; is_true(p)) {
         out.push_back(fmt::format("{}: {}: {}", d.origin(at), at.to_string(), text(p)));

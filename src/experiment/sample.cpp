@@ -219,11 +219,13 @@ class SampleReader {
     const double first = given[0], second = given[1];
     if (kind == "normal") {
       if (!(second > 0)) fail(at / kind, fmt::format("the standard deviation {} is not positive", second));
+      require_distinct(document_, at / kind, first - second, first + second, json_["sobol"]);
       return [first, second](double share) { return rounded(first + second * normal_quantile(share)); };
     }
     if (!(first < second))
       fail(at / kind, fmt::format("{} is not below {}; {}", first, second,
                                   first == second ? "give a range" : "swap them"));
+    require_distinct(document_, at / kind, first, second, json_["sobol"]);
     if (kind == "uniform")
       return [first, second](double share) { return rounded(first + (second - first) * share); };
     if (!(first > 0))
@@ -292,6 +294,17 @@ void check_values(const Document& document, const std::string& name, const std::
   check(std::ranges::min_element(values));
   check(std::ranges::max_element(values));
   check(std::ranges::find_if(values, [](double v) { return v != std::floor(v); }));
+}
+
+void require_distinct(const Document& document, const JsonPointer& at, double low, double high,
+                      std::size_t count) {
+  const double size = std::max(std::abs(low), std::abs(high));
+  const double digit = std::pow(10, std::floor(std::log10(size)) - 6);  // the seventh
+  const double values = std::floor((high - low) / digit * (1 + 1e-9)) + 1;
+  if (values >= double(count)) return;
+  document.fail(at.to_string(), fmt::format("the range from {} to {} has {} value{} of seven digits, to which values are "
+                                            "rounded, for {} points; give a wider one",
+                                            low, high, values, values == 1 ? "" : "s", count));
 }
 
 double option_index(const Document& document, const JsonPointer& at, const Sweepable& choice,

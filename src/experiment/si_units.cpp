@@ -138,9 +138,11 @@ std::vector<std::string> si_warnings(const Document& document, const Experiment&
       if (given(q.name))
         replaced[(name == "R_n" || name == "z_0" ? "/load/" : "/model/") + name].push_back(q.name);
   for (const auto& [pointer, keys] : replaced)
-    if (document.chosen(JsonPointer(pointer)))
-      warn(pointer,
-           fmt::format("has no effect, because the si block replaces it by {}", fmt::join(keys, " and ")));
+    if (document.chosen(JsonPointer(pointer))) {
+      const auto what = fmt::format("has no effect, because the si block replaces it by {}", fmt::join(keys, " and "));
+      if (document.set_by_option(JsonPointer(pointer))) document.fail(pointer, what + "; set that instead");
+      warn(pointer, what);
+    }
   const bool in_load = document.json()["load"].contains("R_n");
   if (!given("R_n_N") && (in_load || experiment.swept("R_n")))
     warn(in_load ? "/load/R_n" : "/sweep/R_n",

@@ -1,0 +1,78 @@
+#include "design/statistics.hpp"
+
+#include "design/search.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bristle::design {
+namespace {
+
+constexpr double kNormal95 = 1.6448536;  // 95 % of a normal distribution lie below as many standard deviations
+
+}  // namespace
+
+Estimate value_of(const results::PointRecord& record, const std::string& variable) {
+  const auto error = record.values.find(variable + "_err");
+  return {record.values.at(variable).front(), error == record.values.end() ? 0 : error->second.front()};
+}
+
+namespace {
+
+// The quantile of few values, on the side of a normal distribution's standard deviations z. Its error is the larger one
+// of a bootstrap, which cannot see beyond the greatest value, and of a normal distribution: the standard error of its
+// quantile, and the distance to it where fewer than one value is expected beyond.
+Estimate tail_quantile(const std::vector<double>& values, double share, double z, double mean, double deviation) {
+  Estimate out = quantile(values, share);
+  const double n = double(values.size());
+  double error = deviation * std::sqrt((1 + z * z / 2) / n);
+  if (n * std::min(share, 1 - share) < 1) error += std::abs(mean + z * deviation - out.value);
+  out.error = std::fmax(out.error, error);
+  return out;
+}
+
+}  // namespace
+
+Estimate statistic(Statistic of, const std::vector<Estimate>& all) {
+  std::vector<double> values;
+  double sum = 0, sum_of_squares = 0, square_of_errors = 0;
+  const double n = double(all.size());
+  for (const auto& [value, error] : all) {
+    values.push_back(value);
+    sum += value;
+    square_of_errors += error * error / n;
+  }
+  if (std::isnan(sum)) return {kNone, kNone};
+  const double mean = sum / n;
+  for (const double value : values) sum_of_squares += (value - mean) * (value - mean);
+  const double deviation = std::sqrt(sum_of_squares / std::max(n - 1, 1.0));
+  const auto with_errors = [&](Estimate e) {
+    return Estimate{e.value, std::sqrt(e.error * e.error + square_of_errors)};
+  };
+  const auto smaller = [](const Estimate& a, const Estimate& b) { return a.value < b.value; };
+  switch (of) {
+    case Statistic::mean: return with_errors({mean, deviation / std::sqrt(n)});
+    case Statistic::q05: return with_errors(tail_quantile(values, 0.05, -kNormal95, mean, deviation));
+    case Statistic::q95: return with_errors(tail_quantile(values, 0.95, kNormal95, mean, deviation));
+    case Statistic::least: return *std::ranges::min_element(all, smaller);
+    case Statistic::greatest: return *std::ranges::max_element(all, smaller);
+    case Statistic::nominal: break;
+  }
+  return all.front();
+}
+
+double cost(const experiment::Objective& objective, double value) {
+  switch (objective.goal) {
+    case Goal::minimise: return value;
+    case Goal::maximise: return -value;
+    case Goal::target: break;
+  }
+  return std::abs(value - objective.target);
+}
+
+std::size_t worst_scenario(const experiment::Objective& objective, const std::vector<Estimate>& by_scenario) {
+  const auto of = [&](const Estimate& e) { return std::isnan(e.value) ? kInfinity : cost(objective, e.value); };
+  return std::size_t(std::ranges::max_element(by_scenario, {}, of) - by_scenario.begin());
+}
+
+}  // namespace bristle::design

@@ -1,0 +1,50 @@
+#include "experiment/overrides.hpp"
+
+#include "experiment/sample.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace bristle::experiment {
+namespace {
+
+// What varies the quantity: its axis, a column of the sample or a variable of the design. A tolerance deviates from
+// the nominal value of a block, which it does not replace.
+std::optional<JsonPointer> varied_at(const Document& document, const std::string& quantity) {
+  const Json& json = document.json();
+  for (const char* block : {"/design/variables", "/sweep/sample/over", "/sweep"})
+    if (const JsonPointer at = JsonPointer(block) / quantity; json.contains(at)) return at;
+  const JsonPointer columns = JsonPointer("/sweep") / kSample / "table" / "columns";
+  if (json.contains(columns) && json.at(columns).is_array())
+    for (const Json& column : json.at(columns))
+      if (column == quantity) return columns.parent_pointer();
+  return {};
+}
+
+}  // namespace
+
+JsonPointer place_of(const Document& document, const std::string& quantity) {
+  for (const std::string& name : {quantity, quantity + "_m"})
+    if (const auto at = varied_at(document, name)) return *at;
+  for (const char* block : {"/si", "/model", "/load", "/orientation"})
+    for (const std::string& name : {quantity + "_m", quantity})
+      if (const JsonPointer at = JsonPointer(block) / name; document.json().contains(at)) return at;
+  return JsonPointer("/model") / quantity;
+}
+
+void check_overrides(const Document& document) {
+  for (const char* name : {"model", "si", "load", "orientation"}) {
+    const JsonPointer block = JsonPointer() / name;
+    if (!document.json().contains(block)) continue;
+    for (const auto& [key, value] : document.json().at(block).items()) {
+      const JsonPointer at = block / key;
+      const auto varied = varied_at(document, key);
+      if (!varied || !document.chosen(at) || (!document.set_by_option(at) && document.chosen(*varied))) continue;
+      document.fail(at.to_string(),
+                    fmt::format("has no effect, because {} varies {}; set {} instead, or remove it by null",
+                                varied->to_string(), key, varied->to_string()));
+    }
+  }
+}
+
+}  // namespace bristle::experiment
