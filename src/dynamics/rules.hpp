@@ -43,13 +43,14 @@ inline Outcome outcome_at_exit(const Parameters& p, const OdeState& y) {
 // its radial velocity reversed: no bristle is compressed to nothing.
 bool apply_pole_rule(const Parameters& p, OdeState& y);
 
-// The root of g in [a, b], with g(a) < 0 <= g(b): the upper end of its bracket.
+// The root of g in [a, b], with g(a) < 0 <= g(b): the upper end of its bracket. An end of the interval where g does not
+// change its sign, as its values may be NaN.
 template <class Function>
 double first_root(Function g, double a, double b, double tolerance) {
   std::uintmax_t iterations = 100;
   const double g_a = g(a), g_b = g(b);
-  if (g_a >= 0) return a;
-  if (g_b <= 0) return b;
+  if (!(g_a < 0)) return a;
+  if (!(g_b > 0)) return b;
   const auto close = [tolerance](double l, double r) { return r - l <= tolerance; };
   return boost::math::tools::toms748_solve(g, a, b, g_a, g_b, close, iterations).second;
 }

@@ -202,10 +202,12 @@ class Tracer {
     const auto [low, high] = std::minmax(landing.near, landing.far);
     const auto close = [](double a, double b) { return b - a < kClosest; };
     std::uintmax_t iterations = kSearchSteps;
-    const auto [a, b] =
-        boost::math::tools::toms748_solve(excess, low, high, excess(low), excess(high), close, iterations);
-    add_found(a, run, passages);
-    add_found(b, run, 0);
+    std::pair landing_gaps(low, high);
+    // Without a change of sign, as the loads have errors and may be missing, the nodes found before remain.
+    if (const double at_low = excess(low), at_high = excess(high); at_low * at_high < 0)
+      landing_gaps = boost::math::tools::toms748_solve(excess, low, high, at_low, at_high, close, iterations);
+    add_found(landing_gaps.first, run, passages);
+    add_found(landing_gaps.second, run, 0);
   }
 
   std::vector<CurveNode> nodes_with_branches() {

@@ -1,11 +1,12 @@
 #include "model/equilibrium.hpp"
 
 #include "model/energy.hpp"
+#include "model/error.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 #include <limits>
-#include <stdexcept>
+
 
 namespace bristle {
 namespace {
@@ -161,7 +162,7 @@ Equilibrium static_equilibrium(Bristle<double> b, double z_0, FollowedMinimum& m
   const double phi = minimum.phi(z_0);
   const double r = std::isnan(phi) ? phi : Bent(b, phi, z_0).r();
   if (std::isnan(r))
-    throw std::runtime_error(
+    throw ModelError(
         fmt::format("no static equilibrium of the bristle under a slab that comes down to z_0 = {:.6g}: the "
                     "wall (lambda_z, beta) is "
                     "stronger than the springs (k_r, k_phi)",

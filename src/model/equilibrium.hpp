@@ -17,7 +17,7 @@ struct Equilibrium {
 
 // Frictionless static equilibrium in the vertical plane theta = theta_0: the minimum of the potential energy
 // over (r, phi) with 0 < phi <= phi_0 that is reached from the undeformed bristle as the slab comes down from
-// first contact to the gap of b. Throws std::runtime_error if at some gap on this way there is no equilibrium
+// first contact to the gap of b. Throws ModelError if at some gap on this way there is no equilibrium
 // (parameters far outside the physical ranges).
 Equilibrium static_equilibrium(const Bristle<double>& b);
 
@@ -63,7 +63,7 @@ class InitialStates {
  public:
   explicit InitialStates(const Parameters& p);
 
-  // For the gap z_0. Throws std::runtime_error like static_equilibrium().
+  // For the gap z_0. Throws ModelError like static_equilibrium().
   Equilibrium at(double z_0);
   Start start();
 

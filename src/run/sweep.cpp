@@ -2,6 +2,7 @@
 
 #include "dynamics/jobs.hpp"
 #include "experiment/si_units.hpp"
+#include "model/error.hpp"
 #include "run/passage_queue.hpp"
 #include "simd/dispatch.hpp"
 #include "simd/engine.hpp"
@@ -169,8 +170,11 @@ PointReport Sweep::solve(std::size_t index, const PassageRunner& run) const {
     return {index, record()};
   } catch (const std::bad_alloc&) {
     throw;  // the other points may be the cause
-  } catch (const std::exception& e) {
+  } catch (const ModelError& e) {
     return {index, results::failed_record(layout_, e.what())};
+  } catch (const std::exception&) {  // its text would be that of a library
+    return {index, results::failed_record(layout_, "the computation ended by an error of the program: please report it with "
+                                                   "this experiment; another engine (/integrator/engine) may give values")};
   }
 }
 

@@ -1,12 +1,12 @@
 #include "model/friction/table.hpp"
 
+#include "model/error.hpp"
 #include "model/friction/laws.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
-#include <stdexcept>
 
 namespace bristle {
 namespace {
@@ -44,7 +44,7 @@ ModulationTable::ModulationTable(FrictionLaw law, const FrictionConstants<double
   while (!build(intervals)) {
     intervals *= 2;
     if (intervals > kMostIntervals)
-      throw std::runtime_error(fmt::format(
+      throw ModelError(fmt::format(
           "the modulation of the friction law {} changes too steeply with the sliding speed (A, C)",
           word(law)));
   }
