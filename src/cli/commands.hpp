@@ -7,6 +7,7 @@
 #include "run/task.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 // The commands of the program. Each returns the exit code and throws InputError or RunError.
@@ -20,12 +21,15 @@ enum ExitCode {
   kInterrupted = 128  // plus the number of the signal
 };
 
-// The file of an experiment and the changes to it.
+// The file of an experiment, or a result, which stands for the experiment that is stored in it; the changes to
+// it; and the number of its only point, if the other points are to be left out.
 struct ExperimentOptions {
   std::string file;
   experiment::DocumentOptions load;
+  std::optional<std::size_t> point{};
 };
-// options: without output the result is results/<name>.h5 or, of another tier, results/<name>-<tier>.h5;
+// options: without output the result is results/<name>.h5 or, of another tier, results/<name>-<tier>.h5, and of
+// one point results/<name>-point-<N>.h5, which is computed even if a journal has it;
 // instruction_set: empty for the widest available. Returns kCheckFailed if no trial of a design meets its
 // constraints.
 int run_command(const ExperimentOptions& experiment, const run::RunOptions& options,

@@ -52,10 +52,11 @@ std::string reference_of(const CheckOptions& options, const results::ResultReade
 std::string replays(const compare::Comparison& comparison, const results::ResultReader& result) {
   constexpr std::size_t kMaxShown = 5;
   std::string text;
+  const compare::ReplayCommands commands(result);
   std::set<std::size_t> listed;
   for (const compare::Difference& d : comparison.differences)
     if (listed.size() < kMaxShown && listed.insert(d.where).second)
-      text += fmt::format("To compute {} again:\n  {}\n", d.place, compare::replay_command(result, d.where));
+      text += fmt::format("To compute {} again:\n  {}\n", d.place, commands.of_value(d.where));
   return text;
 }
 
@@ -81,7 +82,7 @@ bool report_deviations(const CheckOptions& options, const results::ResultReader&
 bool print_json(const CheckOptions& options, const results::ResultReader& result,
                 const std::vector<claims::CheckResult>& checks) {
   const std::string path = reference_of(options, result);
-  Json out = {{"file", options.file}, {"deviation", nullptr}, {"replay", compare::replay_json(result)}};
+  Json out = {{"file", options.file}, {"deviation", nullptr}, {"replay", compare::ReplayCommands(result).of_all_points()}};
   if (std::filesystem::exists(path))
     out["deviation"] = compare::comparison_json(
         compare::compare_with_reference(result, checks, compare::read_reference(path), path));

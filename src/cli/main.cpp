@@ -68,10 +68,13 @@ CLI::App* add_run(CLI::App& app, ExperimentOptions& experiment, run::RunOptions&
       "--instruction-set", instruction_set,
       "instruction set of the fast engine; does not change the numbers [the widest available]");
   auto* force = command->add_flag("--force", run.force, "compute even if the result is up to date");
+  auto* point = command->add_option("--point", experiment.point,
+                                    "compute only the point of this number, from 0, the last axis fastest");
+  point->type_name("N")->excludes(shard);
   command
       ->add_flag("--complete", run.complete,
                  "write the result of what shards have computed; name what is missing, and compute nothing")
-      ->excludes(shard, force);
+      ->excludes(shard, force, point);
   command->add_flag("--quiet", run.quiet, "no progress, no summary");
   return command;
 }

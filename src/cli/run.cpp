@@ -3,12 +3,15 @@
 #include "claims/measure.hpp"
 #include "claims/checks.hpp"
 #include "design/design.hpp"
+#include "experiment/sample.hpp"
 #include "experiment/schema.hpp"
 #include "experiment/si_units.hpp"
+#include "results/reader.hpp"
 #include "run/analysis.hpp"
 #include "simd/dispatch.hpp"
 #include "util/error.hpp"
 #include "util/file.hpp"
+#include "util/grid.hpp"
 #include "util/text.hpp"
 
 #include <fmt/format.h>
@@ -33,8 +36,39 @@ void choose_instruction_set(const std::string& name) {
                                fmt::join(names, ", ")));
 }
 
+// The experiment that is stored in a result. Its sample is that of the file, but a design looks for its own.
+Experiment load_result(const ExperimentOptions& options) {
+  const results::ResultReader result(options.file);
+  result.require_intact();
+  const std::string tier = result.text("tier");
+  if (options.load.tier != "full" && options.load.tier != tier)
+    throw InputError(fmt::format("--tier {}: {} has the experiment of its tier, {}, only; name the experiment file",
+                                 options.load.tier, options.file, tier));
+  Json document = result.experiment();
+  if (!options.point && document.contains("design")) document["sweep"].erase(experiment::kSample);
+  return experiment::stored_experiment(document, tier, options.file, options.load.set);
+}
+
+// Throws InputError if the file has more points than the one that would replace them.
+void require_one_point(const std::string& path) {
+  if (!is_of_kind(path, results::result_file())) return;
+  if (const std::size_t points = grid_size(results::ResultReader(path).sweep_shape()); points > 1)
+    throw InputError(fmt::format("{}: holds {} points, which the point of --point would replace; give another file with -o",
+                                 path, points));
+}
+
+// The experiment of this point alone.
+Experiment only_point(const Experiment& all, std::size_t point) {
+  if (point >= all.points())
+    throw InputError(fmt::format("--point {}: {} has the points 0 to {}", point, all.path, all.points() - 1));
+  return experiment::stored_experiment(experiment::document_of_point(all, point), all.tier, all.path);
+}
+
 Experiment load_checked(const ExperimentOptions& options) {
-  Experiment experiment = experiment::load_experiment(options.file, options.load);
+  const bool is_result = not_a_file(options.file).empty() && is_of_kind(options.file, results::result_file());
+  Experiment experiment =
+      is_result ? load_result(options) : experiment::load_experiment(options.file, options.load);
+  if (options.point) experiment = only_point(experiment, *options.point);
   claims::validate_checks(experiment);
   run::validate_analysis(experiment);
   design::validate_design(experiment);
@@ -145,8 +179,13 @@ int run_command(const ExperimentOptions& input, const run::RunOptions& options,
   const Experiment experiment = load_checked(input);
   if (!options.quiet) print_warnings(experiment);
   run::RunOptions with_output = options;
-  const std::string suffix = experiment.tier == "full" ? "" : "-" + experiment.tier;
+  std::string suffix = experiment.tier == "full" ? "" : "-" + experiment.tier;
+  if (input.point) suffix += fmt::format("-point-{}", *input.point);
   if (options.output.empty()) with_output.output = fmt::format("results/{}{}.h5", experiment.name, suffix);
+  if (input.point) {
+    with_output.force = true;
+    require_one_point(with_output.output);
+  }
   const auto compute_it = options.output == "-" ? compute_to_standard_output : compute;
   return compute_it(experiment, with_output, needs_design) ? kSuccess : kCheckFailed;
 }

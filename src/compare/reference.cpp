@@ -57,11 +57,11 @@ std::vector<double> errors_of(const results::ResultReader& result, const std::st
   errors.resize(size, 0);
   double distance = 0;
   if (name == "R_n" && result.has("load_error")) {
-    const Json experiment = result.experiment();
-    double target = experiment["load"].value("R_n", 0.0);
+    const Json& experiment = result.experiment();
+    double target = experiment.value(JsonPointer("/load/R_n"), 0.0);
     if (result.has("R_n_target"))
       for (const double one : result.variable("R_n_target").values) target = std::max(target, one);
-    distance = experiment["orientation"].value("rtol", 0.0) * target;
+    distance = experiment.value(JsonPointer("/orientation/rtol"), 0.0) * target;
   }
   for (double& error : errors) error = (std::isfinite(error) ? error : 0) + distance;
   return errors;
@@ -84,7 +84,7 @@ std::vector<double> tolerances_of(const results::ResultReader& result, const std
   double scale = 0;
   for (const double v : values)
     if (std::isfinite(v)) scale = std::max(scale, std::abs(v));
-  const double rtol = result.experiment()["integrator"]["rtol"];
+  const double rtol = result.experiment().at("integrator").at("rtol");
   const double integrator = (name == "energy_residual" ? 1 : kIntegrator * rtol) * scale;
   std::vector<double> out = errors_of(result, name, values.size());
   for (std::size_t i = 0; i < out.size(); ++i)

@@ -7,11 +7,21 @@
 
 namespace bristle::compare {
 
-// The command that computes only this point of a result again, with the same bits. index: of the point's
-// value in the variable status, in row-major order.
-std::string replay_command(const results::ResultReader& result, std::size_t index);
+// The commands that compute single points of a result again, with the same bits, from the experiment that is
+// stored in the result. Reads what the commands share once.
+class ReplayCommands {
+ public:
+  explicit ReplayCommands(const results::ResultReader& result);
 
-// The commands of all sweep points in row-major order, as a JSON array.
-Json replay_json(const results::ResultReader& result);
+  // The command of the point to which a value of the variable status belongs. index: of the value, in
+  // row-major order.
+  std::string of_value(std::size_t index) const;
+  // The commands of all points of the sweep in row-major order, as a JSON array.
+  Json of_all_points() const;
+
+ private:
+  std::size_t points_ = 0, nodes_ = 1;  // of the sweep; nodes of the curve at each point, or 1
+  std::string begin_;                   // of the command, before the number of the point
+};
 
 }  // namespace bristle::compare

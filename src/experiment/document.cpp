@@ -218,11 +218,13 @@ Document Document::load(const std::string& path, const DocumentOptions& options)
   return d;
 }
 
-Document Document::stored(const Json& content, const std::string& source) {
+Document Document::stored(const Json& content, const std::string& source,
+                          const std::vector<std::string>& set) {
   Document d;
   d.path_ = source;
   d.tier_ = "full";
   d.files_.push_back({source, std::make_shared<const Json>(content)});
+  for (const std::string& argument : set) d.set_.push_back(parse_set(argument));
   d.merge();
   return d;
 }

@@ -23,8 +23,10 @@ class Document {
   // path: the file, or - for standard input. Throws InputError for an unreadable or malformed file, for an
   // extends that is missing, circular or outside the experiments folder, and for an invalid --set or tier.
   static Document load(const std::string& path, const DocumentOptions& options);
-  // An experiment as stored in a result file: merged, without tiers. source names it in messages.
-  static Document stored(const Json& content, const std::string& source);
+  // An experiment as stored in a result file: merged, without tiers; set: changes as of DocumentOptions. source
+  // names it in messages.
+  static Document stored(const Json& content, const std::string& source,
+                         const std::vector<std::string>& set = {});
   // An experiment whose messages say place_of(JSON pointer), such as "t.csv: line 3", instead of source and pointer.
   static Document with_places(const Json& content, std::function<std::string(const std::string&)> place_of);
 

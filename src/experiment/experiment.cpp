@@ -361,8 +361,9 @@ Experiment second_model_of(const Experiment& experiment) {
   return read(Document::with_places(document, [](const std::string& pointer) { return pointer; }));
 }
 
-Experiment stored_experiment(const Json& document, const std::string& tier, const std::string& source) {
-  Experiment experiment = read(Document::stored(document, source));
+Experiment stored_experiment(const Json& document, const std::string& tier, const std::string& source,
+                             const std::vector<std::string>& set) {
+  Experiment experiment = read(Document::stored(document, source, set));
   experiment.tier = tier;
   return experiment;
 }

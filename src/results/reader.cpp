@@ -29,7 +29,7 @@ std::string coordinate(const ResultReader& result, const std::string& folder, co
   if (dimension.empty()) return fmt::format("row {}", i);
   const std::string name = result.has(folder + dimension) ? folder + dimension : dimension;
   if (!result.has(name)) return fmt::format("{}[{}]", dimension, i);
-  const auto values = result.variable(name).values;
+  const std::vector<double>& values = result.variable(name).values;
   if (i >= values.size()) return fmt::format("{}[{}]", dimension, i);
   const std::vector<std::string> words = result.flag_meanings(name);
   return fmt::format("{} = {}", dimension,
@@ -210,15 +210,16 @@ std::map<std::string, std::string> ResultReader::text_attributes(const std::stri
 
 std::vector<std::string> ResultReader::axes() const {
   std::vector<std::string> names;
-  const Json sweep = experiment().value("sweep", Json::object());
-  for (const auto& [name, axis] : sweep.items()) names.push_back(axis_variable(name));
+  const Json& document = experiment();
+  if (document.contains("sweep"))
+    for (const auto& [name, axis] : document["sweep"].items()) names.push_back(axis_variable(name));
   return names;
 }
 
 std::vector<std::string> ResultReader::sample_columns() const {
   std::vector<std::string> names;
   const JsonPointer table("/sweep/sample/table/columns"), distributions("/sweep/sample/over");
-  const Json document = experiment();
+  const Json& document = experiment();
   if (document.contains(table))
     for (const std::string name : document[table]) names.push_back(axis_variable(name));
   else if (document.contains(distributions))
@@ -233,11 +234,13 @@ std::vector<std::size_t> ResultReader::sweep_shape() const {
   return shape;
 }
 
-Json ResultReader::experiment() const {
+const Json& ResultReader::experiment() const {
+  if (experiment_) return *experiment_;
   try {
     Json document = parse_json(raw_text("experiment"));
     if (!document.is_object()) throw InputError(fmt::format("{} is not an object", shown(document)));
-    return document;
+    experiment_ = std::make_shared<const Json>(std::move(document));
+    return *experiment_;
   } catch (const InputError& e) {
     throw InputError(fmt::format("{}: attribute experiment: {}", path_, e.what()));
   }

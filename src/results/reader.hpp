@@ -6,6 +6,7 @@
 #include "util/file.hpp"
 
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -45,7 +46,8 @@ class ResultReader {
   std::string text(const std::string& attribute) const;
   std::string raw_text(const std::string& attribute) const;  // as it is, such as JSON
   std::string text_of(const std::string& dataset, const std::string& attribute) const;  // empty: none
-  Json experiment() const;
+  // The document of the experiment, which is parsed once.
+  const Json& experiment() const;
   // Attributes of the groups /provenance and /failures; empty if there is no such group.
   std::map<std::string, std::string> provenance() const { return text_attributes("provenance"); }
   std::map<std::string, std::string> failures() const { return text_attributes(kFailures); }
@@ -62,6 +64,7 @@ class ResultReader {
   std::vector<std::string> damage_;
   h5::Handle file_;
   mutable std::map<std::string, Variable> read_;  // by name: what variable() has read
+  mutable std::shared_ptr<const Json> experiment_;
 };
 
 // The files that a run may replace: results of any version.

@@ -9,6 +9,7 @@
 namespace bristle::reference_test {
 using namespace testing;
 using Catch::Contains;
+using Catch::EndsWith;
 
 namespace {
 
@@ -129,46 +130,8 @@ TEST_CASE("deviations: none, above half a tolerance, and above the tolerance") {
   CHECK(p.report().differences.at(0).tolerances == Approx(1.5));
   CHECK(p.report().differences[0].where == 3);
   CHECK_THAT(p.text(), Contains("FAILED"));
-  CHECK_THAT(replay_command(ResultReader(p.b), p.report().differences[0].where),
-             Contains(R"(bristle run experiments/small.json --tier smoke --set )"
-                      R"('/sweep/k_r={"values":[20.0],"logspace":null,"linspace":null,"take":null}' )"
-                      R"(--set '/sweep/k_theta={"values":[0.3],)"));
-}
-
-TEST_CASE("replay: the command names the experiment file of the run and the changes by --set") {
-  const Scratch s;
-  small_experiment(s);
-  const Experiment changed = load_experiment(
-      s.path("small.json"), {{"/model/k_phi=2.5", R"(/load={"z_0":0.5,"R_n":null})"}, "full"});
-  const std::string file = small_result(s, "a.h5", changed);
-  {
-    const h5::Handle opened = h5::open_file(file, true);
-    const h5::Handle group(H5Gopen2(opened, "provenance", H5P_DEFAULT), H5Gclose, "opening /provenance");
-    h5::write_attribute(group, "command_line", "bristle run " + s.path("small.json") + " -o a.h5");
-  }
-  const std::string command = replay_command(ResultReader(file), 4);
-  CHECK_THAT(command, Contains("bristle run " + s.path("small.json") + " --set /model/k_phi=2.5 ") &&
-                          Contains("--set /load/z_0=0.5 --set /load/R_n=null ") && !Contains("--tier"));
-  CHECK_THAT(command,
-             Contains(R"('/sweep/k_r={"values":[20.0],)") && Contains(R"('/sweep/k_theta={"values":[1.0],)"));
-}
-
-TEST_CASE("replay: words of choices, any node of a traced curve, and no checks, as one point has none") {
-  const Scratch s;
-  small_experiment(s);
-  const Experiment curves =
-      load_experiment(s.write("curves.json", R"({"extends": "small.json", "name": "curves",
-        "load": {"R_n": null, "path": null, "trace": {"nodes": 96}},
-        "sweep": {"k_theta": null, "friction": {"values": ["nss", "coulomb"]}}})"),
-                      {});
-  ResultWriter writer(curves, s.path("a.h5"));
-  for (std::size_t i = 0; i < curves.points(); ++i) writer.write(i, record_of(curves, {CurveNode{}}));
-  writer.close({{"command_line", "bristle run " + s.path("curves.json")}});
-  writer.publish();
-  const std::string command = replay_command(ResultReader(s.path("a.h5")), 2 * 96 + 5);
-  CHECK_THAT(command, Contains(R"('/sweep/k_r={"values":[20.0],)") &&
-                          Contains(R"('/sweep/friction={"values":["nss"],)") &&
-                          Contains("--set /checks=null"));
+  CHECK_THAT(ReplayCommands(ResultReader(p.b)).of_value(p.report().differences[0].where),
+             EndsWith("bristle run " + p.b + " -o results/replay.h5 --point 3"));
 }
 
 TEST_CASE("deviations: the worst value of each variable, in descending order, and how many differ") {
