@@ -166,14 +166,11 @@ std::vector<std::string> journals_beside(const std::string& result) {
   return paths;
 }
 
-Journal::Journal(const std::string& path, const std::string& commit, bool clear)
+Journal::Journal(const std::string& path, const std::string& commit, bool ignore)
     : path_(path), commit_(commit), file_(lock_file(path, path)) {
   try {
     scan();
-    if (clear) {
-      entries_.clear();
-      end_ = 0;
-    }
+    if (ignore) entries_.clear();
     if (ftruncate(file_, off_t(end_)) != 0)
       throw RunError(fmt::format("{}: {}", path_, std::strerror(errno)));
   } catch (...) {

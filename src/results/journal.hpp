@@ -44,9 +44,10 @@ std::vector<std::string> journals_beside(const std::string& result);
 class Journal {
  public:
   // Creates the file and its folder if necessary, and locks it until the destructor runs or the process ends.
-  // commit is that of this program. clear removes all points. Throws InputError if the file cannot be written
+  // commit is that of this program. ignore: the points in the file stay there, but are as if they were not, until
+  // they are appended again. Throws InputError if the file cannot be written
   // or is not a journal, RunError if another run holds the lock.
-  Journal(const std::string& path, const std::string& commit, bool clear);
+  Journal(const std::string& path, const std::string& commit, bool ignore);
   ~Journal();
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;
