@@ -238,6 +238,7 @@ bool run_design(const Experiment& experiment, const run::RunOptions& options) {
                  boost::replace_all_copy(file.provenance().at(kFound), "\\x0a", "\n"));
     return file.has("best");
   }
+  run::require_no_loss(experiment, options);
   run::install_signal_handlers();
   auto entries = run::provenance(options.command_line, options.threads);
   entries["started"] = run::utc_now();

@@ -29,22 +29,6 @@ void add_checks(const std::string& path) {
   claims::write_checks(path, checks);
 }
 
-// Throws InputError if the path holds the result of all points, and this run would replace it by a few.
-void require_no_loss(const Experiment& experiment, const std::string& path) {
-  if (experiment.tier == "full" || !is_of_kind(path, results::result_file())) return;
-  std::string held;
-  try {
-    held = results::ResultReader(path).text("tier");
-  } catch (const InputError&) {  // damaged: nothing is lost
-  }
-  if (held == "full")
-    throw InputError(
-        fmt::format("{}: holds the result of the full tier, which the {} tier would replace; give another "
-                    "file with -o, or "
-                    "replace it by --force",
-                    path, experiment.tier));
-}
-
 // Updates title, notes and checks of a result whose numbers are up to date.
 void refresh_description(const Experiment& experiment, const std::string& path) {
   if (results::ResultReader(path).experiment() == *experiment.document) return;
@@ -232,6 +216,20 @@ Summary write_result(const Experiment& experiment, const std::string& path, cons
   return summary;
 }
 
+void require_no_loss(const Experiment& experiment, const RunOptions& options) {
+  const std::string& path = options.output;
+  if (options.force || experiment.tier == "full" || !is_of_kind(path, results::result_file())) return;
+  std::string held = experiment.tier;
+  try {
+    held = results::ResultReader(path).text("tier");
+  } catch (const InputError&) {  // damaged: nothing is lost
+  }
+  if (held != experiment.tier)
+    throw InputError(
+        fmt::format("{}: holds the result of the {} tier, which the {} tier would replace; give another file with -o",
+                    path, held, experiment.tier));
+}
+
 void run_experiment(const Experiment& experiment, const RunOptions& options) {
   require_replaceable(options.output, results::result_file());
   if (!options.force && results::up_to_date(options.output, experiment)) {
@@ -240,7 +238,7 @@ void run_experiment(const Experiment& experiment, const RunOptions& options) {
       fmt::print("{} is up to date: nothing to compute (--force computes it again)\n", options.output);
     return;
   }
-  if (!options.force && !options.shard) require_no_loss(experiment, options.output);
+  if (!options.shard) require_no_loss(experiment, options);
   compute(experiment, options);
 }
 

@@ -28,6 +28,10 @@ struct RunOptions {
 // are then in the journal.
 void run_experiment(const Experiment& experiment, const RunOptions& options);
 
+// Throws InputError if the output holds the result of another tier, and this run of a tier with fewer points
+// would replace it, unless it is forced to.
+void require_no_loss(const Experiment& experiment, const RunOptions& options);
+
 // Computes these points of an experiment, as far as no journal in the folder of the result has them, and
 // returns all, in the same order. options: output, threads, force. Throws as run_experiment().
 std::vector<results::PointRecord> solve_points(const Experiment& experiment,
