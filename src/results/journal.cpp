@@ -4,7 +4,6 @@
 #include "results/version.hpp"
 #include "util/error.hpp"
 #include "util/file.hpp"
-#include "util/json.hpp"
 #include "util/process.hpp"
 #include "util/sha.hpp"
 
@@ -12,79 +11,19 @@
 #include <fmt/ranges.h>
 #include <algorithm>
 #include <cerrno>
-#include <cmath>
 #include <cstring>
 #include <ctime>
 #include <filesystem>
 #include <fstream>
-#include <limits>
-#include <nlohmann/json.hpp>
 #include <unistd.h>
 
 namespace bristle::results {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr const char* kJournalSchema = "bristle-journal/1";
 constexpr const char* kJournalExtension = ".journal";
 constexpr const char* kAfterChecksum = R"( {"schema":"bristle-journal/)";
-constexpr std::size_t kDigestLength = 64;
 constexpr long kSyncSeconds = 2;
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-
-// JSON has no numbers that are not finite.
-const std::pair<const char*, double> kNumberWords[] = {{"nan", kNan}, {"inf", INFINITY}, {"-inf", -INFINITY}};
-
-Json to_json(const std::vector<double>& numbers) {
-  Json out = numbers;
-  for (std::size_t i = 0; i < numbers.size(); ++i)
-    for (const auto& [word, value] : kNumberWords)
-      if (value == numbers[i] || (std::isnan(value) && std::isnan(numbers[i]))) out[i] = word;
-  return out;
-}
-
-double number_of(const Json& json) {
-  if (json.is_number()) return json;
-  for (const auto& [word, value] : kNumberWords)
-    if (json == word) return value;
-  throw MalformedError("neither a number nor a word for one");
-}
-
-std::vector<double> numbers_of(const Json& list) {
-  if (!list.is_array()) throw MalformedError("not a list of numbers");
-  std::vector<double> out;
-  out.reserve(list.size());
-  for (const Json& number : list) out.push_back(number_of(number));
-  return out;
-}
-
-// The JSON of a line. None if it is truncated or damaged.
-std::optional<Json> parsed(std::string_view line) {
-  if (line.size() <= kDigestLength || line[kDigestLength] != ' ') return {};
-  const std::string_view text = line.substr(kDigestLength + 1);
-  if (sha256_of(text) != line.substr(0, kDigestLength)) return {};
-  Json json = Json::parse(text, nullptr, false);
-  if (!json.is_object() || !json.value("schema", Json()).is_string()) return {};
-  return json;
-}
-
-std::optional<JournalLine> line_of(const Json& json) {
-  if (json.at("schema") != kJournalSchema) return {};
-  try {
-    JournalLine line{json.at("key"), json.at("commit"), json.at("host"), {}};
-    for (const auto& [name, numbers] : json.at("values").items())
-      line.record.values.emplace_hint(line.record.values.end(), name, numbers_of(numbers));
-    for (const auto& [name, columns] : json.at("tables").items())
-      for (Rows& rows = line.record.tables[name]; const Json& column : columns)
-        rows.push_back(numbers_of(column));
-    line.record.failure = json.value("failure", "");
-    return line;
-  } catch (const Json::exception&) {
-    return {};
-  } catch (const MalformedError&) {
-    return {};
-  }
-}
 
 // The key of a line as encode() writes it, which need not be intact.
 std::optional<std::string> key_of(std::string_view line) {
@@ -129,25 +68,6 @@ std::string point_key(const Experiment& experiment, std::size_t index) {
 
 bool is_dirty(const std::string& commit) { return commit.ends_with("-dirty") || commit == "unknown"; }
 
-std::string encode(const JournalLine& line) {
-  Json values = Json::object(), tables = Json::object();
-  for (const auto& [name, numbers] : line.record.values) values[name] = to_json(numbers);
-  for (const auto& [name, columns] : line.record.tables)
-    for (Json& table = tables[name] = Json::array(); const auto& column : columns)
-      table.push_back(to_json(column));
-  Json json = {{"schema", kJournalSchema}, {"key", line.key}, {"commit", line.commit}, {"host", line.host}};
-  json["values"] = std::move(values);
-  json["tables"] = std::move(tables);
-  if (!line.record.failure.empty()) json["failure"] = line.record.failure;
-  const std::string text = json.dump();
-  return fmt::format("{} {}\n", sha256_of(text), text);
-}
-
-std::optional<JournalLine> decode(std::string_view line) {
-  const auto json = parsed(line);
-  return json ? line_of(*json) : std::nullopt;
-}
-
 void read_journal(const std::string& path, const std::string& commit,
                   const std::function<void(JournalLine&&)>& visit) {
   each_line(path, [&](const std::string& text, std::uint64_t) {
@@ -184,14 +104,13 @@ Journal::~Journal() { ::close(file_); }
 void Journal::scan() {
   bool known = false;
   end_ = each_line(path_, [&](const std::string& text, std::uint64_t offset) {
-    const auto json = parsed(text);
-    if (!json) return;
-    if (const std::string schema = json->at("schema"); schema != kJournalSchema)
+    const auto line = decode_start(text);
+    if (!line) return;
+    if (line->schema != kJournalSchema)
       throw InputError(fmt::format(
           "{}: schema {}, but this program writes {}; move the file, or use the program that wrote it", path_,
-          schema, kJournalSchema));
-    const auto line = line_of(*json);
-    if (line && accepts(commit_, line->commit)) entries_[line->key] = {offset, text.size()};
+          line->schema, kJournalSchema));
+    if (!line->key.empty() && accepts(commit_, line->commit)) entries_[line->key] = {offset, text.size()};
     known = true;
   });
   if (!known && !may_be_truncated_journal(path_))
@@ -199,12 +118,19 @@ void Journal::scan() {
         "{}: not a journal of bristle; move the file: the run writes its journal to this path", path_));
 }
 
+std::optional<JournalLine> Journal::find(const std::string& key) const {
+  const auto entry = entries_.find(key);
+  if (entry == entries_.end()) return {};
+  std::string text(entry->second.length, '\0');
+  const ssize_t got = pread(file_, text.data(), text.size(), off_t(entry->second.offset));
+  if (got != ssize_t(text.size())) return {};
+  auto line = decode(text);
+  if (line && line->key != key) line.reset();
+  return line;
+}
+
 JournalLine Journal::read(const std::string& key) const {
-  const Entry& entry = entries_.at(key);
-  std::string text(entry.length, '\0');
-  const ssize_t got = pread(file_, text.data(), text.size(), off_t(entry.offset));
-  if (got == ssize_t(entry.length))
-    if (const auto line = decode(text); line && line->key == key) return *line;
+  if (auto line = find(key)) return *std::move(line);
   throw RunError(fmt::format("{}: changed while in use; run the same command again", path_));
 }
 
@@ -257,8 +183,9 @@ void Journal::adopt(const std::string& other, const PointLayout& layout,
     in.seekg(std::streamoff(entry->second.offset)).read(text.data(), std::streamsize(text.size()));
     const auto line = decode(text);
     if (!line || line->key != key || !accepts(commit_, line->commit) || !fits(line->record, layout)) continue;
-    if (!has(key) || !fits(read(key).record, layout)) append(*line);
-    else if (const auto names = differences(read(key).record, line->record); !names.empty())
+    const auto known = find(key);
+    if (!known || !fits(known->record, layout)) append(*line);
+    else if (const auto names = differences(known->record, line->record); !names.empty())
       throw InputError(fmt::format(
           "{} and {} differ at the point {}: {}; move one of them away, and run the same command again",
           path_, other, place, fmt::join(names, ", ")));
@@ -274,8 +201,7 @@ void Journal::remove_copied(const std::string& other) const {
   }
   bool copied = true;
   each_line(other, [&](const std::string& text, std::uint64_t) {
-    if (const auto json = parsed(text))
-      if (const auto line = line_of(*json); !line || !has(line->key)) copied = false;
+    if (const auto line = decode_start(text); line && !has(line->key)) copied = false;
   });
   std::error_code ignored;
   if (copied) fs::remove(other, ignored);

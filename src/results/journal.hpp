@@ -20,6 +20,9 @@ std::string point_key(const Experiment& experiment, std::size_t index);
 // unknown.
 bool is_dirty(const std::string& commit);
 
+inline constexpr const char* kJournalSchema = "bristle-journal/1";
+inline constexpr std::size_t kDigestLength = 64;  // of the SHA-256 with which a line begins
+
 // A line of a journal: one finished point, and where it was computed.
 struct JournalLine {
   std::string key, commit, host;
@@ -29,8 +32,15 @@ struct JournalLine {
 // The line with its line feed: the SHA-256 of the rest, and JSON with numbers that read back exactly. Numbers
 // that are not finite are words.
 std::string encode(const JournalLine& line);
+// What a line begins with. key and commit are empty if the line is of another schema or malformed.
+struct JournalStart {
+  std::string schema, key, commit;
+};
+
 // The opposite, of a line without its line feed. None if the line is truncated, damaged or of another schema.
 std::optional<JournalLine> decode(std::string_view line);
+// Only the start of the line, but the digest of all of it is checked. None if the line is truncated or damaged.
+std::optional<JournalStart> decode_start(std::string_view line);
 
 // Calls visit for every line of the journal at path that a program of this commit uses. Points computed by
 // programs with uncommitted changes are used by such programs only.
@@ -54,6 +64,8 @@ class Journal {
 
   const std::string& path() const { return path_; }
   bool has(const std::string& key) const { return entries_.contains(key); }
+  // None if the journal does not have the point, or not in this form.
+  std::optional<JournalLine> find(const std::string& key) const;
   // Throws RunError if the line has changed since the journal was opened.
   JournalLine read(const std::string& key) const;
 

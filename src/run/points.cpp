@@ -78,7 +78,7 @@ std::vector<std::size_t> KeyedPoints::missing_in(const results::Journal& journal
   const results::PointLayout layout(experiment_);
   std::vector<std::size_t> missing;
   for (std::size_t k = 0; k < points_.size(); ++k)
-    if (!journal.has(keys_[k]) || !results::fits(journal.read(keys_[k]).record, layout))
+    if (const auto line = journal.find(keys_[k]); !line || !results::fits(line->record, layout))
       missing.push_back(points_[k]);
   return missing;
 }
