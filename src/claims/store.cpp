@@ -93,12 +93,13 @@ void write_checks(const std::string& path, const std::vector<CheckResult>& check
 std::vector<results::CsvColumn> csv_columns(const std::vector<CheckResult>& checks) {
   std::vector<results::CsvColumn> columns;
   for (const auto& text : kTexts) {
-    columns.push_back({text.name, "", text.long_name, {}});
-    for (const CheckResult& c : checks) columns.back().cells.push_back(text.value(c));
+    std::vector<std::string> texts;
+    for (const CheckResult& c : checks) texts.push_back(text.value(c));
+    columns.push_back(results::text_column(text.name, text.long_name, texts));
   }
   for (const auto& number : kNumbers) {
-    columns.push_back({number.name, "", number.long_name, {}});
-    for (const CheckResult& c : checks) columns.back().cells.push_back(results::csv_number(number.value(c)));
+    columns.push_back({number.name, "", number.long_name, {}, {}});
+    for (const CheckResult& c : checks) columns.back().values.push_back(number.value(c));
   }
   return columns;
 }

@@ -36,7 +36,7 @@ int export_command(const ExportOptions& options) {
     return kSuccess;
   }
   write_whole(output, results::csv_text(result, columns), results::csv_kind());
-  fmt::print("{}: {} rows, {} columns\n", output, columns.empty() ? 0 : columns.front().cells.size(),
+  fmt::print("{}: {} rows, {} columns\n", output, columns.empty() ? 0 : columns.front().values.size(),
              columns.size());
   return kSuccess;
 }

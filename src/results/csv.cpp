@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstring>
 #include <iterator>
+#include <numeric>
 
 namespace bristle::results {
 namespace {
@@ -20,20 +21,26 @@ constexpr const char* kStart = "# bristle export";
 
 // A column of one cell for each value of the dataset: words for codes.
 CsvColumn column_of(const ResultReader& result, const std::string& path) {
-  CsvColumn column{
-      path.substr(path.rfind('/') + 1), result.text_of(path, "units"), result.text_of(path, "long_name"), {}};
-  const std::vector<std::string> words = result.flag_meanings(path);
-  for (const double value : result.variable(path).values)
-    column.cells.push_back(words.empty() ? csv_number(value) : value_text(words, value));
-  return column;
+  return {path.substr(path.rfind('/') + 1), result.text_of(path, "units"), result.text_of(path, "long_name"),
+          result.flag_meanings(path), result.variable(path).values};
 }
 
 // The column with the cells at these indices.
 CsvColumn at(CsvColumn column, const std::vector<std::size_t>& indices) {
-  std::vector<std::string> cells;
-  for (const std::size_t i : indices) cells.push_back(column.cells.at(i));
-  column.cells = std::move(cells);
+  std::vector<double> values;
+  values.reserve(indices.size());
+  for (const std::size_t i : indices) values.push_back(column.values.at(i));
+  column.values = std::move(values);
   return column;
+}
+
+// The indices along one dimension of all values of an array.
+std::vector<std::size_t> along(const std::vector<std::size_t>& shape, std::size_t dimension, std::size_t values) {
+  std::size_t stride = 1;
+  for (std::size_t d = dimension + 1; d < shape.size(); ++d) stride *= shape[d];
+  std::vector<std::size_t> indices(values);
+  for (std::size_t i = 0; i < values; ++i) indices[i] = i / stride % shape[dimension];
+  return indices;
 }
 
 // Paths of the datasets of a group that are no coordinates, by name.
@@ -63,8 +70,7 @@ void add_coordinates(const ResultReader& result, const std::string& group, const
   for (std::size_t d = 0; d < like.shape.size(); ++d) {
     const std::string &name = like.dimensions[d], own = group + "/" + name;
     const CsvColumn axis = column_of(result, !group.empty() && result.has(own) ? own : name);
-    std::vector<std::size_t> indices;
-    for (std::size_t i = 0; i < like.values.size(); ++i) indices.push_back(unravel(i, like.shape)[d]);
+    const std::vector<std::size_t> indices = along(like.shape, d, like.values.size());
     columns.push_back(at(axis, indices));
     if (name == "sample")
       for (const std::string& quantity : result.sample_columns())
@@ -75,7 +81,7 @@ void add_coordinates(const ResultReader& result, const std::string& group, const
 // The coordinates of the point to which each row of a recorded table belongs.
 void add_points(const ResultReader& result, const std::string& table, std::vector<CsvColumn>& columns) {
   const std::vector<std::size_t> shape = result.sweep_shape();
-  const std::vector<double> points = result.variable(table + "/point").values;
+  const std::vector<double>& points = result.variable(table + "/point").values;
   const auto axes = result.axes();
   for (std::size_t d = 0; d < axes.size(); ++d) {
     std::vector<std::size_t> indices;
@@ -89,9 +95,9 @@ void drop_absent(std::vector<CsvColumn>& columns) {
   const auto status = std::ranges::find(columns, "status", &CsvColumn::name);
   if (status == columns.end()) return;
   std::vector<std::size_t> kept;
-  for (std::size_t i = 0; i < status->cells.size(); ++i)
-    if (status->cells[i] != "absent") kept.push_back(i);
-  if (kept.size() == status->cells.size()) return;
+  for (std::size_t i = 0; i < status->values.size(); ++i)
+    if (status->values[i] != double(PointStatus::absent)) kept.push_back(i);
+  if (kept.size() == status->values.size()) return;
   for (CsvColumn& column : columns) column = at(std::move(column), kept);
 }
 
@@ -109,6 +115,16 @@ std::string quoted(std::string cell) {
 }  // namespace
 
 std::string csv_number(double value) { return std::isnan(value) ? "" : fmt::format("{}", value); }
+
+std::string CsvColumn::cell(std::size_t row) const {
+  return words.empty() ? csv_number(values.at(row)) : value_text(words, values.at(row));
+}
+
+CsvColumn text_column(const std::string& name, const std::string& meaning, const std::vector<std::string>& texts) {
+  CsvColumn column{name, "", meaning, texts, std::vector<double>(texts.size())};
+  std::iota(column.values.begin(), column.values.end(), 0.0);
+  return column;
+}
 
 std::vector<CsvColumn> csv_columns(const ResultReader& result, const std::string& group) {
   require_group(result, group);
@@ -144,13 +160,16 @@ std::string csv_text(const ResultReader& result, const std::vector<CsvColumn>& c
                         column.units.empty() ? "" : " [" + column.units + "]", column.meaning);
   }
   text += fmt::format("{}\n", fmt::join(names, ","));
-  const std::size_t rows = columns.empty() ? 0 : columns.front().cells.size();
-  for (std::size_t i = 0; i < rows; ++i) {
-    for (std::size_t c = 0; c < columns.size(); ++c)
-      fmt::format_to(std::back_inserter(text), "{}{}", c ? "," : "", quoted(columns[c].cells.at(i)));
-    text += "\n";
-  }
-  return text;
+  const std::size_t rows = columns.empty() ? 0 : columns.front().values.size();
+  fmt::memory_buffer lines;
+  for (std::size_t i = 0; i < rows; ++i)
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+      const double value = columns[c].values.at(i);
+      if (!columns[c].words.empty()) fmt::format_to(std::back_inserter(lines), "{}", quoted(columns[c].cell(i)));
+      else if (!std::isnan(value)) fmt::format_to(std::back_inserter(lines), "{}", value);
+      lines.push_back(c + 1 < columns.size() ? ',' : '\n');
+    }
+  return text.append(lines.data(), lines.size());
 }
 
 FileKind csv_kind() { return {"a table exported by bristle", kStart, {}}; }
