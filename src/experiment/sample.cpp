@@ -139,11 +139,16 @@ class SampleReader {
     document_.fail(at.to_string(), what);
   }
 
-  // The number or the index of the word.
-  double value_of(const JsonPointer& at, const Sweepable& sweepable, const Json& value) const {
-    if (!sweepable.options.empty()) return option_index(document_, at, sweepable, value);
+  // The number or the index of the word. at(): the pointer, which is made for messages only.
+  template <class At>
+  double value_of(At at, const Sweepable& sweepable, const Json& value) const {
+    if (!sweepable.options.empty()) {
+      const auto& options = sweepable.options;
+      const auto found = std::ranges::find(options, value.is_string() ? value.get_ref<const std::string&>() : "");
+      return found == options.end() ? option_index(document_, at(), sweepable, value) : double(found - options.begin());
+    }
     if (!value.is_number() || !std::isfinite(value.get<double>()))
-      fail(at, fmt::format("{} is not a number, which {} needs", shown(value), sweepable.name));
+      fail(at(), fmt::format("{} is not a number, which {} needs", shown(value), sweepable.name));
     return value;
   }
 
@@ -162,6 +167,7 @@ class SampleReader {
   std::vector<Axis> table() const {
     const Json& rows = json_["table"]["rows"];
     const JsonPointer at = at_ / "table";
+    const std::vector<std::size_t> taken = taken_rows(rows.size());
     std::vector<Axis> columns;
     for (const std::string name : json_["table"]["columns"]) {
       const auto column = columns.size();
@@ -169,14 +175,15 @@ class SampleReader {
       const Sweepable& sweepable = require_sweepable(document_, place, name);
       if (experiment::swept(columns, name)) fail(at / "columns" / column, name + " appears twice");
       columns.push_back({name, {}, {}});
-      for (const std::size_t i : taken_rows(rows.size())) {
+      for (const std::size_t i : taken) {
         if (column >= rows[i].size())
           fail(at / "rows" / i, fmt::format("has {} values, and the table has {} columns", rows[i].size(),
                                             json_["table"]["columns"].size()));
-        columns.back().values.push_back(value_of(at / "rows" / i / column, sweepable, rows[i][column]));
+        const auto cell = [&] { return at / "rows" / i / column; };
+        columns.back().values.push_back(value_of(cell, sweepable, rows[i][column]));
       }
       check_values(document_, name, columns.back().values,
-                   [&](std::size_t i) { return at / "rows" / taken_rows(rows.size())[i] / column; });
+                   [&](std::size_t i) { return at / "rows" / taken[i] / column; });
     }
     return columns;
   }
@@ -210,7 +217,7 @@ class SampleReader {
     const Json& given = distribution.front();
     std::vector<double> values;
     if (kind == "values") {
-      for (const Json& value : given) values.push_back(value_of(at / kind, sweepable, value));
+      for (const Json& value : given) values.push_back(value_of([&] { return at / kind; }, sweepable, value));
       return [values](double share) { return values[std::size_t(share * double(values.size()))]; };
     }
     if (!sweepable.options.empty())
