@@ -1,14 +1,18 @@
 #include "compare/comparison.hpp"
 
+#include "experiment/sample.hpp"
 #include "util/error.hpp"
-#include "util/grid.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <set>
+#include <string_view>
+#include <unordered_map>
 
 namespace bristle::compare {
 namespace {
@@ -33,27 +37,96 @@ std::vector<std::string> common_names(const Side& a, const Side& b, Comparison& 
   return both;
 }
 
+// Equal for numbers that are the same by same_bits().
+std::uint64_t bits_of(double x) {
+  return std::bit_cast<std::uint64_t>(std::isnan(x) ? std::numeric_limits<double>::quiet_NaN() : x);
+}
+
 void match_coordinates(const std::string& name, const Side& a, const Side& b, Matches& matches,
                        Comparison& out) {
   const std::vector<double> in_a = a.read(name).values, in_b = b.read(name).values;
   if (std::ranges::equal(in_a, in_b, results::same_bits)) return;
   const std::string dimension = name.substr(name.rfind('/') + 1);
   std::vector<std::size_t> index;
+  std::unordered_map<std::uint64_t, std::size_t> index_in_a;
+  for (std::size_t i = 0; i < in_a.size(); ++i) index_in_a.try_emplace(bits_of(in_a[i]), i);
   for (const double value : in_b) {
-    const auto same = [=](double other) { return results::same_bits(value, other); };
-    const auto found = std::ranges::find_if(in_a, same);
-    if (found == in_a.end()) {
+    const auto found = index_in_a.find(bits_of(value));
+    if (found == index_in_a.end()) {
       out.failures.push_back(
           fmt::format("{}: different coordinates: {} of {} is not among the {} values of {}", name, value,
                       b.label, in_a.size(), a.label));
       matches.different.insert(dimension);
       return;
     }
-    index.push_back(std::size_t(found - in_a.begin()));
+    index.push_back(found->second);
   }
   out.subsets.push_back(fmt::format("{}: different coordinates: {} values in {}, {} of them in {}", name,
                                     in_a.size(), a.label, in_b.size(), b.label));
   matches.index[dimension] = index;
+}
+
+// The rows of a sample: of each, the bits of its values.
+std::vector<std::string> rows_of(const Side& side, const std::vector<std::string>& columns) {
+  std::vector<std::string> rows;
+  for (const std::string& name : columns) {
+    const std::vector<double> values = side.read(name).values;
+    rows.resize(values.size());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const std::uint64_t bits = bits_of(values[i]);
+      rows[i].append(reinterpret_cast<const char*>(&bits), sizeof bits);
+    }
+  }
+  return rows;
+}
+
+// "row 3 (k_r = 2, friction = nss)"
+std::string row_text(const results::ResultReader& result, const Side& side,
+                     const std::vector<std::string>& columns, std::size_t row) {
+  std::vector<std::string> values;
+  for (const std::string& name : columns)
+    values.push_back(fmt::format("{} = {}", name, results::value_text(result, name, side.read(name).values[row])));
+  return fmt::format("row {} ({})", row, fmt::join(values, ", "));
+}
+
+// Finds the rows of a sample by their values: their numbers say nothing about them.
+void match_rows(const results::ResultReader& result, const Side& a, const Side& b, Matches& matches,
+                Comparison& out) {
+  constexpr std::size_t most_named = 3;
+  const std::string sample = experiment::kSample;
+  const std::vector<std::string>& columns = *a.sample;
+  const auto sorted = [](std::vector<std::string> names) {
+    std::ranges::sort(names);
+    return names;
+  };
+  if (sorted(columns) != sorted(*b.sample)) {
+    out.failures.push_back(fmt::format("{}: different columns: {} in {}, {} in {}", sample, fmt::join(columns, ", "),
+                                       a.label, fmt::join(*b.sample, ", "), b.label));
+    matches.different.insert(sample);
+    return;
+  }
+  const std::vector<std::string> in_a = rows_of(a, columns), in_b = rows_of(b, columns);
+  if (in_a == in_b) return;
+  std::unordered_map<std::string_view, std::size_t> row_in_a;
+  for (std::size_t i = 0; i < in_a.size(); ++i) row_in_a.try_emplace(in_a[i], i);
+  std::vector<std::size_t> index;
+  std::vector<std::string> named;
+  for (std::size_t i = 0; i < in_b.size(); ++i)
+    if (const auto found = row_in_a.find(in_b[i]); found != row_in_a.end()) index.push_back(found->second);
+    else if (named.size() < most_named) named.push_back(row_text(result, b, columns, i));
+  if (const std::size_t missing = in_b.size() - index.size(); missing > 0) {
+    out.failures.push_back(fmt::format("{}: different rows: {} of the {} rows of {} are not among the {} rows of {}: {}{}",
+                                       sample, missing, in_b.size(), b.label, in_a.size(), a.label,
+                                       fmt::join(named, ", "), missing > named.size() ? ", ..." : ""));
+    matches.different.insert(sample);
+    return;
+  }
+  if (in_a.size() == in_b.size())
+    out.notes.push_back(fmt::format("{}: the rows of {} have another order; they are compared by their values", sample, b.label));
+  else
+    out.subsets.push_back(fmt::format("{}: different rows: {} in {}, {} of them in {}", sample, in_a.size(), a.label,
+                                      in_b.size(), b.label));
+  matches.index[sample] = index;
 }
 
 std::string shape_text(const Numbers& n) {
@@ -80,17 +153,15 @@ std::string mismatch(const Numbers& a, const Numbers& b, const Matches& matches)
 
 // The index in a of each value of b.
 std::vector<std::size_t> indices(const Numbers& a, const Numbers& b, const Matches& matches) {
-  const bool all = std::ranges::none_of(
-      b.dimensions, [&](const std::string& dimension) { return matches.index.contains(dimension); });
-  std::vector<std::size_t> out(b.values.size());
-  for (std::size_t j = 0; j < out.size(); ++j) {
-    out[j] = j;
-    if (all) continue;
-    auto at = unravel(j, b.shape);
-    for (std::size_t d = 0; d < at.size(); ++d)
-      if (const auto found = matches.index.find(b.dimensions[d]); found != matches.index.end())
-        at[d] = found->second[at[d]];
-    out[j] = ravel(at, a.shape);
+  std::vector<std::size_t> out = {0};
+  for (std::size_t d = 0; d < b.shape.size(); ++d) {
+    const auto found = matches.index.find(b.dimensions[d]);
+    std::vector<std::size_t> longer;
+    longer.reserve(out.size() * b.shape[d]);
+    for (const std::size_t before : out)
+      for (std::size_t i = 0; i < b.shape[d]; ++i)
+        longer.push_back(before * a.shape[d] + (found == matches.index.end() ? i : found->second[i]));
+    out = std::move(longer);
   }
   return out;
 }
@@ -157,6 +228,7 @@ Side whole_file(const results::ResultReader& result) {
   Side side{result.path(), {}, {}};
   for (const std::string& name : results::numeric_datasets(result))
     side.kinds[name] = results::kind_of(result, name);
+  side.sample = result.sample_columns();
   side.read = [&result](const std::string& name) {
     const results::Variable& v = result.variable(name);
     Numbers out{v.dimensions, v.shape, v.values, {}};
@@ -186,7 +258,8 @@ Comparison compare_sides(const results::ResultReader& result, const Side& a, con
   const std::vector<std::string> names = common_names(a, b, out);
   Matches matches;
   for (const std::string& name : names)
-    if (a.kinds.at(name) == DatasetKind::coordinate) match_coordinates(name, a, b, matches, out);
+    if (name == experiment::kSample && a.sample && b.sample) match_rows(result, a, b, matches, out);
+    else if (a.kinds.at(name) == DatasetKind::coordinate) match_coordinates(name, a, b, matches, out);
   std::map<std::string, std::vector<std::string>> not_compared;  // names, by reason
   for (const std::string& name : names) {
     if (a.kinds.at(name) == DatasetKind::coordinate) continue;

@@ -24,6 +24,8 @@ struct Side {
   std::string label;                                  // for messages
   std::map<std::string, results::DatasetKind> kinds;  // by name
   std::function<Numbers(const std::string& name)> read;
+  // Variables whose values say what the rows of a sample are; none if that is not known.
+  std::optional<std::vector<std::string>> sample{};
 };
 
 // Two numbers agree if they differ by at most atol + rtol * max(|a|, |b|).
@@ -59,7 +61,7 @@ struct Comparison {
 };
 
 // Compares all variables of b, at its points, with those of a result. Points are found by the values of the
-// coordinates, which must all be in a. A difference of names, dimensions, NaN, infinity or flags is a
+// coordinates, those of a sample by the values of its rows, which must all be in a. A difference of names, dimensions, NaN, infinity or flags is a
 // failure. Numbers may differ by the tolerances if they are given, or else by the sum of the tolerances of
 // both sides. result: the file of a, for the descriptions of points.
 Comparison compare_sides(const results::ResultReader& result, const Side& a, const Side& b,

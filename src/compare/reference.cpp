@@ -1,6 +1,7 @@
 #include "compare/reference.hpp"
 
 #include "experiment/document.hpp"
+#include "experiment/sample.hpp"
 #include "experiment/schema.hpp"
 #include "util/error.hpp"
 #include "util/grid.hpp"
@@ -182,6 +183,11 @@ Json read(const std::string& path) {
   const auto document = experiment::Document::stored(read_json_file(path), path);
   experiment::check_schema(document, Json::parse(reference_schema()));
   const Json& json = document.json();
+  const JsonPointer sample = JsonPointer("/axes") / experiment::kSample;
+  const Json columns = json.value("sample", Json::object());
+  for (const auto& [name, column] : columns.items())
+    if (const std::size_t rows = json.contains(sample) ? json.at(sample).size() : 0; column.size() != rows)
+      document.fail("/sample/" + name, fmt::format("{} values, but the sample has {} rows", column.size(), rows));
   for (const auto& [name, codes] : json["flags"].items())
     require_rows(document, JsonPointer("/flags") / name, false);
   for (const auto& [name, variable] : json["variables"].items()) {
@@ -193,21 +199,22 @@ Json read(const std::string& path) {
 }
 
 Side result_side(const results::ResultReader& result) {
-  return {result.path(), kinds_of(result), [&result](const std::string& name) {
-            const results::Variable& v = result.variable(name);
-            return Numbers{v.dimensions, v.shape, v.values, {}};
-          }};
+  const auto read = [&result](const std::string& name) {
+    const results::Variable& v = result.variable(name);
+    return Numbers{v.dimensions, v.shape, v.values, {}};
+  };
+  return {result.path(), kinds_of(result), read, result.sample_columns()};
 }
 
-// Values of an axis of the reference. A word becomes its code in the result.
-std::vector<double> axis_values(const Json& values, const std::string& axis, const std::string& label,
+// Values of an axis, or a column of a sample, of the reference. A word becomes its code in the result.
+std::vector<double> axis_values(const Json& values, const char* axes, const std::string& axis, const std::string& label,
                                 const results::ResultReader& result) {
   const std::vector<std::string> words = result.has(axis) ? result.flag_meanings(axis) : std::vector<std::string>();
   std::vector<double> out;
   for (const Json& value : values) {
     const auto word = std::ranges::find(words, value.is_string() ? value.get<std::string>() : "");
     if (value.is_string() && word == words.end())
-      throw InputError(fmt::format("{}: /axes/{}: the result {} does not know {}; it knows {}", label, axis, result.path(),
+      throw InputError(fmt::format("{}: /{}/{}: the result {} does not know {}; it knows {}", label, axes, axis, result.path(),
                                    value.dump(), words.empty() ? "no words" : fmt::format("{}", fmt::join(words, ", "))));
     out.push_back(value.is_string() ? double(word - words.begin()) : value.get<double>());
   }
@@ -221,11 +228,19 @@ Side reference_side(const Json& reference, const std::string& label, const resul
   for (const std::string& name : axes) side.kinds[name] = DatasetKind::coordinate;
   for (const auto& [name, codes] : reference["flags"].items()) side.kinds[name] = DatasetKind::flags;
   for (const auto& [name, variable] : reference["variables"].items()) side.kinds[name] = DatasetKind::real;
+  if (reference.contains("sample")) {
+    side.sample.emplace();
+    for (const auto& [name, values] : reference["sample"].items()) side.sample->push_back(name);
+  }
   side.read = [&reference, &result, axes, label](const std::string& name) -> Numbers {
     const std::vector<std::size_t> shape = shape_of(reference);
     const std::size_t length = row_length(shape);
     if (const Json& all = reference["axes"]; all.contains(name))
-      return {{name}, {all[name].size()}, axis_values(all[name], name, label, result), {}};
+      return {{name}, {all[name].size()}, axis_values(all[name], "axes", name, label, result), {}};
+    if (reference.contains("sample") && reference["sample"].contains(name)) {
+      const Json& column = reference["sample"][name];
+      return {{experiment::kSample}, {column.size()}, axis_values(column, "sample", name, label, result), {}};
+    }
     if (const Json& all = reference["flags"]; all.contains(name))
       return {axes, shape, numbers_of(all[name], length), {}};
     const Json& variable = reference["variables"][name];
@@ -274,6 +289,7 @@ Json make_reference(const results::ResultReader& result, const std::vector<claim
               {"variables", Json::object()}};
   const std::vector<std::string> axes = dimensions_of(result);
   for (const std::string& name : axes) out["axes"][name] = axis_json(result, name);
+  for (const std::string& name : result.sample_columns()) out["sample"][name] = axis_json(result, name);
   const std::vector<std::size_t> shape = shape_of(out);
   const std::size_t length = row_length(shape);
   for (const auto& [name, kind] : kinds_of(result)) {
@@ -312,12 +328,19 @@ Comparison compare_with_reference(const results::ResultReader& result,
                                   const std::vector<claims::CheckResult>& checks, const Json& reference,
                                   const std::string& label) {
   const bool same_inputs = reference["inputs_sha256"] == result.text("inputs_sha256");
+  Comparison none;
+  none.label = label;
+  none.points_in_file = grid_size(result.sweep_shape());
   if (!same_inputs && result.experiment().contains("design")) {
-    Comparison none;
-    none.label = label;
-    none.points_in_file = grid_size(result.sweep_shape());
     none.notes.emplace_back("the trials of a design follow from all of its inputs, and those of the reference are others, "
                             "such as those of the smoke tier: there are no common points");
+    return none;
+  }
+  if (!same_inputs && !reference.contains("sample") && !result.sample_columns().empty()) {
+    none.failures.push_back(fmt::format(
+        "{} does not state the rows of its sample, so that those of other inputs cannot be compared with it; "
+        "`bristle reference update` writes it again",
+        label));
     return none;
   }
   Comparison out = compare_sides(result, result_side(result), reference_side(reference, label, result));
