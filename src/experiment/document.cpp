@@ -257,6 +257,19 @@ std::vector<Json> Document::tier_patches(const std::string& tier) const {
   return patches;
 }
 
+std::string Document::remedy_of_inherited_tier(const std::string& tier) const {
+  const JsonPointer at = JsonPointer("/tiers") / tier;
+  const auto has_patch = [&](const Source& s) { return s.content->contains(at) && s.content->at(at).is_object(); };
+  const auto parent = std::find_if(files_.rbegin() + 1, files_.rend(), has_patch);
+  if (parent == files_.rend() || tier_patches(tier).empty()) return "";
+  if (has_patch(files_.back()))
+    return fmt::format("the tier {} is inherited from {}: change this key in /tiers/{} of {}; null there removes it", tier,
+                       parent->name, tier, path_);
+  return fmt::format("the tier {} is inherited from {}: give {} a patch of its own in /tiers/{}, or none, so that the tier "
+                     "has all points: \"tiers\": {{\"{}\": null}}",
+                     tier, parent->name, path_, tier, tier);
+}
+
 void Document::merge() {
   Json merged = Json::object();
   for (const Source& s : files_) {

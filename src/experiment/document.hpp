@@ -43,6 +43,8 @@ class Document {
   [[noreturn]] void fail(const std::string& pointer, const std::string& what) const;
   // Whether this tier differs from the others, by a patch of the file or of a parent.
   bool has_tier(const std::string& tier) const;
+  // How this file replaces the tier's patch of a file that it extends; empty if there is none.
+  std::string remedy_of_inherited_tier(const std::string& tier) const;
   // The same document for another tier.
   Document with_tier(const std::string& tier) const;
 

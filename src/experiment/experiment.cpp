@@ -278,6 +278,30 @@ Experiment read(const Document& d) {
   return e;
 }
 
+bool is_valid(const Document& document) {
+  try {
+    read(document);
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+// Reads the document of a tier. Messages name the tier unless it is the one that was asked for, and tell how to
+// replace it if it is inherited and only its patch is wrong.
+Experiment read_tier(const Document& document, const std::string& tier, const std::string& asked_for) {
+  try {
+    return read(document);
+  } catch (const InputError& e) {
+    std::string message = e.what();
+    const std::string named = fmt::format("(tier {})", tier);  // in the message if the tier sets the value
+    if (tier != asked_for && message.find(named) == message.npos) message += " " + named;
+    const std::string remedy = document.remedy_of_inherited_tier(tier);
+    if (!remedy.empty() && is_valid(document.with_tier("none"))) message += "; " + remedy;
+    throw InputError(message);
+  }
+}
+
 }  // namespace
 
 bool swept(const std::vector<Axis>& axes, const std::string& name) {
@@ -337,17 +361,12 @@ PointInput Experiment::point(std::size_t index) const {
 
 Experiment load_experiment(const std::string& path, const DocumentOptions& options) {
   const Document document = Document::load(path, options);
-  Experiment experiment = read(document);
+  Experiment experiment = read_tier(document, options.tier, options.tier);
   experiment.tier = options.tier;
   experiment.has_study_tier = document.has_tier("study");
   // Reports mistakes in the other tiers, too. Not with --set, as its changes are meant for this tier only.
   for (const char* tier : {"smoke", "study", "full"})
-    if (tier != options.tier && options.set.empty()) try {
-        read(document.with_tier(tier));
-      } catch (const InputError& e) {
-        const std::string message = e.what(), named = fmt::format("(tier {})", tier);  // if the tier sets the value
-        throw InputError(message.find(named) != message.npos ? message : fmt::format("{} {}", message, named));
-      }
+    if (tier != options.tier && options.set.empty()) read_tier(document.with_tier(tier), tier, options.tier);
   return experiment;
 }
 

@@ -143,4 +143,29 @@ TEST_CASE("a change by --set concerns the chosen tier, also where another tier l
   CHECK(load_experiment(file, {{"/locate_jumps=null"}, "full"}).locate_jumps.empty());
 }
 
+TEST_CASE("an inherited tier that does not fit is named with the patch that replaces it") {
+  const Scratch s;
+  for (const char* name : {"paper.json", "ski.json"})
+    s.write(std::string("experiments/") + name, bytes_of(std::string(BRISTLE_EXPERIMENTS) + "/" + name));
+  const auto loaded = [&](const std::string& more, const std::string& tier) {
+    return load_experiment(s.write("experiments/my.json", R"({"extends": "ski.json", "name": "my", "title": "t",
+      "sweep": {"R_n_N": {"values": [0.3, 0.6]}})" + more + "}"), {{}, tier});
+  };
+  const std::string advice = R"("tiers": {"smoke": null})";
+  for (const char* tier : {"full", "smoke"})
+    CHECK_THROWS_WITH(loaded("", tier),
+                      Catch::Contains("ski.json (tier smoke): /sweep/R_n_N/take: 2 is not allowed; allowed: ascending indices "
+                                      "from 0 to 1") &&
+                          Catch::Contains("the tier smoke is inherited from ") && Catch::EndsWith(advice));
+  CHECK(loaded("," + advice, "full").points() == 2 * 2 * 13);
+  CHECK(loaded("," + advice, "smoke").points() == 2 * 2 * 13);
+  CHECK(loaded(R"(, "tiers": {"smoke": {"sweep": {"R_n_N": {"take": [1]}}}})", "smoke").points() == 2 * 4);
+  const std::string own = R"(, "tiers": {"smoke": {"model": {"mu_c": 0.5}}})";
+  CHECK_THROWS_WITH(loaded(own, "full"), Catch::EndsWith("change this key in /tiers/smoke of " + s.path("experiments/my.json") +
+                                                         "; null there removes it"));
+  CHECK(loaded(R"(, "tiers": {"smoke": {"sweep": {"R_n_N": {"take": null}}}})", "smoke").points() == 2 * 2 * 4);
+  // A mistake that every tier has is no fault of the tier.
+  CHECK_THROWS_WITH(loaded(R"(, "model": {"mu_c": -1})", "smoke"), !Catch::Contains("inherited"));
+}
+
 }  // namespace bristle::experiment_test
