@@ -60,6 +60,10 @@ class Gatherer {
 
  private:
   bool full() const { return options_.tier == "full"; }
+  // The call of a target of the Makefile for the results of this tier.
+  std::string make(const std::string& target) const {
+    return fmt::format("make {}{}", target, full() ? "" : " TIER=" + options_.tier);
+  }
   std::string in_source(const std::string& name) const { return (fs::path(options_.source) / name).string(); }
 
   // For contents that cannot be traced to their origin: throws,
@@ -103,8 +107,8 @@ class Gatherer {
     const auto exists = [&](const Experiment& e) { return fs::exists(result_path(e)); };
     if (std::none_of(experiments.begin(), experiments.end(), exists))
       throw InputError(
-          fmt::format("{}: there are no results of the figures' experiments; `make figures` computes them",
-                      options_.results));
+          fmt::format("{}: there are no results of the figures' experiments; `{}` computes them",
+                      options_.results, make("figures")));
     std::map<std::string, Json> facts;
     for (const Experiment& experiment : experiments)
       facts["results/" + experiment.name + ".h5"] = add_result(experiment, payload);
@@ -132,17 +136,18 @@ class Gatherer {
   Json add_result(const Experiment& experiment, Files& payload) {
     const std::string path = result_path(experiment);
     if (!fs::exists(path))
-      throw InputError(fmt::format("{}: no such file: the result of {} is missing; `make {}` computes it",
-                                   path, experiment.path, experiment.name));
+      throw InputError(fmt::format("{}: no such file: the result of {} is missing; `{}` computes it", path,
+                                   experiment.path, make(experiment.name)));
     const results::ResultReader result(path);
     result.require_intact();
     check_current(result, experiment);
     Json facts = result_facts(result);
     check_origin(path, facts["provenance"]);
     payload["results/" + experiment.name + ".h5"] = read_file(path);
-    const std::string remedy = fmt::format("`make {}` draws it", experiment.name);
+    const std::string digest = facts["payload_sha256"];
+    const std::string remedy = fmt::format("`{}` draws it", make(experiment.name));
     const auto add_figure = [&](const std::string& name) {
-      add_drawn((fs::path(options_.figures) / name).string(), "figures/" + name, {path}, remedy, payload);
+      add_drawn((fs::path(options_.figures) / name).string(), "figures/" + name, {{path, digest}}, remedy, payload);
     };
     for (const char* suffix : {".pdf", ".png"}) add_figure(experiment.name + suffix);
     for (const auto& entry : fs::directory_iterator(options_.figures)) {  // further pages: NAME-*
@@ -157,7 +162,7 @@ class Gatherer {
   void check_current(const results::ResultReader& result, const Experiment& experiment) const {
     const auto refuse = [&](const std::string& what) {
       throw InputError(
-          fmt::format("{}: {}; `make {}` computes it again", result.path(), what, experiment.name));
+          fmt::format("{}: {}; `{}` computes it again", result.path(), what, make(experiment.name)));
     };
     if (result.text("tier") != options_.tier)
       refuse(fmt::format("is of the {} tier, not of the {} tier", result.text("tier"), options_.tier));
@@ -179,7 +184,8 @@ class Gatherer {
     std::vector<std::string> commits = split_list(provenance.value("points_commits", ""));
     commits.insert(commits.begin(), provenance["commit"].get<std::string>());
     for (const std::string& commit : commits)
-      if (!check_commit(path, commit, "compute it again with `bristle run --force`")) return;
+      if (!check_commit(path, commit, fmt::format("compute it again with `bristle run {0} --force -o {0}`", shell_quoted(path))))
+        return;
   }
 
   // Whether the commit of the program that wrote the file belongs to the archived history.
@@ -230,17 +236,18 @@ class Gatherer {
   // The page that scripts/report writes from results, matrix and citation.
   void add_report(Files& payload) {
     if (repository_.files("scripts/report").empty()) return;
-    add_drawn(options_.report, "report/index.html", drawn_from_, "`make report` writes it", payload);
+    add_drawn(options_.report, "report/index.html", drawn_from_, fmt::format("`{}` writes it", make("report")), payload);
   }
 
-  // Adds a file that a script made from others.
+  // Adds a file that a script made from others, which states their payload digests: a time of writing says nothing.
   static void add_drawn(const std::string& path, const std::string& name,
-                        const std::vector<std::string>& from, const std::string& remedy, Files& payload) {
+                        const std::map<std::string, std::string>& from, const std::string& remedy, Files& payload) {
     if (!fs::exists(path)) throw InputError(fmt::format("{}: no such file; {}", path, remedy));
-    for (const std::string& source : from)
-      if (fs::last_write_time(path) < fs::last_write_time(source))
-        throw InputError(fmt::format("{}: is older than {}; {} again", path, source, remedy));
-    payload[name] = read_file(path);
+    const std::string& bytes = payload[name] = read_file(path);
+    for (const auto& [source, digest] : from)
+      if (bytes.find(digest) == std::string::npos)
+        throw InputError(fmt::format("{}: was not made from {} as it is now, whose payload digest it lacks; {} again", path,
+                                     source, remedy));
   }
 
   // A page of docs/ states the payload digests of the files that it describes.

@@ -6,6 +6,7 @@
 #include "compare/replay.hpp"
 #include "run/provenance.hpp"
 #include "util/data.hpp"
+#include "util/text.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -65,10 +66,11 @@ bool report_deviations(const CheckOptions& options, const results::ResultReader&
                        const std::vector<claims::CheckResult>& checks) {
   const std::string path = reference_of(options, result);
   if (!std::filesystem::exists(path)) {
+    const std::string folder = options.reference.empty() ? "" : " --reference " + shell_quoted(options.reference);
+    const std::string update = fmt::format("`bristle reference update {} --reason \"...\"{}`", shell_quoted(options.file), folder);
     fmt::print(
-        "FAILED: {}: no such reference; `bristle reference update {} --reason \"...\"` creates it from a "
-        "result of the smoke tier; --claims-only skips the comparison\n",
-        path, options.file);
+        "FAILED: {}: no such reference; {} creates it from a result of the smoke tier; --claims-only skips the comparison\n",
+        path, result.text("tier") == "smoke" ? update : compare::smoke_commands(result, folder));
     return false;
   }
   const auto comparison =

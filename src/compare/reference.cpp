@@ -5,6 +5,7 @@
 #include "experiment/schema.hpp"
 #include "util/error.hpp"
 #include "util/grid.hpp"
+#include "util/text.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -315,8 +316,8 @@ Json read_reference(const std::string& path) {
     return read(path);
   } catch (const InputError& e) {
     throw InputError(fmt::format(
-        "{}; restore the reference with `git checkout`, or write it again with `bristle reference update`",
-        e.what()));
+        "{}; restore the reference with `git checkout -- {}`, or remove it and write it again with `bristle reference update`",
+        e.what(), shell_quoted(path)));
   }
 }
 

@@ -6,6 +6,8 @@
 
 namespace bristle::compare {
 
+constexpr const char* kReferences = "reference";  // the folder of a checkout
+
 // A reference is the JSON document of CONTRIBUTING.md: numbers, tolerances and verdicts of an experiment
 // that later results are compared with (reference.schema.json).
 
@@ -26,9 +28,12 @@ Comparison compare_with_reference(const results::ResultReader& result,
                                   const std::vector<claims::CheckResult>& checks, const Json& reference,
                                   const std::string& label);
 
+// The commands that make a reference from the smoke tier of a result's experiment. options: of the update.
+std::string smoke_commands(const results::ResultReader& result, const std::string& options = "");
+
 struct ReferenceUpdate {
   std::string file, reason;
-  std::string folder = "reference";
+  std::string folder = kReferences;
   std::string day;  // of the change, YYYY-MM-DD
 };
 

@@ -6,6 +6,7 @@
 #include "util/error.hpp"
 #include "util/file.hpp"
 #include "util/git.hpp"
+#include "util/text.hpp"
 
 #include <boost/algorithm/string/replace.hpp>
 #include <fmt/format.h>
@@ -37,13 +38,12 @@ void require_reason(const std::string& reason) {
         "CHANGELOG.md");
 }
 
-void require_origin(const results::ResultReader& result, const Json& made) {
-  const std::string run_again =
-      fmt::format("`bristle run EXPERIMENT.json --tier smoke --force -o {}`", result.path());
-  const std::string tier = made["tier"], commit = made["commit"];
+void require_origin(const results::ResultReader& result, const Json& made, const std::string& folder) {
+  const std::string tier = made["tier"], commit = made["commit"], path = shell_quoted(result.path());
+  const std::string run_again = fmt::format("`bristle run {} --force -o {}`", path, path);
   if (tier != "smoke")
     throw InputError(fmt::format("{}: contains the {} tier, but a reference contains the smoke tier; {}",
-                                 result.path(), tier, run_again));
+                                 result.path(), tier, smoke_commands(result, folder == kReferences ? "" : " --reference " + shell_quoted(folder))));
   if (commit.find("-dirty") != std::string::npos || commit.find("unknown") != std::string::npos)
     throw InputError(
         fmt::format("{}: computed by a program of commit {}, which cannot be built again; commit, "
@@ -127,13 +127,25 @@ void require_clean_work_tree(const std::string& folder) {
 
 }  // namespace
 
+std::string smoke_commands(const results::ResultReader& result, const std::string& options) {
+  const auto provenance = result.provenance();
+  const auto known = provenance.find("experiment_file");
+  const std::string experiment = known == provenance.end() ? "" : known->second, name = result.text("name");
+  const fs::path folder = fs::path(result.path()).parent_path();
+  std::string output = (folder / (name + "-smoke.h5")).string();
+  if (fs::path(output) == fs::path(result.path())) output = (folder / (name + "-smoke-tier.h5")).string();
+  return fmt::format("`bristle run {} --tier smoke -o {}`, then `bristle reference update {} --reason \"...\"{}`",
+                     experiment.ends_with(".json") && fs::is_regular_file(experiment) ? shell_quoted(experiment) : "EXPERIMENT.json",
+                     shell_quoted(output), shell_quoted(output), options);
+}
+
 std::string update_reference(const ReferenceUpdate& update) {
   require_reason(update.reason);
   const results::ResultReader result(update.file);
   result.require_intact();
   const auto checks = claims::evaluate_checks(result);
   const Json made = make_reference(result, checks);
-  require_origin(result, made);
+  require_origin(result, made, update.folder);
   require_sound_run(result, made);
   const std::string path = reference_path(update.folder, result.text("name"));
   Json old;

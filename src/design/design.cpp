@@ -242,6 +242,7 @@ bool run_design(const Experiment& experiment, const run::RunOptions& options) {
   run::install_signal_handlers();
   auto entries = run::provenance(options.command_line, options.threads);
   entries["started"] = run::utc_now();
+  entries["experiment_file"] = experiment.path;
   const auto [text, found] = Search(experiment, options).run(entries);
   if (!options.quiet) fmt::print("{}", text);
   return found;

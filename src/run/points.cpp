@@ -117,10 +117,13 @@ void require_complete(const Experiment& experiment, const std::vector<std::size_
 
 std::string command_with(const std::string& command_line, const std::string& option) {
   if (command_line.empty()) return "bristle run EXPERIMENT.json " + option;
-  static const std::regex old(" (--complete|--shard[ =]\\d+/\\d+)(?= |$)"), merge(" merge(?= )");
+  // A run that completes is not forced: it would ignore the points of the shards.
+  static const std::regex old(" (--complete|--force|--shard[ =]\\d+/\\d+)(?= |$)"), merge(" merge(?= )");
+  static const std::regex standard_input(" (run|merge) (.* )?-( |$)");
   const std::string run =
       std::regex_replace(command_line, merge, " run", std::regex_constants::format_first_only);
-  return std::regex_replace(run, old, "") + (option.empty() ? "" : " " + option);
+  const bool piped = std::regex_search(run, standard_input);
+  return std::regex_replace(run, old, "") + (option.empty() ? "" : " " + option) + (piped ? " < EXPERIMENT.json" : "");
 }
 
 }  // namespace bristle::run

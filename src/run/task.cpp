@@ -139,6 +139,7 @@ void compute(const Experiment& experiment, const RunOptions& options) {
   install_signal_handlers();
   auto entries = provenance(options.command_line, options.threads);
   entries["started"] = utc_now();
+  entries["experiment_file"] = experiment.path;
   const KeyedPoints points(experiment, shard_points(options.shard, experiment.points()));
   const auto require_points = [&](const std::vector<std::size_t>& missing) {
     if (options.complete) require_complete(experiment, missing, options.output, options.command_line);
