@@ -52,7 +52,8 @@ $(addprefix compute-,$(FIGURES) $(STUDIES)): compute-%:
 	$(BUILD)/bristle run experiments/$*.json --tier $(TIER) -o results/$*$(SUFFIX).h5
 
 $(addprefix draw-,$(FIGURES) $(STUDIES)): draw-%:
-	@scripts/plot $* results/$*$(SUFFIX).h5 -o figures$(SUFFIX)
+	@$$($(PLOT_PYTHON)) scripts/bristle_plots/current.py $* results/$*$(SUFFIX).h5 figures$(SUFFIX) || \
+	  scripts/plot $* results/$*$(SUFFIX).h5 -o figures$(SUFFIX)
 	@echo "The paper's claims (docs/claims.md), and deviations from the reference (CONTRIBUTING.md):"
 	@$(BUILD)/bristle check --report-only results/$*$(SUFFIX).h5
 

@@ -49,11 +49,19 @@ def draw_figure():
             print("\n".join(captions(module, file, arguments.y, arguments.panels)))
             return
         further = {} if arguments.panels else getattr(module, "FURTHER", {})  # letters are those of the main figure
-        for ending, function in {"": module.draw, **further}.items():
+        source, written = source_of(file, form_of(arguments, parser)), []
+        # The main figure comes last: its PDF names all files, so that they are there if it is.
+        for ending, function in reversed({"": module.draw, **further}.items()):
             drawn = pages(function, file, plain=arguments.plain, width=arguments.width, panels=arguments.panels,
                           maps_only=arguments.maps_only, cmap=arguments.cmap, **variable)
-            save_pages(drawn, directory, "-".join(filter(None, [arguments.figure, ending])), arguments.formats,
-                       arguments.dpi, (title_of(module, file, ending), source_of(file)))
+            written += save_pages(drawn, directory, "-".join(filter(None, [arguments.figure, ending])), arguments.formats,
+                                  arguments.dpi, (title_of(module, file, ending), source), written)
+
+
+def form_of(arguments, parser):
+    """The options that are not the default ones, as a text."""
+    given = {name: value for name, value in vars(arguments).items() if value != parser.get_default(name)}
+    return " ".join(f"{name}={value}" for name, value in sorted(given.items()) if name not in ("figure", "result", "directory"))
 
 
 def draw_animation(arguments, parser):

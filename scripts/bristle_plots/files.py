@@ -75,8 +75,8 @@ def write_text(path, text):
 
 
 def metadata(kind, about):
-    """about: title, and source, of a figure; none if empty."""
-    keys = {"pdf": ("Title", "Subject"), "png": ("Title", "Source"), "svg": ("Title", "Source")}[kind]
+    """about: title, source, and for a PDF the names of all files, of a figure; none if empty."""
+    keys = {"pdf": ("Title", "Subject", "Keywords"), "png": ("Title", "Source"), "svg": ("Title", "Source")}[kind]
     return {**METADATA[kind], **dict(zip(keys, about))}
 
 
@@ -88,13 +88,20 @@ def save_figure(figure, directory, name, formats=FIGURE_FORMATS, about=(), **opt
         write_whole(os.path.join(directory, f"{name}.{kind}"), buffer.getbuffer())
 
 
-def save_pages(pages, directory, name, formats, dpi, about=()):
-    """Writes all pages (ending, reading, figure) as one PDF with the first one's ending, and each as a PNG and SVG."""
+def save_pages(pages, directory, name, formats, dpi, about=(), others=()):
+    """Writes all pages (ending, reading, figure) as one PDF with the first one's ending, and each as a PNG and SVG.
+
+    Returns the names of the files. The PDF, which is written last, states them, and the others.
+    """
+    images = [kind for kind in formats if kind != "pdf"]
+    names = [f"{name}{ending}.{kind}" for ending, _, _ in pages for kind in images]
+    for ending, _, figure in pages:
+        save_figure(figure, directory, name + ending, images, about, dpi=dpi)
     if "pdf" in formats:
+        names.insert(0, f"{name}{pages[0][0]}.pdf")
         buffer = io.BytesIO()
-        with PdfPages(buffer, metadata=metadata("pdf", about)) as pdf:
+        with PdfPages(buffer, metadata=metadata("pdf", (*about, " ".join([*names, *others])))) as pdf:
             for _, _, figure in pages:
                 pdf.savefig(figure, dpi=dpi)
-        write_whole(os.path.join(directory, f"{name}{pages[0][0]}.pdf"), buffer.getbuffer())
-    for ending, _, figure in pages:
-        save_figure(figure, directory, name + ending, [kind for kind in formats if kind != "pdf"], about, dpi=dpi)
+        write_whole(os.path.join(directory, names[0]), buffer.getbuffer())
+    return names

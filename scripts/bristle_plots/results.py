@@ -12,6 +12,7 @@ import h5py
 import numpy as np
 import xarray
 
+from .current import origin
 from .errors import BristleError
 from .integrity import CopiedResult, require_intact
 
@@ -47,11 +48,11 @@ def open_result(path):
     return result
 
 
-def source_of(file):
-    """The digest of the result's payload and the commit of the program that computed it, as a text."""
+def source_of(file, form=""):
+    """The digests of the result's payload and of what draws it, and the commit of the program that computed it, as a text."""
     provenance = table(file, "provenance")
     commit = "" if provenance is None else as_text(provenance.attrs.get("commit", provenance.get("commit", "")))
-    return f"payload_sha256 {as_text(file.attrs.get('payload_sha256', 'none'))}; bristle commit {commit or 'unknown'}"
+    return origin(file.attrs, commit, form)
 
 
 def as_result(ds):

@@ -146,16 +146,16 @@ class Gatherer {
     payload["results/" + experiment.name + ".h5"] = read_file(path);
     const std::string digest = facts["payload_sha256"];
     const std::string remedy = fmt::format("`{}` draws it", make(experiment.name));
-    const auto add_figure = [&](const std::string& name) {
+    const auto add_figure = [&](const std::string& name, const std::string& remedy) {
       add_drawn((fs::path(options_.figures) / name).string(), "figures/" + name, {{path, digest}}, remedy, payload);
     };
-    for (const char* suffix : {".pdf", ".png"}) add_figure(experiment.name + suffix);
+    for (const char* suffix : {".pdf", ".png"}) add_figure(experiment.name + suffix, remedy);
     for (const auto& entry : fs::directory_iterator(options_.figures)) {  // further pages: NAME-*
       const std::string figure = entry.path().filename().string();
       if (figure.starts_with(experiment.name + "-") && (figure.ends_with(".pdf") || figure.ends_with(".png")))
-        add_figure(figure);
+        add_figure(figure, "remove it, and " + remedy);
     }
-    drawn_from_.push_back(path);
+    drawn_from_[path] = digest;
     return facts;
   }
 
@@ -230,7 +230,7 @@ class Gatherer {
                  fmt::format("remove it and run `make {}`", name));
     payload[fmt::format("results/{}.json", name)] = bytes;
     check_page(fmt::format("docs/{}.md", name), payload, {{path, facts}}, fmt::format("make {}", name));
-    if (name == "assumptions") drawn_from_.push_back(path);
+    if (name == "assumptions") drawn_from_[path] = facts["payload_sha256"];
   }
 
   // The page that scripts/report writes from results, matrix and citation.
@@ -263,7 +263,7 @@ class Gatherer {
 
   const ArchiveOptions& options_;
   Repository repository_;
-  std::vector<std::string> drawn_from_;                          // the files that the report shows
+  std::map<std::string, std::string> drawn_from_;                // payload digests of the files that the report shows
   std::map<std::string, std::vector<std::string>> untraceable_;  // places by reason
 };
 

@@ -10,6 +10,9 @@ expect 2 "there are no results" "$bristle" archive --allow-dirty
 expect 0 "4 ok" "$bristle" run experiments/quick.json
 expect 2 "figures/quick.pdf: no such file" "$bristle" archive --allow-dirty
 touch figures/quick.{pdf,png}
+expect 2 "figures/quick.pdf: was not made from results/quick.h5 as it is now, whose payload digest it lacks; \`make quick\` draws it again" \
+  "$bristle" archive --allow-dirty
+echo "payload_sha256 $(digest results/quick.h5)" | tee figures/quick.pdf >figures/quick.png
 expect 2 "assumptions.json: no such file; \`make assumptions\` computes it" "$bristle" archive --allow-dirty
 expect 0 "1 checks under 1 alternatives" "$bristle" assumptions --tier full -q
 expect 0 "results/assumptions.json: up to date" "$bristle" assumptions --tier full -q

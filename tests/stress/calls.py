@@ -73,7 +73,7 @@ def prepare_archive(folder):
     expect(["assumptions", "--tier", "full", "-q"], folder)
     for content in ("before", "now"):
         for ending in ("pdf", "png"):
-            (folder / f"figures/quick.{ending}").write_text(content)
+            (folder / f"figures/quick.{ending}").write_text(content + run(["info", "results/quick.h5"], folder).stdout)
         if content == "before":
             expect(["archive", "--allow-dirty", "-o", "a.tar"], folder)
     return ["archive", "--allow-dirty", "-o", "a.tar"], "a.tar", of_archive

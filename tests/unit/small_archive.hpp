@@ -77,8 +77,15 @@ struct Release {
     writer.publish();
     const auto checks = evaluate_checks(ResultReader(result(name)));
     write_checks(result(name), checks);
-    s.write("figures/" + name + ".pdf", "%PDF");
-    s.write("figures/" + name + ".png", "PNG");
+    for (const char* ending : {".pdf", ".png"})
+      s.write("figures/" + name + ending, "payload_sha256 " + ResultReader(result(name)).text("payload_sha256"));
+  }
+  // Writes a report on the results and the matrix, as far as an archive looks at it.
+  void write_report(const std::vector<std::string>& names) const {
+    std::string page = "<html>";
+    for (const std::string& name : names) page += ResultReader(result(name)).text("payload_sha256") + "\n";
+    page += json_object("the matrix", bytes_of(s.path("results/assumptions.json")))["payload_sha256"].get<std::string>();
+    s.write("report/index.html", page);
   }
   std::string result(const std::string& name = "small") const { return s.path("results/" + name + ".h5"); }
   std::string build() const { return bytes_of(build_archive(options).path); }
