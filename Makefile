@@ -143,7 +143,12 @@ accuracy: build ## errors of the methods, measured: docs/accuracy.md
 	@$$($(PLOT_PYTHON)) scripts/accuracy.py $(BUILD)/bench/accuracy.json
 
 # The report shows the matrix of assumptions, so it comes last.
-archive: figures $(STUDIES) $(if $(SUFFIX),,assumptions-matrix inference-matrix) report ## one citable file of all results: dist/bristle-<version>.tar
+.PHONY: archive-check
+archive-check: build
+	@$(BUILD)/bristle archive --check --tier $(TIER)
+
+# What an archive refuses is refused before anything is computed or drawn.
+archive: archive-check figures $(STUDIES) $(if $(SUFFIX),,assumptions-matrix inference-matrix) report ## one citable file of all results: dist/bristle-<version>.tar
 	$(BUILD)/bristle archive --tier $(TIER) --figures figures$(SUFFIX) --report report$(SUFFIX)/index.html
 
 # ARCHIVE=FILE is another archive, RERUN=N computes N of its points again.

@@ -32,6 +32,14 @@ class Gatherer {
         repository_(options.source, "--source " + options.source,
                     "an archive contains the source of its commit") {}
 
+  // Refuses what run() would refuse whatever the missing results, figures and pages will be.
+  void check_ahead() {
+    check_program();
+    for (const Experiment& experiment : archived_experiments())
+      if (const std::string path = result_path(experiment); results::up_to_date(path, experiment))
+        check_origin(path, Json(results::ResultReader(path).provenance()));
+  }
+
   Contents run() {
     check_program();
     Files payload;
@@ -97,13 +105,18 @@ class Gatherer {
     if (!full()) untraceable_[fmt::format("are of the {} tier", options_.tier)].emplace_back("the results");
   }
 
-  // Adds results and figures; returns the facts of each result by its file.
-  std::map<std::string, Json> add_results(Files& payload) {
+  std::vector<Experiment> archived_experiments() const {
     std::vector<Experiment> experiments;
     for (const std::string& name : json_files("experiments"))
       if (Experiment e = experiment::load_experiment(name, {{}, options_.tier});
           !e.figure.empty() || is_study(e))
         experiments.push_back(std::move(e));
+    return experiments;
+  }
+
+  // Adds results and figures; returns the facts of each result by its file.
+  std::map<std::string, Json> add_results(Files& payload) {
+    const std::vector<Experiment> experiments = archived_experiments();
     const auto exists = [&](const Experiment& e) { return fs::exists(result_path(e)); };
     if (std::none_of(experiments.begin(), experiments.end(), exists))
       throw InputError(
@@ -268,6 +281,8 @@ class Gatherer {
 };
 
 }  // namespace
+
+void check_before_archive(const ArchiveOptions& options) { Gatherer(options).check_ahead(); }
 
 BuiltArchive build_archive(const ArchiveOptions& options) {
   const FileKind kind = {"an archive of bristle", "bristle-", {"/bag-info.txt"}};

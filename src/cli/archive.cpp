@@ -53,6 +53,10 @@ bool rerun_points(const VerifyOptions& options, const archive::Verification& arc
 int archive_command(archive::ArchiveOptions options) {
   options.version = run::kVersion;
   options.commit = run::kCommit;
+  if (options.check_only) {
+    archive::check_before_archive(options);
+    return kSuccess;
+  }
   const archive::BuiltArchive built = archive::build_archive(options);
   fmt::print("{}: {} files, {} bytes, verified\nsha512 {}\n", built.path, built.files, built.bytes,
              built.sha512);

@@ -56,6 +56,8 @@ CLI::App* add_new(CLI::App& app, std::string& name, bool& in_si, bool& repositor
 CLI::App* add_run(CLI::App& app, ExperimentOptions& experiment, run::RunOptions& run,
                   std::string& instruction_set) {
   auto* command = add_experiment(app, "run", "compute an experiment into an HDF5 result file", experiment);
+  command->get_option("EXPERIMENT")->description(
+      "experiment file (JSON), - for standard input, or a result file, for the experiment stored in it");
   command->add_option("-o,--output", run.output,
                       "result file, or - for standard output [results/<name>.h5 or, of another tier, "
                       "results/<name>-<tier>.h5]");
@@ -183,6 +185,8 @@ CLI::App* add_archive(CLI::App& app, archive::ArchiveOptions& archive) {
   add_tier(*command, archive.tier, "full; of another tier the archive is a draft, to try it");
   command->add_flag("--allow-dirty", archive.allow_dirty,
                     "archive results that cannot be traced to a commit, as a draft");
+  command->add_flag("--check", archive.check_only,
+                    "write nothing; only check what results, figures and pages that are still missing cannot change");
   return command;
 }
 
