@@ -1,6 +1,7 @@
 """The report: one page with figures, claims, points, diagnostics and provenance, from result files alone."""
 
 import argparse
+import hashlib
 import os
 import re
 import sys
@@ -22,10 +23,10 @@ import sources  # noqa: E402
 import story  # noqa: E402
 import symbols  # noqa: E402
 import tables  # noqa: E402
-from bristle_plots import assumptions, program, summary, verdicts  # noqa: E402
+from bristle_plots import assumptions, current, program, summary, verdicts  # noqa: E402
 from bristle_plots.command_line import run  # noqa: E402
 from bristle_plots.errors import BristleError  # noqa: E402
-from bristle_plots.files import write_text  # noqa: E402
+from bristle_plots.files import read_json, write_text  # noqa: E402
 from bristle_plots.figures.fig2 import PHASES  # noqa: E402
 from bristle_plots.quantities import MATRIX, PROGRAM, READINGS  # noqa: E402
 from bristle_plots.results import as_text, experiment, open_result, readable, setting  # noqa: E402
@@ -58,10 +59,31 @@ def main():
     present = [path for path in arguments.results if os.path.exists(path)]
     if not present:
         raise BristleError(f"no such files: {', '.join(arguments.results)}; `make figures` computes them")
+    origin = origin_of(arguments)
+    if os.path.isfile(arguments.output) and origin in read_text(arguments.output):
+        print(f"{arguments.output}: is up to date")
+        return
     figures = [figure(path, arguments) if path in present else missing(path) for path in arguments.results]
-    page = render(figures, findings(present, figures), bristles.recorded(present), arguments)
+    page = render(figures, findings(present, figures), bristles.recorded(present), origin, arguments)
     write_text(arguments.output, page)
     print(f"{arguments.output}: {len(present)} of {len(figures)} figures, {len(page.encode()) / 1e6:.1f} MB")
+
+
+def origin_of(arguments):
+    """What the page is made from, as a text that it contains: a digest of all files, and that of the matrix's numbers."""
+    digest = hashlib.sha256(current.code_digest(os.path.dirname(HERE), (".py", ".js", ".css", ".j2")).encode())
+    matrix_file = MATRIX.get()
+    references = [os.path.join(arguments.reference, name) for name in sorted(os.listdir(arguments.reference))] \
+        if os.path.isdir(arguments.reference) else []
+    for path in [*arguments.results, arguments.program, matrix_file, arguments.citation, *references]:
+        digest.update(f"{path} {sources.sha256(path) if path and os.path.isfile(path) else 'none'}\n".encode())
+    numbers = "none" if matrix_file is None else read_json(matrix_file, assumptions.REMEDY).get("payload_sha256", "none")
+    return f"drawing {digest.hexdigest()[:32]}; matrix {numbers}"
+
+
+def read_text(path):
+    with open(path, encoding="utf-8", errors="replace") as file:
+        return file.read()
 
 
 def findings(paths, figures):
@@ -116,7 +138,7 @@ def missing(path):
             "command": f"make {name}{tier}"}
 
 
-def render(figures, story_found, recorded, arguments):
+def render(figures, story_found, recorded, origin, arguments):
     environment = Environment(loader=FileSystemLoader(os.path.join(HERE, "templates")), autoescape=True,
                               undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True)
     all_claims = [claim for figure in figures for claim in figure["claims"]]
@@ -128,7 +150,7 @@ def render(figures, story_found, recorded, arguments):
     parts = [*["findings"] * bool(story_found["findings"]), *["player"] * ("fig2" in names), *["jump"] * ("fig4" in names),
              *["claims"] * bool(all_claims)]
     return environment.get_template("page.html.j2").render(
-        figures=figures, shown=shown, missing=[figure for figure in figures if not figure["present"]], names=names,
+        origin=origin, figures=figures, shown=shown, missing=[figure for figure in figures if not figure["present"]], names=names,
         story=story_found, parts=parts, rest=REST, readings={word: READINGS.get(word, readable(word)) for word in words},
         claims=sorted(all_claims, key=lambda claim: claim["claim"]), count=claims.count(all_claims),
         tiers=sorted({figure["tier"] for figure in shown}),
