@@ -134,7 +134,17 @@ bench: build ## benchmarks: ratios against peers in the same run, into docs/perf
 	$$($(PLOT_PYTHON)) scripts/time_experiments.py $(BUILD)/bristle $(FIGURES:%=experiments/%.json) >$(BUILD)/bench/figures.json
 	$$($(PLOT_PYTHON)) scripts/time_experiments.py $(BUILD)/bristle $(DESIGNS:%=benchmarks/designs/%.json) --threads 1 \
 	  >$(BUILD)/bench/designs.json
+	@$(MAKE) --no-print-directory measure-commands
 	@$$($(PLOT_PYTHON)) scripts/performance.py $(BUILD)/bench
+
+# Of the benchmarks only that of the commands on finished results, and its table.
+.PHONY: measure-commands bench-commands
+measure-commands: build report-packages
+	@mkdir -p $(BUILD)/bench
+	$$($(PLOT_PYTHON) jinja2 yaml) scripts/time_commands.py $(BUILD)/bristle >$(BUILD)/bench/commands.json
+
+bench-commands: measure-commands
+	@$$($(PLOT_PYTHON)) scripts/performance.py $(BUILD)/bench --commands-only
 
 accuracy: build ## errors of the methods, measured: docs/accuracy.md
 	@ninja -C $(BUILD) --quiet -j $(JOBS) accuracy

@@ -152,6 +152,27 @@ def design_table(designs):
                    for d in designs))
 
 
+# Around the table of commands, which is also written alone.
+COMMANDS_BEGIN, COMMANDS_END = "<!-- commands -->", "<!-- end of commands -->"
+COMMANDS = ["run, up to date", "run, all points in the journal", "run --point", "info", "check", "check --json", "export", "diff",
+            "reference update", "report", "archive", "verify"]
+
+
+def command_table(measured):
+    """Processor time (s) and memory (MB) of each command, for each number of points, of a sweep and of a sample."""
+    by_place = {(one["kind"], one["points"]): one["commands"] for one in measured["results"]}
+    counts = sorted({points for _, points in by_place})
+
+    def cell(kind, points, command, unit):
+        found = by_place[kind, points].get(command)
+        return "\u2013" if found is None else f"{found[unit]:.2f}" if unit == "seconds" else str(found[unit])
+
+    rows = [[command, *(cell(kind, points, command, "seconds") for kind in ("sweep", "sample") for points in counts),
+             cell("sample", counts[-1], command, "MB")] for command in COMMANDS]
+    heads = [f"{kind} of {points}" for kind in ("sweep", "sample") for points in counts]
+    return table(["command", *heads, f"MB, sample of {counts[-1]}"], *rows)
+
+
 def passage_table(cases):
     rows = []
     for case in cases:
@@ -191,7 +212,7 @@ drawing adds a few seconds each. A point of the dearest one, {dearest['name']}, 
 - Processors without AVX-512 take about twice as long (the rows of AVX2 and AVX3 below)."""
 
 
-def document(engine, kernels, peers, cases, purposes, figures, designs):
+def document(engine, kernels, peers, cases, purposes, figures, designs, commands):
     everything = engine["all_kinds"]
     scaling = [[str(s["bristles"]), str(s["threads"]), f"{s['ms_per_bristle']:.3f}"] for s in engine["scaling"]]
     return f"""# Performance
@@ -212,6 +233,14 @@ are not counted here.
 Designs and indices (the experiments of `benchmarks/designs/`), on one core:
 
 {design_table(designs)}
+
+Commands on finished results of a sweep of two quantities, and of a sample by table, processor time in s
+with that of child processes, and the most memory of a process. A dash: not measured, or not possible,
+such as reading a reference of more than 64 MB.
+
+{COMMANDS_BEGIN}
+{command_table(commands)}
+{COMMANDS_END}
 
 The rest of this page is for developers.
 
@@ -261,7 +290,17 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("measured", help="directory with the JSON files of the benchmarks")
     parser.add_argument("-o", "--output", default="docs", help="directory of performance.md and images/")
+    parser.add_argument("--commands-only", action="store_true", help="replace only the table of commands in performance.md")
     arguments = parser.parse_args()
+    path = os.path.join(arguments.output, "performance.md")
+    commands = read_json(os.path.join(arguments.measured, "commands.json"), "`make bench-commands` writes it")
+    if arguments.commands_only:
+        with open(path, encoding="utf-8") as file:
+            before, rest = file.read().split(COMMANDS_BEGIN)
+        after = rest.split(COMMANDS_END)[1]
+        write_text(path, f"{before}{COMMANDS_BEGIN}\n{command_table(commands)}\n{COMMANDS_END}{after}")
+        print(path)
+        return
     engine, kernels, quadratures, scipy, figures, designs = (
         read_json(os.path.join(arguments.measured, f"{name}.json"), "`make bench` writes it")
         for name in ("engine", "kernel", "quadrature", "scipy", "figures", "designs"))
@@ -273,8 +312,7 @@ def main():
     images = os.path.join(arguments.output, "images")
     save_figure(work_precision(peers), images, "work-precision", formats=("png",), bbox_inches="tight")
     save_figure(quadrature(cases), images, "quadrature", formats=("png",), bbox_inches="tight")
-    path = os.path.join(arguments.output, "performance.md")
-    write_text(path, filled(document(engine, kernels, peers, cases, quadratures["purposes"], figures, designs)))
+    write_text(path, filled(document(engine, kernels, peers, cases, quadratures["purposes"], figures, designs, commands)))
     print(path)
 
 
