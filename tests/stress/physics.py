@@ -26,7 +26,7 @@ import numpy
 TIGHTER_STEPS, TIGHTER_MEANS = 100, 10
 REQUIRED_SHARE = 0.97
 FACTOR, LIMIT = 2, 10
-NARROW = 0.005  # a maximum of R_n(z_0) that is narrower may be missed (docs/limitations.md)
+NARROW = 0.002  # a maximum of R_n(z_0) that is narrower may be missed (docs/limitations.md)
 SECONDS = 600  # within which every point ends
 # Relative distances below ROUNDING, or below OF_RTOL times the experiment's integrator.rtol, do not count.
 ROUNDING, OF_RTOL = 1e-9, 1e-3
