@@ -12,6 +12,8 @@ namespace {
 
 // rough_load() refines to at most this multiple of the tolerance.
 constexpr double kRoughFactor = 4;
+// Nodes that the search for a load takes at most where outcomes alternate at every scale.
+constexpr std::size_t kAlternatingForLoad = 128;
 
 // Maximum panel widths (rad) of full(), for bristles that point forward and backward. Nodes are then at most
 // 2.5 and 1.25 degrees apart, which resolves the intervals in which the number of bounces changes (measured
@@ -147,6 +149,7 @@ const Ensemble& EnsembleMean::rough_load(double R_n_target) {
   QuadratureGoal rough = goal();
   rough.rtol[R_N] = kRoughFactor * setup_.orientation.rtol;
   rough.threshold = R_n_target;
+  rough.most_alternating = kAlternatingForLoad;
   return refine(rough);
 }
 
@@ -154,6 +157,7 @@ const Ensemble& EnsembleMean::precise_load(double R_n_target) {
   QuadratureGoal precise = goal();
   precise.rtol[R_N] = setup_.orientation.rtol;
   precise.threshold = R_n_target;
+  precise.most_alternating = kAlternatingForLoad;
   return refine(precise);
 }
 

@@ -234,7 +234,7 @@ Quadrature::Values Quadrature::squares(const Panel& panel) {
 }
 
 void Quadrature::sum() {
-  result_.integral = {};
+  result_.integral = complete_ = {};
   Values total{};
   const auto add = [](Values& to, const Values& part) {
     for (std::size_t k = 0; k < OBSERVABLES; ++k) to[k] += part[k];
@@ -242,6 +242,7 @@ void Quadrature::sum() {
   for (const Panel& panel : panels_) {
     add(result_.integral, panel.integral);
     add(total, squares(panel));
+    if (is_complete(panel)) add(complete_, squares(panel));
   }
   for (const LabelChange& jump : jumps_) {
     const double width = jump.right.at - jump.left.at;
@@ -283,10 +284,21 @@ std::optional<QuadratureResult> Quadrature::difference_to(const Quadrature& othe
   return difference.result_;
 }
 
-double Quadrature::tolerance(std::size_t k) const {
+// Whether the panel has as many nodes as an alternating one may have.
+bool Quadrature::is_complete(const Panel& panel) const {
+  return panel.alternating && panel.nodes.size() >= goal_.most_alternating;
+}
+
+// The error that the goal allows.
+double Quadrature::asked(std::size_t k) const {
   const double relative = goal_.rtol[k] * std::abs(result_.integral[goal_.scale[k]]);
   if (!goal_.threshold) return relative;
   return std::max(relative, std::abs(result_.integral[k] - *goal_.threshold) / 4);
+}
+
+// The error to which the rest is refined: what the goal allows, beside the errors that cannot be reduced.
+double Quadrature::tolerance(std::size_t k) const {
+  return complete_[k] > 0 ? std::sqrt(asked(k) * asked(k) + complete_[k]) : asked(k);
 }
 
 // The largest ratio of an error to the tolerance of its component.
@@ -323,7 +335,8 @@ Quadrature::Selection Quadrature::largest() const {
   };
   std::vector<Part> parts;
   for (std::size_t i = 0; i < panels_.size(); ++i)
-    parts.push_back({unmet_severity(panels_[i]), squares(panels_[i]), i, false});
+    if (!is_complete(panels_[i]))
+      parts.push_back({unmet_severity(panels_[i]), squares(panels_[i]), i, false});
   for (std::size_t i = 0; i < jumps_.size(); ++i)
     if (jumps_[i].right.at - jumps_[i].left.at > kSmallestPanel)
       parts.push_back({unmet_severity(uncertainty(jumps_[i])), squares(uncertainty(jumps_[i])), i, true});
@@ -383,7 +396,8 @@ void Quadrature::refine_largest() {
 std::vector<std::size_t> Quadrature::too_wide() const {
   std::vector<std::size_t> wide;
   for (std::size_t i = 0; i < panels_.size(); ++i)
-    if (goal_.too_wide(panels_[i].nodes.front().at, panels_[i].nodes.back().at)) wide.push_back(i);
+    if (!panels_[i].alternating && goal_.too_wide(panels_[i].nodes.front().at, panels_[i].nodes.back().at))
+      wide.push_back(i);
   return wide;
 }
 
@@ -403,6 +417,9 @@ const QuadratureResult& Quadrature::refine(const QuadratureGoal& goal) {
     find_alternating_ranges();
     sum();
   }
+  for (std::size_t k = 0; k < OBSERVABLES; ++k)
+    if (result_.status == QuadratureStatus::converged && goal_.rtol[k] > 0 && result_.error[k] > asked(k))
+      result_.status = QuadratureStatus::not_converged;
   list_jumps();
   return result_;
 }

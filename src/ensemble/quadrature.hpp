@@ -32,6 +32,9 @@ struct QuadratureGoal {
   // An error of a quarter of the distance between the integral and this value also suffices, as a root-finder
   // or a scan only needs the side on which the integral lies.
   std::optional<double> threshold;
+  // Nodes of an alternating panel, whose error falls with the square root of their number only. If its error is too
+  // large with as many, the rest is refined as if it had none, and the quadrature ends as not converged.
+  std::size_t most_alternating = 2048;
 };
 
 enum class QuadratureStatus {
@@ -132,6 +135,8 @@ class Quadrature {
   static Values squares(const Panel& panel);
   void sum();
   void list_jumps();
+  bool is_complete(const Panel& panel) const;
+  double asked(std::size_t component) const;
   double tolerance(std::size_t component) const;
   double severity(const Values& error) const;
   double unmet_severity(Values error) const;
@@ -143,6 +148,7 @@ class Quadrature {
   QuadratureGoal goal_;
   std::vector<Panel> panels_;       // ascending
   std::vector<LabelChange> jumps_;  // located
+  Values complete_{};               // squares of the errors of panels that are not refined further
   std::map<double, Sample> kept_;   // of panels and jumps that an alternating panel has replaced
   QuadratureResult result_;
 };

@@ -200,9 +200,8 @@ struct AlternatingLabels {
 }  // namespace
 
 TEST_CASE("where labels alternate at every scale, the error is the statistical one of equidistant nodes") {
-  int beyond_three = 0;
+  int beyond_two = 0, beyond_three = 0;
   for (const double rtol : {1e-2, 3e-3, 1e-3}) {
-    int beyond_two = 0;
     const int cases = 40;
     for (int seed = 0; seed < cases; ++seed) {
       const AlternatingLabels label(2.9, 100 * seed);
@@ -225,11 +224,29 @@ TEST_CASE("where labels alternate at every scale, the error is the statistical o
       CHECK((r.status == QuadratureStatus::converged) == (r.error[0] <= rtol * r.integral[0]));
       beyond_two += distance > 2;
     }
-    CAPTURE(rtol);
-    CHECK(beyond_two <= 3);
   }
-  // As of independent values: of 120, 1 is beyond three errors. With jumps in place of these panels it was 79.
+  // As of independent values: 5 % are beyond two errors, and 1 of 120 is beyond three. With jumps in place of these
+  // panels 79 were beyond three.
+  CHECK(beyond_two <= 7);
   CHECK(beyond_three <= 1);
+}
+
+TEST_CASE("a range of alternating labels is not divided by a later goal, and has as many nodes as that allows") {
+  const AlternatingLabels label(2.9, 300);
+  Quadrature quadrature(batched([&](double x) { return Sample{{1.0 + 8 * label(x)}, label(x), x > 2.87, true}; }),
+                        {0, 2.6, M_PI});
+  QuadratureGoal first, second;
+  first.rtol[0] = 1e-5;
+  first.most_alternating = 128;
+  const QuadratureResult few = quadrature.refine(first);
+  CHECK(few.status == QuadratureStatus::not_converged);
+  CHECK(few.samples < 400);
+  second.rtol[0] = 1e-5;
+  second.too_wide = [](double left, double right) { return right - left > 0.1; };
+  const QuadratureResult many = quadrature.refine(second);
+  CHECK(many.status == QuadratureStatus::not_converged);
+  CHECK(many.samples < 4096);
+  CHECK(many.error[0] < few.error[0] / 2);
 }
 
 TEST_CASE("a quadrature that its function ends keeps what it has") {

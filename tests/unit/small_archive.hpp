@@ -78,7 +78,7 @@ struct Release {
     const auto checks = evaluate_checks(ResultReader(result(name)));
     write_checks(result(name), checks);
     for (const char* ending : {".pdf", ".png"})
-      s.write("figures/" + name + ending, "payload_sha256 " + ResultReader(result(name)).text("payload_sha256"));
+      s.write("figures/" + name + ending, ending + (" payload_sha256 " + ResultReader(result(name)).text("payload_sha256")));
   }
   // Writes a report on the results and the matrix, as far as an archive looks at it.
   void write_report(const std::vector<std::string>& names) const {
