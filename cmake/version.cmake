@@ -1,14 +1,40 @@
-# Writes OUTPUT from INPUT with the version and the commit, and only if the content changes.
-execute_process(COMMAND git -C ${SOURCE_DIR} rev-parse HEAD
-  OUTPUT_VARIABLE BRISTLE_COMMIT OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE failed)
-if(failed)
-  set(BRISTLE_COMMIT "unknown")
-else()
+# Writes OUTPUT from INPUT with the version and the commit, and only if the content changes. The commit is that of the
+# repository whose top folder is SOURCE_DIR; else the one that cmake/commit.txt names in a tarball of `git archive`.
+# An enclosing repository, or one that a variable such as GIT_DIR names, is somebody else's.
+foreach(name DIR WORK_TREE INDEX_FILE COMMON_DIR OBJECT_DIRECTORY ALTERNATE_OBJECT_DIRECTORIES NAMESPACE PREFIX GRAFT_FILE
+    SHALLOW_FILE LITERAL_PATHSPECS GLOB_PATHSPECS NOGLOB_PATHSPECS ICASE_PATHSPECS)
+  unset(ENV{GIT_${name}})
+endforeach()
+
+# git(OUTPUT ARGUMENT...): sets OUTPUT to what git prints for SOURCE_DIR, git_failed to its exit code, git_message to
+# its messages.
+macro(git output)
+  execute_process(COMMAND git -C ${SOURCE_DIR} ${ARGN} OUTPUT_VARIABLE ${output} OUTPUT_STRIP_TRAILING_WHITESPACE
+    ERROR_VARIABLE git_message ERROR_STRIP_TRAILING_WHITESPACE RESULT_VARIABLE git_failed)
+endmacro()
+
+set(BRISTLE_COMMIT "unknown")
+file(REAL_PATH ${SOURCE_DIR} source)
+git(top rev-parse --show-toplevel)
+if(NOT git_failed)
+  file(REAL_PATH "${top}" top)
+elseif(EXISTS ${SOURCE_DIR}/.git)
+  message("The program will not know its commit, because git does not read this repository: ${git_message} (${git_failed})")
+endif()
+if(NOT git_failed AND top STREQUAL source)
+  git(commit rev-parse --verify --quiet HEAD)
   # Considers the files from which the program is built. Experiments are stored in every result.
-  execute_process(COMMAND git -C ${SOURCE_DIR} status --porcelain -- src cmake CMakeLists.txt
-    OUTPUT_VARIABLE changes OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
-  if(changes)
-    string(APPEND BRISTLE_COMMIT "-dirty")
+  git(changes status --porcelain --untracked-files=all -- src cmake CMakeLists.txt)
+  if(commit AND NOT git_failed)
+    set(BRISTLE_COMMIT ${commit})
+    if(changes)
+      string(APPEND BRISTLE_COMMIT "-dirty")
+    endif()
+  endif()
+elseif(EXISTS ${SOURCE_DIR}/cmake/commit.txt)
+  file(STRINGS ${SOURCE_DIR}/cmake/commit.txt exported REGEX "^[0-9a-f]+$")
+  if(exported)
+    set(BRISTLE_COMMIT ${exported})
   endif()
 endif()
 configure_file(${INPUT} ${OUTPUT} @ONLY)

@@ -84,7 +84,10 @@ int cite_command(const std::string& result) {
                {"note", fmt::format("computed by commit {}; SHA-256 of the numbers {}; `bristle info` prints both",
                                     provenance.at("commit"), file->text("payload_sha256"))}});
   if (results::is_dirty(provenance.at("commit")))
-    write_message(fmt::format("{}: was computed by a program with uncommitted changes: nobody else can compute it again\n", result));
+    write_message(
+        fmt::format("{}: was computed by a program with uncommitted changes, or of an unknown commit: nobody "
+                    "else can compute it again\n",
+                    result));
   return kSuccess;
 }
 

@@ -88,7 +88,7 @@ jobs:
       - run: apt-get update && apt-get install -y --no-install-recommends git make ca-certificates
       - uses: actions/checkout@v4
       # The variable BRISTLE of the repository's settings has the address of bristle's repository.
-      - run: git clone "$BRISTLE" /opt/bristle && git -C /opt/bristle checkout COMMIT && make -C /opt/bristle install
+      - run: git clone "$BRISTLE" /opt/bristleCHECKOUT && make -C /opt/bristle install
         env:
           BRISTLE: ${{ vars.BRISTLE }}
       - run: sh check.sh
@@ -121,11 +121,14 @@ int new_repository(const std::string& name, bool in_si) {
   if (std::filesystem::exists(std::filesystem::symlink_status(name)))
     throw InputError(fmt::format("{}: exists; choose another name, or remove it first", name));
   const std::string commit = boost::replace_all_copy(std::string(run::kCommit), "-dirty", "");
+  const bool known = commit != "unknown";
+  const std::string checkout = known ? fmt::format(" && git -C /opt/bristle checkout {}", commit) : "";
   write_experiment(fmt::format("{0}/{0}.json", name), name, in_si);
   write_whole(name + "/.gitignore", "results/\n", {"a list of files", "results/", {}});
   write_whole(name + "/check.sh", kCheckScript, {"a script", "#!/bin/sh", {}});
   write_whole(name + "/.github/workflows/check.yml",
-              boost::replace_all_copy(std::string(kWorkflow), "COMMIT", commit), {"a workflow", "name:", {}});
+              boost::replace_all_copy(std::string(kWorkflow), "CHECKOUT", checkout),
+              {"a workflow", "name:", {}});
   fmt::print(
       "{0}/: written, with an experiment, check.sh and a workflow for continuous integration. Next:\n"
       "  cd {0} && git init && git add . && git commit -m \"An experiment\"\n"
@@ -134,6 +137,8 @@ int new_repository(const std::string& name, bool in_si) {
       "  git add reference && git commit -m \"Reference values\"\n"
       "  sh check.sh\n",
       name);
+  if (!known)
+    fmt::print("The workflow builds the newest bristle, because the commit of this program is not known.\n");
   return kSuccess;
 }
 

@@ -51,7 +51,8 @@ std::map<std::string, std::string> provenance(const std::string& command_line, i
   return {
       {"version", kVersion},
       {"commit", kCommit},
-      {"dirty", results::is_dirty(kCommit) ? "yes: built from uncommitted changes, or without git" : "no"},
+      {"dirty",
+       results::is_dirty(kCommit) ? "yes: built from uncommitted changes, or of an unknown commit" : "no"},
       {"compiler", BRISTLE_COMPILER},
       {"flags", BRISTLE_FLAGS},
       {"eigen", BRISTLE_EIGEN},

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <filesystem>
 #include <sstream>
 
 namespace bristle {
@@ -16,25 +17,44 @@ std::string without_newline(std::string text) {
   return text;
 }
 
+// git without the variables by which the caller's shell, or a hook that runs the program, points git at
+// another repository or changes what a path means.
+constexpr const char* kGit =
+    "env -u GIT_DIR -u GIT_WORK_TREE -u GIT_INDEX_FILE -u GIT_COMMON_DIR -u GIT_OBJECT_DIRECTORY "
+    "-u GIT_ALTERNATE_OBJECT_DIRECTORIES -u GIT_NAMESPACE -u GIT_PREFIX -u GIT_GRAFT_FILE -u "
+    "GIT_SHALLOW_FILE "
+    "-u GIT_LITERAL_PATHSPECS -u GIT_GLOB_PATHSPECS -u GIT_NOGLOB_PATHSPECS -u GIT_ICASE_PATHSPECS git";
+
+ProcessResult run_git(const std::string& folder, const std::string& arguments) {
+  return run_process(fmt::format("{} -C {} {}", kGit, shell_quoted(folder), arguments));
+}
+
 }  // namespace
 
 Repository::Repository(const std::string& folder, const std::string& option, const std::string& purpose)
     : folder_(folder), option_(option) {
   if (run_process("git --version 2>&1").code != 0)
     throw InputError(fmt::format("git is not installed; {}", purpose));
-  const auto prefix =
-      run_process(fmt::format("git -C {} rev-parse --show-prefix 2>&1", shell_quoted(folder_)));
-  if (prefix.code != 0)
+  const ProcessResult top = run_git(folder_, "rev-parse --show-toplevel 2>&1");
+  if (top.code != 0)
     throw InputError(
-        fmt::format("{}: not in a git work tree: {}; {}", option_, without_newline(prefix.output), purpose));
-  prefix_ = without_newline(prefix.output);
+        fmt::format("{}: not in a git work tree: {}; {}", option_, without_newline(top.output), purpose));
+  top_ = without_newline(top.output);
+  if (!is_top() && run_git(folder_, "check-ignore -q .").code == 0)
+    throw InputError(fmt::format("{}: not in a git work tree: the repository {} above it ignores it; {}",
+                                 option_, top_, purpose));
 }
 
 std::string Repository::git(const std::string& arguments) const {
-  const std::string command = fmt::format("git -C {} {}", shell_quoted(folder_), arguments);
-  const ProcessResult out = run_process(command);
-  if (out.code != 0) throw InputError(fmt::format("{}: failed: {}", option_, command));
+  const ProcessResult out = run_git(folder_, arguments);
+  if (out.code != 0)
+    throw InputError(fmt::format("{}: failed: git -C {} {}", option_, shell_quoted(folder_), arguments));
   return out.output;
+}
+
+bool Repository::is_top() const {
+  std::error_code ignored;
+  return std::filesystem::equivalent(folder_, top_, ignored);
 }
 
 std::string Repository::commit() const { return without_newline(git("rev-parse --verify HEAD")); }
@@ -48,9 +68,7 @@ std::string Repository::changes(const std::string& except) const {
 
 bool Repository::descends_from(const std::string& commit) const {
   return !commit.empty() && std::all_of(commit.begin(), commit.end(), ::isxdigit) &&
-         run_process(fmt::format("git -C {} merge-base --is-ancestor {} HEAD 2>/dev/null",
-                                 shell_quoted(folder_), commit))
-                 .code == 0;
+         run_git(folder_, fmt::format("merge-base --is-ancestor {} HEAD 2>/dev/null", commit)).code == 0;
 }
 
 std::vector<std::string> Repository::files(const std::string& under) const {

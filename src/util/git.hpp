@@ -6,15 +6,17 @@
 
 namespace bristle {
 
-// A git work tree. All functions throw InputError if git fails.
+// A git work tree, found from a folder alone: variables such as GIT_DIR are ignored. All functions throw
+// InputError if git fails.
 class Repository {
  public:
-  // folder: any folder of the work tree. For messages: option, the command-line option that names the folder,
-  // and purpose, the reason why the folder must be in a repository.
+  // folder: any folder of the work tree that the repository does not ignore. For messages: option, the
+  // command-line option that names the folder, and purpose, the reason why the folder must be in a
+  // repository.
   Repository(const std::string& folder, const std::string& option, const std::string& purpose);
 
   std::string commit() const;                      // the commit that is checked out
-  bool is_top() const { return prefix_.empty(); }  // folder is the top folder of the work tree
+  bool is_top() const;                             // folder is the top folder of the work tree
   std::time_t commit_time() const;
   // Output of `git status --porcelain` without the path except, which is relative to folder. Empty if the
   // work tree equals the commit.
@@ -29,7 +31,7 @@ class Repository {
  private:
   std::string git(const std::string& arguments) const;
 
-  std::string folder_, option_, prefix_;
+  std::string folder_, option_, top_;
 };
 
 }  // namespace bristle

@@ -1,4 +1,5 @@
 # Functions for the shell tests. Source it with $bristle set; $folder is a temporary folder, $failures a count.
+unset $(git rev-parse --local-env-vars 2>/dev/null)  # set where a hook runs the tests
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 failures=0

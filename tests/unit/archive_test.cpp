@@ -229,6 +229,14 @@ TEST_CASE("results that are incomplete or out of date are not archived, with fil
     std::filesystem::remove_all(r.s.path(".git"));
     CHECK_THAT(refusal(r), Contains("not in a git work tree"));
   }
+  SECTION("a repository that GIT_DIR names, and not that of the source") {
+    const Release other;
+    std::filesystem::remove_all(r.s.path(".git"));
+    setenv("GIT_DIR", other.s.path(".git").c_str(), 1);
+    const std::string message = refusal(r);
+    unsetenv("GIT_DIR");
+    CHECK_THAT(message, Contains("not in a git work tree"));
+  }
 }
 
 TEST_CASE("results without a reproducible commit are refused, or archived as a draft with the reason") {

@@ -101,6 +101,27 @@ TEST_CASE("update: refused without a reason, with uncommitted changes, and outsi
   CHECK_THAT(refusal(r.update), Contains("there is no folder"));
 }
 
+TEST_CASE("update: the work tree that counts is that of the references") {
+  Repository r;
+  r.s.write("changed.txt", "x");
+  const Scratch other;
+  REQUIRE(std::system(("git init -q " + other.path("")).c_str()) == 0);
+  setenv("GIT_DIR", other.path(".git").c_str(), 1);
+  const std::string with_git_dir = refusal(r.update);
+  unsetenv("GIT_DIR");
+  CHECK_THAT(with_git_dir, Contains("commit or stash first") && Contains("changed.txt"));
+  setenv("GIT_LITERAL_PATHSPECS", "1", 1);
+  const std::string with_literal_paths = refusal(r.update);
+  unsetenv("GIT_LITERAL_PATHSPECS");
+  CHECK_THAT(with_literal_paths, Contains("commit or stash first"));
+  std::filesystem::remove(r.s.path("changed.txt"));
+
+  r.s.write(".git/info/exclude", "*.h5\n/*.json\n/inner/\n");
+  std::filesystem::create_directory(r.s.path("inner"));
+  r.update.folder = r.s.path("inner/reference");
+  CHECK_THAT(refusal(r.update), Contains("not in a git work tree") && Contains("ignores it"));
+}
+
 TEST_CASE("update: refused for a program or a file that cannot be reproduced") {
   CHECK_THAT(refusal(Repository({}, "0123abc-dirty").update), Contains("0123abc-dirty"));
   CHECK_THAT(refusal(Repository({}, "unknown").update), Contains("unknown"));
