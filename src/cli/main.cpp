@@ -3,6 +3,7 @@
 #include "results/hdf5.hpp"
 #include "run/provenance.hpp"
 #include "run/signals.hpp"
+#include "simd/probe.hpp"
 #include "util/error.hpp"
 #include "util/text.hpp"
 
@@ -213,30 +214,35 @@ class CommandLine {
     set_action(add_new(app_, new_name_, new_in_si_, new_repository_),
                [this] { return cli::new_command(new_name_, new_in_si_, new_repository_); });
     set_action(add_run(app_, experiment_, run_, instruction_set_),
-               [this] { return cli::run_command(experiment_, run_, instruction_set_); });
-    set_action(add_design(app_, experiment_, run_), [this] { return cli::run_command(experiment_, run_, "", true); });
+               computing([this] { return cli::run_command(experiment_, run_, instruction_set_); }));
+    set_action(add_design(app_, experiment_, run_),
+               computing([this] { return cli::run_command(experiment_, run_, "", true); }));
     set_action(add_experiment(app_, "validate", "check an experiment file without computing it", experiment_),
-               [this] { return cli::validate_command(experiment_); });
-    set_action(add_experiment(app_, "law", "print the friction laws of an experiment over the sliding speed (CSV)",
-                              experiment_),
-               [this] { return cli::law_command(experiment_); });
+               computing([this] { return cli::validate_command(experiment_); }));
+    set_action(
+        add_experiment(app_, "law", "print the friction laws of an experiment over the sliding speed (CSV)",
+                       experiment_),
+        computing([this] { return cli::law_command(experiment_); }));
     set_action(app_.add_subcommand("schema", "print the JSON schema of experiment files, for editors"),
                [] { return cli::schema_command(); });
     set_action(add_info(app_, info_), [this] { return cli::info_command(info_); });
     set_action(add_export(app_, export_), [this] { return cli::export_command(export_); });
-    set_action(add_check(app_, check_), [this] { return cli::check_command(check_); });
-    set_action(add_diff(app_, diff_), [this] { return cli::diff_command(diff_); });
-    set_action(add_merge(app_, experiment_, run_), [this] {
-      run_.complete = true;
-      return cli::run_command(experiment_, run_, "");
-    });
+    set_action(add_check(app_, check_), computing([this] { return cli::check_command(check_); }));
+    set_action(add_diff(app_, diff_), computing([this] { return cli::diff_command(diff_); }));
+    set_action(add_merge(app_, experiment_, run_), computing([this] {
+                 run_.complete = true;
+                 return cli::run_command(experiment_, run_, "");
+               }));
     set_action(add_cite(app_, cited_), [this] { return cli::cite_command(cited_); });
     set_action(add_archive(app_, archive_), [this] { return cli::archive_command(archive_); });
-    set_action(add_verify(app_, verify_), [this] { return cli::verify_command(verify_); });
+    set_action(add_verify(app_, verify_), [this] {
+      if (verify_.rerun > 0) require_same_bits();
+      return cli::verify_command(verify_);
+    });
     set_action(add_assumptions(app_, assumptions_),
-               [this] { return cli::assumptions_command(assumptions_); });
+               computing([this] { return cli::assumptions_command(assumptions_); }));
     set_action(add_reference_update(app_, update_),
-               [this] { return cli::reference_update_command(update_); });
+               computing([this] { return cli::reference_update_command(update_); }));
   }
 
   // Runs the selected command; returns the exit code.
@@ -257,6 +263,14 @@ class CommandLine {
 
  private:
   using Command = std::function<int()>;
+
+  // The command of a program whose numbers are those of its version: it computes numbers, or judges them.
+  static Command computing(Command command) {
+    return [command = std::move(command)] {
+      require_same_bits();
+      return command();
+    };
+  }
 
   void set_action(CLI::App* subcommand, Command command) {
     subcommand->callback([this, command = std::move(command)] { selected_ = command; });
