@@ -1,4 +1,7 @@
-"""The exception of this package."""
+"""The exception of this package, and the system's reasons for it."""
+
+import errno
+import os
 
 WRONG_INPUT, NOT_WRITTEN = 2, 3  # exit codes
 
@@ -9,3 +12,14 @@ class BristleError(Exception):
     def __init__(self, message, exit_code=WRONG_INPUT):
         super().__init__(message)
         self.exit_code = exit_code
+
+
+def system_reason(error):
+    """The words of an OSError, with the remedy if it is a limit of the shell."""
+    reason = os.strerror(error.errno) if error.errno else str(error)
+    return f"{reason}; raise the limit of the shell, for instance by `ulimit -n 256`" if error.errno == errno.EMFILE else reason
+
+
+def is_of_the_system(error):
+    """Whether the system refused something for a reason that is not in the file: nobody may call it damaged."""
+    return isinstance(error, OSError) and error.errno in (errno.EMFILE, errno.ENFILE, errno.EIO, errno.ESTALE)

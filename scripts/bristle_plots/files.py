@@ -8,7 +8,7 @@ import re
 
 from matplotlib.backends.backend_pdf import PdfPages
 
-from .errors import NOT_WRITTEN, BristleError
+from .errors import NOT_WRITTEN, BristleError, system_reason
 from .style import METADATA
 
 FIGURE_FORMATS = ("pdf", "png")
@@ -24,7 +24,7 @@ def read_json(path, remedy):
         with open(path, encoding="utf-8") as file:
             return json.load(file)
     except OSError as error:
-        raise BristleError(f"{path}: {error.strerror}; {remedy}") from error
+        raise BristleError(f"{path}: {system_reason(error)}; {remedy}") from error
     except ValueError as error:
         raise BristleError(f"{path}: not JSON ({error}); {remedy}") from error
 
@@ -42,7 +42,7 @@ def write_whole(path, content):
         with contextlib.suppress(OSError):
             if not isinstance(error, FileExistsError):
                 os.remove(part)
-        raise BristleError(f"{path}: cannot be written ({error.strerror})", NOT_WRITTEN) from error
+        raise BristleError(f"{path}: cannot be written ({system_reason(error)})", NOT_WRITTEN) from error
 
 
 def require_replaceable(path, content):
@@ -54,8 +54,11 @@ def require_replaceable(path, content):
         return
     if os.path.islink(path) or not os.path.isfile(path):
         raise BristleError(f"{path}: not a regular file, and would be replaced; choose another name for the output")
-    with open(path, "rb") as file:
-        found = beginning(file)
+    try:
+        with open(path, "rb") as file:
+            found = beginning(file)
+    except OSError as error:
+        raise BristleError(f"{path}: cannot be read: {system_reason(error)}") from error
     if found and found != beginning(io.BytesIO(content)):
         raise BristleError(f"{path}: something else than this script writes, and would be replaced; "
                            "choose another name for the output")

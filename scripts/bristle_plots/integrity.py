@@ -10,13 +10,14 @@ import warnings
 
 import h5py
 
-from .errors import BristleError
+from .errors import BristleError, is_of_the_system, system_reason
 
 SECONDS = 5  # of processor time
 BYTES_PER_SECOND = 20_000_000
 MEMORY = 256 << 20  # bytes beyond those of this process and of the file
 MAX_DEPTH = 4  # of groups
 COPIED = "copied"
+UNREAD = "unread: "  # before the system's reason
 
 
 class CopiedResult(BristleError):
@@ -25,7 +26,10 @@ class CopiedResult(BristleError):
 
 def require_intact(path):
     """Raises BristleError if the HDF5 file cannot be read, or is a result but not as `bristle run` wrote it."""
-    receive, send = os.pipe()
+    try:
+        receive, send = os.pipe()
+    except OSError as error:
+        raise BristleError(f"{path}: cannot be read: {system_reason(error)}") from error
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", DeprecationWarning)  # of a fork beside threads: the child uses none
         child = os.fork()
@@ -40,6 +44,8 @@ def require_intact(path):
     if damage == COPIED:
         raise CopiedResult(f"{path}: written by another program from a result of bristle (it has no group /provenance), so "
                            f"its digest cannot be checked; draw the Dataset itself: FIGURE.draw(xarray.open_dataset('{path}'))")
+    if damage.startswith(UNREAD):
+        raise BristleError(f"{path}: cannot be read: {damage.removeprefix(UNREAD)}")
     if damage:
         raise BristleError(f"{path}: damaged, or not written by bristle: {damage}; "
                            "restore the file, or compute it again with `bristle run`")
@@ -59,7 +65,7 @@ def report(path, send):
             with h5py.File(path, "r") as file:
                 damage = damage_of(file)
         except (OSError, RuntimeError, KeyError, ValueError, MemoryError) as error:
-            damage = f"{type(error).__name__}: {error}"
+            damage = UNREAD + system_reason(error) if is_of_the_system(error) else f"{type(error).__name__}: {error}"
         os.write(send, damage[:1000].encode())
         status = 0
     finally:

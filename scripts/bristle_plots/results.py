@@ -13,7 +13,7 @@ import numpy as np
 import xarray
 
 from .current import origin
-from .errors import BristleError
+from .errors import BristleError, is_of_the_system, system_reason
 from .integrity import CopiedResult, require_intact
 
 SCHEMA = "bristle-result/2"
@@ -37,8 +37,13 @@ def open_result(path):
         raise BristleError(f"{path}: no such file; `bristle run EXPERIMENT.json -o {path}` writes it")
     if not os.path.isfile(path):
         raise BristleError(f"{path}: a device, pipe or socket, not a result file")
-    if not os.access(path, os.R_OK):
-        raise BristleError(f"{path}: no permission to read it")
+    try:
+        with open(path, "rb"):
+            pass
+    except PermissionError as error:
+        raise BristleError(f"{path}: no permission to read it") from error
+    except OSError as error:
+        raise BristleError(f"{path}: cannot be read: {system_reason(error)}") from error
     if not h5py.is_hdf5(path):
         raise BristleError(f"{path}: not an HDF5 file")
     require_intact(path)
@@ -123,6 +128,8 @@ def opened(path, group="/"):
     try:
         return xarray.open_dataset(path, group=group, **OPENING)
     except (OSError, ValueError, KeyError, TypeError, RuntimeError) as error:
+        if is_of_the_system(error):
+            raise BristleError(f"{path}: cannot be read: {system_reason(error)}") from error
         raise BristleError(f"{path}: its group {group} cannot be read as netCDF-4 ({error})") from error
 
 
@@ -160,6 +167,8 @@ def values(data):
     try:
         return data.values
     except OSError as error:
+        if is_of_the_system(error):
+            raise BristleError(f"{place_of(data)} cannot be read: {system_reason(error)}") from error
         raise BristleError(f"{place_of(data)} is damaged ({error})") from error
 
 

@@ -1,11 +1,13 @@
 #include "results/hdf5.hpp"
 
 #include "util/error.hpp"
+#include "util/file.hpp"
 #include "util/grid.hpp"
 #include "util/json.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <cerrno>
 #include <cstdlib>
 #include <cstring>
 #include <hdf5_hl.h>
@@ -112,8 +114,14 @@ void fail(const std::string& what) {
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_DOWNWARD, keep_innermost, &reason);
   H5Eclear2(H5E_DEFAULT);
   // HDF5's text surrounds the system's error: "..., errno = 28, error message = ...". Show the latter alone.
-  if (const auto at = reason.find("errno = "); at != std::string::npos)
-    reason = std::strerror(std::atoi(reason.c_str() + at + 8));
+  int error = 0;
+  if (const auto at = reason.find("errno = "); at != std::string::npos) {
+    error = std::atoi(reason.c_str() + at + 8);
+    reason = system_reason(error);
+  }
+  // A malformed file may ask for more memory than the process that reads it may have.
+  if (is_of_the_system(error) && error != ENOMEM)
+    throw SystemError(fmt::format("HDF5: {} failed: {}", what, reason));
   throw RunError(fmt::format("HDF5: {} failed{}", what, reason.empty() ? "" : ": " + reason));
 }
 

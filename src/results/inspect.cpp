@@ -98,6 +98,8 @@ std::string mismatch(hid_t file, const char* attribute, const char* what,
                      const std::function<std::string()>& digest) {
   try {
     if (digest() == h5::read_text_attribute(file, attribute)) return "";
+  } catch (const SystemError&) {
+    throw;
   } catch (const RunError& e) {
     return fmt::format("{} cannot be compared with {}: {}", attribute, what, e.what());
   }
@@ -117,6 +119,8 @@ std::string unreadable_checks(hid_t file) {
       if (values.empty()) continue;
       h5::read_part(dataset, type, h5::Shape(shape.size(), 0), shape, values.data());
     }
+  } catch (const SystemError&) {
+    throw;
   } catch (const RunError& e) {
     return fmt::format("/checks cannot be read: {}", e.what());
   }

@@ -34,11 +34,14 @@ std::optional<std::string> key_of(std::string_view line) {
 }
 
 // Calls visit(line, offset) for every line that ends with a line feed. Returns the end of the last of them.
+// Throws unless all lines were read: what follows the last of them may be removed.
 template <class Visit>
 std::uint64_t each_line(const std::string& path, Visit visit) {
-  std::ifstream in(path, std::ios::binary);
+  std::ifstream in = open_input(path);
   std::uint64_t end = 0;
-  for (std::string line; std::getline(in, line) && !in.eof(); end += line.size() + 1) visit(line, end);
+  std::string line;
+  for (; std::getline(in, line) && !in.eof(); end += line.size() + 1) visit(line, end);
+  require_read(in, path);
   return end;
 }
 
@@ -46,7 +49,7 @@ std::uint64_t each_line(const std::string& path, Visit visit) {
 // followed by JSON, or the zeros that a power cut leaves.
 bool may_be_truncated_journal(const std::string& path) {
   std::string start(kDigestLength + std::strlen(kAfterChecksum), '\0');
-  std::ifstream(path, std::ios::binary).read(start.data(), std::streamsize(start.size()));
+  open_input(path).read(start.data(), std::streamsize(start.size()));
   for (std::size_t i = 0; i < start.size(); ++i) {
     const char c = start[i];
     const bool fits = i < kDigestLength ? (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f')
@@ -78,8 +81,11 @@ void read_journal(const std::string& path, const std::string& commit,
 std::vector<std::string> journals_beside(const std::string& result) {
   const fs::path folder = fs::path(result).parent_path();
   std::vector<std::string> paths;
-  std::error_code none;  // the folder may not exist yet
-  for (const auto& entry : fs::directory_iterator(folder.empty() ? "." : folder, none))
+  std::error_code none, unread;
+  const fs::directory_iterator entries(folder.empty() ? "." : folder, unread);
+  if (unread && unread != std::errc::no_such_file_or_directory && unread != std::errc::not_a_directory)
+    throw_system_reason(fmt::format("{}: its journals cannot be listed", folder.string()), unread.value());
+  for (const auto& entry : entries)
     if (entry.path().extension() == kJournalExtension && entry.is_regular_file(none))
       paths.push_back((folder / entry.path().filename()).string());
   std::ranges::sort(paths);
@@ -92,7 +98,7 @@ Journal::Journal(const std::string& path, const std::string& commit, bool ignore
     scan();
     if (ignore) entries_.clear();
     if (ftruncate(file_, off_t(end_)) != 0)
-      throw RunError(fmt::format("{}: {}", path_, std::strerror(errno)));
+      throw RunError(fmt::format("{}: {}", path_, system_reason(errno)));
   } catch (...) {
     ::close(file_);
     throw;
@@ -143,7 +149,7 @@ void Journal::append(const JournalLine& line) {
   for (std::size_t written = 0; written < text.size();) {
     const ssize_t n = pwrite(file_, text.data() + written, text.size() - written, off_t(end_ + written));
     if (n < 0 && errno == EINTR) continue;
-    if (n <= 0) throw RunError(fmt::format("{}: {}", path_, std::strerror(n < 0 ? errno : ENOSPC)));
+    if (n <= 0) throw RunError(fmt::format("{}: {}", path_, system_reason(n < 0 ? errno : ENOSPC)));
     written += std::size_t(n);
   }
   entries_[line.key] = {end_, text.size() - 1};
@@ -152,7 +158,7 @@ void Journal::append(const JournalLine& line) {
 }
 
 void Journal::sync() {
-  if (fdatasync(file_) != 0) throw RunError(fmt::format("{}: {}", path_, std::strerror(errno)));
+  if (fdatasync(file_) != 0) throw RunError(fmt::format("{}: {}", path_, system_reason(errno)));
   synced_ = std::time(nullptr);
 }
 
@@ -174,7 +180,7 @@ const Journal::Entries& Journal::entries_of(const std::string& other) {
 void Journal::adopt(const std::string& other, const PointLayout& layout,
                     const std::map<std::string, std::string>& points) {
   const Entries& entries = entries_of(other);
-  std::ifstream in(other, std::ios::binary);
+  std::ifstream in = open_input(other);
   for (const auto& [key, place] : points) {
     const auto entry = entries.find(key);
     if (entry == entries.end()) continue;
@@ -194,18 +200,18 @@ void Journal::adopt(const std::string& other, const PointLayout& layout,
 
 void Journal::remove_copied(const std::string& other) const {
   int lock = -1;
+  bool copied = true;
   try {
     lock = lock_file(other, other);
+    each_line(other, [&](const std::string& text, std::uint64_t) {
+      if (const auto line = decode_start(text); line && !has(line->key)) copied = false;
+    });
   } catch (const std::exception&) {
-    return;  // another run is writing it
+    copied = false;  // another run is writing it, or it cannot be read
   }
-  bool copied = true;
-  each_line(other, [&](const std::string& text, std::uint64_t) {
-    if (const auto line = decode_start(text); line && !has(line->key)) copied = false;
-  });
   std::error_code ignored;
   if (copied) fs::remove(other, ignored);
-  ::close(lock);
+  if (lock >= 0) ::close(lock);
 }
 
 }  // namespace bristle::results

@@ -4,18 +4,16 @@
 #include "results/inspect.hpp"
 #include "results/version.hpp"
 #include "util/error.hpp"
+#include "util/file.hpp"
 #include "util/grid.hpp"
 #include "util/text.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <sstream>
-#include <unistd.h>
 
 namespace bristle::results {
 namespace {
@@ -44,8 +42,7 @@ ResultReader::ResultReader(const std::string& path) : path_(path) {
   if (!std::filesystem::is_regular_file(path))
     throw InputError(
         fmt::format("{}: no such file; create it with `bristle run EXPERIMENT.json -o {}`", path, path));
-  if (::access(path.c_str(), R_OK) != 0)
-    throw InputError(fmt::format("{}: cannot be read: {}", path, std::strerror(errno)));
+  open_input(path);  // throws the reason if it cannot be read
   if (H5Fis_hdf5(path.c_str()) <= 0) throw InputError(fmt::format("{}: not an HDF5 file", path));
   const auto open = [&] { return h5::open_file(path, false); };
   try {

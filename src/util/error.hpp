@@ -18,6 +18,13 @@ class RunError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// The system refused what the program needs, whatever the input is: too many open files, a device that fails.
+// Exit code 3. What a file contains is not the reason: nobody may call it damaged.
+class SystemError : public RunError {
+ public:
+  using RunError::RunError;
+};
+
 // A signal ended the run: exit code 128 plus its number, as shells give it.
 class Interrupted : public RunError {
  public:

@@ -31,7 +31,7 @@ void flush_to_disk(const std::string& file, const std::string& path, int flags) 
   const int reason = errno;
   if (descriptor >= 0) ::close(descriptor);
   if (!done)
-    throw RunError(fmt::format("{}: cannot be flushed to the disk: {}", file, std::strerror(reason)));
+    throw RunError(fmt::format("{}: cannot be flushed to the disk: {}", file, system_reason(reason)));
 }
 
 // What stands at path itself, not behind a symbolic link, if it is not a regular file; for messages.
@@ -57,10 +57,21 @@ void require_regular_or_none(const std::string& path) {
 // first bytes of an HDF5 file are written last.
 bool may_be_partial(const std::string& path, const std::string& start) {
   std::string found(start.size(), '\0');
-  std::ifstream in(path, std::ios::binary);
+  std::ifstream in = open_input(path);
   in.read(found.data(), std::streamsize(found.size()));
   found.resize(std::size_t(in.gcount()));
   return start.compare(0, found.size(), found) == 0 || found.find_first_not_of('\0') == std::string::npos;
+}
+
+// Appends what is left to read. Returns 0, or errno if reading fails.
+int read_all(int descriptor, std::string& bytes) {
+  std::string block(std::size_t(1) << 20, '\0');
+  for (;;) {
+    const ssize_t got = read(descriptor, block.data(), block.size());
+    if (got == 0) return 0;
+    if (got < 0 && errno != EINTR) return errno;
+    if (got > 0) bytes.append(block, 0, std::size_t(got));
+  }
 }
 
 // Whether one of the texts occurs in the rest of the stream.
@@ -79,10 +90,43 @@ bool contains_one(std::istream& in, const std::vector<std::string>& texts) {
 
 }  // namespace
 
-bool is_of_kind(const std::string& path, const FileKind& kind) {
+std::string system_reason(int error) {
+  const std::string reason = std::strerror(error);
+  switch (error) {
+    case EMFILE: return reason + "; raise the limit of the shell, for instance by `ulimit -n 256`";
+    case EFBIG: return reason + "; raise the limit of the shell (`ulimit -f`), or use another file system";
+    case ENOSPC: return reason + "; is the disk full?";
+    default: return reason;
+  }
+}
+
+bool is_of_the_system(int error) {
+  for (const int known : {EMFILE, ENFILE, EIO, ENOSPC, EDQUOT, EFBIG, EAGAIN, ENOMEM, ESTALE})
+    if (error == known) return true;
+  return false;
+}
+
+void throw_system_reason(const std::string& what, int error) {
+  const std::string text = fmt::format("{}: {}", what, system_reason(error));
+  if (is_of_the_system(error)) throw SystemError(text);
+  throw InputError(text);
+}
+
+std::ifstream open_input(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
+  if (!in && errno != ENOENT) throw_system_reason(path + ": cannot be read", errno);
+  return in;
+}
+
+void require_read(const std::ios& in, const std::string& path) {
+  if (in.bad()) throw_system_reason(path + ": cannot be read", errno);
+}
+
+bool is_of_kind(const std::string& path, const FileKind& kind) {
+  std::ifstream in = open_input(path);
   std::string start(kind.start.size(), '\0');
   in.read(start.data(), std::streamsize(start.size()));
+  require_read(in, path);
   return in && start == kind.start && (kind.marks.empty() || contains_one(in, kind.marks));
 }
 
@@ -109,6 +153,8 @@ int lock_file(const std::string& result, const std::string& path) {
   for (const std::string& name : {result, path}) require_regular_or_none(name);
   for (;;) {
     const int descriptor = open(path.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
+    if (descriptor < 0 && is_of_the_system(errno))
+      throw_system_reason(fmt::format("{}: cannot be written: {}", result, path), errno);
     if (descriptor < 0)
       throw InputError(fmt::format("{}: cannot be written: {}: {}; choose another name for the output",
                                    result, path, reason.empty() ? std::strerror(errno) : reason));
@@ -147,30 +193,39 @@ std::string read_file(const std::string& path, std::uintmax_t max_bytes) {
   if (!fs::exists(status)) fail("no such file");
   if (const std::string what = not_a_file(path); !what.empty()) fail(what);
   if (fs::file_size(path, error) > max_bytes) fail(fmt::format("more than {} bytes", max_bytes));
-  std::ifstream in(path, std::ios::binary);
-  if (!in) fail("not a readable file");
-  return {std::istreambuf_iterator<char>(in), {}};
+  const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) throw_system_reason(path + ": cannot be read", errno);
+  std::string bytes;
+  const int reason = read_all(descriptor, bytes);
+  ::close(descriptor);
+  if (reason != 0) throw_system_reason(path + ": cannot be read", reason);
+  return bytes;
 }
 
 WholeFile::WholeFile(std::string path, const FileKind& kind)
     : path_(std::move(path)), partial_(path_ + ".partial") {
   require_replaceable(path_, kind);
-  lock_ = lock_file(path_, partial_);
-  out_.open(partial_, std::ios::binary);
+  file_ = lock_file(path_, partial_);
+  if (ftruncate(file_, 0) != 0) error_ = errno;
 }
 
 WholeFile::~WholeFile() {
   std::error_code ignored;
-  out_.close();
   if (!published_) fs::remove(partial_, ignored);
-  ::close(lock_);
+  ::close(file_);
 }
 
-void WholeFile::write(const std::string& bytes) { out_ << bytes; }
+void WholeFile::write(const std::string& bytes) {
+  for (std::size_t at = 0; at < bytes.size() && error_ == 0;) {
+    const ssize_t written = ::write(file_, bytes.data() + at, bytes.size() - at);
+    if (written > 0) at += std::size_t(written);
+    else if (written == 0 || errno != EINTR) error_ = written == 0 ? ENOSPC : errno;
+  }
+}
 
-void WholeFile::close() {
-  out_.close();
-  if (!out_) throw RunError(fmt::format("{}: cannot be written completely; is the disk full?", path_));
+void WholeFile::close() const {
+  if (error_ != 0)
+    throw SystemError(fmt::format("{}: cannot be written completely: {}", path_, system_reason(error_)));
 }
 
 void WholeFile::publish() {

@@ -7,8 +7,21 @@
 
 namespace bristle {
 
-// The bytes of a file. Throws InputError if it cannot be read, is not a regular file (reading a pipe or a
-// device may never end), or has more bytes than max_bytes.
+// The system's words for the value of errno, with the remedy if it is a limit of the shell.
+std::string system_reason(int error);
+// Whether the value of errno is of the system, and not of the name or the content of a file.
+bool is_of_the_system(int error);
+// Throws what with the reason of errno: SystemError if it is of the system, otherwise InputError.
+[[noreturn]] void throw_system_reason(const std::string& what, int error);
+
+// A stream that reads path, without content if there is no such file. Throws InputError or SystemError if it
+// cannot be opened.
+std::ifstream open_input(const std::string& path);
+// Throws if reading from the stream failed, other than at the end of the file. Call it before errno changes.
+void require_read(const std::ios& in, const std::string& path);
+
+// The bytes of a file. Throws InputError if it is not a regular file (reading a pipe or a device may never
+// end) or has more bytes than max_bytes; InputError or SystemError if it cannot be read.
 std::string read_file(const std::string& path, std::uintmax_t max_bytes = UINTMAX_MAX);
 
 // What an input is instead of a regular file: "a folder; give the name of a file in it"; empty if it is one
@@ -45,14 +58,14 @@ int lock_file(const std::string& result, const std::string& path);
 class WholeFile {
  public:
   // Creates the folder if necessary. Throws InputError if the file cannot be written there, or would replace
-  // a file of another kind; RunError if another run is writing it.
+  // a file of another kind; RunError if another run is writing it, SystemError if the system refuses it.
   WholeFile(std::string path, const FileKind& kind);
   ~WholeFile();
   WholeFile(const WholeFile&) = delete;
   WholeFile& operator=(const WholeFile&) = delete;
 
   void write(const std::string& bytes);
-  void close();    // throws RunError if writing failed
+  void close() const;  // throws RunError if writing failed
   // Call after close(). Renames the file after flushing it to the disk, so that a power cut leaves either the
   // old file or the complete new one. Throws RunError.
   void publish();
@@ -60,8 +73,8 @@ class WholeFile {
 
  private:
   std::string path_, partial_;
-  int lock_;  // descriptor that holds the lock of the temporary file
-  std::ofstream out_;
+  int file_;       // descriptor of the temporary file, which holds its lock
+  int error_ = 0;  // of the first write that failed, or 0
   bool published_ = false;
 };
 

@@ -1,6 +1,7 @@
 #include "util/process.hpp"
 
 #include "util/error.hpp"
+#include "util/file.hpp"
 #include "util/sanitizer.hpp"
 
 #include <fmt/format.h>
@@ -53,7 +54,9 @@ bool write_all(int descriptor, const std::string& text) {
 void silence_crash_output() {
   for (const int signal : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL, SIGXCPU}) std::signal(signal, SIG_DFL);
   const int null_device = open("/dev/null", O_WRONLY | O_CLOEXEC);
-  if (null_device >= 0) dup2(null_device, STDERR_FILENO);
+  if (null_device < 0) return;
+  dup2(null_device, STDERR_FILENO);
+  close(null_device);
 }
 
 [[noreturn]] void run_child(int descriptor, const std::function<std::string()>& work, const Limits& limits) {
@@ -66,6 +69,8 @@ void silence_crash_output() {
   std::string answer;
   try {
     answer = "+" + work();
+  } catch (const SystemError& e) {
+    answer = std::string("!") + e.what();
   } catch (const std::exception& e) {
     answer = std::string("-") + e.what();
   }
@@ -88,7 +93,7 @@ std::string read_all(int descriptor) {
 
 ProcessResult run_process(const std::string& command) {
   std::FILE* pipe = popen(command.c_str(), "r");
-  if (!pipe) throw RunError(fmt::format("cannot start: {}", command));
+  if (!pipe) throw SystemError(fmt::format("cannot start: {}: {}", command, system_reason(errno)));
   ProcessResult out{0, ""};
   char buffer[4096];
   while (const std::size_t n = std::fread(buffer, 1, sizeof buffer, pipe)) out.output.append(buffer, n);
@@ -99,10 +104,17 @@ ProcessResult run_process(const std::string& command) {
 std::string run_isolated(const std::function<std::string()>& work, const Limits& limits) {
   int ends[2];
   std::fflush(nullptr);  // otherwise the child prints the buffered output a second time
-  if (pipe(ends) != 0) throw RunError(fmt::format("cannot open a pipe: {}", std::strerror(errno)));
+  if (pipe(ends) != 0) throw SystemError(fmt::format("cannot open a pipe: {}", system_reason(errno)));
   const pid_t child = fork();
-  if (child < 0) throw RunError(fmt::format("cannot start a process: {}", std::strerror(errno)));
-  if (child == 0) run_child(ends[1], work, limits);
+  if (child < 0) {
+    const int reason = errno;
+    for (const int end : ends) close(end);
+    throw SystemError(fmt::format("cannot start a process: {}", system_reason(reason)));
+  }
+  if (child == 0) {
+    close(ends[0]);
+    run_child(ends[1], work, limits);
+  }
   close(ends[1]);
   const std::string answer = read_all(ends[0]);
   close(ends[0]);
@@ -116,6 +128,7 @@ std::string run_isolated(const std::function<std::string()>& work, const Limits&
                                      WTERMSIG(status), strsignal(WTERMSIG(status))));
   if (answer.empty() || WEXITSTATUS(status) != 0)
     throw MalformedError("malformed: the process that read it ended without a result");
+  if (answer[0] == '!') throw SystemError(answer.substr(1));
   if (answer[0] == '-') throw MalformedError(answer.substr(1));
   return answer.substr(1);
 }

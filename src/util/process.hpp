@@ -11,7 +11,7 @@ struct ProcessResult {
   std::string output;  // standard output
 };
 
-// Runs a shell command line. Throws RunError if it cannot be started.
+// Runs a shell command line. Throws SystemError if it cannot be started.
 ProcessResult run_process(const std::string& command);
 
 // The name of this machine.
@@ -24,7 +24,8 @@ struct Limits {
 
 // Runs work in a child process with limited memory and time and returns its result: HDF5 crashes on some
 // malformed files, and bristle must not. Throws MalformedError with the message of an exception that work
-// threw, or with the signal that ended the child process. The child ends with this process.
+// threw, or with the signal that ended the child process; SystemError if work threw one, or if the process
+// cannot be started. The child ends with this process.
 std::string run_isolated(const std::function<std::string()>& work, const Limits& limits);
 
 }  // namespace bristle

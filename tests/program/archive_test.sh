@@ -34,9 +34,9 @@ mkdir unpacked && tar xf "$archive" -C unpacked || failed "line $LINENO"
 (cd unpacked/*/data && [ "$(git get-tar-commit-id <source/*.tar)" = "$(git -C "$folder" rev-parse HEAD)" ]) || failed "line $LINENO"
 cmp unpacked/*/data/results/quick.h5 results/quick.h5 || failed "line $LINENO"
 
-# Full disk: a message, an exit code, and no temporary file.
+# A limit on the size of files: a message, an exit code, and no temporary file.
 limited() { (ulimit -f 16; "$@"); }
-expect 3 "is the disk full?" limited "$bristle" archive --allow-dirty -o big.tar
+expect 3 "big.tar: cannot be written completely: File too large" limited "$bristle" archive --allow-dirty -o big.tar
 [ -z "$(ls big.tar* 2>/dev/null)" ] || failed "a part of an archive was left"
 
 # What is left of an archive that was killed is replaced; anything else is not.

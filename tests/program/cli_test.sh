@@ -159,6 +159,25 @@ expect 3 "File too large" limited "$bristle" run "${quick[@]}" --force
 [ ! -e "$folder/r.h5.partial" ] || failed "a partial file was left"
 [ "$before" = "$(sha256sum "$folder/r.h5")" ] || failed "the result changed"
 
+# Few file descriptors: whatever is the first that is missing, the message says so, and no journal loses points.
+few() { (ulimit -n "$1"; shift; "$@") 2>&1; }
+"$bristle" run "${quick[@]/%r.h5/few.h5}" --quiet --set /model/k_r=11.02
+first=$(head -n 1 "$folder/few.h5.journal")
+for n in 4 5 6 7 8; do
+  for command in "info $result" "export $result -o $folder/few.csv" "diff $result $result" "validate experiments/fig4.json" \
+    "check $result --claims-only --report-only" "run ${quick[*]/%r.h5/few.h5} --set /model/k_r=11.02" \
+    "run ${quick[*]/%r.h5/few.h5} --set /model/k_r=11.03"; do
+    output=$(few $n "$bristle" $command)
+    code=$?
+    [ $code = 0 ] || [ $code = 127 ] || { [ $code = 3 ] && grep -q "Too many open files; raise .* .ulimit -n" <<<"$output" &&
+      ! grep -qE "damaged|is the disk full|choose another" <<<"$output"; } || failed "$n descriptors: $command: $code $output"
+  done
+  grep -qF "$first" "$folder/few.h5.journal" || failed "$n descriptors: the journal lost its points"
+done
+
+# A file whose reading fails.
+expect 3 "/proc/self/mem: cannot be read: Input/output error" "$bristle" validate /proc/self/mem
+
 # A result without permission to read it.
 chmod 755 "$folder"
 cp "$result" "$folder/secret.h5" && chmod 000 "$folder/secret.h5"

@@ -7,6 +7,7 @@ import inspect
 import json
 import os
 import pathlib
+import resource
 import shutil
 import subprocess
 import sys
@@ -313,3 +314,14 @@ told = [captions.in_latex(captions.with_symbols(text)) for text in (r"$\tilde{k}
 assert told[0] == r"$\tilde{k}_r = 2$, 3 \%" and told[1].startswith(r"5 \$, \$\textbackslash{}input"), told
 assert captions.latex_symbol(r"\tilde{k}_r") == r"$\tilde{k}_r$" and "$" not in captions.latex_symbol(r"\input{x}")
 assert "width 3: " in refusal(lambda: fig4.draw(open_result(result), width="3"))
+
+# Few file descriptors are no damage.
+limits = resource.getrlimit(resource.RLIMIT_NOFILE)
+for more in range(5):
+    resource.setrlimit(resource.RLIMIT_NOFILE, (max(map(int, os.listdir("/proc/self/fd"))) + more, limits[1]))
+    try:
+        open_result(result).close()
+    except BristleError as error:
+        assert "Too many open files; raise the limit of the shell" in str(error) and "damaged" not in str(error), error
+    finally:
+        resource.setrlimit(resource.RLIMIT_NOFILE, limits)
