@@ -75,7 +75,7 @@ double rounded_down(double x) {
   using Limits = std::numeric_limits<double>;
   if (!(x >= Limits::min())) return 0;
   const std::string text = fmt::format("{:.17e}", std::min(x, Limits::max()));
-  return std::stod(text.substr(0, 3) + text.substr(text.find('e')));
+  return *number_in(text.substr(0, 3) + text.substr(text.find('e')));
 }
 
 // The estimated error twice, because both runs may be off by it, and an allowance for the integrator. The

@@ -21,6 +21,7 @@ class AxisReader {
     sweepable_ = &require_sweepable(document_, at_, name_);
     if (!sweepable_->options.empty()) return {name_, choices()};
     Axis axis{name_, all_values()};
+    check_finite(document_, name_, axis.values, [&](std::size_t) { return at_; });
     for (std::size_t i = 1; i < axis.values.size(); ++i)
       if (!(axis.values[i] > axis.values[i - 1]))
         fail(at_,

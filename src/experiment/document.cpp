@@ -20,6 +20,8 @@ namespace bristle::experiment {
 namespace fs = std::filesystem;
 namespace {
 
+const JsonPointer kTable("/sweep/sample/table");  // the name of a file at first, then its columns and rows
+
 constexpr const char* kFromStandardInput = "-";  // in place of a file, as if it were one in the working folder
 
 // What messages call the file.
@@ -72,6 +74,24 @@ std::string file_meant_by(const std::string& name) {
   return "";
 }
 
+// The patches of the tiers, if the file has any.
+std::vector<std::string> tiers_of(const Json& content) {
+  std::vector<std::string> names;
+  if (content.contains("tiers") && content["tiers"].is_object())
+    for (const auto& [name, patch] : content["tiers"].items()) names.push_back(name);
+  return names;
+}
+
+// Calls change with each place of the file, here and in the tiers, that names the file of a table.
+template <class Change>
+void each_table_name(Json& content, Change change) {
+  const auto visit = [&](const JsonPointer& at) {
+    if (content.contains(at) && content[at].is_string()) change(content[at]);
+  };
+  visit(kTable);
+  for (const std::string& tier : tiers_of(content)) visit(JsonPointer("/tiers") / tier / kTable);
+}
+
 // Appends the file to out, after the files that it extends. chain: the files that led to this one.
 void collect(const std::string& path, const fs::path& root, std::vector<std::string>& chain,
              std::vector<Document::Source>& out) {
@@ -100,7 +120,9 @@ void collect(const std::string& path, const fs::path& root, std::vector<std::str
   }
   content.erase("extends");
   content.erase("$schema");  // for editors
-  include_tables(content, fs::path(path).parent_path().string());
+  each_table_name(content, [folder = fs::path(path).parent_path()](Json& name) {
+    name = (folder / name.get<std::string>()).string();
+  });
   out.push_back({name_of(path), std::make_shared<const Json>(std::move(content))});
 }
 
@@ -135,12 +157,6 @@ Document::Change parse_set(const std::string& argument) {
     if (pointer.empty()) fail("the JSON pointer is empty");
     if (argument.starts_with("/tiers"))
       fail("would have no effect, because the tier has been applied; set the value itself");
-    if (argument.starts_with("/sweep")) {
-      Json change;
-      change[pointer] = value;
-      include_tables(change, "");
-      value = change[pointer];
-    }
     return {"--set " + argument, tokens_of(pointer), std::make_shared<const Json>(std::move(value))};
   } catch (const Json::exception& e) {
     fail(json_error(e.what()));
@@ -200,6 +216,31 @@ bool sets(const Document::Change& change, const JsonPointer& pointer) {
   JsonPointer rest;
   for (std::size_t i = common; i < asked.size(); ++i) rest.push_back(asked[i]);
   return change.value->contains(rest);
+}
+
+// What the change sets at the pointer; null if nothing.
+Json* set_at(const Document::Change& change, Json& value, const JsonPointer& pointer) {
+  const std::vector<std::string> asked = tokens_of(pointer);
+  if (change.tokens.size() > asked.size() ||
+      !std::equal(change.tokens.begin(), change.tokens.end(), asked.begin()))
+    return nullptr;
+  JsonPointer rest;
+  for (std::size_t i = change.tokens.size(); i < asked.size(); ++i) rest.push_back(asked[i]);
+  return value.contains(rest) ? &value[rest] : nullptr;
+}
+
+// Whether the change sets a part of the table, and not all of it.
+bool changes_part_of_table(const Document::Change& change) {
+  const std::vector<std::string> table = tokens_of(kTable);
+  if (change.tokens.size() > table.size())
+    return std::equal(table.begin(), table.end(), change.tokens.begin());
+  Json value = *change.value;
+  const Json* found = set_at(change, value, kTable);
+  return found && found->is_object();
+}
+
+bool changes_part_of_table(const Json& patch) {
+  return patch.contains(kTable) && patch.at(kTable).is_object();
 }
 
 }  // namespace
@@ -274,11 +315,37 @@ void Document::merge() {
   Json merged = Json::object();
   for (const Source& s : files_) {
     if (s.content->contains("si") && !merged.contains("si")) merged["model"]["bending"] = word(Bending::rod);
+    if (changes_part_of_table(*s.content)) include_table(merged);
     merged.merge_patch(*s.content);
   }
-  for (const Json& patch : tier_patches(tier_)) merged.merge_patch(patch);
-  for (const Change& change : set_) apply(merged, change);
+  for (const Json& patch : tier_patches(tier_)) {
+    if (changes_part_of_table(patch)) include_table(merged);
+    merged.merge_patch(patch);
+  }
+  for (const Change& change : set_) {
+    if (changes_part_of_table(change)) include_table(merged);
+    apply(merged, change);
+  }
+  include_table(merged);
   merged_ = std::make_shared<const Json>(std::move(merged));
+}
+
+void Document::include_table(Json& merged) {
+  if (!merged.contains(kTable) || !merged[kTable].is_string()) return;
+  const Json name = merged[kTable], table = read_table(name);
+  merged[kTable] = table;
+  for (Source& source : files_) {
+    Json content = *source.content;
+    each_table_name(content, [&](Json& named) {
+      if (named == name) named = table;
+    });
+    source.content = std::make_shared<const Json>(std::move(content));
+  }
+  for (Change& change : set_) {
+    Json value = *change.value;
+    if (Json* named = set_at(change, value, kTable); named && *named == name) *named = table;
+    change.value = std::make_shared<const Json>(std::move(value));
+  }
 }
 
 void Document::fail(const std::string& pointer, const std::string& what) const {

@@ -61,6 +61,10 @@ class Document {
  private:
   std::vector<Json> tier_patches(const std::string& tier) const;
   void merge();
+  // Reads the table of the sample if merged has only the name of its file, and puts it in place of the name,
+  // so that the experiment contains all that determines its numbers. A table that is replaced or removed is
+  // not read.
+  void include_table(Json& merged);
 
   std::string path_, tier_;
   std::function<std::string(const std::string&)> place_of_;

@@ -8,28 +8,31 @@
 #include "util/sobol.hpp"
 #include "util/text.hpp"
 
+#include <boost/algorithm/string/replace.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <sstream>
 
 namespace bristle::experiment {
-namespace fs = std::filesystem;
 namespace {
 
-// The number that the text states, or else the text itself, also if that is nan or inf.
+// The number that the text states, or else the text itself, also if that is nan or inf, or beyond the
+// largest.
 Json cell_value(const std::string& text) {
-  double number = 0;
-  const char* end = text.data() + text.size();
-  const auto parsed = std::from_chars(text.data(), end, number);
-  const bool is_number = parsed.ec == std::errc() && parsed.ptr == end && std::isfinite(number);
-  return is_number ? Json(number) : Json(text);
+  const auto number = number_in(text);
+  return number && std::isfinite(*number) ? Json(*number) : Json(text);
+}
+
+bool is_beyond_the_largest(const Json& value) {
+  if (!value.is_string() || value.get<std::string>().find_first_of("0123456789") == std::string::npos)
+    return false;
+  const auto number = number_in(value);
+  return number && std::isinf(*number);
 }
 
 std::string trimmed(const std::string& text) {
@@ -47,13 +50,15 @@ std::vector<std::string> cells_of(const std::string& line) {
   return cells;
 }
 
-// A table from comma-separated values: the first line names the columns. Empty lines and lines that begin
-// with # are left out.
+}  // namespace
+
 Json read_table(const std::string& path) {
   const auto fail = [&](std::size_t line, const std::string& what) {
     throw InputError(fmt::format("{}: line {}: {}", path, line, what));
   };
   std::string text = read_file(path, kMaxJsonBytes);
+  boost::replace_all(text, "\r\n", "\n");
+  std::ranges::replace(text, '\r', '\n');  // the line ends of some programs
   if (!is_utf8(text)) throw InputError(path + ": is not a table of text in UTF-8");
   if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);  // byte order mark
   std::istringstream lines(text);
@@ -61,6 +66,7 @@ Json read_table(const std::string& path) {
   std::vector<std::string> names;
   std::vector<std::size_t> line_of_row;
   std::size_t number = 0, first_line = 0;
+  bool has_index = false;
   for (std::string line; std::getline(lines, line);) {
     ++number;
     if (trimmed(line).empty() || trimmed(line).front() == '#') continue;
@@ -68,6 +74,7 @@ Json read_table(const std::string& path) {
     if (names.empty()) {
       names = cells;
       first_line = number;
+      has_index = names.size() > 1 && (names[0].empty() || names[0] == "Unnamed: 0");
       if (names.size() == 1 && names[0].find_first_of("; \t") != std::string::npos)
         fail(number, "the columns are not separated by commas; write k_r,tau_f and numbers such as 0.5,3e4");
       continue;
@@ -75,7 +82,7 @@ Json read_table(const std::string& path) {
     if (cells.size() != names.size())
       fail(number, fmt::format("has {} cells, and the first line names {} columns", cells.size(), names.size()));
     Json row = Json::array();
-    for (std::size_t i = 0; i < cells.size(); ++i) {
+    for (std::size_t i = has_index ? 1 : 0; i < cells.size(); ++i) {
       if (cells[i].empty())
         fail(number, fmt::format("the cell of {} is empty; give it a value, or remove the row", names[i]));
       row.push_back(cell_value(cells[i]));
@@ -87,6 +94,7 @@ Json read_table(const std::string& path) {
     throw InputError(fmt::format("{}: has no rows; a table needs a line with the names of its columns, such "
                                  "as k_r,tau_f, and one line for each point",
                                  path));
+  if (has_index) names.erase(names.begin());
   for (const std::string& name : names) table["columns"].push_back(printable(name));
   // The values are checked here, where their lines are known.
   const auto place_of = [&](const std::string& pointer) {
@@ -98,11 +106,7 @@ Json read_table(const std::string& path) {
   return table;
 }
 
-void include_table(Json& experiment, const JsonPointer& sample, const std::string& folder) {
-  if (!experiment.contains(sample) || !experiment[sample].is_object()) return;
-  if (Json& axis = experiment[sample]; axis.contains("table") && axis["table"].is_string())
-    axis["table"] = read_table((fs::path(folder) / axis["table"].get<std::string>()).string());
-}
+namespace {
 
 double ratio(double r, const double (&a)[8], const double (&b)[8]) {
   double numerator = 0, denominator = 0;
@@ -147,6 +151,8 @@ class SampleReader {
       const auto found = std::ranges::find(options, value.is_string() ? value.get_ref<const std::string&>() : "");
       return found == options.end() ? option_index(document_, at(), sweepable, value) : double(found - options.begin());
     }
+    if (is_beyond_the_largest(value))
+      fail(at(), fmt::format("{} is beyond the largest number, 1.8e308", value.get<std::string>()));
     if (!value.is_number() || !std::isfinite(value.get<double>()))
       fail(at(), fmt::format("{} is not a number, which {} needs", shown(value), sweepable.name));
     return value;
@@ -248,7 +254,7 @@ class SampleReader {
 
 }  // namespace
 
-double rounded(double value) { return std::stod(fmt::format("{:.7g}", value)); }
+double rounded(double value) { return *number_in(fmt::format("{:.7g}", value)); }
 
 // M. J. Wichura, algorithm AS 241, Appl. Statist. 37, 1988. Boost.Math calls functions of the C library, whose
 // last bits differ between machines.
@@ -284,16 +290,21 @@ double normal_quantile(double share) {
 
 Axis read_sample(const Document& document) { return SampleReader(document).read(); }
 
-void include_tables(Json& experiment, const std::string& folder) {
-  const JsonPointer sample = JsonPointer("/sweep") / kSample;
-  include_table(experiment, sample, folder);
-  if (!experiment.contains("tiers") || !experiment["tiers"].is_object()) return;
-  for (const auto& [tier, patch] : experiment["tiers"].items()) include_table(patch, sample, folder);
+void check_finite(const Document& document, const std::string& name, const std::vector<double>& values,
+                  const std::function<JsonPointer(std::size_t)>& at) {
+  if (const auto wrong = std::ranges::find_if_not(values, [](double v) { return std::isfinite(v); });
+      wrong != values.end())
+    document.fail(
+        at(std::size_t(wrong - values.begin())).to_string(),
+        fmt::format("the values of {}, or the width or ratio of their range, are beyond the largest "
+                    "number, 1.8e308; give a narrower range",
+                    name));
 }
 
 void check_values(const Document& document, const std::string& name, const std::vector<double>& values,
                   const std::function<JsonPointer(std::size_t)>& at) {
   if (!find_sweepable(name)->options.empty()) return;  // option_index() has found the words
+  check_finite(document, name, values, at);
   const auto check = [&](auto value) {
     if (value != values.end())
       check_parameter(document, at(std::size_t(value - values.begin())), name, *value);

@@ -18,10 +18,15 @@ double normal_quantile(double share);
 // (docs/experiments.md). Throws InputError as read_axes() does.
 Axis read_sample(const Document& document);
 
-// Replaces the name of a table's file, here and in the tiers, by the table's columns and rows, so that the
-// experiment contains all that determines its numbers. The path is relative to the folder. Throws InputError
-// for a file that is no table.
-void include_tables(Json& experiment, const std::string& folder);
+// The columns and rows of a table of comma-separated values: the first line names the columns. Empty lines
+// and lines that begin with # are left out, and so is a first column without a name, which pandas writes for
+// its index. Throws InputError for a file that is no table, or has values that are not allowed.
+Json read_table(const std::string& path);
+
+// The values of one quantity are finite: those of a range may not be, if its width or ratio is not. at: where
+// the value with this index stands. Throws InputError.
+void check_finite(const Document& document, const std::string& name, const std::vector<double>& values,
+                  const std::function<JsonPointer(std::size_t)>& at);
 
 // The values of one quantity, in any order, are in the range of the quantity. at: where the value with this
 // index stands. Throws InputError.

@@ -12,6 +12,12 @@ class InputError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// A file that does not exist.
+class MissingFile : public InputError {
+ public:
+  using InputError::InputError;
+};
+
 // The run could not finish although its input is valid: exit code 3.
 class RunError : public std::runtime_error {
  public:

@@ -190,7 +190,7 @@ std::string read_file(const std::string& path, std::uintmax_t max_bytes) {
     throw InputError(fmt::format("{}: cannot be read: {}", path, why));
   };
   if (status.type() == fs::file_type::unknown) fail(error.message());  // a folder without permission
-  if (!fs::exists(status)) fail("no such file");
+  if (!fs::exists(status)) throw MissingFile(path + ": cannot be read: no such file");
   if (const std::string what = not_a_file(path); !what.empty()) fail(what);
   if (fs::file_size(path, error) > max_bytes) fail(fmt::format("more than {} bytes", max_bytes));
   const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);

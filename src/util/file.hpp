@@ -21,7 +21,7 @@ std::ifstream open_input(const std::string& path);
 void require_read(const std::ios& in, const std::string& path);
 
 // The bytes of a file. Throws InputError if it is not a regular file (reading a pipe or a device may never
-// end) or has more bytes than max_bytes; InputError or SystemError if it cannot be read.
+// end) or has more bytes than max_bytes; MissingFile, another InputError or SystemError if it cannot be read.
 std::string read_file(const std::string& path, std::uintmax_t max_bytes = UINTMAX_MAX);
 
 // What an input is instead of a regular file: "a folder; give the name of a file in it"; empty if it is one

@@ -59,7 +59,9 @@ bool Repository::is_top() const {
 
 std::string Repository::commit() const { return without_newline(git("rev-parse --verify HEAD")); }
 
-std::time_t Repository::commit_time() const { return std::stol(git("show -s --format=%ct HEAD")); }
+std::time_t Repository::commit_time() const {
+  return std::stol(git("show -s --no-show-signature --format=%ct HEAD"));
+}
 
 std::string Repository::changes(const std::string& except) const {
   const std::string others = except.empty() ? "" : " " + shell_quoted(":(exclude,literal)" + except);

@@ -71,6 +71,10 @@ Json parse_json(const std::string& text) {
   };
   try {
     return Json::parse(text, watch);
+  } catch (const Json::out_of_range& e) {  // "... overflow parsing '1e400'"
+    const std::string message = e.what(), number = message.substr(message.find('\'') + 1);
+    throw InputError(
+        fmt::format("{} is beyond the largest number, 1.8e308", number.substr(0, number.find('\''))));
   } catch (const Json::exception& e) {
     throw InputError(fmt::format("not JSON: {}", json_error(e.what())));
   }

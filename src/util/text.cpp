@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <numeric>
+#include <utility>
 
 namespace bristle {
 namespace {
@@ -27,17 +30,34 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
   return last[b.size()];
 }
 
+std::string small_letters(std::string text) {
+  for (char& c : text) c = char(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
 }  // namespace
 
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& known) {
   std::string best;
-  std::size_t least = 1 + std::max<std::size_t>(1, word.size() / 3);
+  // Of equal distances without regard to capitals, the one with regard to them decides.
+  std::pair<std::size_t, std::size_t> least = {1 + std::max<std::size_t>(1, word.size() / 3), 0};
   for (const std::string& candidate : known)
-    if (const std::size_t d = edit_distance(word, candidate); d < least) {
-      least = d;
+    if (const std::pair distance = {edit_distance(small_letters(word), small_letters(candidate)),
+                                    edit_distance(word, candidate)};
+        distance < least) {
+      least = distance;
       best = candidate;
     }
   return best.empty() ? "" : fmt::format(" (did you mean {}?)", best);
+}
+
+std::optional<double> number_in(const std::string& text) {
+  double number = 0;
+  const char* end = text.data() + text.size();
+  const auto parsed = std::from_chars(text.data(), end, number);
+  if (parsed.ptr != end || text.empty() || parsed.ec == std::errc::invalid_argument) return {};
+  if (parsed.ec == std::errc()) return number;
+  return std::strtod(text.c_str(), nullptr);  // 0 or infinity, which from_chars() does not tell apart
 }
 
 std::string shell_quoted(const std::string& text) {

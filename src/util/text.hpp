@@ -1,12 +1,18 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace bristle {
 
-// " (did you mean x?)" with the known word of the smallest edit distance; empty if none is similar.
+// " (did you mean x?)" with the known word of the smallest edit distance, in which capitals and small letters
+// are the same; empty if none is similar.
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& known);
+
+// The number that the text states, rounded to the nearest double: 0 or infinity beyond their range. None if
+// it states no number.
+std::optional<double> number_in(const std::string& text);
 
 // The text quoted as one word of a shell command.
 std::string shell_quoted(const std::string& text);

@@ -1,4 +1,5 @@
 #include "experiment/experiment.hpp"
+#include "experiment/sample.hpp"
 #include "model/friction/laws.hpp"
 #include "run/analysis.hpp"
 #include "run/task.hpp"
@@ -159,6 +160,79 @@ TEST_CASE("a tier takes rows of a table, and --set names another table") {
   CHECK(column(load_experiment(f.s.path("e.json"), {{}, "smoke"}), "k_r") == std::vector<double>{5, 20});
   CHECK(column(load_experiment(f.s.path("e.json"), {{"/sweep/sample/table=" + f.s.path("other.csv")}, "full"}),
                "k_r") == std::vector<double>{7});
+}
+
+TEST_CASE("a table that is replaced or removed is not read") {
+  const Folder f;
+  f.s.write("t.csv", "k_r\n5\n10\n");
+  const std::string with_table = R"({"sample": {"table": ")", missing = with_table + R"(none.csv"}})";
+  const auto k_r = [&](const DocumentOptions& options) {
+    return column(load_experiment(f.s.path("e.json"), options), "k_r");
+  };
+  const std::string named = f.s.path("t.csv");
+  CHECK(f.error(missing) == "none.csv: cannot be read: no such file");
+  CHECK(k_r({{"/sweep/sample/table=" + named}, "full"}) == std::vector<double>{5, 10});
+  CHECK(k_r({{"/sweep/sample={\"table\":\"" + named + "\"}"}, "full"}) == std::vector<double>{5, 10});
+  CHECK(k_r({{"/sweep/sample/table=null", "/sweep/sample/table=" + named}, "full"}) ==
+        std::vector<double>{5, 10});
+  CHECK(k_r({{"/sweep/sample/table=" + named, "/sweep/sample/table/rows/1/0=7"}, "full"}) ==
+        std::vector<double>{5, 7});
+  CHECK(load_experiment(f.s.path("e.json"), {{"/sweep/sample=null"}, "full"}).points() == 1);
+
+  // By a tier, and by an experiment that extends another one.
+  f.error(missing.substr(0, missing.size()) + R"(, "tiers": {"smoke": {"sweep": )" + with_table +
+          R"(t.csv"}}}})");
+  CHECK(k_r({{}, "smoke"}) == std::vector<double>{5, 10});
+  f.error(with_table + R"(t.csv"}}, "tiers": {"smoke": {"sweep": )" + missing + "}}");
+  CHECK(k_r({{}, "full"}) == std::vector<double>{5, 10});
+  f.error(missing);
+  const auto child = [&](const std::string& sweep) {
+    return load_experiment(
+        f.s.write("child.json", fmt::format(R"({{"extends": "e.json", "sweep": {}}})", sweep)), {});
+  };
+  CHECK(column(child(with_table + R"(t.csv"}})"), "k_r") == std::vector<double>{5, 10});
+  CHECK(child(R"({"sample": null})").points() == 1);
+  f.load(with_table + R"(t.csv"}})");
+  CHECK(column(child(R"({"sample": {"table": {"rows": [[3]]}}})"), "k_r") == std::vector<double>{3});
+}
+
+TEST_CASE("tables of other programs: line ends, and an index without a name") {
+  const Folder f;
+  const std::vector<double> expected = {5, 10};
+  for (const char* text :
+       {"k_r,mu_c\r5,1\r10,2\r", "k_r,mu_c\r\n5,1\r\n10,2\r\n", ",k_r,mu_c\n0,5,1\n1,10,2\n",
+        "\"\",k_r,mu_c\na,5,1\n,10,2\n", "Unnamed: 0,k_r,mu_c\n0,5,1\n1,10,2\n"}) {
+    f.s.write("t.csv", text);
+    CHECK(column(f.load(R"({"sample": {"table": "t.csv"}})"), "k_r") == expected);
+  }
+}
+
+TEST_CASE("numbers at the edge of double: no text of a library") {
+  const Folder f;
+  const auto table = [&](const std::string& number) {
+    f.s.write("t.csv", "k_r\n" + number + "\n");
+    return f.error(R"({"sample": {"table": "t.csv"}})");
+  };
+  CHECK(table("1e400") == "t.csv: line 2: 1e400 is beyond the largest number, 1.8e308");
+  CHECK(table("-1e400") == "t.csv: line 2: -1e400 is beyond the largest number, 1.8e308");
+  CHECK(table("1e-400") ==
+        "t.csv: line 2: 0 is out of range for k_r; allowed: a number greater than 0 (radial "
+        "stiffness, dimensionless)");
+  for (const char* over : {R"("k_r": {"uniform": [1e-320, 1e-310]})", R"("k_r": {"log": [1e-310, 1e-300]})",
+                           R"("mu_c": {"uniform": [1e-320, 1e-310]})",
+                           R"("tau_f": {"uniform": [1e307, 1.797693134862315e308]})"})
+    CHECK_NOTHROW(f.load(sobol(over)));
+  const std::string beyond = "or the width or ratio of their range, are beyond the largest number, 1.8e308";
+  CHECK_THAT(f.error(sobol(R"("k_r": {"uniform": [-1e308, 1.7e308]})")), Catch::Contains(beyond));
+  CHECK_THAT(f.error(sobol(R"("k_r": {"log": [1e-320, 1e300]})")), Catch::Contains(beyond));
+  CHECK_THAT(f.error(R"({"k_r": {"logspace": [1e-300, 1e300, 5]}})"),
+             Catch::Contains("beyond the largest number"));
+  CHECK_THAT(f.error(R"({"k_r": {"linspace": [-1.7e308, 1.7e308, 5]}})"),
+             Catch::Contains("beyond the largest number"));
+  CHECK_THAT(f.error(R"({"k_r": {"values": [1, 1e400]}})"),
+             Catch::Contains("e.json: 1e400 is beyond the largest number, 1.8e308"));
+  CHECK(rounded(2.2250738585072014e-308) == 2.225074e-308);
+  CHECK(rounded(1.7976931348623157e308) == 1.797693e308);
 }
 
 TEST_CASE("malformed samples: the message names place, value and remedy") {
