@@ -15,8 +15,13 @@
 #include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
+#include <filesystem>
 #include <functional>
 #include <iostream>
+#include <new>
+#include <pthread.h>
+#include <sys/resource.h>
+#include <thread>
 #include <unistd.h>
 
 namespace {
@@ -306,12 +311,24 @@ void finish_output() {
     throw RunError(fmt::format("standard output cannot be written: {}", std::strerror(errno)));
 }
 
-}  // namespace
+// The stack that the program needs.
+constexpr rlim_t kStackBytes = rlim_t(8) << 20;
 
-int main(int argc, char** argv) {
-  reserve_standard_streams();
-  h5::silence();
-  std::signal(SIGXFSZ, SIG_IGN);  // a write beyond the file-size limit then fails with an error message
+// Calls run on a stack of that size, also if `ulimit -s` gives the process, and the threads that it starts,
+// less.
+int on_large_stack(const std::function<int()>& run) {
+  rlimit given{};
+  if (getrlimit(RLIMIT_STACK, &given) != 0 || given.rlim_cur >= kStackBytes / 4) return run();
+  pthread_attr_t attributes;
+  if (pthread_attr_init(&attributes) != 0 || pthread_attr_setstacksize(&attributes, kStackBytes) != 0 ||
+      pthread_setattr_default_np(&attributes) != 0)
+    return run();
+  int code = cli::kCouldNotFinish;
+  std::thread([&] { code = run(); }).join();
+  return code;
+}
+
+int run_command_line(int argc, char** argv) {
   try {
     const int code = CommandLine(argc, argv).dispatch(argc, argv);
     finish_output();
@@ -322,8 +339,23 @@ int main(int argc, char** argv) {
   } catch (const Interrupted& e) {
     write_message(fmt::format("bristle: {}\n", e.what()));
     return cli::kInterrupted + run::received_signal();
+  } catch (const std::bad_alloc&) {
+    write_message("bristle: there is not enough memory (`ulimit -v` may limit it)\n");
+    return cli::kCouldNotFinish;
+  } catch (const std::filesystem::filesystem_error& e) {
+    write_message(fmt::format("bristle: {}: {}\n", e.path1().string(), e.code().message()));
+    return cli::kCouldNotFinish;
   } catch (const std::exception& e) {
     write_message(fmt::format("bristle: {}\n", e.what()));
     return cli::kCouldNotFinish;
   }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  reserve_standard_streams();
+  h5::silence();
+  std::signal(SIGXFSZ, SIG_IGN);  // a write beyond the file-size limit then fails with an error message
+  return on_large_stack([&] { return run_command_line(argc, argv); });
 }

@@ -93,6 +93,9 @@ expect 0 "did not leave the slab within 1000 evaluations of the equations; raise
   "${brush[@]}" --set /integrator/max_evaluations=1000
 expect 0 "raise /integrator/max_evaluations_per_point" "${brush[@]}" --set /integrator/max_evaluations_per_point=1000
 expect 0 "warning: --set /model/k_r=3: /model/k_r: has no effect" "${brush[@]}" --set /model/k_r=3
+for name in . .. .hidden; do
+  expect 2 "new: NAME \"$name\" is not allowed: an experiment is a file" in_folder "$folder/project" "$program" new $name
+done
 expect 2 'NAME "a/b" is not allowed' in_folder "$folder/project" "$program" new a/b
 for place in alone/mine.json project/experiments/mine.json; do
   expect 0 "10 points" "$bristle" validate "$folder/$place"
@@ -173,6 +176,15 @@ for n in 4 5 6 7 8; do
       ! grep -qE "damaged|is the disk full|choose another" <<<"$output"; } || failed "$n descriptors: $command: $code $output"
   done
   grep -qF "$first" "$folder/few.h5.journal" || failed "$n descriptors: the journal lost its points"
+done
+
+# A small stack.
+for size in 64 128 256 1024; do
+  for engine in fast reference; do
+    small_stack() (ulimit -s $size; "$@")
+    expect 0 "1 ok" small_stack "$bristle" run "${quick[@]}" --force --set /integrator/engine=$engine
+  done
+  expect 0 "verified" small_stack "$bristle" info "$result"
 done
 
 # A file whose reading fails.
