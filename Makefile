@@ -12,6 +12,8 @@ BUILD := build
 # TIER=smoke computes a small subset of the points, in seconds.
 TIER ?= full
 SUFFIX := $(if $(filter full,$(TIER)),,-$(TIER))
+# The figures are drawn into files, whatever the shell has set.
+export MPLBACKEND := agg
 PLOT_PYTHON := scripts/find-python numpy h5py matplotlib xarray h5netcdf
 
 help: ## list the targets

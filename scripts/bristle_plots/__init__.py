@@ -16,14 +16,12 @@ file raises BristleError. `python3 -m bristle_plots fig4 RESULT.h5` is the same 
 import importlib
 import os
 
-from .computing import run
 from .errors import BristleError
-from .readings import pages
-from .results import open_result
-from .style import apply_look
 
 FIGURES = sorted(name.removesuffix(".py") for name in os.listdir(os.path.join(os.path.dirname(__file__), "figures"))
                  if name.endswith(".py") and not name.startswith("_"))
+
+FUNCTIONS = {"apply_look": "style", "open_result": "results", "pages": "readings", "run": "computing"}  # and their modules
 
 # Without map, which would hide Python's own.
 __all__ = ["BristleError", "FIGURES", "apply_look", "open_result", "pages", "run",
@@ -31,7 +29,9 @@ __all__ = ["BristleError", "FIGURES", "apply_look", "open_result", "pages", "run
 
 
 def __getattr__(name):
-    """The module of a figure, imported when it is first used."""
+    """A function, or the module of a figure, imported when it is first used, so that a message can say what is missing."""
+    if name in FUNCTIONS:
+        return getattr(importlib.import_module(f".{FUNCTIONS[name]}", __name__), name)
     if name in FIGURES:
         return importlib.import_module(f".figures.{name}", __name__)
     raise AttributeError(f"module {__name__} has no attribute {name}")

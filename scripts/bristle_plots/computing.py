@@ -14,7 +14,7 @@ import tempfile
 from functools import lru_cache
 from itertools import count
 
-from .errors import NOT_WRITTEN, BristleError
+from .errors import NOT_WRITTEN, BristleError, did_you_mean
 from .program import run as program_run
 from .results import open_result
 
@@ -72,8 +72,8 @@ def changes_by_block(program, changes):
         if name in blocks:
             patch[name] = value
         elif not owners:
-            known = ", ".join(sorted({*blocks, *(key for block in BLOCKS for key in blocks[block])}))
-            raise BristleError(f"{name} is not a key of an experiment; known: {known}")
+            known = sorted({*blocks, *(key for block in BLOCKS for key in blocks[block])})
+            raise BristleError(f"{name} is not a key of an experiment{did_you_mean(name, known)}; known: {', '.join(known)}")
         elif len(owners) > 1:
             raise BristleError(f"{name} is a key of {' and of '.join(owners)}; write {owners[0]}={{'{name}': ...}}")
         elif listed(value) and name in blocks["sweep"]:
@@ -86,7 +86,8 @@ def changes_by_block(program, changes):
 
 
 def listed(value):
-    return not isinstance(value, (str, dict)) and hasattr(value, "__len__")
+    """Whether the value is a list of values: an array without dimensions is a single one."""
+    return not isinstance(value, (str, dict)) and hasattr(value, "__len__") and getattr(value, "ndim", 1) > 0
 
 
 @lru_cache
@@ -104,7 +105,9 @@ def merged(document, patch):
 
 
 def plain(value):
-    """JSON of NumPy's arrays and numbers."""
+    """JSON of ranges, and of NumPy's arrays and numbers."""
+    if isinstance(value, range):
+        return list(value)
     if not hasattr(value, "tolist"):
         raise BristleError(f"{value!r} is neither a number, a word, a list nor a dict")
     return value.tolist()

@@ -1,5 +1,6 @@
-"""The exception of this package, and the system's reasons for it."""
+"""The exception of this package, and parts of its messages."""
 
+import difflib
 import errno
 import os
 
@@ -23,3 +24,12 @@ def system_reason(error):
 def is_of_the_system(error):
     """Whether the system refused something for a reason that is not in the file: nobody may call it damaged."""
     return isinstance(error, OSError) and error.errno in (errno.EMFILE, errno.ENFILE, errno.EIO, errno.ESTALE)
+
+
+def did_you_mean(word, known):
+    """The known word that is most similar, in which capitals and small letters are the same."""
+    small = {}
+    for name in known:
+        small.setdefault(name.lower(), name)
+    found = [word] if word in small.values() else difflib.get_close_matches(word.lower(), list(small), 1)
+    return f"; did you mean {small.get(found[0], found[0])}?" if found else ""

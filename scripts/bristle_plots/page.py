@@ -3,7 +3,6 @@
 Set by `drawn_on` around a drawing function, as matplotlib's parameters are by rc_context.
 """
 
-import difflib
 import re
 from collections import namedtuple
 from contextlib import contextmanager
@@ -12,7 +11,7 @@ from math import isfinite
 
 import matplotlib
 
-from .errors import BristleError
+from .errors import BristleError, did_you_mean
 from .style import apply_look
 
 # plain: without title, notes and verdicts; width: of the page of a paper in inches, None for the standard figure; panels:
@@ -64,11 +63,6 @@ def set_parameter(name, value):
         matplotlib.rcParams[name] = value
     except (ValueError, TypeError) as error:
         raise BristleError(f"style: {name}: {value!r} is not allowed ({error})") from error
-
-
-def did_you_mean(word, known):
-    found = difflib.get_close_matches(word, list(known), 1)
-    return f"; did you mean {found[0]}?" if found else ""
 
 
 def inches(width):

@@ -49,6 +49,11 @@ swept, _ = computed("swept.json", mu_c=1, k_r=[10, 20])
 assert swept["R_x_norm"].dims == ("k_r",) and swept["R_x_norm"].values[0] == one["R_x_norm"]
 assert swept.sizes["k_r"] == 2
 
+swept, _ = computed(POINT, k_r=range(10, 21, 10), mu_c=np.array(1), k_theta=np.float64(1))  # an array without dimensions
+assert swept["R_x_norm"].dims == ("k_r",) and swept["R_x_norm"].values[0] == one["R_x_norm"]
+for wrong, meant in (("K_R", "k_r"), ("k_teta", "k_theta"), ("Friction", "friction")):
+    assert f"{wrong} is not a key of an experiment; did you mean {meant}?; known: " in refused(POINT, **{wrong: 1})
+
 # Points of a result in the same folder are not computed again.
 kept = folder / "kept.h5"
 computed(POINT, output=kept, k_r=[10, 20])
@@ -62,7 +67,7 @@ tier, _ = computed({**POINT, "sweep": {"k_r": {"values": [5, 10]}}, "tiers": {"s
 assert tier.sizes["k_r"] == 1
 
 for wanted, call in (("standard input: /model/k_r: -1 is not allowed", lambda: refused(POINT, k_r=-1)),
-                     ("k_rr is not a key of an experiment; known: ", lambda: refused(POINT, k_rr=1)),
+                     ("k_rr is not a key of an experiment; did you mean k_r?; known: ", lambda: refused(POINT, k_rr=1)),
                      ("rtol is a key of orientation and of integrator; write orientation={'rtol': ...}", lambda: refused(POINT, rtol=1)),
                      ("{1} is neither a number, a word, a list nor a dict", lambda: refused(POINT, k_r={1})),
                      ('"none.json" does not exist', lambda: refused("none.json"))):

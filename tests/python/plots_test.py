@@ -325,3 +325,17 @@ for more in range(5):
         assert "Too many open files; raise the limit of the shell" in str(error) and "damaged" not in str(error), error
     finally:
         resource.setrlimit(resource.RLIMIT_NOFILE, limits)
+
+# Modules that cannot be imported, and a backend of matplotlib that does not exist: a message, or no difference.
+broken = folder / "broken"
+broken.mkdir()
+for module in ("numpy", "h5py", "matplotlib", "xarray"):
+    (broken / f"{module}.py").write_text("raise ImportError('it is broken')")
+    done = subprocess.run([sys.executable, "-m", "bristle_plots", "fig4", result, "-o", broken], capture_output=True, text=True, check=False,
+                          env={**os.environ, "PYTHONPATH": os.pathsep.join(map(str, (broken, SCRIPTS)))})
+    assert done.returncode == 2 and "cannot import what the figures need (it is broken)" in done.stderr, done
+    assert "Traceback" not in done.stderr, done.stderr
+    (broken / f"{module}.py").unlink()
+done = subprocess.run([sys.executable, "-m", "bristle_plots", "fig4", result, "--caption"], capture_output=True, text=True, check=False,
+                      env={**os.environ, "PYTHONPATH": str(SCRIPTS), "MPLBACKEND": "nonsense"})
+assert done.returncode == 0, done.stderr
