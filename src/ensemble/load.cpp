@@ -82,8 +82,8 @@ class CrossingFinder {
 
   bool is_accepted(const GapLoad& at) const {
     const double distance = std::abs(at.excess);
-    // An error above the tolerance means that the mean does not converge: no gap could do better.
-    return distance <= std::max(loads_.allowed(), at.load.error) ||
+    // No gap does better than one whose mean does not converge, if it is within its own error of the target.
+    return distance <= loads_.allowed() || (!at.load.converged && distance <= at.load.error) ||
            (search_.by_secants && distance <= kWide * loads_.allowed() && even_between(at.z_0));
   }
 

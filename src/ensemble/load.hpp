@@ -11,6 +11,7 @@ namespace bristle {
 // R_n at a gap and its error estimate, per N_c0, dimensionless. Not finite if it could not be computed.
 struct Load {
   double R_n, error;
+  bool converged = true;  // whether the error is as small as was asked for
 };
 // Requested accuracy of R_n(z_0).
 enum class Accuracy {

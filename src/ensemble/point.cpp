@@ -206,7 +206,7 @@ class PointSolver {
       e = &mean.full();
     }
     if (e->incomplete == 0 && accuracy == Accuracy::reported) e = &mean.with_integrator_error();
-    if (e->incomplete == 0) return {e->mean[R_N], e->error[R_N]};
+    if (e->incomplete == 0) return {e->mean[R_N], e->error[R_N], e->converged};
     incomplete_theta_0_ = e->incomplete_theta_0;
     return {kNone, kNone};
   }
