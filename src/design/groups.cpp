@@ -145,15 +145,13 @@ Group indices_group(const Experiment& e, const Findings& found) {
   for (const experiment::Objective& o : e.design->objectives) objectives.push_back(o.text());
   Group group{"indices",
               {},
-              {results::word_dimension("objective", "nominal value whose variance over the tolerances is shared out", objectives),
+              {results::word_dimension(
+                   "objective", "nominal value whose variance over the tolerances is shared out", objectives),
                results::word_dimension("input", "quantity with a tolerance", inputs_of(*e.design))},
               run::index_columns(),
-              std::vector<std::vector<double>>(4)};
-  for (const SobolIndices& one : found.indices)
-    for (std::size_t i = 0; i < one.total.size(); ++i) {
-      const double row[] = {one.first[i].value, one.first[i].error, one.total[i].value, one.total[i].error};
-      for (std::size_t column = 0; column < 4; ++column) group.values[column].push_back(row[column]);
-    }
+              {}};
+  group.values.resize(group.columns.size());
+  for (const SobolIndices& indices : found.indices) run::add_indices(group, indices);
   return group;
 }
 
@@ -244,15 +242,11 @@ std::string margins_text(const Findings& found) {
 
 std::string indices_text(const Experiment& e, const Findings& found) {
   std::string out;
-  const std::vector<std::string> inputs = inputs_of(*e.design);
-  for (std::size_t o = 0; o < found.indices.size(); ++o) {
-    std::vector<std::string> parts;
-    for (std::size_t i = 0; i < inputs.size(); ++i)
-      parts.push_back(fmt::format("{} {:.2f} +- {:.2f}", inputs[i], found.indices[o].total[i].value,
-                                  found.indices[o].total[i].error));
-    out += fmt::format("  total Sobol indices of {} over the tolerances: {}\n", e.design->objectives[o].variable,
-                       fmt::join(parts, ", "));
-  }
+  for (std::size_t o = 0; o < found.indices.size(); ++o)
+    out += fmt::format("  total (and first-order) Sobol indices of {} over the tolerances: {}\n",
+                       e.design->objectives[o].variable,
+                       run::indices_text(found.indices[o], inputs_of(*e.design), kIndexBlocks,
+                                         "choose bounds or tolerances with which more points have a value"));
   return out;
 }
 

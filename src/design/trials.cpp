@@ -15,7 +15,6 @@ namespace {
 using experiment::Axis;
 using experiment::Objective;
 
-constexpr std::size_t kIndexBlocks = 128;  // of the design for Sobol indices
 constexpr std::size_t kVerification = 256;  // least number of deviations of a trial that is recommended
 // A reported jump margin is located between this number of points on both sides of the nominal values.
 constexpr std::size_t kMarginPoints = 8;

@@ -14,6 +14,8 @@ namespace bristle::design {
 
 using Values = std::map<std::string, double>;  // of quantities of the design, by name
 
+constexpr std::size_t kIndexBlocks = 128;  // of the design for Sobol indices
+
 // Computes points of an experiment, of trials or beside one; returns them in the same order.
 enum class Purpose {
   trials,

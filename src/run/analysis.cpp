@@ -4,7 +4,6 @@
 #include "results/reader.hpp"
 #include "util/error.hpp"
 #include "util/grid.hpp"
-#include "util/sensitivity.hpp"
 #include "util/text.hpp"
 
 #include <boost/algorithm/string/erase.hpp>
@@ -20,10 +19,14 @@ namespace {
 
 // A function, because HDF5 must not be used before main().
 results::Column ambiguous_column() {
-  return {"ambiguous", "points of the sample whose load another gap carries as well", "", "", H5T_NATIVE_LONG};
+  return {"ambiguous", "points that are used, whose load another gap carries as well", "", "",
+          H5T_NATIVE_LONG};
 }
 
+const char* const kRemedy = "raise sobol, or choose ranges in which more points have a value";
 const std::vector<double> kShares = {0.05, 0.25, 0.5, 0.75, 0.95};
+
+using Values = std::map<std::string, std::vector<double>>;
 
 std::size_t sample_axis(const Experiment& e) {
   return std::size_t(std::ranges::find(e.axes, experiment::kSample, &experiment::Axis::name) - e.axes.begin());
@@ -47,11 +50,29 @@ std::vector<double> over_sample(const Experiment& e, const std::vector<double>& 
   return out;
 }
 
-// How many of these points are ambiguous: another gap carries the load as well.
-double ambiguous(const Experiment& e, const std::map<std::string, std::vector<double>>& values,
-                      std::size_t other) {
-  const std::vector<double> statuses = over_sample(e, values.at("status"), other);
-  return double(std::ranges::count(statuses, double(PointStatus::ambiguous)));
+// The points of a sample that a statistic uses.
+struct Used {
+  std::vector<double> values;
+  std::size_t ambiguous = 0;  // of these points, those whose load another gap carries as well
+};
+
+// The values at a point of the other axes. Of each block of the sample the first points count.
+Used used_of(const Experiment& e, const Values& all, const std::string& output, std::size_t other,
+             std::size_t block, std::size_t first) {
+  const std::vector<double> values = over_sample(e, all.at(output), other),
+                            statuses = over_sample(e, all.at("status"), other);
+  Used out;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!std::isfinite(values[i]) || i % block >= first) continue;
+    out.values.push_back(values[i]);
+    out.ambiguous += statuses[i] == double(PointStatus::ambiguous);
+  }
+  return out;
+}
+
+// The points of a block of the design for indices, 1 without them.
+std::size_t block_of(const Experiment& e) {
+  return e.analysis.sobol_indices.empty() ? 1 : e.axes[sample_axis(e)].columns.size() + 2;
 }
 
 std::vector<std::size_t> other_axes(const Experiment& e) {
@@ -67,8 +88,6 @@ std::vector<std::string> inputs_of(const Experiment& e) {
   return names;
 }
 
-using Values = std::map<std::string, std::vector<double>>;
-
 results::Group indices(const Experiment& e, const Values& values) {
   const std::vector<std::string> &outputs = e.analysis.sobol_indices, inputs = inputs_of(e);
   results::Group group{"indices",
@@ -76,72 +95,81 @@ results::Group indices(const Experiment& e, const Values& values) {
                        {results::word_dimension("output", "variable whose variance is shared out", outputs),
                         results::word_dimension("input", "parameter of the sample", inputs)},
                        index_columns(),
-                       std::vector<std::vector<double>>(6)};
-  group.columns.push_back(
-      {"blocks", "blocks of the design whose points all have a value", "", "", H5T_NATIVE_LONG});
+                       {}};
   group.columns.push_back(ambiguous_column());
+  group.values.resize(group.columns.size());
   for (std::size_t other = 0; other < without_sample(e).points(); ++other)
     for (const std::string& output : outputs) {
-      const SobolIndices found = sobol_indices(over_sample(e, values.at(output), other), inputs.size());
-      for (std::size_t i = 0; i < inputs.size(); ++i) {
-        const double row[] = {found.first[i].value, found.first[i].error, found.total[i].value,
-                              found.total[i].error, double(found.complete), ambiguous(e, values, other)};
-        for (std::size_t column = 0; column < 6; ++column) group.values[column].push_back(row[column]);
-      }
+      add_indices(group, sobol_indices(over_sample(e, values.at(output), other), inputs.size()));
+      group.values.back().resize(group.values.front().size(),
+                                 double(used_of(e, values, output, other, 1, 1).ambiguous));
     }
   return group;
 }
 
 results::Group quantiles(const Experiment& e, const Values& values) {
   const std::vector<std::string>& outputs = e.analysis.quantiles;
-  results::Group group{"quantiles",
-                       other_axes(e),
-                       {results::word_dimension("output", "variable", outputs),
-                        {{"share", "share of the sample below the quantile", "p", ""}, {}, kShares}},
-                       {{"quantile", "quantile of the variable over the sample", "", ""},
-                        {"quantile_err", "standard error of the quantile", "", ""},
-                        {"points", "points of the sample with a value", "", "", H5T_NATIVE_LONG},
-                        ambiguous_column()},
-                       std::vector<std::vector<double>>(4)};
-  // Of a design for indices, the two points of a block that are drawn independently.
-  const std::size_t block = e.analysis.sobol_indices.empty() ? 1 : inputs_of(e).size() + 2;
+  results::Group group{
+      "quantiles",
+      other_axes(e),
+      {results::word_dimension("output", "variable", outputs),
+       {{"share", "share of the sample below the quantile", "p", ""}, {}, kShares}},
+      {{"quantile", "quantile of the variable over the sample", "", ""},
+       {"quantile_err", "standard error of the quantile", "", ""},
+       {"points", "points that are used: drawn independently and with a value", "", "", H5T_NATIVE_LONG},
+       ambiguous_column()},
+      std::vector<std::vector<double>>(4)};
+  const std::size_t block = block_of(e), independent = std::min<std::size_t>(block, 2);
   for (std::size_t other = 0; other < without_sample(e).points(); ++other)
     for (const std::string& output : outputs) {
-      std::vector<double> present;
-      const std::vector<double> all = over_sample(e, values.at(output), other);
-      for (std::size_t i = 0; i < all.size(); ++i)
-        if (std::isfinite(all[i]) && i % block < 2) present.push_back(all[i]);
+      const Used used = used_of(e, values, output, other, block, independent);
       for (const double share : kShares) {
-        const Estimate q = quantile(present, share);
-        group.values[0].push_back(q.value);
-        group.values[1].push_back(q.error);
-        group.values[2].push_back(double(present.size()));
-        group.values[3].push_back(ambiguous(e, values, other));
+        const Estimate q = quantile(used.values, share);
+        const double row[] = {q.value, q.error, double(used.values.size()), double(used.ambiguous)};
+        for (std::size_t column = 0; column < std::size(row); ++column)
+          group.values[column].push_back(row[column]);
       }
     }
   return group;
 }
 
-// "S_T of R_x_norm at bending = rod, from 250 of 256 blocks: k_r 0.40 +- 0.02 ..." in descending order.
-std::string indices_line(const results::Group& group, std::size_t row, std::size_t blocks) {
-  const std::vector<std::string>& inputs = group.dimensions[1].words;
-  const std::size_t first = row * inputs.size();
-  std::vector<std::size_t> order(inputs.size());
-  std::iota(order.begin(), order.end(), first);
-  std::ranges::sort(order, std::greater<>(), [&](std::size_t i) { return group.values[2][i]; });
-  std::vector<std::string> parts;
-  for (const std::size_t i : order)
-    parts.push_back(fmt::format("{} {:.2f} +- {:.2f} ({:.2f} +- {:.2f})", inputs[i - first],
-                                group.values[2][i], group.values[3][i], group.values[0][i], group.values[1][i]));
-  const auto complete = std::size_t(group.values[4][first]);
-  if (!std::isfinite(group.values[2][first]))
-    return complete < 2 ? fmt::format("none, as they need two blocks of the design with all values, and {} of {} has them", complete, blocks)
-                        : "none, as all or nearly all values are the same";
-  return fmt::format("{}{}", fmt::join(parts, ", "),
-                     complete < blocks ? fmt::format("; from {} of {} blocks of the design, the others have points "
-                                                     "without a value",
-                                                     complete, blocks)
-                                       : "");
+// Reads one row of indices back from a group, as add_indices() has written it.
+SobolIndices indices_of(const results::Group& group, std::size_t row) {
+  const std::size_t inputs = group.dimensions[1].words.size();
+  SobolIndices out;
+  for (std::size_t at = row * inputs; at < (row + 1) * inputs; ++at) {
+    out.first.push_back({group.values[0][at], group.values[1][at], std::size_t(group.values[5][at])});
+    out.total.push_back({group.values[2][at], group.values[3][at], std::size_t(group.values[4][at])});
+  }
+  return out;
+}
+
+std::string index_text(const SobolIndex& index) {
+  return std::isnan(index.value) ? "none" : fmt::format("{:.2f} +- {:.2f}", index.value, index.error);
+}
+
+// Says from how many blocks of the design the indices follow, and why some have no value; empty if all follow
+// from all blocks.
+std::string origin_text(const SobolIndices& indices, std::size_t blocks, const std::string& remedy) {
+  std::vector<std::size_t> all, without_value;
+  for (const auto* list : {&indices.first, &indices.total})
+    for (const SobolIndex& index : *list) {
+      all.push_back(index.blocks);
+      if (std::isnan(index.value)) without_value.push_back(index.blocks);
+    }
+  const auto [fewest, most] = std::ranges::minmax(all);
+  const std::string from =
+      fmt::format("{} of {} pairs",
+                  fewest == most ? fmt::format("{}", most) : fmt::format("{} to {}", fewest, most), blocks);
+  if (without_value.empty())
+    return fewest == blocks ? "" : fmt::format("from {}, as the others have points without a value", from);
+  if (std::ranges::min(without_value) >= kLeastBlocks)
+    return fmt::format(
+        "an index is missing where all or nearly all values are the same, or where its error is above 0.5; "
+        "from {}; {}",
+        from, remedy);
+  return fmt::format("too few of the points have a value: {}; an index needs {}: {}", from, kLeastBlocks,
+                     remedy);
 }
 
 std::string quantiles_line(const results::Group& group, std::size_t row, std::size_t points) {
@@ -152,6 +180,7 @@ std::string quantiles_line(const results::Group& group, std::size_t row, std::si
     if (const double error = group.values[1][at]; std::isfinite(error)) parts.back() += fmt::format(" +- {:.1g}", error);
   }
   const auto present = std::size_t(group.values[2][row * kShares.size()]);
+  if (present == 0) return fmt::format("none, as none of {} points has a value", points);
   return fmt::format("{}{}", fmt::join(parts, ", "),
                      present < points ? fmt::format("; {} points have no value and are left out", points - present) : "");
 }
@@ -176,7 +205,33 @@ std::vector<results::Column> index_columns() {
   return {{"S1", "first-order Sobol index", "S_1", ""},
           {"S1_err", "standard error of S1", R"(\delta S_1)", ""},
           {"ST", "total Sobol index", "S_T", ""},
-          {"ST_err", "standard error of ST", R"(\delta S_T)", ""}};
+          {"ST_err", "standard error of ST", R"(\delta S_T)", ""},
+          {"blocks", "blocks of the design with the two values that ST needs", "", "", H5T_NATIVE_LONG},
+          {"S1_blocks", "blocks of the design with the three values that S1 needs", "", "", H5T_NATIVE_LONG}};
+}
+
+void add_indices(results::Group& group, const SobolIndices& indices) {
+  for (std::size_t i = 0; i < indices.total.size(); ++i) {
+    const SobolIndex &first = indices.first[i], &total = indices.total[i];
+    const double row[] = {first.value, first.error,          total.value,
+                          total.error, double(total.blocks), double(first.blocks)};
+    for (std::size_t column = 0; column < std::size(row); ++column)
+      group.values[column].push_back(row[column]);
+  }
+}
+
+std::string indices_text(const SobolIndices& indices, const std::vector<std::string>& inputs,
+                         std::size_t blocks, const std::string& remedy) {
+  std::vector<std::size_t> order(inputs.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto total = [&](std::size_t i) { return std::fmax(indices.total[i].value, -1); };  // without NaN
+  std::ranges::stable_sort(order, std::greater<>(), total);
+  std::vector<std::string> parts;
+  for (const std::size_t i : order)
+    parts.push_back(
+        fmt::format("{} {} ({})", inputs[i], index_text(indices.total[i]), index_text(indices.first[i])));
+  const std::string origin = origin_text(indices, blocks, remedy);
+  return fmt::format("{}{}{}", fmt::join(parts, ", "), origin.empty() ? "" : "; ", origin);
 }
 
 std::set<std::string> analysed_variables(const Experiment& experiment) {
@@ -200,21 +255,20 @@ std::string analysis_text(const Experiment& experiment, const std::vector<result
     const bool of_indices = group.name == "indices";
     const std::vector<std::string>& outputs = group.dimensions[0].words;
     const Experiment others = without_sample(experiment);
-    const std::size_t points = experiment.axes[sample_axis(experiment)].values.size();
-    const std::size_t block = experiment.analysis.sobol_indices.empty() ? 1 : inputs_of(experiment).size() + 2;
+    const std::size_t points = experiment.axes[sample_axis(experiment)].values.size(),
+                      block = block_of(experiment);
     for (std::size_t row = 0; row < others.points() * outputs.size(); ++row) {
       std::string place = others.place(row / outputs.size());
       for (const char* sample : {"sample = 0, ", ", sample = 0"}) boost::erase_all(place, sample);
-      text += fmt::format("{} of {}{}: {}\n",
-                          of_indices ? "total (and first-order) Sobol indices" : "quantiles", outputs[row % outputs.size()],
-                          place == "sample = 0" ? "" : " at " + place,
-                          of_indices ? indices_line(group, row, points / block)
-                                     : quantiles_line(group, row, block == 1 ? points : 2 * points / block));
+      text += fmt::format(
+          "{} of {}{}: {}", of_indices ? "total (and first-order) Sobol indices" : "quantiles",
+          outputs[row % outputs.size()], place == "sample = 0" ? "" : " at " + place,
+          of_indices ? indices_text(indices_of(group, row), inputs_of(experiment), points / block, kRemedy)
+                     : quantiles_line(group, row, block == 1 ? points : 2 * points / block));
       const std::size_t width = group.values.back().size() / (others.points() * outputs.size());
-      if (const double count = group.values.back()[row * width]; count > 0) {
-        text.pop_back();
-        text += fmt::format("; ambiguous points: {} of {}\n", count, points);
-      }
+      if (const double count = group.values.back()[row * width]; count > 0)
+        text += fmt::format("; ambiguous points among those used: {}", count);
+      text += "\n";
     }
   }
   return text;

@@ -2,6 +2,7 @@
 
 #include "experiment/experiment.hpp"
 #include "results/writer.hpp"
+#include "util/sensitivity.hpp"
 
 #include <map>
 #include <set>
@@ -13,8 +14,17 @@ namespace bristle::run {
 // Throws InputError if the result has no variable of this name. place: JSON pointer, for the message
 void require_variable(const Experiment& experiment, const std::string& place, const std::string& name);
 
-// Columns of Sobol indices and their errors. A function, because HDF5 must not be used before main().
+// Columns of Sobol indices, their errors, and the blocks that they follow from. A function, because HDF5 must
+// not be used before main().
 std::vector<results::Column> index_columns();
+
+// Adds one row for each input to the index_columns(), the first of the group.
+void add_indices(results::Group& group, const SobolIndices& indices);
+
+// Returns "k_r 0.40 +- 0.02 (0.31 +- 0.03), ...", by descending total index, and what the indices follow from
+// unless these are all blocks of the design. remedy: what to do where too few points have a value
+std::string indices_text(const SobolIndices& indices, const std::vector<std::string>& inputs,
+                         std::size_t blocks, const std::string& remedy);
 
 // Throws InputError if /analysis names a variable that the result does not have.
 void validate_analysis(const Experiment& experiment);

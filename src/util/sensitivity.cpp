@@ -12,6 +12,9 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kResamples = 200;
+// With a larger error all possible indices, 0 to 1, lie within the error. An index farther outside of 0 to 1,
+// by both numbers, is not noise of the sample: the points with a value are not alike.
+constexpr double kLargestError = 0.5, kOutside = 0.1, kOutsideErrors = 3;
 
 // The standard deviation of a statistic over resamples of `size` items, which are drawn with replacement. The
 // same draws each time.
@@ -39,42 +42,72 @@ std::vector<double> bootstrap_errors(std::size_t size, const Statistic& statisti
   return errors;
 }
 
-// A block of the design. One of the values is subtracted from all, so that constant values have no variance.
+// A block of the design. The first value of all is subtracted from all, so that constant values have no
+// variance.
 struct Block {
   double a, b;
   std::vector<double> mixed;  // a with the coordinate of b, by input
 };
 
-std::vector<Block> complete_blocks(const std::vector<double>& values, std::size_t inputs) {
+std::vector<Block> blocks_of(const std::vector<double>& values, std::size_t inputs) {
   std::vector<Block> blocks;
   for (auto at = values.begin(); at != values.end(); at += long(inputs) + 2)
-    if (std::all_of(at, at + long(inputs) + 2, [](double v) { return std::isfinite(v); }))
-      blocks.push_back({at[0], at[1], {at + 2, at + 2 + long(inputs)}});
+    blocks.push_back({at[0], at[1], {at + 2, at + 2 + long(inputs)}});
+  const auto first = std::ranges::find_if(values, [](double value) { return std::isfinite(value); });
+  const double origin = first == values.end() ? 0 : *first;
+  for (Block& block : blocks) {
+    block.a -= origin;
+    block.b -= origin;
+    for (double& value : block.mixed) value -= origin;
+  }
   return blocks;
+}
+
+// The mean and the variance of the points that are drawn independently, as far as they have a value.
+struct Moments {
+  double mean, variance;
+};
+Moments moments_of(const std::vector<Block>& blocks, const std::vector<std::size_t>& drawn) {
+  double n = 0, sum = 0, sum_of_squares = 0;
+  for (const std::size_t j : drawn) {
+    const bool has_a = std::isfinite(blocks[j].a), has_b = std::isfinite(blocks[j].b);
+    const double a = has_a ? blocks[j].a : 0, b = has_b ? blocks[j].b : 0;
+    n += has_a + has_b;
+    sum += a + b;
+    sum_of_squares += a * a + b * b;
+  }
+  const double mean = sum / n;
+  return {mean, sum_of_squares / n - mean * mean};
+}
+
+bool has_pair(const Block& block, std::size_t input) {
+  return std::isfinite(block.a) && std::isfinite(block.mixed[input]);
+}
+bool has_triple(const Block& block, std::size_t input) {
+  return has_pair(block, input) && std::isfinite(block.b);
 }
 
 // First-order indices, then total ones.
 std::vector<double> estimates(const std::vector<Block>& blocks, const std::vector<std::size_t>& drawn,
-                           std::size_t inputs) {
-  const double n = double(drawn.size());
-  double sum = 0, sum_of_squares = 0;
-  std::vector<double> products(inputs), changes(inputs), squares(inputs);
-  for (const std::size_t j : drawn) {
-    const Block& block = blocks[j];
-    sum += block.a + block.b;
-    sum_of_squares += block.a * block.a + block.b * block.b;
-    for (std::size_t i = 0; i < inputs; ++i) {
-      const double change = block.mixed[i] - block.a;
-      products[i] += block.b * change;
-      changes[i] += change;
-      squares[i] += change * change;
+                              std::size_t inputs) {
+  const auto [mean, variance] = moments_of(blocks, drawn);
+  std::vector<double> out(2 * inputs, kNone);
+  if (!(variance > 0)) return out;
+  for (std::size_t i = 0; i < inputs; ++i) {
+    double pairs = 0, triples = 0, products = 0, changes = 0, squares = 0;
+    for (const std::size_t j : drawn) {
+      if (!has_pair(blocks[j], i)) continue;
+      const double change = blocks[j].mixed[i] - blocks[j].a;
+      squares += change * change;
+      ++pairs;
+      if (!has_triple(blocks[j], i)) continue;
+      products += blocks[j].b * change;
+      changes += change;
+      ++triples;
     }
+    out[i] = (products - mean * changes) / (triples * variance);
+    out[inputs + i] = squares / (2 * pairs * variance);
   }
-  const double mean = sum / (2 * n), variance = sum_of_squares / (2 * n) - mean * mean;
-  std::vector<double> out;
-  for (std::size_t i = 0; i < inputs; ++i)
-    out.push_back(variance > 0 ? (products[i] - mean * changes[i]) / (n * variance) : kNone);
-  for (const double square : squares) out.push_back(variance > 0 ? square / (2 * n * variance) : kNone);
   return out;
 }
 
@@ -102,24 +135,25 @@ std::vector<std::vector<double>> saltelli_design(std::size_t base_points, std::s
 }
 
 SobolIndices sobol_indices(const std::vector<double>& values, std::size_t inputs) {
-  std::vector<Block> blocks = complete_blocks(values, inputs);
+  const std::vector<Block> blocks = blocks_of(values, inputs);
   const std::size_t n = blocks.size();
-  SobolIndices out{std::vector<Estimate>(inputs, {kNone, kNone}), std::vector<Estimate>(inputs, {kNone, kNone}), n};
-  if (n < 2) return out;
-  const double origin = blocks.front().a;
-  for (Block& block : blocks) {
-    block.a -= origin;
-    block.b -= origin;
-    for (double& value : block.mixed) value -= origin;
-  }
   const std::vector<double> indices = estimates(blocks, all_of(n), inputs);
   const std::vector<double> errors =
       bootstrap_errors(n, [&](const auto& drawn) { return estimates(blocks, drawn, inputs); });
-  // Where a resample has no variance, nearly all values are the same, and an index would be noise.
-  if (!std::ranges::all_of(errors, [](double one) { return std::isfinite(one); })) return out;
+  SobolIndices out;
+  const auto add = [&](std::vector<SobolIndex>& list, std::size_t i, std::size_t count) {
+    const double value = indices[i], error = errors[i];
+    // Where a resample has no variance, nearly all values are the same, and the error is NaN.
+    const bool possible =
+        error <= kLargestError && std::abs(value - 0.5) <= 0.5 + std::fmax(kOutside, kOutsideErrors * error);
+    if (count >= kLeastBlocks && possible) list.push_back({value, error, count});
+    else list.push_back({kNone, kNone, count});
+  };
   for (std::size_t i = 0; i < inputs; ++i) {
-    out.first[i] = {indices[i], errors[i]};
-    out.total[i] = {indices[inputs + i], errors[inputs + i]};
+    add(out.first, i,
+        std::size_t(std::ranges::count_if(blocks, [&](const Block& b) { return has_triple(b, i); })));
+    add(out.total, inputs + i,
+        std::size_t(std::ranges::count_if(blocks, [&](const Block& b) { return has_pair(b, i); })));
   }
   return out;
 }

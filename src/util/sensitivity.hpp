@@ -17,15 +17,26 @@ struct Estimate {
 std::vector<std::vector<double>> saltelli_design(std::size_t base_points, std::size_t inputs,
                                                  std::uint64_t seed);
 
+// The least number of blocks from which an index follows. Of designs with this number of blocks (Ishigami's
+// function and Sobol's g), 3 in 100 total indices have an error above 0.5, of those with half of it 13; 2
+// errors cover 85 and 81 of 100 (92 of those with 64 blocks).
+constexpr std::size_t kLeastBlocks = 16;
+
+// An index, and how many blocks of the design have the values that it needs.
+struct SobolIndex : Estimate {
+  std::size_t blocks = 0;
+};
+
 struct SobolIndices {
-  std::vector<Estimate> first, total;  // by input: S1 and ST
-  std::size_t complete = 0;            // blocks whose points all have a value; the others are left out
+  std::vector<SobolIndex> first, total;  // by input: S1 and ST
 };
 // First-order indices by Saltelli's estimator (as above) and total ones by Jansen's (M. J. W. Jansen, Comput.
 // Phys. Commun. 117, 1999), from the values at the points of the design. Jansen's estimator of first-order
-// indices is less accurate for the inputs that matter little. Values that are not finite are missing. The
-// indices are NaN if there are fewer than two complete blocks, or if all values are the same and have no
-// variance to share out.
+// indices is less accurate for the inputs that matter little. Values that are not finite are missing: a total
+// index follows from the pairs of a and of a with the coordinate of b, a first-order one from these with b,
+// the variance from all a and b. An index is NaN if fewer than kLeastBlocks blocks have its values; if its
+// error exceeds 0.5, because all possible indices, 0 to 1, are then within the error; if it lies outside of 0
+// to 1 by more than 3 errors and 0.1; or if nearly all values are the same and have no variance to share out.
 SobolIndices sobol_indices(const std::vector<double>& values, std::size_t inputs);
 
 // The value below which this share of the values lies, by linear interpolation between the ordered values. NaN

@@ -364,11 +364,10 @@ TEST_CASE("the result of a sample: its quantities are variables over it, first i
 
 TEST_CASE("Sobol indices and quantiles are stored with the result of a sample") {
   const Folder f;
-  const Experiment e =
-      f.load(R"({"bending": {"values": ["polar", "rod"]}, "sample": {"sobol": 8, "seed": 1,
+  const Experiment e = f.load(R"({"bending": {"values": ["polar", "rod"]}, "sample": {"sobol": 16, "seed": 1,
                  "over": {"k_r": {"log": [5, 50]}, "zeta_phi": {"uniform": [0.1, 0.1001]}}}})",
-             R"(, "analysis": {"sobol_indices": ["R_x", "R_n"], "quantiles": ["R_x"]})");
-  REQUIRE(e.points() == 2 * 8 * 4);
+                              R"(, "analysis": {"sobol_indices": ["R_x", "R_n"], "quantiles": ["R_x"]})");
+  REQUIRE(e.points() == 2 * 16 * 4);
   run_experiment(e, {.output = f.s.path("e.h5"), .threads = 2, .quiet = true});
   const ResultReader result(f.s.path("e.h5"));
   CHECK(result.damage().empty());
@@ -380,7 +379,7 @@ TEST_CASE("Sobol indices and quantiles are stored with the result of a sample") 
   const Variable& quantiles = result.variable("quantiles/quantile");
   CHECK(quantiles.shape == std::vector<std::size_t>{2, 1, 5});
   CHECK(std::is_sorted(quantiles.values.begin(), quantiles.values.begin() + 5));
-  CHECK(result.variable("quantiles/points").values.front() == 16);
+  CHECK(result.variable("quantiles/points").values.front() == 32);
   const auto columns = csv_columns(result, "indices");
   CHECK(columns[1].name == "output");
   CHECK(columns[1].cell(2) == "R_n");
@@ -390,25 +389,76 @@ TEST_CASE("Sobol indices and quantiles are stored with the result of a sample") 
   for (std::size_t i = 0; i < e.points(); ++i) CHECK(canonical_point(more, i) == canonical_point(e, i));
 }
 
-TEST_CASE("points without a value are left out of indices and quantiles, with their block, and counted") {
+TEST_CASE("indices and quantiles count the points that they use, and the ambiguous ones of these") {
   const Folder f;
-  // The load is beyond what some of the bristles carry.
+  // Points of the design a, b, a with the first coordinate of b, and with the second.
+  const Experiment e = f.load(
+      R"({"sample": {"sobol": 20, "seed": 1, "over": {"R_n": {"uniform": [0.5, 2.5]}, "k_r": {"log": [5, 50]}}}})",
+      R"(, "analysis": {"sobol_indices": ["R_x"], "quantiles": ["R_x"]})");
+  std::vector<double> statuses(80, double(PointStatus::ok)), values;
+  const std::vector<experiment::Axis>& columns = e.axes.front().columns;
+  for (std::size_t i = 0; i < 80; ++i) values.push_back(10 * columns[0].values[i] + columns[1].values[i]);
+  for (const std::size_t i : {4, 5, 10, 15}) {
+    statuses[i] = double(PointStatus::unreachable);
+    values[i] = NAN;
+  }
+  for (const std::size_t i : {20, 22, 23}) statuses[i] = double(PointStatus::ambiguous);
+  // These points have values, which count.
+  statuses[24] = double(PointStatus::not_converged);
+  statuses[25] = double(PointStatus::load_jump);
+  const auto groups = run::analyse(e, {{"R_x", values}, {"status", statuses}});
+  const auto column = [](const results::Group& group, const std::string& name) {
+    const auto at = std::ranges::find(group.columns, name, &results::Column::name) - group.columns.begin();
+    return group.values.at(std::size_t(at));
+  };
+  CHECK(column(groups[0], "blocks") == std::vector<double>{18, 18});
+  CHECK(column(groups[0], "S1_blocks") == std::vector<double>{18, 18});
+  CHECK(column(groups[0], "ambiguous") == std::vector<double>{3, 3});
+  CHECK(column(groups[1], "points") == std::vector<double>(5, 38));
+  CHECK(column(groups[1], "ambiguous") == std::vector<double>(5, 1));
+  const std::string text = run::analysis_text(e, groups);
+  CHECK_THAT(
+      text,
+      Catch::Contains("; from 18 of 20 pairs, as the others have points without a value") &&
+          Catch::Contains("; 2 points have no value and are left out; ambiguous points among those used: 1"));
+}
+
+TEST_CASE("an index of too few points is missing, and the text says what to do") {
+  const Folder f;
+  // The load is beyond what many of the bristles carry.
   const Experiment e =
       f.load(R"({"sample": {"sobol": 16, "seed": 1, "over": {"R_n": {"uniform": [0.5, 2.5]}, "k_r": {"log": [5, 50]}}}})",
              R"(, "analysis": {"sobol_indices": ["R_x"], "quantiles": ["R_x"]})");
   run_experiment(e, {.output = f.s.path("e.h5"), .threads = 2, .quiet = true});
   const ResultReader result(f.s.path("e.h5"));
   const std::vector<double>& values = result.variable("R_x").values;
-  std::size_t complete = 0, present = 0;
+  std::size_t present = 0;
+  std::vector<double> pairs(2), triples(2);
   for (std::size_t block = 0; block < 16; ++block) {
     const auto has = [&](std::size_t i) { return std::isfinite(values[4 * block + i]); };
-    complete += has(0) && has(1) && has(2) && has(3);
     present += std::size_t(has(0)) + std::size_t(has(1));
+    for (std::size_t i = 0; i < 2; ++i) {
+      pairs[i] += has(0) && has(2 + i);
+      triples[i] += has(0) && has(1) && has(2 + i);
+    }
   }
-  REQUIRE(complete < 16);
-  REQUIRE(complete > 2);
-  CHECK(result.variable("indices/blocks").values.front() == double(complete));
+  REQUIRE(std::max(pairs[0], pairs[1]) < 16);
+  CHECK(result.variable("indices/blocks").values == pairs);
+  CHECK(result.variable("indices/S1_blocks").values == triples);
+  for (const char* name : {"S1", "S1_err", "ST", "ST_err"})
+    for (const double value : result.variable(std::string("indices/") + name).values)
+      CHECK(std::isnan(value));
   CHECK(result.variable("quantiles/points").values.front() == double(present));
+  const auto groups = run::analyse(e, {{"R_x", values}, {"status", std::vector<double>(values.size(), 0)}});
+  CHECK_THAT(run::analysis_text(e, groups),
+             Catch::Contains(" of 16 pairs; an index needs 16: raise sobol, or choose ranges in which more "
+                             "points have a value") &&
+                 Catch::Contains("too few of the points have a value: "));
+  const auto none =
+      run::analyse(e, {{"R_x", std::vector<double>(64, NAN)}, {"status", std::vector<double>(64, 0)}});
+  CHECK_THAT(
+      run::analysis_text(e, none),
+      Catch::Contains("quantiles of R_x: none, as none of 32 points has a value") && !Catch::Contains("nan"));
 }
 
 TEST_CASE("an analysis needs a sample, and variables of the result") {

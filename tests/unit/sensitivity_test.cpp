@@ -28,7 +28,8 @@ const double kFirst[] = {0.3139, 0.4424, 0}, kTotal[] = {0.5576, 0.4424, 0.2437}
 
 TEST_CASE("Sobol indices of Ishigami's function") {
   const SobolIndices found = sobol_indices(values_of(ishigami, 4096, 3), 3);
-  CHECK(found.complete == 4096);
+  CHECK(found.total[2].blocks == 4096);
+  CHECK(found.first[2].blocks == 4096);
   for (std::size_t i = 0; i < 3; ++i) {
     CHECK(std::abs(found.first[i].value - kFirst[i]) < 3 * found.first[i].error + 1e-3);
     CHECK(std::abs(found.total[i].value - kTotal[i]) < 3 * found.total[i].error + 1e-3);
@@ -61,16 +62,54 @@ TEST_CASE("an additive function: first-order and total indices are the shares of
   }
 }
 
-TEST_CASE("a constant function has no indices, and missing values cost their block only") {
+TEST_CASE("a constant function has no indices, and missing values cost the pairs that need them only") {
   const SobolIndices constant = sobol_indices(values_of([](const auto&) { return 0.1; }, 64, 2), 2);
   CHECK(std::isnan(constant.total[0].value));
   CHECK(std::isnan(constant.first[1].error));
   auto values = values_of(ishigami, 512, 3);
-  for (const std::size_t i : {7, 8, 1000}) values[i] = std::numeric_limits<double>::quiet_NaN();
+  for (const std::size_t i : {7, 8, 1000, 2006}) values[i] = std::numeric_limits<double>::quiet_NaN();
+  // Missing are input 0 of block 1, input 1 of block 1, the point a of block 200, and the point b of block
+  // 401.
   const SobolIndices found = sobol_indices(values, 3);
-  CHECK(found.complete == 510);
-  CHECK(found.total[0].value == Approx(kTotal[0]).margin(3 * found.total[0].error));
+  const std::size_t pairs[] = {510, 510, 511};
+  for (std::size_t i = 0; i < 3; ++i) {
+    CHECK(found.total[i].blocks == pairs[i]);
+    CHECK(found.first[i].blocks == pairs[i] - 1);
+    CHECK(found.total[i].value == Approx(kTotal[i]).margin(3 * found.total[i].error));
+    CHECK(found.first[i].value == Approx(kFirst[i]).margin(3 * found.first[i].error));
+  }
   CHECK(std::isnan(sobol_indices(std::vector<double>(5, NAN), 3).total[0].value));
+}
+
+TEST_CASE("total indices use every pair, also where no block has all values") {
+  auto values = values_of(ishigami, 4096, 3);
+  // In turn, one of the points of a block has no value: b, or a with a coordinate of b.
+  for (std::size_t block = 0; block < 4096; ++block) values[5 * block + 1 + block % 4] = NAN;
+  const SobolIndices found = sobol_indices(values, 3);
+  for (std::size_t i = 0; i < 3; ++i) {
+    CHECK(found.total[i].blocks == 3072);
+    CHECK(found.first[i].blocks == 2048);
+    CHECK(found.total[i].value == Approx(kTotal[i]).margin(3 * found.total[i].error + 1e-3));
+    CHECK(found.first[i].value == Approx(kFirst[i]).margin(3 * found.first[i].error + 1e-3));
+  }
+}
+
+TEST_CASE("an index from too few pairs, or with an error that covers all indices, has no value") {
+  for (std::uint64_t seed = 0; seed < 200; ++seed)
+    for (const std::size_t with_values : {1, 2, 4, 15, 16, 20}) {
+      auto values = values_of(ishigami, 64, 3, seed);
+      for (std::size_t i = 5 * with_values; i < values.size(); ++i) values[i] = NAN;
+      const SobolIndices found = sobol_indices(values, 3);
+      for (const auto* list : {&found.first, &found.total})
+        for (const SobolIndex& index : *list) {
+          CHECK(index.blocks == with_values);
+          if (with_values < kLeastBlocks) CHECK(std::isnan(index.value));
+          CHECK(std::isnan(index.value) == std::isnan(index.error));
+          if (std::isnan(index.value)) continue;
+          CHECK(index.error <= 0.5);
+          CHECK(std::abs(index.value - 0.5) <= 0.5 + std::fmax(0.1, 3 * index.error));
+        }
+    }
 }
 
 TEST_CASE("a longer design begins with the shorter one") {

@@ -24,7 +24,7 @@ DOTS = ("Dots: the points of the sample, circles, squares and triangles in the o
 
 def MARKS(file):
     indices = table(file, "indices")
-    return f"{NOTE.format('' if indices is None else left_out(indices))} {DOTS}"
+    return f"{NOTE.format('' if indices is None else left_out(file, indices))} {DOTS}"
 
 
 @one_page
@@ -34,15 +34,13 @@ def draw(file):
         raise BristleError(f"{place_of(file)}: has no group indices; the experiment needs "
                            '"analysis": {"sobol_indices": [...]} (in Python, open the file by open_result)')
     table_with(file, "indices", "S1", "S1_err", "ST", "ST_err", "blocks")
-    if np.isnan(indices["ST"].values).all():
-        raise BristleError(f"{place_of(file)}: no index in the group indices has a value; `bristle info` says why")
     wanted = list(product([str(name) for name in indices["output"].values], places(file)))
     # All bars first, then the dots.
     panels = lettered([(kind, output, place) for kind in (draw_indices, draw_dots) for output, place in wanted])
     cell, columns = across(min(len(panels), len(wanted)), Cell(5.6, 3.6, 1.0, 0.6, 4.3, 2.7), 0.5)
     below = LEGEND_INCHES if paper_width() is None else 0  # of the legend
     rows = -(-len(panels) // columns)
-    figure, bottom = sheet(file, cell.width * columns, cell.height * rows + below, f"{NOTE.format(left_out(indices))}\n{DOTS}")
+    figure, bottom = sheet(file, cell.width * columns, cell.height * rows + below, f"{NOTE.format(left_out(file, indices))}\n{DOTS}")
     for (letter, (draw_panel, output, place)), corner in zip(panels, corners(len(panels), columns, cell, bottom + below)):
         axes = place_cell(figure, corner, cell)
         what, at = draw_panel(axes, file, output, indices.sel(output=output).isel(place), place), place_text(file, place)
@@ -71,10 +69,13 @@ def symbol(file, name):
     return style.symbol(dataset(file, "R_n_target" if name == "R_n" and "R_n_target" in file else name))
 
 
-def left_out(indices):
-    """A sentence on blocks of the design that have points without values."""
-    blocks = indices["blocks"].values
-    return "" if blocks.min() == blocks.max() else f" From {blocks.min()} to {blocks.max()} blocks without missing values."
+def left_out(file, indices):
+    """A sentence on blocks of the design that lack values of total indices."""
+    blocks, total = indices["blocks"].values, dataset(file, "sample").size // (indices.sizes["input"] + 2)
+    fewest, most = blocks.min(), blocks.max()
+    if fewest == total:
+        return ""
+    return f" From {most if fewest == most else f'{fewest} to {most}'} of {total} blocks, as the others lack values."
 
 
 def largest(indices):
@@ -95,6 +96,8 @@ def draw_indices(axes, file, output, indices, _place):
         axes.errorbar(at + width / 5, of_model["S1"], of_model["S1_err"], fmt="o", markersize=3.5, color="black", markerfacecolor="white",
                       linewidth=0.8)
     axes.axhline(0, color="black", linewidth=0.6)
+    if np.isnan(indices["ST"].values).all():
+        axes.text(0.5, 0.5, "no value: too few points have one", transform=axes.transAxes, ha="center")
     low, high = axes.get_ylim()
     axes.set_ylim(max(low, -0.5), min(high, 1.5))  # errors of few blocks are large
     axes.set_xticks(range(len(inputs)), [symbol(file, name) for name in inputs])
