@@ -193,7 +193,7 @@ class PointSolver {
     return first_crossing([this](double z_0, Accuracy accuracy) { return load_at(z_0, accuracy); }, search);
   }
 
-  // Precise: if R_n is at the target, as accurate as the reported values.
+  // Precise: if R_n may be at the target, as accurate as the reported values.
   Load load_at(double z_0, Accuracy accuracy) {
     EnsembleMean& mean = mean_at(z_0);
     purpose_ = accuracy == Accuracy::rough ? SCAN : CROSSING;
@@ -201,7 +201,8 @@ class PointSolver {
     const auto distance = [&] { return std::abs(e->mean[R_N] - loading_.R_n); };
     const bool rough = accuracy == Accuracy::rough;
     if (e->incomplete == 0 && !rough) e = &mean.precise_load(loading_.R_n);
-    if (e->incomplete == 0 && !rough && distance() <= 2 * setup_.orientation.rtol * loading_.R_n) {
+    const double near = std::max(2 * setup_.orientation.rtol * loading_.R_n, e->converged ? 0 : e->error[R_N]);
+    if (e->incomplete == 0 && !rough && distance() <= near) {
       purpose_ = VALUES;
       e = &mean.full();
     }
