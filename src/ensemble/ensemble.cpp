@@ -12,8 +12,8 @@ namespace {
 
 // rough_load() refines to at most this multiple of the tolerance.
 constexpr double kRoughFactor = 4;
-// Nodes that the search for a load takes at most where outcomes alternate at every scale.
-constexpr std::size_t kAlternatingForLoad = 128;
+// Nodes that the search for a load, and the values of a point, take at most where outcomes alternate at every scale.
+constexpr std::size_t kAlternatingForLoad = 128, kAlternatingForValues = 8192;
 
 // Maximum panel widths (rad) of full(), for bristles that point forward and backward. Nodes are then at most
 // 2.5 and 1.25 degrees apart, which resolves the intervals in which the number of bounces changes (measured
@@ -164,6 +164,7 @@ const Ensemble& EnsembleMean::precise_load(double R_n_target) {
 const Ensemble& EnsembleMean::full() {
   if (full_) return known();
   QuadratureGoal all = goal();
+  all.most_alternating = kAlternatingForValues;
   all.too_wide = [pole = has_pole(setup_.parameters.bending)](double left, double right) {
     return too_wide(pole, left, right);
   };
