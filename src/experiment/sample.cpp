@@ -317,7 +317,9 @@ void check_values(const Document& document, const std::string& name, const std::
 void require_distinct(const Document& document, const JsonPointer& at, double low, double high,
                       std::size_t count) {
   const double size = std::max(std::abs(low), std::abs(high));
-  const double digit = std::pow(10, std::floor(std::log10(size)) - 6);  // the seventh
+  double digit = 1e-6;  // the seventh
+  for (double rest = size; rest >= 10; rest /= 10) digit *= 10;
+  for (double rest = size; rest < 1 && rest > 0; rest *= 10) digit /= 10;
   const double values = std::floor((high - low) / digit * (1 + 1e-9)) + 1;
   if (values >= double(count)) return;
   document.fail(at.to_string(), fmt::format("the range from {} to {} has {} value{} of seven digits, to which values are "

@@ -92,7 +92,7 @@ expect 0 "brush.h5: unreachable at the only point: no gap carries the load; use 
 expect 0 "did not leave the slab within 1000 evaluations of the equations; raise /integrator/max_evaluations" \
   "${brush[@]}" --set /integrator/max_evaluations=1000
 expect 0 "raise /integrator/max_evaluations_per_point" "${brush[@]}" --set /integrator/max_evaluations_per_point=1000
-expect 0 "warning: --set /model/k_r=3: /model/k_r: has no effect" "${brush[@]}" --set /model/k_r=3
+expect 2 "--set /model/k_r=3: /model/k_r: has no effect" "${brush[@]}" --set /model/k_r=3
 for name in . .. .hidden; do
   expect 2 "new: NAME \"$name\" is not allowed: an experiment is a file" in_folder "$folder/project" "$program" new $name
 done

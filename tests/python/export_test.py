@@ -120,7 +120,7 @@ def check_info(path, data):
     assert info["payload_sha256"] == data.attrs["payload_sha256"] and info["damage"] == []
     assert info["axes"]["bending"] == ["polar", "polar_as_printed", "rod"]
     assert info["axes"]["k_r"] == data["k_r"].values.tolist()
-    assert info["points"] == {"ok": 40, "ambiguous": 1, "unreachable": 4} and info["failures"] == {}
+    assert info["points"] == {"ok": 39, "ambiguous": 2, "unreachable": 4} and info["failures"] == {}
     assert info["variables"]["R_x"]["max"] == float(data["R_x"].max())
     assert info["variables"]["R_x"]["dimensions"] == ["bending", "k_r", "k_theta"]
     assert info["variables"]["incomplete_theta_0"]["missing"] == 45
