@@ -233,7 +233,7 @@ void EnsembleMean::take(const QuadratureResult& result) {
 }
 
 bool EnsembleMean::interrupt() {
-  if (full_ || !quadrature_ || passages_.empty() || out_.incomplete > 0) return false;
+  if (full_ || !quadrature_ || !quadrature_->alternates() || out_.incomplete > 0) return false;
   take(quadrature_->interrupted());
   full_ = true;
   add_hidden_errors();

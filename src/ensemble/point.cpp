@@ -231,7 +231,7 @@ class PointSolver {
     return out;
   }
 
-  // If the limit of work ends the mean, its values so far are not converged. The estimate of the integrator's error
+  // If the limit of work ends a mean over alternating outcomes, its values so far are not converged. The estimate of the integrator's error
   // may then exceed the limit by some dozens of passages.
   PointResult at_given_gap(double z_0) {
     try {

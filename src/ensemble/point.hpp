@@ -35,7 +35,7 @@ enum class PointStatus {
   not_converged,  // there are values, but with an error above rtol
   absent,         // the traced curve has fewer nodes
   failed,         // an error ended the computation: no values; the result has its message
-  work_limit,     // integrator.max_evaluations_per_point was reached in a load search or a list: no values
+  work_limit,     // integrator.max_evaluations_per_point was reached: no values
   ambiguous,      // there are values, but within the errors another crossing of the target may be the first
   inaccurate,     // there are values, but the energy residual exceeds kMaxEnergyResidual
   undefined       // there are values, but some or their errors are NaN: ratios to a load or friction of zero

@@ -68,6 +68,8 @@ class Quadrature {
   // Samples until the goal is met. A later call, with another goal, continues from the existing samples.
   const QuadratureResult& refine(const QuadratureGoal& goal);
 
+  // Whether a range has alternating labels. Its error is statistical, and so holds with any number of nodes.
+  bool alternates() const;
   // The result of the samples so far, as not converged, after the function has thrown.
   const QuadratureResult& interrupted();
 

@@ -15,6 +15,8 @@ constexpr double kLeastIntervals = 32;
 
 }  // namespace
 
+bool Quadrature::alternates() const { return std::ranges::any_of(panels_, &Panel::alternating); }
+
 // The trapezoidal rule. The nodes are equidistant but for rounding.
 void Quadrature::evaluate_alternating(Panel& panel) {
   Values integral{}, variance{};
