@@ -121,7 +121,7 @@ Group verification_group(const Experiment& e, const Verification& verified) {
   Table table("verification", numbers("solution", "0: recommended", 1));
   add_objectives(table, e, [&](std::size_t) { return verified.objectives; });
   table.add(integer("brushes", "brushes as made, each with its deviations"), [&](std::size_t) { return verified.brushes; });
-  table.add(integer("missing", "brushes without a value of an objective in a scenario"),
+  table.add(integer("missing", "brushes without a value of an objective or a constraint in a scenario"),
             [&](std::size_t) { return verified.missing; });
   table.add(integer("violated", "brushes with values beyond a constraint"),
             [&](std::size_t) { return verified.violated; });
@@ -193,7 +193,8 @@ std::string verification_text(const Experiment& e, const Verification& verified)
   const auto share = [&](std::size_t count) { return 100 * double(count) / double(verified.brushes); };
   std::string out = fmt::format("  of {} brushes with other deviations: {}\n", verified.brushes, objectives_text(e, verified));
   if (verified.missing > 0)
-    out += fmt::format("  {:.1f} % of these brushes have no value in some scenario and are left out\n", share(verified.missing));
+    out += fmt::format("  {:.1f} % of these brushes have no value in some scenario and are left out there\n",
+                       share(verified.missing));
   if (verified.violated > 0)
     out += fmt::format("  {:.1f} % of these brushes violate a constraint\n", share(verified.violated));
   return out;

@@ -274,8 +274,11 @@ Verification Trials::verify(const Values& nominal) const {
     for (std::size_t s = 0; s < scenarios(); ++s) {
       const results::PointRecord& record = records[row * scenarios() + s];
       for (const Objective& o : design_.objectives) missing = missing || std::isnan(value_of(record, o.variable).value);
-      for (const experiment::Constraint& c : design_.constraints)
-        violated = violated || (c.variable != experiment::kJumpMargin && excess(c, record) > 0);
+      for (const experiment::Constraint& c : design_.constraints) {
+        if (c.variable == experiment::kJumpMargin) continue;
+        missing = missing || std::isinf(excess(c, record));
+        violated = violated || excess(c, record) > 0;
+      }
     }
     out.missing += missing;
     out.violated += violated && !missing;

@@ -47,7 +47,7 @@ struct Verification {
   std::vector<Estimate> objectives;    // of the brushes with a value, in the scenario where each objective is worst
   std::vector<std::size_t> scenarios;  // by objective
   std::size_t brushes;
-  std::size_t missing;   // brushes without a value of an objective in a scenario
+  std::size_t missing;   // brushes without a value of an objective or a constraint in a scenario
   std::size_t violated;  // brushes with values beyond a constraint
 };
 

@@ -338,6 +338,32 @@ TEST_CASE("design: trials whose deviations have no value are left out, and the t
   CHECK_THAT(file.provenance().at("design"), Catch::Contains("every trial has points without a value"));
 }
 
+TEST_CASE(
+    "design: a verification leaves out and counts brushes without a value, and those beyond a constraint") {
+  const Folder f;
+  const Experiment e =
+      f.load(R"({"variables": {"k_r": [5, 40]}, "budget": 1, "tolerances": {"k_r": {"uniform": 0.1}},
+      "objectives": [{"minimise": "R_x", "of": "mean"}], "constraints": [{"variable": "R_n", "max": 1}]})",
+             std::string(R"(, "sweep": {"V_s": {"values": [0.01, 0.02]}})") + kFew);
+  // Of 256 brushes in two scenarios: R_x is the brush's number; 10 brushes have no R_x in the second
+  // scenario, one has no R_n in the first, and 30, among them the 10, have an R_n beyond the constraint.
+  const auto solve = [](const Experiment&, const std::vector<std::size_t>& points, design::Purpose) {
+    std::vector<results::PointRecord> out(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const std::size_t brush = i / 2, scenario = i % 2;
+      out[i].values["R_x"] = {brush < 10 && scenario == 1 ? NAN : double(brush)};
+      out[i].values["R_n"] = {brush == 40 && scenario == 0 ? NAN : brush < 30 ? 2 : 0.5};
+    }
+    return out;
+  };
+  const design::Verification found = design::Trials(e, solve).verify({{"k_r", 10}});
+  CHECK(found.brushes == 256);
+  CHECK(found.missing == 11);
+  CHECK(found.violated == 20);
+  CHECK(found.scenarios.front() == 1);
+  CHECK(found.objectives.front().value == Approx((10 + 255) / 2.0));
+}
+
 TEST_CASE("malformed designs: the message names place, value and remedy") {
   const Folder f;
   const auto with = [](const std::string& variables, const std::string& rest = "") {
