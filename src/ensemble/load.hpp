@@ -39,6 +39,10 @@ enum class LoadStatus {
   failed        // the curve could not be computed
 };
 
+// The wall is soft: bristles carry a load at gaps above first contact. Gaps higher than this number of wall
+// ranges lambda_z above it are neither given nor searched: the wall's force falls to exp(-100) there.
+constexpr double kWallRangesAboveContact = 100;
+
 struct LoadSearch {
   double target = 2;  // R_n/N_c0
   LoadPath path = LoadPath::loading;

@@ -78,7 +78,7 @@ GapLoad above_contact(LoadsOnPath& loads) {
   const LoadSearch& search = loads.search;
   GapLoad probe = loads.at(search.first_contact, Accuracy::precise);
   double height = search.wall_range;  // above first contact
-  while (probe.load.R_n >= search.target && height < 100 * search.wall_range) {
+  while (probe.load.R_n >= search.target && height < kWallRangesAboveContact * search.wall_range) {
     probe = loads.at(search.first_contact + height, Accuracy::precise);
     height *= 2;
   }

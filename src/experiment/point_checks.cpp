@@ -1,6 +1,7 @@
 #include "experiment/point_checks.hpp"
 
 #include "ensemble/lattice.hpp"
+#include "ensemble/load.hpp"
 #include "experiment/overrides.hpp"
 #include "model/elementary.hpp"
 
@@ -28,20 +29,23 @@ Experiment along(const Experiment& e, const std::vector<std::string>& axes) {
 }
 
 void check_gap(const Document& d, const Experiment& experiment) {
-  const Experiment e = along(experiment, {"z_0", "z_0_m", "r0_m", "phi_0_deg"});
+  const Experiment e = along(experiment, {"z_0", "z_0_m", "r0_m", "phi_0_deg", "lambda_z"});
   for (std::size_t i = 0; i < e.points(); ++i) {
     const PointInput point = e.point(i);
-    const double highest = sin(point.setup.parameters.phi_0);
+    const Parameters& p = point.setup.parameters;
+    const double highest = sin(p.phi_0) + kWallRangesAboveContact * p.lambda_z;
     if (!point.loading.z_0) return;
     if (*point.loading.z_0 <= highest) continue;
     const std::string where = e.points() > 1 ? fmt::format(" at {}", e.place(i)) : "";
     if (const auto in_m = point.si.find("z_0_m"); in_m != point.si.end())
       d.fail(place_of(d, "z_0_m").to_string(),
-             fmt::format("{} m is above first contact{}; allowed: at most r_0 sin(phi_0) = {:.6g} m", in_m->second,
-                         where, highest * point.si.at("r0_m")));
+             fmt::format("{} m is above first contact{}, beyond the wall; allowed: at most r_0 (sin(phi_0) + "
+                         "{:g} lambda_z) = {:.6g} m",
+                         in_m->second, where, kWallRangesAboveContact, highest * point.si.at("r0_m")));
     d.fail(place_of(d, "z_0").to_string(),
-           fmt::format("{} is above first contact{}; allowed: at most sin(phi_0) = {:.6f}", *point.loading.z_0, where,
-                       highest));
+           fmt::format("{} is above first contact{}, beyond the wall; allowed: at most sin(phi_0) + {:g} "
+                       "lambda_z = {:.6f}",
+                       *point.loading.z_0, where, kWallRangesAboveContact, highest));
   }
 }
 

@@ -1,7 +1,9 @@
 #include "design/design.hpp"
 #include "design/statistics.hpp"
+#include "ensemble/point.hpp"
 #include "experiment/experiment.hpp"
 #include "results/reader.hpp"
+#include "simd/runner.hpp"
 #include "scratch.hpp"
 
 #include "catch.hpp"
@@ -62,13 +64,36 @@ TEST_CASE("a second model is checked before the first trial") {
              Catch::Contains("\"no_such\" is not a variable of the result"));
 }
 
+TEST_CASE("a gap above first contact that the load search finds can be given, and has the same load") {
+  const Folder f;
+  const std::string soft =
+      R"(, "model": {"lambda_z": 0.005}, "orientation": {"sampling": "list", "theta_0_deg": [20, 110]})";
+  const auto solved = [&](const std::string& load) {
+    const experiment::PointInput input = f.load(soft + R"(, "load": )" + load).point(0);
+    return solve_point(input.setup, input.loading, make_runner(Engine::fast));
+  };
+  for (const char* target : {"1e-2", "1e-3", "1e-6"}) {
+    const PointResult found = solved(fmt::format(R"({{"R_n": {}}})", target));
+    REQUIRE(found.status == PointStatus::ok);
+    REQUIRE(found.z_0 > std::sin(80 * M_PI / 180));
+    const PointResult given = solved(fmt::format(R"({{"R_n": null, "path": null, "z_0": {}}})", found.z_0));
+    CHECK(given.status == PointStatus::ok);
+    CHECK(given.value[R_N] == Approx(found.value[R_N]).epsilon(2e-3));
+  }
+  // At the highest gap that is allowed the load vanishes.
+  CHECK(solved(R"({"R_n": null, "path": null, "z_0": 1.4848})").value[R_N] < 1e-15);
+}
+
 TEST_CASE("the extremes of a design are checked together") {
   const Folder f;
-  CHECK_THAT(f.error(R"(, "load": {"R_n": null, "path": null})" + design(R"("phi_0_deg": [50, 85], "z_0": [0.5, 0.9])")),
+  CHECK_THAT(f.error(R"(, "load": {"R_n": null, "path": null})" +
+                     design(R"("phi_0_deg": [50, 85], "z_0": [0.5, 0.9])")),
              Catch::Contains("/design/variables/z_0: 0.9 is above first contact at") &&
-                 Catch::Contains("phi_0_deg = 50") && Catch::Contains("allowed: at most sin(phi_0) = 0.766"));
-  CHECK_THAT(f.error(kGap + design(R"("k_r": [5, 9])", R"(, "tolerances": {"phi_0_deg": {"uniform": 0.1}})"), {"/load/z_0=0.96"}),
-             Catch::Contains("/load/z_0: 0.96 is above first contact at"));
+                 Catch::Contains("phi_0_deg = 50") &&
+                 Catch::Contains("allowed: at most sin(phi_0) + 100 lambda_z = 0.866"));
+  CHECK_THAT(f.error(kGap + design(R"("k_r": [5, 9])", R"(, "tolerances": {"phi_0_deg": {"uniform": 0.1}})"),
+                     {"/load/z_0=1.06"}),
+             Catch::Contains("/load/z_0: 1.06 is above first contact at"));
   CHECK_THAT(f.error(kGap + R"(, "orientation": {"sampling": "lattice", "rows": 100})" + design(R"("spacing": [0.1, 0.2])")),
              Catch::Contains("/design/variables/spacing: cannot vary with \"sampling\": \"lattice\""));
   CHECK_THAT(f.error(kGap + design(R"("A": [1.0001, 1.5])")), Catch::Contains("/design/variables/A: 1.0001 has no maximum"));

@@ -102,8 +102,14 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
        "inherited key)"},
       {with(R"("load": {"R_n": null})"),
        "@/e.json: /load: none of R_n, z_0 and trace is given, here or in the sweep"},
-      {with(R"("load": {"R_n": null, "z_0": 0.99})"),
-       "@/e.json: /load/z_0: 0.99 is above first contact; allowed: at most sin(phi_0) = 0.984808"},
+      {with(R"("load": {"R_n": null, "z_0": 1.085})"),
+       "@/e.json: /load/z_0: 1.085 is above first contact, beyond the wall; allowed: at most sin(phi_0) + "
+       "100 lambda_z = "
+       "1.084808"},
+      {with(R"("sweep": {"lambda_z": {"values": [0.0005, 0.001]}}, "load": {"R_n": null, "z_0": 1.08})"),
+       "@/e.json: /load/z_0: 1.08 is above first contact at lambda_z = 0.0005, beyond the wall; allowed: at "
+       "most "
+       "sin(phi_0) + 100 lambda_z = 1.034808"},
       {with(R"("sweep": {"k_r": {"values": []}})"),
        "@/e.json: /sweep/k_r/values: [] is not allowed; allowed: an array of at least 1, each a number or a "
        "string "
@@ -219,8 +225,10 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
        "@/e.json: /load: more than one of R_n, z_0 and trace is given: /si/R_n_N, /si/z_0_m; keep one (a "
        "null "
        "removes an inherited key)"},
-      {with(R"("si": {"m_kg": 1, "r0_m": 2, "V0_m_per_s": 1, "z_0_m": 1.99}, "load": {"R_n": null})"),
-       "@/e.json: /si/z_0_m: 1.99 m is above first contact; allowed: at most r_0 sin(phi_0) = 1.96962 m"},
+      {with(R"("si": {"m_kg": 1, "r0_m": 2, "V0_m_per_s": 1, "z_0_m": 2.2}, "load": {"R_n": null})"),
+       "@/e.json: /si/z_0_m: 2.2 m is above first contact, beyond the wall; allowed: at most r_0 (sin(phi_0) "
+       "+ 100 lambda_z) "
+       "= 2.16962 m"},
       {with(R"("load": {"R_n": null, "z_0": 0.9, "nominal_friction": 2})"),
        "@/e.json: /load/nominal_friction: needs a target load R_n, which it multiplies"},
       {with(R"("sweep": {"nominal_friction": {"values": [1]}, "tau_f": {"values": [1]}})"),
