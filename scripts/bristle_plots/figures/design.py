@@ -96,7 +96,7 @@ def draw_indices(axes, indices, trials):
     for i, look in zip(range(indices.sizes["objective"]), bar_looks()):
         at = np.arange(len(inputs)) - 0.4 + (i + 0.5) * width
         one = indices.isel(objective=i)
-        axes.bar(at, one["ST"], width * 0.9, yerr=one["ST_err"], error_kw={"linewidth": 0.8}, **look,
+        axes.bar(at, np.nan_to_num(one["ST"]), width * 0.9, yerr=np.nan_to_num(one["ST_err"]), error_kw={"linewidth": 0.8}, **look,
                  label=label(trials[f"objective_{i + 1}"]))
     axes.set_xticks(range(len(inputs)), [f"${attribute(trials[name], 'symbol')}$" for name in inputs])
     axes.set_ylabel("total Sobol index\nover the tolerances")

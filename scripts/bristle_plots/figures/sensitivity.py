@@ -91,13 +91,17 @@ def draw_indices(axes, file, output, indices, _place):
     for i, (model, look) in enumerate(zip(models, bar_looks())):
         at = np.arange(len(inputs)) - 0.4 + (i + 0.5) * width
         of_model = indices.isel(bending=i) if "bending" in indices.dims else indices
-        axes.bar(at, of_model["ST"], width * 0.9, yerr=of_model["ST_err"], **look,
+        # An index without a value has no bar and no circle.
+        axes.bar(at, np.nan_to_num(of_model["ST"]), width * 0.9, yerr=np.nan_to_num(of_model["ST_err"]), **look,
                  error_kw={"linewidth": 0.8}, label=reading_name(model) or "total index")
-        axes.errorbar(at + width / 5, of_model["S1"], of_model["S1_err"], fmt="o", markersize=3.5, color="black", markerfacecolor="white",
+        first, error = of_model["S1"].values, of_model["S1_err"].values
+        shown = np.isfinite(first)
+        axes.errorbar(at[shown] + width / 5, first[shown], error[shown], fmt="o", markersize=3.5, color="black", markerfacecolor="white",
                       linewidth=0.8)
     axes.axhline(0, color="black", linewidth=0.6)
     if np.isnan(indices["ST"].values).all():
-        axes.text(0.5, 0.5, "no value: too few points have one", transform=axes.transAxes, ha="center")
+        axes.text(0.5, 0.5, "no index: too few points have a value", transform=axes.transAxes, ha="center")
+        axes.set_ylim(0, 1)
     low, high = axes.get_ylim()
     axes.set_ylim(max(low, -0.5), min(high, 1.5))  # errors of few blocks are large
     axes.set_xticks(range(len(inputs)), [symbol(file, name) for name in inputs])
