@@ -1,5 +1,6 @@
 #include "experiment/friction_law.hpp"
 
+#include "experiment/overrides.hpp"
 #include "model/friction/formula.hpp"
 #include "model/friction/laws.hpp"
 
@@ -56,17 +57,23 @@ std::shared_ptr<const ModulationTable> read_formula(const Document& d, const Jso
   }
 }
 
+// Whether some point has the law: by an axis, a column of the sample, or the model.
+bool uses_custom(const Json& json, const std::vector<Axis>& axes) {
+  for (const Axis& axis : axes)
+    for (const auto& varied : {std::vector{axis}, axis.columns})
+      if (const auto found = std::ranges::find(varied, "friction", &Axis::name); found != varied.end())
+        return std::ranges::count(found->values, double(FrictionLaw::custom)) > 0;
+  return json["model"]["friction"] == Custom::name;
+}
+
 }  // namespace
 
 std::shared_ptr<const ModulationTable> read_friction_law(const Document& d, const std::vector<Axis>& axes) {
   const Json& json = d.json();
-  const auto axis = std::ranges::find(axes, "friction", &Axis::name);
-  const bool varied = axis != axes.end();
-  const bool used = varied ? std::ranges::count(axis->values, double(FrictionLaw::custom)) > 0
-                           : json["model"]["friction"] == Custom::name;
+  const bool used = uses_custom(json, axes);
   if (!json.contains("friction_law")) {
     if (used)
-      d.fail(varied ? "/sweep/friction" : "/model/friction",
+      d.fail(place_of(d, "friction").to_string(),
              "\"custom\" needs the block /friction_law with V_R and mu, or with a formula (docs/experiments.md)");
     return nullptr;
   }
@@ -82,7 +89,9 @@ std::shared_ptr<const ModulationTable> read_friction_law(const Document& d, cons
                                         given.empty() ? "none of them" : fmt::format("{}", fmt::join(given, ", "))));
   }
   auto out = table ? read_table(d, law) : read_formula(d, law);
-  if (!used) d.fail("/friction_law", "is the law of no point; choose it by /model/friction: \"custom\", or remove it with null");
+  const bool used_by_second = json.value(JsonPointer("/design/second_model/friction"), "") == Custom::name;
+  if (!used && !used_by_second)
+    d.fail("/friction_law", "is the law of no point; choose it by /model/friction: \"custom\", or remove it with null");
   return out;
 }
 

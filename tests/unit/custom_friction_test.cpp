@@ -183,6 +183,17 @@ TEST_CASE("custom friction: what is not a law is refused with the place and the 
   }
   CHECK_THROWS_WITH(files.load(R"("model": {"friction": "custom"})"), Catch::Contains("\"custom\" needs the block /friction_law"));
   CHECK_THROWS_WITH(files.load(R"J("friction_law": {"formula": "tanh(V_R)"})J"), Catch::Contains("is the law of no point"));
+  const std::string sobol = R"("sweep": {"sample": {"sobol": 2, "seed": 1, "over": {"friction": {"values": ["nss", "custom"]}}}})",
+                    table = R"("sweep": {"sample": {"table": {"columns": ["friction"], "rows": [["nss"], ["custom"]]}}})",
+                    law = R"J(, "friction_law": {"formula": "tanh(V_R)"})J";
+  CHECK_THROWS_WITH(files.load(sobol), Catch::Contains("/sweep/sample/over/friction: \"custom\" needs the block /friction_law"));
+  CHECK_THROWS_WITH(files.load(table), Catch::Contains("/sweep/sample/table: \"custom\" needs the block /friction_law"));
+  CHECK(files.load(sobol + law).friction_law);
+  CHECK(files.load(table + law).friction_law);
+  const std::string design = R"("load": {"z_0": 0.6, "R_n": null, "path": null}, "design": {"variables": {"k_r": [5, 40]},
+      "objectives": [{"minimise": "R_x"}], "budget": 1, "second_model": {"friction": "custom"}})";
+  CHECK_THROWS_WITH(files.load(design), Catch::Contains("/design/second_model/friction: \"custom\" needs"));
+  CHECK(files.load(design + law).friction_law);
 }
 
 }  // namespace bristle::custom_friction_test
