@@ -225,6 +225,15 @@ def override(path, document, result):
 
 
 def step():
+    try:
+        return attempt()
+    except Failure as failure:
+        kept = folder / f"failure-{campaign.counts['FAILED']}"
+        shutil.copytree(folder / "experiments", kept)
+        raise Failure(f"{failure} ({kept})") from None
+
+
+def attempt():
     shutil.rmtree(folder / "results", ignore_errors=True)
     (folder / "results").mkdir()
     document, known = base("study"), None
