@@ -239,7 +239,9 @@ with that of child processes, and the most memory of a process. A dash: not meas
 such as reading a reference of more than 64 MB.
 
 {COMMANDS_BEGIN}
+
 {command_table(commands)}
+
 {COMMANDS_END}
 
 The rest of this page is for developers.
@@ -298,7 +300,7 @@ def main():
         with open(path, encoding="utf-8") as file:
             before, rest = file.read().split(COMMANDS_BEGIN)
         after = rest.split(COMMANDS_END)[1]
-        write_text(path, f"{before}{COMMANDS_BEGIN}\n{command_table(commands)}\n{COMMANDS_END}{after}")
+        write_text(path, f"{before}{COMMANDS_BEGIN}\n\n{command_table(commands)}\n\n{COMMANDS_END}{after}")
         print(path)
         return
     engine, kernels, quadratures, scipy, figures, designs = (

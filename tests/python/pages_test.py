@@ -110,14 +110,23 @@ def check_performance():
     means = [{"passages": 128, "error": 1e-3, "estimate": 1e-3}, {"passages": 543, "error": 3e-4, "estimate": 4e-4}]
     write("quadrature.json", {"cases": [{"k_r": 10, "z_0": 0.5, **dict.fromkeys(("quadrature", "grid", "lattice"), means)}] * 2,
                               "purposes": {"scan": 30, "crossing": 50, "values": 20, "points": 2}})
+    commands = [{"kind": kind, "points": points, "commands": {"check": {"seconds": seconds, "MB": 41}, **(
+        {"diff": {"seconds": 0.5, "MB": 98}} if points == 1000 else {})}}
+        for kind, points, seconds in (("sweep", 1000, 0.12), ("sweep", 100000, 0.34), ("sample", 1000, 0.56), ("sample", 100000, 0.78))]
+    write("commands.json", {"seconds": 1, "results": commands})
     page = written("performance.py", "performance.md", folder, "-o", folder)
     for words in ("| Odeint | 1.4 | 7 |", "| SciPy | 10 | 50 |", "321 of all kinds", "takes 0.456 ms per bristle", "9.8 times as long",
                   "| 64 | 2 | 0.123 |", "a factor of 2.0 is missing",
                   "| target | a design | 1 | 7 | 15 |",
                   "300 cycles with all lanes full", "The kernel of rods takes 321 cycles, 1.50 times its limit of 214", "| 10 | 0.5 | 128 | 1.0e-03 | 543 | 3.0e-04 |", "50 passages",
+                  "| check | 0.12 | 0.34 | 0.56 | 0.78 | 41 |", "| diff | 0.50 | \u2013 | 0.50 | \u2013 | \u2013 |",
                   f"| one | 1 | {figure['passages']} | {figure['cpu_seconds']:.1f} | {figure['seconds']:.1f} |"):
         assert words in page, (words, page)
     assert {path.name for path in (folder / "images").iterdir()} >= {"work-precision.png", "quadrature.png"}
+    commands[0]["commands"]["check"]["seconds"] = 9.87
+    write("commands.json", {"seconds": 1, "results": commands})
+    only = written("performance.py", "performance.md", folder, "-o", folder, "--commands-only")
+    assert only == page.replace("| check | 0.12 |", "| check | 9.87 |"), only
 
 
 def check_drawings():
