@@ -73,6 +73,27 @@ TEST_CASE("custom friction: the table has the values and the curve between them"
     }
 }
 
+TEST_CASE("custom friction: pchip is the curve of SciPy and MATLAB, from the first speed to the last") {
+  const Files files;
+  struct Row {
+    const char* law;
+    double largest;                                 // mu
+    std::vector<std::pair<double, double>> values;  // V_R and mu of scipy.interpolate.PchipInterpolator 1.10.1
+  };
+  const std::vector<Row> rows = {
+      {R"({"V_R": [0, 0.1, 1, 4], "mu": [0, 1.2, 0.6, 0.5]})", 1.2,
+       {{0.03, 0.45422}, {0.07, 1.02438}, {0.55, 0.9085277}, {2.5, 0.5215743}, {3.7, 0.5007534}}},
+      {R"({"V_R": [0, 0.01, 0.05, 0.1, 0.5, 2], "mu": [0, 0.4, 0.9, 1.1, 0.8, 0.75]})", 1.1,
+       {{0.003, 0.1398807}, {0.007, 0.3109884}, {0.03, 0.7254905}, {1.25, 0.7604658}, {1.85, 0.7503535}}},
+      {R"({"V_R": [0, 1, 2, 3], "mu": [0, 0.1, 1, 3]})", 3,  // flat at the first speed, steep at the last
+       {{0.3, 0.01026}, {0.7, 0.05194}, {1.5, 0.4173276}, {2.5, 1.8364224}, {2.9, 2.7486224}}}};
+  for (const auto& [law, largest, values] : rows)
+    for (const auto& [V_R, expected] : values) {
+      CAPTURE(law, V_R);
+      CHECK(mu(files.with_law(law), V_R) == Approx(expected).margin(1.2e-4 * largest));
+    }
+}
+
 TEST_CASE("custom friction: a law that still rises at the last speed has a corner there") {
   const Files files;
   const auto rising = [](double V_R) { return 0.1 * V_R + 0.3 * std::tanh(V_R / 0.01); };

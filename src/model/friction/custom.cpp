@@ -19,12 +19,27 @@ struct Value {
   double mu, slope;
 };
 
+// Returns the slope dmu/dV_R of a monotone cubic at one end of its values: that of the parabola through three
+// values, limited so that the curve stays monotone (Fritsch and Butland 1984, as SciPy and MATLAB have it).
+// near and far are the widths of the two intervals from that end, rise and next the slopes of their secants.
+double end_slope(double near, double far, double rise, double next) {
+  const double slope = ((2 * near + far) * rise - near * next) / (near + far);
+  if (slope * rise <= 0) return 0;
+  return rise * next < 0 && std::abs(slope) > std::abs(3 * rise) ? 3 * rise : slope;
+}
+
 class Interpolant {
  public:
   explicit Interpolant(const FrictionValues& law) : law_(law) {
     if (law.linear) return;
     using Pchip = boost::math::interpolators::pchip<std::vector<double>>;
-    auto curve = std::make_shared<Pchip>(std::vector(law.V_R), std::vector(law.mu));
+    const std::vector<double>&x = law.V_R, &y = law.mu;
+    const auto width = [&x](std::size_t i) { return x[i + 1] - x[i]; };
+    const auto secant = [&](std::size_t i) { return (y[i + 1] - y[i]) / width(i); };
+    const std::size_t last = x.size() - 2;
+    const double first = end_slope(width(0), width(1), secant(0), secant(1)),
+                 end = end_slope(width(last), width(last - 1), secant(last), secant(last - 1));
+    auto curve = std::make_shared<Pchip>(std::vector(x), std::vector(y), first, end);
     at_ = [curve](double V_R) { return Value{(*curve)(V_R), curve->prime(V_R)}; };
   }
 
