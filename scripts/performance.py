@@ -169,8 +169,8 @@ def command_table(measured):
 
     rows = [[command, *(cell(kind, points, command, "seconds") for kind in ("sweep", "sample") for points in counts),
              cell("sample", counts[-1], command, "MB")] for command in COMMANDS]
-    heads = [f"{kind} of {points}" for kind in ("sweep", "sample") for points in counts]
-    return table(["command", *heads, f"MB, sample of {counts[-1]}"], *rows)
+    heads = [f"{kind} {points:.0e}".replace("e+0", "e") for kind in ("sweep", "sample") for points in counts]
+    return table(["command", *heads, f"MB {counts[-1]:.0e}".replace("e+0", "e")], *rows)
 
 
 def passage_table(cases):

@@ -19,7 +19,7 @@ PLACES = ["src", "tests", "experiments", "scripts", "cmake", "benchmarks", "Make
           "CMakePresets.json", "README.md", "LICENSE", "CITATION.cff", "CHANGELOG.md"]
 # The first contains the name of the law to search for it, the others use all laws.
 EXCEPTIONS = {"tests/python/extending_test.py", "tests/program/arm_test.sh", "tests/stress/physics.py",
-              "tests/hostile/extremum.json"}
+              "tests/stress/studies.py", "tests/hostile/extremum.json"}
 
 page = (source / "docs/extending.md").read_text(encoding="utf-8")
 sections = {}  # (files that the heading states, blocks) by title

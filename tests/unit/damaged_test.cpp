@@ -6,6 +6,7 @@
 #include "util/error.hpp"
 #include "util/process.hpp"
 #include "util/sanitizer.hpp"
+#include "catch.hpp"
 #include "small_result.hpp"
 
 #include <random>
