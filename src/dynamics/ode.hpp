@@ -32,6 +32,10 @@ constexpr int kIntegrals = COMPONENTS - NORMAL;
 // The error of a step may be rtol |y| + atol tolerance_scale(component).
 constexpr double tolerance_scale(int component) { return VX <= component && component <= VZ ? 0.1 : 1; }
 
+// An integral of F_n below this, or a load, is none: with the Hertz contact rounding of the height of a tip that
+// just touches the slab gives less.
+constexpr double kNoLoad = 1e-12;
+
 using OdeState = std::array<double, COMPONENTS>;
 
 template <class T, class Array>
@@ -52,12 +56,12 @@ void slopes_of(const Bristle<P>& b, const State<T>& state, const Motion<T>& m, O
   }
   dydt[THETA] = pole ? m.rates.theta : T(0.0);
   dydt[PHI] = pole ? m.rates.phi : T(0.0);
-  dydt[NORMAL] = m.wall.F_n;
+  dydt[NORMAL] = m.contact.F_n;
   dydt[FRICTION_X] = m.friction[0];
   dydt[FRICTION_Y] = m.friction[1];
-  dydt[MODULATION] = m.wall.F_n * m.sliding.modulation;
-  dydt[ALIGNMENT] = -m.wall.F_n * m.sliding.e_x;
-  dydt[AREA] = m.wall.F_n_23;
+  dydt[MODULATION] = m.contact.F_n * m.sliding.modulation;
+  dydt[ALIGNMENT] = -m.contact.F_n * m.sliding.e_x;
+  dydt[AREA] = m.contact.F_n_23;
   dydt[WORK] = power(b, m);
 }
 

@@ -189,7 +189,7 @@ class PassageIntegrator {
     for (const auto& [share, weight] : {std::pair{0., 1. / 6}, {0.5, 4. / 6}, {1., 1. / 6}}) {
       const auto state = unpack<double>(share == 1 ? y_ : dense_output(from + share * h));
       const auto m = motion(system_.bristle, state);
-      add_instant(system_.bristle, state.r[2], m.wall, m.sliding, m.friction, weight * h, h / 3, path_);
+      add_instant(system_.bristle, state.r[2], m.contact, m.sliding, m.friction, weight * h, h / 3, path_);
       if (share == 0)
         add_position(system_.bristle, state.r, frame_at(state.r, has_pole(system_.bristle.bending)), x_0_,
                      path_);
@@ -224,10 +224,15 @@ class PassageIntegrator {
 void evaluate_exit(const PassageTask& task, Passage& out) {
   out.outcome = outcome_at_exit(*task.parameters, out.end);
   const double T = out.contact_time, I_n = out.end[NORMAL];
-  out.gamma_1 = out.end[MODULATION] / I_n;
-  out.gamma_2 = out.end[ALIGNMENT] / I_n;
-  const double mean_root = cbrt(I_n / T);
-  out.gamma_3 = out.end[AREA] / T / (mean_root * mean_root);
+  if (I_n < kNoLoad) {  // at first contact: the limits for a vanishing load, of a tip at rest
+    out.gamma_1 = modulation(*task.parameters, 1);
+    out.gamma_2 = out.gamma_3 = 1;
+  } else {
+    out.gamma_1 = out.end[MODULATION] / I_n;
+    out.gamma_2 = out.end[ALIGNMENT] / I_n;
+    const double mean_root = cbrt(I_n / T);
+    out.gamma_3 = out.end[AREA] / T / (mean_root * mean_root);
+  }
   const State<double> at_rest = state_at_rest(task.bristle, task.start), end = unpack<double>(out.end);
   add_position(task.bristle, end.r, frame_at(end.r, has_pole(task.bristle.bending)), at_rest.r[0], out.path);
   const double start = energy(task.bristle, at_rest);

@@ -48,7 +48,7 @@ struct LoadSearch {
   LoadPath path = LoadPath::loading;
   double rtol = 1e-3;            // of R_n
   double first_contact = 0.985;  // sin(phi_0)
-  double wall_range = 1e-3;      // lambda_z
+  double contact_range = 1e-3;   // contact_range() of the parameters
   double ground = 0.01;          // lowest z_0 of the search
   // Of the scan. Near the target it is an eighth of it; narrower humps of R_n(z_0) may be missed.
   double step = 0.05;

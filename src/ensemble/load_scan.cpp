@@ -77,8 +77,8 @@ std::optional<GapLoad> find_in_hump(LoadsOnPath& loads, const GapLoad& a, const 
 GapLoad above_contact(LoadsOnPath& loads) {
   const LoadSearch& search = loads.search;
   GapLoad probe = loads.at(search.first_contact, Accuracy::precise);
-  double height = search.wall_range;  // above first contact
-  while (probe.load.R_n >= search.target && height < kWallRangesAboveContact * search.wall_range) {
+  double height = search.contact_range;  // above first contact
+  while (probe.load.R_n >= search.target && height < kWallRangesAboveContact * search.contact_range) {
     probe = loads.at(search.first_contact + height, Accuracy::precise);
     height *= 2;
   }

@@ -30,7 +30,7 @@ void add_load_error(PointResult& out, const Ensemble& other, double deviation) {
 }
 
 void normalise(PointResult& out, const Parameters& p) {
-  const double R_rigid = rigid_friction(p, out.value[R_N]);
+  const double R_rigid = out.value[R_N] < kNoLoad ? NAN : rigid_friction(p, out.value[R_N]);
   const double power = with_law(p.friction, [](auto law) { return law.load_exponent; });
   const double load = power * out.error[R_N] / out.value[R_N];
   out.R_x_norm = out.value[R_X] / R_rigid;
@@ -189,7 +189,7 @@ class PointSolver {
     // The mean over a few azimuths need not be smooth over the gap.
     search.by_secants = setup_.orientation.sampling != Sampling::list;
     search.first_contact = sin(setup_.parameters.phi_0);
-    search.wall_range = setup_.parameters.lambda_z;
+    search.contact_range = contact_range(setup_.parameters);
     return first_crossing([this](double z_0, Accuracy accuracy) { return load_at(z_0, accuracy); }, search);
   }
 

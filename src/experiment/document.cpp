@@ -314,7 +314,10 @@ std::string Document::remedy_of_inherited_tier(const std::string& tier) const {
 void Document::merge() {
   Json merged = Json::object();
   for (const Source& s : files_) {
-    if (s.content->contains("si") && !merged.contains("si")) merged["model"]["bending"] = word(Bending::rod);
+    if (s.content->contains("si") && !merged.contains("si")) {
+      merged["model"]["bending"] = word(Bending::rod);
+      merged["model"]["contact"] = word(Contact::hertz);
+    }
     if (changes_part_of_table(*s.content)) include_table(merged);
     merged.merge_patch(*s.content);
   }

@@ -16,8 +16,8 @@ struct DocumentOptions {
 };
 
 // An experiment file merged with its parents (extends), the patches of the tier and the --set changes.
-// Bristles in SI units bend like rods, unless the file with the si block, or one that changes it, says
-// otherwise. Remembers the source of each value for messages.
+// Bristles in SI units bend like rods and touch the slab by Hertz's contact, unless the file with the si block, or
+// one that changes it, says otherwise. Remembers the source of each value for messages.
 class Document {
  public:
   // path: the file, or - for standard input. Throws InputError for an unreadable or malformed file, for an

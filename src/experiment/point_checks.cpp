@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -29,23 +30,55 @@ Experiment along(const Experiment& e, const std::vector<std::string>& axes) {
 }
 
 void check_gap(const Document& d, const Experiment& experiment) {
-  const Experiment e = along(experiment, {"z_0", "z_0_m", "r0_m", "phi_0_deg", "lambda_z"});
+  const Experiment e = along(experiment, {"z_0", "z_0_m", "r0_m", "phi_0_deg", "lambda_z", "contact"});
   for (std::size_t i = 0; i < e.points(); ++i) {
     const PointInput point = e.point(i);
     const Parameters& p = point.setup.parameters;
-    const double highest = sin(p.phi_0) + kWallRangesAboveContact * p.lambda_z;
+    const double highest = sin(p.phi_0) + kWallRangesAboveContact * contact_range(p);
     if (!point.loading.z_0) return;
     if (*point.loading.z_0 <= highest) continue;
     const std::string where = e.points() > 1 ? fmt::format(" at {}", e.place(i)) : "";
+    const bool wall = p.contact == Contact::wall;
+    const std::string reach = wall ? fmt::format(" + {:g} lambda_z", kWallRangesAboveContact) : "";
+    const char* beyond = wall ? ", beyond the wall" : "";
     if (const auto in_m = point.si.find("z_0_m"); in_m != point.si.end())
       d.fail(place_of(d, "z_0_m").to_string(),
-             fmt::format("{} m is above first contact{}, beyond the wall; allowed: at most r_0 (sin(phi_0) + "
-                         "{:g} lambda_z) = {:.6g} m",
-                         in_m->second, where, kWallRangesAboveContact, highest * point.si.at("r0_m")));
-    d.fail(place_of(d, "z_0").to_string(),
-           fmt::format("{} is above first contact{}, beyond the wall; allowed: at most sin(phi_0) + {:g} "
-                       "lambda_z = {:.6f}",
-                       *point.loading.z_0, where, kWallRangesAboveContact, highest));
+             fmt::format("{} m is above first contact{}{}; allowed: at most r_0 {}sin(phi_0){}{} = {:.6g} m", in_m->second,
+                         where, beyond, wall ? "(" : "", reach, wall ? ")" : "", highest * point.si.at("r0_m")));
+    d.fail(place_of(d, "z_0").to_string(), fmt::format("{} is above first contact{}{}; allowed: at most sin(phi_0){} = {:.6f}",
+                                                       *point.loading.z_0, where, beyond, reach, highest));
+  }
+}
+
+// Quantities that some bristles do not have.
+struct Meaning {
+  std::vector<const char*> quantities;
+  bool (*have)(const Parameters&);
+  const char* why;  // a bristle has none, and the remedy
+};
+const std::array kMeanings = {
+    Meaning{{"lambda_z", "beta", "beta_J"},
+            [](const Parameters& p) { return p.contact == Contact::wall; },
+            "has no meaning for the contact \"hertz\", which E_star and R_c determine; remove it, or set "
+            "/model/contact to \"wall\""},
+    Meaning{{"k_theta", "k_theta_over_k_phi", "k_theta_N_m"},
+            [](const Parameters& p) { return p.bending != Bending::rod || p.section == Section::oval; },
+            "has no effect on round rods, whose k_theta is k_phi; remove it, or set /model/section to \"oval\""}};
+
+// Fails if a quantity varies that some of the points do not have, or if one is given that no point has.
+void check_meaning(const Document& d, const Experiment& experiment) {
+  const Experiment e = along(experiment, {"bending", "contact", "section"});
+  const Json si = d.json().value("si", Json::object());
+  for (const Meaning& m : kMeanings) {
+    std::size_t have = 0;
+    for (std::size_t i = 0; i < e.points(); ++i) have += m.have(e.point(i).setup.parameters);
+    for (const std::string name : m.quantities) {
+      const bool of_a_round_rod = name == "k_theta_over_k_phi" && si.value(name, 0.0) == 1;
+      const bool given = (si.contains(name) && !of_a_round_rod) || d.chosen(JsonPointer("/model") / name);
+      const JsonPointer at = place_of(d, name);
+      if ((have == 0 && given) || (have < e.points() && e.swept(name)))
+        d.fail(at.to_string(), (at.back() == name ? "" : name + " ") + m.why);
+    }
   }
 }
 
@@ -107,6 +140,7 @@ void check_lattice(const Document& d, const Experiment& experiment) {
 
 void check_points(const Document& d, const Experiment& e) {
   check_lattice(d, e);
+  check_meaning(d, e);
   check_gap(d, e);
   check_chi(d, e);
 }

@@ -5,8 +5,8 @@
 
 namespace bristle::experiment {
 
-// Checks what depends on several values of a point, at all points of the sweep: a gap is not above the wall
-// at first contact, chi has a maximum if C asks for one, and a lattice fits the slab. Throws InputError with
+// Checks what depends on several values of a point, at all points of the sweep: each quantity that is given or
+// varies has a meaning, a gap is not above the reach of the contact at first contact, chi has a maximum if C asks for one, and a lattice fits the slab. Throws InputError with
 // the place of the value.
 void check_points(const Document& document, const Experiment& experiment);
 

@@ -60,7 +60,7 @@ const std::vector<SiQuantity>& si_quantities() {
        kPositive,
        {"k_theta"},
        nullptr,
-       "with R_m only; otherwise 1, a round rod"},
+       "with R_m only; otherwise 1; for rods of oval section"},
       {"k_r_N_per_m", "k_r", "radial stiffness", "N/m", kPositive, {"k_r"}, &S::stiffness},
       {"k_theta_N_m", R"(k_\theta)", "azimuthal stiffness", "N m/rad", kPositive, {"k_theta"}, &S::energy},
       {"k_phi_N_m", R"(k_\varphi)", "polar stiffness", "N m/rad", kPositive, {"k_phi"}, &S::energy},
@@ -166,7 +166,10 @@ std::vector<std::string> replaceable_values(const PointInput& input, bool given)
           convertible = true;
           replaced = replaced || input.si.contains(q.name);
         }
-    const bool acts = entry.member != &Parameters::alpha || has_pole(input.setup.parameters.bending);
+    const Parameters& p = input.setup.parameters;
+    const bool acts = entry.member == &Parameters::alpha  ? has_pole(p.bending)
+                      : entry.member == &Parameters::beta ? p.contact == Contact::wall
+                                                          : true;
     if (convertible && replaced == given && acts)
       out.push_back(fmt::format("{} = {:.6g}", entry.name, input.setup.parameters.*entry.member));
   }

@@ -4,7 +4,7 @@
 
 namespace bristle {
 
-// Potential energy: springs, slab wall and, in polar coordinates, pole repulsion. Dimensionless (m V0^2).
+// Potential energy: springs, contact and, in polar coordinates, pole repulsion. Dimensionless (m V0^2).
 template <class T, class P>
 T potential_energy(const Bristle<P>& b, const Vector3<T>& position, const T& theta, const T& phi) {
   const Frame<T> f = frame_at(position, has_pole(b.bending));
@@ -13,11 +13,11 @@ T potential_energy(const Bristle<P>& b, const Vector3<T>& position, const T& the
     const RodAngles<T> rod = rod_angles(b, position, f.one_r);
     return b.k_r * stretch * stretch / 2 + b.k_theta * rod.u_s * rod.u_s / 2 +
            b.k_phi * rod.u_p * rod.u_p / 2 +
-           short_range_energy(T(b.z_0 - position[2]), b.wall_peak, b.wall_rate);
+           contact_energy(b, position[2]);
   }
   const T twist = theta - b.theta_0, bend = phi - b.phi_0;
   return b.k_r * stretch * stretch / 2 + b.k_theta * twist * twist / 2 + b.k_phi * bend * bend / 2 +
-         short_range_energy(T(b.z_0 - position[2]), b.wall_peak, b.wall_rate) +
+         contact_energy(b, position[2]) +
          short_range_energy(f.s, b.pole_peak, b.pole_rate);
 }
 

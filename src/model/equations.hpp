@@ -61,24 +61,23 @@ template <class T>
 struct Place {
   Frame<T> frame;
   RodAngles<T> rod;   // of a rod only
-  WallForce<T> wall;  // normal force, Eq. (3), and its power 2/3
+  ContactForce<T> contact;
   T friction_limit;   // friction_limit()
 };
 
 // Friction force where the modulation is 1, Eqs. (14, 15).
 template <class T, class P>
-T friction_limit(const Bristle<P>& b, const WallForce<T>& wall) {
-  return b.friction_factor * with_law(b.friction, [&](auto law) -> T { return law.load(wall); });
+T friction_limit(const Bristle<P>& b, const ContactForce<T>& contact) {
+  return b.friction_factor * with_law(b.friction, [&](auto law) -> T { return law.load(contact); });
 }
 
 template <class T, class P, class Pole>
 Place<T> place_at(const Bristle<P>& b, const Vector3<T>& position, Pole pole) {
-  const WallForce<T> wall = wall_force(T(b.z_0 - position[2]), b.wall_root_peak, b.wall_root_rate);
   Place<T> place;
   place.frame = frame_at(position, pole);
   if (!pole) place.rod = rod_angles(b, position, place.frame.one_r);
-  place.wall = wall;
-  place.friction_limit = friction_limit(b, wall);
+  place.contact = contact_force(b, position[2]);
+  place.friction_limit = friction_limit(b, place.contact);
   return place;
 }
 
@@ -128,7 +127,7 @@ template <class T>
 struct Motion {
   Vector3<T> acceleration;
   AngularRates<T> rates;
-  WallForce<T> wall;
+  ContactForce<T> contact;
   Sliding<T> sliding;
   InPlane<T> friction;
 };
@@ -144,7 +143,7 @@ void set_polar_motion(const Bristle<P>& b, const State<T>& state, const Frame<T>
   const T along_s = pole - radial * f.cos_phi + polar * f.sin_phi;
   m.acceleration[0] = along_s * f.cos_theta + azimuthal * f.sin_theta + m.friction[0];
   m.acceleration[1] = along_s * f.sin_theta - azimuthal * f.cos_theta + m.friction[1];
-  m.acceleration[2] = -radial * f.sin_phi - polar * f.cos_phi - m.wall.F_n;
+  m.acceleration[2] = -radial * f.sin_phi - polar * f.cos_phi - m.contact.F_n;
 }
 
 // The same for a rod.
@@ -158,14 +157,14 @@ void set_rod_motion(const Bristle<P>& b, const State<T>& state, const Place<T>& 
   const auto springs = [&](int i) -> T {
     return -radial * state.r[i] - moment_p * rod.grad_p[i] - moment_s * rod.grad_s[i];
   };
-  m.acceleration = {T(springs(0) + m.friction[0]), T(springs(1) + m.friction[1]), T(springs(2) - m.wall.F_n)};
+  m.acceleration = {T(springs(0) + m.friction[0]), T(springs(1) + m.friction[1]), T(springs(2) - m.contact.F_n)};
 }
 
 // Eq. (13) with Eqs. (17, 18), for a given friction force.
 template <class T, class P, class Pole>
 Motion<T> motion(const Bristle<P>& b, const State<T>& state, const Place<T>& place, const Sliding<T>& sliding,
                  const InPlane<T>& friction, Pole pole) {
-  Motion<T> m{{}, {}, place.wall, sliding, friction};
+  Motion<T> m{{}, {}, place.contact, sliding, friction};
   if (pole) set_polar_motion(b, state, place.frame, m);
   else set_rod_motion(b, state, place, m);
   return m;

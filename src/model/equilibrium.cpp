@@ -44,7 +44,7 @@ class Bent {
   // z: a guess of the tip's height, such as its height at a similar angle.
   Bent(const Bristle<double>& b, double phi, double z) : b_(b), phi_(phi), sin_(sin(phi)), cos_(cos(phi)) {
     // The radial force increases strictly with r; this is its sign at r = 0.
-    if (sin_ * wall_at(0) >= b.k_r + cos_ * b.pole_peak) {
+    if (sin_ * contact_force(b_, 0.0).F_n >= b.k_r + cos_ * b.pole_peak) {
       r_ = std::numeric_limits<double>::quiet_NaN();
     } else {
       const double r_max = 1 + b.pole_peak / b.k_r;
@@ -52,29 +52,28 @@ class Bent {
     }
   }
 
-  // NaN if the wall, reaching down to r = 0, compresses the spring completely.
+  // NaN if a wall that reaches down to r = 0 compresses the spring completely.
   double r() const { return r_; }
   double z() const { return r_ * sin_; }
 
   // dU/dphi along the balanced radius, and its derivative. Zero at an equilibrium.
   Tangent polar() const {
     const double s = r_ * cos_, z = r_ * sin_;
-    const double wall = wall_at(r_), pole = pole_at(r_), wall_slope = wall * b_.wall_rate,
-                 pole_slope = pole * b_.pole_rate;
-    const double U_phi_phi = b_.k_phi - z * wall + s * s * wall_slope + s * pole + z * z * pole_slope;
-    const double U_r_phi = cos_ * wall + sin_ * s * wall_slope + sin_ * pole - cos_ * z * pole_slope;
-    const double U_r_r = b_.k_r + sin_ * sin_ * wall_slope + cos_ * cos_ * pole_slope;
-    return {b_.k_phi * (phi_ - b_.phi_0) + s * wall + z * pole, U_phi_phi - U_r_phi * U_r_phi / U_r_r};
+    const double F_n = contact_force(b_, z).F_n, F_n_slope = contact_stiffness(b_, z);
+    const double pole = pole_at(r_), pole_slope = pole * b_.pole_rate;
+    const double U_phi_phi = b_.k_phi - z * F_n + s * s * F_n_slope + s * pole + z * z * pole_slope;
+    const double U_r_phi = cos_ * F_n + sin_ * s * F_n_slope + sin_ * pole - cos_ * z * pole_slope;
+    const double U_r_r = b_.k_r + sin_ * sin_ * F_n_slope + cos_ * cos_ * pole_slope;
+    return {b_.k_phi * (phi_ - b_.phi_0) + s * F_n + z * pole, U_phi_phi - U_r_phi * U_r_phi / U_r_r};
   }
 
  private:
-  double wall_at(double r) const { return short_range_force(b_.z_0 - r * sin_, b_.wall_peak, b_.wall_rate); }
   double pole_at(double r) const { return short_range_force(r * cos_, b_.pole_peak, b_.pole_rate); }
 
   Tangent radial(double r) const {
-    const double wall = wall_at(r), pole = pole_at(r);
-    return {b_.k_r * (r - 1) + sin_ * wall - cos_ * pole,
-            b_.k_r + sin_ * sin_ * wall * b_.wall_rate + cos_ * cos_ * pole * b_.pole_rate};
+    const double z = r * sin_, pole = pole_at(r);
+    return {b_.k_r * (r - 1) + sin_ * contact_force(b_, z).F_n - cos_ * pole,
+            b_.k_r + sin_ * sin_ * contact_stiffness(b_, z) + cos_ * cos_ * pole * b_.pole_rate};
   }
 
   const Bristle<double>& b_;
@@ -170,10 +169,10 @@ Equilibrium static_equilibrium(Bristle<double> b, double z_0, FollowedMinimum& m
   return {r, phi};
 }
 
-// Undeformed radius, and a tip just out of the wall's reach: the springs' only energy is that of bending.
+// Undeformed radius, and a tip just out of the slab's reach: the springs' only energy is that of bending.
 Equilibrium unstretched(const Parameters& p, double z_0) {
-  constexpr double clearance = 5;  // in wall ranges lambda_z
-  return {1, std::min(asin(std::clamp(z_0 - clearance * p.lambda_z, 0.0, 1.0)), p.phi_0)};
+  constexpr double clearance = 5;  // in units of contact_range()
+  return {1, std::min(asin(std::clamp(z_0 - clearance * contact_range(p), 0.0, 1.0)), p.phi_0)};
 }
 
 }  // namespace

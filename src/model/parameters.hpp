@@ -33,10 +33,34 @@ constexpr bool has_pole(Bending bending) { return bending != Bending::rod; }
 // Whether dE/dt is exactly the power of forces and dampers (model/energy.hpp).
 constexpr bool conserves_energy(Bending bending) { return bending != Bending::polar_as_printed; }
 
+// The law of the contact between slab and tip (model/contact.hpp). wall: the paper's wall of short range, Eq. (3);
+// hertz: a tip of radius R_c and contact modulus E_star.
+enum class Contact {
+  wall,
+  hertz
+};
+template <>
+inline Words words<Contact>() {
+  static constexpr const char* list[] = {"wall", "hertz"};
+  return list;
+}
+
+// The cross-section of the shaft, which matters to a rod only. round: k_theta is k_phi, whatever the parameter
+// k_theta; oval: k_theta as given.
+enum class Section {
+  round,
+  oval
+};
+template <>
+inline Words words<Section>() {
+  static constexpr const char* list[] = {"round", "oval"};
+  return list;
+}
+
 // State of the bristle at the slab's leading edge, at rest in the vertical plane theta = theta_0:
-// static_equilibrium: frictionless equilibrium of springs, pole repulsion and wall force;
+// static_equilibrium: frictionless equilibrium of springs, pole repulsion and contact force;
 // at_slab: tip at z = z_0, at the polar angle of least energy of springs and pole repulsion;
-// unstretched: r = 1, tip 5 lambda_z below z_0;
+// unstretched: r = 1, tip at z_0, and 5 lambda_z below it under a wall;
 // upright: tip at z = z_0, at the undeformed polar angle phi_0.
 enum class InitialState {
   static_equilibrium,
@@ -74,6 +98,8 @@ struct CustomFriction {
 struct Parameters {
   FrictionLaw friction{};  // nss
   Bending bending = Bending::polar;
+  Contact contact = Contact::wall;
+  Section section = Section::round;
   InitialState initial_state = InitialState::static_equilibrium;
   PoleRule pole_rule = PoleRule::reflect;
   double k_r = 10;
@@ -102,6 +128,14 @@ struct Parameters {
   double stretch_limit = 0.5;
   CustomFriction custom_friction;
 };
+
+// Returns the azimuthal stiffness of bristles: k_phi for round rods.
+inline double azimuthal_stiffness(const Parameters& p) {
+  return p.bending == Bending::rod && p.section == Section::round ? p.k_phi : p.k_theta;
+}
+
+// Returns how far the contact force reaches below the slab, in units of r0: not at all by Hertz.
+inline double contact_range(const Parameters& p) { return p.contact == Contact::wall ? p.lambda_z : 0; }
 
 // The values that an experiment may give a number.
 struct Bounds {
@@ -192,6 +226,8 @@ inline const auto& choices() {
   static const std::array table = {
       choice<&Parameters::friction>("friction", "local friction law"),
       choice<&Parameters::bending>("bending", "springs against bending: coordinates and Eq. (17)"),
+      choice<&Parameters::contact>("contact", "contact between slab and tip: the paper's wall, or Hertz's sphere"),
+      choice<&Parameters::section>("section", "cross-section of a rod's shaft: round, with k_theta = k_phi, or oval"),
       choice<&Parameters::initial_state>("initial_state", "state at the leading edge"),
       choice<&Parameters::pole_rule>("pole_rule", "rule for a tip that reaches s = s_min"),
   };

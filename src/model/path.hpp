@@ -22,26 +22,22 @@ enum PathQuantity {
 template <class T>
 using Path = std::array<T, PATH_QUANTITIES>;
 
-// Distance below the slab, in multiples of lambda_z, beyond which a tip is off the slab: F_n is then below
-// 0.03 for the paper's beta.
-constexpr double kOffSlabRanges = 10;
-
 template <class T, class P>
 auto is_off_slab(const Bristle<P>& b, const T& z) {
-  return T(kOffSlabRanges) < T(T(b.z_0 - z) * b.wall_rate);
+  return T(b.off_slab) < T(b.z_0 - z);
 }
 
 // Adds the integrands at one instant. weight: of the instant in a quadrature of a high order over time;
 // share: in one with positive weights, for the times, whose integrands jump between 0 and 1.
 template <class T, class P>
-void add_instant(const Bristle<P>& b, const T& z, const WallForce<T>& wall, const Sliding<T>& sliding,
+void add_instant(const Bristle<P>& b, const T& z, const ContactForce<T>& contact, const Sliding<T>& sliding,
                  const std::array<T, 2>& friction, const T& weight, const T& share, Path<T>& path) {
   const auto off = is_off_slab(b, z);
   path[OFF_SLAB_TIME] += select(off, share, T(0.0));
   path[STUCK_TIME] += select(off, T(0.0), select(sliding.V_R < b.V_s, share, T(0.0)));
-  path[SQUARED_LOAD] += weight * T(wall.F_n * wall.F_n);
+  path[SQUARED_LOAD] += weight * T(contact.F_n * contact.F_n);
   path[SLIDING_WORK] -= weight * T(friction[0] * sliding.V_x + friction[1] * sliding.V_y);
-  path[LOAD_PEAK] = max(path[LOAD_PEAK], wall.F_n);
+  path[LOAD_PEAK] = max(path[LOAD_PEAK], contact.F_n);
 }
 
 // Compares with the largest values so far. position: of the tip at the start of a step; frame: at the

@@ -48,7 +48,7 @@ std::vector<std::string> dimensionless_parts(const Experiment& e) {
       parts.push_back(fmt::format("${} = {:.6g}$", experiment::find_sweepable(name)->symbol, value));
   };
   add("k_r", p.k_r);
-  add("k_theta", p.k_theta);
+  add("k_theta", azimuthal_stiffness(p));
   add("k_phi", p.k_phi);
   if (const auto nominal = e.base.nominal_friction) add("nominal_friction", *nominal);
   else if (p.friction != FrictionLaw::nss) add("mu_c", p.mu_c);

@@ -80,8 +80,8 @@ std::string Summary::cause_and_remedy(PointStatus status, const Example& example
           "equations; raise /integrator/max_evaluations{}",
           example.incomplete_theta_0 * 180 / M_PI, setup.integrator.max_evaluations,
           !has_pole(experiment_.point(example.index).setup.parameters.bending) ? ""
-          : si ? ", or /si/alpha_J and /si/beta_J, which act near the pole"
-               : ", or /model/alpha and /model/beta, which act near the pole");
+          : si ? ", or /si/alpha_J, which acts near the pole"
+               : ", or /model/alpha, which acts near the pole");
     default:
       return fmt::format(
           "all bristles together needed more than {} evaluations of the equations; raise "

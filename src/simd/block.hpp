@@ -19,6 +19,7 @@ struct alignas(64) Row {
 struct Block {
   FrictionLaw friction;
   Bending bending;
+  Contact contact;
   const ModulationTable* modulation;
   std::uint32_t occupied = 0;    // lanes that hold a passage, one bit each
   std::uint64_t lane_steps = 0;  // attempted steps, counted for occupied and empty lanes

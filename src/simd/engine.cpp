@@ -41,7 +41,7 @@ long max_steps(const IntegratorOptions& options) { return options.max_evaluation
 
 }  // namespace
 
-// The lanes for one friction law with its parameters and one Bending, near the pole, or far from it or
+// The lanes for one friction law with its parameters, one Bending and one Contact, near the pole, or far from it or
 // without one, and the queue of passages for them.
 class SimdEngine::LaneSet {
  public:
@@ -50,11 +50,13 @@ class SimdEngine::LaneSet {
       : engine_(engine), modulation_(std::move(modulation)), near_pole_(near_pole) {
     block_.friction = task.bristle.friction;
     block_.bending = task.bristle.bending;
+    block_.contact = task.bristle.contact;
     block_.modulation = modulation_.get();
   }
 
   bool serves(const PassageTask& task, bool near_pole) const {
-    return near_pole == near_pole_ && task.bristle.bending == block_.bending && has_modulation_of(task);
+    return near_pole == near_pole_ && task.bristle.bending == block_.bending &&
+           task.bristle.contact == block_.contact && has_modulation_of(task);
   }
   bool has_modulation_of(const PassageTask& task) const {
     return modulation_->serves(task.bristle.friction, task.bristle.friction_constants);
@@ -218,10 +220,10 @@ class SimdEngine::LaneSet {
   };
   // The forces on the tip, with the modulation that the kernels use.
   SlabForces slab_forces(const Bristle<double>& b, const OdeState& y) const {
-    const WallForce<double> wall = wall_force(b.z_0 - y[Z], b.wall_root_peak, b.wall_root_rate);
+    const ContactForce<double> contact = contact_force(b, y[Z]);
     Sliding<double> sliding = relative_motion(y[VX], y[VY]);
     sliding.modulation = modulation_->at(sliding.V_R / b.V_scale);
-    return {wall.F_n, friction_force(friction_limit(b, wall), sliding)};
+    return {contact.F_n, friction_force(friction_limit(b, contact), sliding)};
   }
 
   void accept_step(int lane, const OdeState& y_new) {

@@ -161,6 +161,7 @@ class Kernel {
     const auto row = [first](const Row& r) { return Lanes::load(r.lane + first); };
     g.bristle.friction = block.friction;
     g.bristle.bending = block.bending;
+    g.bristle.contact = block.contact;
     g.modulation = block.modulation;
     int i = 0;
     for (Lanes* constant : constants_of(g.bristle)) *constant = row(block.constants[i++]);

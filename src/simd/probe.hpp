@@ -15,7 +15,7 @@ void require_same_bits();
 // Every build and processor gives the same two; a unit test compares them with the next two.
 std::uint64_t passage_bits(const Kernels& kernels);
 std::uint64_t reference_passage_bits();
-constexpr std::uint64_t kPassageBits = 0x4b136c0eb2f0178b;
-constexpr std::uint64_t kReferencePassageBits = 0x452ceaf581b0ae0f;
+constexpr std::uint64_t kPassageBits = 0x5b9a8029ba62e85e;
+constexpr std::uint64_t kReferencePassageBits = 0xdaa9146abcf6b56d;
 
 }  // namespace bristle

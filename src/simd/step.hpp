@@ -117,7 +117,7 @@ class AdditiveStep {
   template <int I>
   static HWY_INLINE void add_stage(const Group& g, Work& w) {
     if constexpr (Tableau::b[I] != 0)
-      add_instant(g.bristle, w.state.r[2], w.place.wall, w.sliding, w.friction,
+      add_instant(g.bristle, w.state.r[2], w.place.contact, w.sliding, w.friction,
                   Lanes(g.h * Lanes(Tableau::b[I])), Lanes(g.h * Lanes(1.0 / kWeightedStages)), w.path);
   }
 

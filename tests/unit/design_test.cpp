@@ -199,15 +199,15 @@ TEST_CASE("design: a target of Coulomb friction is its coefficient") {
 TEST_CASE("design: the largest friction over mu_c of stiff bristles is the plateau") {
   // R_x saturates at 1.55 +- 0.05, as printed and for round rods (k_theta = k_phi).
   const Folder f;
-  const auto largest = [&](const std::string& bending, double k_theta) {
+  const auto largest = [&](const std::string& bending) {
     const auto file = f.run(f.load(R"({"variables": {"mu_c": {"log": [0.1, 10]}}, "objectives": [{"maximise": "R_x"}],
         "budget": 24})", fmt::format(R"(, "orientation": {{"rtol": 0.01}}, "model": {{"friction": "coulomb", "k_r": 50,
-            "k_theta": {}, "bending": "{}"}})", k_theta, bending), bending));
+            "bending": "{}"}})", bending), bending));
     CHECK(first(file, "best/objective_1_err") < 0.02);
     return first(file, "best/objective_1");
   };
-  CHECK(largest("polar_as_printed", 1) == Approx(1.55).margin(0.05));
-  CHECK(largest("rod", 1.9) == Approx(1.55).margin(0.05));
+  CHECK(largest("polar_as_printed") == Approx(1.55).margin(0.05));
+  CHECK(largest("rod") == Approx(1.55).margin(0.05));
 }
 
 TEST_CASE("design: with vanishing friction the bristles are rigid") {
@@ -224,7 +224,7 @@ TEST_CASE("design: with vanishing friction the bristles are rigid") {
     REQUIRE(R_x_norm.size() == 12);
     for (std::size_t i = 0; i < R_x_norm.size(); ++i) {
       CHECK(R_x_norm[i] == Approx(chi).margin(error[i]));
-      CHECK(error[i] < 3e-4);
+      CHECK(error[i] < 1e-3);  // a tenth of rtol: the deviation of the load from its target is part of it
     }
   }
 }
@@ -293,7 +293,7 @@ TEST_CASE("design: the recommended trial keeps to the jump margin in its profile
       "objectives": [{"minimise": "friction_coefficient"}], "constraints": [{"jump_margin": 0.2}]})",
                                  R"(, "load": {"R_n": null}, "orientation": {"rtol": 0.02},
       "model": {"k_r": null, "k_phi": null, "k_theta": null, "tau_f": null, "R_c": null, "E_star": null, "V_s": null,
-                "beta": null, "spacing": null, "L_x": null, "bending": "rod"},
+                "beta": null, "spacing": null, "L_x": null, "bending": "rod", "contact": "wall"},
       "si": {"m_kg": 1e-4, "r0_m": 0.017, "V0_m_per_s": 10, "E_Pa": 1e8, "nu": 0.4, "R_m": 0.00108, "k_r_over_k_phi": 10,
              "R_c_m": 0.001, "tau_f_Pa": 1e7, "V_s_m_per_s": 0.1, "beta_J": 0.01, "R_n_N": 0.6, "spacing_m": 0.0034,
              "L_x_m": 0.085})"));

@@ -184,6 +184,7 @@ TEST_CASE("the number of impacts is uncertain by one impact of a repeated passag
   Parameters& p = setup.parameters;
   p.friction = FrictionLaw::coulomb;
   p.bending = Bending::rod;
+  p.section = Section::oval;
   p.k_r = 91.55278351040957;
   p.k_theta = 20.55018933159924;
   p.k_phi = 14.651492463447733;

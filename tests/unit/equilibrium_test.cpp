@@ -17,11 +17,17 @@ using boost::math::tools::eps_tolerance;
 
 double midpoint(const std::pair<double, double>& bracket) { return (bracket.first + bracket.second) / 2; }
 
+// F_n of the wall, Eq. (3), or of Hertz's contact.
+double normal_force(const Bristle<double>& b, double z) {
+  if (b.contact == Contact::wall) return short_range_force(b.z_0 - z, b.wall_peak, b.wall_rate);
+  return b.hertz_stiffness * std::pow(std::max(0.0, z - b.z_0), 1.5);
+}
+
 // The equilibria by nested bisections, which need no derivatives: slow, and independent of the program's
 // method.
 double bisected_radius(const Bristle<double>& b, double phi) {
   const auto residual = [&](double r) {
-    return b.k_r * (r - 1) + sin(phi) * short_range_force(b.z_0 - r * sin(phi), b.wall_peak, b.wall_rate) -
+    return b.k_r * (r - 1) + sin(phi) * normal_force(b, r * sin(phi)) -
            cos(phi) * short_range_force(r * cos(phi), b.pole_peak, b.pole_rate);
   };
   if (residual(0) >= 0) return std::numeric_limits<double>::quiet_NaN();
@@ -30,7 +36,7 @@ double bisected_radius(const Bristle<double>& b, double phi) {
 
 double bisected_residual(const Bristle<double>& b, double phi) {
   const double r = bisected_radius(b, phi), z = r * sin(phi), s = r * cos(phi);
-  return b.k_phi * (phi - b.phi_0) + s * short_range_force(b.z_0 - z, b.wall_peak, b.wall_rate) +
+  return b.k_phi * (phi - b.phi_0) + s * normal_force(b, z) +
          z * short_range_force(s, b.pole_peak, b.pole_rate);
 }
 

@@ -29,10 +29,12 @@ inline double uniform(double from, double to) {
 
 inline double log_uniform(double from, double to) { return std::exp(uniform(std::log(from), std::log(to))); }
 
-// Random parameters within the ranges of the paper, with one of its two friction laws and any bending.
+// Random parameters within the ranges of the paper, with one of its two friction laws, any bending and any contact.
 inline Parameters random_parameters() {
   Parameters p;
   p.bending = *rc::gen::element(Bending::polar, Bending::polar_as_printed, Bending::rod);
+  p.contact = *rc::gen::element(Contact::wall, Contact::hertz);
+  p.section = *rc::gen::element(Section::round, Section::oval);
   p.friction = *rc::gen::arbitrary<bool>() ? FrictionLaw::nss : FrictionLaw::coulomb;
   p.k_r = log_uniform(2, 100);
   p.k_theta = log_uniform(0.3, 10);
@@ -48,7 +50,7 @@ inline Parameters random_conserving_parameters() {
   return p;
 }
 
-// A random tip off the pole and near the wall, with angles that need not agree with its position.
+// A random tip off the pole and near the slab, with angles that need not agree with its position.
 inline State<double> random_state(double z_0) {
   const double theta = uniform(-3, 3), s = uniform(0.01, 1), z = z_0 - uniform(-2e-3, 0.1);
   const Vector3<double> v{uniform(-1, 2), uniform(-1, 1), uniform(-1, 1)};

@@ -165,7 +165,7 @@ TEST_CASE("load control: a soft wall is followed far above first contact") {
   LoadSearch s;
   s.target = 0.5;
   s.first_contact = kContact;
-  s.wall_range = 0.05;
+  s.contact_range = 0.05;
   const LoadPoint p = first_crossing(
       [](double z_0, Accuracy) {
         return Load{1.3 * std::exp((kContact - z_0) / 0.2), 1e-6};

@@ -119,7 +119,7 @@ TEST_CASE("the friction force is smooth at V_R = 0") {
   CHECK(motion(b, s).friction[0] == 0);
   s.v[0] = 1 - 1e-9;
   const auto slow = motion(b, s);
-  const double slope = 1.2 * chi_B(1.2) / 0.01 * b.friction_factor * slow.wall.F_n_23;
+  const double slope = 1.2 * chi_B(1.2) / 0.01 * b.friction_factor * slow.contact.F_n_23;
   CHECK(slow.friction[0] == Approx(slope * 1e-9).epsilon(1e-6));
   CHECK(slow.sliding.e_x == Approx(-1));
 }

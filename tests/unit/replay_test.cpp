@@ -49,7 +49,7 @@ TEST_CASE("replay: a point alone has the input of the same point of any experime
   SECTION("a sample by sobol with indices, beside an axis") {
     require_same_points(of(s, R"("sweep": {"sample": {"sobol": 4, "seed": 7, "over": {"k_r": {"log": [5, 40]},
       "tau_f": {"normal": [3e4, 1e3]}, "bending": {"values": ["polar", "rod"]}}}, "k_theta": {"values": [0.5, 1]}},
-      "analysis": {"sobol_indices": ["R_x"], "quantiles": ["R_n"]})"));
+      "model": {"section": "oval"}, "analysis": {"sobol_indices": ["R_x"], "quantiles": ["R_n"]})"));
   }
   SECTION("a design") {
     Json document = *of(s, R"("design": {"variables": {"k_r": [5, 40]}, "objectives": [{"minimise": "R_x"}], "budget": 8,

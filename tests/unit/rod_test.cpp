@@ -23,6 +23,7 @@ Parameters random_rod() {
 Parameters default_rod() {
   Parameters p;
   p.bending = Bending::rod;
+  p.section = Section::oval;
   p.C = chi_C_peak_at_V_s(p.A);
   return p;
 }
@@ -122,6 +123,7 @@ TEST_CASE("rod and polar springs agree to first order where k_theta of the rod i
     p.friction = FrictionLaw::coulomb;
     p.mu_c = p.zeta_phi = p.zeta_theta = 0;
     p.bending = Bending::polar;
+    p.section = Section::oval;
     const double theta_0 = uniform(-3, 3);
     const auto polar = make_bristle(p, 2, theta_0);  // the slab is far above
     p.bending = Bending::rod;

@@ -321,6 +321,7 @@ TEST_CASE("two sets of SI quantities with equal dimensionless groups give equal 
       {"extends", "ski.json"},
       {"name", "e"},
       {"tiers", nullptr},
+      {"model", {{"contact", "wall"}}},
       {"orientation", {{"sampling", "list"}, {"theta_0_deg", {20, 80, 150}}}},
       {"sweep",
        {{"V0_m_per_s", nullptr}, {"R_n_N", nullptr}, {"sample", {{"table", {{"columns", columns}, {"rows", rows}}}}}}}};

@@ -41,8 +41,10 @@ TEST_CASE("a material in SI units has the same stiffness at every velocity") {
   CHECK(b.k_phi * 1e-4 * 1024 == Approx(k));
   CHECK(a.k_theta == a.k_phi);
   CHECK(a.bending == Bending::rod);
+  CHECK(a.contact == Contact::hertz);
+  CHECK(a.section == Section::round);
   CHECK(a.k_r == Approx(10 * a.k_phi));
-  for (const auto member : {&Parameters::k_r, &Parameters::E_star, &Parameters::tau_f, &Parameters::beta})
+  for (const auto member : {&Parameters::k_r, &Parameters::E_star, &Parameters::tau_f})
     CHECK(a.*member / (b.*member) == Approx(256));
   CHECK(a.V_s / b.V_s == Approx(16));
   CHECK(a.E_star * 1e-4 * 4 / std::pow(0.017, 3) == Approx(1e8 / (1 - 0.16)));

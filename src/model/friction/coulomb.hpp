@@ -13,8 +13,8 @@ struct Coulomb : ModulatedByChi {
   static constexpr double Parameters::*strength = &Parameters::mu_c;
   static double factor(const Parameters& p) { return p.mu_c; }
   template <class T>
-  static T load(const WallForce<T>& wall) {
-    return wall.F_n;
+  static T load(const ContactForce<T>& contact) {
+    return contact.F_n;
   }
   // Eq. (23)
   static double rigid(const Parameters& p, double R_n) { return factor(p) * R_n; }

@@ -26,8 +26,8 @@ struct Custom {
   }
   static double factor(const Parameters& p) { return p.mu_c; }
   template <class T>
-  static T load(const WallForce<T>& wall) {
-    return wall.F_n;
+  static T load(const ContactForce<T>& contact) {
+    return contact.F_n;
   }
   // At the sliding speed V_0.
   static double rigid(const Parameters& p, double R_n) { return factor(p) * p.custom_friction.table->at(1 / V_scale(p)) * R_n; }

@@ -25,8 +25,8 @@ struct Nss : ModulatedByChi {
   static constexpr double Parameters::*strength = &Parameters::tau_f;
   static double factor(const Parameters& p) { return p.tau_f * hertz_area_factor(p.R_c, p.E_star); }
   template <class T>
-  static T load(const WallForce<T>& wall) {
-    return wall.F_n_23;
+  static T load(const ContactForce<T>& contact) {
+    return contact.F_n_23;
   }
   // Eq. (22)
   static double rigid(const Parameters& p, double R_n) {

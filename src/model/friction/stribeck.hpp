@@ -24,8 +24,8 @@ struct Stribeck {
   }
   static double factor(const Parameters& p) { return p.mu_c; }
   template <class T>
-  static T load(const WallForce<T>& wall) {
-    return wall.F_n;
+  static T load(const ContactForce<T>& contact) {
+    return contact.F_n;
   }
   // At the sliding speed V_0, far above V_s.
   static double rigid(const Parameters& p, double R_n) { return factor(p) * R_n; }
