@@ -1,5 +1,6 @@
 #include "cli/commands.hpp"
 
+#include "results/phases.hpp"
 #include "results/reader.hpp"
 #include "results/variables.hpp"
 
@@ -133,6 +134,7 @@ int info_command(const InfoOptions& options) {
              result.text("name"), result.text("payload_sha256"), intact ? " (verified)" : "");
   for (const std::string& what : result.damage()) fmt::print("DAMAGED: {}\n", what);
   print_statuses(result);
+  if (result.has("phase")) fmt::print("{}", results::phase_text(result.variable("phase").values));
   print_failures(result);
   fmt::print("variables (smallest .. largest):\n");
   for (const std::string& name : result.variables()) print_variable(result, name);

@@ -1,5 +1,6 @@
 #include "results/record.hpp"
 
+#include "ensemble/phase.hpp"
 #include "ensemble/validity.hpp"
 #include "results/reader.hpp"
 #include "results/version.hpp"
@@ -76,6 +77,10 @@ PointLayout::PointLayout(const Experiment& experiment) {
                        H5T_NATIVE_SCHAR, texts(words<Start>())},
                       [](const PointResult& p) { return double(p.start); },
                       double(Start::undetermined)});
+  datasets.push_back({{"phase", "whether tips stay on the slab or bounce", "", "", H5T_NATIVE_SCHAR,
+                       texts(words<BrushPhase>())},
+                      [](const PointResult& p) { return double(phase_of(p)); },
+                      double(BrushPhase::unknown)});
   for (const ValidityRow& row : kValidity)
     datasets.push_back({{row.name, fmt::format("beyond a limit of the model: {}", row.meaning), "", "",
                          H5T_NATIVE_SCHAR, texts(words<Exceeds>())},

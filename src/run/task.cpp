@@ -160,6 +160,7 @@ void compute(const Experiment& experiment, const RunOptions& options) {
   fmt::print("{}: points: {}{}\n", options.shard ? journal.path() : options.output,
              all > 0 ? summary.text() : "none in this shard",
              found > 0 ? fmt::format("; {} computed before", found) : std::string());
+  fmt::print("{}", summary.phases());
   summary.report_points_without_values();
   summary.report_pinned_bristles();
   summary.report_validity();
