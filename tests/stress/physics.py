@@ -100,6 +100,11 @@ def experiment(seed):
                 "orientation": orientation, "integrator": {"rtol": rtol, "atol": rtol / 100}, "record": ["observables"]}
     if r.chance(0.15):
         document["si"] = material(r, model)
+    model.update(section=r.choice(["round", "oval"]), contact=r.choice(["wall", "hertz"]))
+    if model["contact"] == "hertz":  # it has no wall
+        model.pop("lambda_z")
+        model.pop("beta", None)
+        document.get("si", {}).pop("beta_J", None)
     return document
 
 

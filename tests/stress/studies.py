@@ -32,7 +32,7 @@ NUMBER = r"(?<![\w./-])[-+]?(nan|inf|infinity)(?![\w./-])"
 LIBRARY = re.compile(r"Traceback|\bstod\b|\bstoi\b|boost::|std::|terminate|nlohmann::|json\.exception|H5[A-Z]|HDF5-DIAG|YAML::|fmt::")
 WORDS = {"friction": ["nss", "coulomb", "stribeck", "custom"], "bending": ["polar", "polar_as_printed", "rod"],
          "pole_rule": ["reflect", "cross"], "initial_state": ["static_equilibrium", "at_slab", "unstretched", "upright"],
-         "path": ["loading", "unloading"], "sampling": ["quadrature", "list", "lattice"]}
+         "path": ["loading", "unloading"], "sampling": ["quadrature", "list", "lattice"], "contact": ["wall", "hertz"], "section": ["round", "oval"]}
 RANGES = {"k_r": (3, 60), "k_phi": (1.5, 4), "k_theta": (0.5, 6), "tau_f": (1e4, 5e4), "phi_0_deg": (60, 88), "mu_c": (0.2, 2),
           "zeta_phi": (0.05, 1), "zeta_theta": (0.05, 1), "V_s": (0.001, 0.1), "A": (1.01, 3), "lambda_z": (5e-4, 5e-3), "R": (0.01, 0.12),
           "L_x": (1, 8), "spacing": (0.05, 0.3), "z_0": (0.1, 1.05), "R_n": (0.01, 6), "nominal_friction": (0.2, 2)}
@@ -64,7 +64,7 @@ def base(name):
                 "load": r.choice([{"R_n": value("R_n")}, {"R_n": None, "path": None, "z_0": value("z_0")}]),
                 "orientation": {"sampling": "list", "theta_0_deg": r.sample(range(5, 180, 5), r.randint(1, 3)), "rtol": None},
                 "integrator": {"max_evaluations": 10000, "max_evaluations_per_point": 60000}, "model": {}}
-    for choice in ("friction", "bending", "initial_state"):
+    for choice in ("friction", "bending", "initial_state", "contact", "section"):
         if r.random() < 0.4:
             document["model"][choice] = r.choice(WORDS[choice])
     if document["model"].get("friction") == "custom" and r.random() < 0.9 or r.random() < 0.05:
