@@ -3,6 +3,7 @@
 #include "ensemble/lattice.hpp"
 #include "ensemble/load.hpp"
 #include "experiment/overrides.hpp"
+#include "experiment/sample.hpp"
 #include "model/elementary.hpp"
 
 #include <fmt/format.h>
@@ -50,11 +51,11 @@ void check_gap(const Document& d, const Experiment& experiment) {
   }
 }
 
-// Quantities that some bristles do not have.
+// Quantities that only bristles of some kind have, such as the range of the wall.
 struct Meaning {
   std::vector<const char*> quantities;
   bool (*have)(const Parameters&);
-  const char* why;  // a bristle has none, and the remedy
+  const char* why;  // says why other bristles do not have them, and the remedy
 };
 const std::array kMeanings = {
     Meaning{{"lambda_z", "beta", "beta_J"},
@@ -65,7 +66,8 @@ const std::array kMeanings = {
             [](const Parameters& p) { return p.bending != Bending::rod || p.section == Section::oval; },
             "has no effect on round rods, whose k_theta is k_phi; remove it, or set /model/section to \"oval\""}};
 
-// Fails if a quantity varies that some of the points do not have, or if one is given that no point has.
+// Throws InputError if the experiment varies a quantity that the bristles of some point do not have, or gives one
+// that the bristles of no point have.
 void check_meaning(const Document& d, const Experiment& experiment) {
   const Experiment e = along(experiment, {"bending", "contact", "section"});
   const Json si = d.json().value("si", Json::object());

@@ -53,7 +53,8 @@ static_assert(sizeof(Bristle<double>) ==
 constexpr double kOffSlabRanges = 10;
 
 // Evaluates Eqs. (11, 12), for a rod the damping of a unit mass at r = 1, and the derived constants of Eqs.
-// (3, 4, 7, 14-16), or those of the Hertz contact, for the gap z_0 (dimensionless) and the undeformed azimuth theta_0 (rad).
+// (3, 4, 7, 14-16), or those of the Hertz contact, for the gap z_0 (dimensionless) and the
+// undeformed azimuth theta_0 (rad).
 inline Bristle<double> make_bristle(const Parameters& p, double z_0, double theta_0) {
   Bristle<double> b{};
   b.friction = p.friction;

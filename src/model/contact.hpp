@@ -49,10 +49,11 @@ ContactForce<T> hertz_force(const T& depth, const P& stiffness, const P& stiffne
   return {T(stiffness * T(depth * root)), T(stiffness_23 * depth)};
 }
 
-// (4/3) E* R_c^(1/2): the force of a tip of radius R_c at depth 1, Hertz. Dimensionless.
+// Returns (4/3) E* R_c^(1/2), the force on a tip of radius R_c and contact modulus E_star at depth 1, by Hertz.
+// Dimensionless.
 inline double hertz_stiffness(double R_c, double E_star) { return 4 * E_star * std::sqrt(R_c) / 3; }
 
-// How deep a tip at the height z is pressed into the slab at the gap of b: 0 below the slab.
+// Returns how deep a tip at the height z is pressed into a slab at the gap z_0 of b, in units of r0: 0 below it.
 template <class T, class P>
 T contact_depth(const Bristle<P>& b, const T& z) {
   const T depth = z - b.z_0;
@@ -66,14 +67,16 @@ ContactForce<T> contact_force(const Bristle<P>& b, const T& z) {
   return wall_force(T(b.z_0 - z), b.wall_root_peak, b.wall_root_rate);
 }
 
-// Returns the energy whose derivative by the height z is F_n of contact_force(): of Hertz, 2/5 F_n depth.
+// Returns the energy of the contact at the height z. Its derivative by z is F_n of contact_force(); with Hertz's law
+// the energy is 2/5 F_n depth. Dimensionless.
 template <class T, class P>
 T contact_energy(const Bristle<P>& b, const T& z) {
   if (b.contact == Contact::hertz) return T(0.4 * contact_force(b, z).F_n) * contact_depth(b, z);
   return short_range_energy(T(b.z_0 - z), b.wall_peak, b.wall_rate);
 }
 
-// Returns the derivative by the height z of F_n of contact_force(): of Hertz, 3/2 stiffness depth^(1/2).
+// Returns the derivative by the height z of F_n of contact_force(); with Hertz's law it is 3/2 stiffness
+// depth^(1/2). Dimensionless.
 template <class P>
 double contact_stiffness(const Bristle<P>& b, double z) {
   if (b.contact == Contact::hertz) return 1.5 * b.hertz_stiffness * std::sqrt(contact_depth(b, z));
