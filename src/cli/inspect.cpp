@@ -134,7 +134,11 @@ int info_command(const InfoOptions& options) {
              result.text("name"), result.text("payload_sha256"), intact ? " (verified)" : "");
   for (const std::string& what : result.damage()) fmt::print("DAMAGED: {}\n", what);
   print_statuses(result);
-  if (result.has("phase")) fmt::print("{}", results::phase_text(result.variable("phase").values));
+  results::Phases phases;
+  phases.add([&](const std::string& name) {
+    return result.has(name) ? result.variable(name).values : std::vector<double>();
+  });
+  fmt::print("{}", phases.text());
   print_failures(result);
   fmt::print("variables (smallest .. largest):\n");
   for (const std::string& name : result.variables()) print_variable(result, name);

@@ -40,6 +40,17 @@ std::vector<std::string> si_parts(const Experiment& e) {
   return parts;
 }
 
+// Adds k_theta, which a round rod does not have beside k_phi.
+void add_k_theta(const Experiment& e, std::vector<std::string>& parts) {
+  const Parameters& p = e.base.setup.parameters;
+  const bool of_rods = p.section == Section::oval || e.swept("section");
+  if (e.swept("k_theta") || (p.bending == Bending::rod && !e.swept("bending") && !of_rods)) return;
+  const std::string symbol = experiment::find_sweepable("k_theta")->symbol;
+  parts.push_back(fmt::format("${} = {:.6g}$", symbol, p.k_theta));
+  if (e.swept("bending") && !of_rods)
+    parts.back() += fmt::format(" (rods: ${}$)", experiment::find_sweepable("k_phi")->symbol);
+}
+
 std::vector<std::string> dimensionless_parts(const Experiment& e) {
   const Parameters& p = e.base.setup.parameters;
   std::vector<std::string> parts;
@@ -48,7 +59,7 @@ std::vector<std::string> dimensionless_parts(const Experiment& e) {
       parts.push_back(fmt::format("${} = {:.6g}$", experiment::find_sweepable(name)->symbol, value));
   };
   add("k_r", p.k_r);
-  add("k_theta", azimuthal_stiffness(p));
+  add_k_theta(e, parts);
   add("k_phi", p.k_phi);
   if (const auto nominal = e.base.nominal_friction) add("nominal_friction", *nominal);
   else if (p.friction != FrictionLaw::nss) add("mu_c", p.mu_c);

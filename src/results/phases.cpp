@@ -5,21 +5,80 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <algorithm>
+#include <cmath>
 
 namespace bristle::results {
+namespace {
 
-std::string phase_text(const std::vector<double>& phases) {
-  const auto count = [&](BrushPhase phase) { return std::ranges::count(phases, double(phase)); };
-  const struct {
-    BrushPhase phase;
-    const char* what;
-  } rows[] = {{BrushPhase::contact, "in contact (tips stay on the slab)"},
-              {BrushPhase::bouncing, "bouncing (tips are off the slab for more than half of the time)"},
-              {BrushPhase::mixed, "between the two"}};
+struct PhaseRow {
+  BrushPhase phase;
+  const char* what;
+};
+constexpr PhaseRow kPhaseRows[] = {
+    {BrushPhase::contact, "in contact (tips stay on the slab)"},
+    {BrushPhase::bouncing, "bouncing (tips are off the slab for more than half of the time)"},
+    {BrushPhase::mixed, "between the two"}};
+
+}  // namespace
+
+void Phases::Range::add(double value) {
+  if (std::isnan(value)) return;
+  from = std::min(from, value);
+  to = std::max(to, value);
+}
+
+std::string Phases::Range::text() const {
+  const auto low = fmt::format("{:.2g}", from), high = fmt::format("{:.2g}", to);
+  return low == high ? low : low + " to " + high;
+}
+
+void Phases::add(const std::function<std::vector<double>(const std::string&)>& variable) {
+  const auto phases = variable("phase"), ratios = variable("load_over_lift_off"),
+             domains = variable("lift_off_domain");
+  for (std::size_t i = 0; i < phases.size(); ++i) {
+    const auto phase = BrushPhase(std::lround(phases[i]));
+    ++points_[std::size_t(phase)];
+    if (phase == BrushPhase::unknown || ratios.empty()) continue;
+    if (std::isnan(ratios[i])) ++outside_[LiftOffDomain(std::lround(domains.at(i)))];
+    if (std::isnan(ratios[i])) continue;
+    ++tested_[std::size_t(phase)];
+    bouncing_below_ += phase == BrushPhase::bouncing && ratios[i] < 1;
+    in_contact_above_ += phase == BrushPhase::contact && ratios[i] >= 1;
+  }
+  const std::pair<const char*, Range*> ranges[] = {
+      {"R_n", &load_},           {"R_n_in_N", &load_in_N_},    {"lift_off_load", &lift_off_},
+      {"lift_off_load_in_N", &lift_off_in_N_}, {"lift_off_speed", &speed_}, {"lift_off_speed_err", &speed_error_}};
+  for (const auto& [name, range] : ranges)
+    for (const double value : variable(name)) range->add(value);
+}
+
+std::string Phases::text() const {
   std::vector<std::string> parts;
-  for (const auto& row : rows)
-    if (const auto points = count(row.phase)) parts.push_back(fmt::format("{} {}", points, row.what));
-  return parts.empty() ? "" : fmt::format("phases: {}\n", fmt::join(parts, ", "));
+  for (const PhaseRow& row : kPhaseRows)
+    if (const auto points = points_[std::size_t(row.phase)]) parts.push_back(fmt::format("{} {}", points, row.what));
+  return parts.empty() ? "" : fmt::format("phases: {}\n{}", fmt::join(parts, ", "), lift_off_text());
+}
+
+std::string Phases::lift_off_text() const {
+  const auto bouncing = tested_[std::size_t(BrushPhase::bouncing)], contact = tested_[std::size_t(BrushPhase::contact)];
+  const bool si = load_in_N_.from <= load_in_N_.to;
+  std::string text;
+  if (lift_off_.from <= lift_off_.to) {
+    text += fmt::format("lift-off load: {}{} (docs/lift-off.md)", (si ? lift_off_in_N_ : lift_off_).text(), si ? " N" : "");
+    std::vector<std::string> parts;
+    if (bouncing) parts.push_back(fmt::format("{} of {} bouncing points carry less", bouncing_below_, bouncing));
+    if (contact) parts.push_back(fmt::format("{} of {} points in contact carry more", in_contact_above_, contact));
+    text += parts.empty() ? "\n" : fmt::format("; {}\n", fmt::join(parts, ", "));
+  }
+  // One brush has one lift-off speed at all speeds of the slab, but for rounding.
+  if (speed_.from <= speed_.to && speed_.to < speed_.from * (1 + 1e-3)) {
+    const double factor = 1 + speed_error_.to / speed_.to;
+    text += fmt::format("at {} N this brush lifts off above about {:.2g} m/s (between {:.2g} and {:.2g})\n", load_in_N_.text(),
+                        speed_.to, speed_.to / factor, speed_.to * factor);
+  }
+  for (const auto& [domain, points] : outside_)
+    text += fmt::format("lift-off load unknown at {} points: {}\n", points, outside_of(domain));
+  return text;
 }
 
 }  // namespace bristle::results

@@ -1,6 +1,8 @@
 #include "results/variables.hpp"
 
+#include "dynamics/stability.hpp"
 #include "ensemble/trace.hpp"
+#include "model/lift_off.hpp"
 
 #include <fmt/format.h>
 
@@ -205,6 +207,55 @@ void add_si(Variables& variables) {
                        Errors::estimated});
 }
 
+// The errors are the scatter of computed lift-off loads about the formula.
+void add_lift_off(Variables& variables, bool si) {
+  const char* where = "docs/lift-off.md";
+  const auto load = [](P p) {
+    const double value = lift_off_load(p.parameters);
+    return Derived{value, kLiftOff.scatter * value, 0};
+  };
+  const auto ratio = [load](P p) {
+    const double lift_off = load(p).value, value = p.value[R_N] / lift_off;
+    return Derived{value, kLiftOff.scatter * value + p.error[R_N] / lift_off, p.load_error[R_N] / lift_off};
+  };
+  variables.push_back({{"lift_off_load", "load below which the tips bounce, by a formula",
+                        R"(\tilde{R}_n^*/N_{c,0})", where}, load, Errors::estimated});
+  variables.push_back({{"load_over_lift_off", "normal load over the lift-off load", "R_n/R_n^*", where}, ratio,
+                       Errors::with_load});
+  if (!si) return;
+  variables.push_back({{.name = "lift_off_load_in_N",
+                        .long_name = "load below which the tips bounce, by a formula",
+                        .symbol = R"(R_n^*/N_{c,0})",
+                        .equation = where,
+                        .units = "N"},
+                       [load](P p) {
+                         const Derived d = load(p);
+                         return Derived{d.value * p.si.force, d.error * p.si.force, 0};
+                       },
+                       Errors::estimated});
+  variables.push_back({{.name = "lift_off_speed",
+                        .long_name = "speed above which the tips bounce, by a formula",
+                        .symbol = "V_0^*",
+                        .equation = where,
+                        .units = "m s-1"},
+                       [](P p) {
+                         const LiftOffSpeed speed = lift_off_speed(p.parameters, p.value[R_N]);
+                         return Derived{p.si.velocity * speed.value, p.si.velocity * speed.value * (speed.factor - 1), 0};
+                       },
+                       Errors::estimated});
+}
+
+void add_stability(Variables& variables) {
+  variables.push_back({{"growth_rate", "growth rate of disturbances of steady sliding, for theta_0 = 0",
+                        R"(\tilde{\sigma})", "Eqs. (13-18)"},
+                       [](P p) { return Derived{steady_sliding(p.parameters, p.z_0).growth_rate, 0, 0}; },
+                       Errors::none});
+  variables.push_back({{"R_n_statics", "normal load of bouncing bristles by statics",
+                        R"(\tilde{R}_{n,\mathrm{statics}}/N_{c,0})", "docs/lift-off.md"},
+                       [](P p) { return Derived{bouncing_load_by_statics(p.parameters, p.z_0), 0, 0}; },
+                       Errors::none});
+}
+
 // If the azimuths are not uniformly distributed, the friction force is not parallel to the motion.
 void add_direction(Variables& variables) {
   variables.push_back(
@@ -240,8 +291,11 @@ std::vector<ResultVariable> result_variables(const Experiment& experiment) {
     add_other_gap(variables);
   }
   if (experiment.on_lattice()) add_fluctuations(variables);
-  if (!experiment.base.si.empty()) add_si(variables);
+  const bool si = !experiment.base.si.empty();
+  if (si) add_si(variables);
+  add_stability(variables);
   if (experiment.base.setup.orientation.distribution == Distribution::von_mises) add_direction(variables);
+  else add_lift_off(variables, si);
   return variables;
 }
 

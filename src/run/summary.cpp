@@ -1,6 +1,5 @@
 #include "run/summary.hpp"
 
-#include "results/phases.hpp"
 #include "util/error.hpp"
 #include "util/text.hpp"
 
@@ -26,8 +25,10 @@ void Summary::add(const results::PointRecord& record, std::size_t index) {
     if (std::ranges::count(kWithoutValues, status) > 0)
       first_.try_emplace(status, Example{index, record.values.at("incomplete_theta_0")[i]});
   }
-  const std::vector<double>& phases = record.values.at("phase");
-  phases_.insert(phases_.end(), phases.begin(), phases.end());
+  phases_.add([&](const std::string& name) {
+    const auto found = record.values.find(name);
+    return found == record.values.end() ? std::vector<double>() : found->second;
+  });
   bool pinned = false;
   for (const double share : record.values.at("pinned_share_R_x")) {
     pinned = pinned || share > kPinnedShare;
@@ -48,8 +49,6 @@ std::string Summary::text() const {
       out += fmt::format("{}{} {}", out.empty() ? "" : ", ", counts_[i], words<PointStatus>()[i]);
   return out;
 }
-
-std::string Summary::phases() const { return results::phase_text(phases_); }
 
 void Summary::report_failures() const {
   constexpr std::size_t most = 10;

@@ -2,6 +2,7 @@
 
 #include "ensemble/validity.hpp"
 #include "experiment/experiment.hpp"
+#include "results/phases.hpp"
 #include "results/record.hpp"
 
 #include <array>
@@ -22,8 +23,8 @@ class Summary {
   const std::string& analysis() const { return analysis_; }  // of a sample, in lines
   // The numbers of points by status.
   std::string text() const;
-  // The numbers of points by phase, in a line.
-  std::string phases() const;
+  // What the brushes do, in lines, see results::Phases.
+  std::string phases() const { return phases_.text(); }
   // Names the failed points on standard error. Throws RunError if there are no others.
   void report_failures() const;
   // For each status of points without values: an example, the cause and the remedy, on standard error.
@@ -46,7 +47,7 @@ class Summary {
   std::size_t points_ = 0;
   std::vector<std::string> failures_;
   std::map<PointStatus, Example> first_;  // of each status without values
-  std::vector<double> phases_;            // of all points and nodes
+  results::Phases phases_;                // of all points and nodes
   std::size_t pinned_ = 0;                // points at which pinned bristles carry more than a tenth of R_x
   double largest_pinned_share_ = 0;
   std::array<std::size_t, kValidity.size()> exceeding_{};  // number of points

@@ -34,12 +34,51 @@ TEST_CASE("phase: one brush bounces under a load and stays in contact under a gr
   CHECK(light.R_x_norm < 0.5 * heavy.R_x_norm);
 }
 
+namespace {
+
+// The text for points with these values by variable.
+std::string text_of(const std::map<std::string, std::vector<double>>& values) {
+  results::Phases phases;
+  phases.add([&](const std::string& name) {
+    const auto found = values.find(name);
+    return found == values.end() ? std::vector<double>() : found->second;
+  });
+  return phases.text();
+}
+
+}  // namespace
+
 TEST_CASE("phase: a line counts the points of each phase") {
-  CHECK(results::phase_text({}) == "");
-  CHECK(results::phase_text({3, 3}) == "");
-  CHECK(results::phase_text({0, 1, 3, 1, 2}) ==
+  CHECK(text_of({}) == "");
+  CHECK(text_of({{"phase", {3, 3}}}) == "");
+  CHECK(text_of({{"phase", {0, 1, 3, 1, 2}}}) ==
         "phases: 1 in contact (tips stay on the slab), 2 bouncing (tips are off the slab for more than half of the "
         "time), 1 between the two\n");
+}
+
+TEST_CASE("phase: lines compare loads with the lift-off load, and say why it is unknown") {
+  const double nan = NAN;
+  CHECK(text_of({{"phase", {1, 1, 0, 0}},
+                 {"R_n", {1, 2.1, 2.2, 3}},
+                 {"lift_off_load", {2, 2, 2, nan}},
+                 {"load_over_lift_off", {0.5, 1.05, 1.1, nan}},
+                 {"lift_off_domain", {0, 0, 0, double(LiftOffDomain::L_x)}}}) ==
+        "phases: 2 in contact (tips stay on the slab), 2 bouncing (tips are off the slab for more than half of the "
+        "time)\n"
+        "lift-off load: 2 (docs/lift-off.md); 1 of 2 bouncing points carry less, 1 of 1 points in contact carry more\n"
+        "lift-off load unknown at 1 points: L_x is outside 5 to 16\n");
+  CHECK(text_of({{"phase", {1}},
+                 {"R_n", {0.5}},
+                 {"R_n_in_N", {0.6}},
+                 {"lift_off_load", {1}},
+                 {"lift_off_load_in_N", {1.2}},
+                 {"load_over_lift_off", {0.5}},
+                 {"lift_off_speed", {4}},
+                 {"lift_off_speed_err", {2}},
+                 {"lift_off_domain", {0}}}) ==
+        "phases: 1 bouncing (tips are off the slab for more than half of the time)\n"
+        "lift-off load: 1.2 N (docs/lift-off.md); 1 of 1 bouncing points carry less\n"
+        "at 0.6 N this brush lifts off above about 4 m/s (between 2.7 and 6)\n");
 }
 
 }  // namespace bristle::phase_test

@@ -1,0 +1,87 @@
+#include "dynamics/stability.hpp"
+
+#include "dynamics/jacobian.hpp"
+#include "model/equilibrium.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <algorithm>
+
+namespace bristle {
+namespace {
+
+// Position and velocity of the tip.
+constexpr int kTip = THETA;
+using TipJacobian = Eigen::Matrix<double, kTip, kTip>;
+
+// Returns the Jacobian of the bristle b at rest at y, with respect to the tip's position and velocity. At rest
+// theta and phi follow the position alone, d(theta) = (d theta'/d v) . dr, so their columns are added to its columns.
+TipJacobian tip_jacobian(const Bristle<double>& b, const OdeState& y) {
+  StateJacobian full;
+  IntegralJacobian unused;
+  jacobian(b, y, full, unused);
+  TipJacobian of_tip = full.topLeftCorner<kTip, kTip>();
+  for (const int angle : {THETA, PHI})
+    of_tip.leftCols<3>() += full.col(angle).head<kTip>() * full.row(angle).segment<3>(VX);
+  return of_tip;
+}
+
+// A tip that rests in the vertical plane of the motion.
+struct Rest {
+  double x, z;
+};
+
+Equilibrium polar(const Rest& tip) {
+  const double r = std::sqrt(tip.x * tip.x + tip.z * tip.z);
+  return {r, asin(tip.z / r)};
+}
+
+OdeState state_of(const Bristle<double>& b, const Rest& tip) { return pack(state_at_rest(b, polar(tip))); }
+
+// Returns the tip at the same distance from its root, at the height z; x is NaN if that is too high.
+Rest at_height(const Rest& tip, double z) { return {std::sqrt(tip.x * tip.x + tip.z * tip.z - z * z), z}; }
+
+// Returns the place near the tip at which the bristle b rests on the moving slab, by Newton's method. x is NaN if
+// the method finds none.
+Rest resting_place(const Bristle<double>& b, Rest tip) {
+  constexpr int kIterations = 50;
+  constexpr double kTolerance = 1e-11;  // of the place, dimensionless
+  for (int i = 0; i < kIterations && tip.x > 0 && tip.z > 0; ++i) {
+    const OdeState y = state_of(b, tip);
+    OdeState slope;
+    derivative<double>(b, y, slope);
+    const TipJacobian of_tip = tip_jacobian(b, y);
+    Eigen::Matrix2d in_plane;
+    in_plane << of_tip(VX, X), of_tip(VX, Z), of_tip(VZ, X), of_tip(VZ, Z);
+    const Eigen::Vector2d step = in_plane.fullPivLu().solve(-Eigen::Vector2d(slope[VX], slope[VZ]));
+    tip = {tip.x + step[0], tip.z + step[1]};
+    if (step.norm() < kTolerance) return tip;
+  }
+  return {NAN, NAN};
+}
+
+}  // namespace
+
+SteadySliding steady_sliding(const Parameters& p, double z_0) {
+  constexpr double kLargestStep = 2e-3;  // of the gap
+  Bristle<double> b = make_bristle(p, z_0, 0);
+  const double first = sin(p.phi_0) + b.off_slab;
+  const int steps = std::max(1, int(std::ceil((first - z_0) / kLargestStep)));
+  Rest tip = {cos(p.phi_0), sin(p.phi_0)};
+  b.z_0 = first;
+  for (int i = 0; i <= steps; ++i) {
+    const double gap = first + (z_0 - first) * i / steps;
+    // The tip comes down with the slab, so that the load changes little.
+    tip = at_height(tip, tip.z + gap - b.z_0);
+    b.z_0 = gap;
+    tip = resting_place(b, tip);
+    if (std::isnan(tip.x)) return {NAN, NAN, NAN, NAN, NAN};
+  }
+  const Eigen::Vector<std::complex<double>, kTip> values = tip_jacobian(b, state_of(b, tip)).eigenvalues();
+  const std::complex<double> least_stable =
+      *std::ranges::max_element(values, {}, [](const std::complex<double>& value) { return value.real(); });
+  const auto [r, phi] = polar(tip);
+  return {r, phi, contact_force(b, tip.z).F_n, least_stable.real(), std::abs(least_stable.imag())};
+}
+
+}  // namespace bristle
