@@ -178,9 +178,14 @@ CheckedField CheckedCurves::field_of(const std::string& variable) const {
   return check_.at ? reduce(result_, field, check_.at->first, check_.at->second) : field;
 }
 
-Curves CheckedCurves::along() const { return along(check_.along); }
+Curves CheckedCurves::along() const { return curves(check_.along, false); }
 
-Curves CheckedCurves::along(const std::string& dimension) const {
+Curves CheckedCurves::along(const std::string& dimension) const { return curves(dimension, false); }
+
+Curves CheckedCurves::from_end_to_end() const { return curves(check_.along, true); }
+
+// whole: without the curves that have no value at their first or last selected point.
+Curves CheckedCurves::curves(const std::string& dimension, bool whole) const {
   const CheckedField y = field_of(check_.variable);
   const std::size_t d = dimension_of(result_, y, check_.variable, dimension), stride = stride_of(y, d);
   const std::vector<double> axis = values_of(result_, dimension, y.shape[d]);
@@ -196,11 +201,14 @@ Curves CheckedCurves::along(const std::string& dimension) const {
     if (start / stride % y.shape[d] != 0) continue;
     Curve curve;
     std::vector<double> gaps;
+    bool first_missing = false, last_missing = false;
     for (std::size_t k = 0; k < y.shape[d]; ++k) {
       const std::size_t i = start + k * stride;
       if (!y.kept[i]) continue;
       const CurvePoint point{x ? x->values[i] : axis[k], y.values[i], y.errors[i], x ? x->errors[i] : 0};
-      if (std::isfinite(point.x) && std::isfinite(point.value) && std::isfinite(point.error)) {
+      last_missing = !(std::isfinite(point.x) && std::isfinite(point.value) && std::isfinite(point.error));
+      first_missing = first_missing || (last_missing && curve.empty());
+      if (!last_missing) {
         curve.push_back(point);
         if (gap) gaps.push_back(gap->values[i]);
       } else if (dimension != "node") {
@@ -208,7 +216,7 @@ Curves CheckedCurves::along(const std::string& dimension) const {
       }
     }
     for (std::size_t k = behind_jump(gaps); k < gaps.size(); ++k) curve[k].behind_jump = true;
-    if (!curve.empty()) out.curves.push_back(curve);
+    if (!curve.empty() && !(whole && (first_missing || last_missing))) out.curves.push_back(curve);
   }
   return out;
 }

@@ -34,6 +34,11 @@ Measurement along(const CheckedCurves& curves, const Check&) {
   return Function(curves.along());
 }
 
+template <Measurement (*Function)(const Curves&)>
+Measurement end_to_end(const CheckedCurves& curves, const Check&) {
+  return Function(curves.from_end_to_end());
+}
+
 Measurement range_ratio_of(const CheckedCurves& curves, const Check& check) {
   return range_ratio(curves.along(), curves.along(check.against));
 }
@@ -43,7 +48,7 @@ Measurement trend_of(const CheckedCurves& curves, const Check& check) {
 }
 
 Measurement rise_of(const CheckedCurves& curves, const Check& check) {
-  Measurement out = rise(curves.along());
+  Measurement out = rise(curves.from_end_to_end());
   if (check.resolution && std::abs(out.value) < *check.resolution) out.uncertainty = INFINITY;
   return out;
 }
@@ -71,12 +76,12 @@ constexpr Need kResolution{"resolution", [](const Check& c) { return c.resolutio
 const std::vector<Predicate>& predicates() {
   static const std::vector<Predicate> table = {
       {"trend", {kAlong}, trend_of, nullptr},
-      {"end_ratio", {kAlong}, along<end_ratio>, nullptr},
+      {"end_ratio", {kAlong}, end_to_end<end_ratio>, nullptr},
       {"rise", {kAlong}, rise_of, nullptr},
-      {"share", {kAlong, kX}, along<share>, nullptr},
-      {"third_ratio", {kAlong}, along<third_ratio>, nullptr},
+      {"share", {kAlong, kX}, end_to_end<share>, nullptr},
+      {"third_ratio", {kAlong}, end_to_end<third_ratio>, nullptr},
       {"linearity", {kAlong}, along<linearity>, nullptr},
-      {"top_ratio", {kAlong}, along<top_ratio>, nullptr},
+      {"top_ratio", {kAlong}, end_to_end<top_ratio>, nullptr},
       {"range_ratio", {kAlong, kAgainst}, range_ratio_of, nullptr},
       {"slope", {kAlong}, slope_of, nullptr},
       {"plateau", {kAlong}, along<plateau>, nullptr},

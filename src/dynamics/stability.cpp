@@ -60,6 +60,23 @@ Rest resting_place(const Bristle<double>& b, Rest tip) {
   return {NAN, NAN};
 }
 
+// Returns the rows and columns of these components.
+template <std::size_t N>
+Eigen::Matrix<double, N, N> part(const TipJacobian& of_tip, const std::array<Component, N>& components) {
+  Eigen::Matrix<double, N, N> out;
+  for (std::size_t i = 0; i < N; ++i)
+    for (std::size_t k = 0; k < N; ++k) out(i, k) = of_tip(components[i], components[k]);
+  return out;
+}
+
+template <class Matrix>
+Mode least_stable(const Matrix& linear) {
+  const Eigen::Vector<std::complex<double>, Matrix::RowsAtCompileTime> values = linear.eigenvalues();
+  const std::complex<double> most =
+      *std::ranges::max_element(values, {}, [](const std::complex<double>& value) { return value.real(); });
+  return {most.real(), std::abs(most.imag())};
+}
+
 }  // namespace
 
 SteadySliding steady_sliding(const Parameters& p, double z_0) {
@@ -75,13 +92,12 @@ SteadySliding steady_sliding(const Parameters& p, double z_0) {
     tip = at_height(tip, tip.z + gap - b.z_0);
     b.z_0 = gap;
     tip = resting_place(b, tip);
-    if (std::isnan(tip.x)) return {NAN, NAN, NAN, NAN, NAN};
+    if (std::isnan(tip.x)) return {};
   }
-  const Eigen::Vector<std::complex<double>, kTip> values = tip_jacobian(b, state_of(b, tip)).eigenvalues();
-  const std::complex<double> least_stable =
-      *std::ranges::max_element(values, {}, [](const std::complex<double>& value) { return value.real(); });
+  const TipJacobian of_tip = tip_jacobian(b, state_of(b, tip));
   const auto [r, phi] = polar(tip);
-  return {r, phi, contact_force(b, tip.z).F_n, least_stable.real(), std::abs(least_stable.imag())};
+  return {r, phi, contact_force(b, tip.z).F_n, least_stable(part(of_tip, std::array{X, Z, VX, VZ})),
+          least_stable(part(of_tip, std::array{Y, VY}))};
 }
 
 }  // namespace bristle

@@ -245,11 +245,22 @@ void add_lift_off(Variables& variables, bool si) {
                        Errors::estimated});
 }
 
+// Of a bristle that points along the motion, theta_0 = 0.
 void add_stability(Variables& variables) {
-  variables.push_back({{"growth_rate", "growth rate of disturbances of steady sliding, for theta_0 = 0",
-                        R"(\tilde{\sigma})", "Eqs. (13-18)"},
-                       [](P p) { return Derived{steady_sliding(p.parameters, p.z_0).growth_rate, 0, 0}; },
-                       Errors::none});
+  const auto add = [&](const char* name, const char* long_name, const char* symbol, Mode SteadySliding::*mode,
+                       double Mode::*number) {
+    variables.push_back({{name, long_name, symbol, "docs/lift-off.md"},
+                         [mode, number](P p) {
+                           return Derived{steady_sliding(p.parameters, p.z_0).*mode.*number, 0, 0};
+                         },
+                         Errors::none});
+  };
+  add("growth_rate", "growth rate of disturbances of steady sliding, in the plane of motion", R"(\tilde{\sigma})",
+      &SteadySliding::in_plane, &Mode::growth_rate);
+  add("transverse_growth_rate", "growth rate of transverse disturbances of steady sliding",
+      R"(\tilde{\sigma}_\perp)", &SteadySliding::transverse, &Mode::growth_rate);
+  add("transverse_frequency", "angular frequency of transverse disturbances of steady sliding",
+      R"(\tilde{\omega}_\perp)", &SteadySliding::transverse, &Mode::frequency);
   variables.push_back({{"R_n_statics", "normal load of bouncing bristles by statics",
                         R"(\tilde{R}_{n,\mathrm{statics}}/N_{c,0})", "docs/lift-off.md"},
                        [](P p) { return Derived{bouncing_load_by_statics(p.parameters, p.z_0), 0, 0}; },
