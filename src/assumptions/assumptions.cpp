@@ -132,14 +132,17 @@ class AssumptionsRun {
     matrix_.windows = std::move(declared.windows);
   }
 
+  void validate() const {
+    for (const Alternative& a : matrix_.alternatives)
+      for (const Experiment& e : baseline_) claims::validate_checks(experiment_under(a, e));
+  }
+
   Matrix run() {
     // Reports a mistake in an alternative, and a file that is in the way, before computing anything.
+    validate();
     require_replaceable(options_.output, replaceable_by_matrix());
     for (const Alternative& a : matrix_.alternatives)
-      for (const Experiment& e : baseline_) {
-        claims::validate_checks(experiment_under(a, e));
-        require_replaceable(result_path(a, e), results::result_file());
-      }
+      for (const Experiment& e : baseline_) require_replaceable(result_path(a, e), results::result_file());
     run::Progress progress("assumptions", matrix_.alternatives.size() * baseline_.size(), options_.quiet);
     for (const Alternative& a : matrix_.alternatives) {
       std::size_t row = 0;
@@ -197,6 +200,8 @@ class AssumptionsRun {
 };
 
 }  // namespace
+
+void validate_assumptions(const AssumptionsOptions& options) { AssumptionsRun(options).validate(); }
 
 Matrix run_assumptions(const AssumptionsOptions& options) { return AssumptionsRun(options).run(); }
 

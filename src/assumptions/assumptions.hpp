@@ -22,6 +22,10 @@ struct AssumptionsOptions {
 // Throws InputError, or RunError if interrupted; the same call then continues.
 Matrix run_assumptions(const AssumptionsOptions& options);
 
+// Looks for mistakes in the declarations and the experiments, without computing anything: every alternative must
+// leave every experiment and its checks valid. Throws InputError.
+void validate_assumptions(const AssumptionsOptions& options);
+
 // SHA-256 of all that determines the matrix: the declarations in options.files, in any order, the
 // experiments that would be run, and numerics_version. Throws InputError as run_assumptions() does.
 std::string inputs_sha256(const AssumptionsOptions& options);

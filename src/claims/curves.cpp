@@ -81,30 +81,45 @@ std::array<double, 2> range_of(const results::ResultReader& result, const std::s
   return {value, value};
 }
 
+// Keeps the points whose index along the dimension d is selected.
+void keep_along(Field& field, std::size_t d, const std::vector<bool>& selected) {
+  const std::size_t stride = stride_of(field, d);
+  for (std::size_t i = 0; i < field.kept.size(); ++i)
+    if (!selected[i / stride % field.shape[d]]) field.kept[i] = false;
+}
+
 void keep_on_axis(const results::ResultReader& result, Field& field, std::size_t d,
                   const experiment::Selection& wanted) {
   const std::string& name = field.dimensions[d];
   const std::vector<double> axis = values_of(result, name, field.shape[d]);
   const auto [low, high] = range_of(result, name, wanted);
   const double slack = kSameValue * std::max(std::abs(low), std::abs(high));
-  const auto selected = [from = low - slack, to = high + slack](double x) { return x >= from && x <= to; };
-  if (std::none_of(axis.begin(), axis.end(), selected))
+  std::vector<bool> selected;
+  for (const double x : axis) selected.push_back(x >= low - slack && x <= high + slack);
+  if (std::ranges::count(selected, true) == 0)
     throw InputError(fmt::format("{}: the axis {} has no value {}; it has: {:.6g}", result.path(), name,
                                  experiment::selection_text(wanted), fmt::join(axis, ", ")));
-  const std::size_t stride = stride_of(field, d);
-  for (std::size_t i = 0; i < field.kept.size(); ++i)
-    if (!selected(axis[i / stride % field.shape[d]])) field.kept[i] = false;
+  keep_along(field, d, selected);
 }
 
 void select(const results::ResultReader& result, Field& field, const std::string& name,
             const experiment::Selection& wanted) {
-  const auto axis = std::find(field.dimensions.begin(), field.dimensions.end(), name);
+  const auto axis = std::ranges::find(field.dimensions, name);
   if (axis != field.dimensions.end())
     return keep_on_axis(result, field, std::size_t(axis - field.dimensions.begin()), wanted);
-  const std::vector<double> values = values_of(result, name, field.values.size());
   const auto [from, to] = std::get<std::array<double, 2>>(wanted);  // a range, by validate_checks()
+  const results::Variable& v = result.variable(name);
+  std::vector<bool> selected;
+  for (const double value : v.values) selected.push_back(value >= from && value <= to);
+  // A column of a sample has values along one dimension only.
+  if (v.dimensions.size() == 1 && field.dimensions.size() > 1) {
+    const std::size_t d = dimension_of(result, field, name, v.dimensions.front());
+    values_of(result, name, field.shape[d]);
+    return keep_along(field, d, selected);
+  }
+  values_of(result, name, field.values.size());
   for (std::size_t i = 0; i < field.kept.size(); ++i)
-    if (!(values[i] >= from && values[i] <= to)) field.kept[i] = false;
+    if (!selected[i]) field.kept[i] = false;
 }
 
 // Value and error where the abscissa first crosses the target along the nodes of a curve; NaN if it does not.

@@ -61,6 +61,17 @@ std::string error_of(SmallStudy& small) {
 
 }  // namespace
 
+TEST_CASE("assumptions: every alternative of the project leaves its experiments and their checks valid") {
+  for (const std::string folder : {"assumptions", "inference"}) {
+    AssumptionsOptions options;
+    options.experiments = kExperiments;
+    for (const auto& entry : std::filesystem::directory_iterator(kExperiments + "/" + folder))
+      options.files.push_back(entry.path().string());
+    REQUIRE(!options.files.empty());
+    CHECK_NOTHROW(validate_assumptions(options));
+  }
+}
+
 TEST_CASE("every check is evaluated under every alternative") {
   SmallStudy small;
   small.declare("pairs.json",
