@@ -13,7 +13,7 @@ from bristle_plots.markdown import filled, table
 from bristle_plots.style import BLUE, GREEN, VERMILION, apply_look
 
 VERDICTS = ("refuted", "undecided", "supported")
-MODELS = {"exact": "Eq. (17) exact", "printed": "Eq. (17) as printed", "rod": "rods"}  # of bending; "exact" has no name in a set
+MODELS = {"corrected": "corrected", "printed": "as printed", "rod": "rods"}  # of bending; "corrected" has no name in a set
 BEST = 15  # sets in the table
 
 
@@ -105,13 +105,13 @@ are the same that led to the checks, and the best window of the swept ranges is 
 after the fact, so a high score shows what is compatible with the paper, not that it is true.
 
 {len(scores.sets)} joint sets of choices were tried (`experiments/inference/`): polar coordinates with Eq. (17)
-exact or as printed, or rods;
+corrected or as printed, or rods;
 the start in static equilibrium or unstretched, r = 1 and phi = asin(z_0 - 5 lambda_z); azimuths continuous,
-18 fixed or 40 random; phi_0 of 80, 85 or 89 degrees; and for the exact equation a tip that is reflected
+18 fixed or 40 random; phi_0 of 80, 85 or 89 degrees; and for the corrected equation a tip that is reflected
 at the pole or crosses it. Each was checked in {len(scores.windows)} windows of the ranges of k_r and k_theta,
 {len(scores.sets) * len(scores.windows)} scores in all, on the {len(scores.claims)} claims of Figures 3 to 8 and
 {scores.further_checks} further checks. The sweeps are coarse (12 values of k_r, 4 of k_theta), of the
-experiments' `study` tier. `baseline` is the choice of this project: exact, static equilibrium, continuous azimuths, 80
+experiments' `study` tier. `baseline` is the choice of this project: corrected, static equilibrium, continuous azimuths, 80
 degrees, reflection. A mean over a list of azimuths has no error of quadrature, so fewer of its checks are
 undecided than those of a continuous distribution: this favours the sets with 18 or 40 azimuths.
 
@@ -147,7 +147,7 @@ def claims_with(scores, verdicts, word):
 
 
 def model_of(members):
-    return next((member for member in members if member in MODELS), "exact")
+    return next((member for member in members if member in MODELS), "corrected")
 
 
 def models(scores):
@@ -160,8 +160,8 @@ def best_of_models(scores, score):
     parts = []
     for model in models(scores):
         claims, further = max(tuple(s) for s, members in zip(score, scores.members) if model_of(members) == model)
-        parts.append(f"with {MODELS[model]} {claims} claims and {further} further checks")
-    return f"The best sets support {', '.join(parts)}. The baseline supports {score[0][0]} and {score[0][1]}."
+        parts.append(f"{MODELS[model]} {claims} claims and {further} further checks")
+    return f"The best sets support: {', '.join(parts)}. The baseline supports {score[0][0]} and {score[0][1]}."
 
 
 def shared(scores):

@@ -102,7 +102,7 @@ def figure_parser():
                         help="width of the page, such as 3.5in, 7in, 9cm or 180mm: panels are arranged for it and letters "
                              f"have at least {LEAST_POINTS} points; implies --plain")
     parser.add_argument("--reading", metavar="MODEL",
-                        help="only this model of bending: polar (Eq. (17) exact), polar_as_printed or rod")
+                        help="only this model of bending: polar (corrected), polar_as_printed or rod")
     parser.add_argument("--panels", metavar="LETTER,...", help="only these panels of the figure, with letters anew, such as a,d")
     parser.add_argument("--maps-only", action="store_true", help="maps without the surfaces above them")
     parser.add_argument("--cmap", metavar="NAME", help="matplotlib's colour map for maps and surfaces (default: viridis)")

@@ -10,7 +10,7 @@ from .program import DEFAULT, measure
 from .results import axis_values, constant, dataset, place_of, point_numbers, read, select, setting
 from .verdicts import number
 
-READINGS = {"polar": "exact", "polar_as_printed": "as printed", "rod": "rod"}  # models of bending
+READINGS = {"polar": "corrected", "polar_as_printed": "as printed", "rod": "rod"}  # models of bending
 
 PROGRAM = ContextVar("program", default=DEFAULT)  # what measures
 MATRIX = ContextVar("matrix", default=None)  # the matrix of assumptions, if there is one

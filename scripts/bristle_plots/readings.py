@@ -23,7 +23,7 @@ style: matplotlib's rcParams over those of the look, for what the figure does no
 Returns a matplotlib Figure; raises BristleError if something is wrong with the Dataset or an option.
 """
 READING = """
-reading: the model of bending, "polar" (Eq. (17) exact), "polar_as_printed" or "rod"; without it, the {which} one of the
+reading: the model of bending, "polar" (corrected), "polar_as_printed" or "rod"; without it, the {which} one of the
 Dataset.
 """
 

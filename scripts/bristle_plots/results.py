@@ -25,7 +25,7 @@ NUMBERS = "iuf"  # kinds of data; other variables are texts
 
 # Names of choices in figures.
 CHOICE_NAMES = {"nss": "NSS", "coulomb": "Amontons\u2013Coulomb"}
-CHOICE_NAMES |= {"polar": "Eq. (17) exact", "polar_as_printed": "Eq. (17) as printed", "rod": "rod without a pole"}
+CHOICE_NAMES |= {"polar": "corrected", "polar_as_printed": "as printed", "rod": "rod"}
 
 
 def open_result(path):

@@ -26,9 +26,9 @@ std::string results_table(const Contents& contents) {
 
 std::string reading_title(const std::string& reading) {
   if (reading.empty()) return "verdict";
-  if (reading == "polar") return "exact Eq. (17)";
-  if (reading == "polar_as_printed") return "Eq. (17) as printed";
-  return reading == "rod" ? "rod without a pole" : reading;
+  if (reading == "polar") return "corrected";
+  if (reading == "polar_as_printed") return "as printed";
+  return reading;
 }
 
 std::string claims_table(const Contents& contents) {

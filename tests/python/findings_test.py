@@ -7,7 +7,7 @@ import sys
 
 root = pathlib.Path(sys.argv[1])
 page = (root / "docs" / "findings.md").read_text(encoding="utf-8")
-READINGS = {"polar": "exact", "polar_as_printed": "as printed", "rod": "rod"}
+READINGS = {"polar": "corrected", "polar_as_printed": "as printed", "rod": "rod"}
 VERDICT = r"\**(supported|refuted|undecided)\**"
 
 # (claim, statement with what is measured, readings below it)

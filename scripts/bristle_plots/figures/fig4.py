@@ -20,7 +20,7 @@ def draw(file, reading):
 
 @page_as_printed
 def draw_energy(file, shown):
-    """The defect of the energy budget, with Eq. (17) as printed if it was computed."""
+    """The defect of the energy budget, as printed if it was computed."""
     others = [reading for reading in readings(file) if reading != shown]
     found = [f"{reading_name(reading)}: the budget closes to within {largest_defect(file, reading):.1g}."
              for reading in others]
