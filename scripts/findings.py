@@ -15,17 +15,18 @@ from bristle_plots.markdown import filled, table
 from bristle_plots.quantities import MATRIX, PROGRAM, READINGS
 from bristle_plots.remarks import pinned_note, start_note, validity_note
 from bristle_plots.results import as_text, experiment, open_result, read, status_counts
-from bristle_plots.summary import all_verdicts, claims_of, in_short, readings_of, verdicts_of
+from bristle_plots.summary import all_verdicts, claims_of, further, in_short, own_verdicts, readings_of, verdicts_of
 from bristle_plots.verdicts import number, p_text, quantity, threshold_text
 
 INTRODUCTION = """\
 The claims of the paper in the order of its figures, and the verdicts of the computations:
 supported, **refuted**, or undecided within the uncertainty. A claim is named after the figure
-beside which it stands; those of Appendix A begin with A, those of the conclusions with C. Every
+beside which it stands; those of Appendix A begin with A, those of the abstract with B, those of the
+conclusions with C. Findings of this project, which the paper does not claim, begin with F. Every
 claim is checked with three models of bending. Two are readings of the paper, whose Eq. (17) has
 another denominator than the kinematics of the azimuth theta:
 
-- **exact**: theta' = (x v_y - y v_x)/s^2, with the distance s of the tip from the pole, the
+- **corrected**: theta' = (x v_y - y v_x)/s^2, with the distance s of the tip from the pole, the
   vertical through the bristle's root;
 - **as printed**: theta' = (x v_y - y v_x)/r^2, with the distance r from the root;
 - **rod**: bending without polar coordinates and so without a pole. What holds for the rod, too, is
@@ -55,7 +56,8 @@ def main():
     found = [(file, claims_of(file)) for file in files]
     summary = f"{BEGIN}\n\n{filled(chr(10).join(f'- {line}' for line in in_short(found)))}\n{END}"
     sections = [section(file, claims, images) for file, claims in found]
-    page = filled("\n".join(["# Findings\n\n@summary@\n", INTRODUCTION, overview(found), *sections]))
+    more = "\n".join(f"- {line}" for line in further(found))
+    page = filled("\n".join(["# Findings\n\n@summary@\n", INTRODUCTION, overview(found), "## On single claims\n", more + "\n", *sections]))
     write_text(arguments.output, page.replace("@summary@", summary))
     if arguments.readme:
         replace_summary(arguments.readme, summary)
@@ -70,7 +72,16 @@ def overview(found):
               if "short" in check}
     rows = [[claim, shorts.get(claim, ""), *(emphasised(verdicts.get(reading, "")) for reading in readings)]
             for claim, verdicts in all_verdicts(found).items()]
-    return table(["claim", "the paper, in short", *(READINGS.get(one, one or "verdict") for one in readings)], *rows) + "\n"
+    own = [[claim, shorts.get(claim, ""), in_words(verdicts)] for claim, verdicts in own_verdicts(found).items()]
+    return "\n".join([table(["claim", "the paper, in short", *(READINGS.get(one, one or "verdict") for one in readings)], *rows), "",
+                      *([table(["finding", "what we found, in short", "verdict"], *own), ""] if own else [])])
+
+
+def in_words(verdicts):
+    """The verdict by reading in words."""
+    if len(verdicts) > 1 and len(set(verdicts.values())) == 1:
+        return f"{next(iter(verdicts.values()))} with every model"
+    return ", ".join(f"{READINGS.get(reading, reading)} {verdict}".strip() for reading, verdict in verdicts.items())
 
 
 def emphasised(verdict):
@@ -110,10 +121,7 @@ def provenance(file):
 def claim_lines(file, claim, checks):
     """Heading with the verdicts, the paper's sentence, main and further checks, and why a verdict is not "supported"."""
     verdicts = verdicts_of(checks)
-    words = ", ".join(f"{READINGS.get(reading, reading)} {verdict}".strip() for reading, verdict in verdicts.items())
-    if len(verdicts) > 1 and len(set(verdicts.values())) == 1:
-        words = f"{next(iter(verdicts.values()))} with every model"
-    lines = [f"### {claim}: {words}", ""]
+    lines = [f"### {claim}: {in_words(verdicts)}", ""]
     for check, _ in checks:
         if "quote" in check:
             lines += [f"The paper: \u201c{check['quote']}\u201d", ""]

@@ -5,7 +5,7 @@ import numpy as np
 from .figures.hysteresis import windows
 from .quantities import (at_most, chosen_at, falls_of_laws, jump_of, listed, measured, on_k_theta, percent,
                          periodic_part, READINGS, short, span, where_saturated)
-from .results import as_text, axis_values, dataset, select
+from .results import as_text, attribute, axis_values, dataset, flags, read, select
 from .verdicts import declared_checks, number, with_uncertainty
 
 
@@ -22,43 +22,129 @@ def verdicts_of(checks):
     return {row.reading: row.claim_verdict for row in checks[0][1]}
 
 
+OWN = "F"  # the first letter of the findings that are ours; all other claims are the paper's
+
+
 def all_verdicts(found):
-    """By claim of any figure, the verdict by reading."""
-    return dict(sorted((claim, verdicts_of(checks)) for _, claims in found for claim, checks in claims.items()))
+    """By claim of the paper, the verdict by reading."""
+    return {claim: verdicts for claim, verdicts in every_verdict(found).items() if not claim.startswith(OWN)}
+
+
+def own_verdicts(found):
+    """By finding of ours, the verdict by reading."""
+    return {claim: verdicts for claim, verdicts in every_verdict(found).items() if claim.startswith(OWN)}
+
+
+def every_verdict(found):
+    """The verdict by reading, in the order of the claims. A claim that checks of several results decide is supported if all
+    of them support it, and refuted if one refutes it."""
+    every = {}
+    for _, claims in found:
+        for claim, checks in claims.items():
+            verdicts = every.setdefault(claim, {})
+            for reading, verdict in verdicts_of(checks).items():
+                verdicts[reading] = min(verdict, verdicts.get(reading, verdict), key=["refuted", "undecided", "supported"].index)
+    return dict(sorted(every.items()))
 
 
 def readings_of(found):
     return list(dict.fromkeys(reading for verdicts in all_verdicts(found).values() for reading in verdicts))
 
 
+# By name of a result, the sentences of the first screen and those that follow them on the page of findings.
 def in_short(found):
-    """The findings that a reader should know first; those whose results are there."""
+    """The findings that a reader should know first, of the results that are there."""
+    return sentences(found, [("load", two_phases), ("load", sliding_easily), ("liftoff", formula), ("hysteresis", two_frictions),
+                             ("chart", weak_friction)], [counts]) + sentences(found, [("fig4", limits)])
+
+
+def further(found):
+    """Findings on single claims of the paper."""
+    return sentences(found, [("fig7", one_jump), ("fig7", magnitude), ("fig7", contact_area), ("fig8", saturation),
+                             ("figA1", isotropy), ("fig3", order_of_gaps), ("figA2", row_period)])
+
+
+def sentences(found, of_files, of_verdicts=()):
+    """What the functions say of the files by name, without those that are missing or lack a model of bending."""
     verdicts, readings = all_verdicts(found), readings_of(found)
     files = {as_text(file.attrs["name"]): file for file, _ in found}
-    first = {"fig7": [one_jump, magnitude], "hysteresis": [two_frictions], "fig4": [contact_area]}
-    rest = {"fig8": [saturation], "figA1": [isotropy], "fig3": [order_of_gaps], "figA2": [row_period]}
-    lines = [counts(verdicts, readings)] if readings else []
-    if readings == list(READINGS):
-        top, below = ([headline(files[name], verdicts) for name, functions in part.items() if name in files for headline in functions]
-                      for part in (first, rest))
-        lines = [*top, *lines, *below]
-    return [line for line in lines if line]
+    lines = [say(files[name], verdicts) for name, say in of_files if name in files and readings == list(READINGS)]
+    return [line for line in [*lines, *(say(verdicts, readings) for say in of_verdicts if readings)] if line]
 
 
 def counts(verdicts, readings):
-    """How many claims are supported under each reading, and which are not."""
+    """How many claims hold with every model, how many fail with every model, and how many depend on the model."""
+    words = {claim: set(found.values()) if len(found) == len(readings) else {""} for claim, found in verdicts.items()}
+    holding, failing = ([claim for claim, found in words.items() if found == {word}] for word in ("supported", "refuted"))
+    rest = len(verdicts) - len(holding) - len(failing)
+    by_model = f" and {rest} depend on it or are undecided" if len(readings) > 1 else f" and {rest} are undecided"
+    model = " with every model of bending" if len(readings) > 1 else ""
+    return (f"Of the paper's {len(verdicts)} claims, {len(holding)} hold{model}, {len(failing)} fail{model}"
+            f"{' (' + ', '.join(failing) + ')' if failing else ''}{by_model}.")
+
+
+def of_rods(values, text=short):
+    """The value for rods; in brackets the range over the models, if these differ in the digits that are shown."""
+    found = dict(zip(READINGS, values))
+    of_all = span(list(found.values()), text)
+    return text(found["rod"]) + (f" ({of_all} with the three models)" if of_all != text(found["rod"]) else "")
+
+
+def over_models(file, **quantity):
+    return [measured(file, reading, quantity)[0] for reading in READINGS]
+
+
+BOUNCING, CONTACT = {"off_slab_share": [0.5, 1]}, {"off_slab_share": [0, 0.05]}  # the phases
+
+
+def two_phases(file, _):
+    words, phases = flags(dataset(file, "phase"))
+    number_of = {word: int(np.sum(np.asarray(phases) == i)) for i, word in enumerate(words)}
+    off = over_models(file, predicate="level", variable="off_slab_share", along="R_n_target", where=BOUNCING)
+    between = f"{number_of['mixed'] or 'none'} of {sum(number_of[word] for word in ('contact', 'bouncing', 'mixed'))}"
+    return ("**A brush is in contact or bounces.** In contact the tips stay on the slab and drag along it. Bouncing, they are off the "
+            f"slab for {of_rods(off, percent)} of the time. Of the brushes under a given load in `make load`, {between} "
+            f"{'is' if number_of['mixed'] < 2 else 'are'} in between.")
+
+
+def sliding_easily(file, _):
+    easily = over_models(file, predicate="level", variable="R_x_norm", along="R_n_target",
+                         where={**BOUNCING, "load_over_lift_off": [0.5, 2]})
+    dragging = over_models(file, predicate="level", variable="R_x_norm", along="R_n_target", where=CONTACT)
+    return (f"**Bouncing brushes slide easily.** Under strong local friction they rub {of_rods(easily)} times as much as rigid "
+            f"bristles would. In contact it is {of_rods(dragging)} times. The stiffness decides in which of the two states a brush "
+            "is, and matters little within either.")
+
+
+def formula(file, _):
+    load = dataset(file, "lift_off_load")
+    of_springs = attribute(load, "long_name").partition(": ")[2]
+    scatter = float(np.nanmax(read(file, "lift_off_load_err") / read(file, "lift_off_load")))
+    return (f"**A formula says which.** A brush bounces if its load per bristle is less than the lift-off load, {of_springs}, within "
+            f"{percent(scatter)} (dimensionless; docs/lift-off.md). Stiffer bristles bounce under greater loads; the "
+            "speed of the slab matters little.")
+
+
+def weak_friction(file, _):
+    friction, local = select(dataset(file, "R_x_norm"), ["nominal_friction", "contact", "R_n_target"]), axis_values(file, "nominal_friction")
+    least = np.nanmin(friction, axis=(1, 2))
+    uncontrolled = np.flatnonzero(np.minimum.accumulate(least) >= 0.9)
+    if not uncontrolled.size:
+        return ""
+    return (f"**Weak local friction cannot be controlled.** Up to a local friction coefficient of {chosen_at(local[uncontrolled[-1]])} a "
+            f"brush has at least {percent(least[uncontrolled[-1]])} of the friction of rigid bristles, under any load.")
+
+
+def limits(file, _):
+    names = {"exceeds_spacing": "the tips travel farther than the next bristle, through which the model lets them pass",
+             "exceeds_strain_limit": "the roots are strained beyond the linear range"}
+    valued = np.isfinite(read(file, "R_x_norm"))
     parts = []
-    for reading in readings:
-        by_verdict = {}
-        for claim, found in verdicts.items():
-            by_verdict.setdefault(found.get(reading), []).append(claim)
-        rest = [f"{verdict}: {', '.join(by_verdict[verdict])}" for verdict in ("refuted", "undecided") if verdict in by_verdict]
-        under = {"polar": " under the exact equations", "polar_as_printed": " with Eq. (17) as printed",
-                 "rod": " for rods"}.get(reading, "")
-        parts.append(f"{len(by_verdict.get('supported', []))} are supported{under}" + (f" ({'; '.join(rest)})" if rest else ""))
-    *first, last = parts
-    pinned = " 8b depends on k_theta and on bristles pinned at the pole: see below." * ("refuted" in verdicts.get("8b", {}).values())
-    return f"Of the paper's {len(verdicts)} claims, {', '.join([*first, 'and ' * bool(first) + last])}.{pinned}"
+    for name, what in names.items():
+        words, found = flags(dataset(file, name))
+        beyond = int(np.sum(np.asarray(found)[valued] == list(words).index("yes")))
+        parts.append(f"at {'every point' if beyond == valued.sum() else f'{beyond} of {int(valued.sum())} points'} {what}")
+    return f"**Before you trust a number:** in the paper's Figure 4, {', and '.join(parts)}."
 
 
 def of_each(sentence):
@@ -90,8 +176,8 @@ def one_jump(file, _):
 def two_frictions(file, _):
     def found(reading):
         return " and ".join(windows(file, {"bending": reading}, "k_r")) or "nowhere"
-    return ("Where it jumps, one lattice has two frictions under the same load (`make hysteresis`): after a slab that came "
-            f"up from the ground, and not down from above, it is larger, {of_each(found)}.")
+    return ("**Near the lift-off load a brush has two frictions.** After a slab that came up from the ground, and not down from above, it "
+            f"is larger: for rods {found('rod')}.")
 
 
 def magnitude(file, verdicts):
@@ -113,19 +199,23 @@ def magnitude(file, verdicts):
 
 
 def contact_area(file, _):
+    """The counterfactual of claim 4b."""
+    law = {"nominal_friction": max(axis_values(file, "nominal_friction"))}
     def share(reading):
-        return percent(measured(file, reading, {"predicate": "share", "variable": "gamma_3", "along": "k_r", "x": "R_x_norm"})[0])
-    return ("The paper says that friction falls \u201cmostly due to the reduction of the effective contact area\u201d (4b): gamma_3 has "
-            f"{of_each(share)} of the fall of ln R_x_norm in Figure 4.")
+        without, full = measured(file, reading, *({"predicate": "rise", "variable": "R_x_norm", "along": "k_r",
+                                                   "where": {**law, "friction": name}} for name in ("coulomb", "nss")))
+        return percent(without / full)
+    return ("The paper says that friction falls \u201cmostly due to the reduction of the effective contact area\u201d (4b). Coulomb friction of "
+            f"the same magnitude, which no contact area enters, has {of_each(share)} of the fall of ln R_x_norm.")
 
 
 def saturation(file, verdicts):
-    exact, printed, rod = (where_saturated(file, reading) for reading in READINGS)
+    corrected, printed, rod = (where_saturated(file, reading) for reading in READINGS)
     return (f"{on_claim('The saturation of R_x with mu_c', '8b', verdicts)}. {on_k_theta(file, 'polar')} For stiff bristles (k_r = "
-            f"{exact['k_r']:g}) at mu_c = {listed(exact['mu_c'], chosen_at)} R_x is {listed(exact['R_x'])} for all "
-            f"bristles and {listed(exact['R_x_unpinned'])} for those that pass. "
-            f"{listed(exact['pinned_fraction'], percent)} of the bristles are pinned head-on at the pole, carry "
-            f"{listed(exact['pinned_share_R_x'], percent)} of R_x, and do not saturate. As printed "
+            f"{corrected['k_r']:g}) at mu_c = {listed(corrected['mu_c'], chosen_at)} R_x is {listed(corrected['R_x'])} for all "
+            f"bristles and {listed(corrected['R_x_unpinned'])} for those that pass. "
+            f"{listed(corrected['pinned_fraction'], percent)} of the bristles are pinned head-on at the pole, carry "
+            f"{listed(corrected['pinned_share_R_x'], percent)} of R_x, and do not saturate. As printed "
             f"{at_most(printed['pinned_fraction'])} are pinned, and R_x is {listed(printed['R_x'])}. "
             f"Rods have no pole: R_x is {listed(rod['R_x'])}.")
 

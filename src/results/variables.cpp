@@ -218,7 +218,9 @@ void add_lift_off(Variables& variables, bool si) {
     const double lift_off = load(p).value, value = p.value[R_N] / lift_off;
     return Derived{value, kLiftOff.scatter * value + p.error[R_N] / lift_off, p.load_error[R_N] / lift_off};
   };
-  variables.push_back({{"lift_off_load", "load below which the tips bounce, by a formula",
+  const std::string formula = fmt::format("load below which the tips bounce: {:.2g} (k_r k_phi)^(1/2) - {:.2g} k_phi ln(k_phi)",
+                                          kLiftOff.of_springs, kLiftOff.of_speed);
+  variables.push_back({{"lift_off_load", formula,
                         R"(\tilde{R}_n^*/N_{c,0})", where}, load, Errors::estimated});
   variables.push_back({{"load_over_lift_off", "normal load over the lift-off load", "R_n/R_n^*", where}, ratio,
                        Errors::with_load});
