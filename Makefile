@@ -65,10 +65,10 @@ figures: build ## make all figures
 # The images of the documents have fewer pixels than those in figures/.
 IMAGES := $(filter $(FIGURES) $(STUDIES),$(basename $(notdir $(wildcard docs/images/*.png))))
 .PHONY: images
-images: $(IMAGES) fig2 ## docs/images: the figures in the documents
+images: $(IMAGES) bristles ## docs/images: the figures in the documents
 	@for name in $(IMAGES); do scripts/plot $$name results/$$name.h5 --format png --dpi 160 -o $(BUILD)/images && \
 	  cp $(BUILD)/images/$$name.png docs/images/ || exit; done
-	@scripts/plot fig2 results/fig2.h5 --animate -o docs/images
+	@scripts/plot bristles results/bristles.h5 --animate -o docs/images
 
 findings: figures hysteresis tuning ## all figures; docs/findings.md, each claim with its verdict and numbers; README's summary
 	@$$($(PLOT_PYTHON)) scripts/findings.py $(patsubst %,results/%$(SUFFIX).h5,$(FIGURES) hysteresis tuning) $(if $(SUFFIX),-o results/findings$(SUFFIX).md,--readme README.md)

@@ -1,4 +1,4 @@
-"""An animation of the recorded trajectories of fig2: bristles under the moving slab, for each model of bending."""
+"""An animation of recorded trajectories: bristles under the moving slab, for each model of bending, or in contact beside bouncing."""
 
 import io
 import os
@@ -18,7 +18,7 @@ from .figures.fig2 import PHASES, TABLE, path_colours, read_passages
 from .files import write_whole
 from .layout import place
 from .readings import reading_name, readings
-from .results import attribute, dataset, point_numbers, setting
+from .results import attribute, axis_names, axis_values, dataset, flags, point_numbers, setting
 from .style import BLACK, GREY, SKY, VERMILION
 
 FRAMES, PER_SECOND, DPI = 90, 12, 100
@@ -27,6 +27,7 @@ IMAGES = {".gif": dict(format="GIF"), ".webp": dict(format="WEBP", lossless=True
 COLOURS = 64  # of all frames, so that the file is small
 # In inches: the width of a view, and with what is between them; places for the azimuths, for time and names, and for the legend.
 WIDE, SIDE, START, HEAD, FOOT = 3.35, 3.45, 0.95, 0.7, 0.8
+LEGEND_PANELS, LEGEND_LINE = 3, 0.2  # panels below which the legend has one line; height of a further line
 LEFT, RIGHT = -0.85, 3.95  # of the view along the motion; the tips start at 0
 ROW = 1.15  # distance of the bristles across the motion
 FORCE = 0.07  # length of an arrow for a force of 1
@@ -34,6 +35,8 @@ LEGEND_FORCE = 10
 SHEAR, ACROSS, UP = 0.2, 0.62, 0.75  # of the oblique view
 STRIPES = 0.5  # distance of the lines on the slab, by which its motion is seen
 ARROW = dict(arrowstyle="-|>", mutation_scale=10, shrinkA=0, shrinkB=0, color=VERMILION, linewidth=1.6)
+
+View = namedtuple("View", "title chosen")  # chosen: values of axes
 
 # What moves with a bristle; origin: its root.
 Moving = namedtuple("Moving", "passage origin shaft path tip force")
@@ -82,7 +85,7 @@ def with_few_colours(path, options):
 
 
 def draw_frames(file, path, writer):
-    models = [read_passages(file, point_numbers(file).sel(reading))[0] for reading in readings(file)]
+    models = [read_passages(file, point_numbers(file).sel(view.chosen))[0] for view in views(file)]
     figure, panels = panels_of(file, models)
     end = max(passage.numbers["xi"][-1] for passages in models for passage in passages)
     time = figure.text(0.5, 1 - 0.06 / figure.get_figheight(), "", ha="center", va="top", fontsize=14)
@@ -101,22 +104,38 @@ def draw_frames(file, path, writer):
     plt.close(figure)
 
 
+def views(file):
+    """What the panels show: each model of bending; of a sweep over k_r, the softest bristles in contact and the stiffest that
+    bounce, of the last model."""
+    models = readings(file)
+    if "k_r" not in axis_names(dataset(file, "status")):
+        return [View(reading_name(reading), reading) for reading in models]
+    k_r, phase = axis_values(file, "k_r"), dataset(file, "phase").sel(models[-1])
+    words, numbers = flags(phase.isel({name: 0 for name in phase.dims if name != "k_r"}))
+    phases = np.asarray(words)[numbers]
+    ends = [(word, np.flatnonzero(phases == word)) for word in ("contact", "bouncing")]
+    symbol = attribute(dataset(file, "k_r"), "symbol")
+    return [View(f"{word}, ${symbol}$ = {k_r[at]:.3g}", {**models[-1], "k_r": k_r[at]})
+            for word, found in ends if found.size for at in [found[0 if word == "contact" else -1]]]
+
+
 def gaps(file):
-    return [float(dataset(file, "z_0").sel(reading).max()) for reading in readings(file)]
+    return [float(dataset(file, "z_0").sel(view.chosen).max()) for view in views(file)]
 
 
 def panels_of(file, models):
     """The figure with what does not move, and the axes of each model."""
     rows = max(map(len, models))
-    low, high = seen(0, -0.35, 0)[1], seen(0, rows * ROW, 0)[1] + 0.25
+    low, high = seen(0, -0.35, 0)[1], seen(0, rows * ROW, 0)[1] + max(0.25, UP * max(gaps(file)))
     tall = WIDE * (high - low) / (RIGHT - LEFT)
-    figure = plt.figure(figsize=(START + SIDE * len(models), HEAD + tall + FOOT), dpi=DPI)
+    foot = FOOT + LEGEND_LINE * (len(models) < LEGEND_PANELS)
+    figure = plt.figure(figsize=(START + SIDE * len(models), HEAD + tall + foot), dpi=DPI)
     panels = []
-    for i, (reading, gap, passages) in enumerate(zip(readings(file), gaps(file), models)):
-        axes = place(figure, START + i * SIDE, FOOT, WIDE, tall)
+    for i, (view, gap, passages) in enumerate(zip(views(file), gaps(file), models)):
+        axes = place(figure, START + i * SIDE, foot, WIDE, tall)
         axes.set(xlim=(LEFT, RIGHT), ylim=(low, high), xticks=[], yticks=[])
         symbol = attribute(dataset(file, "z_0"), "symbol")
-        axes.set_title(", ".join(filter(None, [reading_name(reading), f"${symbol}$ = {gap:.2f}"])), fontsize=12, pad=5)
+        axes.set_title(", ".join(filter(None, [view.title, f"${symbol}$ = {gap:.2f}"])), fontsize=12, pad=5)
         axes.add_patch(patches.Polygon(corners(LEFT - 2, RIGHT + 2, rows, 0), color="0.93", zorder=0))
         panels.append(axes)
     name_rows(file, panels[0], models[0])
@@ -138,7 +157,8 @@ def draw_legend(figure, models):
     entries |= {"bristle": Line2D([], [], color=BLACK, linewidth=2, marker="o", markersize=4, markevery=[0]),
                 "bristle after its passage": Line2D([], [], color=GREY, linewidth=1, linestyle=":"),
                 "slab": patches.Patch(facecolor=SKY, alpha=0.35, edgecolor=GREY)}
-    figure.legend(entries.values(), entries, loc="lower center", ncol=len(entries), fontsize=11, frameon=False,
+    figure.legend(entries.values(), entries, loc="lower center",
+                  ncol=len(entries) if len(models) >= LEGEND_PANELS else -(-len(entries) // 2), fontsize=11, frameon=False,
                   bbox_to_anchor=(0.5, 0.36 / figure.get_figheight()), borderaxespad=0, columnspacing=1.4, handlelength=2)
     # The arrow of the legend is as long as one in the panels.
     inches = FORCE * LEGEND_FORCE * WIDE / (RIGHT - LEFT)

@@ -17,6 +17,8 @@ from .style import METADATA, apply_look
 PROGRAM = os.environ.get("BRISTLE_PLOT", "plot")  # the name by which scripts/plot was called
 DPI_RANGE = 30, 2400
 
+ANIMATED = ("fig2", "bristles")  # figures whose results have trajectories
+
 
 def run(main, program=None):
     """Calls main(); an error becomes one line on stderr and the exit code (2: wrong input, 3: not written)."""
@@ -65,9 +67,9 @@ def form_of(arguments, parser):
 
 
 def draw_animation(arguments, parser):
-    """Only of fig2, and without most of the options."""
-    if arguments.figure != "fig2":
-        raise BristleError(f"--animate: only fig2 has recorded trajectories, not {arguments.figure}")
+    """Of figures with recorded trajectories, and without most of the options."""
+    if arguments.figure not in ANIMATED:
+        raise BristleError(f"--animate: only {' and '.join(ANIMATED)} have recorded trajectories, not {arguments.figure}")
     without = {"plain": "plain", "width": "width", "panels": "panels", "maps_only": "maps-only", "cmap": "cmap", "y": "y",
                "caption": "caption", "formats": "format", "dpi": "dpi"}
     if given := [f"--{option}" for name, option in without.items() if getattr(arguments, name) != parser.get_default(name)]:
@@ -109,7 +111,7 @@ def figure_parser():
     parser.add_argument("--y", metavar="VARIABLE", help="what the figures curve and map draw (default: R_x_norm)")
     parser.add_argument("--caption", action="store_true", help="draws nothing, but prints a caption in LaTeX for each page")
     parser.add_argument("--animate", action="store_true",
-                        help="only fig2: the bristles under the moving slab instead of the figure, as FIGURE.gif or as the .gif, .webp or "
+                        help="only fig2 and bristles: the bristles under the moving slab instead of the figure, as FIGURE.gif or as the .gif, .webp or "
                              ".mp4 that -o names; of the other options it has --reading")
     parser.add_argument("--format", dest="formats", type=formats, metavar="FORMAT,...", default=["pdf", "png"],
                         help=f"of {', '.join(METADATA)} (default: pdf,png)")

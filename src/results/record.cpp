@@ -82,10 +82,11 @@ PointLayout::PointLayout(const Experiment& experiment) {
                        texts(words<BrushPhase>())},
                       [](const PointResult& p) { return double(phase_of(p)); },
                       double(BrushPhase::unknown)});
-  datasets.push_back({{"lift_off_domain", "whether the formula of lift_off_load was tested here, or what is outside",
-                       "", "docs/lift-off.md", H5T_NATIVE_SCHAR, texts(words<LiftOffDomain>())},
-                      [](const PointResult& p) { return double(lift_off_domain(p.parameters)); },
-                      0});
+  if (experiment.base.setup.orientation.distribution != Distribution::von_mises)  // as lift_off_load
+    datasets.push_back({{"lift_off_domain", "whether the formula of lift_off_load was tested here, or what is outside",
+                         "", "docs/lift-off.md", H5T_NATIVE_SCHAR, texts(words<LiftOffDomain>())},
+                        [](const PointResult& p) { return double(lift_off_domain(p.parameters)); },
+                        0});
   for (const ValidityRow& row : kValidity)
     datasets.push_back({{row.name, fmt::format("beyond a limit of the model: {}", row.meaning), "", "",
                          H5T_NATIVE_SCHAR, texts(words<Exceeds>())},

@@ -287,7 +287,7 @@ with xarray.open_dataset(result) as ds:
     assert "no dataset '/gamma_9'" in refusal(lambda: curve.draw(ds, "gamma_9"))
     assert "a curve needs" in refusal(lambda: curve.draw(ds, "status"))
 done = plot("--animate")
-assert done.code == 2 and "--animate: only fig2 has recorded trajectories, not fig4" in done.messages, done.messages
+assert done.code == 2 and "--animate: only fig2 and bristles have recorded trajectories, not fig4" in done.messages, done.messages
 for options, words in ((["--panels", "z"], "there is no panel z; this figure has the panels a to b"), (["--panels", "A"], "no letter")):
     done = plot(*options)
     assert done.code == 2 and words in done.messages, done.messages
