@@ -16,7 +16,7 @@ SPECIAL = {"\\": r"\textbackslash{}", "{": r"\{", "}": r"\}", "$": r"\$", "&": r
            "~": r"\textasciitilde{}"}
 HELD = {sign: chr(0xE000 + ord(sign)) for sign in SPECIAL}
 # What symbols of quantities are made of. Another command would be executed.
-SYMBOL = re.compile(r"(\\(tilde|check|mathrm|langle|rangle|angle|min|Delta|alpha|beta|gamma|epsilon|zeta|theta|kappa|"
+SYMBOL = re.compile(r"(\\(tilde|check|mathrm|langle|rangle|angle|min|times|Delta|alpha|beta|gamma|epsilon|zeta|theta|kappa|"
                     r"lambda|mu|nu|sigma|tau|varphi)(?![A-Za-z])|[^\\$%#&~])*")
 CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f\u2028\u2029]")
 LATEX = {"%": r"\%", "\u2013": "--", "\u00b0": r"$^\circ$", "theta_0 ": r"$\theta_0$ "}

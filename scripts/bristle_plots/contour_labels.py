@@ -1,4 +1,4 @@
-"""Upright contour labels that overlap neither each other nor markers nor the frame.
+"""Upright contour labels that overlap neither each other nor markers nor the frame, and names of regions.
 
 matplotlib places its labels on the vertices of a line, which on a coarse grid are at the frame.
 """
@@ -52,3 +52,28 @@ def free_place(path, room, size, taken):
                               for other, space in taken):
             return place
     return None
+
+
+def label_region(axes, x, y, region, string):
+    """Writes a text into a region of a map, where it has most room, upright if it fits so only; nothing without room.
+
+    region: whether each point belongs to it, over y and x.
+    """
+    frame = axes.get_window_extent()
+    size = np.array([frame.width, frame.height]) / axes.figure.dpi
+    places = [(line - line[0]) / (line[-1] - line[0]) * inches for line, inches in zip((x, y), size)]
+    places = np.stack(np.meshgrid(*places), axis=-1)
+    if not region.any():
+        return
+    others = [(place, 0) for place in places[~region]]
+    others += [(size * text.get_position(), label_size(text.get_text())) for text in axes.texts]
+    lines = string.split("\n")
+    flat = np.array([0.62 * max(map(len, lines)) + 0.5, 1.3 * len(lines)]) * points(10) / 72
+    for room, angle in ((flat, 0), (flat[::-1], 90)):
+        slack = np.min([np.minimum(places[region], size - places[region]) / room], axis=(0, 2))
+        for other, space in others:
+            slack = np.minimum(slack, (abs(places[region] - other) / (room + space)).max(axis=1))
+        if slack.max() > 0.5:
+            axes.text(*places[region][slack.argmax()] / size, string, transform=axes.transAxes, ha="center", va="center",
+                      rotation=angle, fontsize=points(10), weight="bold", path_effects=HALO)
+            return

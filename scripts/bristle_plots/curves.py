@@ -7,7 +7,7 @@ from matplotlib import ticker
 from matplotlib.lines import Line2D
 
 from .errors import BristleError
-from .jumps import LEAST_CHANGE, WIDEST_STEP, located_axis, located_jumps, read_jumps
+from .jumps import LEAST_CHANGE, WIDEST_STEP, Jump, located_axis, located_jumps, read_jumps
 from .layout import NO_VALUE, Cell, across, corners, heading, legend_at_foot, place_cell, row_title, sheet
 from .page import lettered, paper_width, points
 from .readings import reading_name, readings
@@ -111,6 +111,19 @@ def draw_points(axes, curve, colour, text=None, marker="o", shift=1.0, filled=Tr
     return draw_statuses(axes, shifted, colour)
 
 
+def over(curve, unit, along):
+    """The curve with its x divided by a unit; along: the new symbol of x."""
+    located = [Jump(jump.index, *(place / unit for place in jump[1:])) for jump in curve.located]
+    return curve._replace(x=curve.x / unit, located=located, along=along)
+
+
+def up_to_last_value(curve):
+    """The curve without the points behind its last value: no marks are drawn for them."""
+    end = int(np.flatnonzero(np.isfinite(curve.y)).max(initial=-1)) + 1
+    return curve._replace(x=curve.x[:end], y=curve.y[:end], error=curve.error[:end], status=curve.status[:end],
+                          jumps=curve.jumps[:max(end - 1, 0)], located=[jump for jump in curve.located if jump.index[0] + 1 < end])
+
+
 def without_remarks(curve):
     """The curve, for which no statuses are drawn: another curve of the same points has them."""
     return curve._replace(status=np.zeros_like(curve.status))
@@ -158,9 +171,9 @@ def true_runs(here):
     return [(first, after - 1) for first, after in change.reshape(-1, 2)]
 
 
-def title_axis(axes, which, data):
-    """Titles the plot's x or y axis with the dataset's symbol and unit."""
-    getattr(axes, f"set_{which}label")(label(data))
+def title_axis(axes, which, data, name=""):
+    """Titles the plot's x or y axis with the dataset's symbol and unit, after a name if there is one."""
+    getattr(axes, f"set_{which}label")(f"{name} {label(data)}".strip())
 
 
 def log_axis(axes, which, data, room=0.03):
