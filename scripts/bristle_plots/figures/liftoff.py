@@ -79,7 +79,7 @@ def draw_maxima(axes, file):
         entries[reading_name(reading) or "bristles"] = Line2D([], [], linestyle="", marker=marker, color=colour, markersize=4.5)
     for contact in axis_values(file, "contact"):
         filled = "white" if contact == HOLLOW else GREY
-        entries[f"contact: {contact}"] = Line2D([], [], linestyle="", marker="o", color=GREY, markerfacecolor=filled, markersize=4.5)
+        entries[contact_text(file, contact)] = Line2D([], [], linestyle="", marker="o", color=GREY, markerfacecolor=filled, markersize=4.5)
     both = np.concatenate(ends)
     line = np.array([0.8 * both.min(initial=1), 1.25 * both.max(initial=2)])
     axes.plot(line, line, color=BLACK, linewidth=0.8, zorder=0)
@@ -88,6 +88,10 @@ def draw_maxima(axes, file):
         log_range(axes, which, *np.log10(line))
     title_axis(axes, "x", dataset(file, LIFT_OFF), "lift-off load by the formula")
     return entries
+
+
+def contact_text(file, contact):
+    return f"contact: {with_symbol(dataset(file, 'contact'), contact)}"
 
 
 def maxima(file, contact, reading):
@@ -130,7 +134,7 @@ def shown_brushes(file):
 def of_curves(file):
     """A sentence: of which model and contact the curves over the gap are."""
     reading, contact = readings(file)[-1], axis_values(file, "contact")[-1]
-    return f"Curves over the gap: {', '.join(filter(None, [reading_name(reading), f'contact: {contact}']))}."
+    return f"Curves over the gap: {', '.join(filter(None, [reading_name(reading), contact_text(file, contact)]))}."
 
 
 def draw_over_gap(axes, file, name):
