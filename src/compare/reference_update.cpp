@@ -23,8 +23,18 @@ namespace {
 // Variables without a value at some points: only points with a jump, an incomplete passage or a lattice have
 // one. So are the values at the other gap of an ambiguous point, and means over the bristles that are not
 // pinned, where all are.
-const std::set<std::string> kMayBeMissing = {"jump_z_0", "jump_R_n", "incomplete_theta_0", "R_n_fluctuation",
-                                             "R_n_fluctuation_of_rows"};
+const std::set<std::string> kMayBeMissing = {"jump_z_0",
+                                             "jump_R_n",
+                                             "incomplete_theta_0",
+                                             "R_n_fluctuation",
+                                             "R_n_fluctuation_of_rows",
+                                             "lift_off_load",
+                                             "load_over_lift_off",
+                                             "lift_off_load_in_N",
+                                             "lift_off_speed",
+                                             "growth_rate",
+                                             "transverse_growth_rate",
+                                             "transverse_frequency"};
 
 constexpr const char* kLogTitle = "# Changes of the references";
 const std::string kLogStart = kLogTitle + std::string(

@@ -80,20 +80,26 @@ Mode least_stable(const Matrix& linear) {
 }  // namespace
 
 SteadySliding steady_sliding(const Parameters& p, double z_0) {
-  constexpr double kLargestStep = 2e-3;  // of the gap
+  constexpr double kLargestStep = 2e-3, kLeastStep = 1e-6;  // of the gap
   Bristle<double> b = make_bristle(p, z_0, 0);
-  const double first = sin(p.phi_0) + b.off_slab;
-  const int steps = std::max(1, int(std::ceil((first - z_0) / kLargestStep)));
-  Rest tip = {cos(p.phi_0), sin(p.phi_0)};
-  b.z_0 = first;
-  for (int i = 0; i <= steps; ++i) {
-    const double gap = first + (z_0 - first) * i / steps;
+  b.z_0 = std::max(z_0, sin(p.phi_0) + 3 * b.off_slab);  // where a wall is hardly felt
+  Rest tip = resting_place(b, {cos(p.phi_0), sin(p.phi_0)});
+  for (double step = kLargestStep; b.z_0 > z_0 && !std::isnan(tip.x);) {
+    const double before = b.z_0;
+    b.z_0 = std::max(z_0, before - step);
     // The tip comes down with the slab, so that the load changes little.
-    tip = at_height(tip, tip.z + gap - b.z_0);
-    b.z_0 = gap;
-    tip = resting_place(b, tip);
-    if (std::isnan(tip.x)) return {};
+    const Rest next = resting_place(b, at_height(tip, tip.z + b.z_0 - before));
+    if (!std::isnan(next.x)) {
+      tip = next;
+      step = std::min(2 * step, kLargestStep);
+    } else if (step > kLeastStep) {
+      b.z_0 = before;
+      step /= 2;
+    } else {
+      tip = next;
+    }
   }
+  if (std::isnan(tip.x)) return {};
   const TipJacobian of_tip = tip_jacobian(b, state_of(b, tip));
   const auto [r, phi] = polar(tip);
   return {r, phi, contact_force(b, tip.z).F_n, least_stable(part(of_tip, std::array{X, Z, VX, VZ})),
