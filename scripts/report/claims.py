@@ -7,7 +7,7 @@ from bristle_plots.errors import BristleError
 from bristle_plots.explanations import explain_claim, explain_further, what_was_measured
 from bristle_plots.quantities import READINGS
 from bristle_plots.results import readable, table
-from bristle_plots.summary import claims_of, verdicts_of
+from bristle_plots.summary import OWN, claims_of, verdicts_of
 from bristle_plots.verdicts import VERDICT_SIGNS, number, p_text, quantity, threshold_text, with_uncertainty
 
 ORDER = ["supported", "refuted", "undecided"]
@@ -86,9 +86,10 @@ def by_reading(claims):
 
 
 def count(claims):
-    """Numbers of claims and checks, and for each model (verdict, number of claims, sign)."""
-    return {"claims": len({claim["claim"] for claim in claims}), "checks": sum(len(claim["main"] + claim["further"]) for claim in claims),
-            "readings": {reading: counted(verdict for _, verdict in found) for reading, found in by_reading(claims).items()}}
+    """Numbers of claims of the paper and of all checks, and for each model (verdict, number of claims, sign)."""
+    papers = [claim for claim in claims if not claim["claim"].startswith(OWN)]
+    return {"claims": len({claim["claim"] for claim in papers}), "checks": sum(len(claim["main"] + claim["further"]) for claim in claims),
+            "readings": {reading: counted(verdict for _, verdict in found) for reading, found in by_reading(papers).items()}}
 
 
 def counted(verdicts):

@@ -92,7 +92,10 @@ def findings(paths, figures):
     judged = [file for file in files if verdicts.read_claims(file) or not experiment(file).get("checks")]
     found = [(file, summary.claims_of(file)) for file in judged]
     names = {name: text for figure in figures if figure["present"] for name, text in figure["symbols"].items()}
-    return {**story.read(found), "findings": [symbols.prose(line.replace("`", ""), names) for line in summary.in_short(found)]}
+    lines = [symbols.emphasised(line.replace("`", ""), names) for line in summary.in_short(found)]
+    there = {as_text(file.attrs["name"]) for file in files}
+    first = {"jump": lines[0]} if "load" in there and lines else {}  # two phases; without this result, the jump of Figure 7
+    return {**story.read(found), **first, "findings": lines}
 
 
 def figure(path, arguments):

@@ -6,10 +6,10 @@ from markupsafe import Markup, escape
 
 from bristle_plots.verdicts import in_symbols
 
-GREEK = dict(zip("alpha beta gamma delta epsilon zeta theta lambda mu nu sigma tau varphi phi xi kappa".split(),
-                 "αβγδεζθλμνστφφξκ"))
+GREEK = dict(zip("alpha beta gamma delta epsilon zeta theta lambda mu nu sigma tau varphi phi xi kappa omega".split(),
+                 "αβγδεζθλμνστφφξκω"))
 SIGNS = {"propto": "∝", "cdot": "·", "pm": "±", "le": "≤", "ge": "≥", "infty": "∞", ",": " ", "times": "×",
-         "angle": "∠", "langle": "⟨", "rangle": "⟩"}
+         "angle": "∠", "perp": "⊥", "langle": "⟨", "rangle": "⟩"}
 ACCENTS = {"tilde": "\u0303", "check": "\u030c", "breve": "\u0306", "dot": "\u0307", "bar": "\u0304"}
 TOKEN = re.compile(r"\\[a-zA-Z]+|\\.|.", re.DOTALL)
 
@@ -57,6 +57,12 @@ def prose(sentence, symbols=None):
     for i, part in enumerate(in_symbols(sentence, symbols).split("$") if symbols else sentence.split("$")):
         out += html(part) if i % 2 else Markup(re.sub(r"\^\(([^)]*)\)", r"<sup>\1</sup>", str(escape(part))))
     return out
+
+
+def emphasised(sentence, symbols=None):
+    """The same, with what stands between ** set strong."""
+    parts = [prose(part, symbols) for part in sentence.split("**")]
+    return Markup().join(Markup(f"<strong>{part}</strong>") if i % 2 else part for i, part in enumerate(parts))
 
 
 def plain(sentence, symbols=None):
