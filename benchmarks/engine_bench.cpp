@@ -179,6 +179,27 @@ Json all_kinds(int count, double rtol, double odeint_rtol) {
           {"lane_utilisation", usage.passage_steps / usage.lane_steps}};
 }
 
+// The same bristles under both contacts with the slab: time per bristle, and steps of a passage.
+Json contacts(double rtol) {
+  Json out = Json::array();
+  for (const Bending bending : {Bending::polar, Bending::rod}) {
+    const Bristles wall(1024, 1.8, bending), hertz(1024, 1.8, bending, Contact::hertz);
+    std::vector<Passage> of_wall, of_hertz;
+    const auto steps = [](const std::vector<Passage>& passages) {
+      double sum = 0;
+      for (const Passage& passage : passages) sum += double(passage.steps);
+      return sum / double(passages.size());
+    };
+    const double ratio = paired_ratio([&] { of_hertz = run_lanes(best_kernels(), hertz.at(rtol)); },
+                                      [&] { of_wall = run_lanes(best_kernels(), wall.at(rtol)); });
+    out.push_back({{"bending", word(bending)},
+                   {"hertz_over_wall", ratio},
+                   {"steps_wall", steps(of_wall)},
+                   {"steps_hertz", steps(of_hertz)}});
+  }
+  return out;
+}
+
 Json scaling() {
   Json out = Json::array();
   const Bristles bristles(4096, M_PI);
@@ -250,6 +271,7 @@ int main(int argc, char** argv) {
   }
   out["ordinary"] = ordinary();
   out["all_kinds"] = all_kinds(1984, rtol, odeint_rtol);
+  out["contacts"] = contacts(rtol);
   out["scaling"] = scaling();
   fmt::print("{}\n", out.dump(1));
 }

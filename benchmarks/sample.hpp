@@ -19,7 +19,7 @@ namespace bristle::bench {
 class Bristles {
  public:
   // largest_theta_0: rad, pi for all bristles; below about 1.8 none is pinned.
-  Bristles(int count, double largest_theta_0, Bending bending = Bending::polar) {
+  Bristles(int count, double largest_theta_0, Bending bending = Bending::polar, Contact contact = Contact::wall) {
     std::mt19937_64 random(1);
     const auto uniform = [&](double from, double to) {
       return from + (to - from) * double(random() >> 11) * 0x1p-53;
@@ -30,6 +30,7 @@ class Bristles {
     for (int i = 0; i < count; ++i) {
       Parameters& p = parameters_.emplace_back();
       p.bending = bending;
+      p.contact = contact;
       p.friction = i % 2 ? FrictionLaw::nss : FrictionLaw::coulomb;
       p.k_r = log_uniform(2, 100);
       p.k_theta = log_uniform(0.3, 10);

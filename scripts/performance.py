@@ -212,6 +212,11 @@ drawing adds a few seconds each. A point of the dearest one, {dearest['name']}, 
 - Processors without AVX-512 take about twice as long (the rows of AVX2 and AVX3 below)."""
 
 
+def contact_rows(engine):
+    return [[one["bending"], f"{one['steps_wall']:.0f}", f"{one['steps_hertz']:.0f}", f"{one['hertz_over_wall']:.2f}"]
+            for one in engine["contacts"]]
+
+
 def document(engine, kernels, peers, cases, purposes, figures, designs, commands):
     everything = engine["all_kinds"]
     scaling = [[str(s["bristles"]), str(s["threads"]), f"{s['ms_per_bristle']:.3f}"] for s in engine["scaling"]]
@@ -269,6 +274,13 @@ engine {everything['ratio']:.1f} times as long. {everything['lane_utilisation']:
 ## What limits the speed
 
 {kernel_text(kernels)}{goal_text(peers, kernels)}
+
+## The two contacts
+
+Hertz's contact beside the paper's wall, the same 1024 bristles of each model, none of them pinned; cycles
+are those of a passage, as a ratio in the same run.
+
+{table(["bending", "steps, wall", "steps, Hertz", "cycles, Hertz over wall"], *contact_rows(engine))}
 
 ## Passages for an ensemble mean
 
