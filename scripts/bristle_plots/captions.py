@@ -68,7 +68,7 @@ def caption(module, file, reading, page, ending="", chosen=()):
     models = [name for name in map(reading_name, readings(part)) if name and name not in labels]
     sentences = [title, "; ".join(shown), f"Over {'; '.join(over)}" if over else "",
                  f"Fixed: {'; '.join([*fixed, with_symbols(file.attrs.get('caption', ''))])}",
-                 ", and ".join(models), marks(module, file, ending), statuses(part)]
+                 f"Model{'s' * (len(models) > 1)} of bending: {', '.join(models)}" if models else "", marks(module, file, ending), statuses(part)]
     text = in_latex(". ".join(sentence[0].upper() + sentence[1:] for sentence in sentences if sentence))
     return f"% page {page}\n" * bool(page) + f"\\caption{{{text}.}}"
 

@@ -77,7 +77,7 @@ std::string Phases::lift_off_text() const {
                         speed_.to, speed_.to / factor, speed_.to * factor);
   }
   for (const auto& [domain, points] : outside_)
-    text += fmt::format("lift-off load unknown at {} points: {}\n", points, outside_of(domain));
+    text += fmt::format("lift-off load unknown at {} point{}: {}\n", points, points == 1 ? "" : "s", outside_of(domain));
   return text;
 }
 

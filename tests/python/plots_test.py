@@ -274,7 +274,7 @@ for options, words in ((["--width", "3"], "a number with its unit"), (["--width"
 done = called("plot", "fig4", result, "-o", folder / "one", "--reading", "rod", "--format", "png", "--dpi", "60", "--width", "7in")
 assert done.code == 0 and {path.name for path in (folder / "one").iterdir()} == {"fig4.png", "fig4-energy.png"}, done.messages
 done = plot("--caption", "--reading", "rod")
-assert done.out.count("\\caption{") == 2 and "rod" in done.out and "as printed" not in done.out, done.out
+assert done.out.count("\\caption{") == 2 and "Model of bending: rod." in done.out and "as printed" not in done.out, done.out
 done = plot("--reading", "rodd")
 assert done.code == 2 and "no reading 'rodd'; it has: polar, polar_as_printed, rod" in done.messages, done.messages
 done = plot("--y", "gamma_1")

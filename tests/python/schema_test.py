@@ -33,6 +33,7 @@ PROGRAM_ONLY = {
     "not a number that the sweep varies": "whether the sweep has the axis of the jumps",
     "is not below .*; swap them": "order of the ends of a distribution",
     "gives 0 distributions": "whether the extended file has this distribution",
+    "has no effect on round rods": "which section the extended file gives rods",
     "appears twice": "whether the words of an axis differ",
     r"\d\.0 is not allowed; allowed: an integer": "that an integer is written without a decimal point",
     r"/sweep/\w+: \d+\.\d+ is out of range for .*; allowed: an integer": "whether the steps of an axis are integers",

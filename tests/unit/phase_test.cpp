@@ -66,7 +66,7 @@ TEST_CASE("phase: lines compare loads with the lift-off load, and say why it is 
         "phases: 2 in contact (tips stay on the slab), 2 bouncing (tips are off the slab for more than half of the "
         "time)\n"
         "lift-off load: 2 (docs/lift-off.md); 1 of 2 bouncing points carry less, 1 of 1 points in contact carry more\n"
-        "lift-off load unknown at 1 points: L_x is outside 5 to 16\n");
+        "lift-off load unknown at 1 point: L_x is outside 5 to 16\n");
   CHECK(text_of({{"phase", {1}},
                  {"R_n", {0.5}},
                  {"R_n_in_N", {0.6}},
