@@ -57,7 +57,7 @@ def slopes_of_ends(file, pairs):
 def order_of_gaps(file, pairs):
     reading, k_r = pairs[0][1].reading, axis_values(file, "k_r")
     trends = {check["at"]["R_n"]: row.measured for check, row in pairs if row.role == "main"}
-    few = {check["at"]["R_n"]: (check["where"]["k_r"][1], row.measured) for check, row in pairs if "where" in check}
+    few = {check["at"]["R_n"]: (check["where"]["k_r"][1], row.measured) for check, row in pairs if "k_r" in check["where"]}
     parts = []
     for load, tau in trends.items():
         word = "rises with k_r" if tau >= 0.5 else "falls with k_r" if tau <= -0.5 else "has no clear order"
@@ -73,8 +73,7 @@ def order_of_gaps(file, pairs):
     parts.append(f"Near the ground, at z_0 = {NEAR_GROUND}, R_n is {listed(ground)}, and when the slab leaves them the tips "
                  f"have been dragged by {listed(moved)} bristle lengths, (N_c/N_c0 - 1) L_x: from k_r = "
                  f"{chosen_at(k_r[np.argmin(ground)])} on, the softer a bristle is, the longer it becomes and the less it "
-                 "carries. So under a growing load soft bristles let the slab down to the ground first. (The curves are "
-                 "those of the paper's k_phi; tau is over all k_phi.)")
+                 "carries. So under a growing load soft bristles let the slab down to the ground first.")
     return " ".join(parts)
 
 
@@ -129,7 +128,10 @@ def by_branch(file, pairs):
     parts = []
     for check, row in failing([pair for pair in pairs if pair[1].role == "main"]):
         of_pairs = {other["pairs"]: with_uncertainty(found.measured, found.uncertainty) for other, found in pairs
-                    if "pairs" in other and all(other.get(key) == check.get(key) for key in ("variable", "x", "where"))}
+                    if "pairs" in other and all(other.get(key) == check.get(key) for key in ("variable", "x", "where", "along"))}
+        if not of_pairs:
+            parts.append(what_was_measured([(check, row)]))
+            continue
         parts.append(f"\u201c{row.statement}\u201d: tau is {with_uncertainty(row.measured, row.uncertainty)}{p_text(row)}, required "
                      f"{threshold_text(row.relation, row.threshold, row.band)}{by_chance(row)}. For pairs of points on either side of the jump of the gap "
                      f"it is {of_pairs['across']}, for pairs on the same side {of_pairs['within']}: "

@@ -83,7 +83,11 @@ def counts(verdicts, readings):
             f"{' (' + ', '.join(failing) + ')' if failing else ''}{by_model}.")
 
 
-def of_rods(values, text=short):
+def in_two_digits(value):
+    return number(value, ".2g")
+
+
+def of_rods(values, text=in_two_digits):
     """The value for rods; in brackets the range over the models, if these differ in the digits that are shown."""
     found = dict(zip(READINGS, values))
     of_all = span(list(found.values()), text)
@@ -131,7 +135,7 @@ def weak_friction(file, _):
     uncontrolled = np.flatnonzero(np.minimum.accumulate(least) >= 0.9)
     if not uncontrolled.size:
         return ""
-    return (f"**Weak local friction cannot be controlled.** Up to a local friction coefficient of {chosen_at(local[uncontrolled[-1]])} a "
+    return (f"**Weak local friction cannot be controlled.** Up to a local friction coefficient of {in_two_digits(local[uncontrolled[-1]])} a "
             f"brush has at least {percent(least[uncontrolled[-1]])} of the friction of rigid bristles, under any load.")
 
 
