@@ -143,12 +143,14 @@ def limits(file, _):
     names = {"exceeds_spacing": "the tips travel farther than the next bristle, through which the model lets them pass",
              "exceeds_strain_limit": "the roots are strained beyond the linear range"}
     valued = np.isfinite(read(file, "R_x_norm"))
-    parts = []
+    places = {}
     for name, what in names.items():
         words, found = flags(dataset(file, name))
         beyond = int(np.sum(np.asarray(found)[valued] == list(words).index("yes")))
-        parts.append(f"at {'every point' if beyond == valued.sum() else f'{beyond} of {int(valued.sum())} points'} {what}")
-    return f"**Before you trust a number:** in the paper's Figure 4, {', and '.join(parts)}."
+        place = "every point" if beyond == valued.sum() else f"{beyond} of {int(valued.sum())} points"
+        places.setdefault(place, []).append(what)
+    parts = [f"at {place} {', and '.join(found)}" for place, found in places.items()]
+    return f"**Before you trust a number:** in the paper's Figure 4, {'; '.join(parts)}."
 
 
 def of_each(sentence):
