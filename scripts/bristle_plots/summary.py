@@ -105,10 +105,10 @@ def two_phases(file, _):
     words, phases = flags(dataset(file, "phase"))
     number_of = {word: int(np.sum(np.asarray(phases) == i)) for i, word in enumerate(words)}
     off = over_models(file, predicate="level", variable="off_slab_share", along="R_n_target", where=BOUNCING)
-    between = f"{number_of['mixed'] or 'none'} of {sum(number_of[word] for word in ('contact', 'bouncing', 'mixed'))}"
+    brushes = sum(number_of[word] for word in ("contact", "bouncing", "mixed"))
     return ("**A brush is in contact or bounces.** In contact the tips stay on the slab and drag along it. Bouncing, they are off the "
-            f"slab for {of_rods(off, percent)} of the time. Of the brushes under a given load in `make load`, {between} "
-            f"{'is' if number_of['mixed'] < 2 else 'are'} in between.")
+            f"slab for {of_rods(off, percent)} of the time. Of {brushes} brushes under given loads "
+            f"{number_of['mixed'] or 'none'} {'is' if number_of['mixed'] < 2 else 'are'} in between.")
 
 
 def sliding_easily(file, _):
