@@ -14,8 +14,9 @@ namespace {
 constexpr int kTip = THETA;
 using TipJacobian = Eigen::Matrix<double, kTip, kTip>;
 
-// Returns the Jacobian of the bristle b at rest at y, with respect to the tip's position and velocity. At rest
-// theta and phi follow the position alone, d(theta) = (d theta'/d v) . dr, so their columns are added to its columns.
+// Returns the Jacobian of the bristle b at rest at y, with respect to the tip's position and velocity. At
+// rest theta and phi follow the position alone, d(theta) = (d theta'/d v) . dr, so their columns are added to
+// its columns.
 TipJacobian tip_jacobian(const Bristle<double>& b, const OdeState& y) {
   StateJacobian full;
   IntegralJacobian unused;
@@ -41,8 +42,8 @@ OdeState state_of(const Bristle<double>& b, const Rest& tip) { return pack(state
 // Returns the tip at the same distance from its root, at the height z; x is NaN if that is too high.
 Rest at_height(const Rest& tip, double z) { return {std::sqrt(tip.x * tip.x + tip.z * tip.z - z * z), z}; }
 
-// Returns the place near the tip at which the bristle b rests on the moving slab, by Newton's method. x is NaN if
-// the method finds none.
+// Returns the place near the tip at which the bristle b rests on the moving slab, by Newton's method. x is
+// NaN if the method finds none.
 Rest resting_place(const Bristle<double>& b, Rest tip) {
   constexpr int kIterations = 50;
   constexpr double kTolerance = 1e-11;  // of the place, dimensionless

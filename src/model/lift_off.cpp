@@ -23,7 +23,8 @@ struct Tested {
 };
 constexpr std::array kTested = {
     Tested{LiftOffDomain::k_phi, "k_phi", [](const Parameters& p) { return p.k_phi; }, 0.5, 10},
-    Tested{LiftOffDomain::k_r_over_k_phi, "k_r/k_phi", [](const Parameters& p) { return p.k_r / p.k_phi; }, 4, 36},
+    Tested{LiftOffDomain::k_r_over_k_phi, "k_r/k_phi", [](const Parameters& p) { return p.k_r / p.k_phi; }, 4,
+           36},
     // Loads below this range change gradually; loads above it are more than any other gap carries.
     Tested{LiftOffDomain::load_over_k_phi, "the lift-off load over k_phi",
            [](const Parameters& p) { return fitted_load(p) / p.k_phi; }, 0.5, 2.3},
@@ -34,7 +35,8 @@ constexpr std::array kTested = {
            },
            3, 20},
     Tested{LiftOffDomain::L_x, "L_x", [](const Parameters& p) { return p.L_x; }, 5, 16},
-    Tested{LiftOffDomain::phi_0, "phi_0_deg", [](const Parameters& p) { return p.phi_0 * 180 / M_PI; }, 75, 86},
+    Tested{LiftOffDomain::phi_0, "phi_0_deg", [](const Parameters& p) { return p.phi_0 * 180 / M_PI; }, 75,
+           86},
     Tested{LiftOffDomain::zeta_phi, "zeta_phi", [](const Parameters& p) { return p.zeta_phi; }, 0.05, 0.3},
 };
 
@@ -62,12 +64,14 @@ LiftOffDomain lift_off_domain(const Parameters& p) {
 std::string outside_of(LiftOffDomain domain) {
   if (domain == LiftOffDomain::section) return "rods are oval";
   for (const Tested& tested : kTested)
-    if (tested.outside == domain) return fmt::format("{} is outside {} to {}", tested.name, tested.from, tested.to);
+    if (tested.outside == domain)
+      return fmt::format("{} is outside {} to {}", tested.name, tested.from, tested.to);
   return "";
 }
 
 double lift_off_load(const Parameters& p) {
-  return lift_off_domain(p) == LiftOffDomain::tested ? fitted_load(p) : std::numeric_limits<double>::quiet_NaN();
+  return lift_off_domain(p) == LiftOffDomain::tested ? fitted_load(p)
+                                                     : std::numeric_limits<double>::quiet_NaN();
 }
 
 LiftOffSpeed lift_off_speed(const Parameters& p, double R_n) {
@@ -82,8 +86,8 @@ LiftOffSpeed lift_off_speed(const Parameters& p, double R_n) {
 double bouncing_load_by_statics(const Parameters& p, double z_0) {
   const double cos_phi = std::sqrt(1 - z_0 * z_0);
   const double a = (p.phi_0 - asin(z_0)) / cos_phi;
-  // With r = 1 at both ends of the way over the root, from x = -X to X, the integral is z_0 (2 atanh(X) - 2 X). Half
-  // of the bristles take this way.
+  // With r = 1 at both ends of the way over the root, from x = -X to X, the integral is z_0 (2 atanh(X) - 2
+  // X). Half of the bristles take this way.
   constexpr int kNodes = 64;
   double b = 0;
   for (int i = 0; i < kNodes; ++i) {

@@ -45,9 +45,12 @@ void Phases::add(const std::function<std::vector<double>(const std::string&)>& v
     bouncing_below_ += phase == BrushPhase::bouncing && ratios[i] < 1;
     in_contact_above_ += phase == BrushPhase::contact && ratios[i] >= 1;
   }
-  const std::pair<const char*, Range*> ranges[] = {
-      {"R_n", &load_},           {"R_n_in_N", &load_in_N_},    {"lift_off_load", &lift_off_},
-      {"lift_off_load_in_N", &lift_off_in_N_}, {"lift_off_speed", &speed_}, {"lift_off_speed_err", &speed_error_}};
+  const std::pair<const char*, Range*> ranges[] = {{"R_n", &load_},
+                                                   {"R_n_in_N", &load_in_N_},
+                                                   {"lift_off_load", &lift_off_},
+                                                   {"lift_off_load_in_N", &lift_off_in_N_},
+                                                   {"lift_off_speed", &speed_},
+                                                   {"lift_off_speed_err", &speed_error_}};
   for (const auto& [name, range] : ranges)
     for (const double value : variable(name)) range->add(value);
 }
@@ -55,29 +58,35 @@ void Phases::add(const std::function<std::vector<double>(const std::string&)>& v
 std::string Phases::text() const {
   std::vector<std::string> parts;
   for (const PhaseRow& row : kPhaseRows)
-    if (const auto points = points_[std::size_t(row.phase)]) parts.push_back(fmt::format("{} {}", points, row.what));
+    if (const auto points = points_[std::size_t(row.phase)])
+      parts.push_back(fmt::format("{} {}", points, row.what));
   return parts.empty() ? "" : fmt::format("phases: {}\n{}", fmt::join(parts, ", "), lift_off_text());
 }
 
 std::string Phases::lift_off_text() const {
-  const auto bouncing = tested_[std::size_t(BrushPhase::bouncing)], contact = tested_[std::size_t(BrushPhase::contact)];
+  const auto bouncing = tested_[std::size_t(BrushPhase::bouncing)],
+             contact = tested_[std::size_t(BrushPhase::contact)];
   const bool si = load_in_N_.from <= load_in_N_.to;
   std::string text;
   if (lift_off_.from <= lift_off_.to) {
-    text += fmt::format("lift-off load: {}{} (docs/lift-off.md)", (si ? lift_off_in_N_ : lift_off_).text(), si ? " N" : "");
+    text += fmt::format("lift-off load: {}{} (docs/lift-off.md)", (si ? lift_off_in_N_ : lift_off_).text(),
+                        si ? " N" : "");
     std::vector<std::string> parts;
-    if (bouncing) parts.push_back(fmt::format("{} of {} bouncing points carry less", bouncing_below_, bouncing));
-    if (contact) parts.push_back(fmt::format("{} of {} points in contact carry more", in_contact_above_, contact));
+    if (bouncing)
+      parts.push_back(fmt::format("{} of {} bouncing points carry less", bouncing_below_, bouncing));
+    if (contact)
+      parts.push_back(fmt::format("{} of {} points in contact carry more", in_contact_above_, contact));
     text += parts.empty() ? "\n" : fmt::format("; {}\n", fmt::join(parts, ", "));
   }
   // One brush has one lift-off speed at all speeds of the slab, but for rounding.
   if (speed_.from <= speed_.to && speed_.to < speed_.from * (1 + 1e-3)) {
     const double factor = 1 + speed_error_.to / speed_.to;
-    text += fmt::format("at {} N this brush lifts off above about {:.2g} m/s (between {:.2g} and {:.2g})\n", load_in_N_.text(),
-                        speed_.to, speed_.to / factor, speed_.to * factor);
+    text += fmt::format("at {} N this brush lifts off above about {:.2g} m/s (between {:.2g} and {:.2g})\n",
+                        load_in_N_.text(), speed_.to, speed_.to / factor, speed_.to * factor);
   }
   for (const auto& [domain, points] : outside_)
-    text += fmt::format("lift-off load unknown at {} point{}: {}\n", points, points == 1 ? "" : "s", outside_of(domain));
+    text += fmt::format("lift-off load unknown at {} point{}: {}\n", points, points == 1 ? "" : "s",
+                        outside_of(domain));
   return text;
 }
 

@@ -29,10 +29,12 @@ Parameters faster(Parameters p, double speed) {
 TEST_CASE("lift-off: the load by the formula, and none outside the range of its tests") {
   CHECK(lift_off_load(rods(20, 1.9)) == Approx(0.346 * std::sqrt(38.) - 0.154 * 1.9 * std::log(1.9)));
   CHECK(lift_off_load(rods(10, 1)) == Approx(0.346 * std::sqrt(10.)));
-  const std::pair<Parameters, LiftOffDomain> outside[] = {
-      {rods(5, 1.9), LiftOffDomain::k_r_over_k_phi},     {rods(100, 1.9), LiftOffDomain::k_r_over_k_phi},
-      {rods(3, 0.3), LiftOffDomain::k_phi},              {rods(20, 1.9, 1), LiftOffDomain::local_friction},
-      {rods(20, 1.9, 40), LiftOffDomain::local_friction}, {rods(40, 9), LiftOffDomain::load_over_k_phi}};
+  const std::pair<Parameters, LiftOffDomain> outside[] = {{rods(5, 1.9), LiftOffDomain::k_r_over_k_phi},
+                                                          {rods(100, 1.9), LiftOffDomain::k_r_over_k_phi},
+                                                          {rods(3, 0.3), LiftOffDomain::k_phi},
+                                                          {rods(20, 1.9, 1), LiftOffDomain::local_friction},
+                                                          {rods(20, 1.9, 40), LiftOffDomain::local_friction},
+                                                          {rods(40, 9), LiftOffDomain::load_over_k_phi}};
   for (const auto& [p, domain] : outside) {
     CAPTURE(p.k_r, p.k_phi, p.mu_c);
     CHECK(std::isnan(lift_off_load(p)));
@@ -71,7 +73,8 @@ TEST_CASE("lift-off: statics of bouncing bristles") {
     const Parameters soft = rods(1e-9, 2), stiff = rods(5, 1e-9);
     CHECK(bouncing_load_by_statics(stiff, z_0) * stiff.L_x / 5 == Approx(b).epsilon(2e-3));
     const double phi = std::asin(z_0);
-    CHECK(bouncing_load_by_statics(soft, z_0) == Approx(2 * (soft.phi_0 - phi) / std::cos(phi)).epsilon(1e-9));
+    CHECK(bouncing_load_by_statics(soft, z_0) ==
+          Approx(2 * (soft.phi_0 - phi) / std::cos(phi)).epsilon(1e-9));
   }
 }
 

@@ -6,12 +6,13 @@
 
 namespace bristle::phase_test {
 
-TEST_CASE("phase: in contact up to a share of 5 % off the slab, bouncing from a half, unknown without values") {
+TEST_CASE(
+    "phase: in contact up to a share of 5 % off the slab, bouncing from a half, unknown without values") {
   PointResult point{};
-  const std::vector<std::pair<double, BrushPhase>> rows = {{0, BrushPhase::contact},   {0.05, BrushPhase::contact},
-                                                           {0.06, BrushPhase::mixed},  {0.49, BrushPhase::mixed},
-                                                           {0.5, BrushPhase::bouncing}, {1, BrushPhase::bouncing},
-                                                           {NAN, BrushPhase::unknown}};
+  const std::vector<std::pair<double, BrushPhase>> rows = {
+      {0, BrushPhase::contact},  {0.05, BrushPhase::contact}, {0.06, BrushPhase::mixed},
+      {0.49, BrushPhase::mixed}, {0.5, BrushPhase::bouncing}, {1, BrushPhase::bouncing},
+      {NAN, BrushPhase::unknown}};
   for (const auto& [share, phase] : rows) {
     CAPTURE(share);
     point.value[observable("off_slab_share")] = share;
@@ -28,7 +29,8 @@ TEST_CASE("phase: one brush bounces under a load and stays in contact under a gr
   p.C = chi_C_peak_at_V_s(p.A);
   setup.orientation.rtol = 0.02;
   const PassageRunner run = make_runner(Engine::fast);
-  const PointResult light = solve_point(setup, {.R_n = 1.2}, run), heavy = solve_point(setup, {.R_n = 2.6}, run);
+  const PointResult light = solve_point(setup, {.R_n = 1.2}, run),
+                    heavy = solve_point(setup, {.R_n = 2.6}, run);
   CHECK(phase_of(light) == BrushPhase::bouncing);
   CHECK(phase_of(heavy) == BrushPhase::contact);
   CHECK(light.R_x_norm < 0.5 * heavy.R_x_norm);
@@ -52,7 +54,8 @@ TEST_CASE("phase: a line counts the points of each phase") {
   CHECK(text_of({}) == "");
   CHECK(text_of({{"phase", {3, 3}}}) == "");
   CHECK(text_of({{"phase", {0, 1, 3, 1, 2}}}) ==
-        "phases: 1 in contact (tips stay on the slab), 2 bouncing (tips are off the slab for more than half of the "
+        "phases: 1 in contact (tips stay on the slab), 2 bouncing (tips are off the slab for more than half "
+        "of the "
         "time), 1 between the two\n");
 }
 
@@ -63,9 +66,11 @@ TEST_CASE("phase: lines compare loads with the lift-off load, and say why it is 
                  {"lift_off_load", {2, 2, 2, nan}},
                  {"load_over_lift_off", {0.5, 1.05, 1.1, nan}},
                  {"lift_off_domain", {0, 0, 0, double(LiftOffDomain::L_x)}}}) ==
-        "phases: 2 in contact (tips stay on the slab), 2 bouncing (tips are off the slab for more than half of the "
+        "phases: 2 in contact (tips stay on the slab), 2 bouncing (tips are off the slab for more than half "
+        "of the "
         "time)\n"
-        "lift-off load: 2 (docs/lift-off.md); 1 of 2 bouncing points carry less, 1 of 1 points in contact carry more\n"
+        "lift-off load: 2 (docs/lift-off.md); 1 of 2 bouncing points carry less, 1 of 1 points in contact "
+        "carry more\n"
         "lift-off load unknown at 1 point: L_x is outside 5 to 16\n");
   CHECK(text_of({{"phase", {1}},
                  {"R_n", {0.5}},

@@ -31,13 +31,16 @@ TEST_CASE("stability: at first contact a bristle oscillates at its own frequency
     // Free of the slab, the least damped mode is the radial spring's: it has no damper.
     CHECK(s.in_plane.growth_rate == Approx(0).margin(1e-9));
     CHECK(s.in_plane.frequency == Approx(std::sqrt(20)).epsilon(1e-9));
-    // The azimuth, an oscillator with the damping ratio zeta_theta; a rod's has the inertia of its whole length.
+    // The azimuth, an oscillator with the damping ratio zeta_theta; a rod's has the inertia of its whole
+    // length.
     const double k_theta = azimuthal_stiffness(p), lever = bending == Bending::rod ? 1 : cos(p.phi_0);
-    const double damping = 2 * p.zeta_theta * std::sqrt(k_theta) * (bending == Bending::rod ? 1 : cos(p.phi_0));
+    const double damping =
+        2 * p.zeta_theta * std::sqrt(k_theta) * (bending == Bending::rod ? 1 : cos(p.phi_0));
     if (bending == Bending::polar_as_printed) continue;  // its azimuth turns s^2/r^2 times as far
     CHECK(s.transverse.growth_rate == Approx(-damping / (2 * lever * lever)).epsilon(1e-9));
     CHECK(s.transverse.frequency ==
-          Approx(std::sqrt(k_theta / (lever * lever) - std::pow(damping / (2 * lever * lever), 2))).epsilon(1e-9));
+          Approx(std::sqrt(k_theta / (lever * lever) - std::pow(damping / (2 * lever * lever), 2)))
+              .epsilon(1e-9));
   }
 }
 
