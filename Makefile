@@ -78,7 +78,7 @@ findings: figures $(CHECKED_STUDIES) ## all figures; docs/findings.md, each clai
 # The matrices, of which the next two targets draw the pages.
 .PHONY: assumptions-matrix inference-matrix
 assumptions-matrix: build
-	@test -e results/assumptions.json || echo "Computing the claims under other assumptions, about 15 minutes on two cores ..."
+	@test -e results/assumptions.json || echo "Computing the claims under other assumptions, about an hour on two cores ..."
 	$(BUILD)/bristle assumptions
 
 # The same machinery on joint sets of choices.
