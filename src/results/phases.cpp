@@ -45,8 +45,7 @@ void Phases::add(const std::function<std::vector<double>(const std::string&)>& v
     bouncing_below_ += phase == BrushPhase::bouncing && ratios[i] < 1;
     in_contact_above_ += phase == BrushPhase::contact && ratios[i] >= 1;
   }
-  const std::pair<const char*, Range*> ranges[] = {{"R_n", &load_},
-                                                   {"R_n_in_N", &load_in_N_},
+  const std::pair<const char*, Range*> ranges[] = {{"R_n_in_N", &load_in_N_},
                                                    {"lift_off_load", &lift_off_},
                                                    {"lift_off_load_in_N", &lift_off_in_N_},
                                                    {"lift_off_speed", &speed_},

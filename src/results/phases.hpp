@@ -35,7 +35,7 @@ class Phases {
   std::array<std::size_t, kPhases> points_{}, tested_{};   // by phase; tested: where lift-off is known
   std::size_t bouncing_below_ = 0, in_contact_above_ = 0;  // of the tested points
   std::map<LiftOffDomain, std::size_t> outside_;
-  Range load_, load_in_N_, lift_off_, lift_off_in_N_, speed_, speed_error_;
+  Range load_in_N_, lift_off_, lift_off_in_N_, speed_, speed_error_;
 };
 
 }  // namespace bristle::results
