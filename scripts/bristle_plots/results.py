@@ -109,7 +109,7 @@ def table_with(file, name, *needed):
     return found
 
 
-@lru_cache(maxsize=16)
+@lru_cache(maxsize=256)
 def read_group(path, _time, name):
     """The values of a group of the file, "/" for the root; _time: of its last change. None for a copy: it has no tables."""
     try:

@@ -6,8 +6,8 @@ import numpy as np
 
 from bristle_plots.errors import BristleError
 from bristle_plots.figures.fig2 import read_passages
-from bristle_plots.results import (as_text, axis_names, axis_values, dataset, experiment, open_result, place_of,
-                                   point_numbers, read, setting)
+from bristle_plots.results import (as_text, axis_names, axis_values, dataset, experiment, place_of, point_numbers,
+                                   read, setting)
 
 NAME, GRID = "bristles", "fig4"
 PARAMETERS = ["model", "si", "friction_law", "load", "orientation", "integrator"]  # of an experiment
@@ -16,9 +16,9 @@ FORCE = 0.3  # of a length of the bristle: what the largest force counts as, whe
 DIGITS = {"xi": 4, "x": 3, "y": 3, "z": 3, "F_n": 3, "F_fx": 3, "F_fy": 3}
 
 
-def recorded(paths):
+def recorded(results):
     """The length of the slab and the passages for the page; None if one of the two results is missing."""
-    files = {as_text(file.attrs["name"]): file for file in map(open_result, paths)}
+    files = {as_text(file.attrs["name"]): file for file in results}
     if not {NAME, GRID} <= set(files):
         return None
     file, grid = files[NAME], files[GRID]

@@ -63,8 +63,9 @@ def main():
     if os.path.isfile(arguments.output) and origin in read_text(arguments.output):
         print(f"{arguments.output}: is up to date")
         return
-    figures = [figure(path, arguments) if path in present else missing(path) for path in arguments.results]
-    page = render(figures, findings(present, figures), bristles.recorded(present), origin, arguments)
+    files = {path: open_result(path) for path in present}
+    figures = [figure(path, files[path], arguments) if path in files else missing(path) for path in arguments.results]
+    page = render(figures, findings(files.values(), figures), bristles.recorded(files.values()), origin, arguments)
     write_text(arguments.output, page)
     print(f"{arguments.output}: {len(present)} of {len(figures)} figures, {len(page.encode()) / 1e6:.1f} MB")
 
@@ -86,9 +87,8 @@ def read_text(path):
         return file.read()
 
 
-def findings(paths, figures):
+def findings(files, figures):
     """The first screen's numbers, and the findings to know first, as docs/findings.md has them."""
-    files = [open_result(path) for path in paths]
     judged = [file for file in files if verdicts.read_claims(file) or not experiment(file).get("checks")]
     found = [(file, summary.claims_of(file)) for file in judged]
     names = {name: text for figure in figures if figure["present"] for name, text in figure["symbols"].items()}
@@ -98,26 +98,25 @@ def findings(paths, figures):
     return {**story.read(found), **first, "findings": lines}
 
 
-def figure(path, arguments):
+def figure(path, file, arguments):
     """All data of one result for the page."""
-    with open_result(path) as file:
-        name = as_text(file.attrs["name"])
-        names = verdicts.symbols(file)
-        found = claims.read(name, file, names)
-        deviation, replay = program.check(arguments.program, path, arguments.reference)
-        drawings = plots.draw(name, file, claims.by_reading(found))
-        return {
-            "name": name, "path": path, "present": True, "symbols": names, **labels(name, as_text(file.attrs.get("figure", ""))),
-            "title": symbols.prose(heading(file)),
-            "caption": symbols.prose(as_text(file.attrs.get("caption", ""))),
-            "tier": as_text(file.attrs.get("tier", "full")),
-            "notes": [symbols.prose(note, names) for note in experiment(file).get("notes", [])],
-            "drawings": drawings, "claims": found,
-            "points": points.collect(file, replay),
-            "tables": tables.read(arguments.program, path, file, [] if name == bristles.NAME else tables.RECORDED),
-            "deviation": deviation, "outcome": program.outcome(deviation),
-            "diagnostics": diagnostics.read(file), "provenance": sources.provenance(file, path),
-        }
+    name = as_text(file.attrs["name"])
+    names = verdicts.symbols(file)
+    found = claims.read(name, file, names)
+    deviation, replay = program.check(arguments.program, path, arguments.reference)
+    drawings = plots.draw(name, file, claims.by_reading(found))
+    return {
+        "name": name, "path": path, "present": True, "symbols": names, **labels(name, as_text(file.attrs.get("figure", ""))),
+        "title": symbols.prose(heading(file)),
+        "caption": symbols.prose(as_text(file.attrs.get("caption", ""))),
+        "tier": as_text(file.attrs.get("tier", "full")),
+        "notes": [symbols.prose(note, names) for note in experiment(file).get("notes", [])],
+        "drawings": drawings, "claims": found,
+        "points": points.collect(file, replay),
+        "tables": tables.read(arguments.program, path, file, [] if name == bristles.NAME else tables.RECORDED),
+        "deviation": deviation, "outcome": program.outcome(deviation),
+        "diagnostics": diagnostics.read(file), "provenance": sources.provenance(file, path),
+    }
 
 
 def labels(name, number):
