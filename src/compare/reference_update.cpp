@@ -21,8 +21,8 @@ namespace fs = std::filesystem;
 namespace {
 
 // Variables without a value at some points: only points with a jump, an incomplete passage or a lattice have
-// one. So are the values at the other gap of an ambiguous point, and means over the bristles that are not
-// pinned, where all are.
+// one. So are the values at the other gap of an ambiguous point, means over the bristles that are not pinned,
+// where all are, and the formulas of lift-off beyond their domains.
 const std::set<std::string> kMayBeMissing = {"jump_z_0",
                                              "jump_R_n",
                                              "incomplete_theta_0",
@@ -34,7 +34,8 @@ const std::set<std::string> kMayBeMissing = {"jump_z_0",
                                              "lift_off_speed",
                                              "growth_rate",
                                              "transverse_growth_rate",
-                                             "transverse_frequency"};
+                                             "transverse_frequency",
+                                             "R_n_statics"};
 
 constexpr const char* kLogTitle = "# Changes of the references";
 const std::string kLogStart = kLogTitle + std::string(

@@ -246,9 +246,12 @@ expect 2 "no such file" "$bristle" diff "$folder/r.h5" nowhere.h5
 reference=$folder/repository/reference
 git init -q "$folder/repository"
 cp "$result" "$folder/clean.h5"
-"$(scripts/find-python)" -c 'import h5py, numpy, sys
+of_a_clean_commit() {
+  "$(scripts/find-python)" -c 'import h5py, numpy, sys
 provenance = h5py.File(sys.argv[1], "r+")["provenance"].attrs
-for name in "commit", "points_commits": provenance[name] = numpy.bytes_("0123abc")' "$folder/clean.h5"
+for name in "commit", "points_commits": provenance[name] = numpy.bytes_("0123abc")' "$1"
+}
+of_a_clean_commit "$folder/clean.h5"
 expect 1 "no such reference" "$bristle" check --report-only "$folder/clean.h5" --reference "$reference"
 expect 2 "--reason" "$bristle" reference update "$folder/clean.h5" --reference "$reference"
 expect 2 "--reason" "$bristle" reference update "$folder/clean.h5" --reference "$reference" --reason ""
@@ -266,6 +269,15 @@ expect 2 "commit or stash first" \
 rm "$folder/repository/work"
 expect 0 "refuted, was supported" \
   "$bristle" reference update "$folder/clean.h5" --reference "$reference" --reason "the verdict was edited"
+
+# Outside the domain of the formulas of lift-off their variables are NaN, which a reference allows.
+git -C "$folder/repository" add . && git -C "$folder/repository" -c user.name=n -c user.email=e commit -qm all
+echo '{"extends": "paper.json", "name": "high", "title": "A gap of more than 1", "load": {"R_n": null, "z_0": 1.001},
+  "model": {"phi_0_deg": 89.9}, "tiers": {"smoke": {"model": {"k_r": 20}}}}' >"$folder/high.json"
+cp experiments/paper.json "$folder/"
+"$bristle" run "$folder/high.json" --tier smoke --quiet -o "$folder/high.h5"
+of_a_clean_commit "$folder/high.h5"
+expect 0 "new reference" "$bristle" reference update "$folder/high.h5" --reference "$reference" --reason "high"
 
 # A deviation is reported with the command that computes only its point, with the same bits.
 sed -i '/"R_x_norm"/,/"tolerance"/ s/"values": \[\[[0-9.]*,/"values": [[0.1,/' "$reference/fig4.json"
