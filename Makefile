@@ -78,12 +78,12 @@ findings: figures $(CHECKED_STUDIES) ## all figures; docs/findings.md, each clai
 # The matrices, of which the next two targets draw the pages.
 .PHONY: assumptions-matrix inference-matrix
 assumptions-matrix: build
-	@test -e results/assumptions.json || echo "Computing the claims under other assumptions, about an hour on two cores ..."
+	@test -e results/assumptions.json || echo "Computing the claims under other assumptions, about half an hour on two cores ..."
 	$(BUILD)/bristle assumptions
 
 # The same machinery on joint sets of choices.
 inference-matrix: build
-	@test -e results/inference.json || echo "Computing joint sets of choices, about 15 minutes on two cores ..."
+	@test -e results/inference.json || echo "Computing joint sets of choices, about half an hour on two cores ..."
 	$(BUILD)/bristle assumptions experiments/inference/*.json --only fig3,fig3a,fig4,fig5,fig6,fig7,fig8,fig8c -o results/inference.json
 
 assumptions: assumptions-matrix ## every claim under every alternative to what the paper leaves open: docs/assumptions.md, reference/assumptions.json
