@@ -6,7 +6,7 @@ DRAWN := $(filter $(basename $(notdir $(wildcard experiments/*.json))),$(basenam
 FIGURES := $(sort $(filter fig%,$(DRAWN)))
 STUDIES := $(sort $(filter-out fig%,$(DRAWN)))
 .PHONY: help packages build test bench accuracy clean figures findings assumptions inference report archive verify citation deposit release \
-  sanitize fuzz tidy coverage $(FIGURES) $(STUDIES)
+  sanitize fuzz format tidy coverage $(FIGURES) $(STUDIES)
 JOBS ?= $(shell nproc 2>/dev/null || echo 1)
 BUILD := build
 # TIER=smoke computes a small subset of the points, in seconds.
@@ -200,6 +200,10 @@ fuzz: packages ## the readers of files on random changes of tests/fuzz/corpus, S
 stress: SECONDS ?= 600
 stress: build test-packages report-packages ## random physics, damaged files, archives and pages, kills, failing calls, Slurm: SECONDS=600
 	@$$(scripts/find-python numpy h5py matplotlib xarray h5netcdf jinja2 yaml) tests/stress/run.py $(BUILD)/bristle --seconds $(SECONDS) $(if $(SEED),--seed $(SEED))
+
+format: ## C++ files as .clang-format says
+	@scripts/install-packages format
+	@scripts/format
 
 # SINCE=REVISION limits it to the source files that changed since then.
 tidy: packages ## clang-tidy over src/ with the checks of .clang-tidy; SINCE=REV: over what changed since REV

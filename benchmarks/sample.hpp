@@ -19,7 +19,8 @@ namespace bristle::bench {
 class Bristles {
  public:
   // largest_theta_0: rad, pi for all bristles; below about 1.8 none is pinned.
-  Bristles(int count, double largest_theta_0, Bending bending = Bending::polar, Contact contact = Contact::wall) {
+  Bristles(int count, double largest_theta_0, Bending bending = Bending::polar,
+           Contact contact = Contact::wall) {
     std::mt19937_64 random(1);
     const auto uniform = [&](double from, double to) {
       return from + (to - from) * double(random() >> 11) * 0x1p-53;

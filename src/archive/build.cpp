@@ -119,9 +119,8 @@ class Gatherer {
     const std::vector<Experiment> experiments = archived_experiments();
     const auto exists = [&](const Experiment& e) { return fs::exists(result_path(e)); };
     if (std::none_of(experiments.begin(), experiments.end(), exists))
-      throw InputError(
-          fmt::format("{}: there are no results of the figures' experiments; `{}` computes them",
-                      options_.results, make("figures")));
+      throw InputError(fmt::format("{}: there are no results of the figures' experiments; `{}` computes them",
+                                   options_.results, make("figures")));
     std::map<std::string, Json> facts;
     for (const Experiment& experiment : experiments)
       facts["results/" + experiment.name + ".h5"] = add_result(experiment, payload);
@@ -160,7 +159,8 @@ class Gatherer {
     const std::string digest = facts["payload_sha256"];
     const std::string remedy = fmt::format("`{}` draws it", make(experiment.name));
     const auto add_figure = [&](const std::string& name, const std::string& remedy) {
-      add_drawn((fs::path(options_.figures) / name).string(), "figures/" + name, {{path, digest}}, remedy, payload);
+      add_drawn((fs::path(options_.figures) / name).string(), "figures/" + name, {{path, digest}}, remedy,
+                payload);
     };
     for (const char* suffix : {".pdf", ".png"}) add_figure(experiment.name + suffix, remedy);
     for (const auto& entry : fs::directory_iterator(options_.figures)) {  // further pages: NAME-*
@@ -197,7 +197,9 @@ class Gatherer {
     std::vector<std::string> commits = split_list(provenance.value("points_commits", ""));
     commits.insert(commits.begin(), provenance["commit"].get<std::string>());
     for (const std::string& commit : commits)
-      if (!check_commit(path, commit, fmt::format("compute it again with `bristle run {0} --force -o {0}`", shell_quoted(path))))
+      if (!check_commit(
+              path, commit,
+              fmt::format("compute it again with `bristle run {0} --force -o {0}`", shell_quoted(path))))
         return;
   }
 
@@ -249,18 +251,22 @@ class Gatherer {
   // The page that scripts/report writes from results, matrix and citation.
   void add_report(Files& payload) {
     if (repository_.files("scripts/report").empty()) return;
-    add_drawn(options_.report, "report/index.html", drawn_from_, fmt::format("`{}` writes it", make("report")), payload);
+    add_drawn(options_.report, "report/index.html", drawn_from_,
+              fmt::format("`{}` writes it", make("report")), payload);
   }
 
-  // Adds a file that a script made from others, which states their payload digests: a time of writing says nothing.
+  // Adds a file that a script made from others, which states their payload digests: a time of writing says
+  // nothing.
   static void add_drawn(const std::string& path, const std::string& name,
-                        const std::map<std::string, std::string>& from, const std::string& remedy, Files& payload) {
+                        const std::map<std::string, std::string>& from, const std::string& remedy,
+                        Files& payload) {
     if (!fs::exists(path)) throw InputError(fmt::format("{}: no such file; {}", path, remedy));
     const std::string& bytes = payload[name] = read_file(path);
     for (const auto& [source, digest] : from)
       if (bytes.find(digest) == std::string::npos)
-        throw InputError(fmt::format("{}: was not made from {} as it is now, whose payload digest it lacks; {} again", path,
-                                     source, remedy));
+        throw InputError(
+            fmt::format("{}: was not made from {} as it is now, whose payload digest it lacks; {} again",
+                        path, source, remedy));
   }
 
   // A page of docs/ states the payload digests of the files that it describes.
@@ -276,7 +282,7 @@ class Gatherer {
 
   const ArchiveOptions& options_;
   Repository repository_;
-  std::map<std::string, std::string> drawn_from_;                // payload digests of the files that the report shows
+  std::map<std::string, std::string> drawn_from_;  // payload digests of the files that the report shows
   std::map<std::string, std::vector<std::string>> untraceable_;  // places by reason
 };
 

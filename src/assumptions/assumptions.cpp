@@ -24,8 +24,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* kClaims = "claims to evaluate: checks, and either a figure or a tier \"study\"";
 
-// All experiments with checks that belong to a figure of the paper or have a tier `study`, in the order of their
-// file names.
+// All experiments with checks that belong to a figure of the paper or have a tier `study`, in the order of
+// their file names.
 std::vector<Experiment> experiments_with_claims(const AssumptionsOptions& options) {
   if (!fs::is_directory(options.experiments))
     throw InputError(fmt::format("--experiments {}: not a folder", options.experiments));
@@ -39,7 +39,8 @@ std::vector<Experiment> experiments_with_claims(const AssumptionsOptions& option
     if (!e.checks.empty() && (e.has_study_tier || !e.figure.empty())) out.push_back(std::move(e));
   }
   if (out.empty())
-    throw InputError(fmt::format("--experiments {}: no experiment in this folder has {}", options.experiments, kClaims));
+    throw InputError(
+        fmt::format("--experiments {}: no experiment in this folder has {}", options.experiments, kClaims));
   return out;
 }
 
@@ -53,8 +54,8 @@ std::vector<std::string> names_of(const std::vector<Experiment>& experiments) {
 void require_experiment(const std::vector<Experiment>& all, const std::string& name,
                         const std::string& where) {
   if (std::ranges::find(all, name, &Experiment::name) == all.end())
-    throw InputError(
-        fmt::format("{}: no experiment {} has {}{}", where, name, kClaims, did_you_mean(name, names_of(all))));
+    throw InputError(fmt::format("{}: no experiment {} has {}{}", where, name, kClaims,
+                                 did_you_mean(name, names_of(all))));
 }
 
 // The experiments that --only names, or all.

@@ -22,8 +22,8 @@ struct AssumptionsOptions {
 // Throws InputError, or RunError if interrupted; the same call then continues.
 Matrix run_assumptions(const AssumptionsOptions& options);
 
-// Looks for mistakes in the declarations and the experiments, without computing anything: every alternative must
-// leave every experiment and its checks valid. Throws InputError.
+// Looks for mistakes in the declarations and the experiments, without computing anything: every alternative
+// must leave every experiment and its checks valid. Throws InputError.
 void validate_assumptions(const AssumptionsOptions& options);
 
 // SHA-256 of all that determines the matrix: the declarations in options.files, in any order, the

@@ -14,15 +14,16 @@ namespace {
 Json number(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
 
 // Supported against refuted.
-bool reversed(Verdict a, Verdict b) {
-  return a != b && a != Verdict::undecided && b != Verdict::undecided;
-}
+bool reversed(Verdict a, Verdict b) { return a != b && a != Verdict::undecided && b != Verdict::undecided; }
 
 Json check_json(const Matrix::Row& row) {
   const experiment::Check& c = row.cells.front().result.check;
-  return {{"experiment", row.experiment},         {"claim", c.claim},
-          {"role", c.main ? "main" : "further"},  {"statement", c.statement},
-          {"is", word(c.criterion)}, {"threshold", c.threshold},
+  return {{"experiment", row.experiment},
+          {"claim", c.claim},
+          {"role", c.main ? "main" : "further"},
+          {"statement", c.statement},
+          {"is", word(c.criterion)},
+          {"threshold", c.threshold},
           {"band", number(c.band.value_or(NAN))}};
 }
 
@@ -34,12 +35,8 @@ const std::vector<std::string> kCellKeys = {"claim_verdict", "verdict", "measure
 Json cell_json(const Cell& cell) {
   const claims::CheckResult& c = cell.result;
   if (!cell.affected) return nullptr;
-  return {word(c.claim_verdict),
-          word(c.verdict),
-          number(c.measured.value),
-          number(c.measured.uncertainty),
-          number(c.margin),
-          c.measured.missing};
+  return {word(c.claim_verdict),          word(c.verdict),  number(c.measured.value),
+          number(c.measured.uncertainty), number(c.margin), c.measured.missing};
 }
 
 // The cells of a document, each with its place and with the names of its values.
@@ -79,12 +76,8 @@ Json conclusion_json(const Matrix& matrix, std::size_t index) {
     if (std::find(choices.begin(), choices.end(), alternative.choice) == choices.end())
       choices.push_back(alternative.choice);
   }
-  return {{"check", index},
-          {"baseline", word(baseline)},
-          {"conclusion", conclusion(matrix, row)},
-          {"depends_on", choices},
-          {"other", reversing},
-          {"undecided", undecided}};
+  return {{"check", index},        {"baseline", word(baseline)}, {"conclusion", conclusion(matrix, row)},
+          {"depends_on", choices}, {"other", reversing},         {"undecided", undecided}};
 }
 
 }  // namespace

@@ -46,8 +46,8 @@ class CheckedCurves {
   // Curves along the check's dimension, or another one, over that axis or over the check's variable x.
   Curves along() const;
   Curves along(const std::string& dimension) const;
-  // The same along the check's dimension, of the curves that have values at the first and at the last selected
-  // point: the others do not show a change from end to end.
+  // The same along the check's dimension, of the curves that have values at the first and at the last
+  // selected point: the others do not show a change from end to end.
   Curves from_end_to_end() const;
   // All selected points in row-major order, including those without a value.
   Curve points() const;

@@ -29,7 +29,8 @@ std::string people(const Json& authors) {
 }
 
 // The fields of a BibTeX entry that the source has, in this order.
-void print_entry(const char* kind, const std::string& key, const std::vector<std::pair<const char*, std::string>>& fields) {
+void print_entry(const char* kind, const std::string& key,
+                 const std::vector<std::pair<const char*, std::string>>& fields) {
   fmt::print("@{}{{{}", kind, key);
   for (const auto& [name, value] : fields)
     if (!value.empty()) fmt::print(",\n  {} = {{{}}}", name, value);
@@ -64,25 +65,29 @@ int cite_command(const std::string& result) {
   if (const Json data = archive::dataset_citation(software, run::kCommit); data.contains("doi"))
     print_release("misc", "bristle-data-" + version, data);
   for (const Json& reference : software.value("references", Json::array()))
-    print_entry("article", boost::to_lower_copy(field(reference["authors"][0], "family-names")) + field(reference, "year"),
-                {{"author", people(reference["authors"])},
-                 {"title", "{" + field(reference, "title") + "}"},
-                 {"journal", field(reference, "journal")},
-                 {"year", field(reference, "year")},
-                 {"volume", field(reference, "volume")},
-                 {"number", field(reference, "issue")},
-                 {"pages", field(reference, "start") + "--" + field(reference, "end")},
-                 {"doi", field(reference, "doi")}});
+    print_entry(
+        "article",
+        boost::to_lower_copy(field(reference["authors"][0], "family-names")) + field(reference, "year"),
+        {{"author", people(reference["authors"])},
+         {"title", "{" + field(reference, "title") + "}"},
+         {"journal", field(reference, "journal")},
+         {"year", field(reference, "year")},
+         {"volume", field(reference, "volume")},
+         {"number", field(reference, "issue")},
+         {"pages", field(reference, "start") + "--" + field(reference, "end")},
+         {"doi", field(reference, "doi")}});
   if (!file) return kSuccess;
   const auto provenance = file->provenance();
   for (const char* key : {"commit", "finished"})
     if (!provenance.contains(key))
-      throw InputError(fmt::format("{}: /provenance lacks {}; only results of `bristle run` can be cited", result, key));
-  print_entry("misc", "bristle-" + file->text("name"),
-              {{"title", "{Result of bristle: " + file->text("title") + "}"},
-               {"year", provenance.at("finished").substr(0, 4)},
-               {"note", fmt::format("computed by commit {}; SHA-256 of the numbers {}; `bristle info` prints both",
-                                    provenance.at("commit"), file->text("payload_sha256"))}});
+      throw InputError(
+          fmt::format("{}: /provenance lacks {}; only results of `bristle run` can be cited", result, key));
+  print_entry(
+      "misc", "bristle-" + file->text("name"),
+      {{"title", "{Result of bristle: " + file->text("title") + "}"},
+       {"year", provenance.at("finished").substr(0, 4)},
+       {"note", fmt::format("computed by commit {}; SHA-256 of the numbers {}; `bristle info` prints both",
+                            provenance.at("commit"), file->text("payload_sha256"))}});
   if (results::is_dirty(provenance.at("commit")))
     write_message(
         fmt::format("{}: was computed by a program with uncommitted changes, or of an unknown commit: nobody "

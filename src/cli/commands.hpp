@@ -21,17 +21,16 @@ enum ExitCode {
   kInterrupted = 128  // plus the number of the signal
 };
 
-// The file of an experiment, or a result, which stands for the experiment that is stored in it; the changes to
-// it; and the number of its only point, if the other points are to be left out.
+// The file of an experiment, or a result, which stands for the experiment that is stored in it; the changes
+// to it; and the number of its only point, if the other points are to be left out.
 struct ExperimentOptions {
   std::string file;
   experiment::DocumentOptions load;
   std::optional<std::size_t> point{};
 };
-// options: without output the result is results/<name>.h5 or, of another tier, results/<name>-<tier>.h5, and of
-// one point results/<name>-point-<N>.h5, which is computed even if a journal has it;
-// instruction_set: empty for the widest available. Returns kCheckFailed if no trial of a design meets its
-// constraints.
+// options: without output the result is results/<name>.h5 or, of another tier, results/<name>-<tier>.h5, and
+// of one point results/<name>-point-<N>.h5, which is computed even if a journal has it; instruction_set:
+// empty for the widest available. Returns kCheckFailed if no trial of a design meets its constraints.
 int run_command(const ExperimentOptions& experiment, const run::RunOptions& options,
                 const std::string& instruction_set, bool needs_design = false);
 int validate_command(const ExperimentOptions& experiment);
@@ -86,8 +85,9 @@ struct InfoOptions {
 int info_command(const InfoOptions& options);
 
 // Writes an experiment to start from, with in_si one of a material in SI units, and with repository a folder
-// with the experiment, a script that checks its numbers and a workflow. It extends the paper.json beside it or, if there is none, the one that comes with the program. Throws InputError if the name is not
-// allowed or the file exists.
+// with the experiment, a script that checks its numbers and a workflow. It extends the paper.json beside it
+// or, if there is none, the one that comes with the program. Throws InputError if the name is not allowed or
+// the file exists.
 int new_command(const std::string& name, bool in_si, bool repository);
 // experiments/NAME.json or, if there is no such folder, NAME.json
 std::string new_experiment_path(const std::string& name);

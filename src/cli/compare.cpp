@@ -66,10 +66,13 @@ bool report_deviations(const CheckOptions& options, const results::ResultReader&
                        const std::vector<claims::CheckResult>& checks) {
   const std::string path = reference_of(options, result);
   if (!std::filesystem::exists(path)) {
-    const std::string folder = options.reference.empty() ? "" : " --reference " + shell_quoted(options.reference);
-    const std::string update = fmt::format("`bristle reference update {} --reason \"...\"{}`", shell_quoted(options.file), folder);
+    const std::string folder =
+        options.reference.empty() ? "" : " --reference " + shell_quoted(options.reference);
+    const std::string update =
+        fmt::format("`bristle reference update {} --reason \"...\"{}`", shell_quoted(options.file), folder);
     fmt::print(
-        "FAILED: {}: no such reference; {} creates it from a result of the smoke tier; --claims-only skips the comparison\n",
+        "FAILED: {}: no such reference; {} creates it from a result of the smoke tier; --claims-only skips "
+        "the comparison\n",
         path, result.text("tier") == "smoke" ? update : compare::smoke_commands(result, folder));
     return false;
   }
@@ -84,7 +87,9 @@ bool report_deviations(const CheckOptions& options, const results::ResultReader&
 bool print_json(const CheckOptions& options, const results::ResultReader& result,
                 const std::vector<claims::CheckResult>& checks) {
   const std::string path = reference_of(options, result);
-  Json out = {{"file", options.file}, {"deviation", nullptr}, {"replay", compare::ReplayCommands(result).of_all_points()}};
+  Json out = {{"file", options.file},
+              {"deviation", nullptr},
+              {"replay", compare::ReplayCommands(result).of_all_points()}};
   if (std::filesystem::exists(path))
     out["deviation"] = compare::comparison_json(
         compare::compare_with_reference(result, checks, compare::read_reference(path), path));

@@ -32,10 +32,11 @@ int law_command(const ExperimentOptions& options) {
       laws.push_back(p);
   }
   const bool in_si = e.base.friction_law_in_si;
-  fmt::print("# {}: modulation of each friction law, dimensionless; of custom: mu\n"
-             "# V_R: sliding speed, in units of V0\n{}V_R{}", e.name,
-             laws.size() < e.points() ? "# A law has the parameters of the first point that uses it.\n" : "",
-             in_si ? ",V_R_m_per_s" : "");
+  fmt::print(
+      "# {}: modulation of each friction law, dimensionless; of custom: mu\n"
+      "# V_R: sliding speed, in units of V0\n{}V_R{}",
+      e.name, laws.size() < e.points() ? "# A law has the parameters of the first point that uses it.\n" : "",
+      in_si ? ",V_R_m_per_s" : "");
   for (const Parameters& p : laws) fmt::print(",{}", word(p.friction));
   for (const double V_R : speeds()) {
     fmt::print("\n{}", results::csv_number(V_R));

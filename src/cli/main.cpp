@@ -36,9 +36,11 @@ void add_tier(CLI::App& command, std::string& tier, const std::string& descripti
 }
 
 // A command on an experiment.
-CLI::App* add_experiment(CLI::App& app, const char* name, const char* description, ExperimentOptions& options) {
+CLI::App* add_experiment(CLI::App& app, const char* name, const char* description,
+                         ExperimentOptions& options) {
   auto* command = app.add_subcommand(name, description);
-  command->add_option("EXPERIMENT", options.file, "experiment file (JSON), or - for standard input")->required();
+  command->add_option("EXPERIMENT", options.file, "experiment file (JSON), or - for standard input")
+      ->required();
   command->add_option("--set", options.load.set, "change a value: /json/pointer=value (repeatable)")
       ->type_name("PTR=VALUE")
       ->allow_extra_args(false);
@@ -62,8 +64,9 @@ CLI::App* add_new(CLI::App& app, std::string& name, bool& in_si, bool& repositor
 CLI::App* add_run(CLI::App& app, ExperimentOptions& experiment, run::RunOptions& run,
                   std::string& instruction_set) {
   auto* command = add_experiment(app, "run", "compute an experiment into an HDF5 result file", experiment);
-  command->get_option("EXPERIMENT")->description(
-      "experiment file (JSON), - for standard input, or a result file, for the experiment stored in it");
+  command->get_option("EXPERIMENT")
+      ->description(
+          "experiment file (JSON), - for standard input, or a result file, for the experiment stored in it");
   command->add_option("-o,--output", run.output,
                       "result file, or - for standard output [results/<name>.h5 or, of another tier, "
                       "results/<name>-<tier>.h5]");
@@ -88,8 +91,9 @@ CLI::App* add_run(CLI::App& app, ExperimentOptions& experiment, run::RunOptions&
 }
 
 CLI::App* add_design(CLI::App& app, ExperimentOptions& experiment, run::RunOptions& run) {
-  auto* command = add_experiment(
-      app, "design", "the same as `run`, of an experiment with a design: look for the best brush", experiment);
+  auto* command = add_experiment(app, "design",
+                                 "the same as `run`, of an experiment with a design: look for the best brush",
+                                 experiment);
   command->add_option("-o,--output", run.output, "result file [as of `run`]");
   command->add_option("--threads", run.threads, "threads [all cores]")->check(CLI::Range(1, 1024));
   command->add_flag("--force", run.force, "compute even if the result is up to date");
@@ -113,7 +117,8 @@ CLI::App* add_info(CLI::App& app, InfoOptions& info) {
 CLI::App* add_export(CLI::App& app, ExportOptions& options) {
   auto* command = app.add_subcommand("export", "write the numbers of a result as a table (CSV)");
   command->add_option("FILE", options.file, "result file")->required();
-  command->add_option("-o,--output", options.output, "table, or - for standard output [the name of FILE with .csv]");
+  command->add_option("-o,--output", options.output,
+                      "table, or - for standard output [the name of FILE with .csv]");
   command->add_option("--group", options.group,
                       "checks, indices, jumps, load_error, quantiles or a recorded table in place of the "
                       "variables");
@@ -191,8 +196,9 @@ CLI::App* add_archive(CLI::App& app, archive::ArchiveOptions& archive) {
   add_tier(*command, archive.tier, "full; of another tier the archive is a draft, to try it");
   command->add_flag("--allow-dirty", archive.allow_dirty,
                     "archive results that cannot be traced to a commit, as a draft");
-  command->add_flag("--check", archive.check_only,
-                    "write nothing; only check what results, figures and pages that are still missing cannot change");
+  command->add_flag(
+      "--check", archive.check_only,
+      "write nothing; only check what results, figures and pages that are still missing cannot change");
   return command;
 }
 

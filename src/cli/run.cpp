@@ -42,8 +42,9 @@ Experiment load_result(const ExperimentOptions& options) {
   result.require_intact();
   const std::string tier = result.text("tier");
   if (options.load.tier != "full" && options.load.tier != tier)
-    throw InputError(fmt::format("--tier {}: {} has the experiment of its tier, {}, only; name the experiment file",
-                                 options.load.tier, options.file, tier));
+    throw InputError(
+        fmt::format("--tier {}: {} has the experiment of its tier, {}, only; name the experiment file",
+                    options.load.tier, options.file, tier));
   Json document = result.experiment();
   if (!options.point && document.contains("design")) document["sweep"].erase(experiment::kSample);
   return experiment::stored_experiment(document, tier, options.file, options.load.set);
@@ -53,8 +54,9 @@ Experiment load_result(const ExperimentOptions& options) {
 void require_one_point(const std::string& path) {
   if (!is_of_kind(path, results::result_file())) return;
   if (const std::size_t points = grid_size(results::ResultReader(path).sweep_shape()); points > 1)
-    throw InputError(fmt::format("{}: holds {} points, which the point of --point would replace; give another file with -o",
-                                 path, points));
+    throw InputError(fmt::format(
+        "{}: holds {} points, which the point of --point would replace; give another file with -o", path,
+        points));
 }
 
 // The experiment of this point alone.
@@ -106,7 +108,8 @@ class ReservedOutput {
   void write(std::string_view bytes) const {
     while (!bytes.empty()) {
       const ssize_t written = ::write(output_, bytes.data(), bytes.size());
-      if (written < 0) throw RunError(fmt::format("standard output cannot be written: {}", std::strerror(errno)));
+      if (written < 0)
+        throw RunError(fmt::format("standard output cannot be written: {}", std::strerror(errno)));
       bytes.remove_prefix(std::size_t(written));
     }
   }
@@ -119,7 +122,8 @@ class ReservedOutput {
 struct TemporaryFolder {
   TemporaryFolder() {
     path = (std::filesystem::temp_directory_path() / "bristle-XXXXXX").string();
-    if (!mkdtemp(path.data())) throw RunError(fmt::format("{}: cannot be made: {}", path, std::strerror(errno)));
+    if (!mkdtemp(path.data()))
+      throw RunError(fmt::format("{}: cannot be made: {}", path, std::strerror(errno)));
   }
   ~TemporaryFolder() {
     std::error_code ignored;
@@ -136,11 +140,13 @@ bool compute(const Experiment& experiment, const run::RunOptions& options, bool 
   return true;
 }
 
-bool compute_to_standard_output(const Experiment& experiment, const run::RunOptions& options, bool needs_design) {
+bool compute_to_standard_output(const Experiment& experiment, const run::RunOptions& options,
+                                bool needs_design) {
   if (options.shard || options.complete)
     throw InputError("-o -: shards have journals beside the result; name a file");
   if (isatty(STDOUT_FILENO))
-    throw InputError("-o -: standard output is a terminal, and a result is not text; write > FILE.h5 or a pipe behind it");
+    throw InputError(
+        "-o -: standard output is a terminal, and a result is not text; write > FILE.h5 or a pipe behind it");
   const TemporaryFolder folder;
   const ReservedOutput output;
   run::RunOptions in_folder = options;
@@ -196,7 +202,8 @@ int validate_command(const ExperimentOptions& options) {
   for (const experiment::Axis& axis : e.axes)
     sweep += fmt::format("{}{} ({})", sweep.empty() ? "" : " x ", axis.name, range_text(axis));
   const std::size_t checks = e.checks.empty() ? 0 : e.checks.back().number + 1;
-  fmt::print("{}: valid. {}: {} point{}{}{}, {} check{}\n", options.file == "-" ? "standard input" : options.file, e.name, e.points(),
+  fmt::print("{}: valid. {}: {} point{}{}{}, {} check{}\n",
+             options.file == "-" ? "standard input" : options.file, e.name, e.points(),
              e.points() == 1 ? "" : "s", sweep.empty() ? "" : ", ", sweep, checks, checks == 1 ? "" : "s");
   print_warnings(e);
   if (e.base.si.empty()) return kSuccess;

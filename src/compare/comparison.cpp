@@ -85,7 +85,8 @@ std::string row_text(const results::ResultReader& result, const Side& side,
                      const std::vector<std::string>& columns, std::size_t row) {
   std::vector<std::string> values;
   for (const std::string& name : columns)
-    values.push_back(fmt::format("{} = {}", name, results::value_text(result, name, side.read(name).values[row])));
+    values.push_back(
+        fmt::format("{} = {}", name, results::value_text(result, name, side.read(name).values[row])));
   return fmt::format("row {} ({})", row, fmt::join(values, ", "));
 }
 
@@ -100,8 +101,9 @@ void match_rows(const results::ResultReader& result, const Side& a, const Side& 
     return names;
   };
   if (sorted(columns) != sorted(*b.sample)) {
-    out.failures.push_back(fmt::format("{}: different columns: {} in {}, {} in {}", sample, fmt::join(columns, ", "),
-                                       a.label, fmt::join(*b.sample, ", "), b.label));
+    out.failures.push_back(fmt::format("{}: different columns: {} in {}, {} in {}", sample,
+                                       fmt::join(columns, ", "), a.label, fmt::join(*b.sample, ", "),
+                                       b.label));
     matches.different.insert(sample);
     return;
   }
@@ -115,17 +117,19 @@ void match_rows(const results::ResultReader& result, const Side& a, const Side& 
     if (const auto found = row_in_a.find(in_b[i]); found != row_in_a.end()) index.push_back(found->second);
     else if (named.size() < most_named) named.push_back(row_text(result, b, columns, i));
   if (const std::size_t missing = in_b.size() - index.size(); missing > 0) {
-    out.failures.push_back(fmt::format("{}: different rows: {} of the {} rows of {} are not among the {} rows of {}: {}{}",
-                                       sample, missing, in_b.size(), b.label, in_a.size(), a.label,
-                                       fmt::join(named, ", "), missing > named.size() ? ", ..." : ""));
+    out.failures.push_back(
+        fmt::format("{}: different rows: {} of the {} rows of {} are not among the {} rows of {}: {}{}",
+                    sample, missing, in_b.size(), b.label, in_a.size(), a.label, fmt::join(named, ", "),
+                    missing > named.size() ? ", ..." : ""));
     matches.different.insert(sample);
     return;
   }
   if (in_a.size() == in_b.size())
-    out.notes.push_back(fmt::format("{}: the rows of {} have another order; they are compared by their values", sample, b.label));
+    out.notes.push_back(fmt::format(
+        "{}: the rows of {} have another order; they are compared by their values", sample, b.label));
   else
-    out.subsets.push_back(fmt::format("{}: different rows: {} in {}, {} of them in {}", sample, in_a.size(), a.label,
-                                      in_b.size(), b.label));
+    out.subsets.push_back(fmt::format("{}: different rows: {} in {}, {} of them in {}", sample, in_a.size(),
+                                      a.label, in_b.size(), b.label));
   matches.index[sample] = index;
 }
 

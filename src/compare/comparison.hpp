@@ -61,9 +61,9 @@ struct Comparison {
 };
 
 // Compares all variables of b, at its points, with those of a result. Points are found by the values of the
-// coordinates, those of a sample by the values of its rows, which must all be in a. A difference of names, dimensions, NaN, infinity or flags is a
-// failure. Numbers may differ by the tolerances if they are given, or else by the sum of the tolerances of
-// both sides. result: the file of a, for the descriptions of points.
+// coordinates, those of a sample by the values of its rows, which must all be in a. A difference of names,
+// dimensions, NaN, infinity or flags is a failure. Numbers may differ by the tolerances if they are given, or
+// else by the sum of the tolerances of both sides. result: the file of a, for the descriptions of points.
 Comparison compare_sides(const results::ResultReader& result, const Side& a, const Side& b,
                          const Tolerances& tolerances = {});
 

@@ -188,7 +188,8 @@ Json read(const std::string& path) {
   const Json columns = json.value("sample", Json::object());
   for (const auto& [name, column] : columns.items())
     if (const std::size_t rows = json.contains(sample) ? json.at(sample).size() : 0; column.size() != rows)
-      document.fail("/sample/" + name, fmt::format("{} values, but the sample has {} rows", column.size(), rows));
+      document.fail("/sample/" + name,
+                    fmt::format("{} values, but the sample has {} rows", column.size(), rows));
   for (const auto& [name, codes] : json["flags"].items())
     require_rows(document, JsonPointer("/flags") / name, false);
   for (const auto& [name, variable] : json["variables"].items()) {
@@ -208,15 +209,17 @@ Side result_side(const results::ResultReader& result) {
 }
 
 // Values of an axis, or a column of a sample, of the reference. A word becomes its code in the result.
-std::vector<double> axis_values(const Json& values, const char* axes, const std::string& axis, const std::string& label,
-                                const results::ResultReader& result) {
-  const std::vector<std::string> words = result.has(axis) ? result.flag_meanings(axis) : std::vector<std::string>();
+std::vector<double> axis_values(const Json& values, const char* axes, const std::string& axis,
+                                const std::string& label, const results::ResultReader& result) {
+  const std::vector<std::string> words =
+      result.has(axis) ? result.flag_meanings(axis) : std::vector<std::string>();
   std::vector<double> out;
   for (const Json& value : values) {
     const auto word = std::ranges::find(words, value.is_string() ? value.get<std::string>() : "");
     if (value.is_string() && word == words.end())
-      throw InputError(fmt::format("{}: /{}/{}: the result {} does not know {}; it knows {}", label, axes, axis, result.path(),
-                                   value.dump(), words.empty() ? "no words" : fmt::format("{}", fmt::join(words, ", "))));
+      throw InputError(fmt::format("{}: /{}/{}: the result {} does not know {}; it knows {}", label, axes,
+                                   axis, result.path(), value.dump(),
+                                   words.empty() ? "no words" : fmt::format("{}", fmt::join(words, ", "))));
     out.push_back(value.is_string() ? double(word - words.begin()) : value.get<double>());
   }
   return out;
@@ -315,9 +318,10 @@ Json read_reference(const std::string& path) {
   try {
     return read(path);
   } catch (const InputError& e) {
-    throw InputError(fmt::format(
-        "{}; restore the reference with `git checkout -- {}`, or remove it and write it again with `bristle reference update`",
-        e.what(), shell_quoted(path)));
+    throw InputError(
+        fmt::format("{}; restore the reference with `git checkout -- {}`, or remove it and write it again "
+                    "with `bristle reference update`",
+                    e.what(), shell_quoted(path)));
   }
 }
 
@@ -333,8 +337,9 @@ Comparison compare_with_reference(const results::ResultReader& result,
   none.label = label;
   none.points_in_file = grid_size(result.sweep_shape());
   if (!same_inputs && result.experiment().contains("design")) {
-    none.notes.emplace_back("the trials of a design follow from all of its inputs, and those of the reference are others, "
-                            "such as those of the smoke tier: there are no common points");
+    none.notes.emplace_back(
+        "the trials of a design follow from all of its inputs, and those of the reference are others, "
+        "such as those of the smoke tier: there are no common points");
     return none;
   }
   if (!same_inputs && !reference.contains("sample") && !result.sample_columns().empty()) {

@@ -53,8 +53,9 @@ void require_origin(const results::ResultReader& result, const Json& made, const
   const std::string tier = made["tier"], commit = made["commit"], path = shell_quoted(result.path());
   const std::string run_again = fmt::format("`bristle run {} --force -o {}`", path, path);
   if (tier != "smoke")
-    throw InputError(fmt::format("{}: contains the {} tier, but a reference contains the smoke tier; {}",
-                                 result.path(), tier, smoke_commands(result, folder == kReferences ? "" : " --reference " + shell_quoted(folder))));
+    throw InputError(fmt::format(
+        "{}: contains the {} tier, but a reference contains the smoke tier; {}", result.path(), tier,
+        smoke_commands(result, folder == kReferences ? "" : " --reference " + shell_quoted(folder))));
   if (commit.find("-dirty") != std::string::npos || commit.find("unknown") != std::string::npos)
     throw InputError(
         fmt::format("{}: computed by a program of commit {}, which cannot be built again; commit, "
@@ -145,9 +146,11 @@ std::string smoke_commands(const results::ResultReader& result, const std::strin
   const fs::path folder = fs::path(result.path()).parent_path();
   std::string output = (folder / (name + "-smoke.h5")).string();
   if (fs::path(output) == fs::path(result.path())) output = (folder / (name + "-smoke-tier.h5")).string();
-  return fmt::format("`bristle run {} --tier smoke -o {}`, then `bristle reference update {} --reason \"...\"{}`",
-                     experiment.ends_with(".json") && fs::is_regular_file(experiment) ? shell_quoted(experiment) : "EXPERIMENT.json",
-                     shell_quoted(output), shell_quoted(output), options);
+  return fmt::format(
+      "`bristle run {} --tier smoke -o {}`, then `bristle reference update {} --reason \"...\"{}`",
+      experiment.ends_with(".json") && fs::is_regular_file(experiment) ? shell_quoted(experiment)
+                                                                       : "EXPERIMENT.json",
+      shell_quoted(output), shell_quoted(output), options);
 }
 
 std::string update_reference(const ReferenceUpdate& update) {

@@ -22,7 +22,8 @@ namespace {
 constexpr std::size_t kProfileValues = 25;
 constexpr const char* kFound = "design";  // entry of the provenance: the findings in words
 
-// Throws InputError if an objective or a constraint names a variable that a result of this experiment does not have.
+// Throws InputError if an objective or a constraint names a variable that a result of this experiment does
+// not have.
 void require_variables(const Experiment& e) {
   for (std::size_t i = 0; i < e.design->objectives.size(); ++i)
     run::require_variable(e, fmt::format("/design/objectives/{}", i), e.design->objectives[i].variable);
@@ -53,7 +54,8 @@ bool up_to_date(const std::string& path, const Experiment& e) {
 }
 
 // The values of a quantity beside the best trial: from bound to bound, or over its deviations.
-std::vector<double> profile_values(const experiment::Design& design, const std::string& quantity, double best) {
+std::vector<double> profile_values(const experiment::Design& design, const std::string& quantity,
+                                   double best) {
   experiment::DesignVariable range{quantity, 0, 0, false};
   const auto variable = std::ranges::find(design.variables, quantity, &experiment::DesignVariable::name);
   if (variable != design.variables.end()) range = *variable;
@@ -65,7 +67,8 @@ std::vector<double> profile_values(const experiment::Design& design, const std::
     if (range.low > range.high) std::swap(range.low, range.high);
   }
   std::vector<double> values = {best};
-  for (std::size_t i = 0; i < kProfileValues; ++i) values.push_back(range.at(double(i) / (kProfileValues - 1)));
+  for (std::size_t i = 0; i < kProfileValues; ++i)
+    values.push_back(range.at(double(i) / (kProfileValues - 1)));
   std::ranges::sort(values);
   values.erase(std::unique(values.begin(), values.end()), values.end());
   return values;
@@ -84,7 +87,8 @@ class Search {
   // Returns the text that says what was found, and whether a trial meets the constraints.
   std::pair<std::string, bool> run(std::map<std::string, std::string> entries) {
     const std::size_t scenarios = experiment_.points() / experiment_.axes.front().values.size();
-    progress_.emplace(experiment_.name, design_.budget * trials_.rows_of_a_trial() * scenarios, options_.quiet);
+    progress_.emplace(experiment_.name, design_.budget * trials_.rows_of_a_trial() * scenarios,
+                      options_.quiet);
     Findings found = search();
     searching_ = false;
     recommend(found);
@@ -95,8 +99,9 @@ class Search {
     const std::vector<std::size_t> points = run::shard_points({}, all.points());
     const std::string text = text_of(experiment_, found);
     entries[kFound] = text;
-    const run::Summary summary = run::write_result(all, options_.output, run::KeyedPoints(all, points), {},
-                                                   groups_of(experiment_, trials_, found), journal_, entries, *progress_);
+    const run::Summary summary =
+        run::write_result(all, options_.output, run::KeyedPoints(all, points), {},
+                          groups_of(experiment_, trials_, found), journal_, entries, *progress_);
     if (!options_.quiet) fmt::print("{}: points: {}\n", options_.output, summary.text());
     return {text, !found.chosen.empty()};
   }
@@ -126,7 +131,9 @@ class Search {
     const std::size_t dimensions = design_.variables.size();
     const experiment::Objective& first = design_.objectives.front();
     if (design_.objectives.size() > 1) search_front(dimensions, design_.budget, design_.seed, evaluate);
-    else out.optima = search_minima(dimensions, design_.budget, design_.seed, evaluate, first.goal == Goal::target);
+    else
+      out.optima =
+          search_minima(dimensions, design_.budget, design_.seed, evaluate, first.goal == Goal::target);
     choose(out);
     return out;
   }
@@ -139,20 +146,23 @@ class Search {
     found.nearest_miss = std::size_t(std::ranges::min_element(scores, better) - scores.begin());
     std::erase_if(found.chosen, [&](std::size_t i) { return scores[i].violation > 0; });
     if (found.chosen.empty() && !found.front.empty()) found.chosen = {found.front.front()};
-    // If a local minimum of the distance from a target meets the target, only those that meet it are solutions.
+    // If a local minimum of the distance from a target meets the target, only those that meet it are
+    // solutions.
     if (std::ranges::any_of(found.chosen, [&](std::size_t i) { return scores[i].is_met; }))
       std::erase_if(found.chosen, [&](std::size_t i) { return !scores[i].is_met; });
   }
 
   // Of a front, the trial nearest to the best values of all objectives, relative to their ranges.
-  static std::vector<std::size_t> knee_of(const std::vector<Score>& scores, const std::vector<std::size_t>& front) {
+  static std::vector<std::size_t> knee_of(const std::vector<Score>& scores,
+                                          const std::vector<std::size_t>& front) {
     if (front.empty()) return {};
     const auto distance = [&](std::size_t trial) {
       double sum = 0;
       for (std::size_t o = 0; o < scores[trial].objectives.size(); ++o) {
         const auto value = [&](std::size_t i) { return scores[i].objectives[o]; };
         const auto [least, most] = std::ranges::minmax(front, {}, value);
-        const double range = value(most) - value(least), share = range > 0 ? (value(trial) - value(least)) / range : 0;
+        const double range = value(most) - value(least),
+                     share = range > 0 ? (value(trial) - value(least)) / range : 0;
         sum += share * share;
       }
       return sum;
@@ -161,8 +171,8 @@ class Search {
   }
 
   // Locates the jump margins of all trials that are chosen or on the front. The search has judged them by two
-  // neighbours of each quantity; a jump may lie between. Returns whether a trial turned out to be nearer to a jump than
-  // required.
+  // neighbours of each quantity; a jump may lie between. Returns whether a trial turned out to be nearer to a
+  // jump than required.
   bool locate_margins(Findings& found) {
     bool any_nearer = false;
     std::set<std::size_t> reported(found.chosen.begin(), found.chosen.end());
@@ -175,8 +185,8 @@ class Search {
     return any_nearer;
   }
 
-  // Looks beside the recommended trial. Its profiles have more values than those by which its margin was located; if
-  // they show a jump that is nearer than required, the next trial is recommended.
+  // Looks beside the recommended trial. Its profiles have more values than those by which its margin was
+  // located; if they show a jump that is nearer than required, the next trial is recommended.
   void recommend(Findings& found) {
     for (; !found.chosen.empty(); choose(found)) {
       progress_->stage("computing what is beside the recommended trial");
@@ -223,14 +233,17 @@ void validate_design(const Experiment& experiment) {
 
 bool run_design(const Experiment& experiment, const run::RunOptions& options) {
   if (!experiment.design)
-    throw InputError(fmt::format("{}: /design: is missing; it says what to vary and what to look for (docs/design.md)",
-                                 experiment.path));
+    throw InputError(
+        fmt::format("{}: /design: is missing; it says what to vary and what to look for (docs/design.md)",
+                    experiment.path));
   if (experiment.document->contains(JsonPointer("/sweep/sample")))
-    throw InputError(experiment.path + ": /sweep/sample: the design chooses the points of the sample; remove it");
+    throw InputError(experiment.path +
+                     ": /sweep/sample: the design chooses the points of the sample; remove it");
   validate_design(experiment);
   require_replaceable(options.output, results::result_file());
   if (options.shard || options.complete)
-    throw InputError(experiment.path + ": /design: a search cannot be split into shards; each trial follows from the others");
+    throw InputError(experiment.path +
+                     ": /design: a search cannot be split into shards; each trial follows from the others");
   if (!options.force && up_to_date(options.output, experiment)) {
     const results::ResultReader file(options.output);
     if (!options.quiet)

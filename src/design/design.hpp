@@ -4,8 +4,8 @@
 
 namespace bristle::design {
 
-// Throws InputError if an objective or a constraint of a design names a variable that the result, or the result of the
-// second model, does not have. Does nothing without a design.
+// Throws InputError if an objective or a constraint of a design names a variable that the result, or the
+// result of the second model, does not have. Does nothing without a design.
 void validate_design(const Experiment& experiment);
 
 // Looks for the best values of the variables of the experiment's block "design", and writes all trials and

@@ -19,7 +19,8 @@ using results::GroupDimension;
 // A table with named columns over one dimension; of(i) is the value of a column at the i-th place.
 class Table {
  public:
-  Table(const std::string& name, GroupDimension dimension) : group_{name, {}, {std::move(dimension)}, {}, {}} {}
+  Table(const std::string& name, GroupDimension dimension)
+      : group_{name, {}, {std::move(dimension)}, {}, {}} {}
 
   template <class Of>
   void add(const Column& column, const Of& of) {
@@ -50,8 +51,8 @@ Column column_of(const std::string& quantity) {
   return out;
 }
 
-// The columns objective_1, objective_1_err, ... of estimates by row and objective. nominal: whether they are nominal
-// values, whatever counts over the tolerances.
+// The columns objective_1, objective_1_err, ... of estimates by row and objective. nominal: whether they are
+// nominal values, whatever counts over the tolerances.
 template <class Of>
 void add_objectives(Table& table, const Experiment& e, const Of& of, bool nominal = false) {
   const std::vector<results::ResultVariable> variables = results::result_variables(e);
@@ -69,7 +70,8 @@ void add_objectives(Table& table, const Experiment& e, const Of& of, bool nomina
 }
 
 // The columns that all lists of trials have.
-void add_trials(Table& table, const Experiment& e, const Findings& found, const std::vector<std::size_t>& list) {
+void add_trials(Table& table, const Experiment& e, const Findings& found,
+                const std::vector<std::size_t>& list) {
   for (const std::string& quantity : e.design->quantities())
     table.add(column_of(quantity), [&](std::size_t i) { return found.trials[list[i]].nominal.at(quantity); });
   add_objectives(table, e, [&](std::size_t i) { return found.trials[list[i]].objectives; });
@@ -78,8 +80,8 @@ void add_trials(Table& table, const Experiment& e, const Findings& found, const 
               [&](std::size_t i) { return found.trials[list[i]].constraints[c]; });
 }
 
-Group list_of(const std::string& name, const std::string& item, const std::string& meaning, const Experiment& e,
-              const Findings& found, const std::vector<std::size_t>& list) {
+Group list_of(const std::string& name, const std::string& item, const std::string& meaning,
+              const Experiment& e, const Findings& found, const std::vector<std::size_t>& list) {
   Table table(name, numbers(item, meaning, list.size()));
   table.add(integer("trial", "number of the trial"), [&](std::size_t i) { return list[i]; });
   add_trials(table, e, found, list);
@@ -92,8 +94,9 @@ Group all_trials(const Experiment& e, const Trials& trials, const Findings& foun
   Table table("trials", numbers("trial", "number of the trial, in the order of the search", all.size()));
   add_trials(table, e, found, all);
   const auto trial = [&](std::size_t i) -> const Trial& { return found.trials[i]; };
-  table.add({"violation", "greatest excess over a constraint's limit, relative; infinite without values", "", ""},
-            [&](std::size_t i) { return trial(i).violation; });
+  table.add(
+      {"violation", "greatest excess over a constraint's limit, relative; infinite without values", "", ""},
+      [&](std::size_t i) { return trial(i).violation; });
   table.add(integer("first_row", "number in the sample of the point with the nominal values"),
             [&](std::size_t i) { return i * trials.rows_of_a_trial(); });
   table.add(integer("missing", "points without a value of an objective"),
@@ -101,7 +104,8 @@ Group all_trials(const Experiment& e, const Trials& trials, const Findings& foun
   table.add(integer("ambiguous", "points whose load another gap carries as well"),
             [&](std::size_t i) { return trial(i).ambiguous; });
   for (std::size_t o = 0; o < e.design->objectives.size(); ++o)
-    table.add(integer(fmt::format("scenario_{}", o + 1), fmt::format("scenario in which objective_{} is worst", o + 1)),
+    table.add(integer(fmt::format("scenario_{}", o + 1),
+                      fmt::format("scenario in which objective_{} is worst", o + 1)),
               [&](std::size_t i) { return trial(i).scenarios[o]; });
   return table.group();
 }
@@ -109,18 +113,22 @@ Group all_trials(const Experiment& e, const Trials& trials, const Findings& foun
 Group margins(const Findings& found) {
   std::vector<std::string> quantities;
   for (const Profile& p : found.profiles) quantities.push_back(p.quantity);
-  Table table("margins", results::word_dimension("quantity", "quantity of the recommended trial", quantities));
-  table.add({"margin_below", "relative decrease that reaches a jump of the gap; NaN: none in the range", "", ""},
-            [&](std::size_t i) { return found.profiles[i].margin_below; });
-  table.add({"margin_above", "relative increase that reaches a jump of the gap; NaN: none in the range", "", ""},
-            [&](std::size_t i) { return found.profiles[i].margin_above; });
+  Table table("margins",
+              results::word_dimension("quantity", "quantity of the recommended trial", quantities));
+  table.add(
+      {"margin_below", "relative decrease that reaches a jump of the gap; NaN: none in the range", "", ""},
+      [&](std::size_t i) { return found.profiles[i].margin_below; });
+  table.add(
+      {"margin_above", "relative increase that reaches a jump of the gap; NaN: none in the range", "", ""},
+      [&](std::size_t i) { return found.profiles[i].margin_above; });
   return table.group();
 }
 
 Group verification_group(const Experiment& e, const Verification& verified) {
   Table table("verification", numbers("solution", "0: recommended", 1));
   add_objectives(table, e, [&](std::size_t) { return verified.objectives; });
-  table.add(integer("brushes", "brushes as made, each with its deviations"), [&](std::size_t) { return verified.brushes; });
+  table.add(integer("brushes", "brushes as made, each with its deviations"),
+            [&](std::size_t) { return verified.brushes; });
   table.add(integer("missing", "brushes without a value of an objective or a constraint in a scenario"),
             [&](std::size_t) { return verified.missing; });
   table.add(integer("violated", "brushes with values beyond a constraint"),
@@ -130,7 +138,8 @@ Group verification_group(const Experiment& e, const Verification& verified) {
 
 Group profile_group(const Experiment& e, const Profile& p) {
   Table table("profile_" + p.quantity, {column_of(p.quantity), {}, p.values});
-  add_objectives(table, e, [&](std::size_t i) { return p.objectives[i]; }, true);
+  add_objectives(
+      table, e, [&](std::size_t i) { return p.objectives[i]; }, true);
   return table.group();
 }
 
@@ -170,7 +179,8 @@ std::string values_text(const Experiment& e, const Trial& trial) {
   std::vector<std::string> parts;
   for (const std::string& quantity : e.design->quantities()) {
     const std::string units = column_of(quantity).units;
-    std::string part = fmt::format("{} = {:.4g}{}", quantity, trial.nominal.at(quantity), units == "1" ? "" : " " + units);
+    std::string part =
+        fmt::format("{} = {:.4g}{}", quantity, trial.nominal.at(quantity), units == "1" ? "" : " " + units);
     for (const experiment::Tolerance& t : e.design->tolerances)
       if (t.name == quantity)
         part += fmt::format(" ({} {:g} %)", t.normal ? "standard deviation" : "+-", 100 * t.width);
@@ -184,14 +194,15 @@ template <class Found>
 std::string objectives_text(const Experiment& e, const Found& found) {
   std::vector<std::string> parts;
   for (std::size_t o = 0; o < found.objectives.size(); ++o)
-    parts.push_back(fmt::format("{}: {}{}", e.design->objectives[o].text(), estimate_text(found.objectives[o]),
-                                place_of(e, found.scenarios[o])));
+    parts.push_back(fmt::format("{}: {}{}", e.design->objectives[o].text(),
+                                estimate_text(found.objectives[o]), place_of(e, found.scenarios[o])));
   return fmt::format("{}", fmt::join(parts, "; "));
 }
 
 std::string verification_text(const Experiment& e, const Verification& verified) {
   const auto share = [&](std::size_t count) { return 100 * double(count) / double(verified.brushes); };
-  std::string out = fmt::format("  of {} brushes with other deviations: {}\n", verified.brushes, objectives_text(e, verified));
+  std::string out = fmt::format("  of {} brushes with other deviations: {}\n", verified.brushes,
+                                objectives_text(e, verified));
   if (verified.missing > 0)
     out += fmt::format("  {:.1f} % of these brushes have no value in some scenario and are left out there\n",
                        share(verified.missing));
@@ -207,24 +218,27 @@ std::string counts_text(const Experiment& e, const Findings& found) {
   std::string out = trials_text(found.trials.size());
   if (!e.design->constraints.empty())
     out += fmt::format(", {} meet the constraints", count([](const Trial& t) { return t.violation == 0; }));
-  const auto missing = count([](const Trial& t) { return std::isinf(t.violation); }),
-             ambiguous = count([](const Trial& t) { return t.ambiguous > 0; });
+  const auto missing = count([](const Trial&t) { return std::isinf(t.violation); }),
+             ambiguous = count([](const Trial&t) { return t.ambiguous > 0; });
   if (missing > 0) out += fmt::format("; left out, as points have no value: {}", missing);
-  if (ambiguous > 0) out += fmt::format("; with points whose load another gap carries as well: {}", ambiguous);
+  if (ambiguous > 0)
+    out += fmt::format("; with points whose load another gap carries as well: {}", ambiguous);
   return out;
 }
 
 std::string miss_text(const Experiment& e, const Findings& found) {
   const Trial& nearest = found.trials[found.nearest_miss];
   if (std::isinf(nearest.violation))
-    return "every trial has points without a value (its points are all scenarios, nominal and with all deviations); the "
+    return "every trial has points without a value (its points are all scenarios, nominal and with all "
+           "deviations); the "
            "statuses above say why: give other bounds, scenarios or tolerances\n";
   std::vector<std::string> parts;
   for (std::size_t c = 0; c < nearest.constraints.size(); ++c)
     if (!std::isnan(nearest.constraints[c]))
       parts.push_back(fmt::format("{}: {:.4g}", e.design->constraints[c].text(), nearest.constraints[c]));
-  return fmt::format("no trial meets all constraints; the nearest miss is trial {}: {}\n  constraints: {}\n  {}\n",
-                     found.nearest_miss, values_text(e, nearest), fmt::join(parts, "; "), objectives_text(e, nearest));
+  return fmt::format(
+      "no trial meets all constraints; the nearest miss is trial {}: {}\n  constraints: {}\n  {}\n",
+      found.nearest_miss, values_text(e, nearest), fmt::join(parts, "; "), objectives_text(e, nearest));
 }
 
 std::string margins_text(const Findings& found) {
@@ -236,7 +250,8 @@ std::string margins_text(const Findings& found) {
     if (both.empty()) none.push_back(p.quantity);
     else parts.push_back(fmt::format("{} {}", p.quantity, fmt::join(both, " or ")));
   }
-  if (parts.empty()) return fmt::format("  no jump of the gap within the range of {}\n", fmt::join(none, ", "));
+  if (parts.empty())
+    return fmt::format("  no jump of the gap within the range of {}\n", fmt::join(none, ", "));
   return fmt::format("  the gap jumps at a change of {}{}\n", fmt::join(parts, ", "),
                      none.empty() ? "" : fmt::format("; not within the range of {}", fmt::join(none, ", ")));
 }
@@ -257,7 +272,8 @@ std::string front_text(const Experiment& e, const Findings& found) {
   for (std::size_t o = 0; o < e.design->objectives.size(); ++o) {
     const auto value = [&](std::size_t i) { return found.trials[i].objectives[o].value; };
     const auto [least, most] = std::ranges::minmax(found.front, {}, value);
-    parts.push_back(fmt::format("{} from {:.4g} to {:.4g}", e.design->objectives[o].variable, value(least), value(most)));
+    parts.push_back(
+        fmt::format("{} from {:.4g} to {:.4g}", e.design->objectives[o].variable, value(least), value(most)));
   }
   return fmt::format("the front, of which the recommended trial is nearest to the best of each: {}, {}\n",
                      trials_text(found.front.size()), fmt::join(parts, ", "));
@@ -268,15 +284,19 @@ std::string front_text(const Experiment& e, const Findings& found) {
 std::vector<Group> groups_of(const Experiment& e, const Trials& trials, const Findings& found) {
   std::vector<Group> groups = {all_trials(e, trials, found)};
   if (found.chosen.empty()) return groups;
-  groups.push_back(list_of("front", "member", "number on the front, by the first objective", e, found, found.front));
-  groups.push_back(list_of("best", "solution", "0: recommended; then other local optima", e, found, found.chosen));
+  groups.push_back(
+      list_of("front", "member", "number on the front, by the first objective", e, found, found.front));
+  groups.push_back(
+      list_of("best", "solution", "0: recommended; then other local optima", e, found, found.chosen));
   groups.push_back(margins(found));
   for (const Profile& p : found.profiles) groups.push_back(profile_group(e, p));
   if (found.verification) groups.push_back(verification_group(e, *found.verification));
   if (!found.indices.empty()) groups.push_back(indices_group(e, found));
   if (found.second) {
-    Table table("second", results::word_dimension(e.design->second_choice, "second model of the recommended trial",
-                                {experiment::find_sweepable(e.design->second_choice)->text(e.design->second_option)}));
+    Table table("second",
+                results::word_dimension(
+                    e.design->second_choice, "second model of the recommended trial",
+                    {experiment::find_sweepable(e.design->second_choice)->text(e.design->second_option)}));
     add_objectives(table, e, [&](std::size_t) { return found.second->objectives; });
     groups.push_back(table.group());
   }
@@ -291,7 +311,8 @@ std::string text_of(const Experiment& e, const Findings& found) {
                      objectives_text(e, best));
   const experiment::Objective& first = e.design->objectives.front();
   if (e.design->objectives.size() == 1 && first.goal == Goal::target && !meets_target(*e.design, best))
-    out += "  no trial meets the target; this one is the nearest: other bounds or a larger budget may meet it\n";
+    out +=
+        "  no trial meets the target; this one is the nearest: other bounds or a larger budget may meet it\n";
   if (found.verification) out += verification_text(e, *found.verification);
   out += margins_text(found) + indices_text(e, found);
   if (found.second)
@@ -301,7 +322,8 @@ std::string text_of(const Experiment& e, const Findings& found) {
   if (e.design->objectives.size() > 1) out += front_text(e, found);
   for (std::size_t i = 1; i < found.chosen.size(); ++i)
     out += fmt::format("another optimum, trial {}: {}\n  {}\n", found.chosen[i],
-                       values_text(e, found.trials[found.chosen[i]]), objectives_text(e, found.trials[found.chosen[i]]));
+                       values_text(e, found.trials[found.chosen[i]]),
+                       objectives_text(e, found.trials[found.chosen[i]]));
   return out;
 }
 

@@ -16,12 +16,13 @@ struct Findings {
   std::size_t nearest_miss = 0;     // the least violation, where no trial meets the constraints
   std::vector<Profile> profiles;    // beside the recommended trial, by quantity
   std::optional<Verification> verification;  // of the recommended trial; none without tolerances
-  std::vector<SobolIndices> indices;  // by objective; empty without tolerances
-  std::optional<Trial> second;        // the recommended trial with the second model
+  std::vector<SobolIndices> indices;         // by objective; empty without tolerances
+  std::optional<Trial> second;               // the recommended trial with the second model
 };
 
 // The groups /trials, /front, /best, /profiles, /verification, /indices and /second of the result.
-std::vector<results::Group> groups_of(const Experiment& experiment, const Trials& trials, const Findings& found);
+std::vector<results::Group> groups_of(const Experiment& experiment, const Trials& trials,
+                                      const Findings& found);
 
 // The findings in words.
 std::string text_of(const Experiment& experiment, const Findings& found);

@@ -68,8 +68,8 @@ void rank(std::vector<Individual>& all) {
   for (std::size_t rank = 0; !rest.empty(); ++rank) {
     std::vector<Individual*> front, behind;
     for (Individual* one : rest) {
-      const bool beaten =
-          std::ranges::any_of(rest, [&](const Individual* other) { return better(other->score, one->score); });
+      const bool beaten = std::ranges::any_of(
+          rest, [&](const Individual* other) { return better(other->score, one->score); });
       (beaten ? behind : front).push_back(one);
     }
     for (Individual* one : front) one->rank = rank;
@@ -91,7 +91,8 @@ Point child_of(const Point& a, const Point& b, Random& random) {
       child[i] = ((1 + spread) * a[i] + (1 - spread) * b[i]) / 2;
     }
     if (mutated < 1.0 / double(child.size()))
-      child[i] += v < 0.5 ? pow(2 * v, 1 / (kMutationIndex + 1)) - 1 : 1 - pow(2 * (1 - v), 1 / (kMutationIndex + 1));
+      child[i] +=
+          v < 0.5 ? pow(2 * v, 1 / (kMutationIndex + 1)) - 1 : 1 - pow(2 * (1 - v), 1 / (kMutationIndex + 1));
     child[i] = std::clamp(child[i], 0.0, 1.0);
   }
   return child;
@@ -118,16 +119,18 @@ std::vector<std::size_t> local_minima(const std::vector<Point>& points, const st
       }
     bool between = nearest == kInfinity;  // none is better
     for (std::size_t j = 0; j < points.size() && !between; ++j)
-      between = j != i && !better(scores[j], scores[i]) && square_of_distance(points[j], middle) < nearest / 4;
+      between =
+          j != i && !better(scores[j], scores[i]) && square_of_distance(points[j], middle) < nearest / 4;
     if (between) minima.push_back(i);
   }
-  std::ranges::stable_sort(minima, [&](std::size_t a, std::size_t b) { return better(scores[a], scores[b]); });
+  std::ranges::stable_sort(minima,
+                           [&](std::size_t a, std::size_t b) { return better(scores[a], scores[b]); });
   return minima;
 }
 
-// Subplex from one start, which asks for one trial at a time. NLopt calls for values, whereas trials of several
-// searches are computed together; so each trial repeats the search from its start with the values it knows, up to
-// the first that it does not know.
+// Subplex from one start, which asks for one trial at a time. NLopt calls for values, whereas trials of
+// several searches are computed together; so each trial repeats the search from its start with the values it
+// knows, up to the first that it does not know.
 class LocalSearch {
  public:
   LocalSearch(Point start, double value, double step, std::size_t best)
@@ -187,7 +190,8 @@ bool better(const Score& a, const Score& b) {
 std::vector<std::size_t> front_of(const std::vector<Score>& scores) {
   std::vector<std::size_t> front;
   for (std::size_t i = 0; i < scores.size(); ++i)
-    if (scores[i].violation == 0 && std::ranges::none_of(scores, [&](const Score& s) { return better(s, scores[i]); }))
+    if (scores[i].violation == 0 &&
+        std::ranges::none_of(scores, [&](const Score& s) { return better(s, scores[i]); }))
       front.push_back(i);
   std::ranges::stable_sort(front, {}, [&](std::size_t i) { return scores[i].objectives.front(); });
   return front;
@@ -207,7 +211,8 @@ void search_front(std::size_t dimensions, std::size_t budget, std::uint64_t seed
   };
   add(sobol_points(size, dimensions, seed));
   const auto winner = [&]() -> const Point& {
-    const Individual &a = population[random.below(population.size())], &b = population[random.below(population.size())];
+    const Individual &a = population[random.below(population.size())],
+                     &b = population[random.below(population.size())];
     return preferred(a, b) ? a.point : b.point;
   };
   while (budget > 0) {
@@ -238,8 +243,8 @@ class MinimumSearch {
     return std::ranges::any_of(scores_, [](const Score& score) { return score.is_met; });
   }
 
-  // Goes on up to this many trials: half of them are the Sobol sequence, the others those of local searches, of
-  // which as many are active as can have of_a_search.
+  // Goes on up to this many trials: half of them are the Sobol sequence, the others those of local searches,
+  // of which as many are active as can have of_a_search.
   void run(std::size_t trials, std::size_t of_a_search) {
     const std::vector<Point> sample = sobol_points((trials + 1) / 2, dimensions_, seed_);
     add({sample.begin() + std::ptrdiff_t(sampled_), sample.end()});
@@ -257,7 +262,8 @@ class MinimumSearch {
   std::vector<std::size_t> distinct_ends() const {
     std::vector<std::size_t> ends, distinct;
     for (const LocalSearch& search : searches_) ends.push_back(search.best);
-    std::ranges::stable_sort(ends, [&](std::size_t a, std::size_t b) { return better(scores_[a], scores_[b]); });
+    std::ranges::stable_sort(ends,
+                             [&](std::size_t a, std::size_t b) { return better(scores_[a], scores_[b]); });
     for (const std::size_t end : ends)
       if (std::ranges::none_of(distinct, [&](std::size_t other) {
             return square_of_distance(points_[end], points_[other]) < 1e-4 * double(dimensions_);
@@ -276,7 +282,8 @@ class MinimumSearch {
   double value(std::size_t i) const {
     const Score& score = scores_[i];
     if (score.violation == 0) return score.objectives.front();
-    return std::isfinite(score.violation) ? worst_ + (1 + std::abs(worst_)) * (1 + score.violation) : HUGE_VAL;
+    return std::isfinite(score.violation) ? worst_ + (1 + std::abs(worst_)) * (1 + score.violation)
+                                          : HUGE_VAL;
   }
 
   // Until this many are active.

@@ -33,11 +33,11 @@ std::vector<std::size_t> front_of(const std::vector<Score>& scores);
 void search_front(std::size_t dimensions, std::size_t budget, std::uint64_t seed, const Evaluate& evaluate);
 
 // Minimises one objective: half of the budget is a Sobol sequence, and each of its trials that is a minimum
-// among its neighbours starts a local search by Subplex (T. H. Rowan, 1990; NLopt), which needs no derivatives.
-// Where the objective is the distance from a target, a local search ends at a trial that meets it. The search
-// then begins with a quarter of the budget, and goes on with half and all of it as long as no trial meets the
-// target. Returns the trials at which the local searches ended, without those closer than 1 % of the cube's
-// edge to a better one. The first is the best.
+// among its neighbours starts a local search by Subplex (T. H. Rowan, 1990; NLopt), which needs no
+// derivatives. Where the objective is the distance from a target, a local search ends at a trial that meets
+// it. The search then begins with a quarter of the budget, and goes on with half and all of it as long as no
+// trial meets the target. Returns the trials at which the local searches ended, without those closer than 1 %
+// of the cube's edge to a better one. The first is the best.
 std::vector<std::size_t> search_minima(std::size_t dimensions, std::size_t budget, std::uint64_t seed,
                                        const Evaluate& evaluate, bool target = false);
 

@@ -8,7 +8,8 @@
 namespace bristle::design {
 namespace {
 
-constexpr double kNormal95 = 1.6448536;  // 95 % of a normal distribution lie below as many standard deviations
+constexpr double kNormal95 =
+    1.6448536;  // 95 % of a normal distribution lie below as many standard deviations
 
 }  // namespace
 
@@ -19,10 +20,11 @@ Estimate value_of(const results::PointRecord& record, const std::string& variabl
 
 namespace {
 
-// The quantile of few values, on the side of a normal distribution's standard deviations z. Its error is the larger one
-// of a bootstrap, which cannot see beyond the greatest value, and of a normal distribution: the standard error of its
-// quantile, and the distance to it where fewer than one value is expected beyond.
-Estimate tail_quantile(const std::vector<double>& values, double share, double z, double mean, double deviation) {
+// The quantile of few values, on the side of a normal distribution's standard deviations z. Its error is the
+// larger one of a bootstrap, which cannot see beyond the greatest value, and of a normal distribution: the
+// standard error of its quantile, and the distance to it where fewer than one value is expected beyond.
+Estimate tail_quantile(const std::vector<double>& values, double share, double z, double mean,
+                       double deviation) {
   Estimate out = quantile(values, share);
   const double n = double(values.size());
   double error = deviation * std::sqrt((1 + z * z / 2) / n);
@@ -71,7 +73,9 @@ double cost(const experiment::Objective& objective, double value) {
 }
 
 std::size_t worst_scenario(const experiment::Objective& objective, const std::vector<Estimate>& by_scenario) {
-  const auto of = [&](const Estimate& e) { return std::isnan(e.value) ? kInfinity : cost(objective, e.value); };
+  const auto of = [&](const Estimate& e) {
+    return std::isnan(e.value) ? kInfinity : cost(objective, e.value);
+  };
   return std::size_t(std::ranges::max_element(by_scenario, {}, of) - by_scenario.begin());
 }
 

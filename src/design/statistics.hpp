@@ -15,8 +15,8 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 // Returns the value of a variable at a point, and its error; 0 if it has none.
 Estimate value_of(const results::PointRecord& record, const std::string& variable);
 
-// Returns the statistic of the values at deviations, NaN if one of them is NaN. Its error contains that of few values,
-// with the tail that they do not show, and the mean error of the values.
+// Returns the statistic of the values at deviations, NaN if one of them is NaN. Its error contains that of
+// few values, with the tail that they do not show, and the mean error of the values.
 Estimate statistic(Statistic of, const std::vector<Estimate>& all);
 
 // Returns the number to be minimised.

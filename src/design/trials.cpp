@@ -45,7 +45,9 @@ Trials::Trials(const Experiment& experiment, Solve solve)
     deviations_ = sobol_points(design_.tolerance_samples, design_.tolerances.size(), design_.seed);
 }
 
-std::size_t Trials::scenarios() const { return experiment_.points() / experiment_.axes.front().values.size(); }
+std::size_t Trials::scenarios() const {
+  return experiment_.points() / experiment_.axes.front().values.size();
+}
 
 std::vector<results::PointRecord> Trials::solve_all(const Experiment& experiment, Purpose purpose) const {
   return solve_(experiment, run::shard_points({}, experiment.points()), purpose);
@@ -132,8 +134,9 @@ Trial Trials::judge(const Values& nominal, const results::PointRecord* records) 
   };
   for (std::size_t i = 0; i < samples * scenarios; ++i) {
     out.ambiguous += run::gap_of(records[i]).undecided;
-    out.missing += std::ranges::any_of(
-        design_.objectives, [&](const Objective& o) { return std::isnan(value_of(records[i], o.variable).value); });
+    out.missing += std::ranges::any_of(design_.objectives, [&](const Objective& o) {
+      return std::isnan(value_of(records[i], o.variable).value);
+    });
   }
   for (const Objective& objective : design_.objectives) {
     std::vector<Estimate> by_scenario;
@@ -166,8 +169,7 @@ Trial Trials::judge(const Values& nominal, const results::PointRecord* records) 
     if (std::isnan(value)) out.violation = kInfinity;
     else if (most > 0) out.violation = std::max(out.violation, beyond(value, value > c.max ? c.max : c.min));
   }
-  if (design_.jump_margin() > 0 && out.violation == 0)
-    set_jump_margin(out, jump_margin(nominal, records));
+  if (design_.jump_margin() > 0 && out.violation == 0) set_jump_margin(out, jump_margin(nominal, records));
   return out;
 }
 
@@ -187,10 +189,12 @@ double Trials::jump_margin(const Values& nominal, const results::PointRecord* re
     bool differ = false;
     for (const std::size_t neighbour : {2 * q, 2 * q + 1})
       for (std::size_t s = 0; s < scenarios; ++s)
-        differ = differ || run::jumps(run::gap_of(records[s]),
-                                      run::gap_of(records[(1 + deviations_.size() + neighbour) * scenarios + s]));
+        differ =
+            differ || run::jumps(run::gap_of(records[s]),
+                                 run::gap_of(records[(1 + deviations_.size() + neighbour) * scenarios + s]));
     if (!differ) continue;
-    margin = std::fmin(margin, least_margin({profile(nominal, quantities[q], values_beside(nominal, quantities[q], 1))}));
+    margin = std::fmin(
+        margin, least_margin({profile(nominal, quantities[q], values_beside(nominal, quantities[q], 1))}));
   }
   return margin;
 }
@@ -207,7 +211,8 @@ std::vector<double> Trials::values_beside(const Values& nominal, const std::stri
                                           std::size_t intervals) const {
   std::vector<double> values;
   for (std::size_t i = 0; i <= 2 * intervals; ++i)
-    values.push_back(neighbour(nominal, quantity, design_.jump_margin() * (double(i) / double(intervals) - 1)));
+    values.push_back(
+        neighbour(nominal, quantity, design_.jump_margin() * (double(i) / double(intervals) - 1)));
   values.erase(std::unique(values.begin(), values.end()), values.end());
   return values;
 }
@@ -215,7 +220,8 @@ std::vector<double> Trials::values_beside(const Values& nominal, const std::stri
 // The value in the scenario where it is worst. records: of one row, those of all scenarios
 Estimate Trials::worst_nominal(const Objective& objective, const results::PointRecord* records) const {
   std::vector<Estimate> by_scenario;
-  for (std::size_t s = 0; s < scenarios(); ++s) by_scenario.push_back(value_of(records[s], objective.variable));
+  for (std::size_t s = 0; s < scenarios(); ++s)
+    by_scenario.push_back(value_of(records[s], objective.variable));
   return by_scenario[worst_scenario(objective, by_scenario)];
 }
 
@@ -249,7 +255,8 @@ Profile Trials::profile(const Values& nominal, const std::string& quantity,
   const results::Rows jumps =
       run::locate_jumps(along, gaps, [&](const Experiment& between, const std::vector<std::size_t>& indices) {
         std::vector<run::Gap> found;
-        for (const results::PointRecord& record : solve_(between, indices, Purpose::beside)) found.push_back(run::gap_of(record));
+        for (const results::PointRecord& record : solve_(between, indices, Purpose::beside))
+          found.push_back(run::gap_of(record));
         return found;
       });
   const double x = nominal.at(quantity);
@@ -273,7 +280,8 @@ Verification Trials::verify(const Values& nominal) const {
     bool missing = false, violated = false;
     for (std::size_t s = 0; s < scenarios(); ++s) {
       const results::PointRecord& record = records[row * scenarios() + s];
-      for (const Objective& o : design_.objectives) missing = missing || std::isnan(value_of(record, o.variable).value);
+      for (const Objective& o : design_.objectives)
+        missing = missing || std::isnan(value_of(record, o.variable).value);
       for (const experiment::Constraint& c : design_.constraints) {
         if (c.variable == experiment::kJumpMargin) continue;
         missing = missing || std::isinf(excess(c, record));
@@ -288,7 +296,8 @@ Verification Trials::verify(const Values& nominal) const {
     for (std::size_t s = 0; s < scenarios(); ++s) {
       std::vector<Estimate> values;
       for (std::size_t row = 0; row < brushes; ++row)
-        if (const Estimate value = value_of(records[row * scenarios() + s], objective.variable); !std::isnan(value.value))
+        if (const Estimate value = value_of(records[row * scenarios() + s], objective.variable);
+            !std::isnan(value.value))
           values.push_back(value);
       by_scenario.push_back(values.empty() ? Estimate{kNone, kNone} : statistic(objective.of, values));
     }

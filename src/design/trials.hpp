@@ -21,8 +21,8 @@ enum class Purpose {
   trials,
   beside
 };
-using Solve = std::function<std::vector<results::PointRecord>(const Experiment&, const std::vector<std::size_t>&,
-                                                              Purpose)>;
+using Solve = std::function<std::vector<results::PointRecord>(const Experiment&,
+                                                              const std::vector<std::size_t>&, Purpose)>;
 
 struct Trial {
   Values nominal;
@@ -39,21 +39,22 @@ struct Profile {
   std::string quantity;
   std::vector<double> values;                     // ascending
   std::vector<std::vector<Estimate>> objectives;  // by value, in the scenario where it is worst
-  double margin_below, margin_above;              // relative change that reaches a jump; NaN: none among the values
+  double margin_below, margin_above;  // relative change that reaches a jump; NaN: none among the values
 };
 
 // What many deviations of one trial show. Each is a brush that was made.
 struct Verification {
-  std::vector<Estimate> objectives;    // of the brushes with a value, in the scenario where each objective is worst
+  std::vector<Estimate>
+      objectives;  // of the brushes with a value, in the scenario where each objective is worst
   std::vector<std::size_t> scenarios;  // by objective
   std::size_t brushes;
   std::size_t missing;   // brushes without a value of an objective or a constraint in a scenario
   std::size_t violated;  // brushes with values beyond a constraint
 };
 
-// Whether the only objective is a target, and the trial meets it within half of the value's error, or within a
-// ten-thousandth of the target. One with a violation does not, nor one of which another gap carries the load as
-// well at more than half of the points.
+// Whether the only objective is a target, and the trial meets it within half of the value's error, or within
+// a ten-thousandth of the target. One with a violation does not, nor one of which another gap carries the
+// load as well at more than half of the points.
 bool meets_target(const experiment::Design& design, const Trial& trial);
 // The least relative change of any of the quantities that reaches a jump; infinite if none does.
 double least_margin(const std::vector<Profile>& profiles);
@@ -69,14 +70,16 @@ class Trials {
   std::vector<Trial> evaluate(const std::vector<Values>& nominal) const;
   // Sets the value of the constraint jump_margin, and the violation if it is below its limit.
   void set_jump_margin(Trial& trial, double margin) const;
-  // The least relative change of a quantity that reaches a jump, by points between the neighbours of the nominal values;
-  // infinite if none up to the required margin does.
+  // The least relative change of a quantity that reaches a jump, by points between the neighbours of the
+  // nominal values; infinite if none up to the required margin does.
   double located_margin(const Values& nominal) const;
   // For the search: objectives are to be minimised.
   Score score_of(const Trial& trial) const;
 
-  Profile profile(const Values& nominal, const std::string& quantity, const std::vector<double>& values) const;
-  // The trial with a number of deviations that shows the tails of its statistics, 256 or more. Requires tolerances.
+  Profile profile(const Values& nominal, const std::string& quantity,
+                  const std::vector<double>& values) const;
+  // The trial with a number of deviations that shows the tails of its statistics, 256 or more. Requires
+  // tolerances.
   Verification verify(const Values& nominal) const;
   // Total and first-order indices of the nominal objectives over the tolerances, by objective.
   std::vector<SobolIndices> indices(const Values& nominal) const;
@@ -93,7 +96,8 @@ class Trials {
   double neighbour(const Values& nominal, const std::string& quantity, double change) const;
   double excess(const experiment::Constraint& constraint, const results::PointRecord& record) const;
   Trial judge(const Values& nominal, const results::PointRecord* records) const;
-  std::vector<double> values_beside(const Values& nominal, const std::string& quantity, std::size_t intervals) const;
+  std::vector<double> values_beside(const Values& nominal, const std::string& quantity,
+                                    std::size_t intervals) const;
   Estimate worst_nominal(const experiment::Objective& objective, const results::PointRecord* records) const;
   double jump_margin(const Values& nominal, const results::PointRecord* records) const;
 

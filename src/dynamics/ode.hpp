@@ -32,8 +32,8 @@ constexpr int kIntegrals = COMPONENTS - NORMAL;
 // The error of a step may be rtol |y| + atol tolerance_scale(component).
 constexpr double tolerance_scale(int component) { return VX <= component && component <= VZ ? 0.1 : 1; }
 
-// A load, or an integral of F_n over a passage, below this number counts as none. A tip that just touches the slab
-// has less by the rounding of its height, with the Hertz contact.
+// A load, or an integral of F_n over a passage, below this number counts as none. A tip that just touches the
+// slab has less by the rounding of its height, with the Hertz contact.
 constexpr double kNoLoad = 1e-12;
 
 using OdeState = std::array<double, COMPONENTS>;

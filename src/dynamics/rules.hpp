@@ -43,8 +43,8 @@ inline Outcome outcome_at_exit(const Parameters& p, const OdeState& y) {
 // its radial velocity reversed: no bristle is compressed to nothing.
 bool apply_pole_rule(const Parameters& p, OdeState& y);
 
-// The root of g in [a, b], with g(a) < 0 <= g(b): the upper end of its bracket. An end of the interval where g does not
-// change its sign, as its values may be NaN.
+// The root of g in [a, b], with g(a) < 0 <= g(b): the upper end of its bracket. An end of the interval where
+// g does not change its sign, as its values may be NaN.
 template <class Function>
 double first_root(Function g, double a, double b, double tolerance) {
   std::uintmax_t iterations = 100;

@@ -36,8 +36,8 @@ Trajectory record_trajectory(const PassageTask& task) {
     const auto [acceleration, rates, contact, sliding, friction] = motion(task.bristle, state);
     const bool has_angles = has_pole(task.bristle.bending) || out.points.empty();
     const OdeState shown = has_angles ? y : with_angles(y, out.points.back().y);
-    out.points.push_back(
-        {xi, shown, contact.F_n, friction[0], friction[1], sliding.V_R, phase_of(task.bristle, state, sliding)});
+    out.points.push_back({xi, shown, contact.F_n, friction[0], friction[1], sliding.V_R,
+                          phase_of(task.bristle, state, sliding)});
   });
   return out;
 }

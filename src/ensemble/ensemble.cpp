@@ -12,7 +12,8 @@ namespace {
 
 // rough_load() refines to at most this multiple of the tolerance.
 constexpr double kRoughFactor = 4;
-// Nodes that the search for a load, and the values of a point, take at most where outcomes alternate at every scale.
+// Nodes that the search for a load, and the values of a point, take at most where outcomes alternate at every
+// scale.
 constexpr std::size_t kAlternatingForLoad = 128, kAlternatingForValues = 8192;
 
 // Maximum panel widths (rad) of full(), for bristles that point forward and backward. Nodes are then at most

@@ -59,8 +59,9 @@ class EnsembleMean {
   const Ensemble& known() const { return checked_ ? *checked_ : out_; }
   // R_n, R_x, N_c and gamma_1..3 to orientation.rtol.
   const Ensemble& full();
-  // Ends the quadrature as it is, not converged, after the runner has thrown: full() returns these values. Returns
-  // false, and changes nothing, unless outcomes alternate: other errors are too small before the mean is complete.
+  // Ends the quadrature as it is, not converged, after the runner has thrown: full() returns these values.
+  // Returns false, and changes nothing, unless outcomes alternate: other errors are too small before the mean
+  // is complete.
   bool interrupt();
   // The values of full(); errors include an estimate of the error of the integrator, see
   // integrator_error.hpp.

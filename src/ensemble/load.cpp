@@ -142,8 +142,8 @@ class CrossingFinder {
   }
 
   // A gap before the crossing whose load is above the target already: then the load between has a maximum and
-  // a minimum. Looks at this distance, then twice as far each time, down to the near end of the scan's bracket,
-  // unless a load computed already shows that the load falls as expected there.
+  // a minimum. Looks at this distance, then twice as far each time, down to the near end of the scan's
+  // bracket, unless a load computed already shows that the load falls as expected there.
   std::optional<GapLoad> earlier_crossing(const GapLoad& crossing, double distance) {
     const double slope = (scan_.far.excess - scan_.near.excess) / std::abs(scan_.far.z_0 - scan_.near.z_0);
     const double room = std::abs(scan_.near.z_0 - crossing.z_0);

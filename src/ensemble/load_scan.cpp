@@ -15,10 +15,10 @@ constexpr double kHumpBelow = 0.01, kHumpStep = 1. / 16;
 // goes on in steps of half the distance, down to this share of its step, as long as a load comes within
 // kNear of the target, times the distance in steps.
 constexpr double kFinest = 1. / 8, kNear = 0.08;
-// Where the loads do not lie on straight lines, R_n(z_0) may oscillate between the gaps. So one gap is computed in the
-// middle of a step whose loads come within kLook of the target, and the scan goes on, down to kFinestRough of its step,
-// as long as a load comes within kRough times the deviation of that gap from the straight line. Of the deviation of a
-// step, half counts within its parts. (docs/numerics.md)
+// Where the loads do not lie on straight lines, R_n(z_0) may oscillate between the gaps. So one gap is
+// computed in the middle of a step whose loads come within kLook of the target, and the scan goes on, down to
+// kFinestRough of its step, as long as a load comes within kRough times the deviation of that gap from the
+// straight line. Of the deviation of a step, half counts within its parts. (docs/numerics.md)
 constexpr double kLook = 0.25, kRough = 2, kFinestRough = 1. / 64, kWholeStep = 0.9;
 
 // The scan skips a gap if the loads at the gap before it and at the gap after it are below the target by this
@@ -72,8 +72,8 @@ std::optional<GapLoad> find_in_hump(LoadsOnPath& loads, const GapLoad& a, const 
   return top;
 }
 
-// The first gap of some above first contact whose load is below the target. The wall is soft: a load below R_n
-// at first contact occurs a few wall ranges lambda_z above it.
+// The first gap of some above first contact whose load is below the target. The wall is soft: a load below
+// R_n at first contact occurs a few wall ranges lambda_z above it.
 GapLoad above_contact(LoadsOnPath& loads) {
   const LoadSearch& search = loads.search;
   GapLoad probe = loads.at(search.first_contact, Accuracy::precise);
@@ -132,7 +132,8 @@ class Scan {
     return loads_.search.path == LoadPath::loading && one.excess < -kFarBelow * loads_.search.target;
   }
 
-  // Whether a gap is needed between these two. roughness: the deviation of the loads around them from straight lines.
+  // Whether a gap is needed between these two. roughness: the deviation of the loads around them from
+  // straight lines.
   bool is_needed_between(const GapLoad& from, const GapLoad& to, double roughness) const {
     const double steps = std::abs(to.z_0 - from.z_0) / loads_.search.step, target = loads_.search.target;
     const double distance = -(to.excess < 0 ? std::max(from.excess, to.excess) : from.excess);

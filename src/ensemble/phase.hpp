@@ -4,8 +4,8 @@
 
 namespace bristle {
 
-// What the bristles of a brush do: contact, their tips stay on the slab, bent and dragged; bouncing, their tips
-// are off the slab most of the time; mixed, neither. Unknown without values.
+// What the bristles of a brush do: contact, their tips stay on the slab, bent and dragged; bouncing, their
+// tips are off the slab most of the time; mixed, neither. Unknown without values.
 enum class BrushPhase {
   contact,
   bouncing,

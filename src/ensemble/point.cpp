@@ -17,9 +17,9 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 // relative change is then taken to be this share of the load's.
 constexpr double kLeastSensitivity = 0.01;
 
-// Adds the effect of a deviation of the load from its target (in units of R_n) to the errors: by interpolation
-// to another gap, and by all of the difference if the loads at both gaps differ by less than the deviation.
-// Larger errors remain.
+// Adds the effect of a deviation of the load from its target (in units of R_n) to the errors: by
+// interpolation to another gap, and by all of the difference if the loads at both gaps differ by less than
+// the deviation. Larger errors remain.
 void add_load_error(PointResult& out, const Ensemble& other, double deviation) {
   const double span = std::abs(other.mean[R_N] - out.value[R_N]);
   const double share = span > deviation ? deviation / span : 1;
@@ -201,7 +201,8 @@ class PointSolver {
     const auto distance = [&] { return std::abs(e->mean[R_N] - loading_.R_n); };
     const bool rough = accuracy == Accuracy::rough;
     if (e->incomplete == 0 && !rough) e = &mean.precise_load(loading_.R_n);
-    const double near = std::max(2 * setup_.orientation.rtol * loading_.R_n, e->converged ? 0 : e->error[R_N]);
+    const double near =
+        std::max(2 * setup_.orientation.rtol * loading_.R_n, e->converged ? 0 : e->error[R_N]);
     if (e->incomplete == 0 && !rough && distance() <= near) {
       purpose_ = VALUES;
       e = &mean.full();
@@ -231,8 +232,8 @@ class PointSolver {
     return out;
   }
 
-  // If the limit of work ends a mean over alternating outcomes, its values so far are not converged. The estimate of the integrator's error
-  // may then exceed the limit by some dozens of passages.
+  // If the limit of work ends a mean over alternating outcomes, its values so far are not converged. The
+  // estimate of the integrator's error may then exceed the limit by some dozens of passages.
   PointResult at_given_gap(double z_0) {
     try {
       return at_gap(z_0, LoadStatus::reached);

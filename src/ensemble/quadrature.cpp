@@ -152,8 +152,7 @@ std::vector<Quadrature::LabelChange> Quadrature::changes_in(const Panel& panel) 
   if (panel.alternating) return changes;
   for (std::size_t i = 1; i < panel.nodes.size(); ++i)
     if (panel.nodes[i - 1].sample.label != panel.nodes[i].sample.label)
-      changes.push_back(
-          {panel.nodes[i - 1], panel.nodes[i], {}, panel.nodes[i].at - panel.nodes[i - 1].at});
+      changes.push_back({panel.nodes[i - 1], panel.nodes[i], {}, panel.nodes[i].at - panel.nodes[i - 1].at});
   if (changes.empty()) return changes;
   Values spread{};
   for (std::size_t k = 0; k < OBSERVABLES; ++k) {
@@ -370,7 +369,8 @@ std::vector<std::size_t> Quadrature::beside(const std::vector<std::size_t>& jump
       const bool adjacent = panel.nodes.back().at == jump.left.at || panel.nodes.front().at == jump.right.at;
       return adjacent && panel.width() > jump.gap / 5;
     };
-    if (panel.nodes.size() == 2 && std::ranges::any_of(jumps, [&](std::size_t j) { return left_by(jumps_[j]); }))
+    if (panel.nodes.size() == 2 &&
+        std::ranges::any_of(jumps, [&](std::size_t j) { return left_by(jumps_[j]); }))
       out.push_back(i);
   }
   return out;

@@ -15,13 +15,14 @@ namespace bristle {
 // 17 nodes becomes two of 9. Each sample has a label. A difference between the labels of neighbours is a jump
 // of the integrand, which is located by bisection on the label (one sample per step). Each batch refines all
 // panels and jumps without which the goal cannot be met.
-// Labels may also alternate at every scale. Each jump would then stand for many, so that neither the integral nor
-// its error could be trusted. Such a range becomes one panel of equidistant nodes with a statistical error.
+// Labels may also alternate at every scale. Each jump would then stand for many, so that neither the integral
+// nor its error could be trusted. Such a range becomes one panel of equidistant nodes with a statistical
+// error.
 struct Sample {
   ObservableArray value{};
   int label = 0;
   bool sensitive = false;  // whether a small change of the place may change the label
-  bool valid = true;  // false ends the quadrature: its result would be invalid
+  bool valid = true;       // false ends the quadrature: its result would be invalid
 };
 
 struct QuadratureGoal {
@@ -32,8 +33,9 @@ struct QuadratureGoal {
   // An error of a quarter of the distance between the integral and this value also suffices, as a root-finder
   // or a scan only needs the side on which the integral lies.
   std::optional<double> threshold;
-  // Nodes of an alternating panel, whose error falls with the square root of their number only. If its error is too
-  // large with as many, the rest is refined as if it had none, and the quadrature ends as not converged.
+  // Nodes of an alternating panel, whose error falls with the square root of their number only. If its error
+  // is too large with as many, the rest is refined as if it had none, and the quadrature ends as not
+  // converged.
   std::size_t most_alternating = 2048;
 };
 
@@ -49,8 +51,8 @@ struct QuadratureResult {
   // jumps, which count by the spread of the values beside them. The error of a panel is the difference
   // between its rule and the rule of every second node, with a lower bound from the misfit between its nodes
   // and the polynomial through every second node: for a rough integrand the difference can be small by
-  // accident (Gonnet 2010). Where labels alternate it is the standard error of a sum of independent values, by
-  // the differences between neighbours (von Neumann).
+  // accident (Gonnet 2010). Where labels alternate it is the standard error of a sum of independent values,
+  // by the differences between neighbours (von Neumann).
   ObservableArray integral{}, error{};
   std::vector<double> jumps;  // ascending
   long samples = 0;

@@ -40,7 +40,8 @@ std::vector<Quadrature::SensitiveRange> Quadrature::sensitive_ranges() const {
     std::size_t changes = 0;
     for (std::size_t i = 1; i < panel.nodes.size(); ++i)
       changes += panel.nodes[i - 1].sample.label != panel.nodes[i].sample.label;
-    const auto sensitive = std::ranges::count_if(panel.nodes, [](const Node& n) { return n.sample.sensitive; });
+    const auto sensitive =
+        std::ranges::count_if(panel.nodes, [](const Node& n) { return n.sample.sensitive; });
     if (changes > 0 || 2 * std::size_t(sensitive) >= panel.nodes.size())
       parts.push_back({panel.nodes.front().at, panel.nodes.back().at, changes, panel.alternating});
   }

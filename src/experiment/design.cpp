@@ -13,7 +13,6 @@
 namespace bristle::experiment {
 namespace {
 
-
 constexpr double kNoNominal = std::numeric_limits<double>::quiet_NaN(), kNoTarget = kNoNominal,
                  kNoLimit = std::numeric_limits<double>::infinity();
 
@@ -65,7 +64,9 @@ class DesignReader {
     if (!require_sweepable(document_, at, name).options.empty())
       fail(at, name + " is a choice, not a number; put its words into the sweep as scenarios");
     if (parameter_schema(name).value("type", "") == "integer")
-      fail(at, name + " is an integer, between whose values there is nothing; put its values into the sweep as scenarios");
+      fail(at, name +
+                   " is an integer, between whose values there is nothing; put its values into the sweep as "
+                   "scenarios");
     if (document_.json().contains("sweep") && document_.json()["sweep"].contains(name))
       fail(at, name + " is varied by the sweep, too; remove one of them");
   }
@@ -90,12 +91,15 @@ class DesignReader {
     const JsonPointer at = kDesign / "tolerances" / name;
     require_number(at, name);
     const bool normal = deviation.contains("normal");
-    Tolerance t{name, normal, deviation.front(),
-                      std::ranges::count(variables, name, &DesignVariable::name) > 0 ? kNoNominal : nominal(at, name)};
+    Tolerance t{
+        name, normal, deviation.front(),
+        std::ranges::count(variables, name, &DesignVariable::name) > 0 ? kNoNominal : nominal(at, name)};
     if (t.nominal == 0)
-      fail(at, fmt::format("deviates relative to {}, which is 0, so that every deviation is 0, too; remove it, or give "
-                           "{} another value",
-                           name, name));
+      fail(at,
+           fmt::format(
+               "deviates relative to {}, which is 0, so that every deviation is 0, too; remove it, or give "
+               "{} another value",
+               name, name));
     if (reach(t) >= 1)
       fail(at, fmt::format("{} is too wide: values could reach zero; allowed: less than {}", t.width,
                            normal ? 0.2 : 1.0));
@@ -106,8 +110,9 @@ class DesignReader {
   void check_reach(const Design& d) const {
     for (const Axis& extremes : extremes_of(d)) {
       const bool varied = std::ranges::count(d.tolerances, extremes.name, &Tolerance::name) > 0;
-      check_values(document_, extremes.name, extremes.values,
-                   [&](std::size_t) { return kDesign / (varied ? "tolerances" : "variables") / extremes.name; });
+      check_values(document_, extremes.name, extremes.values, [&](std::size_t) {
+        return kDesign / (varied ? "tolerances" : "variables") / extremes.name;
+      });
     }
   }
 
@@ -129,12 +134,14 @@ class DesignReader {
         out.goal = from_word<Goal>(goal);
         out.variable = json[goal];
       }
-    if (goals != 1) fail(at, fmt::format("{} goals are given; one is needed: minimise, maximise or target", goals));
+    if (goals != 1)
+      fail(at, fmt::format("{} goals are given; one is needed: minimise, maximise or target", goals));
     if (json.contains("of")) out.of = from_word<Statistic>(json["of"]);
     if (!tolerances && out.of != Statistic::nominal)
       fail(at / "of", fmt::format("{} is over tolerances, and there are none", word(out.of)));
     if ((out.goal == Goal::target) != json.contains("value"))
-      fail(at / "value", out.goal == Goal::target ? "is missing; target needs it" : "is allowed with target only");
+      fail(at / "value",
+           out.goal == Goal::target ? "is missing; target needs it" : "is allowed with target only");
     if (json.contains("value")) out.target = json["value"];
     return out;
   }
@@ -171,7 +178,8 @@ double DesignVariable::at(double share) const {
 }
 
 std::string Objective::text() const {
-  return fmt::format("{} {}{}{}", word(goal), variable, goal == Goal::target ? fmt::format(" {:g}", target) : "",
+  return fmt::format("{} {}{}{}", word(goal), variable,
+                     goal == Goal::target ? fmt::format(" {:g}", target) : "",
                      of == Statistic::nominal ? "" : fmt::format(" ({})", word(of)));
 }
 

@@ -102,8 +102,8 @@ std::optional<Design> read_design(const Document& document);
 // the greatest values.
 std::vector<Axis> bounds_of(const Design& design);
 
-// An axis for each quantity of the design, from the least to the greatest value that any of its points may have:
-// trials, with their deviations, neighbours and profiles.
+// An axis for each quantity of the design, from the least to the greatest value that any of its points may
+// have: trials, with their deviations, neighbours and profiles.
 std::vector<Axis> extremes_of(const Design& design);
 
 }  // namespace experiment

@@ -22,7 +22,8 @@ namespace {
 
 const JsonPointer kTable("/sweep/sample/table");  // the name of a file at first, then its columns and rows
 
-constexpr const char* kFromStandardInput = "-";  // in place of a file, as if it were one in the working folder
+constexpr const char* kFromStandardInput =
+    "-";  // in place of a file, as if it were one in the working folder
 
 // What messages call the file.
 std::string name_of(const std::string& path) { return path == kFromStandardInput ? "standard input" : path; }
@@ -300,15 +301,19 @@ std::vector<Json> Document::tier_patches(const std::string& tier) const {
 
 std::string Document::remedy_of_inherited_tier(const std::string& tier) const {
   const JsonPointer at = JsonPointer("/tiers") / tier;
-  const auto has_patch = [&](const Source& s) { return s.content->contains(at) && s.content->at(at).is_object(); };
+  const auto has_patch = [&](const Source& s) {
+    return s.content->contains(at) && s.content->at(at).is_object();
+  };
   const auto parent = std::find_if(files_.rbegin() + 1, files_.rend(), has_patch);
   if (parent == files_.rend() || tier_patches(tier).empty()) return "";
   if (has_patch(files_.back()))
-    return fmt::format("the tier {} is inherited from {}: change this key in /tiers/{} of {}; null there removes it", tier,
-                       parent->name, tier, path_);
-  return fmt::format("the tier {} is inherited from {}: give {} a patch of its own in /tiers/{}, or none, so that the tier "
-                     "has all points: \"tiers\": {{\"{}\": null}}",
-                     tier, parent->name, path_, tier, tier);
+    return fmt::format(
+        "the tier {} is inherited from {}: change this key in /tiers/{} of {}; null there removes it", tier,
+        parent->name, tier, path_);
+  return fmt::format(
+      "the tier {} is inherited from {}: give {} a patch of its own in /tiers/{}, or none, so that the tier "
+      "has all points: \"tiers\": {{\"{}\": null}}",
+      tier, parent->name, path_, tier, tier);
 }
 
 void Document::merge() {

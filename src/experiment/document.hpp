@@ -16,18 +16,19 @@ struct DocumentOptions {
 };
 
 // An experiment file merged with its parents (extends), the patches of the tier and the --set changes.
-// Bristles in SI units bend like rods and touch the slab by Hertz's contact, unless the file with the si block, or
-// one that changes it, says otherwise. Remembers the source of each value for messages.
+// Bristles in SI units bend like rods and touch the slab by Hertz's contact, unless the file with the si
+// block, or one that changes it, says otherwise. Remembers the source of each value for messages.
 class Document {
  public:
   // path: the file, or - for standard input. Throws InputError for an unreadable or malformed file, for an
   // extends that is missing, circular or outside the experiments folder, and for an invalid --set or tier.
   static Document load(const std::string& path, const DocumentOptions& options);
-  // An experiment as stored in a result file: merged, without tiers; set: changes as of DocumentOptions. source
-  // names it in messages.
+  // An experiment as stored in a result file: merged, without tiers; set: changes as of DocumentOptions.
+  // source names it in messages.
   static Document stored(const Json& content, const std::string& source,
                          const std::vector<std::string>& set = {});
-  // An experiment whose messages say place_of(JSON pointer), such as "t.csv: line 3", instead of source and pointer.
+  // An experiment whose messages say place_of(JSON pointer), such as "t.csv: line 3", instead of source and
+  // pointer.
   static Document with_places(const Json& content, std::function<std::string(const std::string&)> place_of);
 
   const Json& json() const { return *merged_; }

@@ -59,7 +59,9 @@ Experiment ends_of(const Experiment& e, std::size_t axis) {
 
 }  // namespace
 
-bool same_effect(const PointInput& a, const PointInput& b) { return effective_input(a) == effective_input(b); }
+bool same_effect(const PointInput& a, const PointInput& b) {
+  return effective_input(a) == effective_input(b);
+}
 
 std::vector<std::string> axes_without_effect(const Experiment& with_sample) {
   const Experiment experiment = without_sample(with_sample);

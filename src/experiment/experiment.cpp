@@ -202,13 +202,16 @@ std::vector<Check> read_all_checks(const Document& d, const Experiment& e) {
 Analysis read_analysis(const Document& d, const Experiment& e) {
   const Json json = d.json().value("analysis", Json::object());
   Analysis analysis = {json.value("sobol_indices", std::vector<std::string>()),
-                             json.value("quantiles", std::vector<std::string>())};
+                       json.value("quantiles", std::vector<std::string>())};
   if (!json.empty() && e.design)
-    d.fail("/analysis", "cannot be combined with /design, which computes the indices of its tolerances itself");
+    d.fail("/analysis",
+           "cannot be combined with /design, which computes the indices of its tolerances itself");
   if (!json.empty() && !e.swept(kSample)) d.fail("/analysis", "needs a sample in the sweep (/sweep/sample)");
-  if (!json.empty() && e.base.loading.trace) d.fail("/analysis", "cannot be combined with a trace of R_n(z_0)");
+  if (!json.empty() && e.base.loading.trace)
+    d.fail("/analysis", "cannot be combined with a trace of R_n(z_0)");
   if (!analysis.sobol_indices.empty() && !d.json()["sweep"][kSample].contains("sobol"))
-    d.fail("/analysis/sobol_indices", "needs a sample by sobol, of which the program makes the design for indices");
+    d.fail("/analysis/sobol_indices",
+           "needs a sample by sobol, of which the program makes the design for indices");
   return analysis;
 }
 
@@ -287,8 +290,8 @@ bool is_valid(const Document& document) {
   }
 }
 
-// Reads the document of a tier. Messages name the tier unless it is the one that was asked for, and tell how to
-// replace it if it is inherited and only its patch is wrong.
+// Reads the document of a tier. Messages name the tier unless it is the one that was asked for, and tell how
+// to replace it if it is inherited and only its patch is wrong.
 Experiment read_tier(const Document& document, const std::string& tier, const std::string& asked_for) {
   try {
     return read(document);

@@ -60,16 +60,16 @@ struct Experiment {
   bool on_lattice() const;  // for at least one point
 };
 
-// Throws InputError for every mistake in the experiment, with source, JSON pointer, value and remedy. The second
-// model of a design, and the extremes of its quantities, are checked as if they had been written.
+// Throws InputError for every mistake in the experiment, with source, JSON pointer, value and remedy. The
+// second model of a design, and the extremes of its quantities, are checked as if they had been written.
 Experiment load_experiment(const std::string& path, const DocumentOptions& options);
 // The experiment of a result file, from the document and the tier stored there, with changes as by --set.
 // Throws as load_experiment().
 Experiment stored_experiment(const Json& document, const std::string& tier, const std::string& source,
                              const std::vector<std::string>& set = {});
 
-// The document of one point of the experiment: each axis has the point's value only, and a sample is a table of
-// one row. Leaves out what needs more points: checks, analysis, jumps and the search of a design.
+// The document of one point of the experiment: each axis has the point's value only, and a sample is a table
+// of one row. Leaves out what needs more points: checks, analysis, jumps and the search of a design.
 Json document_of_point(const Experiment& experiment, std::size_t index);
 
 // The experiment of a design under its second model: the choice is an axis of one word. Requires one.

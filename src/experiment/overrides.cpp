@@ -8,8 +8,8 @@
 namespace bristle::experiment {
 namespace {
 
-// What varies the quantity: its axis, a column of the sample or a variable of the design. A tolerance deviates from
-// the nominal value of a block, which it does not replace.
+// What varies the quantity: its axis, a column of the sample or a variable of the design. A tolerance
+// deviates from the nominal value of a block, which it does not replace.
 std::optional<JsonPointer> varied_at(const Document& document, const std::string& quantity) {
   const Json& json = document.json();
   for (const char* block : {"/design/variables", "/sweep/sample/over", "/sweep"})
@@ -39,7 +39,8 @@ void check_overrides(const Document& document) {
     for (const auto& [key, value] : document.json().at(block).items()) {
       const JsonPointer at = block / key;
       const auto varied = varied_at(document, key);
-      if (!varied || !document.chosen(at) || (!document.set_by_option(at) && document.chosen(*varied))) continue;
+      if (!varied || !document.chosen(at) || (!document.set_by_option(at) && document.chosen(*varied)))
+        continue;
       document.fail(at.to_string(),
                     fmt::format("has no effect, because {} varies {}; set {} instead, or remove it by null",
                                 varied->to_string(), key, varied->to_string()));

@@ -4,12 +4,12 @@
 
 namespace bristle::experiment {
 
-// Throws InputError for a value that --set, or the experiment's own file, gives and that the sweep, the sample or the
-// design replaces at every point; the message names what replaces it.
+// Throws InputError for a value that --set, or the experiment's own file, gives and that the sweep, the
+// sample or the design replaces at every point; the message names what replaces it.
 void check_overrides(const Document& document);
 
-// The place that sets a quantity, in its unit or in metres: its axis, a column of the sample, a variable of the
-// design, or else its key in a block.
+// The place that sets a quantity, in its unit or in metres: its axis, a column of the sample, a variable of
+// the design, or else its key in a block.
 JsonPointer place_of(const Document& document, const std::string& quantity);
 
 }  // namespace bristle::experiment

@@ -16,8 +16,8 @@
 namespace bristle::experiment {
 namespace {
 
-// The experiment with the first value only of every axis but these. A design has an axis for each of its quantities,
-// with their extremes, in place of the sample of its trials.
+// The experiment with the first value only of every axis but these. A design has an axis for each of its
+// quantities, with their extremes, in place of the sample of its trials.
 Experiment along(const Experiment& e, const std::vector<std::string>& axes) {
   Experiment out = e;
   if (e.design && !e.document->contains(JsonPointer("/sweep/sample"))) {
@@ -44,10 +44,12 @@ void check_gap(const Document& d, const Experiment& experiment) {
     const char* beyond = wall ? ", beyond the wall" : "";
     if (const auto in_m = point.si.find("z_0_m"); in_m != point.si.end())
       d.fail(place_of(d, "z_0_m").to_string(),
-             fmt::format("{} m is above first contact{}{}; allowed: at most r_0 {}sin(phi_0){}{} = {:.6g} m", in_m->second,
-                         where, beyond, wall ? "(" : "", reach, wall ? ")" : "", highest * point.si.at("r0_m")));
-    d.fail(place_of(d, "z_0").to_string(), fmt::format("{} is above first contact{}{}; allowed: at most sin(phi_0){} = {:.6f}",
-                                                       *point.loading.z_0, where, beyond, reach, highest));
+             fmt::format("{} m is above first contact{}{}; allowed: at most r_0 {}sin(phi_0){}{} = {:.6g} m",
+                         in_m->second, where, beyond, wall ? "(" : "", reach, wall ? ")" : "",
+                         highest * point.si.at("r0_m")));
+    d.fail(place_of(d, "z_0").to_string(),
+           fmt::format("{} is above first contact{}{}; allowed: at most sin(phi_0){} = {:.6f}",
+                       *point.loading.z_0, where, beyond, reach, highest));
   }
 }
 
@@ -62,12 +64,13 @@ const std::array kMeanings = {
             [](const Parameters& p) { return p.contact == Contact::wall; },
             "has no meaning for the contact \"hertz\", which E_star and R_c determine; remove it, or set "
             "/model/contact to \"wall\""},
-    Meaning{{"k_theta", "k_theta_over_k_phi", "k_theta_N_m"},
-            [](const Parameters& p) { return p.bending != Bending::rod || p.section == Section::oval; },
-            "has no effect on round rods, whose k_theta is k_phi; remove it, or set /model/section to \"oval\""}};
+    Meaning{
+        {"k_theta", "k_theta_over_k_phi", "k_theta_N_m"},
+        [](const Parameters& p) { return p.bending != Bending::rod || p.section == Section::oval; },
+        "has no effect on round rods, whose k_theta is k_phi; remove it, or set /model/section to \"oval\""}};
 
-// Throws InputError if the experiment varies a quantity that the bristles of some point do not have, or gives one
-// that the bristles of no point have.
+// Throws InputError if the experiment varies a quantity that the bristles of some point do not have, or gives
+// one that the bristles of no point have.
 void check_meaning(const Document& d, const Experiment& experiment) {
   const Experiment e = along(experiment, {"bending", "contact", "section"});
   const Json si = d.json().value("si", Json::object());
@@ -115,7 +118,8 @@ void check_lattice(const Document& d, const Experiment& experiment) {
       for (const std::string& varied : e.design->quantities())
         if (varied == quantity)
           d.fail(place_of(d, varied).to_string(),
-                 "cannot vary with \"sampling\": \"lattice\", as L_y is a whole number of spacings; use quadrature");
+                 "cannot vary with \"sampling\": \"lattice\", as L_y is a whole number of spacings; use "
+                 "quadrature");
   for (std::size_t i = 0; used && i < e.points(); ++i) {
     const Setup point = e.point(i).setup;
     const Parameters& p = point.parameters;
@@ -148,7 +152,8 @@ void check_points(const Document& d, const Experiment& e) {
 }
 
 std::vector<std::string> shaft_warnings(const Document& d, const Experiment& experiment) {
-  // Shear, which the stiffnesses leave out, makes a shaft of the radius 0.1 r_0 2 % softer (S. P. Timoshenko).
+  // Shear, which the stiffnesses leave out, makes a shaft of the radius 0.1 r_0 2 % softer (S. P.
+  // Timoshenko).
   const Experiment e = along(experiment, {"R", "R_m", "r0_m", "spacing", "spacing_m"});
   std::vector<std::string> out;
   // Warns once, of the first point for which is_true() holds, and names the place that sets the quantity.
@@ -163,14 +168,16 @@ std::vector<std::string> shaft_warnings(const Document& d, const Experiment& exp
   warn_if(
       "spacing", [](const Parameters& p) { return p.spacing < 2 * p.R; },
       [](const Parameters& p) {
-        return fmt::format("{:.4g} r_0 is less than the diameter of the shafts, {:.4g} r_0", p.spacing, 2 * p.R);
+        return fmt::format("{:.4g} r_0 is less than the diameter of the shafts, {:.4g} r_0", p.spacing,
+                           2 * p.R);
       });
   warn_if(
       "R", [](const Parameters& p) { return p.R > 0.1; },
       [](const Parameters& p) {
-        return fmt::format("{:.4g} r_0 is thick; the formulas of a slender rod (stiffnesses, strain at the root) "
-                           "are accurate up to 0.1 r_0",
-                           p.R);
+        return fmt::format(
+            "{:.4g} r_0 is thick; the formulas of a slender rod (stiffnesses, strain at the root) "
+            "are accurate up to 0.1 r_0",
+            p.R);
       });
   return out;
 }

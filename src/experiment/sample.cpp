@@ -80,7 +80,8 @@ Json read_table(const std::string& path) {
       continue;
     }
     if (cells.size() != names.size())
-      fail(number, fmt::format("has {} cells, and the first line names {} columns", cells.size(), names.size()));
+      fail(number,
+           fmt::format("has {} cells, and the first line names {} columns", cells.size(), names.size()));
     Json row = Json::array();
     for (std::size_t i = has_index ? 1 : 0; i < cells.size(); ++i) {
       if (cells[i].empty())
@@ -91,9 +92,10 @@ Json read_table(const std::string& path) {
     line_of_row.push_back(number);
   }
   if (table["rows"].empty())
-    throw InputError(fmt::format("{}: has no rows; a table needs a line with the names of its columns, such "
-                                 "as k_r,tau_f, and one line for each point",
-                                 path));
+    throw InputError(
+        fmt::format("{}: has no rows; a table needs a line with the names of its columns, such "
+                    "as k_r,tau_f, and one line for each point",
+                    path));
   if (has_index) names.erase(names.begin());
   for (const std::string& name : names) table["columns"].push_back(printable(name));
   // The values are checked here, where their lines are known.
@@ -148,8 +150,10 @@ class SampleReader {
   double value_of(At at, const Sweepable& sweepable, const Json& value) const {
     if (!sweepable.options.empty()) {
       const auto& options = sweepable.options;
-      const auto found = std::ranges::find(options, value.is_string() ? value.get_ref<const std::string&>() : "");
-      return found == options.end() ? option_index(document_, at(), sweepable, value) : double(found - options.begin());
+      const auto found =
+          std::ranges::find(options, value.is_string() ? value.get_ref<const std::string&>() : "");
+      return found == options.end() ? option_index(document_, at(), sweepable, value)
+                                    : double(found - options.begin());
     }
     if (is_beyond_the_largest(value))
       fail(at(), fmt::format("{} is beyond the largest number, 1.8e308", value.get<std::string>()));
@@ -165,8 +169,8 @@ class SampleReader {
     taken = json_["take"].get<std::vector<std::size_t>>();
     for (std::size_t i = 0; i < taken.size(); ++i)
       if (taken[i] >= rows || (i > 0 && taken[i] <= taken[i - 1]))
-        fail(at_ / "take", fmt::format("{} is not allowed; allowed: ascending indices from 0 to {}", taken[i],
-                                       rows - 1));
+        fail(at_ / "take",
+             fmt::format("{} is not allowed; allowed: ascending indices from 0 to {}", taken[i], rows - 1));
     return taken;
   }
 
@@ -242,8 +246,8 @@ class SampleReader {
     if (kind == "uniform")
       return [first, second](double share) { return rounded(first + (second - first) * share); };
     if (!(first > 0))
-      fail(at / kind, fmt::format("a logarithmic distribution cannot begin at {}; allowed: greater than 0",
-                                  first));
+      fail(at / kind,
+           fmt::format("a logarithmic distribution cannot begin at {}; allowed: greater than 0", first));
     return [first, second](double share) { return rounded(first * pow(second / first, share)); };
   }
 
@@ -256,8 +260,8 @@ class SampleReader {
 
 double rounded(double value) { return *number_in(fmt::format("{:.7g}", value)); }
 
-// M. J. Wichura, algorithm AS 241, Appl. Statist. 37, 1988. Boost.Math calls functions of the C library, whose
-// last bits differ between machines.
+// M. J. Wichura, algorithm AS 241, Appl. Statist. 37, 1988. Boost.Math calls functions of the C library,
+// whose last bits differ between machines.
 double normal_quantile(double share) {
   static const double a[] = {3.3871328727963666080e0, 1.3314166789178437745e2, 1.9715909503065514427e3,
                              1.3731693765509461125e4, 4.5921953931549871457e4, 6.7265770927008700853e4,
@@ -282,8 +286,7 @@ double normal_quantile(double share) {
                              5.47593808499534494600e-4,
                              1.05075007164441684324e-9};
   const double from_middle = share - 0.5;
-  if (std::abs(from_middle) <= 0.425)
-    return from_middle * ratio(0.180625 - from_middle * from_middle, a, b);
+  if (std::abs(from_middle) <= 0.425) return from_middle * ratio(0.180625 - from_middle * from_middle, a, b);
   const double size = ratio(sqrt(-log(from_middle < 0 ? share : 1 - share)) - 1.6, c, d);
   return from_middle < 0 ? -size : size;
 }
@@ -322,9 +325,10 @@ void require_distinct(const Document& document, const JsonPointer& at, double lo
   for (double rest = size; rest < 1 && rest > 0; rest *= 10) digit /= 10;
   const double values = std::floor((high - low) / digit * (1 + 1e-9)) + 1;
   if (values >= double(count)) return;
-  document.fail(at.to_string(), fmt::format("the range from {} to {} has {} value{} of seven digits, to which values are "
-                                            "rounded, for {} points; give a wider one",
-                                            low, high, values, values == 1 ? "" : "s", count));
+  document.fail(at.to_string(),
+                fmt::format("the range from {} to {} has {} value{} of seven digits, to which values are "
+                            "rounded, for {} points; give a wider one",
+                            low, high, values, values == 1 ? "" : "s", count));
 }
 
 double option_index(const Document& document, const JsonPointer& at, const Sweepable& choice,

@@ -33,9 +33,10 @@ void check_finite(const Document& document, const std::string& name, const std::
 void check_values(const Document& document, const std::string& name, const std::vector<double>& values,
                   const std::function<JsonPointer(std::size_t)>& at);
 
-// Throws InputError if there are fewer than `count` values of seven digits from low to high: values are rounded to
-// them, and points that should differ would be one.
-void require_distinct(const Document& document, const JsonPointer& at, double low, double high, std::size_t count);
+// Throws InputError if there are fewer than `count` values of seven digits from low to high: values are
+// rounded to them, and points that should differ would be one.
+void require_distinct(const Document& document, const JsonPointer& at, double low, double high,
+                      std::size_t count);
 
 // The index of the word in the options of a choice. Throws InputError.
 double option_index(const Document& document, const JsonPointer& at, const Sweepable& choice,

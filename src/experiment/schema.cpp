@@ -139,7 +139,8 @@ std::string allowed_by_schema(const Json& schema) {
     } else if (type == "array") {
       const std::size_t least = s.value("minItems", 0), most = s.value("maxItems", 0);
       text = "an array";
-      if (most > 0) text += least == most ? fmt::format(" of {}", most) : fmt::format(" of {} to {}", least, most);
+      if (most > 0)
+        text += least == most ? fmt::format(" of {}", most) : fmt::format(" of {} to {}", least, most);
       else if (least > 0) text += fmt::format(" of at least {}", least);
       if (s.contains("items")) text += ", each " + allowed_by_schema(s["items"]);
     } else {

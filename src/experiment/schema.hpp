@@ -8,7 +8,8 @@
 
 namespace bristle::experiment {
 
-// Checks the merged document. Throws InputError with source, JSON pointer, the invalid value and what is allowed.
+// Checks the merged document. Throws InputError with source, JSON pointer, the invalid value and what is
+// allowed.
 void check_schema(const Document& document, const Json& schema);
 
 // The experiment schema: experiment.schema.json, with the keys of the blocks "model" and "si" from

@@ -19,7 +19,9 @@ void apply_material(PointInput& input, const SiScales& scales) {
   const auto has = [&](const char* key) { return input.si.contains(key); };
   Parameters& p = input.setup.parameters;
   if (has("R_m")) {
-    p.k_phi = (has("k_phi_N_m") ? value("k_phi_N_m") : cantilever(value("E_Pa"), value("R_m"), scales.length)) / scales.energy;
+    p.k_phi =
+        (has("k_phi_N_m") ? value("k_phi_N_m") : cantilever(value("E_Pa"), value("R_m"), scales.length)) /
+        scales.energy;
     p.R = value("R_m") / scales.length;
     p.k_theta = (has("k_theta_over_k_phi") ? value("k_theta_over_k_phi") : 1) * p.k_phi;
     if (has("k_r_over_k_phi")) p.k_r = value("k_r_over_k_phi") * p.k_phi;
@@ -139,7 +141,8 @@ std::vector<std::string> si_warnings(const Document& document, const Experiment&
         replaced[(name == "R_n" || name == "z_0" ? "/load/" : "/model/") + name].push_back(q.name);
   for (const auto& [pointer, keys] : replaced)
     if (document.chosen(JsonPointer(pointer))) {
-      const auto what = fmt::format("has no effect, because the si block replaces it by {}", fmt::join(keys, " and "));
+      const auto what =
+          fmt::format("has no effect, because the si block replaces it by {}", fmt::join(keys, " and "));
       if (document.set_by_option(JsonPointer(pointer))) document.fail(pointer, what + "; set that instead");
       warn(pointer, what);
     }

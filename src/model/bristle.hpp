@@ -22,9 +22,9 @@ struct Bristle {
   P friction_factor;       // Eqs. (14-16): F_f = friction_factor * modulation(V_R/V_scale) * load(F_n)
   P pole_peak, pole_rate;  // Eq. (4): alpha/(2 lambda), 1/lambda
   P wall_peak, wall_rate;  // Eq. (3): beta/(2 lambda_z), 1/lambda_z; 0 with the Hertz contact
-  P wall_root_peak, wall_root_rate;  // cube root of wall_peak, wall_rate/3
+  P wall_root_peak, wall_root_rate;       // cube root of wall_peak, wall_rate/3
   P hertz_stiffness, hertz_stiffness_23;  // hertz_stiffness(), and its power 2/3; 0 with the wall
-  P off_slab;  // distance below the slab beyond which a tip is off it
+  P off_slab;                             // distance below the slab beyond which a tip is off it
   P z_0;
   P V_s, V_scale;  // below V_s a tip sticks; V_scale is that of the friction law
 };
@@ -34,22 +34,42 @@ struct Bristle {
 template <class B>
 constexpr auto constants_of(B& b) {
   auto& friction = b.friction_constants;
-  return std::array{
-      &b.k_r,       &b.k_theta,        &b.k_phi,           &b.c_theta,   &b.c_phi,     &b.theta_0,
-      &b.phi_0,     &b.cos_theta_0,    &b.sin_theta_0,     &b.cos_phi_0, &b.sin_phi_0, &friction[0],
-      &friction[1], &friction[2],      &b.friction_factor, &b.pole_peak, &b.pole_rate, &b.wall_peak,
-      &b.wall_rate, &b.wall_root_peak, &b.wall_root_rate,  &b.hertz_stiffness, &b.hertz_stiffness_23, &b.off_slab,
-      &b.z_0,       &b.V_s,            &b.V_scale};
+  return std::array{&b.k_r,
+                    &b.k_theta,
+                    &b.k_phi,
+                    &b.c_theta,
+                    &b.c_phi,
+                    &b.theta_0,
+                    &b.phi_0,
+                    &b.cos_theta_0,
+                    &b.sin_theta_0,
+                    &b.cos_phi_0,
+                    &b.sin_phi_0,
+                    &friction[0],
+                    &friction[1],
+                    &friction[2],
+                    &b.friction_factor,
+                    &b.pole_peak,
+                    &b.pole_rate,
+                    &b.wall_peak,
+                    &b.wall_rate,
+                    &b.wall_root_peak,
+                    &b.wall_root_rate,
+                    &b.hertz_stiffness,
+                    &b.hertz_stiffness_23,
+                    &b.off_slab,
+                    &b.z_0,
+                    &b.V_s,
+                    &b.V_scale};
 }
 constexpr std::size_t kConstants =
     std::tuple_size_v<decltype(constants_of(std::declval<Bristle<double>&>()))>;
-static_assert(sizeof(Bristle<double>) ==
-                  sizeof(FrictionLaw) + sizeof(Bending) + sizeof(Contact) + sizeof(int) +
-                      kConstants * sizeof(double) + sizeof(void*),
+static_assert(sizeof(Bristle<double>) == sizeof(FrictionLaw) + sizeof(Bending) + sizeof(Contact) +
+                                             sizeof(int) + kConstants * sizeof(double) + sizeof(void*),
               "constants_of() must list every number of Bristle");
 
-// Distance below the slab, in multiples of contact_range(), beyond which a tip is off a wall: F_n is then below
-// 0.03 for the paper's beta.
+// Distance below the slab, in multiples of contact_range(), beyond which a tip is off a wall: F_n is then
+// below 0.03 for the paper's beta.
 constexpr double kOffSlabRanges = 10;
 
 // Evaluates Eqs. (11, 12), for a rod the damping of a unit mass at r = 1, and the derived constants of Eqs.

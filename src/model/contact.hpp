@@ -30,8 +30,8 @@ struct ContactForce {
   T F_n_23;  // F_n^(2/3)
 };
 
-// Returns the force of the wall, Eq. (3), at the distance z_0 - z. One exponential gives both powers: root_peak
-// is the cube root of the peak, root_rate a third of the rate.
+// Returns the force of the wall, Eq. (3), at the distance z_0 - z. One exponential gives both powers:
+// root_peak is the cube root of the peak, root_rate a third of the rate.
 template <class T, class P>
 ContactForce<T> wall_force(const T& distance, const P& root_peak, const P& root_rate) {
   const T exponent = -distance * root_rate;
@@ -44,16 +44,18 @@ ContactForce<T> wall_force(const T& distance, const P& root_peak, const P& root_
 // stiffness is hertz_stiffness(), stiffness_23 its power 2/3.
 template <class T, class P>
 ContactForce<T> hertz_force(const T& depth, const P& stiffness, const P& stiffness_23) {
-  constexpr double regular = 1e-60;  // keeps the root's derivative finite at depth 0, and vanishes in rounding
+  constexpr double regular =
+      1e-60;  // keeps the root's derivative finite at depth 0, and vanishes in rounding
   const T root = depth * T(inverse_sqrt(T(depth + regular)));
   return {T(stiffness * T(depth * root)), T(stiffness_23 * depth)};
 }
 
-// Returns (4/3) E* R_c^(1/2), the force on a tip of radius R_c and contact modulus E_star at depth 1, by Hertz.
-// Dimensionless.
+// Returns (4/3) E* R_c^(1/2), the force on a tip of radius R_c and contact modulus E_star at depth 1, by
+// Hertz. Dimensionless.
 inline double hertz_stiffness(double R_c, double E_star) { return 4 * E_star * std::sqrt(R_c) / 3; }
 
-// Returns how deep a tip at the height z is pressed into a slab at the gap z_0 of b, in units of r0: 0 below it.
+// Returns how deep a tip at the height z is pressed into a slab at the gap z_0 of b, in units of r0: 0 below
+// it.
 template <class T, class P>
 T contact_depth(const Bristle<P>& b, const T& z) {
   const T depth = z - b.z_0;
@@ -63,12 +65,13 @@ T contact_depth(const Bristle<P>& b, const T& z) {
 // Returns the force between the slab and a tip at the height z, by the law b.contact.
 template <class T, class P>
 ContactForce<T> contact_force(const Bristle<P>& b, const T& z) {
-  if (b.contact == Contact::hertz) return hertz_force(contact_depth(b, z), b.hertz_stiffness, b.hertz_stiffness_23);
+  if (b.contact == Contact::hertz)
+    return hertz_force(contact_depth(b, z), b.hertz_stiffness, b.hertz_stiffness_23);
   return wall_force(T(b.z_0 - z), b.wall_root_peak, b.wall_root_rate);
 }
 
-// Returns the energy of the contact at the height z. Its derivative by z is F_n of contact_force(); with Hertz's law
-// the energy is 2/5 F_n depth. Dimensionless.
+// Returns the energy of the contact at the height z. Its derivative by z is F_n of contact_force(); with
+// Hertz's law the energy is 2/5 F_n depth. Dimensionless.
 template <class T, class P>
 T contact_energy(const Bristle<P>& b, const T& z) {
   if (b.contact == Contact::hertz) return T(0.4 * contact_force(b, z).F_n) * contact_depth(b, z);

@@ -12,13 +12,11 @@ T potential_energy(const Bristle<P>& b, const Vector3<T>& position, const T& the
   if (!has_pole(b.bending)) {
     const RodAngles<T> rod = rod_angles(b, position, f.one_r);
     return b.k_r * stretch * stretch / 2 + b.k_theta * rod.u_s * rod.u_s / 2 +
-           b.k_phi * rod.u_p * rod.u_p / 2 +
-           contact_energy(b, position[2]);
+           b.k_phi * rod.u_p * rod.u_p / 2 + contact_energy(b, position[2]);
   }
   const T twist = theta - b.theta_0, bend = phi - b.phi_0;
   return b.k_r * stretch * stretch / 2 + b.k_theta * twist * twist / 2 + b.k_phi * bend * bend / 2 +
-         contact_energy(b, position[2]) +
-         short_range_energy(f.s, b.pole_peak, b.pole_rate);
+         contact_energy(b, position[2]) + short_range_energy(f.s, b.pole_peak, b.pole_rate);
 }
 
 // Total energy E of the tip in contact. Dimensionless (m V0^2).

@@ -60,9 +60,9 @@ AngularRates<T> angular_rates(Bending bending, const Frame<T>& f, const Vector3<
 template <class T>
 struct Place {
   Frame<T> frame;
-  RodAngles<T> rod;   // of a rod only
+  RodAngles<T> rod;  // of a rod only
   ContactForce<T> contact;
-  T friction_limit;   // friction_limit()
+  T friction_limit;  // friction_limit()
 };
 
 // Friction force where the modulation is 1, Eqs. (14, 15).
@@ -107,8 +107,8 @@ Sliding<T> relative_motion(const T& v_x, const T& v_y) {
 template <class T, class P>
 Sliding<T> sliding_at(const Bristle<P>& b, const T& v_x, const T& v_y) {
   Sliding<T> s = relative_motion(v_x, v_y);
-  s.modulation =
-      with_law(b.friction, [&](auto law) -> T { return law.modulation(T(s.V_R / b.V_scale), b.friction_constants); });
+  s.modulation = with_law(
+      b.friction, [&](auto law) -> T { return law.modulation(T(s.V_R / b.V_scale), b.friction_constants); });
   return s;
 }
 
@@ -157,7 +157,8 @@ void set_rod_motion(const Bristle<P>& b, const State<T>& state, const Place<T>& 
   const auto springs = [&](int i) -> T {
     return -radial * state.r[i] - moment_p * rod.grad_p[i] - moment_s * rod.grad_s[i];
   };
-  m.acceleration = {T(springs(0) + m.friction[0]), T(springs(1) + m.friction[1]), T(springs(2) - m.contact.F_n)};
+  m.acceleration = {T(springs(0) + m.friction[0]), T(springs(1) + m.friction[1]),
+                    T(springs(2) - m.contact.F_n)};
 }
 
 // Eq. (13) with Eqs. (17, 18), for a given friction force.

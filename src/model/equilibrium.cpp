@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 #include <limits>
 
-
 namespace bristle {
 namespace {
 

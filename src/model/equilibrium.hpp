@@ -34,12 +34,13 @@ inline Words words<Start>() {
   return list;
 }
 
-// Follows the minimum of the energy from first contact, z_0 = sin(phi_0), down to a gap in small steps, as the
-// polar angle of a bristle does under a slab that comes down slowly: soft bristles have two minima under the
-// slab. The steps are common to all gaps and are computed once.
+// Follows the minimum of the energy from first contact, z_0 = sin(phi_0), down to a gap in small steps, as
+// the polar angle of a bristle does under a slab that comes down slowly: soft bristles have two minima under
+// the slab. The steps are common to all gaps and are computed once.
 class FollowedMinimum {
  public:
-  // At the slab: the tip is held at z = z_0 instead of being pushed by the wall. The gap of b does not matter.
+  // At the slab: the tip is held at z = z_0 instead of being pushed by the wall. The gap of b does not
+  // matter.
   FollowedMinimum(const Bristle<double>& b, bool at_slab) : bristle_(b), at_slab_(at_slab) {}
 
   // Polar angle, rad; NaN if there is no minimum at a gap on the way.
@@ -57,8 +58,8 @@ class FollowedMinimum {
   std::vector<Step> steps_;
 };
 
-// Positions of a bristle at the leading edge of a slab, as Parameters::initial_state specifies. The parameters
-// must outlive the object.
+// Positions of a bristle at the leading edge of a slab, as Parameters::initial_state specifies. The
+// parameters must outlive the object.
 class InitialStates {
  public:
   explicit InitialStates(const Parameters& p);

@@ -8,7 +8,7 @@
 
 namespace bristle {
 
-class ModulationTable;          // model/friction/table.hpp
+class ModulationTable;         // model/friction/table.hpp
 enum class FrictionLaw : int;  // model/friction/laws.hpp
 template <>
 Words words<FrictionLaw>();
@@ -33,8 +33,8 @@ constexpr bool has_pole(Bending bending) { return bending != Bending::rod; }
 // Whether dE/dt is exactly the power of forces and dampers (model/energy.hpp).
 constexpr bool conserves_energy(Bending bending) { return bending != Bending::polar_as_printed; }
 
-// The law of the contact between slab and tip (model/contact.hpp). wall: the paper's wall of short range, Eq. (3);
-// hertz: a tip of radius R_c and contact modulus E_star.
+// The law of the contact between slab and tip (model/contact.hpp). wall: the paper's wall of short range, Eq.
+// (3); hertz: a tip of radius R_c and contact modulus E_star.
 enum class Contact {
   wall,
   hertz
@@ -45,8 +45,8 @@ inline Words words<Contact>() {
   return list;
 }
 
-// The cross-section of the shaft, which matters to a rod only. round: k_theta is k_phi, whatever the parameter
-// k_theta; oval: k_theta as given.
+// The cross-section of the shaft, which matters to a rod only. round: k_theta is k_phi, whatever the
+// parameter k_theta; oval: k_theta as given.
 enum class Section {
   round,
   oval
@@ -226,13 +226,15 @@ inline const auto& choices() {
   static const std::array table = {
       choice<&Parameters::friction>("friction", "local friction law"),
       choice<&Parameters::bending>("bending", "springs against bending: coordinates and Eq. (17)"),
-      choice<&Parameters::contact>("contact", "contact between slab and tip: the paper's wall, or Hertz's sphere"),
-      choice<&Parameters::section>("section", "cross-section of a rod's shaft: round, with k_theta = k_phi, or oval"),
+      choice<&Parameters::contact>("contact",
+                                   "contact between slab and tip: the paper's wall, or Hertz's sphere"),
+      choice<&Parameters::section>("section",
+                                   "cross-section of a rod's shaft: round, with k_theta = k_phi, or oval"),
       choice<&Parameters::initial_state>("initial_state", "state at the leading edge"),
       choice<&Parameters::pole_rule>("pole_rule", "rule for a tip that reaches s = s_min"),
   };
-  static_assert(sizeof(Parameters) == kParameters.size() * sizeof(double) + table.size() * sizeof(int) +
-                                          sizeof(CustomFriction),
+  static_assert(sizeof(Parameters) ==
+                    kParameters.size() * sizeof(double) + table.size() * sizeof(int) + sizeof(CustomFriction),
                 "kParameters and choices() describe every other member of Parameters");
   return table;
 }

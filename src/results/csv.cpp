@@ -35,7 +35,8 @@ CsvColumn at(CsvColumn column, const std::vector<std::size_t>& indices) {
 }
 
 // The indices along one dimension of all values of an array.
-std::vector<std::size_t> along(const std::vector<std::size_t>& shape, std::size_t dimension, std::size_t values) {
+std::vector<std::size_t> along(const std::vector<std::size_t>& shape, std::size_t dimension,
+                               std::size_t values) {
   std::size_t stride = 1;
   for (std::size_t d = dimension + 1; d < shape.size(); ++d) stride *= shape[d];
   std::vector<std::size_t> indices(values);
@@ -120,7 +121,8 @@ std::string CsvColumn::cell(std::size_t row) const {
   return words.empty() ? csv_number(values.at(row)) : value_text(words, values.at(row));
 }
 
-CsvColumn text_column(const std::string& name, const std::string& meaning, const std::vector<std::string>& texts) {
+CsvColumn text_column(const std::string& name, const std::string& meaning,
+                      const std::vector<std::string>& texts) {
   CsvColumn column{name, "", meaning, texts, std::vector<double>(texts.size())};
   std::iota(column.values.begin(), column.values.end(), 0.0);
   return column;
@@ -143,7 +145,8 @@ std::vector<CsvColumn> csv_columns(const ResultReader& result, const std::string
   const auto sample = result.sample_columns();
   for (const std::string& path : paths)
     if (std::ranges::find(sample, path) != sample.end()) continue;
-    else if (const Variable& v = result.variable(path); v.shape == like.shape && v.dimensions == like.dimensions)
+    else if (const Variable& v = result.variable(path);
+             v.shape == like.shape && v.dimensions == like.dimensions)
       columns.push_back(column_of(result, path));
   drop_absent(columns);
   return columns;
@@ -165,7 +168,8 @@ std::string csv_text(const ResultReader& result, const std::vector<CsvColumn>& c
   for (std::size_t i = 0; i < rows; ++i)
     for (std::size_t c = 0; c < columns.size(); ++c) {
       const double value = columns[c].values.at(i);
-      if (!columns[c].words.empty()) fmt::format_to(std::back_inserter(lines), "{}", quoted(columns[c].cell(i)));
+      if (!columns[c].words.empty())
+        fmt::format_to(std::back_inserter(lines), "{}", quoted(columns[c].cell(i)));
       else if (!std::isnan(value)) fmt::format_to(std::back_inserter(lines), "{}", value);
       lines.push_back(c + 1 < columns.size() ? ',' : '\n');
     }

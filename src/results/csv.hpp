@@ -21,7 +21,8 @@ struct CsvColumn {
 };
 
 // A column of texts, which may be all different.
-CsvColumn text_column(const std::string& name, const std::string& meaning, const std::vector<std::string>& texts);
+CsvColumn text_column(const std::string& name, const std::string& meaning,
+                      const std::vector<std::string>& texts);
 
 // A row for each point of the sweep (for each node of a traced curve) or for each row of a recorded table,
 // with its coordinates, words for codes, and errors beside values. group: "" for the root. Throws InputError

@@ -14,8 +14,8 @@ std::string payload_sha256(hid_t file);
 // Paths of these datasets, in the order of the digest.
 std::vector<std::string> payload_datasets(hid_t file);
 
-// The document of an experiment with sorted keys, whose order in the file does not matter, and without the sample
-// of a design, whose points follow from the rest and are stored with the result.
+// The document of an experiment with sorted keys, whose order in the file does not matter, and without the
+// sample of a design, whose points follow from the rest and are stored with the result.
 nlohmann::json without_trials(const Json& document);
 
 // SHA-256 of the part of an experiment's document that determines the numbers: everything except name, title,

@@ -38,8 +38,7 @@ class PlainChecker {
       const H5I_type_t kind = H5Iget_type(object);
       if (kind == H5I_GROUP) check_group(object, at, depth + 1);
       else if (kind == H5I_DATASET)
-        check_dataset(object, at,
-                      path == "/checks" || h5::exists(group, code_variable(name)));
+        check_dataset(object, at, path == "/checks" || h5::exists(group, code_variable(name)));
       else refuse(at, "neither a group nor a dataset");
     }
   }

@@ -28,7 +28,8 @@ constexpr long kSyncSeconds = 2;
 // The key of a line as encode() writes it, which need not be intact.
 std::optional<std::string> key_of(std::string_view line) {
   static const std::string before = fmt::format(R"( {{"schema":"{}","key":")", kJournalSchema);
-  if (line.size() < kDigestLength + before.size() || line.substr(kDigestLength, before.size()) != before) return {};
+  if (line.size() < kDigestLength + before.size() || line.substr(kDigestLength, before.size()) != before)
+    return {};
   const std::string_view rest = line.substr(kDigestLength + before.size());
   return std::string(rest.substr(0, rest.find('"')));
 }

@@ -39,7 +39,8 @@ struct JournalStart {
 
 // The opposite, of a line without its line feed. None if the line is truncated, damaged or of another schema.
 std::optional<JournalLine> decode(std::string_view line);
-// Only the start of the line, but the digest of all of it is checked. None if the line is truncated or damaged.
+// Only the start of the line, but the digest of all of it is checked. None if the line is truncated or
+// damaged.
 std::optional<JournalStart> decode_start(std::string_view line);
 
 // Calls visit for every line of the journal at path that a program of this commit uses. Points computed by
@@ -54,9 +55,9 @@ std::vector<std::string> journals_beside(const std::string& result);
 class Journal {
  public:
   // Creates the file and its folder if necessary, and locks it until the destructor runs or the process ends.
-  // commit is that of this program. ignore: the points in the file stay there, but are as if they were not, until
-  // they are appended again. Throws InputError if the file cannot be written
-  // or is not a journal, RunError if another run holds the lock.
+  // commit is that of this program. ignore: the points in the file stay there, but are as if they were not,
+  // until they are appended again. Throws InputError if the file cannot be written or is not a journal,
+  // RunError if another run holds the lock.
   Journal(const std::string& path, const std::string& commit, bool ignore);
   ~Journal();
   Journal(const Journal&) = delete;
@@ -74,9 +75,9 @@ class Journal {
   void append(const std::string& key, PointRecord record);
   void sync();
 
-  // Copies these points (key -> place, for messages), as far as the other journal has them in this layout. Reads the
-  // whole file the first time, and again if its size has changed. Throws InputError if both journals have one of the
-  // points with different numbers.
+  // Copies these points (key -> place, for messages), as far as the other journal has them in this layout.
+  // Reads the whole file the first time, and again if its size has changed. Throws InputError if both
+  // journals have one of the points with different numbers.
   void adopt(const std::string& other, const PointLayout& layout,
              const std::map<std::string, std::string>& points);
   // Removes the other journal if this one has all its points, unless a run is writing it. Call sync() before.

@@ -51,9 +51,9 @@ class ResultReader {
   // Attributes of the groups /provenance and /failures; empty if there is no such group.
   std::map<std::string, std::string> provenance() const { return text_attributes("provenance"); }
   std::map<std::string, std::string> failures() const { return text_attributes(kFailures); }
-  std::vector<std::string> axes() const;         // names of the variables of the sweep's axes
+  std::vector<std::string> axes() const;            // names of the variables of the sweep's axes
   std::vector<std::string> sample_columns() const;  // variables over the axis "sample", none without one
-  std::vector<std::size_t> sweep_shape() const;  // without the nodes of traced curves
+  std::vector<std::size_t> sweep_shape() const;     // without the nodes of traced curves
 
  private:
   void require_schema() const;

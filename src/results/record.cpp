@@ -71,9 +71,10 @@ PointLayout::PointLayout(const Experiment& experiment) {
   datasets.push_back({{"passages", "number of passages computed for the point", "N", "", H5T_NATIVE_LONG},
                       [](const PointResult& p) { return double(p.passages); },
                       0});
-  datasets.push_back({{"status", "outcome of the point", "", "", H5T_NATIVE_SCHAR, texts(words<PointStatus>())},
-                      [](const PointResult& p) { return double(p.status); },
-                      double(PointStatus::absent)});
+  datasets.push_back(
+      {{"status", "outcome of the point", "", "", H5T_NATIVE_SCHAR, texts(words<PointStatus>())},
+       [](const PointResult& p) { return double(p.status); },
+       double(PointStatus::absent)});
   datasets.push_back({{"start", "whether bristles bend or are crushed as the slab comes down", "", "",
                        H5T_NATIVE_SCHAR, texts(words<Start>())},
                       [](const PointResult& p) { return double(p.start); },
@@ -83,20 +84,21 @@ PointLayout::PointLayout(const Experiment& experiment) {
                       [](const PointResult& p) { return double(phase_of(p)); },
                       double(BrushPhase::unknown)});
   if (experiment.base.setup.orientation.distribution != Distribution::von_mises)  // as lift_off_load
-    datasets.push_back({{"lift_off_domain", "whether the formula of lift_off_load was tested here, or what is outside",
-                         "", "docs/lift-off.md", H5T_NATIVE_SCHAR, texts(words<LiftOffDomain>())},
-                        [](const PointResult& p) { return double(lift_off_domain(p.parameters)); },
-                        0});
+    datasets.push_back(
+        {{"lift_off_domain", "whether the formula of lift_off_load was tested here, or what is outside", "",
+          "docs/lift-off.md", H5T_NATIVE_SCHAR, texts(words<LiftOffDomain>())},
+         [](const PointResult& p) { return double(lift_off_domain(p.parameters)); },
+         0});
   for (const ValidityRow& row : kValidity)
     datasets.push_back({{row.name, fmt::format("beyond a limit of the model: {}", row.meaning), "", "",
                          H5T_NATIVE_SCHAR, texts(words<Exceeds>())},
                         [&row](const PointResult& p) { return double(exceeds(row, p)); },
                         double(Exceeds::unknown)});
   if (loading.trace)
-    datasets.push_back(
-        {{"branch", "paths of the slab on which the node lies", "", "", H5T_NATIVE_SCHAR, texts(words<Branch>())},
-         {},
-         double(Branch::absent)});
+    datasets.push_back({{"branch", "paths of the slab on which the node lies", "", "", H5T_NATIVE_SCHAR,
+                         texts(words<Branch>())},
+                        {},
+                        double(Branch::absent)});
   if (experiment.record.bristles) tables.emplace_back("bristles");
   if (!experiment.record.trajectories.empty()) tables.emplace_back("trajectories");
   if (experiment.record.slab_force) tables.emplace_back("slab_force");

@@ -1,6 +1,5 @@
 #include "results/tables.hpp"
 
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <algorithm>

@@ -117,7 +117,9 @@ void add_other_gap(Variables& variables) {
   add("z_0", "gap between slab and ground", R"(\tilde{z}_0)", "Fig. 3", exact(&PointResult::z_0_other));
   for (Observable k = 0; k < kObservables.size(); ++k)
     if (const ObservableRow& row = kObservables[k]; row.controlled)
-      add(row.name, row.long_name, row.symbol, row.equation, [k](P p) { return Derived{p.value_other[k], 0, 0}; });
+      add(row.name, row.long_name, row.symbol, row.equation, [k](P p) {
+        return Derived{p.value_other[k], 0, 0};
+      });
   add("R_x_norm", "friction force over that of rigid bristles", R"(\check{R}_x)", "Eq. (20)",
       exact(&PointResult::R_x_norm_other));
 }
@@ -218,11 +220,13 @@ void add_lift_off(Variables& variables, bool si) {
     const double lift_off = load(p).value, value = p.value[R_N] / lift_off;
     return Derived{value, kLiftOff.scatter * value + p.error[R_N] / lift_off, p.load_error[R_N] / lift_off};
   };
-  const std::string formula = fmt::format("load below which the tips bounce: {:.2g} (k_r k_phi)^(1/2) - {:.2g} k_phi ln(k_phi)",
-                                          kLiftOff.of_springs, kLiftOff.of_speed);
-  variables.push_back({{"lift_off_load", formula,
-                        R"(\tilde{R}_n^*/N_{c,0})", where}, load, Errors::estimated});
-  variables.push_back({{"load_over_lift_off", "normal load over the lift-off load", "R_n/R_n^*", where}, ratio,
+  const std::string formula =
+      fmt::format("load below which the tips bounce: {:.2g} (k_r k_phi)^(1/2) - {:.2g} k_phi ln(k_phi)",
+                  kLiftOff.of_springs, kLiftOff.of_speed);
+  variables.push_back(
+      {{"lift_off_load", formula, R"(\tilde{R}_n^*/N_{c,0})", where}, load, Errors::estimated});
+  variables.push_back({{"load_over_lift_off", "normal load over the lift-off load", "R_n/R_n^*", where},
+                       ratio,
                        Errors::with_load});
   if (!si) return;
   variables.push_back({{.name = "lift_off_load_in_N",
@@ -235,16 +239,17 @@ void add_lift_off(Variables& variables, bool si) {
                          return Derived{d.value * p.si.force, d.error * p.si.force, 0};
                        },
                        Errors::estimated});
-  variables.push_back({{.name = "lift_off_speed",
-                        .long_name = "speed above which the tips bounce, by a formula",
-                        .symbol = "V_0^*",
-                        .equation = where,
-                        .units = "m s-1"},
-                       [](P p) {
-                         const LiftOffSpeed speed = lift_off_speed(p.parameters, p.value[R_N]);
-                         return Derived{p.si.velocity * speed.value, p.si.velocity * speed.value * (speed.factor - 1), 0};
-                       },
-                       Errors::estimated});
+  variables.push_back(
+      {{.name = "lift_off_speed",
+        .long_name = "speed above which the tips bounce, by a formula",
+        .symbol = "V_0^*",
+        .equation = where,
+        .units = "m s-1"},
+       [](P p) {
+         const LiftOffSpeed speed = lift_off_speed(p.parameters, p.value[R_N]);
+         return Derived{p.si.velocity * speed.value, p.si.velocity * speed.value * (speed.factor - 1), 0};
+       },
+       Errors::estimated});
 }
 
 // Of a bristle that points along the motion, theta_0 = 0.
@@ -257,15 +262,17 @@ void add_stability(Variables& variables) {
                          },
                          Errors::none});
   };
-  add("growth_rate", "growth rate of disturbances of steady sliding, in the plane of motion", R"(\tilde{\sigma})",
-      &SteadySliding::in_plane, &Mode::growth_rate);
+  add("growth_rate", "growth rate of disturbances of steady sliding, in the plane of motion",
+      R"(\tilde{\sigma})", &SteadySliding::in_plane, &Mode::growth_rate);
   add("transverse_growth_rate", "growth rate of transverse disturbances of steady sliding",
       R"(\tilde{\sigma}_\perp)", &SteadySliding::transverse, &Mode::growth_rate);
   add("transverse_frequency", "angular frequency of transverse disturbances of steady sliding",
       R"(\tilde{\omega}_\perp)", &SteadySliding::transverse, &Mode::frequency);
   variables.push_back({{"R_n_statics", "normal load of bouncing bristles by statics",
                         R"(\tilde{R}_{n,\mathrm{statics}}/N_{c,0})", "docs/lift-off.md"},
-                       [](P p) { return Derived{bouncing_load_by_statics(p.parameters, p.z_0), 0, 0}; },
+                       [](P p) {
+                         return Derived{bouncing_load_by_statics(p.parameters, p.z_0), 0, 0};
+                       },
                        Errors::none});
 }
 
@@ -287,9 +294,8 @@ void add_direction(Variables& variables) {
 }  // namespace
 
 std::vector<ResultVariable> result_variables(const Experiment& experiment) {
-  Variables variables = {{{"z_0", "gap between slab and ground", R"(\tilde{z}_0)", "Fig. 3"},
-                          gap,
-                          Errors::with_load}};
+  Variables variables = {
+      {{"z_0", "gap between slab and ground", R"(\tilde{z}_0)", "Fig. 3"}, gap, Errors::with_load}};
   add_observables(variables);
   add_norms(variables);
   variables.push_back({{.name = "incomplete_theta_0",

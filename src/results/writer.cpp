@@ -156,8 +156,9 @@ void ResultWriter::write_group(const Group& group) {
     const h5::Handle parent = h5::create_group(file_, group.name);
     std::vector<h5::Handle> own;
     for (const auto& [column, words, values] : group.dimensions)
-      own.push_back(words.empty() ? create_numbers(parent, column, values)
-                                  : create_words(parent, column, words, code_column(column.name, words), values));
+      own.push_back(words.empty()
+                        ? create_numbers(parent, column, values)
+                        : create_words(parent, column, words, code_column(column.name, words), values));
     std::vector<hid_t> scales;
     for (const std::size_t axis : group.axes) scales.push_back(axes_[axis]);
     for (const h5::Handle& scale : own) scales.push_back(scale);

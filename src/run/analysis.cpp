@@ -29,7 +29,8 @@ const std::vector<double> kShares = {0.05, 0.25, 0.5, 0.75, 0.95};
 using Values = std::map<std::string, std::vector<double>>;
 
 std::size_t sample_axis(const Experiment& e) {
-  return std::size_t(std::ranges::find(e.axes, experiment::kSample, &experiment::Axis::name) - e.axes.begin());
+  return std::size_t(std::ranges::find(e.axes, experiment::kSample, &experiment::Axis::name) -
+                     e.axes.begin());
 }
 
 // The sweep with the first point only of the sample. Its points are those of the other axes.
@@ -89,7 +90,7 @@ std::vector<std::string> inputs_of(const Experiment& e) {
 }
 
 results::Group indices(const Experiment& e, const Values& values) {
-  const std::vector<std::string> &outputs = e.analysis.sobol_indices, inputs = inputs_of(e);
+  const std::vector<std::string>&outputs = e.analysis.sobol_indices, inputs = inputs_of(e);
   results::Group group{"indices",
                        other_axes(e),
                        {results::word_dimension("output", "variable whose variance is shared out", outputs),
@@ -177,28 +178,33 @@ std::string quantiles_line(const results::Group& group, std::size_t row, std::si
   for (std::size_t i = 0; i < kShares.size(); ++i) {
     const std::size_t at = row * kShares.size() + i;
     parts.push_back(fmt::format("{:.0f} % {:.4g}", 100 * kShares[i], group.values[0][at]));
-    if (const double error = group.values[1][at]; std::isfinite(error)) parts.back() += fmt::format(" +- {:.1g}", error);
+    if (const double error = group.values[1][at]; std::isfinite(error))
+      parts.back() += fmt::format(" +- {:.1g}", error);
   }
   const auto present = std::size_t(group.values[2][row * kShares.size()]);
   if (present == 0) return fmt::format("none, as none of {} points has a value", points);
-  return fmt::format("{}{}", fmt::join(parts, ", "),
-                     present < points ? fmt::format("; {} points have no value and are left out", points - present) : "");
+  return fmt::format(
+      "{}{}", fmt::join(parts, ", "),
+      present < points ? fmt::format("; {} points have no value and are left out", points - present) : "");
 }
 
 }  // namespace
 
 void require_variable(const Experiment& experiment, const std::string& place, const std::string& name) {
   std::vector<std::string> known;
-  for (const results::ResultVariable& variable : results::result_variables(experiment)) known.push_back(variable.name);
+  for (const results::ResultVariable& variable : results::result_variables(experiment))
+    known.push_back(variable.name);
   if (std::ranges::find(known, name) == known.end())
-    throw InputError(fmt::format("{}: {}: {} is not a variable of the result{}; allowed: {}", experiment.path, place,
-                                 Json(name).dump(), did_you_mean(name, known), fmt::join(known, ", ")));
+    throw InputError(fmt::format("{}: {}: {} is not a variable of the result{}; allowed: {}", experiment.path,
+                                 place, Json(name).dump(), did_you_mean(name, known),
+                                 fmt::join(known, ", ")));
 }
 
 void validate_analysis(const Experiment& experiment) {
   for (const std::string& name : experiment.analysis.sobol_indices)
     require_variable(experiment, "/analysis/sobol_indices", name);
-  for (const std::string& name : experiment.analysis.quantiles) require_variable(experiment, "/analysis/quantiles", name);
+  for (const std::string& name : experiment.analysis.quantiles)
+    require_variable(experiment, "/analysis/quantiles", name);
 }
 
 std::vector<results::Column> index_columns() {

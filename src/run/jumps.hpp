@@ -14,8 +14,8 @@ struct Gap {
   bool undecided = false;  // the point is ambiguous: within the errors the gap may be another one
 };
 Gap gap_of(const results::PointRecord& record);
-// Whether the gap jumps between two neighbouring points: by more than 0.1 (in units of r0), or to where no gap
-// carries the load.
+// Whether the gap jumps between two neighbouring points: by more than 0.1 (in units of r0), or to where no
+// gap carries the load.
 bool jumps(const Gap& a, const Gap& b);
 
 // Computes these points of an experiment, and returns their gaps in the same order.

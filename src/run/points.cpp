@@ -123,7 +123,8 @@ std::string command_with(const std::string& command_line, const std::string& opt
   const std::string run =
       std::regex_replace(command_line, merge, " run", std::regex_constants::format_first_only);
   const bool piped = std::regex_search(run, standard_input);
-  return std::regex_replace(run, old, "") + (option.empty() ? "" : " " + option) + (piped ? " < EXPERIMENT.json" : "");
+  return std::regex_replace(run, old, "") + (option.empty() ? "" : " " + option) +
+         (piped ? " < EXPERIMENT.json" : "");
 }
 
 }  // namespace bristle::run

@@ -12,8 +12,8 @@ namespace {
 std::atomic<int> received = 0;
 static_assert(std::atomic<int>::is_always_lock_free);
 
-// `timeout` sends its signal to the program and then to all processes of its group, so that the program receives it
-// twice. Signals within this time of the first one are the same request.
+// `timeout` sends its signal to the program and then to all processes of its group, so that the program
+// receives it twice. Signals within this time of the first one are the same request.
 constexpr double kSameRequest = 0.5;  // s
 
 std::atomic<double> first_request = 0;  // s

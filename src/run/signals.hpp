@@ -3,7 +3,8 @@
 namespace bristle::run {
 
 // Installs handlers for SIGINT, SIGTERM and SIGHUP. The first
-// signal makes interrupted() return true; one that follows more than half a second later terminates the process.
+// signal makes interrupted() return true; one that follows more than half a second later terminates the
+// process.
 void install_signal_handlers();
 bool interrupted();
 int received_signal();  // its number; 0: none

@@ -173,8 +173,10 @@ PointReport Sweep::solve(std::size_t index, const PassageRunner& run) const {
   } catch (const ModelError& e) {
     return {index, results::failed_record(layout_, e.what())};
   } catch (const std::exception&) {  // its text would be that of a library
-    return {index, results::failed_record(layout_, "the computation ended by an error of the program: please report it with "
-                                                   "this experiment; another engine (/integrator/engine) may give values")};
+    return {index,
+            results::failed_record(layout_,
+                                   "the computation ended by an error of the program: please report it with "
+                                   "this experiment; another engine (/integrator/engine) may give values")};
   }
 }
 

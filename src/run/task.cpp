@@ -95,12 +95,13 @@ results::Rows find_jumps(const Experiment& experiment, const KeyedPoints& points
     return gaps;
   };
   std::vector<Gap> gaps;
-  for (const std::size_t index : points.points()) gaps.push_back(gap_of(journal.read(points.key(index)).record));
+  for (const std::size_t index : points.points())
+    gaps.push_back(gap_of(journal.read(points.key(index)).record));
   return locate_jumps(experiment, gaps, solve);
 }
 
-// Writes the result with the jumps between the points. The journals of shards, whose points are now all in the
-// journal of the result, are removed.
+// Writes the result with the jumps between the points. The journals of shards, whose points are now all in
+// the journal of the result, are removed.
 Summary finish(const Experiment& experiment, const RunOptions& options, const KeyedPoints& points,
                results::Journal& journal, const std::map<std::string, std::string>& entries,
                Progress& progress) {
@@ -227,9 +228,9 @@ void require_no_loss(const Experiment& experiment, const RunOptions& options) {
   } catch (const InputError&) {  // damaged: nothing is lost
   }
   if (held != experiment.tier)
-    throw InputError(
-        fmt::format("{}: holds the result of the {} tier, which the {} tier would replace; give another file with -o",
-                    path, held, experiment.tier));
+    throw InputError(fmt::format(
+        "{}: holds the result of the {} tier, which the {} tier would replace; give another file with -o",
+        path, held, experiment.tier));
 }
 
 void run_experiment(const Experiment& experiment, const RunOptions& options) {

@@ -41,8 +41,8 @@ long max_steps(const IntegratorOptions& options) { return options.max_evaluation
 
 }  // namespace
 
-// The lanes for one friction law with its parameters, one Bending and one Contact, near the pole, or far from it or
-// without one, and the queue of passages for them.
+// The lanes for one friction law with its parameters, one Bending and one Contact, near the pole, or far from
+// it or without one, and the queue of passages for them.
 class SimdEngine::LaneSet {
  public:
   LaneSet(SimdEngine& engine, const PassageTask& task, std::shared_ptr<const ModulationTable> modulation,

@@ -50,8 +50,7 @@ inline Modulation modulation_of(const ModulationTable& table, Lanes V_scale, con
   const Lanes x = at.position, c0 = c_0, c1 = c_1, c2 = c_2, c3 = c_3;
   const Lanes q = c0 + x * Lanes(c1 + x * Lanes(c2 + x * c3));
   const Lanes dq = table.intervals() * Lanes(c1 + x * Lanes(2.0 * c2 + x * Lanes(3.0 * c3)));
-  return {at.t * q, q * at.inverse,
-          Lanes(q + at.t * dq) * Lanes(V_scale * Lanes(at.inverse * at.inverse))};
+  return {at.t * q, q * at.inverse, Lanes(q + at.t * dq) * Lanes(V_scale * Lanes(at.inverse * at.inverse))};
 }
 
 }  // namespace bristle::HWY_NAMESPACE

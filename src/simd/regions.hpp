@@ -28,8 +28,8 @@ struct FarFromPole {
 };
 
 // Whether a step may reach s_min. The tip must approach the singular place (the pole, or a rod's base) at the
-// start of the step. Its path is the cubic through positions and velocities at both ends, which lies within the
-// hull of four control points; if these are all farther away than s_min in one direction, so is the path.
+// start of the step. Its path is the cubic through positions and velocities at both ends, which lies within
+// the hull of four control points; if these are all farther away than s_min in one direction, so is the path.
 // Dimensions: 2 in the plane, 3 in space.
 template <int Dimensions>
 inline Lanes::Mask may_reach_s_min(const Group& g) {

@@ -236,9 +236,9 @@ class AdditiveStep {
     };
     (all(std::integral_constant<int, int(I)>{}), ...);
   }
-  // The slopes of stage I, then the next stage up to where its velocity is solved for, or the end of the step.
-  // Solving takes long for its few operations, as each waits for the one before; the processor overlaps it
-  // with what precedes it here in the other group.
+  // The slopes of stage I, then the next stage up to where its velocity is solved for, or the end of the
+  // step. Solving takes long for its few operations, as each waits for the one before; the processor overlaps
+  // it with what precedes it here in the other group.
   template <int I>
   static HWY_INLINE void advance(Group& g, Work& w) {
     if constexpr (I == 0) {

@@ -15,8 +15,8 @@ class Repository {
   // repository.
   Repository(const std::string& folder, const std::string& option, const std::string& purpose);
 
-  std::string commit() const;                      // the commit that is checked out
-  bool is_top() const;                             // folder is the top folder of the work tree
+  std::string commit() const;  // the commit that is checked out
+  bool is_top() const;         // folder is the top folder of the work tree
   std::time_t commit_time() const;
   // Output of `git status --porcelain` without the path except, which is relative to folder. Empty if the
   // work tree equals the commit.

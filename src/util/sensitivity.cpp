@@ -123,7 +123,8 @@ std::vector<std::vector<double>> saltelli_design(std::size_t base_points, std::s
                                                  std::uint64_t seed) {
   std::vector<std::vector<double>> out;
   for (const std::vector<double>& both : sobol_points(base_points, 2 * inputs, seed)) {
-    const std::vector<double> a(both.begin(), both.begin() + long(inputs)), b(both.begin() + long(inputs), both.end());
+    const std::vector<double> a(both.begin(), both.begin() + long(inputs)),
+        b(both.begin() + long(inputs), both.end());
     out.push_back(a);
     out.push_back(b);
     for (std::size_t i = 0; i < inputs; ++i) {

@@ -39,8 +39,8 @@ struct SobolIndices {
 // to 1 by more than 3 errors and 0.1; or if nearly all values are the same and have no variance to share out.
 SobolIndices sobol_indices(const std::vector<double>& values, std::size_t inputs);
 
-// The value below which this share of the values lies, by linear interpolation between the ordered values. NaN
-// without values; the values must be finite.
+// The value below which this share of the values lies, by linear interpolation between the ordered values.
+// NaN without values; the values must be finite.
 Estimate quantile(std::vector<double> values, double share);
 
 }  // namespace bristle

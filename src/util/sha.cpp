@@ -23,7 +23,8 @@ std::string hex_of(Sha algorithm, std::string_view text) {
 
 Digest::Digest(Sha algorithm) : context_(EVP_MD_CTX_new(), EVP_MD_CTX_free) {
   check(context_ != nullptr);
-  check(EVP_DigestInit_ex(context_.get(), algorithm == Sha::bits_256 ? EVP_sha256() : EVP_sha512(), nullptr) == 1);
+  check(EVP_DigestInit_ex(context_.get(), algorithm == Sha::bits_256 ? EVP_sha256() : EVP_sha512(),
+                          nullptr) == 1);
 }
 
 void Digest::add(const void* data, std::size_t bytes) {

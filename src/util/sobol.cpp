@@ -26,7 +26,8 @@ std::uint32_t scrambled(std::uint32_t x, std::uint32_t seed) {
 
 }  // namespace
 
-std::vector<std::vector<double>> sobol_points(std::size_t points, std::size_t dimensions, std::uint64_t seed) {
+std::vector<std::vector<double>> sobol_points(std::size_t points, std::size_t dimensions,
+                                              std::uint64_t seed) {
   boost::random::sobol_engine<std::uint32_t, 32> engine(dimensions);
   std::vector<std::vector<double>> out(points, std::vector<double>(dimensions));
   // The engine leaves out the origin, which scrambling moves to a place as good as any other.

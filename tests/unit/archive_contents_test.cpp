@@ -75,8 +75,9 @@ TEST_CASE("an archive of another tier is a draft that says so") {
 TEST_CASE("the archive has the licence of the data, the DOI, the paper and its authors") {
   const Release r([](const Scratch& s) {
     std::string text =
-        boost::replace_all_copy(bytes_of(s.path("CITATION.cff")), "license: MIT", "license: MIT\ndoi: 10.5281/zenodo.99\nidentifiers:\n  - type: doi\n"
-                    "    value: 10.5281/zenodo.12\n    description: the archive");
+        boost::replace_all_copy(bytes_of(s.path("CITATION.cff")), "license: MIT",
+                                "license: MIT\ndoi: 10.5281/zenodo.99\nidentifiers:\n  - type: doi\n"
+                                "    value: 10.5281/zenodo.12\n    description: the archive");
     s.write("CITATION.cff",
             boost::replace_all_copy(text, "    issue: 4", "    doi: 10.1000/p\n    volume: 7\n    issue: 4"));
   });
@@ -162,8 +163,8 @@ TEST_CASE("studies, matrices and the report are archived, and refused with the c
   write_matrix(r);
   CHECK_THAT(refusal(r), Contains("report/index.html: no such file; `make report` writes it"));
   r.write_report({});
-  CHECK_THAT(refusal(r), Contains("report/index.html: was not made from ") &&
-                             Contains("`make report` writes it again"));
+  CHECK_THAT(refusal(r),
+             Contains("report/index.html: was not made from ") && Contains("`make report` writes it again"));
   r.write_report({"small", "study"});
 
   const Verification v = verify_bytes(r.s, r.build());

@@ -124,7 +124,8 @@ TEST_CASE("an incomplete or malformed citation is refused") {
   for (const char* identifiers : {"x", "[x]", "[{type: [doi]}]", "[{type: doi}]", "{type: doi}"}) {
     CAPTURE(identifiers);
     const std::string rest = "title: x\nversion: x\ndate-released: x\nlicense: x\nauthors: []\n";
-    CHECK_THROWS_AS(dataset_citation(parse_citation(rest + "identifiers: " + identifiers), "c"), MalformedError);
+    CHECK_THROWS_AS(dataset_citation(parse_citation(rest + "identifiers: " + identifiers), "c"),
+                    MalformedError);
   }
   CHECK_THROWS_WITH(parse_citation("a: ["), Contains("not YAML"));
   CHECK_THROWS_WITH(parse_citation("a: 1\na: 2"), Contains("the key a appears twice"));
@@ -199,7 +200,8 @@ TEST_CASE("results that are incomplete or out of date are not archived, with fil
     r.build();
     std::filesystem::remove(r.options.output);
     r.s.write("figures/small.pdf", "payload_sha256 of another result");
-    CHECK_THAT(refusal(r), Contains("small.pdf: was not made from") && Contains("`make small` draws it again"));
+    CHECK_THAT(refusal(r),
+               Contains("small.pdf: was not made from") && Contains("`make small` draws it again"));
   }
   SECTION("the smoke tier") {
     r.compute("", "smoke");

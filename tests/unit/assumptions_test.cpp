@@ -184,7 +184,8 @@ TEST_CASE("mistakes in assumptions are reported before anything is computed") {
            R"("alternatives": [{"name": "n", "description": "d", "experiments": {"a": {"set": {"/checks/7/is": 1}}}}]})",
        "alternative n: a has no value at /checks/7/is"},
       {head + R"("alternatives": [{"name": "n", "description": "d", "experiments": {"aa": {}}}]})",
-       "alternative n: /experiments: no experiment aa has claims to evaluate: checks, and either a figure or a tier \"study\" (did you mean a?)"},
+       "alternative n: /experiments: no experiment aa has claims to evaluate: checks, and either a figure or "
+       "a tier \"study\" (did you mean a?)"},
       {head + R"("windows": [{"name": "w", "where": {"k_r": [5, 7]}, "experiments": ["bb"]}]})",
        "window w: /experiments: no experiment bb has claims"},
       {head + R"("windows": [{"name": "w", "where": {"k_rr": [5, 7]}, "experiments": ["b"]}]})",
@@ -204,8 +205,9 @@ TEST_CASE("the declared assumptions are valid, and cover every open choice") {
   for (const auto& entry : std::filesystem::directory_iterator(kExperiments + "/assumptions"))
     files.push_back(entry.path().string());
   const auto alternatives = read_declarations(files).alternatives;
-  for (const char* choice : {"phi_0", "A", "C", "V_s", "lambda", "alpha", "initial state",
-                             "springs of bending", "k_theta", "pole rule", "damping", "swept ranges", "together"}) {
+  for (const char* choice :
+       {"phi_0", "A", "C", "V_s", "lambda", "alpha", "initial state", "springs of bending", "k_theta",
+        "pole rule", "damping", "swept ranges", "together"}) {
     CAPTURE(choice);
     CHECK(std::any_of(alternatives.begin(), alternatives.end(),
                       [&](const Alternative& a) { return a.choice == choice; }));

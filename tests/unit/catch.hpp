@@ -8,8 +8,8 @@
 
 namespace Catch {
 using Matchers::EndsWith;
-using Matchers::StartsWith;
 using Matchers::Equals;
+using Matchers::StartsWith;
 inline auto Contains(const std::string& text) { return Matchers::ContainsSubstring(text); }
 }  // namespace Catch
 using Catch::Approx;

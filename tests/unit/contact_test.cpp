@@ -28,7 +28,8 @@ Passage pass(const Parameters& p, double z_0, double theta_0, Engine engine) {
 
 }  // namespace
 
-TEST_CASE("contact: F_n is the derivative of the energy by the height, and its own derivative the stiffness") {
+TEST_CASE(
+    "contact: F_n is the derivative of the energy by the height, and its own derivative the stiffness") {
   rc::prop("for both laws, on the slab and off it", [] {
     const Parameters p = random_parameters();
     const auto b = make_bristle(p, 0.6, 0);
@@ -55,7 +56,8 @@ TEST_CASE("contact: Hertz's force is 0 off the slab and (4/3) E* R_c^(1/2) depth
     const double d = 0.6 + depth - 0.6;  // as rounded
     CHECK(force.F_n == Approx(4. / 3 * p.E_star * std::sqrt(p.R_c) * std::pow(d, 1.5)).epsilon(1e-13));
     CHECK(force.F_n_23 == Approx(std::pow(force.F_n, 2. / 3)).epsilon(1e-13));
-    CHECK(contact_energy(b, 0.6 + depth) == Approx(8. / 15 * p.E_star * std::sqrt(p.R_c) * std::pow(d, 2.5)).epsilon(1e-13));
+    CHECK(contact_energy(b, 0.6 + depth) ==
+          Approx(8. / 15 * p.E_star * std::sqrt(p.R_c) * std::pow(d, 2.5)).epsilon(1e-13));
     // Eq. (10): the contact's area is pi R_c depth, that of the sphere's section.
     CHECK(hertz_area_factor(p.R_c, p.E_star) * force.F_n_23 == Approx(M_PI * p.R_c * d).epsilon(1e-13));
   }

@@ -20,7 +20,8 @@ namespace {
 struct Files {
   Files() { s.write("paper.json", bytes_of(std::string(BRISTLE_EXPERIMENTS) + "/paper.json")); }
   Experiment load(const std::string& members) const {
-    return load_experiment(s.write("e.json", R"({"extends": "paper.json", "name": "e", )" + members + "}"), {});
+    return load_experiment(s.write("e.json", R"({"extends": "paper.json", "name": "e", )" + members + "}"),
+                           {});
   }
   Experiment with_law(const std::string& law, const std::string& further = "") const {
     return load(R"("model": {"friction": "custom"}, "friction_law": )" + law + further);
@@ -38,11 +39,22 @@ double slope(const Experiment& e, double V_R) {
 
 TEST_CASE("custom friction: formulas have the usual order of operations") {
   const double x = 0.7;
-  const std::vector<std::pair<std::string, double>> rows = {
-      {"1 - 2 - 3", -4},         {"8/4/2", 1},           {"2*3 + 4*5", 26},      {"2^3^2", 512},
-      {"-2^2", -4},              {"2^-1", 0.5},          {"(1 + V_R)*2", 3.4},   {"--1", 1},
-      {"exp(-V_R)", std::exp(-x)}, {"tanh(V_R)", std::tanh(x)}, {"tanh(-50)", -1}, {"sqrt(V_R^2)", x},
-      {"abs(-1.5e1)", 15},       {"sin(pi/6)", 0.5},     {"cos(0)+log(1)", 1},   {"atan(1)", M_PI / 4}};
+  const std::vector<std::pair<std::string, double>> rows = {{"1 - 2 - 3", -4},
+                                                            {"8/4/2", 1},
+                                                            {"2*3 + 4*5", 26},
+                                                            {"2^3^2", 512},
+                                                            {"-2^2", -4},
+                                                            {"2^-1", 0.5},
+                                                            {"(1 + V_R)*2", 3.4},
+                                                            {"--1", 1},
+                                                            {"exp(-V_R)", std::exp(-x)},
+                                                            {"tanh(V_R)", std::tanh(x)},
+                                                            {"tanh(-50)", -1},
+                                                            {"sqrt(V_R^2)", x},
+                                                            {"abs(-1.5e1)", 15},
+                                                            {"sin(pi/6)", 0.5},
+                                                            {"cos(0)+log(1)", 1},
+                                                            {"atan(1)", M_PI / 4}};
   for (const auto& [text, value] : rows) {
     CAPTURE(text);
     CHECK(parse_formula(text, "V_R")(x) == Approx(value).epsilon(1e-14));
@@ -51,9 +63,11 @@ TEST_CASE("custom friction: formulas have the usual order of operations") {
 
 TEST_CASE("custom friction: the table has the values and the curve between them") {
   const Files files;
-  const Experiment linear = files.with_law(R"({"V_R": [0, 0.1, 1, 4], "mu": [0, 1.2, 0.6, 0.5], "between": "linear"})");
+  const Experiment linear =
+      files.with_law(R"({"V_R": [0, 0.1, 1, 4], "mu": [0, 1.2, 0.6, 0.5], "between": "linear"})");
   const Experiment smooth = files.with_law(R"({"V_R": [0, 0.1, 1, 4], "mu": [0, 1.2, 0.6, 0.5]})");
-  for (const auto& [V_R, value] : std::vector<std::pair<double, double>>{{0, 0}, {0.1, 1.2}, {1, 0.6}, {4, 0.5}, {1e9, 0.5}}) {
+  for (const auto& [V_R, value] :
+       std::vector<std::pair<double, double>>{{0, 0}, {0.1, 1.2}, {1, 0.6}, {4, 0.5}, {1e9, 0.5}}) {
     CAPTURE(V_R);
     CHECK(mu(linear, V_R) == Approx(value).margin(1.2e-4));
     CHECK(mu(smooth, V_R) == Approx(value).margin(1.2e-4));
@@ -77,15 +91,19 @@ TEST_CASE("custom friction: pchip is the curve of SciPy and MATLAB, from the fir
   const Files files;
   struct Row {
     const char* law;
-    double largest;                                 // mu
-    std::vector<std::pair<double, double>> values;  // V_R and mu of scipy.interpolate.PchipInterpolator 1.10.1
+    double largest;  // mu
+    std::vector<std::pair<double, double>>
+        values;  // V_R and mu of scipy.interpolate.PchipInterpolator 1.10.1
   };
   const std::vector<Row> rows = {
-      {R"({"V_R": [0, 0.1, 1, 4], "mu": [0, 1.2, 0.6, 0.5]})", 1.2,
+      {R"({"V_R": [0, 0.1, 1, 4], "mu": [0, 1.2, 0.6, 0.5]})",
+       1.2,
        {{0.03, 0.45422}, {0.07, 1.02438}, {0.55, 0.9085277}, {2.5, 0.5215743}, {3.7, 0.5007534}}},
-      {R"({"V_R": [0, 0.01, 0.05, 0.1, 0.5, 2], "mu": [0, 0.4, 0.9, 1.1, 0.8, 0.75]})", 1.1,
+      {R"({"V_R": [0, 0.01, 0.05, 0.1, 0.5, 2], "mu": [0, 0.4, 0.9, 1.1, 0.8, 0.75]})",
+       1.1,
        {{0.003, 0.1398807}, {0.007, 0.3109884}, {0.03, 0.7254905}, {1.25, 0.7604658}, {1.85, 0.7503535}}},
-      {R"({"V_R": [0, 1, 2, 3], "mu": [0, 0.1, 1, 3]})", 3,  // flat at the first speed, steep at the last
+      {R"({"V_R": [0, 1, 2, 3], "mu": [0, 0.1, 1, 3]})",
+       3,  // flat at the first speed, steep at the last
        {{0.3, 0.01026}, {0.7, 0.05194}, {1.5, 0.4173276}, {2.5, 1.8364224}, {2.9, 2.7486224}}}};
   for (const auto& [law, largest, values] : rows)
     for (const auto& [V_R, expected] : values) {
@@ -99,7 +117,8 @@ TEST_CASE("custom friction: a law that still rises at the last speed has a corne
   const auto rising = [](double V_R) { return 0.1 * V_R + 0.3 * std::tanh(V_R / 0.01); };
   for (const double to : {1., 3., 9.}) {
     const Experiment line = files.with_law(fmt::format(R"({{"formula": "V_R", "to": {}}})", to)),
-                     viscous = files.with_law(fmt::format(R"J({{"formula": "0.1*V_R + 0.3*tanh(V_R/0.01)", "to": {}}})J", to));
+                     viscous = files.with_law(
+                         fmt::format(R"J({{"formula": "0.1*V_R + 0.3*tanh(V_R/0.01)", "to": {}}})J", to));
     for (double V_R = 1e-3; V_R < 20; V_R *= 1.13) {
       CAPTURE(to, V_R);
       CHECK(mu(line, V_R) == Approx(std::min(V_R, to)).margin(1.5e-4 * to));
@@ -112,21 +131,25 @@ TEST_CASE("custom friction: a law that still rises at the last speed has a corne
 TEST_CASE("custom friction: Eq. (7) as a formula gives the friction of the Coulomb law, with both engines") {
   const Files files;
   const double A = 1.2, C = chi_C_peak_at_V_s(A), B = chi_B(A);
-  const std::string formula = fmt::format("{0}*sin({1}*atan(V_R/0.01 - ({2})*(V_R/0.01 - atan(V_R/0.01))))", A, B, C);
-  const std::string further = R"(, "load": {"R_n": 2}, "sweep": {"friction": {"values": ["coulomb", "custom"]},
+  const std::string formula =
+      fmt::format("{0}*sin({1}*atan(V_R/0.01 - ({2})*(V_R/0.01 - atan(V_R/0.01))))", A, B, C);
+  const std::string further =
+      R"(, "load": {"R_n": 2}, "sweep": {"friction": {"values": ["coulomb", "custom"]},
     "k_r": {"values": [5, 30]}}, "integrator": {"engine": ")";
   for (const char* engine : {"fast", "reference"}) {
     CAPTURE(engine);
-    const Experiment e = files.load(R"("friction_law": {"formula": ")" + formula + "\"}" + further + engine + "\"}");
+    const Experiment e =
+        files.load(R"("friction_law": {"formula": ")" + formula + "\"}" + further + engine + "\"}");
     run::RunOptions options;
     options.output = files.s.path(std::string(engine) + ".h5");
     options.quiet = true;
     run::run_experiment(e, options);
     const results::ResultReader file(options.output);
-    const std::vector<double>& R_x = file.variable("R_x").values, &error = file.variable("R_x_err").values;
+    const std::vector<double>&R_x = file.variable("R_x").values, &error = file.variable("R_x_err").values;
     for (std::size_t i = 0; i < 2; ++i) {
       CAPTURE(i, R_x[i], R_x[i + 2]);
-      CHECK(std::abs(R_x[i] - R_x[i + 2]) < 2 * (error[i] + error[i + 2]) + 2e-4 * R_x[i]);  // 2e-4: the tables
+      CHECK(std::abs(R_x[i] - R_x[i + 2]) <
+            2 * (error[i] + error[i + 2]) + 2e-4 * R_x[i]);  // 2e-4: the tables
       CHECK(R_x[i] > 0);
     }
   }
@@ -138,9 +161,11 @@ TEST_CASE("custom friction: with speeds in m/s the law is the same at every velo
     return files.load(R"("model": {"friction": "custom", "bending": "rod"}, "friction_law": {)" + speeds +
                       R"(, "mu": [0, 1.2, 0.6, 0.5]}, "load": {"R_n": null, "z_0": 0.5},
                          "orientation": {"sampling": "list", "theta_0_deg": [70, 120]},
-                         "si": {"m_kg": 1e-6, "r0_m": 0.01, "V0_m_per_s": )" + rest);
+                         "si": {"m_kg": 1e-6, "r0_m": 0.01, "V0_m_per_s": )" +
+                      rest);
   };
-  const std::string in_m_per_s = R"("V_R_m_per_s": [0, 0.05, 0.5, 2])", of_2 = R"("V_R": [0, 0.025, 0.25, 1])";
+  const std::string in_m_per_s = R"("V_R_m_per_s": [0, 0.05, 0.5, 2])",
+                    of_2 = R"("V_R": [0, 0.025, 0.25, 1])";
   for (const char* engine : {"fast", "reference"}) {
     CAPTURE(engine);
     const std::string with_engine = fmt::format(R"(}}, "integrator": {{"engine": "{}"}})", engine);
@@ -166,7 +191,8 @@ TEST_CASE("custom friction: speeds in m/s are divided by V0, and other laws are 
     return modulation(e.point(0).setup.parameters, V_R);
   };
   const std::string si = R"(, "si": {"m_kg": 1e-6, "r0_m": 0.01, "V0_m_per_s": 0.5})";
-  const Experiment in_si = files.with_law(R"({"V_R_m_per_s": [0, 0.05, 0.5, 2], "mu": [0, 1.2, 0.6, 0.5]})", si);
+  const Experiment in_si =
+      files.with_law(R"({"V_R_m_per_s": [0, 0.05, 0.5, 2], "mu": [0, 1.2, 0.6, 0.5]})", si);
   const Experiment plain = files.with_law(R"({"V_R": [0, 0.1, 1, 4], "mu": [0, 1.2, 0.6, 0.5]})", si);
   const Experiment other = files.with_law(R"({"V_R": [0, 0.1, 1, 4], "mu": [0, 1.2, 0.6, 0.4]})", si);
   for (const double V_R : {0.01, 0.3, 2.0}) CHECK(mu(in_si, V_R) == Approx(mu(plain, V_R)).epsilon(2e-4));
@@ -177,41 +203,62 @@ TEST_CASE("custom friction: speeds in m/s are divided by V0, and other laws are 
 TEST_CASE("custom friction: what is not a law is refused with the place and the remedy") {
   const Files files;
   const std::vector<std::pair<std::string, std::string>> rows = {
-      {R"J({})J", "/friction_law: needs either mu and one of V_R and V_R_m_per_s, or a formula, but has none of them"},
-      {R"J({"V_R": [0, 1], "mu": [0, 1], "formula": "V_R"})J", "but has V_R, mu, formula (a null removes a key"},
+      {R"J({})J",
+       "/friction_law: needs either mu and one of V_R and V_R_m_per_s, or a formula, but has none of them"},
+      {R"J({"V_R": [0, 1], "mu": [0, 1], "formula": "V_R"})J",
+       "but has V_R, mu, formula (a null removes a key"},
       {R"J({"V_R": [0, 1, 2], "mu": [0, 1]})J", "/friction_law/mu: has 2 values, and V_R has 3"},
-      {R"J({"V_R": [0.1, 1], "mu": [0.5, 1]})J", "/friction_law/V_R: begins with V_R = 0.1, mu = 0.5; a bristle at rest"},
+      {R"J({"V_R": [0.1, 1], "mu": [0.5, 1]})J",
+       "/friction_law/V_R: begins with V_R = 0.1, mu = 0.5; a bristle at rest"},
       {R"J({"V_R": [0, 1], "mu": [0.5, 1]})J", "/friction_law/mu: begins with V_R = 0, mu = 0.5"},
-      {R"J({"V_R": [0, 1, 1], "mu": [0, 1, 1]})J", "/friction_law/V_R/2: the speeds must ascend, but 1 follows 1"},
-      {R"J({"V_R": [0, 1, 2], "mu": [0, 1, 0]})J", "/friction_law/mu/2: 0 is not allowed; allowed: greater than 0"},
-      {R"J({"V_R": [0, 1, 2], "mu": [0, 1, -1]})J", "/friction_law/mu/2: -1 is not allowed; allowed: a number at least 0"},
+      {R"J({"V_R": [0, 1, 1], "mu": [0, 1, 1]})J",
+       "/friction_law/V_R/2: the speeds must ascend, but 1 follows 1"},
+      {R"J({"V_R": [0, 1, 2], "mu": [0, 1, 0]})J",
+       "/friction_law/mu/2: 0 is not allowed; allowed: greater than 0"},
+      {R"J({"V_R": [0, 1, 2], "mu": [0, 1, -1]})J",
+       "/friction_law/mu/2: -1 is not allowed; allowed: a number at least 0"},
       {R"J({"V_R": [0, 1, 2], "mu": [0, 1, 1]})J", "/friction_law/between: pchip needs at least 4 values"},
-      {R"J({"V_R": [0, 1e-6, 1e6], "mu": [0, 1, 1e6], "between": "linear"})J", "/friction_law/V_R: changes too steeply"},
-      {R"J({"V_R": [0, 1e-320, 1], "mu": [0, 1, 1], "between": "linear"})J", "/friction_law/V_R: changes too steeply"},
-      {R"J({"V_R": [0, 1], "mu": [0, 1], "between": "linear", "to": 3})J", "/friction_law/to: belongs to a formula"},
-      {R"J({"V_R_m_per_s": [0, 1], "mu": [0, 1], "between": "linear"})J", "/friction_law/V_R_m_per_s: needs the block /si"},
-      {R"J({"formula": "1"})J", "/friction_law/formula: is 1 at V_R = 0; a bristle at rest on the slab has no friction"},
+      {R"J({"V_R": [0, 1e-6, 1e6], "mu": [0, 1, 1e6], "between": "linear"})J",
+       "/friction_law/V_R: changes too steeply"},
+      {R"J({"V_R": [0, 1e-320, 1], "mu": [0, 1, 1], "between": "linear"})J",
+       "/friction_law/V_R: changes too steeply"},
+      {R"J({"V_R": [0, 1], "mu": [0, 1], "between": "linear", "to": 3})J",
+       "/friction_law/to: belongs to a formula"},
+      {R"J({"V_R_m_per_s": [0, 1], "mu": [0, 1], "between": "linear"})J",
+       "/friction_law/V_R_m_per_s: needs the block /si"},
+      {R"J({"formula": "1"})J",
+       "/friction_law/formula: is 1 at V_R = 0; a bristle at rest on the slab has no friction"},
       {R"J({"formula": "V_R*(1 - V_R)"})J", "at V_R = 10; mu must be positive and finite up to V_R = 10"},
       {R"J({"formula": "log(V_R)"})J", "/friction_law/formula: is -inf at V_R = 0"},
-      {R"J({"formula": "tanh(V_R", "to": 1})J", "\"tanh(V_R\", at its end: a closing parenthesis is expected"},
-      {R"J({"formula": "tanh(V)"})J", "at \"V)\": a number, V_R, pi, a parenthesis or one of abs(...), atan(...)"},
+      {R"J({"formula": "tanh(V_R", "to": 1})J",
+       "\"tanh(V_R\", at its end: a closing parenthesis is expected"},
+      {R"J({"formula": "tanh(V)"})J",
+       "at \"V)\": a number, V_R, pi, a parenthesis or one of abs(...), atan(...)"},
       {R"J({"formula": "V_R 2"})J", "at \"2\": one of + - * / ^ is expected"},
-      {R"J({"formula": "tanh(V_R)*(1.1+sin(V_R*1e7))"})J", "/friction_law/formula: changes too steeply with V_R"},
+      {R"J({"formula": "tanh(V_R)*(1.1+sin(V_R*1e7))"})J",
+       "/friction_law/formula: changes too steeply with V_R"},
       {"{\"formula\": \"" + std::string(500, '(') + "\"}", "inside each other"}};
   for (const auto& [law, message] : rows) {
     CAPTURE(law, message);
     CHECK_THROWS_WITH(files.with_law(law), Catch::Contains(message));
   }
-  CHECK_THROWS_WITH(files.load(R"("model": {"friction": "custom"})"), Catch::Contains("\"custom\" needs the block /friction_law"));
-  CHECK_THROWS_WITH(files.load(R"J("friction_law": {"formula": "tanh(V_R)"})J"), Catch::Contains("is the law of no point"));
-  const std::string sobol = R"("sweep": {"sample": {"sobol": 2, "seed": 1, "over": {"friction": {"values": ["nss", "custom"]}}}})",
-                    table = R"("sweep": {"sample": {"table": {"columns": ["friction"], "rows": [["nss"], ["custom"]]}}})",
-                    law = R"J(, "friction_law": {"formula": "tanh(V_R)"})J";
-  CHECK_THROWS_WITH(files.load(sobol), Catch::Contains("/sweep/sample/over/friction: \"custom\" needs the block /friction_law"));
-  CHECK_THROWS_WITH(files.load(table), Catch::Contains("/sweep/sample/table: \"custom\" needs the block /friction_law"));
+  CHECK_THROWS_WITH(files.load(R"("model": {"friction": "custom"})"),
+                    Catch::Contains("\"custom\" needs the block /friction_law"));
+  CHECK_THROWS_WITH(files.load(R"J("friction_law": {"formula": "tanh(V_R)"})J"),
+                    Catch::Contains("is the law of no point"));
+  const std::string
+      sobol =
+          R"("sweep": {"sample": {"sobol": 2, "seed": 1, "over": {"friction": {"values": ["nss", "custom"]}}}})",
+      table = R"("sweep": {"sample": {"table": {"columns": ["friction"], "rows": [["nss"], ["custom"]]}}})",
+      law = R"J(, "friction_law": {"formula": "tanh(V_R)"})J";
+  CHECK_THROWS_WITH(files.load(sobol),
+                    Catch::Contains("/sweep/sample/over/friction: \"custom\" needs the block /friction_law"));
+  CHECK_THROWS_WITH(files.load(table),
+                    Catch::Contains("/sweep/sample/table: \"custom\" needs the block /friction_law"));
   CHECK(files.load(sobol + law).friction_law);
   CHECK(files.load(table + law).friction_law);
-  const std::string design = R"("load": {"z_0": 0.6, "R_n": null, "path": null}, "design": {"variables": {"k_r": [5, 40]},
+  const std::string design =
+      R"("load": {"z_0": 0.6, "R_n": null, "path": null}, "design": {"variables": {"k_r": [5, 40]},
       "objectives": [{"minimise": "R_x"}], "budget": 1, "second_model": {"friction": "custom"}})";
   CHECK_THROWS_WITH(files.load(design), Catch::Contains("/design/second_model/friction: \"custom\" needs"));
   CHECK(files.load(design + law).friction_law);

@@ -36,8 +36,9 @@ struct Folder {
 };
 
 std::string design(const std::string& variables, const std::string& more = "") {
-  return fmt::format(R"(, "design": {{"variables": {{{}}}, "objectives": [{{"minimise": "R_x"}}], "budget": 4{}}})",
-                     variables, more);
+  return fmt::format(
+      R"(, "design": {{"variables": {{{}}}, "objectives": [{{"minimise": "R_x"}}], "budget": 4{}}})",
+      variables, more);
 }
 
 const std::string kGap = R"(, "load": {"z_0": 0.6, "R_n": null, "path": null})";
@@ -53,15 +54,19 @@ TEST_CASE("a second model is checked before the first trial") {
   CHECK_THAT(second(R"("sampling": "lattice")"),
              Catch::Contains("e.json: /design/second_model/sampling: \"lattice\" needs another experiment") &&
                  Catch::Contains("/orientation/rows: is missing"));
-  CHECK_THAT(second(R"("friction": "custom")"), Catch::Contains("/design/second_model/friction: \"custom\" needs"));
+  CHECK_THAT(second(R"("friction": "custom")"),
+             Catch::Contains("/design/second_model/friction: \"custom\" needs"));
   CHECK_THAT(second(R"("bending": "polar")"), Catch::Contains("\"polar\" is the first model, too"));
   CHECK_THAT(second(R"("path": "unloading")"), Catch::Contains("\"unloading\" is the first model, too"));
   CHECK_THAT(second(R"("pole_rule": "cross")", kGap + R"(, "model": {"bending": "rod"})"),
              Catch::Contains("\"cross\" is the first model, too"));
   // A result of rods has no share of pinned bristles.
-  CHECK_THAT(f.error(kGap + R"(, "design": {"variables": {"k_r": [5, 40]}, "objectives": [{"minimise": "no_such"}], "budget": 4,
+  CHECK_THAT(
+      f.error(
+          kGap +
+          R"(, "design": {"variables": {"k_r": [5, 40]}, "objectives": [{"minimise": "no_such"}], "budget": 4,
                                "second_model": {"bending": "rod"}})"),
-             Catch::Contains("\"no_such\" is not a variable of the result"));
+      Catch::Contains("\"no_such\" is not a variable of the result"));
 }
 
 TEST_CASE("a gap above first contact that the load search finds can be given, and has the same load") {
@@ -94,40 +99,54 @@ TEST_CASE("the extremes of a design are checked together") {
   CHECK_THAT(f.error(kGap + design(R"("k_r": [5, 9])", R"(, "tolerances": {"phi_0_deg": {"uniform": 0.1}})"),
                      {"/load/z_0=1.06"}),
              Catch::Contains("/load/z_0: 1.06 is above first contact at"));
-  CHECK_THAT(f.error(kGap + R"(, "orientation": {"sampling": "lattice", "rows": 100})" + design(R"("spacing": [0.1, 0.2])")),
+  CHECK_THAT(f.error(kGap + R"(, "orientation": {"sampling": "lattice", "rows": 100})" +
+                     design(R"("spacing": [0.1, 0.2])")),
              Catch::Contains("/design/variables/spacing: cannot vary with \"sampling\": \"lattice\""));
-  CHECK_THAT(f.error(kGap + design(R"("A": [1.0001, 1.5])")), Catch::Contains("/design/variables/A: 1.0001 has no maximum"));
+  CHECK_THAT(f.error(kGap + design(R"("A": [1.0001, 1.5])")),
+             Catch::Contains("/design/variables/A: 1.0001 has no maximum"));
 }
 
 TEST_CASE("values that differ by less than their seven digits are refused") {
   const Folder f;
-  CHECK_THAT(f.error(kGap + design(R"("k_r": [10, 10.0000001])")),
-             Catch::Contains("/design/variables/k_r: the range from 10 to 10.0000001 has 1 value of seven digits"));
-  CHECK_THAT(f.error(R"(, "sweep": {"sample": {"sobol": 8, "seed": 1, "over": {"tau_f": {"uniform": [30000.001, 30000.002]}}}})"),
-             Catch::Contains("/sweep/sample/over/tau_f/uniform: the range from 30000.001 to 30000.002 has"));
-  CHECK_THAT(f.error(R"(, "sweep": {"sample": {"sobol": 8, "seed": 1, "over": {"tau_f": {"normal": [30000, 1e-4]}}}})"),
-             Catch::Contains("/sweep/sample/over/tau_f/normal: the range from"));
-  CHECK_THAT(f.error(kGap + R"(, "model": {"alpha": 0})" + design(R"("k_r": [5, 40])", R"(, "tolerances": {"alpha": {"normal": 0.05}})")),
+  CHECK_THAT(
+      f.error(kGap + design(R"("k_r": [10, 10.0000001])")),
+      Catch::Contains("/design/variables/k_r: the range from 10 to 10.0000001 has 1 value of seven digits"));
+  CHECK_THAT(
+      f.error(
+          R"(, "sweep": {"sample": {"sobol": 8, "seed": 1, "over": {"tau_f": {"uniform": [30000.001, 30000.002]}}}})"),
+      Catch::Contains("/sweep/sample/over/tau_f/uniform: the range from 30000.001 to 30000.002 has"));
+  CHECK_THAT(
+      f.error(
+          R"(, "sweep": {"sample": {"sobol": 8, "seed": 1, "over": {"tau_f": {"normal": [30000, 1e-4]}}}})"),
+      Catch::Contains("/sweep/sample/over/tau_f/normal: the range from"));
+  CHECK_THAT(f.error(kGap + R"(, "model": {"alpha": 0})" +
+                     design(R"("k_r": [5, 40])", R"(, "tolerances": {"alpha": {"normal": 0.05}})")),
              Catch::Contains("/design/tolerances/alpha: deviates relative to alpha, which is 0"));
 }
 
 TEST_CASE("a value that something else replaces is an error that names it") {
   const Folder f;
   const std::string axis = R"(, "sweep": {"k_r": {"values": [5, 9]}})", k_r = "/model/k_r=7";
-  CHECK_THAT(f.error(axis, {k_r}), Catch::Contains("--set /model/k_r=7: /model/k_r: has no effect, because /sweep/k_r varies k_r"));
+  CHECK_THAT(f.error(axis, {k_r}),
+             Catch::Contains("--set /model/k_r=7: /model/k_r: has no effect, because /sweep/k_r varies k_r"));
   CHECK(f.valid(axis, {"/sweep/k_r=null", k_r}));
   CHECK(f.valid(axis, {"/model/k_phi=2"}));
   CHECK(f.valid(R"(, "model": {"k_r": 7})" + axis));  // both in one file
-  f.s.write("swept.json", R"({"extends": "paper.json", "name": "swept", "sweep": {"k_r": {"values": [5, 9]}}})");
+  f.s.write("swept.json",
+            R"({"extends": "paper.json", "name": "swept", "sweep": {"k_r": {"values": [5, 9]}}})");
   f.s.write("child.json", R"({"extends": "swept.json", "name": "child", "model": {"k_r": 7}})");
   CHECK_THAT(input_error(f.s, [&] { experiment::load_experiment(f.s.path("child.json"), {}); }),
              Catch::Contains("child.json: /model/k_r: has no effect, because /sweep/k_r varies k_r"));
-  CHECK_THAT(f.error(R"(, "sweep": {"sample": {"table": "rows.csv"}})", {k_r}), Catch::Contains("because /sweep/sample/table varies k_r"));
-  CHECK_THAT(f.error(R"(, "sweep": {"sample": {"sobol": 8, "seed": 1, "over": {"R_n": {"uniform": [1, 2]}}}})", {"/load/R_n=3"}),
-             Catch::Contains("/load/R_n: has no effect, because /sweep/sample/over/R_n varies R_n"));
+  CHECK_THAT(f.error(R"(, "sweep": {"sample": {"table": "rows.csv"}})", {k_r}),
+             Catch::Contains("because /sweep/sample/table varies k_r"));
+  CHECK_THAT(
+      f.error(R"(, "sweep": {"sample": {"sobol": 8, "seed": 1, "over": {"R_n": {"uniform": [1, 2]}}}})",
+              {"/load/R_n=3"}),
+      Catch::Contains("/load/R_n: has no effect, because /sweep/sample/over/R_n varies R_n"));
   CHECK_THAT(f.error(R"(, "sweep": {"bending": {"values": ["polar", "rod"]}})", {"/model/bending=rod"}),
              Catch::Contains("/model/bending: has no effect, because /sweep/bending varies bending"));
-  CHECK_THAT(f.error(design(R"("k_r": [5, 40])"), {k_r}), Catch::Contains("because /design/variables/k_r varies k_r"));
+  CHECK_THAT(f.error(design(R"("k_r": [5, 40])"), {k_r}),
+             Catch::Contains("because /design/variables/k_r varies k_r"));
   CHECK(f.valid(design(R"("k_phi": [1, 4])", R"(, "tolerances": {"k_r": {"normal": 0.05}})"), {k_r}));
   CHECK_THAT(f.error(R"(, "model": {"mu_c": 2, "friction": "coulomb"}, "load": {"nominal_friction": 3})"),
              Catch::Contains("/load/nominal_friction: and mu_c both give the strength of friction"));
@@ -148,8 +167,9 @@ TEST_CASE("the error of a quantile of few values contains the tail that they do 
 
 TEST_CASE("a recommended trial is verified by many deviations") {
   const Folder f;
-  const Experiment e = f.load(kGap + R"(, "orientation": {"sampling": "list", "theta_0_deg": [20, 80, 150]})" +
-                              R"(, "design": {"variables": {"k_r": [5, 9]}, "tolerances": {"k_r": {"normal": 0.1}}, "budget": 8,
+  const Experiment e = f.load(
+      kGap + R"(, "orientation": {"sampling": "list", "theta_0_deg": [20, 80, 150]})" +
+      R"(, "design": {"variables": {"k_r": [5, 9]}, "tolerances": {"k_r": {"normal": 0.1}}, "budget": 8,
                                   "tolerance_samples": 8, "objectives": [{"minimise": "R_x", "of": "q95"}],
                                   "constraints": [{"variable": "R_x", "max": 100}]})");
   design::run_design(e, {.output = f.s.path("e.h5"), .threads = 2, .quiet = true});

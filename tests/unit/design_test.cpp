@@ -47,16 +47,20 @@ struct Folder {
   Folder() {
     std::filesystem::copy_file(std::string(BRISTLE_EXPERIMENTS) + "/paper.json", s.path("paper.json"));
   }
-  Experiment load(const std::string& design, const std::string& more = "", const std::string& name = "e") const {
+  Experiment load(const std::string& design, const std::string& more = "",
+                  const std::string& name = "e") const {
     return experiment::load_experiment(
-        s.write(name + ".json", fmt::format(R"({{"extends": "paper.json", "name": "{}", "design": {}{}}})", name, design, more)), {});
+        s.write(name + ".json", fmt::format(R"({{"extends": "paper.json", "name": "{}", "design": {}{}}})",
+                                            name, design, more)),
+        {});
   }
   results::ResultReader run(const Experiment& e, int threads = 1) const {
     design::run_design(e, {.output = s.path(e.name + ".h5"), .threads = threads, .quiet = true});
     return results::ResultReader(s.path(e.name + ".h5"));
   }
   std::string error(const std::string& design, const std::string& more = "") const {
-    return input_error(s, [&] { design::run_design(load(design, more), {.output = s.path("e.h5"), .quiet = true}); });
+    return input_error(
+        s, [&] { design::run_design(load(design, more), {.output = s.path("e.h5"), .quiet = true}); });
   }
   Scratch s;
 };
@@ -172,11 +176,15 @@ TEST_CASE("a minimum at the edge of a constraint, and a budget of one") {
 
 TEST_CASE("design: the least friction over k_r is that of a fine sweep") {
   const Folder f;
-  const auto file = f.run(f.load(R"({"variables": {"k_r": {"log": [5, 60]}}, "objectives": [{"minimise": "R_x"}],
-      "budget": 60})", kFew));
+  const auto file =
+      f.run(f.load(R"({"variables": {"k_r": {"log": [5, 60]}}, "objectives": [{"minimise": "R_x"}],
+      "budget": 60})",
+                   kFew));
   const Experiment sweep = experiment::load_experiment(
       f.s.write("sweep.json", fmt::format(R"({{"extends": "paper.json", "name": "sweep",
-          "sweep": {{"k_r": {{"logspace": [5, 60, 300]}}}}{}}})", kFew)), {});
+          "sweep": {{"k_r": {{"logspace": [5, 60, 300]}}}}{}}})",
+                                          kFew)),
+      {});
   run::run_experiment(sweep, {.output = f.s.path("sweep.h5"), .quiet = true});
   const results::ResultReader fine(f.s.path("sweep.h5"));
   const auto& R_x = fine.variable("R_x").values;
@@ -187,11 +195,12 @@ TEST_CASE("design: the least friction over k_r is that of a fine sweep") {
 
 TEST_CASE("design: a target of Coulomb friction is its coefficient") {
   const Folder f;
-  const auto file = f.run(f.load(R"({"variables": {"mu_c": [0.02, 0.2]},
+  const auto file =
+      f.run(f.load(R"({"variables": {"mu_c": [0.02, 0.2]},
       "objectives": [{"target": "friction_coefficient", "value": 0.13}], "budget": 40})",
-                                 R"(, "model": {"friction": "coulomb"}, "load": {"R_n": null, "path": null, "z_0": 0.8},
+                   R"(, "model": {"friction": "coulomb"}, "load": {"R_n": null, "path": null, "z_0": 0.8},
                                        "si": {"m_kg": 0.0001, "r0_m": 0.017, "V0_m_per_s": 10})" +
-                                     std::string(kFew)));
+                       std::string(kFew)));
   CHECK(first(file, "best/objective_1") == Approx(0.13).epsilon(1e-3));
   CHECK(first(file, "best/mu_c") == Approx(0.13).epsilon(0.02));
 }
@@ -200,9 +209,13 @@ TEST_CASE("design: the largest friction over mu_c of stiff bristles is the plate
   // R_x saturates at 1.55 +- 0.05, as printed and for round rods (k_theta = k_phi).
   const Folder f;
   const auto largest = [&](const std::string& bending) {
-    const auto file = f.run(f.load(R"({"variables": {"mu_c": {"log": [0.1, 10]}}, "objectives": [{"maximise": "R_x"}],
-        "budget": 24})", fmt::format(R"(, "orientation": {{"rtol": 0.01}}, "model": {{"friction": "coulomb", "k_r": 50,
-            "bending": "{}"}})", bending), bending));
+    const auto file = f.run(
+        f.load(R"({"variables": {"mu_c": {"log": [0.1, 10]}}, "objectives": [{"maximise": "R_x"}],
+        "budget": 24})",
+               fmt::format(R"(, "orientation": {{"rtol": 0.01}}, "model": {{"friction": "coulomb", "k_r": 50,
+            "bending": "{}"}})",
+                           bending),
+               bending));
     CHECK(first(file, "best/objective_1_err") < 0.02);
     return first(file, "best/objective_1");
   };
@@ -229,7 +242,8 @@ TEST_CASE("design: with vanishing friction the bristles are rigid") {
   }
 }
 
-TEST_CASE("design: equal bits for any number of threads, resumed or not, and the second run computes nothing") {
+TEST_CASE(
+    "design: equal bits for any number of threads, resumed or not, and the second run computes nothing") {
   const Folder f;
   const std::string design = R"({"variables": {"k_r": [5, 40], "k_phi": [1.5, 3.5]},
       "tolerances": {"k_r": {"normal": 0.05}, "tau_f": {"uniform": 0.2}}, "tolerance_samples": 2,
@@ -257,11 +271,15 @@ TEST_CASE("design: equal bits for any number of threads, resumed or not, and the
 
 TEST_CASE("design: only a result with the inputs of the reference is compared with it") {
   const Folder f;
-  const std::string design = R"({"variables": {"k_r": [5, 60]}, "objectives": [{"minimise": "R_x"}], "budget": )";
-  const auto with_budget = [&](int budget) { return f.run(f.load(design + std::to_string(budget) + "}", kFew)); };
+  const std::string design =
+      R"({"variables": {"k_r": [5, 60]}, "objectives": [{"minimise": "R_x"}], "budget": )";
+  const auto with_budget = [&](int budget) {
+    return f.run(f.load(design + std::to_string(budget) + "}", kFew));
+  };
   const Json reference = compare::make_reference(with_budget(6), {});
   CHECK(compare::compare_with_reference(with_budget(6), {}, reference, "reference").points == 6);
-  const compare::Comparison other = compare::compare_with_reference(with_budget(8), {}, reference, "reference");
+  const compare::Comparison other =
+      compare::compare_with_reference(with_budget(8), {}, reference, "reference");
   CHECK(other.agree());
   CHECK_THAT(compare::comparison_text(other), Catch::Contains("0 of 8 points: not compared"));
 }
@@ -271,15 +289,20 @@ TEST_CASE("design: the margin is the distance to the located jump, on both sides
   const std::string load = R"(, "load": {"R_n": 2}, "orientation": {"rtol": 0.02})";
   const Experiment sweep = experiment::load_experiment(
       f.s.write("sweep.json", R"({"extends": "paper.json", "name": "sweep", "locate_jumps": "k_r",
-          "sweep": {"k_r": {"values": [12, 30]}})" + load + "}"), {});
+          "sweep": {"k_r": {"values": [12, 30]}})" +
+                                  load + "}"),
+      {});
   run::run_experiment(sweep, {.output = f.s.path("sweep.h5"), .quiet = true});
   const results::ResultReader located(f.s.path("sweep.h5"));
   REQUIRE(located.variable("jumps/before").values.size() == 1);
   const double jump = (first(located, "jumps/before") + first(located, "jumps/after")) / 2;
   // Friction is less after the jump.
   const auto place = [&](const char* goal, const char* side, double sign) {
-    const auto file = f.run(f.load(fmt::format(R"({{"variables": {{"k_r": [12, 30]}}, "objectives": [{{"{}": "R_x"}}],
-        "budget": 4}})", goal), load, goal));
+    const auto file =
+        f.run(f.load(fmt::format(R"({{"variables": {{"k_r": [12, 30]}}, "objectives": [{{"{}": "R_x"}}],
+        "budget": 4}})",
+                                 goal),
+                     load, goal));
     return first(file, "best/k_r") * (1 + sign * first(file, std::string("margins/margin_") + side));
   };
   CHECK(place("maximise", "above", 1) == Approx(jump).epsilon(0.02));
@@ -287,7 +310,8 @@ TEST_CASE("design: the margin is the distance to the located jump, on both sides
 }
 
 TEST_CASE("design: the recommended trial keeps to the jump margin in its profile, too") {
-  // The profile of the trial with the least friction shows a jump at -19.8 %, which its neighbours do not show.
+  // The profile of the trial with the least friction shows a jump at -19.8 %, which its neighbours do not
+  // show.
   const Folder f;
   const auto file = f.run(f.load(R"({"variables": {"R_m": [0.0007, 0.0014]}, "budget": 10, "seed": 1,
       "objectives": [{"minimise": "friction_coefficient"}], "constraints": [{"jump_margin": 0.2}]})",
@@ -307,9 +331,13 @@ TEST_CASE("design: the recommended trial keeps to the jump margin in its profile
 TEST_CASE("design: a target that no trial meets is not called met") {
   const Folder f;
   const auto text = [&](double value) {
-    return f.run(f.load(fmt::format(R"({{"variables": {{"k_r": [5, 40]}}, "budget": 4,
-        "objectives": [{{"target": "R_x", "value": {}}}]}})", value), kFew, fmt::format("target_{}", value)))
-        .provenance().at("design");
+    return f
+        .run(f.load(fmt::format(R"({{"variables": {{"k_r": [5, 40]}}, "budget": 4,
+        "objectives": [{{"target": "R_x", "value": {}}}]}})",
+                                value),
+                    kFew, fmt::format("target_{}", value)))
+        .provenance()
+        .at("design");
   };
   CHECK_THAT(text(-1), Catch::Contains("no trial meets the target"));
   CHECK_THAT(text(-1), Catch::Contains("recommended, trial"));
@@ -318,7 +346,8 @@ TEST_CASE("design: a target that no trial meets is not called met") {
 TEST_CASE("design: a trial at which a constraint fails is the nearest miss") {
   const Folder f;
   const Experiment e = f.load(R"({"variables": {"k_r": [5, 40]}, "objectives": [{"minimise": "R_x"}],
-      "constraints": [{"variable": "R_x", "max": -1}], "budget": 4})", kFew);
+      "constraints": [{"variable": "R_x", "max": -1}], "budget": 4})",
+                              kFew);
   CHECK_FALSE(design::run_design(e, {.output = f.s.path("e.h5"), .quiet = true}));
   const results::ResultReader file(f.s.path("e.h5"));
   CHECK_FALSE(file.has("best"));
@@ -329,9 +358,11 @@ TEST_CASE("design: a trial at which a constraint fails is the nearest miss") {
 TEST_CASE("design: trials whose deviations have no value are left out, and the text says so") {
   // These bristles carry 8, but not all the deviations from it, up to 15.
   const Folder f;
-  const auto file = f.run(f.load(R"({"variables": {"k_r": [0.5, 1]}, "budget": 2, "tolerances": {"R_n": {"uniform": 0.9}},
+  const auto file =
+      f.run(f.load(R"({"variables": {"k_r": [0.5, 1]}, "budget": 2, "tolerances": {"R_n": {"uniform": 0.9}},
       "tolerance_samples": 4, "objectives": [{"minimise": "R_x", "of": "nominal"}],
-      "constraints": [{"variable": "R_x", "max": 1000}]})", std::string(R"(, "load": {"R_n": 8})") + kFew));
+      "constraints": [{"variable": "R_x", "max": 1000}]})",
+                   std::string(R"(, "load": {"R_n": 8})") + kFew));
   CHECK_FALSE(file.has("best"));
   CHECK(std::isfinite(first(file, "trials/objective_1")));
   CHECK(first(file, "trials/missing") < 5);
@@ -367,14 +398,18 @@ TEST_CASE(
 TEST_CASE("malformed designs: the message names place, value and remedy") {
   const Folder f;
   const auto with = [](const std::string& variables, const std::string& rest = "") {
-    return fmt::format(R"({{"variables": {{{}}}, "objectives": [{{"minimise": "R_x"}}], "budget": 2{}}})", variables, rest);
+    return fmt::format(R"({{"variables": {{{}}}, "objectives": [{{"minimise": "R_x"}}], "budget": 2{}}})",
+                       variables, rest);
   };
-  CHECK_THAT(f.error(with(R"("k_rr": [1, 2])")), Catch::StartsWith("e.json: /design/variables/k_rr: k_rr cannot be swept (did you mean k_r?)"));
+  CHECK_THAT(f.error(with(R"("k_rr": [1, 2])")),
+             Catch::StartsWith("e.json: /design/variables/k_rr: k_rr cannot be swept (did you mean k_r?)"));
   CHECK(f.error(with(R"("k_r": [2, 1])")) ==
         "e.json: /design/variables/k_r: the lower bound 2 is not below the upper bound 1; swap them");
-  CHECK_THAT(f.error(with(R"("k_r": [-2, 1])")), Catch::Contains("/design/variables/k_r: -2 is out of range for k_r"));
-  CHECK(f.error(with("")) == "e.json: /design/variables: {} is not allowed; allowed: an object that is not empty (names of "
-                             "numbers and their bounds)");
+  CHECK_THAT(f.error(with(R"("k_r": [-2, 1])")),
+             Catch::Contains("/design/variables/k_r: -2 is out of range for k_r"));
+  CHECK(f.error(with("")) ==
+        "e.json: /design/variables: {} is not allowed; allowed: an object that is not empty (names of "
+        "numbers and their bounds)");
   CHECK(f.error(with(R"("bending": ["polar", "rod"])")) ==
         "e.json: /design/variables/bending/0: \"polar\" is not allowed; allowed: a number");
   CHECK_THAT(f.error(with(R"("friction": [1, 2])")), Catch::Contains("friction is a choice, not a number"));
@@ -386,28 +421,39 @@ TEST_CASE("malformed designs: the message names place, value and remedy") {
              Catch::Contains("gives R_x no limit; add min, max or both"));
   CHECK_THAT(f.error(R"({"variables": {"k_r": [5, 9]}, "objectives": [{"target": "R_x"}], "budget": 2})"),
              Catch::Contains("/design/objectives/0/value: is missing; target needs it"));
-  CHECK_THAT(f.error(R"({"variables": {"k_r": [5, 9]}, "objectives": [{"minimise": "R_x", "of": "q95"}], "budget": 2})"),
-             Catch::Contains("q95 is over tolerances, and there are none"));
+  CHECK_THAT(
+      f.error(
+          R"({"variables": {"k_r": [5, 9]}, "objectives": [{"minimise": "R_x", "of": "q95"}], "budget": 2})"),
+      Catch::Contains("q95 is over tolerances, and there are none"));
   CHECK_THAT(f.error(with(R"("k_r": [5, 9])"), R"(, "sweep": {"k_r": {"values": [1, 2]}})"),
              Catch::Contains("k_r is varied by the sweep, too"));
-  CHECK_THAT(f.error(with(R"("k_r": [5, 9])"), R"(, "sweep": {"sample": {"sobol": 2, "seed": 1, "over": {"k_phi": {"uniform": [1, 2]}}}})"),
-             Catch::Contains("/sweep/sample: the design chooses the points of the sample; remove it"));
+  CHECK_THAT(
+      f.error(with(R"("k_r": [5, 9])"),
+              R"(, "sweep": {"sample": {"sobol": 2, "seed": 1, "over": {"k_phi": {"uniform": [1, 2]}}}})"),
+      Catch::Contains("/sweep/sample: the design chooses the points of the sample; remove it"));
   for (const char* analysis : {"sobol_indices", "quantiles"})
     CHECK_THAT(f.error(with(R"("k_r": [5, 9])"), fmt::format(R"(, "analysis": {{"{}": ["R_x"]}})", analysis)),
                Catch::Contains("/analysis: cannot be combined with /design"));
   CHECK_THAT(f.error(with(R"("rows": [1, 5])", R"(, "seed": 1)")), Catch::Contains("rows is an integer"));
-  CHECK_THAT(f.error(with(R"("k_r": [5, 9])", R"(, "second_model": {"bending": "rod"})"), R"(, "sweep": {"bending": {"values": ["polar", "rod"]}})"),
+  CHECK_THAT(f.error(with(R"("k_r": [5, 9])", R"(, "second_model": {"bending": "rod"})"),
+                     R"(, "sweep": {"bending": {"values": ["polar", "rod"]}})"),
              Catch::Contains("bending is varied by the sweep, too"));
-  CHECK_THAT(f.error(with(R"("k_r": [5, 9])", R"(, "constraints": [{"variable": "R_x", "min": 2, "max": 1}])")),
-             Catch::Contains("min 2 is above max 1; swap them"));
+  CHECK_THAT(
+      f.error(with(R"("k_r": [5, 9])", R"(, "constraints": [{"variable": "R_x", "min": 2, "max": 1}])")),
+      Catch::Contains("min 2 is above max 1; swap them"));
   // Deviations and neighbours that the parameter may not have, which would be found after the whole search.
   CHECK_THAT(f.error(with(R"("phi_0_deg": [60, 85])", R"(, "tolerances": {"phi_0_deg": {"uniform": 0.1}})")),
              Catch::Contains("/design/tolerances/phi_0_deg: 93.5 is out of range for phi_0_deg"));
-  CHECK_THAT(f.error(with(R"("k_r": [5, 9])", R"(, "tolerances": {"phi_0_deg": {"uniform": 0.01}}, "constraints": [{"jump_margin": 0.2}])")),
-             Catch::Contains("/design/tolerances/phi_0_deg: 96 is out of range for phi_0_deg"));
-  CHECK_THROWS_WITH(design::run_design(experiment::load_experiment(f.s.path("paper.json"), {}), {.output = f.s.path("p.h5")}),
+  CHECK_THAT(
+      f.error(
+          with(R"("k_r": [5, 9])",
+               R"(, "tolerances": {"phi_0_deg": {"uniform": 0.01}}, "constraints": [{"jump_margin": 0.2}])")),
+      Catch::Contains("/design/tolerances/phi_0_deg: 96 is out of range for phi_0_deg"));
+  CHECK_THROWS_WITH(design::run_design(experiment::load_experiment(f.s.path("paper.json"), {}),
+                                       {.output = f.s.path("p.h5")}),
                     Catch::Contains("/design: is missing"));
-  CHECK_THROWS_WITH(design::run_design(f.load(with(R"("k_r": [5, 9])")), {.output = f.s.path("p.h5"), .shard = run::Shard{1, 2}}),
+  CHECK_THROWS_WITH(design::run_design(f.load(with(R"("k_r": [5, 9])")),
+                                       {.output = f.s.path("p.h5"), .shard = run::Shard{1, 2}}),
                     Catch::Contains("cannot be split into shards"));
 }
 

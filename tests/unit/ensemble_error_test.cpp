@@ -120,7 +120,8 @@ TEST_CASE("the number of impacts over a list is uncertain by one impact of one b
 }
 
 TEST_CASE("all passages of a short list are repeated for its error") {
-  // gamma_1 was 1.01311 +- 5.7e-7: the passage that is sensitive to the tolerance was not among the repeated ones.
+  // gamma_1 was 1.01311 +- 5.7e-7: the passage that is sensitive to the tolerance was not among the repeated
+  // ones.
   Setup setup;
   Parameters& p = setup.parameters;
   p.k_r = 7.648853032262598;
@@ -152,7 +153,8 @@ TEST_CASE("all passages of a short list are repeated for its error") {
 }
 
 TEST_CASE("a short list is repeated with two tolerances, as the results of one may agree by chance") {
-  // R_x was 19.182 +- 0.0017: it is 19.183 with a tolerance 4 times tighter, and 19.000 with one 16 times tighter.
+  // R_x was 19.182 +- 0.0017: it is 19.183 with a tolerance 4 times tighter, and 19.000 with one 16 times
+  // tighter.
   Setup setup;
   Parameters& p = setup.parameters;
   p.friction = FrictionLaw::coulomb;

@@ -72,7 +72,8 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
            R"("locate_jumps": "k_r", "sweep": {"k_r": {"values": [1, 2]}}, "load": {"R_n": null, "z_0": 0.5})"),
        "@/e.json: /locate_jumps: needs a load R_n: at a given gap, and along a traced curve, no gap jumps"},
       {with(R"("model": {"k_tehta": 1})"),
-       "@/e.json: /model/k_tehta: unknown key (did you mean k_theta?); allowed: friction, bending, contact, section, "
+       "@/e.json: /model/k_tehta: unknown key (did you mean k_theta?); allowed: friction, bending, contact, "
+       "section, "
        "initial_state, pole_rule, k_r, k_theta, k_phi, phi_0_deg, zeta_theta, zeta_phi, mu_c, tau_f, R_c, "
        "E_star, "
        "A, C, V_s, lambda, lambda_z, alpha, beta, s_min, L_x, L_y, spacing, R, "
@@ -136,14 +137,16 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
        "k_r_over_k_phi, k_theta_over_k_phi, k_r_N_per_m, k_theta_N_m, k_phi_N_m, E_star_Pa, tau_f_Pa, R_c_m, "
        "V_s_m_per_s, "
        "alpha_J, "
-       "beta_J, R_n_N, z_0_m, L_x_m, L_y_m, spacing_m, friction, bending, contact, section, initial_state, pole_rule, "
+       "beta_J, R_n_N, z_0_m, L_x_m, L_y_m, spacing_m, friction, bending, contact, section, initial_state, "
+       "pole_rule, "
        "path, "
        "sampling"},
       {with(R"("model": {"contact": "hertz", "lambda_z": 0.002})"),
        "@/e.json: /model/lambda_z: has no meaning for the contact \"hertz\", which E_star and R_c determine; "
        "remove it, or set /model/contact to \"wall\""},
       {with(R"("si": {"m_kg": 1e-4, "r0_m": 0.017, "V0_m_per_s": 10, "beta_J": 0.01})"),
-       "@/e.json: /si/beta_J: has no meaning for the contact \"hertz\", which E_star and R_c determine; remove it, "
+       "@/e.json: /si/beta_J: has no meaning for the contact \"hertz\", which E_star and R_c determine; "
+       "remove it, "
        "or set /model/contact to \"wall\""},
       {with(R"("model": {"contact": "hertz"}, "load": {"R_n": null, "z_0": 0.99})"),
        "@/e.json: /load/z_0: 0.99 is above first contact; allowed: at most sin(phi_0) = 0.984808"},
@@ -153,8 +156,10 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
       {with(R"("sweep": {"bending": {"values": ["polar", "rod"]}, "k_theta": {"values": [1, 2]}})"),
        "@/e.json: /sweep/k_theta: has no effect on round rods, whose k_theta is k_phi; remove it, or set "
        "/model/section to \"oval\""},
-      {with(R"("model": {"bending": "rod"}, "sweep": {"sample": {"table": {"columns": ["k_theta"], "rows": [[1]]}}})"),
-       "@/e.json: /sweep/sample/table: k_theta has no effect on round rods, whose k_theta is k_phi; remove it, or set "
+      {with(
+           R"("model": {"bending": "rod"}, "sweep": {"sample": {"table": {"columns": ["k_theta"], "rows": [[1]]}}})"),
+       "@/e.json: /sweep/sample/table: k_theta has no effect on round rods, whose k_theta is k_phi; remove "
+       "it, or set "
        "/model/section to \"oval\""},
       {with(R"("sweep": {"friction": {"values": ["nss", "coulom"]}})"),
        "@/e.json: /sweep/friction/values: \"coulom\" is not known (did you mean coulomb?); allowed: " +
@@ -245,8 +250,10 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
        "removes an inherited key)"},
       {with(R"("si": {"m_kg": 1, "r0_m": 2, "V0_m_per_s": 1, "z_0_m": 2.2}, "load": {"R_n": null})"),
        "@/e.json: /si/z_0_m: 2.2 m is above first contact; allowed: at most r_0 sin(phi_0) = 1.96962 m"},
-      {with(R"("model": {"contact": "wall"}, "si": {"m_kg": 1, "r0_m": 2, "V0_m_per_s": 1, "z_0_m": 2.2}, "load": {"R_n": null})"),
-       "@/e.json: /si/z_0_m: 2.2 m is above first contact, beyond the wall; allowed: at most r_0 (sin(phi_0) + 100 "
+      {with(
+           R"("model": {"contact": "wall"}, "si": {"m_kg": 1, "r0_m": 2, "V0_m_per_s": 1, "z_0_m": 2.2}, "load": {"R_n": null})"),
+       "@/e.json: /si/z_0_m: 2.2 m is above first contact, beyond the wall; allowed: at most r_0 (sin(phi_0) "
+       "+ 100 "
        "lambda_z) = 2.16962 m"},
       {with(R"("load": {"R_n": null, "z_0": 0.9, "nominal_friction": 2})"),
        "@/e.json: /load/nominal_friction: needs a target load R_n, which it multiplies"},

@@ -19,12 +19,14 @@ TEST_CASE("the points of each smoke tier are points of the full tier, with which
   for (const auto& file : std::filesystem::directory_iterator(BRISTLE_EXPERIMENTS)) {
     if (file.path().extension() != ".json") continue;
     CAPTURE(file.path());
-    const Experiment full = load_experiment(file.path(), {}), smoke = load_experiment(file.path(), {{}, "smoke"});
+    const Experiment full = load_experiment(file.path(), {}),
+                     smoke = load_experiment(file.path(), {{}, "smoke"});
     if (smoke.design) continue;  // the trials of another search
     REQUIRE(smoke.axes.size() == full.axes.size());
     for (std::size_t d = 0; d < smoke.axes.size(); ++d) {
       CHECK(smoke.axes[d].name == full.axes[d].name);
-      for (const double value : smoke.axes[d].values) CHECK(std::ranges::count(full.axes[d].values, value) == 1);
+      for (const double value : smoke.axes[d].values)
+        CHECK(std::ranges::count(full.axes[d].values, value) == 1);
     }
   }
 }
@@ -110,9 +112,11 @@ TEST_CASE("the nominal friction is the friction of rigid bristles over their loa
   s.write("paper.json", bytes_of(kExperiments + "/paper.json"));
   const std::string sweep = R"("nominal_friction": {"values": [0.5, 6.1984]}, "R_n": {"values": [0.3, 2]})";
   const Experiment e = load_experiment(
-      s.write("e.json", R"({"extends": "paper.json", "name": "e", "friction_law": {"V_R": [0, 1, 2], "mu": [0, 0.3, 0.2], "between": "linear"},
+      s.write(
+          "e.json",
+          R"({"extends": "paper.json", "name": "e", "friction_law": {"V_R": [0, 1, 2], "mu": [0, 0.3, 0.2], "between": "linear"},
           "sweep": {"friction": {"values": )" +
-                            Json(texts(words<FrictionLaw>())).dump() + "}, " + sweep + "}}"),
+              Json(texts(words<FrictionLaw>())).dump() + "}, " + sweep + "}}"),
       {});
   for (std::size_t i = 0; i < e.points(); ++i) {
     const PointInput point = e.point(i);
@@ -137,7 +141,8 @@ TEST_CASE("a tier removes keys by null, and an extending experiment can remove t
 TEST_CASE("a change by --set concerns the chosen tier, also where another tier lacks the key") {
   Scratch s;
   s.write("experiments/paper.json", bytes_of(kExperiments + "/paper.json"));
-  const auto file = s.write("experiments/a.json", R"({"extends": "paper.json", "name": "a", "load": {"path": "loading"},
+  const auto file =
+      s.write("experiments/a.json", R"({"extends": "paper.json", "name": "a", "load": {"path": "loading"},
     "sweep": {"k_r": {"values": [5, 10]}}, "locate_jumps": "k_r", "tiers": {"study": {"locate_jumps": null}}})");
   CHECK(load_experiment(file, {}).locate_jumps == "k_r");
   CHECK(load_experiment(file, {{"/locate_jumps=null"}, "full"}).locate_jumps.empty());
@@ -148,22 +153,29 @@ TEST_CASE("an inherited tier that does not fit is named with the patch that repl
   for (const char* name : {"paper.json", "ski.json"})
     s.write(std::string("experiments/") + name, bytes_of(std::string(BRISTLE_EXPERIMENTS) + "/" + name));
   const auto loaded = [&](const std::string& more, const std::string& tier) {
-    return load_experiment(s.write("experiments/my.json", R"({"extends": "ski.json", "name": "my", "title": "t",
-      "sweep": {"R_n_N": {"values": [0.3, 0.6]}})" + more + "}"), {{}, tier});
+    return load_experiment(
+        s.write("experiments/my.json", R"({"extends": "ski.json", "name": "my", "title": "t",
+      "sweep": {"R_n_N": {"values": [0.3, 0.6]}})" +
+                                           more + "}"),
+        {{}, tier});
   };
   const std::string advice = R"("tiers": {"smoke": null})";
   for (const char* tier : {"full", "smoke"})
-    CHECK_THROWS_WITH(loaded("", tier),
-                      Catch::Contains("ski.json (tier smoke): /sweep/R_n_N/take: 2 is not allowed; allowed: ascending indices "
-                                      "from 0 to 1") &&
-                          Catch::Contains("the tier smoke is inherited from ") && Catch::EndsWith(advice));
+    CHECK_THROWS_WITH(
+        loaded("", tier),
+        Catch::Contains(
+            "ski.json (tier smoke): /sweep/R_n_N/take: 2 is not allowed; allowed: ascending indices "
+            "from 0 to 1") &&
+            Catch::Contains("the tier smoke is inherited from ") && Catch::EndsWith(advice));
   CHECK(loaded("," + advice, "full").points() == 2 * 2 * 13);
   CHECK(loaded("," + advice, "smoke").points() == 2 * 2 * 13);
   CHECK(loaded(R"(, "tiers": {"smoke": {"sweep": {"R_n_N": {"take": [1]}}}})", "smoke").points() == 2 * 4);
   const std::string own = R"(, "tiers": {"smoke": {"model": {"mu_c": 0.5}}})";
-  CHECK_THROWS_WITH(loaded(own, "full"), Catch::EndsWith("change this key in /tiers/smoke of " + s.path("experiments/my.json") +
-                                                         "; null there removes it"));
-  CHECK(loaded(R"(, "tiers": {"smoke": {"sweep": {"R_n_N": {"take": null}}}})", "smoke").points() == 2 * 2 * 4);
+  CHECK_THROWS_WITH(loaded(own, "full"),
+                    Catch::EndsWith("change this key in /tiers/smoke of " + s.path("experiments/my.json") +
+                                    "; null there removes it"));
+  CHECK(loaded(R"(, "tiers": {"smoke": {"sweep": {"R_n_N": {"take": null}}}})", "smoke").points() ==
+        2 * 2 * 4);
   // A mistake that every tier has is no fault of the tier.
   CHECK_THROWS_WITH(loaded(R"(, "model": {"mu_c": -1})", "smoke"), !Catch::Contains("inherited"));
 }

@@ -13,9 +13,7 @@ namespace rc {
 // A property as a section of a test case, for any version of Catch2.
 template <class Testable>
 void prop(const std::string& description, Testable&& testable) {
-  SECTION(description) {
-    CHECK(check(description, std::forward<Testable>(testable)));
-  }
+  SECTION(description) { CHECK(check(description, std::forward<Testable>(testable))); }
 }
 
 }  // namespace rc
@@ -29,7 +27,8 @@ inline double uniform(double from, double to) {
 
 inline double log_uniform(double from, double to) { return std::exp(uniform(std::log(from), std::log(to))); }
 
-// Random parameters within the ranges of the paper, with one of its two friction laws, any bending and any contact.
+// Random parameters within the ranges of the paper, with one of its two friction laws, any bending and any
+// contact.
 inline Parameters random_parameters() {
   Parameters p;
   p.bending = *rc::gen::element(Bending::polar, Bending::polar_as_printed, Bending::rod);

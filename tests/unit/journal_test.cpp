@@ -213,7 +213,8 @@ TEST_CASE("of another journal, a damaged line is left out, and a point that diff
   CHECK(holds(journal, e, 0));
   CHECK(!journal.has(point_key(e, 1)));
   Journal(s.path("third.h5.journal"), "0123abc", false).append(point_key(e, 0), small_record(e, 1));
-  CHECK_THROWS_WITH(journal.adopt(s.path("third.h5.journal"), e, keys_of(e, {0})), Catch::Contains("differ at the point"));
+  CHECK_THROWS_WITH(journal.adopt(s.path("third.h5.journal"), e, keys_of(e, {0})),
+                    Catch::Contains("differ at the point"));
 }
 
 TEST_CASE("equal points have equal keys regardless of grid and names") {

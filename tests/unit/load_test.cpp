@@ -37,7 +37,9 @@ TEST_CASE("load control: a monotonic curve on both paths") {
 }
 
 TEST_CASE("load control: both paths find a small load above first contact") {
-  const auto soft = [](double z_0) { return std::max(0.0, rising(z_0)) + 0.2 * std::min(1.0, std::exp((kContact - z_0) / 1e-3)); };
+  const auto soft = [](double z_0) {
+    return std::max(0.0, rising(z_0)) + 0.2 * std::min(1.0, std::exp((kContact - z_0) / 1e-3));
+  };
   for (const auto path : {LoadPath::loading, LoadPath::unloading}) {
     const LoadPoint p = search(soft, 0.1, path);
     CHECK(p.status == LoadStatus::reached);

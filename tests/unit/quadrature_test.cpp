@@ -177,8 +177,8 @@ TEST_CASE(
 
 namespace {
 
-// Labels that change at every scale above `from`, in a set with a share of some ten per cent: where Weierstrass's
-// function with random phases is large.
+// Labels that change at every scale above `from`, in a set with a share of some ten per cent: where
+// Weierstrass's function with random phases is large.
 struct AlternatingLabels {
   double from;
   std::array<double, 14> phases{};
@@ -225,15 +225,18 @@ TEST_CASE("where labels alternate at every scale, the error is the statistical o
       beyond_two += distance > 2;
     }
   }
-  // As of independent values: 5 % are beyond two errors, and 1 of 120 is beyond three. With jumps in place of these
-  // panels 79 were beyond three.
+  // As of independent values: 5 % are beyond two errors, and 1 of 120 is beyond three. With jumps in place of
+  // these panels 79 were beyond three.
   CHECK(beyond_two <= 7);
   CHECK(beyond_three <= 1);
 }
 
-TEST_CASE("a range of alternating labels is not divided by a later goal, and has as many nodes as that allows") {
+TEST_CASE(
+    "a range of alternating labels is not divided by a later goal, and has as many nodes as that allows") {
   const AlternatingLabels label(2.9, 300);
-  Quadrature quadrature(batched([&](double x) { return Sample{{1.0 + 8 * label(x)}, label(x), x > 2.87, true}; }),
+  Quadrature quadrature(batched([&](double x) {
+                          return Sample{{1.0 + 8 * label(x)}, label(x), x > 2.87, true};
+                        }),
                         {0, 2.6, M_PI});
   QuadratureGoal first, second;
   first.rtol[0] = 1e-5;
@@ -294,7 +297,9 @@ TEST_CASE("a tolerance that cannot be reached and an invalid sample are reported
 }
 
 TEST_CASE("comparing with a threshold needs fewer samples than a precise value") {
-  const auto f = batched([](double x) { return Sample{{1 + std::pow(std::abs(x - 1.3), 0.3)}, 0, false, true}; });
+  const auto f = batched([](double x) {
+    return Sample{{1 + std::pow(std::abs(x - 1.3), 0.3)}, 0, false, true};
+  });
   QuadratureGoal goal;
   goal.rtol[0] = 1e-6;
   const auto value = Quadrature(f, {0, M_PI}).refine(goal);

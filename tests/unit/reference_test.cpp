@@ -47,8 +47,9 @@ TEST_CASE("reference: the axis of a choice has words, whatever their codes") {
   std::swap(other_order["axes"]["friction"][0], other_order["axes"]["friction"][1]);
   CHECK_FALSE(compare_files(file, other_order).agree());
   reference["axes"]["friction"][1] = "no_longer_a_law";
-  CHECK_THROWS_WITH(compare_files(file, reference), Contains("/axes/friction: the result") &&
-                                                        Contains("does not know \"no_longer_a_law\"; it knows nss,"));
+  CHECK_THROWS_WITH(
+      compare_files(file, reference),
+      Contains("/axes/friction: the result") && Contains("does not know \"no_longer_a_law\"; it knows nss,"));
 }
 
 TEST_CASE("reference: its content, and tolerances that are rounded down to two digits") {

@@ -9,7 +9,8 @@ using Catch::EndsWith;
 
 namespace {
 
-// Every point computed alone, from the document that a result stores, has the input of the point of the sweep.
+// Every point computed alone, from the document that a result stores, has the input of the point of the
+// sweep.
 void require_same_points(const Experiment& all) {
   const Experiment stored = experiment::stored_experiment(*all.document, all.tier, "stored");
   REQUIRE(stored.points() == all.points());
@@ -24,7 +25,8 @@ void require_same_points(const Experiment& all) {
 
 Experiment of(const Scratch& s, const std::string& text, const experiment::DocumentOptions& options = {}) {
   s.write("paper.json", bytes_of(std::string(BRISTLE_EXPERIMENTS) + "/paper.json"));
-  return load_experiment(s.write("e.json", R"({"extends": "paper.json", "name": "e",)" + text + "}"), options);
+  return load_experiment(s.write("e.json", R"({"extends": "paper.json", "name": "e",)" + text + "}"),
+                         options);
 }
 
 }  // namespace
@@ -32,19 +34,22 @@ Experiment of(const Scratch& s, const std::string& text, const experiment::Docum
 TEST_CASE("replay: a point alone has the input of the same point of any experiment") {
   const Scratch s;
   SECTION("axes with numbers and words, a tier with take, checks") {
-    const std::string text = R"("sweep": {"friction": {"values": ["coulomb", "nss"]}, "R_n": {"logspace": [1, 3, 7]}},
+    const std::string text =
+        R"("sweep": {"friction": {"values": ["coulomb", "nss"]}, "R_n": {"logspace": [1, 3, 7]}},
       "load": {"R_n": null}, "tiers": {"smoke": {"sweep": {"R_n": {"take": [1, 4]}}}}, "locate_jumps": "R_n",
       "checks": [{"claim": "x", "statement": "falls", "predicate": "end_ratio", "variable": "R_x_norm",
                   "along": "R_n", "is": "at_most", "threshold": 0.99}])";
     require_same_points(of(s, text));
-    require_same_points(of(s, text, {{"/model/k_phi=2.5", R"(/load={"z_0":0.5})", "/sweep/R_n=null", "/locate_jumps=null",
-                                      "/checks=null"},
-                                     "smoke"}));
+    require_same_points(of(s, text,
+                           {{"/model/k_phi=2.5", R"(/load={"z_0":0.5})", "/sweep/R_n=null",
+                             "/locate_jumps=null", "/checks=null"},
+                            "smoke"}));
     require_same_points(of(s, text, {{}, "smoke"}));
   }
   SECTION("a sample by table, with words and a take") {
     s.write("rows.csv", "k_r,friction\n0.1e2,nss\n20.000000000000004,coulomb\n5,nss\n");
-    require_same_points(of(s, R"("sweep": {"mu_c": {"values": [0.5, 1]}, "sample": {"table": "rows.csv", "take": [0, 2]}})"));
+    require_same_points(
+        of(s, R"("sweep": {"mu_c": {"values": [0.5, 1]}, "sample": {"table": "rows.csv", "take": [0, 2]}})"));
   }
   SECTION("a sample by sobol with indices, beside an axis") {
     require_same_points(of(s, R"("sweep": {"sample": {"sobol": 4, "seed": 7, "over": {"k_r": {"log": [5, 40]},
@@ -52,14 +57,18 @@ TEST_CASE("replay: a point alone has the input of the same point of any experime
       "model": {"section": "oval"}, "analysis": {"sobol_indices": ["R_x"], "quantiles": ["R_n"]})"));
   }
   SECTION("a design") {
-    Json document = *of(s, R"("design": {"variables": {"k_r": [5, 40]}, "objectives": [{"minimise": "R_x"}], "budget": 8,
-      "seed": 1}, "sweep": {"R_n": {"values": [1, 2]}}, "load": {"R_n": null})").document;
+    Json document =
+        *of(s, R"("design": {"variables": {"k_r": [5, 40]}, "objectives": [{"minimise": "R_x"}], "budget": 8,
+      "seed": 1}, "sweep": {"R_n": {"values": [1, 2]}}, "load": {"R_n": null})")
+             .document;
     const Json sample = {{"table", {{"columns", {"k_r"}}, {"rows", {{6.5}, {7.25}}}}}};
     document["sweep"] = {{"sample", sample}, {"R_n", document["sweep"]["R_n"]}};
     require_same_points(experiment::stored_experiment(document, "full", "a design"));
   }
   SECTION("a traced curve, a lattice, and SI units with an own law") {
-    require_same_points(of(s, R"("load": {"R_n": null, "path": null, "trace": {"nodes": 96}}, "sweep": {"k_r": {"values": [5, 20]}})"));
+    require_same_points(of(
+        s,
+        R"("load": {"R_n": null, "path": null, "trace": {"nodes": 96}}, "sweep": {"k_r": {"values": [5, 20]}})"));
     require_same_points(of(s, R"("load": {"R_n": null, "path": null, "z_0": 0.5}, "record": ["slab_force"],
       "orientation": {"sampling": "lattice", "rtol": null, "rows": 100}, "sweep": {"seed": {"values": [1, 2]}})"));
     s.write("ski.json", bytes_of(std::string(BRISTLE_EXPERIMENTS) + "/ski.json"));
@@ -76,7 +85,8 @@ TEST_CASE("replay: the command names the result, quoted, and the point of any no
   writer.close({});
   writer.publish();
   const ReplayCommands commands(ResultReader(s.path("a file.h5")));
-  CHECK_THAT(commands.of_value(2 * 96 + 5), EndsWith(" run '" + s.path("a file.h5") + "' -o results/replay.h5 --point 2"));
+  CHECK_THAT(commands.of_value(2 * 96 + 5),
+             EndsWith(" run '" + s.path("a file.h5") + "' -o results/replay.h5 --point 2"));
   const Json all = commands.of_all_points();
   REQUIRE(all.size() == 4);
   CHECK(all[3] == commands.of_value(3 * 96));

@@ -11,17 +11,22 @@ using Catch::Contains;
 namespace {
 
 // A result of a table. The numbers of a row follow from its k_r.
-std::string result_of(const Scratch& s, const std::string& name, const std::string& table, const std::string& take = "") {
+std::string result_of(const Scratch& s, const std::string& name, const std::string& table,
+                      const std::string& take = "") {
   s.write("paper.json", bytes_of(std::string(BRISTLE_EXPERIMENTS) + "/paper.json"));
   s.write(name + ".csv", table);
-  const Experiment e = load_experiment(s.write(name + ".json", R"({"extends": "paper.json", "name": "n", "sweep": {"sample": {
-      "table": ")" + name + R"(.csv")" + take + "}}}"), {});
+  const Experiment e =
+      load_experiment(s.write(name + ".json", R"({"extends": "paper.json", "name": "n", "sweep": {"sample": {
+      "table": ")" + name + R"(.csv")" + take + "}}}"),
+                      {});
   return small_result(s, name + ".h5", e, [&](std::size_t i, PointResult& p) {
     p = small_point(std::size_t(e.axes.front().columns.front().values[i]));
   });
 }
 
-Comparison diff(const std::string& a, const std::string& b) { return diff_results(ResultReader(a), ResultReader(b), {}); }
+Comparison diff(const std::string& a, const std::string& b) {
+  return diff_results(ResultReader(a), ResultReader(b), {});
+}
 
 }  // namespace
 
@@ -31,7 +36,8 @@ TEST_CASE("rows of samples are found by their values, in any order") {
   const Comparison other_order = diff(a, result_of(s, "b", "k_r,friction\n9,coulomb\n5,nss\n20,nss\n"));
   CHECK(other_order.agree());
   CHECK_THAT(other_order.notes.at(0), Contains("sample: the rows of") && Contains("have another order"));
-  const Comparison part = diff(a, result_of(s, "c", "k_r,friction\n1,nss\n9,coulomb\n20,nss\n", R"(, "take": [1, 2])"));
+  const Comparison part =
+      diff(a, result_of(s, "c", "k_r,friction\n1,nss\n9,coulomb\n20,nss\n", R"(, "take": [1, 2])"));
   CHECK(part.differences.empty());
   CHECK_THAT(part.failures.at(0), Contains("sample: different rows: 3 in") && Contains(", 2 of them in"));
   CHECK(part.points == 2);
@@ -47,16 +53,19 @@ TEST_CASE("rows and columns of samples that differ are named and not compared") 
                                       Contains("row 0 (k_r = 5, friction = coulomb)"));
   const Comparison columns = diff(a, result_of(s, "c", "k_r,k_theta\n5,1\n20,1\n"));
   CHECK(columns.differences.empty());
-  CHECK_THAT(comparison_text(columns), Contains("sample: different columns: k_r, friction in") && Contains("k_r, k_theta in"));
+  CHECK_THAT(comparison_text(columns),
+             Contains("sample: different columns: k_r, friction in") && Contains("k_r, k_theta in"));
 }
 
 TEST_CASE("a reference states the rows of its sample") {
   const Scratch s;
-  const std::string smoke = result_of(s, "smoke", "k_r,friction\n5,nss\n20,nss\n9,coulomb\n", R"(, "take": [1, 2])");
+  const std::string smoke =
+      result_of(s, "smoke", "k_r,friction\n5,nss\n20,nss\n9,coulomb\n", R"(, "take": [1, 2])");
   Json reference = reference_of(smoke);
   CHECK(reference["sample"] == Json({{"k_r", {20, 9}}, {"friction", {"nss", "coulomb"}}}));
   const auto compared = [&](const std::string& file) {
-    return compare_with_reference(ResultReader(file), {}, read_reference(s.write("r.json", json_lines(reference))), "r.json");
+    return compare_with_reference(ResultReader(file), {},
+                                  read_reference(s.write("r.json", json_lines(reference))), "r.json");
   };
   CHECK(compared(smoke).agree());
   const Comparison full = compared(result_of(s, "full", "k_r,friction\n5,nss\n20,nss\n9,coulomb\n"));

@@ -31,7 +31,8 @@ struct Folder {
   }
   Experiment load(const std::string& sweep, const std::string& more = "") const {
     // A gap, unless the sample has loads.
-    const char* load = sweep.find("R_n") == sweep.npos ? R"({"R_n": null, "path": null, "z_0": 0.7})" : R"({"R_n": null})";
+    const char* load =
+        sweep.find("R_n") == sweep.npos ? R"({"R_n": null, "path": null, "z_0": 0.7})" : R"({"R_n": null})";
     return load_experiment(
         s.write("e.json", fmt::format(R"({{"extends": "paper.json", "name": "e", "load": {},
               "orientation": {{"sampling": "list", "theta_0_deg": [20, 80]}}, "sweep": {}{}}})",
@@ -136,16 +137,20 @@ TEST_CASE("a longer sample begins with the shorter one, and each seed has its ow
 
 TEST_CASE("a row of a table is the same point as the same values on axes") {
   const Folder f;
-  f.s.write("t.csv", "\xef\xbb\xbf# a remark\n\"k_r\", mu_c ,friction,phi_0_deg\r\n\r\n5,0.2,coulomb,80\n2e1,0.3,nss,75.5\n");
+  f.s.write("t.csv",
+            "\xef\xbb\xbf# a remark\n\"k_r\", mu_c "
+            ",friction,phi_0_deg\r\n\r\n5,0.2,coulomb,80\n2e1,0.3,nss,75.5\n");
   const Experiment e = f.load(R"({"sample": {"table": "t.csv"}, "bending": {"values": ["polar", "rod"]}})");
   REQUIRE(e.shape() == std::vector<std::size_t>{2, 2});
-  const Experiment axes = f.load(R"({"friction": {"values": ["nss"]}, "k_r": {"values": [20]}, "mu_c": {"values": [0.3]},
+  const Experiment axes =
+      f.load(R"({"friction": {"values": ["nss"]}, "k_r": {"values": [20]}, "mu_c": {"values": [0.3]},
       "phi_0_deg": {"values": [75.5]}, "bending": {"values": ["polar", "rod"]}})");
   CHECK(canonical_point(e, 2) == canonical_point(axes, 0));
   CHECK(canonical_point(e, 3) == canonical_point(axes, 1));
   CHECK(e.place(3) == "sample = 1, bending = rod");
   f.s.write("one.csv", "k_r,mu_c\n5,0.2\n");
-  CHECK(f.load(R"({"sample": {"table": "one.csv"}})").warnings.empty());  // one value shows no effect, and is no mistake
+  CHECK(f.load(R"({"sample": {"table": "one.csv"}})")
+            .warnings.empty());  // one value shows no effect, and is no mistake
   // The document has all that the points need: the file may change or be lost.
   std::filesystem::remove(f.s.path("t.csv"));
   const Experiment stored = stored_experiment(*e.document, "full", "stored");
@@ -156,10 +161,12 @@ TEST_CASE("a tier takes rows of a table, and --set names another table") {
   const Folder f;
   f.s.write("t.csv", "k_r\n5\n10\n20\n");
   f.s.write("other.csv", "k_r\n7\n");
-  f.load(R"({"sample": {"table": "t.csv"}})", R"(, "tiers": {"smoke": {"sweep": {"sample": {"take": [0, 2]}}}})");
+  f.load(R"({"sample": {"table": "t.csv"}})",
+         R"(, "tiers": {"smoke": {"sweep": {"sample": {"take": [0, 2]}}}})");
   CHECK(column(load_experiment(f.s.path("e.json"), {{}, "smoke"}), "k_r") == std::vector<double>{5, 20});
-  CHECK(column(load_experiment(f.s.path("e.json"), {{"/sweep/sample/table=" + f.s.path("other.csv")}, "full"}),
-               "k_r") == std::vector<double>{7});
+  CHECK(
+      column(load_experiment(f.s.path("e.json"), {{"/sweep/sample/table=" + f.s.path("other.csv")}, "full"}),
+             "k_r") == std::vector<double>{7});
 }
 
 TEST_CASE("a table that is replaced or removed is not read") {
@@ -249,18 +256,23 @@ TEST_CASE("malformed samples: the message names place, value and remedy") {
   f.s.write("semicolons.csv", "k_r;mu_c\n0,5;1\n");
   f.s.write("twice.csv", "k_r,k_r\n1,2\n");
   const auto table = [](const std::string& name) { return R"({"sample": {"table": ")" + name + "\"}}"; };
-  const std::string at = "e.json: /sweep/sample/", laws = fmt::format("{}", fmt::join(texts(words<FrictionLaw>()), ", "));
+  const std::string at = "e.json: /sweep/sample/",
+                    laws = fmt::format("{}", fmt::join(texts(words<FrictionLaw>()), ", "));
   const std::vector<std::pair<std::string, std::string>> rows = {
       {table("none.csv"), "none.csv: cannot be read: no such file"},
-      {table("empty.csv"), "empty.csv: has no rows; a table needs a line with the names of its columns, such as "
-                           "k_r,tau_f, and one line for each point"},
+      {table("empty.csv"),
+       "empty.csv: has no rows; a table needs a line with the names of its columns, such as "
+       "k_r,tau_f, and one line for each point"},
       {table("cell.csv"), "cell.csv: line 2: the cell of mu_c is empty; give it a value, or remove the row"},
-      {table("semicolons.csv"), "semicolons.csv: line 1: the columns are not separated by commas; write k_r,tau_f and "
-                                "numbers such as 0.5,3e4"},
+      {table("semicolons.csv"),
+       "semicolons.csv: line 1: the columns are not separated by commas; write k_r,tau_f and "
+       "numbers such as 0.5,3e4"},
       {table("short.csv"), "short.csv: line 2: has 1 cells, and the first line names 2 columns"},
-      {table("word.csv"), "word.csv: line 2: \"columb\" is not known (did you mean coulomb?); allowed: " + laws},
-      {table("range.csv"), "range.csv: line 4: -2 is out of range for k_r; allowed: a number greater than 0 "
-                                "(radial stiffness, dimensionless)"},
+      {table("word.csv"),
+       "word.csv: line 2: \"columb\" is not known (did you mean coulomb?); allowed: " + laws},
+      {table("range.csv"),
+       "range.csv: line 4: -2 is out of range for k_r; allowed: a number greater than 0 "
+       "(radial stiffness, dimensionless)"},
       {table("text.csv"), "text.csv: line 2: \"fast\" is not a number, which k_r needs"},
       {table("infinite.csv"), "infinite.csv: line 2: \"inf\" is not a number, which k_r needs"},
       {table("twice.csv"), "twice.csv: line 1: k_r appears twice"},
@@ -275,7 +287,8 @@ TEST_CASE("malformed samples: the message names place, value and remedy") {
       {sobol(R"("k_r": {"normal": [3, 0]})"),
        at + "over/k_r/normal: the standard deviation 0 is not positive"},
       {sobol(R"("friction": {"uniform": [0, 1]})"),
-       at + "over/friction/uniform: friction is a choice; it needs \"values\", a list of words; allowed: " + laws},
+       at + "over/friction/uniform: friction is a choice; it needs \"values\", a list of words; allowed: " +
+           laws},
       {sobol(R"("k_r": {"uniform": [1, 2], "log": [1, 2]})"),
        at + "over/k_r: {\"uniform\":[1,2],\"log\":[1,2]} gives 2 distributions; one is needed: uniform, log, "
             "normal or values"},
@@ -285,8 +298,8 @@ TEST_CASE("malformed samples: the message names place, value and remedy") {
        at + "take: 1 is not allowed; allowed: ascending indices from 0 to 1"},
   };
   for (const auto& [sweep, message] : rows) CHECK(f.error(sweep) == message);
-  CHECK(f.error(table("column.csv")).starts_with(
-      "column.csv: line 1: k_rr cannot be swept (did you mean k_r?); allowed: k_r, "));
+  CHECK(f.error(table("column.csv"))
+            .starts_with("column.csv: line 1: k_rr cannot be swept (did you mean k_r?); allowed: k_r, "));
   CHECK(f.error(sobol(R"("k_r": {"normal": [3, 30]})")).starts_with(at + "over/k_r: -"));
 }
 
@@ -294,11 +307,12 @@ TEST_CASE("a quantity cannot be given by the sample and by an axis or the load")
   const Folder f;
   CHECK(f.error(R"({"k_r": {"values": [1]}, "sample": {"table": {"columns": ["k_r"], "rows": [[1]]}}})") ==
         "e.json: /sweep/sample: k_r is varied by another axis, too; remove one of them");
-  CHECK(f.error(R"({"sample": {"table": {"columns": ["z_0", "R_n"], "rows": [[0.5, 1]]}}})").find("more than one of R_n, z_0") !=
-        std::string::npos);
+  CHECK(f.error(R"({"sample": {"table": {"columns": ["z_0", "R_n"], "rows": [[0.5, 1]]}}})")
+            .find("more than one of R_n, z_0") != std::string::npos);
 }
 
-TEST_CASE("two sets of SI quantities with equal dimensionless groups give equal bits: the model has no scale") {
+TEST_CASE(
+    "two sets of SI quantities with equal dimensionless groups give equal bits: the model has no scale") {
   // The second row is the first in other units of length (2), mass (4) and speed (8); these powers of two are
   // exact, and so are the groups. The third row has a greater shaft: the comparison can fail.
   Folder f;
@@ -306,9 +320,9 @@ TEST_CASE("two sets of SI quantities with equal dimensionless groups give equal 
   constexpr double length = 2, mass = 4, speed = 8, energy = mass * speed * speed,
                    stress = energy / (length * length * length);
   const std::vector<std::pair<std::string, std::pair<double, double>>> first_and_unit = {
-      {"m_kg", {1e-4, mass}},    {"r0_m", {0.017, length}},    {"R_m", {1.08e-3, length}},
-      {"R_c_m", {1e-3, length}}, {"V0_m_per_s", {10, speed}},  {"V_s_m_per_s", {0.1, speed}},
-      {"E_Pa", {1e8, stress}},   {"tau_f_Pa", {1e7, stress}},  {"beta_J", {0.01, energy}},
+      {"m_kg", {1e-4, mass}},           {"r0_m", {0.017, length}},   {"R_m", {1.08e-3, length}},
+      {"R_c_m", {1e-3, length}},        {"V0_m_per_s", {10, speed}}, {"V_s_m_per_s", {0.1, speed}},
+      {"E_Pa", {1e8, stress}},          {"tau_f_Pa", {1e7, stress}}, {"beta_J", {0.01, energy}},
       {"R_n_N", {0.6, energy / length}}};
   nlohmann::json columns, rows = {{}, {}, {}};
   for (const auto& [name, value] : first_and_unit) {
@@ -317,14 +331,15 @@ TEST_CASE("two sets of SI quantities with equal dimensionless groups give equal 
     rows[1].push_back(value.first * value.second);
     rows[2].push_back(name == "R_m" ? 1.1e-3 : value.first);
   }
-  const nlohmann::json changes = {
-      {"extends", "ski.json"},
-      {"name", "e"},
-      {"tiers", nullptr},
-      {"model", {{"contact", "wall"}}},
-      {"orientation", {{"sampling", "list"}, {"theta_0_deg", {20, 80, 150}}}},
-      {"sweep",
-       {{"V0_m_per_s", nullptr}, {"R_n_N", nullptr}, {"sample", {{"table", {{"columns", columns}, {"rows", rows}}}}}}}};
+  const nlohmann::json changes = {{"extends", "ski.json"},
+                                  {"name", "e"},
+                                  {"tiers", nullptr},
+                                  {"model", {{"contact", "wall"}}},
+                                  {"orientation", {{"sampling", "list"}, {"theta_0_deg", {20, 80, 150}}}},
+                                  {"sweep",
+                                   {{"V0_m_per_s", nullptr},
+                                    {"R_n_N", nullptr},
+                                    {"sample", {{"table", {{"columns", columns}, {"rows", rows}}}}}}}};
   run_experiment(load_experiment(f.s.write("e.json", changes.dump()), {}),
                  {.output = f.s.path("e.h5"), .threads = 2, .quiet = true});
   const ResultReader result(f.s.path("e.h5"));
@@ -333,7 +348,8 @@ TEST_CASE("two sets of SI quantities with equal dimensionless groups give equal 
     REQUIRE(v.size() == 6);
     return std::array<std::vector<double>, 3>{{{v[0], v[3]}, {v[1], v[4]}, {v[2], v[5]}}};
   };
-  for (const char* name : {"R_x_norm", "R_x_norm_err", "z_0", "gamma_1", "gamma_2", "gamma_3", "N_c_ratio", "passages"}) {
+  for (const char* name :
+       {"R_x_norm", "R_x_norm_err", "z_0", "gamma_1", "gamma_2", "gamma_3", "N_c_ratio", "passages"}) {
     INFO(name);
     const auto [small, large, other] = rows_of(name);
     for (const double value : small) CHECK(std::isfinite(value));
@@ -386,7 +402,8 @@ TEST_CASE("Sobol indices and quantiles are stored with the result of a sample") 
   CHECK(columns[1].cell(2) == "R_n");
   CHECK(columns[2].cell(1) == "zeta_phi");
   // Another analysis of the same points computes no point again.
-  const Experiment more = f.load(e.document->at("sweep").dump(), R"(, "analysis": {"sobol_indices": ["R_x"]})");
+  const Experiment more =
+      f.load(e.document->at("sweep").dump(), R"(, "analysis": {"sobol_indices": ["R_x"]})");
   for (std::size_t i = 0; i < e.points(); ++i) CHECK(canonical_point(more, i) == canonical_point(e, i));
 }
 
@@ -427,9 +444,9 @@ TEST_CASE("indices and quantiles count the points that they use, and the ambiguo
 TEST_CASE("an index of too few points is missing, and the text says what to do") {
   const Folder f;
   // The load is beyond what many of the bristles carry.
-  const Experiment e =
-      f.load(R"({"sample": {"sobol": 16, "seed": 1, "over": {"R_n": {"uniform": [0.5, 2.5]}, "k_r": {"log": [5, 50]}}}})",
-             R"(, "analysis": {"sobol_indices": ["R_x"], "quantiles": ["R_x"]})");
+  const Experiment e = f.load(
+      R"({"sample": {"sobol": 16, "seed": 1, "over": {"R_n": {"uniform": [0.5, 2.5]}, "k_r": {"log": [5, 50]}}}})",
+      R"(, "analysis": {"sobol_indices": ["R_x"], "quantiles": ["R_x"]})");
   run_experiment(e, {.output = f.s.path("e.h5"), .threads = 2, .quiet = true});
   const ResultReader result(f.s.path("e.h5"));
   const std::vector<double>& values = result.variable("R_x").values;
@@ -474,10 +491,13 @@ TEST_CASE("an analysis needs a sample, and variables of the result") {
   };
   CHECK(message(R"({"k_r": {"values": [1, 2]}})", R"({"quantiles": ["R_x"]})") ==
         "e.json: /analysis: needs a sample in the sweep (/sweep/sample)");
-  CHECK(message(R"({"sample": {"table": {"columns": ["k_r"], "rows": [[1]]}}})", R"({"sobol_indices": ["R_x"]})") ==
-        "e.json: /analysis/sobol_indices: needs a sample by sobol, of which the program makes the design for indices");
+  CHECK(message(R"({"sample": {"table": {"columns": ["k_r"], "rows": [[1]]}}})",
+                R"({"sobol_indices": ["R_x"]})") ==
+        "e.json: /analysis/sobol_indices: needs a sample by sobol, of which the program makes the design for "
+        "indices");
   CHECK(message(sobol(R"("k_r": {"log": [1, 2]})"), R"({"quantiles": ["R_xx"]})")
-            .starts_with("e.json: /analysis/quantiles: \"R_xx\" is not a variable of the result (did you mean R_x?)"));
+            .starts_with(
+                "e.json: /analysis/quantiles: \"R_xx\" is not a variable of the result (did you mean R_x?)"));
 }
 
 }  // namespace bristle::sample_test

@@ -50,9 +50,10 @@ struct ManyPoints {
 
   Experiment of(const std::string& name, const std::string& table) const {
     s.write(name + ".csv", table);
-    return load_experiment(s.write(name + ".json", R"({"extends": "paper.json", "name": "n", "sweep": {"sample": {"table": ")" +
-                                                       name + R"(.csv"}}})"),
-                           {});
+    return load_experiment(
+        s.write(name + ".json", R"({"extends": "paper.json", "name": "n", "sweep": {"sample": {"table": ")" +
+                                    name + R"(.csv"}}})"),
+        {});
   }
 
   Scratch s;
@@ -79,31 +80,33 @@ void require_proportional(const std::function<void(const ManyPoints&)>& task) {
 
 TEST_CASE("the work on a finished result is proportional to its points") {
   SECTION("commands of all points")
-    require_proportional([](const ManyPoints& m) { ReplayCommands(ResultReader(m.a)).of_all_points(); });
+  require_proportional([](const ManyPoints& m) { ReplayCommands(ResultReader(m.a)).of_all_points(); });
   SECTION("the experiment in it")
-    require_proportional([](const ManyPoints& m) { experiment::stored_experiment(ResultReader(m.a).experiment(), "full", m.a); });
+  require_proportional([](const ManyPoints& m) {
+    experiment::stored_experiment(ResultReader(m.a).experiment(), "full", m.a);
+  });
   SECTION("its checks") require_proportional([](const ManyPoints& m) { evaluate_checks(ResultReader(m.a)); });
   SECTION("its table")
-    require_proportional([](const ManyPoints& m) {
-      const ResultReader result(m.a);
-      csv_text(result, csv_columns(result, ""));
-    });
+  require_proportional([](const ManyPoints& m) {
+    const ResultReader result(m.a);
+    csv_text(result, csv_columns(result, ""));
+  });
   SECTION("comparing it with a result of the same rows in another order")
-    require_proportional([](const ManyPoints& m) {
-      CHECK(diff_results(ResultReader(m.a), ResultReader(m.b), {}).failures.empty());
-    });
+  require_proportional([](const ManyPoints& m) {
+    CHECK(diff_results(ResultReader(m.a), ResultReader(m.b), {}).failures.empty());
+  });
   SECTION("its reference")
-    require_proportional([](const ManyPoints& m) {
-      const ResultReader result(m.a);
-      const Json reference = make_reference(result, {});
-      CHECK(compare_with_reference(result, {}, reference, "the reference").agree());
-    });
+  require_proportional([](const ManyPoints& m) {
+    const ResultReader result(m.a);
+    const Json reference = make_reference(result, {});
+    CHECK(compare_with_reference(result, {}, reference, "the reference").agree());
+  });
   SECTION("the points of its journal")
-    require_proportional([](const ManyPoints& m) {
-      const Journal journal(m.s.path("a.h5.journal"), kCommit, false);
-      const KeyedPoints points(*m.experiment, shard_points({}, m.experiment->points()));
-      CHECK(points.missing_in(journal).empty());
-    });
+  require_proportional([](const ManyPoints& m) {
+    const Journal journal(m.s.path("a.h5.journal"), kCommit, false);
+    const KeyedPoints points(*m.experiment, shard_points({}, m.experiment->points()));
+    CHECK(points.missing_in(journal).empty());
+  });
 }
 
 }  // namespace bristle::scaling_test

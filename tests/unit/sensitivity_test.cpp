@@ -10,7 +10,8 @@ namespace {
 
 using Function = std::function<double(const std::vector<double>&)>;
 
-std::vector<double> values_of(const Function& f, std::size_t blocks, std::size_t inputs, std::uint64_t seed = 1) {
+std::vector<double> values_of(const Function& f, std::size_t blocks, std::size_t inputs,
+                              std::uint64_t seed = 1) {
   std::vector<double> values;
   for (const auto& point : saltelli_design(blocks, inputs, seed)) values.push_back(f(point));
   return values;

@@ -107,7 +107,8 @@ TEST_CASE("an SI block warns of values that it replaces, and of a load that is n
   CHECK(stored.warnings.size() == 1);  // of the load; a stored experiment states every value
 }
 
-TEST_CASE("shafts that overlap or are not slender at a point of the sweep are warned of, with the value's place") {
+TEST_CASE(
+    "shafts that overlap or are not slender at a point of the sweep are warned of, with the value's place") {
   Scratch s;
   for (const char* file : {"ski.json", "paper.json"})
     std::filesystem::copy_file(kExperiments + std::string("/") + file, s.path(file));
@@ -115,22 +116,25 @@ TEST_CASE("shafts that overlap or are not slender at a point of the sweep are wa
     return load_experiment(s.path("ski.json"), {set, "full"}).warnings;
   };
   const std::string thick =
-      "r_0 is thick; the formulas of a slender rod (stiffnesses, strain at the root) are accurate up to 0.1 r_0";
+      "r_0 is thick; the formulas of a slender rod (stiffnesses, strain at the root) are accurate up to 0.1 "
+      "r_0";
   CHECK(warnings({"/si/R_m=0.0017", "/si/spacing_m=0.0034"}).empty());  // shafts that touch, of radius r_0/10
   CHECK(warnings({"/si/spacing_m=0.0017"}) ==
-        std::vector<std::string>{
-            "--set /si/spacing_m=0.0017: /si/spacing_m: 0.1 r_0 is less than the diameter of the shafts, 0.1271 r_0"});
+        std::vector<std::string>{"--set /si/spacing_m=0.0017: /si/spacing_m: 0.1 r_0 is less than the "
+                                 "diameter of the shafts, 0.1271 r_0"});
   CHECK(warnings({"/model/R=0.01", "/si/R_m=null", "/si/E_Pa=null", "/si/nu=null", "/si/k_r_over_k_phi=null",
                   "/model/spacing=0.019"}) ==
-        std::vector<std::string>{
-            "--set /model/spacing=0.019: /model/spacing: 0.019 r_0 is less than the diameter of the shafts, 0.02 r_0"});
+        std::vector<std::string>{"--set /model/spacing=0.019: /model/spacing: 0.019 r_0 is less than the "
+                                 "diameter of the shafts, 0.02 r_0"});
   // The second radius is too large for the spacing, the third is not slender either.
   const std::string sweep = R"(/sweep/R_m={"values":[0.001,0.00171,0.00204]})";
   CHECK(warnings({sweep}) ==
         std::vector<std::string>{
-            s.path("paper.json") + ": /model/spacing: 0.2 r_0 is less than the diameter of the shafts, 0.2012 r_0",
+            s.path("paper.json") +
+                ": /model/spacing: 0.2 r_0 is less than the diameter of the shafts, 0.2012 r_0",
             "--set " + sweep + ": /sweep/R_m: 0.1006 " + thick});
-  const std::string sample = R"(/sweep/sample={"sobol":2,"seed":1,"over":{"R_m":{"values":[0.0016,0.00171]}}})";
+  const std::string sample =
+      R"(/sweep/sample={"sobol":2,"seed":1,"over":{"R_m":{"values":[0.0016,0.00171]}}})";
   CHECK(warnings({sample, "/si/spacing_m=0.01"}) ==
         std::vector<std::string>{"--set " + sample + ": /sweep/sample/over/R_m: 0.1006 " + thick});
 }

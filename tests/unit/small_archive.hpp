@@ -22,10 +22,11 @@ struct Release {
     const std::string root = std::string(BRISTLE_EXPERIMENTS) + "/../";
     for (const char* name : {"LICENSE", "LICENSE-DATA", "experiments/paper.json"})
       s.write(name, bytes_of(root + name));
-    s.write("CITATION.cff", boost::replace_all_copy(bytes_of(root + "CITATION.cff"), "  - name: The bristle developers",
-                                        "  - family-names: Somebody\n    given-names: Somebody\n"
-                                        "    affiliation: Somebody\n    orcid: "
-                                        "https://orcid.org/0000-0001-2345-6789"));
+    s.write("CITATION.cff",
+            boost::replace_all_copy(bytes_of(root + "CITATION.cff"), "  - name: The bristle developers",
+                                    "  - family-names: Somebody\n    given-names: Somebody\n"
+                                    "    affiliation: Somebody\n    orcid: "
+                                    "https://orcid.org/0000-0001-2345-6789"));
     s.write("experiments/small.json",
             R"({"extends": "paper.json", "name": "small", "title": "Small", "figure": "9",
       "load": {"R_n": null, "z_0": 0.5}, "orientation": {"sampling": "list", "theta_0_deg": [10, 100]},
@@ -78,13 +79,15 @@ struct Release {
     const auto checks = evaluate_checks(ResultReader(result(name)));
     write_checks(result(name), checks);
     for (const char* ending : {".pdf", ".png"})
-      s.write("figures/" + name + ending, ending + (" payload_sha256 " + ResultReader(result(name)).text("payload_sha256")));
+      s.write("figures/" + name + ending,
+              ending + (" payload_sha256 " + ResultReader(result(name)).text("payload_sha256")));
   }
   // Writes a report on the results and the matrix, as far as an archive looks at it.
   void write_report(const std::vector<std::string>& names) const {
     std::string page = "<html>";
     for (const std::string& name : names) page += ResultReader(result(name)).text("payload_sha256") + "\n";
-    page += json_object("the matrix", bytes_of(s.path("results/assumptions.json")))["payload_sha256"].get<std::string>();
+    page += json_object("the matrix", bytes_of(s.path("results/assumptions.json")))["payload_sha256"]
+                .get<std::string>();
     s.write("report/index.html", page);
   }
   std::string result(const std::string& name = "small") const { return s.path("results/" + name + ".h5"); }

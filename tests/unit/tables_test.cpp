@@ -98,21 +98,16 @@ TEST_CASE("a point's canonical text, of which journals store the digest, holds w
                }),
                has("distribution", word));
   for (const std::string word : words<Sampling>())
-    CHECK_THAT(text_after([&](Experiment& e) {
-                 e.base.setup.orientation.sampling = from_word<Sampling>(word);
-               }),
-               has("sampling", word));
-  for (const std::string word : words<LoadPath>())
     CHECK_THAT(
-        text_after([&](Experiment& e) { e.base.loading.path = from_word<LoadPath>(word); }),
-        has("path", word));
+        text_after([&](Experiment& e) { e.base.setup.orientation.sampling = from_word<Sampling>(word); }),
+        has("sampling", word));
+  for (const std::string word : words<LoadPath>())
+    CHECK_THAT(text_after([&](Experiment& e) { e.base.loading.path = from_word<LoadPath>(word); }),
+               has("path", word));
   for (const std::string word : words<Engine>())
-    CHECK_THAT(text_after([&](Experiment& e) { e.engine = from_word<Engine>(word); }),
-               has("engine", word));
+    CHECK_THAT(text_after([&](Experiment& e) { e.engine = from_word<Engine>(word); }), has("engine", word));
   for (const std::string word : words<Method>())
-    CHECK_THAT(text_after([&](Experiment& e) {
-                 e.base.setup.integrator.method = from_word<Method>(word);
-               }),
+    CHECK_THAT(text_after([&](Experiment& e) { e.base.setup.integrator.method = from_word<Method>(word); }),
                has("method", word));
   // Whatever the order of the enumerations, these words belong to these values.
   CHECK_THAT(text_after([](Experiment& e) { e.base.setup.parameters.friction = FrictionLaw::coulomb; }),

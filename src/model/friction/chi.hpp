@@ -21,9 +21,7 @@ T chi(const T& u, const P& A, const P& B, const P& C) {
 
 // Base of the paper's two laws, which are modulated by chi. Constants: A, B, C.
 struct ModulatedByChi {
-  static FrictionConstants<double> constants(const Parameters& p) {
-    return {{p.A, chi_B(p.A), p.C}};
-  }
+  static FrictionConstants<double> constants(const Parameters& p) { return {{p.A, chi_B(p.A), p.C}}; }
   static double V_scale(const Parameters& p) { return p.V_s; }
   template <class T, class P>
   static T modulation(const T& u, const FrictionConstants<P>& c) {

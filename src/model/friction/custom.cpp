@@ -62,8 +62,8 @@ struct Knot {
   double q, slope;
 };
 
-// The law over t = V_R/(V_R + V_scale). V_scale is such that the last speed, beyond which mu is constant, is at
-// t_end = 1 - 2^-k: mu may have a corner there, which is then between two intervals of every table.
+// The law over t = V_R/(V_R + V_scale). V_scale is such that the last speed, beyond which mu is constant, is
+// at t_end = 1 - 2^-k: mu may have a corner there, which is then between two intervals of every table.
 struct Law {
   Interpolant mu;
   double V_end, V_scale, t_end;
@@ -127,11 +127,13 @@ FrictionValues sampled(const std::function<double(double)>& mu, double V_end) {
   const auto checked = [&](double V_R) {
     const double value = mu(V_R);
     if (V_R == 0 && value != 0)
-      throw std::invalid_argument(fmt::format("is {} at V_R = 0; a bristle at rest on the slab has no friction, so mu must "
-                                              "rise from 0, as with a factor tanh(V_R/0.001)", value));
+      throw std::invalid_argument(
+          fmt::format("is {} at V_R = 0; a bristle at rest on the slab has no friction, so mu must "
+                      "rise from 0, as with a factor tanh(V_R/0.001)",
+                      value));
     if (V_R > 0 && !(value > 0 && std::isfinite(value)))
-      throw std::invalid_argument(fmt::format("is {} at V_R = {:.6g}; mu must be positive and finite up to V_R = {:g}",
-                                              value, V_R, V_end));
+      throw std::invalid_argument(fmt::format(
+          "is {} at V_R = {:.6g}; mu must be positive and finite up to V_R = {:g}", value, V_R, V_end));
     return value;
   };
   for (int intervals = kFewestIntervals; intervals <= kMostIntervals; intervals *= 2) {
@@ -149,7 +151,8 @@ FrictionValues sampled(const std::function<double(double)>& mu, double V_end) {
     }
     if (worst <= kSamplingError * std::ranges::max(law.mu)) return law;
   }
-  throw std::invalid_argument(fmt::format("changes too steeply with V_R: {} values do not describe it", kMostIntervals));
+  throw std::invalid_argument(
+      fmt::format("changes too steeply with V_R: {} values do not describe it", kMostIntervals));
 }
 
 std::shared_ptr<const ModulationTable> modulation_table(const FrictionValues& values) {
@@ -165,8 +168,9 @@ std::shared_ptr<const ModulationTable> modulation_table(const FrictionValues& va
       worst = std::max(worst, std::abs(table->at(values.V_R[i] / law.V_scale) - values.mu[i]));
     if (worst <= allowed) return table;
   }
-  throw std::invalid_argument("changes too steeply with V_R; take a narrower range of speeds, and in a table fewer values "
-                              "where speeds are close to each other");
+  throw std::invalid_argument(
+      "changes too steeply with V_R; take a narrower range of speeds, and in a table fewer values "
+      "where speeds are close to each other");
 }
 
 }  // namespace bristle

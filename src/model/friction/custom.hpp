@@ -19,7 +19,9 @@ struct Custom {
   static constexpr double load_exponent = 1;
   static constexpr double Parameters::*strength = &Parameters::mu_c;
   static FrictionConstants<double> constants(const Parameters& p) { return {{}, p.custom_friction.table}; }
-  static double V_scale(const Parameters& p) { return p.custom_friction.table->V_scale() / p.custom_friction.V_0; }
+  static double V_scale(const Parameters& p) {
+    return p.custom_friction.table->V_scale() / p.custom_friction.V_0;
+  }
   template <class T, class P>
   static T modulation(const T& u, const FrictionConstants<P>& c) {
     return interpolated(*c.table, u);
@@ -30,7 +32,9 @@ struct Custom {
     return contact.F_n;
   }
   // At the sliding speed V_0.
-  static double rigid(const Parameters& p, double R_n) { return factor(p) * p.custom_friction.table->at(1 / V_scale(p)) * R_n; }
+  static double rigid(const Parameters& p, double R_n) {
+    return factor(p) * p.custom_friction.table->at(1 / V_scale(p)) * R_n;
+  }
 };
 
 // Values of a law over ascending speeds, from mu = 0 at V_R = 0; positive and constant beyond the last one.
@@ -45,9 +49,9 @@ struct FrictionValues {
 // steep.
 FrictionValues sampled(const std::function<double(double)>& mu, double V_end);
 
-// The table that both engines evaluate. Its slope is continuous but at the last speed; it rounds the corners of linear
-// interpolation, and differs from it by at most 1e-4 of the largest mu. Throws std::invalid_argument if that
-// takes too many intervals.
+// The table that both engines evaluate. Its slope is continuous but at the last speed; it rounds the corners
+// of linear interpolation, and differs from it by at most 1e-4 of the largest mu. Throws
+// std::invalid_argument if that takes too many intervals.
 std::shared_ptr<const ModulationTable> modulation_table(const FrictionValues& values);
 
 }  // namespace bristle

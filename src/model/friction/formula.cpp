@@ -24,8 +24,14 @@ double hyperbolic_tangent(double x) {
 
 const std::map<std::string, double (*)(double)>& functions() {
   static const std::map<std::string, double (*)(double)> table = {
-      {"abs", [](double x) { return std::abs(x); }}, {"atan", atan}, {"cos", cos}, {"exp", exp}, {"log", log},
-      {"sin", sin}, {"sqrt", [](double x) { return std::sqrt(x); }}, {"tanh", hyperbolic_tangent}};
+      {"abs", [](double x) { return std::abs(x); }},
+      {"atan", atan},
+      {"cos", cos},
+      {"exp", exp},
+      {"log", log},
+      {"sin", sin},
+      {"sqrt", [](double x) { return std::sqrt(x); }},
+      {"tanh", hyperbolic_tangent}};
   return table;
 }
 
@@ -85,7 +91,8 @@ class Parser {
     at_ = start;
     std::vector<std::string> names;
     for (const auto& [known, function] : functions()) names.push_back(known + "(...)");
-    fail(fmt::format("a number, {}, pi, a parenthesis or one of {} is expected", variable_, fmt::join(names, ", ")));
+    fail(fmt::format("a number, {}, pi, a parenthesis or one of {} is expected", variable_,
+                     fmt::join(names, ", ")));
   }
   Function in_parentheses() {
     Function inner = sum();

@@ -44,7 +44,8 @@ inline Words words<FrictionLaw>() {
 
 // The modulation of the law of p at the sliding speed V_R, dimensionless.
 inline double modulation(const Parameters& p, double V_R) {
-  return with_law(p.friction, [&](auto law) { return law.modulation(V_R / law.V_scale(p), law.constants(p)); });
+  return with_law(p.friction,
+                  [&](auto law) { return law.modulation(V_R / law.V_scale(p), law.constants(p)); });
 }
 
 }  // namespace bristle
