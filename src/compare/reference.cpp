@@ -23,8 +23,8 @@ namespace {
 
 using results::DatasetKind;
 
-// The relative error of a mean due to the integrator is below 6 rtol (docs/numerics.md, gamma_2 at 1e-5). The
-// larger factor allows for points that are harder than the three measured there.
+// The tolerance allows for an integrator's error of this many rtol. The estimated errors of means include the
+// integrator's (docs/accuracy.md has up to 60 rtol); the allowance is for the variables without an estimate.
 constexpr double kIntegrator = 10;
 
 // Dimensions of the points: those of the variable status, including nodes; those of the sweep if a damaged

@@ -8,7 +8,7 @@
 namespace bristle {
 
 template <class T>
-struct State;  // model/equations.hpp
+struct State;  // model/bristle.hpp
 
 // Position of a tip in the vertical plane theta = theta_0. r dimensionless, phi in rad.
 struct Equilibrium {

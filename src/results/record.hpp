@@ -14,7 +14,7 @@
 namespace bristle::results {
 
 // The numbers of one sweep point in the form of a result file. Runs compute records, journals store them, and
-// merging and verifying read them. Every NaN has the same bits.
+// `verify --rerun` reads them from results. Every NaN has the same bits.
 struct PointRecord {
   std::map<std::string, std::vector<double>> values;  // by dataset: one number, or one per node of a curve
   std::map<std::string, Rows> tables;                 // by table: its columns except the first, "point"
@@ -44,7 +44,7 @@ PointRecord record_of(const PointLayout& layout, const std::vector<CurveNode>& c
 // A point that an error ended: status failed, no values, a curve with one node.
 PointRecord failed_record(const PointLayout& layout, const std::string& error);
 
-// Reads a point from a result file of this experiment or from a part. Throws RunError if it cannot be read.
+// Reads a point from a result file of this experiment. Throws RunError if it cannot be read.
 PointRecord read_record(hid_t file, const Experiment& experiment, std::size_t index);
 
 // Name of the attribute of the group kFailures that has the error of a point.

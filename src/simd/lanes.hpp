@@ -66,7 +66,6 @@ class Lanes {
   Lanes& operator-=(const Other& o) {
     return *this = *this - o;
   }
-  Lanes& operator*=(Lanes o);
 
   hn::Vec<D> v;
 };
@@ -78,7 +77,6 @@ struct Lanes::Product {
 inline Lanes::Lanes(const Product& p) : v(hn::Mul(p.a.v, p.b.v)) {}
 
 inline Lanes::Product operator*(Lanes a, Lanes b) { return {a, b}; }
-inline Lanes& Lanes::operator*=(Lanes o) { return *this = *this * o; }
 
 inline Lanes operator+(const Lanes::Product& p, Lanes c) { return hn::MulAdd(p.a.v, p.b.v, c.v); }
 inline Lanes operator-(const Lanes::Product& p, Lanes c) { return hn::MulSub(p.a.v, p.b.v, c.v); }
