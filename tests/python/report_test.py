@@ -111,7 +111,7 @@ def check_table(driver, keys):
     assert one(driver, header).get_attribute("aria-sort") == "descending"
     assert driver.execute_script(values) == found[::-1]
     words = one(driver, "[data-table=points] input[type=search]")
-    words.send_keys("ok exact")
+    words.send_keys("ok corrected")
     left = texts(driver, "#points tbody tr td:nth-child(2)")
     assert 0 < len(left) < len(everything)
     assert f"{len(left)} of {len(everything)}" in one(driver, "[data-table=points] .shown").text
