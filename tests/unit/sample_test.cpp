@@ -214,6 +214,23 @@ TEST_CASE("tables of other programs: line ends, and an index without a name") {
   }
 }
 
+TEST_CASE("rows of a table and values of a distribution that have another type are explained") {
+  const Folder f;
+  const auto table = [&](const std::string& rows) {
+    return f.error(R"({"sample": {"table": {"columns": ["k_r"], "rows": )" + rows + "}}}");
+  };
+  CHECK_THAT(table("[[1], true]"),
+             Catch::Contains("/sweep/sample/table/rows/1: true is not allowed; allowed: an "
+                             "array, each a number or a string"));
+  CHECK_THAT(table("[[1], [null]]"),
+             Catch::Contains("/sweep/sample/table/rows/1/0: null is not allowed; allowed: "
+                             "a number or a string"));
+  CHECK_THAT(table("7"),
+             Catch::Contains("/sweep/sample/table/rows: 7 is not allowed; allowed: an array of at "
+                             "least 1, each an array, each a number or a string"));
+  CHECK_THAT(f.error(sobol(R"("k_r": {"values": true})")), Catch::Contains("allowed: an array"));
+}
+
 TEST_CASE("numbers at the edge of double: no text of a library") {
   const Folder f;
   const auto table = [&](const std::string& number) {
