@@ -18,7 +18,7 @@ BEST = 15  # sets in the table
 
 
 def short(name):
-    for text, instead in (("40 random azimuths", "40 random"), ("18 azimuths", "18 fixed"), ("phi_0 = ", "")):
+    for text, instead in (("40 random azimuths", "40 random"), ("18 azimuths", "18 fixed"), ("phi_0 = ", ""), (" deg", "\u00b0")):
         name = name.replace(text, instead)
     return name
 
