@@ -22,7 +22,7 @@ enum class Unpinned {
   mean           // the mean over them
 };
 
-// Standard deviation of F_n over the time of a passage, over its mean.
+// Standard deviation of F_n over the time of a passage, over its mean; 0 for a passage without load.
 double load_spread(const Passage& passage);
 // The angle (rad) with this 1 - cos.
 double angle_of_versed(double versed);

@@ -111,6 +111,8 @@ TEST_CASE("the spread of a constant load is 0, that of one at half of the time 1
   CHECK(load_spread(passage) == 0);
   passage.path[SQUARED_LOAD] = 36;
   CHECK(load_spread(passage) == 1);
+  passage.end[NORMAL] = passage.path[SQUARED_LOAD] = 0;  // as of a bristle that only grazes the slab
+  CHECK(load_spread(passage) == 0);
 }
 
 TEST_CASE("the strain at the root is that of a cantilever's end load") {
