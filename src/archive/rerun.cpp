@@ -3,7 +3,7 @@
 #include "archive/result_facts.hpp"
 #include "results/record.hpp"
 #include "results/version.hpp"
-#include "run/sweep.hpp"
+#include "run/scheduler.hpp"
 #include "util/error.hpp"
 #include "util/process.hpp"
 #include "util/random.hpp"
@@ -39,16 +39,16 @@ constexpr Limits kPointLimits{3600, std::size_t(8) << 30};
 Json compare_point(const std::string& bytes, const std::string& name, std::size_t index) {
   const results::ResultReader result("the file", bytes);
   const Experiment experiment = experiment::stored_experiment(result.experiment(), result.text("tier"), name);
-  if (index >= experiment.points())
+  if (index >= experiment.sweep.size())
     throw MalformedError(fmt::format("its experiment has {} points, but its datasets have at least {}",
-                                     experiment.points(), index + 1));
+                                     experiment.sweep.size(), index + 1));
   results::PointRecord computed;
   run::run_sweep(
-      experiment, {index}, 1, [&](run::PointReport&& report) { computed = std::move(report.record); },
+      experiment.sweep, {index}, 1, [&](run::PointReport&& report) { computed = std::move(report.record); },
       [] { return false; });
-  return {
-      {"place", experiment.place(index)},
-      {"different", results::differences(results::read_record(result.file(), experiment, index), computed)}};
+  return {{"place", experiment.sweep.place(index)},
+          {"different",
+           results::differences(results::read_record(result.file(), experiment.sweep, index), computed)}};
 }
 
 }  // namespace

@@ -83,7 +83,7 @@ void check_names(const Declarations& declared, const std::vector<Experiment>& al
     std::vector<std::string> swept;
     for (const std::string& name : window.experiments) {
       require_experiment(all, name, fmt::format("window {}: /experiments", window.name));
-      for (const auto& axis : std::ranges::find(all, name, &Experiment::name)->axes)
+      for (const auto& axis : std::ranges::find(all, name, &Experiment::name)->sweep.axes)
         swept.push_back(axis.name);
     }
     for (const auto& [axis, range] : window.where)

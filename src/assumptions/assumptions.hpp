@@ -1,7 +1,7 @@
 #pragma once
 
 #include "assumptions/matrix.hpp"
-#include "run/sweep.hpp"
+#include "run/scheduler.hpp"
 
 namespace bristle::assumptions {
 

@@ -81,7 +81,7 @@ std::vector<CheckResult> evaluate_checks(
       experiment::stored_experiment(document, "full", checks_file.empty() ? result.path() : checks_file);
   for (experiment::Check& check : experiment.checks)
     for (const auto& [axis, range] : within)
-      if (experiment.swept(axis) && !selects(check, axis)) check.where.emplace_back(axis, range);
+      if (experiment.sweep.varies(axis) && !selects(check, axis)) check.where.emplace_back(axis, range);
   validate_checks(experiment);
   for (const experiment::Check& check : experiment.checks) {
     CheckResult r{check, measure(result, check), 0, Verdict::undecided, Verdict::undecided};

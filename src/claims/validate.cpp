@@ -18,14 +18,14 @@ class CheckValidator {
  public:
   CheckValidator(const Experiment& experiment, const experiment::Check& check)
       : experiment_(experiment), check_(check) {
-    for (const results::ResultVariable& v : results::result_variables(experiment))
+    for (const results::ResultVariable& v : results::result_variables(experiment.sweep))
       variables_.push_back(v.name);
-    for (const experiment::Axis& axis : experiment.axes) {
+    for (const experiment::Axis& axis : experiment.sweep.axes) {
       axes_.push_back(results::axis_variable(axis.name));
       for (const experiment::Axis& column : axis.columns)
         variables_.push_back(results::axis_variable(column.name));
     }
-    if (experiment.base.loading.trace) axes_.emplace_back("node");
+    if (experiment.sweep.base.loading.trace) axes_.emplace_back("node");
   }
 
   void validate() const {
@@ -37,7 +37,7 @@ class CheckValidator {
     if (!check_.x.empty()) known("x", check_.x, variables_);
     for (const auto& [name, power] : check_.divide_by) known("divide_by/" + name, name, variables_);
     if (check_.at) known("at/" + check_.at->first, check_.at->first, variables_);
-    if (check_.at && !experiment_.base.loading.trace)
+    if (check_.at && !experiment_.sweep.base.loading.trace)
       fail("at", "is allowed for traced curves only (/load/trace)");
     for (const auto& [name, value] : check_.where) selects("where/" + name, name, value);
     for (const auto& [name, values] : check_.compare)
@@ -85,9 +85,9 @@ class CheckValidator {
   void selects(const std::string& key, const std::string& name, const experiment::Selection& value) const {
     const bool range = std::holds_alternative<Range>(value);
     const auto axis =
-        std::find_if(experiment_.axes.begin(), experiment_.axes.end(),
+        std::find_if(experiment_.sweep.axes.begin(), experiment_.sweep.axes.end(),
                      [&](const experiment::Axis& a) { return results::axis_variable(a.name) == name; });
-    if (axis == experiment_.axes.end()) {
+    if (axis == experiment_.sweep.axes.end()) {
       std::vector<std::string> names = variables_;
       names.insert(names.end(), axes_.begin(), axes_.end());
       known(key, name, names);

@@ -61,8 +61,9 @@ void require_one_point(const std::string& path) {
 
 // The experiment of this point alone.
 Experiment only_point(const Experiment& all, std::size_t point) {
-  if (point >= all.points())
-    throw InputError(fmt::format("--point {}: {} has the points 0 to {}", point, all.path, all.points() - 1));
+  if (point >= all.sweep.size())
+    throw InputError(
+        fmt::format("--point {}: {} has the points 0 to {}", point, all.path, all.sweep.size() - 1));
   return experiment::stored_experiment(experiment::document_of_point(all, point), all.tier, all.path);
 }
 
@@ -171,10 +172,10 @@ void print_warnings(const Experiment& e) {
 
 // The first and the last point of an experiment in SI units, in dimensionless form.
 void print_conversion(const Experiment& e) {
-  const std::size_t last = e.points() - 1;
+  const std::size_t last = e.sweep.size() - 1;
   for (const std::size_t index : last > 0 ? std::vector<std::size_t>{0, last} : std::vector<std::size_t>{0})
-    fmt::print("dimensionless at {}: {}\n", e.place(index),
-               fmt::join(experiment::values_from_si(e.point(index)), ", "));
+    fmt::print("dimensionless at {}: {}\n", e.sweep.place(index),
+               fmt::join(experiment::values_from_si(e.sweep.point(index)), ", "));
 }
 
 }  // namespace
@@ -199,16 +200,17 @@ int run_command(const ExperimentOptions& input, const run::RunOptions& options,
 int validate_command(const ExperimentOptions& options) {
   const Experiment e = load_checked(options);
   std::string sweep;
-  for (const experiment::Axis& axis : e.axes)
+  for (const experiment::Axis& axis : e.sweep.axes)
     sweep += fmt::format("{}{} ({})", sweep.empty() ? "" : " x ", axis.name, range_text(axis));
   const std::size_t checks = e.checks.empty() ? 0 : e.checks.back().number + 1;
   fmt::print("{}: valid. {}: {} point{}{}{}, {} check{}\n",
-             options.file == "-" ? "standard input" : options.file, e.name, e.points(),
-             e.points() == 1 ? "" : "s", sweep.empty() ? "" : ", ", sweep, checks, checks == 1 ? "" : "s");
+             options.file == "-" ? "standard input" : options.file, e.name, e.sweep.size(),
+             e.sweep.size() == 1 ? "" : "s", sweep.empty() ? "" : ", ", sweep, checks,
+             checks == 1 ? "" : "s");
   print_warnings(e);
-  if (e.base.si.empty()) return kSuccess;
+  if (e.sweep.base.si.empty()) return kSuccess;
   print_conversion(e);
-  if (const auto kept = experiment::values_not_in_si(e.point(0)); !kept.empty())
+  if (const auto kept = experiment::values_not_in_si(e.sweep.point(0)); !kept.empty())
     fmt::print("not given in the si block, so dimensionless and the same for any material: {}\n",
                fmt::join(kept, ", "));
   return kSuccess;

@@ -34,9 +34,10 @@ void require_variables(const Experiment& e) {
 
 // The experiment with the rows as its sample, as it is stored in the result.
 Experiment with_table(const Experiment& e, const Trials& trials, const std::vector<Values>& rows) {
-  const Experiment sampled = trials.with_rows(rows);
   Json table = {{"columns", Json::array()}, {"rows", Json::array()}};
-  for (const experiment::Axis& column : sampled.axes.front().columns) table["columns"].push_back(column.name);
+  const Sweep sampled = trials.with_rows(rows);
+  for (const experiment::Axis& column : sampled.axes[sampled.axis_number(experiment::kSample)].columns)
+    table["columns"].push_back(column.name);
   for (const Values& row : rows) {
     table["rows"].push_back(Json::array());
     for (const Json& name : table["columns"]) table["rows"].back().push_back(row.at(name));
@@ -86,7 +87,7 @@ class Search {
 
   // Returns the text that says what was found, and whether a trial meets the constraints.
   std::pair<std::string, bool> run(std::map<std::string, std::string> entries) {
-    const std::size_t scenarios = experiment_.points() / experiment_.axes.front().values.size();
+    const std::size_t scenarios = experiment_.sweep.without(experiment::kSample).size();
     progress_.emplace(experiment_.name, design_.budget * trials_.rows_of_a_trial() * scenarios,
                       options_.quiet);
     Findings found = search();
@@ -96,11 +97,11 @@ class Search {
     std::vector<Values> nominal;
     for (const Trial& trial : found.trials) nominal.push_back(trial.nominal);
     const Experiment all = with_table(experiment_, trials_, trials_.rows(nominal));
-    const std::vector<std::size_t> points = run::shard_points({}, all.points());
+    const std::vector<std::size_t> points = run::shard_points({}, all.sweep.size());
     const std::string text = text_of(experiment_, found);
     entries[kFound] = text;
     const run::Summary summary =
-        run::write_result(all, options_.output, run::KeyedPoints(all, points), {},
+        run::write_result(all, options_.output, run::KeyedPoints(all.sweep, points), {},
                           groups_of(experiment_, trials_, found), journal_, entries, *progress_);
     if (!options_.quiet) fmt::print("{}: points: {}\n", options_.output, summary.text());
     return {text, !found.chosen.empty()};
@@ -110,9 +111,9 @@ class Search {
   // Only the points of the search's trials are counted in the progress: how many others there will be is not
   // known.
   Solve solver() {
-    return [this](const Experiment& e, const std::vector<std::size_t>& points, Purpose purpose) {
+    return [this](const Sweep& sweep, const std::vector<std::size_t>& points, Purpose purpose) {
       const bool counted = searching_ && purpose == Purpose::trials;
-      return run::solve_points(e, points, options_, journal_, counted ? *progress_ : silent_);
+      return run::solve_points(sweep, points, options_, journal_, counted ? *progress_ : silent_);
     };
   }
 
@@ -217,7 +218,7 @@ class Search {
   const run::RunOptions& options_;
   results::Journal journal_;
   std::optional<run::Progress> progress_;
-  run::Progress silent_{"", 0, true};
+  run::Progress silent_{experiment_.name, 0, true};
   bool searching_ = true;
   std::set<std::size_t> located_;  // trials whose jump margins are located
   Trials trials_;

@@ -55,7 +55,7 @@ Column column_of(const std::string& quantity) {
 // nominal values, whatever counts over the tolerances.
 template <class Of>
 void add_objectives(Table& table, const Experiment& e, const Of& of, bool nominal = false) {
-  const std::vector<results::ResultVariable> variables = results::result_variables(e);
+  const std::vector<results::ResultVariable> variables = results::result_variables(e.sweep);
   for (std::size_t o = 0; o < e.design->objectives.size(); ++o) {
     experiment::Objective objective = e.design->objectives[o];
     if (nominal) objective.of = Statistic::nominal;
@@ -169,8 +169,7 @@ std::string estimate_text(const Estimate& e) {
 }
 
 std::string place_of(const Experiment& e, std::size_t scenario) {
-  Experiment scenarios = e;
-  scenarios.axes.erase(scenarios.axes.begin());
+  const Sweep scenarios = e.sweep.without(experiment::kSample);
   return scenarios.axes.empty() ? "" : " at " + scenarios.place(scenario);
 }
 

@@ -45,12 +45,10 @@ Trials::Trials(const Experiment& experiment, Solve solve)
     deviations_ = sobol_points(design_.tolerance_samples, design_.tolerances.size(), design_.seed);
 }
 
-std::size_t Trials::scenarios() const {
-  return experiment_.points() / experiment_.axes.front().values.size();
-}
+std::size_t Trials::scenarios() const { return experiment_.sweep.without(experiment::kSample).size(); }
 
-std::vector<results::PointRecord> Trials::solve_all(const Experiment& experiment, Purpose purpose) const {
-  return solve_(experiment, run::shard_points({}, experiment.points()), purpose);
+std::vector<results::PointRecord> Trials::solve_all(const Sweep& sweep, Purpose purpose) const {
+  return solve_(sweep, run::shard_points({}, sweep.size()), purpose);
 }
 
 Values Trials::at(const Point& point) const {
@@ -98,20 +96,20 @@ std::vector<Values> Trials::rows(const std::vector<Values>& nominal) const {
   return out;
 }
 
-Experiment Trials::with_rows(const std::vector<Values>& rows) const {
-  Experiment out = experiment_;
-  Axis& sample = out.axes.front();
+Sweep Trials::with_rows(const std::vector<Values>& rows) const {
+  const Sweep& sweep = experiment_.sweep;
+  Axis sample = sweep.axes[sweep.axis_number(experiment::kSample)];
   sample.values.resize(rows.size());
   std::iota(sample.values.begin(), sample.values.end(), 0.0);
   for (Axis& column : sample.columns) {
     column.values.clear();
     for (const Values& row : rows) column.values.push_back(row.at(column.name));
   }
-  return out;
+  return sweep.with(sample);
 }
 
 std::vector<Trial> Trials::evaluate(const std::vector<Values>& nominal) const {
-  const Experiment batch = with_rows(rows(nominal));
+  const Sweep batch = with_rows(rows(nominal));
   const std::vector<results::PointRecord> records = solve_all(batch, Purpose::trials);
   std::vector<Trial> out;
   for (std::size_t i = 0; i < nominal.size(); ++i)
@@ -235,12 +233,11 @@ Score Trials::score_of(const Trial& trial) const {
 
 Profile Trials::profile(const Values& nominal, const std::string& quantity,
                         const std::vector<double>& values) const {
-  Experiment along = with_rows({nominal});
-  std::vector<Axis>& columns = along.axes.front().columns;
-  std::erase_if(columns, [&](const Axis& column) { return column.name == quantity; });
-  if (columns.empty()) along.axes.erase(along.axes.begin());
-  along.axes.insert(along.axes.begin(), {quantity, values});
-  along.locate_jumps = quantity;
+  const Sweep single = with_rows({nominal});
+  Axis sample = single.axes[single.axis_number(experiment::kSample)];
+  std::erase_if(sample.columns, [&](const Axis& column) { return column.name == quantity; });
+  const Sweep along = (sample.columns.empty() ? single.without(experiment::kSample) : single.with(sample))
+                          .with({quantity, values});
   const std::vector<results::PointRecord> records = solve_all(along, Purpose::beside);
 
   Profile out{quantity, values, {}, kNone, kNone};
@@ -252,8 +249,8 @@ Profile Trials::profile(const Values& nominal, const std::string& quantity,
   if (along.base.loading.z_0) return out;  // a given gap does not jump
   std::vector<run::Gap> gaps;
   for (const results::PointRecord& record : records) gaps.push_back(run::gap_of(record));
-  const results::Rows jumps =
-      run::locate_jumps(along, gaps, [&](const Experiment& between, const std::vector<std::size_t>& indices) {
+  const results::Rows jumps = run::locate_jumps(
+      along, quantity, gaps, [&](const Sweep& between, const std::vector<std::size_t>& indices) {
         std::vector<run::Gap> found;
         for (const results::PointRecord& record : solve_(between, indices, Purpose::beside))
           found.push_back(run::gap_of(record));
@@ -273,7 +270,7 @@ Verification Trials::verify(const Values& nominal) const {
   std::vector<Values> rows;
   for (const Point& deviations : sobol_points(brushes, design_.tolerances.size(), design_.seed))
     rows.push_back(deviated(nominal, deviations));
-  const Experiment batch = with_rows(rows);
+  const Sweep batch = with_rows(rows);
   const std::vector<results::PointRecord> records = solve_all(batch, Purpose::beside);
   Verification out{{}, {}, brushes, 0, 0};
   for (std::size_t row = 0; row < brushes; ++row) {
@@ -312,7 +309,7 @@ std::vector<SobolIndices> Trials::indices(const Values& nominal) const {
   std::vector<Values> rows;
   for (const Point& deviations : saltelli_design(kIndexBlocks, inputs, design_.seed))
     rows.push_back(deviated(nominal, deviations));
-  const Experiment batch = with_rows(rows);
+  const Sweep batch = with_rows(rows);
   const std::vector<results::PointRecord> records = solve_all(batch, Purpose::beside);
   std::vector<SobolIndices> out;
   for (const Objective& objective : design_.objectives) {

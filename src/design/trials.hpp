@@ -16,13 +16,13 @@ using Values = std::map<std::string, double>;  // of quantities of the design, b
 
 constexpr std::size_t kIndexBlocks = 128;  // of the design for Sobol indices
 
-// Computes points of an experiment, of trials or beside one; returns them in the same order.
+// Computes points of a sweep, of trials or beside one; returns them in the same order.
 enum class Purpose {
   trials,
   beside
 };
-using Solve = std::function<std::vector<results::PointRecord>(const Experiment&,
-                                                              const std::vector<std::size_t>&, Purpose)>;
+using Solve =
+    std::function<std::vector<results::PointRecord>(const Sweep&, const std::vector<std::size_t>&, Purpose)>;
 
 struct Trial {
   Values nominal;
@@ -84,14 +84,14 @@ class Trials {
   // Total and first-order indices of the nominal objectives over the tolerances, by objective.
   std::vector<SobolIndices> indices(const Values& nominal) const;
 
-  // The rows of the sample for these trials, each with the same number of rows, and the experiment of them.
+  // The rows of the sample for these trials, each with the same number of rows, and the sweep of them.
   std::size_t rows_of_a_trial() const;
   std::vector<Values> rows(const std::vector<Values>& nominal) const;
-  Experiment with_rows(const std::vector<Values>& rows) const;
+  Sweep with_rows(const std::vector<Values>& rows) const;
 
  private:
   std::size_t scenarios() const;
-  std::vector<results::PointRecord> solve_all(const Experiment& experiment, Purpose purpose) const;
+  std::vector<results::PointRecord> solve_all(const Sweep& sweep, Purpose purpose) const;
   Values deviated(const Values& nominal, const Point& deviations) const;
   double neighbour(const Values& nominal, const std::string& quantity, double change) const;
   double excess(const experiment::Constraint& constraint, const results::PointRecord& record) const;

@@ -21,7 +21,7 @@ struct Trace {
 
 // Loading of a sweep point: a gap, a target load, or a traced curve. Dimensionless, per N_c0.
 struct Loading {
-  std::optional<double> z_0;
+  std::optional<double> z_0{};
   double R_n = 2;
   LoadPath path = LoadPath::loading;
   std::optional<Trace> trace{};

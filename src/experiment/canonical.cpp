@@ -1,4 +1,4 @@
-#include "experiment/experiment.hpp"
+#include "experiment/sweep.hpp"
 
 #include "experiment/si_units.hpp"
 #include "model/friction/laws.hpp"
@@ -56,12 +56,10 @@ void add_parameters(Text& out, const Parameters& p) {
   for (const Choice& one : choices()) out.add(one.name, one.words[std::size_t(one.get(p))]);
 }
 
-// The words of the law that the experiment gives, and V_0 in the unit of its speeds.
-void add_friction_law(Text& out, const Experiment& e, const Parameters& p) {
+void add_friction_law(Text& out, const Sweep& sweep, const Parameters& p) {
   if (p.friction != FrictionLaw::custom) return;
-  const Json law = e.document->value("friction_law", Json::object());
-  out.add("friction_law", law.dump());
-  if (law.contains("V_R_m_per_s")) out.add("friction_law_V0", p.custom_friction.V_0);
+  out.add("friction_law", sweep.friction_law_text);
+  if (sweep.base.friction_law_in_si) out.add("friction_law_V0", p.custom_friction.V_0);
 }
 
 void add_orientation(Text& out, const Orientation& o, const std::string& azimuths_sha256) {
@@ -112,17 +110,16 @@ std::vector<const char*> observable_names() {
 
 }  // namespace
 
-std::string canonical_point(const Experiment& experiment, std::size_t index) {
-  const PointInput point = experiment.point(index);
+std::string Sweep::key(std::size_t index) const {
+  const PointInput point = this->point(index);
   Text out;
   out.object("model", [&] { add_parameters(out, point.setup.parameters); });
-  add_friction_law(out, experiment, point.setup.parameters);
-  out.object("orientation",
-             [&] { add_orientation(out, point.setup.orientation, experiment.azimuths_sha256); });
+  add_friction_law(out, *this, point.setup.parameters);
+  out.object("orientation", [&] { add_orientation(out, point.setup.orientation, azimuths_sha256); });
   out.object("integrator", [&] { add_integrator(out, point.setup.integrator); });
   out.object("load", [&] { add_loading(out, point.loading); });
-  out.object("record", [&] { add_recording(out, experiment.record); });
-  out.add("engine", word(experiment.engine));
+  out.object("record", [&] { add_recording(out, record); });
+  out.add("engine", word(engine));
   out.add("max_evaluations_per_point", point.setup.max_evaluations_per_point);
   if (const SiScales si = si_scales(point); !point.si.empty())
     out.object("si", [&] {

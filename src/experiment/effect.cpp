@@ -1,4 +1,4 @@
-#include "experiment/experiment.hpp"
+#include "experiment/sweep.hpp"
 #include "experiment/si_units.hpp"
 #include "model/equations.hpp"
 
@@ -29,32 +29,25 @@ std::vector<double> effective_input(const PointInput& point) {
   return out;
 }
 
-// The experiment with an axis for each column of the sample, from the least to the greatest value.
-Experiment without_sample(const Experiment& e) {
-  Experiment out = e;
-  out.axes.clear();
-  for (const Axis& axis : e.axes) {
-    if (axis.columns.empty()) out.axes.push_back(axis);
+// Returns the sweep with an axis for each column of the sample, from the least to the greatest value.
+Sweep with_axes_for_columns(const Sweep& sweep) {
+  Sweep out = sweep.without(kSample);
+  for (const Axis& axis : sweep.axes)
     for (const Axis& column : axis.columns) {
       const auto [least, greatest] = std::ranges::minmax(column.values);
-      out.axes.push_back({column.name, {least, greatest}});
+      out = out.with({column.name, {least, greatest}});
     }
-  }
   return out;
 }
 
-// The experiment with only the first and the last value of this axis, all words of choices, and the first
-// value of each other axis.
-Experiment ends_of(const Experiment& e, std::size_t axis) {
-  Experiment out = e;
-  for (std::size_t d = 0; d < out.axes.size(); ++d) {
-    std::vector<double>& values = out.axes[d].values;
-    if (d == axis) values = {values.front(), values.back()};
-    else if (out.axes[d].quantity().options.empty()) values.resize(1);
-  }
-  // The axis varies fastest, so that its two values are neighbours.
-  std::rotate(out.axes.begin() + long(axis), out.axes.begin() + long(axis) + 1, out.axes.end());
-  return out;
+// Returns the sweep with only the first and the last value of this axis, which is the first of its axes, all
+// words of choices, and the first value of each other axis.
+Sweep ends_of(const Sweep& sweep, const Axis& axis) {
+  std::vector<std::string> choices;
+  for (const Axis& other : sweep.axes)
+    if (!other.quantity().options.empty()) choices.push_back(other.name);
+  return sweep.without(axis.name).first_values(choices).with(
+      {axis.name, {axis.values.front(), axis.values.back()}});
 }
 
 }  // namespace
@@ -63,17 +56,18 @@ bool same_effect(const PointInput& a, const PointInput& b) {
   return effective_input(a) == effective_input(b);
 }
 
-std::vector<std::string> axes_without_effect(const Experiment& with_sample) {
-  const Experiment experiment = without_sample(with_sample);
+std::vector<std::string> axes_without_effect(const Sweep& sweep) {
+  const Sweep single = with_axes_for_columns(sweep);
   std::vector<std::string> out;
-  for (std::size_t axis = 0; axis < experiment.axes.size(); ++axis) {
-    const auto [least, greatest] = std::ranges::minmax(experiment.axes[axis].values);
+  for (const Axis& axis : single.axes) {
+    const auto [least, greatest] = std::ranges::minmax(axis.values);
     if (least == greatest) continue;
-    const Experiment ends = ends_of(experiment, axis);
+    const Sweep ends = ends_of(single, axis);
+    const std::size_t half = ends.size() / 2;  // the points at the first value
     bool differ = false;
-    for (std::size_t i = 0; i < ends.points() && !differ; i += 2)
-      differ = !same_effect(ends.point(i), ends.point(i + 1));
-    if (!differ) out.push_back(experiment.axes[axis].name);
+    for (std::size_t i = 0; i < half && !differ; ++i)
+      differ = !same_effect(ends.point(i), ends.point(half + i));
+    if (!differ) out.push_back(axis.name);
   }
   return out;
 }

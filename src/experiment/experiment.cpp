@@ -122,7 +122,7 @@ Loading read_loading(const Document& d, const std::vector<Axis>& axes) {
   const Json& json = d.json()["load"];
   const auto in_si = [&](const char* key) { return d.json().contains("si") && d.json()["si"].contains(key); };
   const auto given_by = [&](const char* name, const char* si_name) {
-    return json.contains(name) || swept(axes, name) || in_si(si_name) || swept(axes, si_name);
+    return json.contains(name) || varies(axes, name) || in_si(si_name) || varies(axes, si_name);
   };
   const bool by_load = given_by("R_n", "R_n_N"), by_gap = given_by("z_0", "z_0_m");
   const bool by_trace = json.contains("trace");
@@ -135,7 +135,7 @@ Loading read_loading(const Document& d, const std::vector<Axis>& axes) {
     for (const char* name : {"R_n_N", "z_0_m"})
       if (in_si(name)) given.push_back(fmt::format("/si/{}", name));
     for (const char* name : {"R_n", "R_n_N", "z_0", "z_0_m"})
-      if (swept(axes, name)) given.push_back(fmt::format("/sweep/{}", name));
+      if (varies(axes, name)) given.push_back(fmt::format("/sweep/{}", name));
     d.fail("/load", fmt::format("more than one of R_n, z_0 and trace is given: {}; keep one (a null removes "
                                 "an inherited key)",
                                 fmt::join(given, ", ")));
@@ -153,34 +153,24 @@ std::optional<double> read_nominal_friction(const Document& d, const std::vector
   const Json& load = d.json()["load"];
   const char* place =
       load.contains("nominal_friction") ? "/load/nominal_friction" : "/sweep/nominal_friction";
-  if (!load.contains("nominal_friction") && !swept(axes, "nominal_friction")) return {};
+  if (!load.contains("nominal_friction") && !varies(axes, "nominal_friction")) return {};
   if (input.loading.z_0 || input.loading.trace) d.fail(place, "needs a target load R_n, which it multiplies");
   for (const char* name : {"mu_c", "tau_f", "tau_f_Pa"})
-    if (swept(axes, name) || input.si.contains(name) || d.chosen(JsonPointer("/model") / name))
+    if (varies(axes, name) || input.si.contains(name) || d.chosen(JsonPointer("/model") / name))
       d.fail(place, fmt::format("and {} both give the strength of friction; remove one of them", name));
   return load.value("nominal_friction", 1.0);
-}
-
-// Sets mu_c or tau_f such that rigid bristles have the nominal friction at the target load.
-void apply_nominal_friction(PointInput& point) {
-  if (!point.nominal_friction) return;
-  Parameters& p = point.setup.parameters;
-  const double R_n = point.loading.R_n;
-  with_law(p.friction, [&](auto law) {
-    p.*law.strength = 1;
-    p.*law.strength = *point.nominal_friction * R_n / law.rigid(p, R_n);
-  });
 }
 
 // The name of a swept number along which the gap of a load may jump; empty if none is given.
 std::string read_jump_axis(const Document& d, const Experiment& e) {
   std::string name = d.json().value("locate_jumps", "");
   if (name.empty()) return name;
-  const auto axis = std::ranges::find(e.axes, name, &Axis::name);
-  if (axis == e.axes.end() || !axis->quantity().options.empty() || !axis->columns.empty())
+  const std::size_t number = e.sweep.axis_number(name);
+  const Axis* axis = number < e.sweep.axes.size() ? &e.sweep.axes[number] : nullptr;
+  if (!axis || !axis->quantity().options.empty() || !axis->columns.empty())
     d.fail("/locate_jumps",
            fmt::format("\"{}\" is not a number that the sweep varies; allowed: a number in /sweep", name));
-  if (e.base.loading.z_0 || e.base.loading.trace)
+  if (e.sweep.base.loading.z_0 || e.sweep.base.loading.trace)
     d.fail("/locate_jumps", "needs a load R_n: at a given gap, and along a traced curve, no gap jumps");
   return name;
 }
@@ -190,8 +180,9 @@ std::vector<Check> read_all_checks(const Document& d, const Experiment& e) {
   std::vector<Check> checks = read_checks(json, d.path());
   if (!json.contains("checks_for_each")) return checks;
   const std::string name = json["checks_for_each"];
-  const auto axis = std::ranges::find(e.axes, name, &Axis::name);
-  if (axis == e.axes.end() || axis->quantity().options.empty())
+  const std::size_t number = e.sweep.axis_number(name);
+  const Axis* axis = number < e.sweep.axes.size() ? &e.sweep.axes[number] : nullptr;
+  if (!axis || axis->quantity().options.empty())
     d.fail("/checks_for_each",
            fmt::format("\"{}\" is not a choice that the sweep varies; allowed: a choice in /sweep", name));
   std::vector<std::string> words;
@@ -206,8 +197,9 @@ Analysis read_analysis(const Document& d, const Experiment& e) {
   if (!json.empty() && e.design)
     d.fail("/analysis",
            "cannot be combined with /design, which computes the indices of its tolerances itself");
-  if (!json.empty() && !e.swept(kSample)) d.fail("/analysis", "needs a sample in the sweep (/sweep/sample)");
-  if (!json.empty() && e.base.loading.trace)
+  if (!json.empty() && !e.sweep.varies(kSample))
+    d.fail("/analysis", "needs a sample in the sweep (/sweep/sample)");
+  if (!json.empty() && e.sweep.base.loading.trace)
     d.fail("/analysis", "cannot be combined with a trace of R_n(z_0)");
   if (!analysis.sobol_indices.empty() && !d.json()["sweep"][kSample].contains("sobol"))
     d.fail("/analysis/sobol_indices",
@@ -222,7 +214,7 @@ void check_second_model(const Document& d, const Experiment& e) {
     d.fail(place, fmt::format("{} {}", d.json().at(JsonPointer(place)).dump(), why));
   };
   try {
-    if (same_effect(e.point(0), second_model_of(e).point(0)))
+    if (same_effect(e.sweep.point(0), second_model_of(e).sweep.point(0)))
       fail("is the first model, too: give another choice, or remove the second model");
   } catch (const InputError& error) {
     if (std::string_view(error.what()).find(place) != std::string_view::npos) throw;
@@ -241,27 +233,29 @@ Experiment read(const Document& d) {
   e.name = json["name"];
   e.title = json.value("title", e.name);
   e.figure = json.value("figure", "");
-  e.axes = read_axes(d);
+  e.sweep.axes = read_axes(d);
   e.design = read_design(d);
-  if (e.design && !e.swept(kSample)) e.axes.insert(e.axes.begin(), {kSample, {0, 1}, bounds_of(*e.design)});
+  if (e.design && !e.sweep.varies(kSample)) e.sweep = e.sweep.with({kSample, {0, 1}, bounds_of(*e.design)});
   const Json& model = json["model"];
-  e.C_peaks_at_V_s = !model.contains("C") || model["C"].is_string();
-  if (e.swept("C") && model.contains("C") && model["C"].is_string())
+  e.sweep.C_peaks_at_V_s = !model.contains("C") || model["C"].is_string();
+  if (e.sweep.varies("C") && model.contains("C") && model["C"].is_string())
     d.fail("/model/C", "is swept; its value here must be a number");
-  e.engine = from_word<Engine>(json["integrator"].value("engine", "fast"));
-  e.base.setup = {read_model(d), read_orientation(d), read_integrator(d)};
-  e.friction_law = read_friction_law(d, e.axes);
-  e.base.setup.parameters.custom_friction.table = e.friction_law.get();
-  e.base.friction_law_in_si = e.friction_law && json["friction_law"].contains("V_R_m_per_s");
-  e.azimuths_sha256 = sha256_of(fmt::format("{}", fmt::join(e.base.setup.orientation.theta_0, ",")));
-  e.base.setup.max_evaluations_per_point =
-      json["integrator"].value("max_evaluations_per_point", e.base.setup.max_evaluations_per_point);
-  e.base.loading = read_loading(d, e.axes);
-  read_si_units(d, e.axes, e.base);
-  e.base.nominal_friction = read_nominal_friction(d, e.axes, e.base);
-  apply_si_units(e.base);
-  apply_nominal_friction(e.base);
-  e.record = read_recording(d, e.base.setup.orientation, e.base.loading);
+  e.sweep.engine = from_word<Engine>(json["integrator"].value("engine", "fast"));
+  e.sweep.base.setup = {read_model(d), read_orientation(d), read_integrator(d)};
+  e.sweep.friction_law = read_friction_law(d, e.sweep.axes);
+  e.sweep.base.setup.parameters.custom_friction.table = e.sweep.friction_law.get();
+  if (e.sweep.friction_law) e.sweep.friction_law_text = json["friction_law"].dump();
+  e.sweep.base.friction_law_in_si = e.sweep.friction_law && json["friction_law"].contains("V_R_m_per_s");
+  e.sweep.azimuths_sha256 =
+      sha256_of(fmt::format("{}", fmt::join(e.sweep.base.setup.orientation.theta_0, ",")));
+  e.sweep.base.setup.max_evaluations_per_point =
+      json["integrator"].value("max_evaluations_per_point", e.sweep.base.setup.max_evaluations_per_point);
+  e.sweep.base.loading = read_loading(d, e.sweep.axes);
+  read_si_units(d, e.sweep.axes, e.sweep.base);
+  e.sweep.base.nominal_friction = read_nominal_friction(d, e.sweep.axes, e.sweep.base);
+  apply_si_units(e.sweep.base);
+  apply_nominal_friction(e.sweep.base);
+  e.sweep.record = read_recording(d, e.sweep.base.setup.orientation, e.sweep.base.loading);
   e.locate_jumps = read_jump_axis(d, e);
   e.analysis = read_analysis(d, e);
   e.checks = read_all_checks(d, e);
@@ -270,8 +264,8 @@ Experiment read(const Document& d) {
   if (e.design && !e.design->second_choice.empty()) check_second_model(d, e);
   e.warnings = si_warnings(d, e);
   std::ranges::move(shaft_warnings(d, e), std::back_inserter(e.warnings));
-  for (const std::string& name : axes_without_effect(e)) {
-    const bool is_axis = std::ranges::find(e.axes, name, &Axis::name) != e.axes.end();
+  for (const std::string& name : axes_without_effect(e.sweep)) {
+    const bool is_axis = e.sweep.axis_number(name) < e.sweep.axes.size();
     const JsonPointer at = JsonPointer("/sweep") / (is_axis ? name : kSample);
     e.warnings.push_back(fmt::format(
         "{}: {}: {}has no effect with these choices of friction, load and orientation: points that differ in "
@@ -306,61 +300,6 @@ Experiment read_tier(const Document& document, const std::string& tier, const st
 }
 
 }  // namespace
-
-bool swept(const std::vector<Axis>& axes, const std::string& name) {
-  return std::ranges::any_of(axes, [&](const Axis& a) { return a.name == name || swept(a.columns, name); });
-}
-
-const Sweepable& Axis::quantity() const {
-  static const Sweepable sample = {kSample, kSample, "number of the point in the sample", "1", {}, {}};
-  return columns.empty() ? *find_sweepable(name) : sample;
-}
-
-void Axis::set(PointInput& point, std::size_t index) const {
-  if (columns.empty()) quantity().set(point, values[index]);
-  for (const Axis& column : columns) column.set(point, index);
-}
-
-void Axis::keep_first() {
-  values.resize(1);
-  for (Axis& column : columns) column.keep_first();
-}
-
-std::size_t Experiment::points() const { return grid_size(shape()); }
-
-std::vector<std::size_t> Experiment::shape() const {
-  std::vector<std::size_t> s;
-  for (const Axis& axis : axes) s.push_back(axis.values.size());
-  return s;
-}
-
-bool Experiment::swept(const std::string& axis) const { return experiment::swept(axes, axis); }
-
-bool Experiment::on_lattice() const {
-  return base.setup.orientation.sampling == Sampling::lattice || swept("sampling");
-}
-
-std::string Experiment::place(std::size_t index) const {
-  const auto at = unravel(index, shape());
-  std::string out;
-  for (std::size_t d = 0; d < at.size(); ++d)
-    out += fmt::format("{}{} = {}", d > 0 ? ", " : "", axes[d].name,
-                       axes[d].quantity().text(axes[d].values[at[d]]));
-  return out.empty() ? "the only point" : out;
-}
-
-PointInput Experiment::point(std::size_t index) const {
-  PointInput point = base;
-  for (auto axis = axes.rbegin(); axis != axes.rend(); ++axis) {
-    axis->set(point, index % axis->values.size());
-    index /= axis->values.size();
-  }
-  apply_si_units(point);
-  apply_nominal_friction(point);
-  Parameters& p = point.setup.parameters;
-  if (C_peaks_at_V_s) p.C = chi_C_peak_at_V_s(p.A);
-  return point;
-}
 
 Experiment load_experiment(const std::string& path, const DocumentOptions& options) {
   const Document document = Document::load(path, options);

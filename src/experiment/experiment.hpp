@@ -3,30 +3,13 @@
 #include "experiment/check.hpp"
 #include "experiment/design.hpp"
 #include "experiment/document.hpp"
-#include "experiment/sweepable.hpp"
+#include "experiment/sweep.hpp"
 
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace bristle::experiment {
-
-// One dimension of a sweep: the name of a Sweepable, and its ascending values or, for a choice, the indices
-// of its options. The axis "sample" has the numbers of its points as values, and a column for each quantity
-// that they vary together, with a value for each point in any order.
-struct Axis {
-  std::string name;
-  std::vector<double> values;
-  std::vector<Axis> columns{};
-
-  const Sweepable& quantity() const;
-  // Assigns the value, or those of all columns, at this index.
-  void set(PointInput& point, std::size_t index) const;
-  void keep_first();  // value only
-};
-
-// Whether an axis, or a column of the sample, varies this quantity.
-bool swept(const std::vector<Axis>& axes, const std::string& name);
 
 // Variables of the result whose values over a sample are analysed.
 struct Analysis {
@@ -37,27 +20,13 @@ struct Analysis {
 struct Experiment {
   std::string name, title, figure, path, tier;
   bool has_study_tier = false;        // `assumptions` evaluates its checks, too
-  PointInput base;                    // before the sweep's values
-  std::vector<Axis> axes;             // in the file's order; the last varies fastest
-  bool C_peaks_at_V_s = true;         // C is computed from A at every point, so that chi peaks at V_R = V_s
+  Sweep sweep;                        // its points; of a design, until its trials are known, their extremes
   std::string locate_jumps;           // axis along which jumps of z_0 are located; empty: none
   std::vector<std::string> warnings;  // values that have no effect, or another unit than the rest
-  Recording record;
   Analysis analysis;
   std::optional<Design> design;  // its trials are the sample
-  Engine engine = Engine::fast;
-  std::shared_ptr<const ModulationTable> friction_law;  // of the word "custom"; null: no point has it
-  std::string azimuths_sha256;  // of base.setup.orientation.theta_0, which may have many values
   std::vector<Check> checks;
   std::shared_ptr<const Json> document;  // with extends, tier and --set applied
-
-  std::size_t points() const;
-  std::vector<std::size_t> shape() const;
-  PointInput point(std::size_t index) const;
-  // The point's coordinates for messages: "k_r = 2, friction = nss".
-  std::string place(std::size_t index) const;
-  bool swept(const std::string& name) const;
-  bool on_lattice() const;  // for at least one point
 };
 
 // Throws InputError for every mistake in the experiment, with source, JSON pointer, value and remedy. The
@@ -75,21 +44,11 @@ Json document_of_point(const Experiment& experiment, std::size_t index);
 // The experiment of a design under its second model: the choice is an axis of one word. Requires one.
 Experiment second_model_of(const Experiment& experiment);
 
-// Exactly the input that determines a point's numbers, as text: the same text for equal points of any two
-// experiments, regardless of names, axes and their order. Choices are written as words, so that inserting
-// or reordering friction laws does not change the meaning of stored keys.
-std::string canonical_point(const Experiment& experiment, std::size_t index);
-
 // The sweep's axes with all their values. Throws InputError for an unknown parameter, an empty or unsorted
 // axis, a value outside the parameter's range, and more than kMaxPoints points in total.
 std::vector<Axis> read_axes(const Document& document);
 
 constexpr double kMaxPoints = 1e7;
-
-// Whether two points of experiments that differ in points only have the same numbers.
-bool same_effect(const PointInput& a, const PointInput& b);
-// The axes along which all points have the same numbers, such as mu_c where no friction law reads it.
-std::vector<std::string> axes_without_effect(const Experiment& experiment);
 
 }  // namespace bristle::experiment
 

@@ -16,29 +16,26 @@
 namespace bristle::experiment {
 namespace {
 
-// The experiment with the first value only of every axis but these. A design has an axis for each of its
-// quantities, with their extremes, in place of the sample of its trials.
-Experiment along(const Experiment& e, const std::vector<std::string>& axes) {
-  Experiment out = e;
-  if (e.design && !e.document->contains(JsonPointer("/sweep/sample"))) {
-    std::erase_if(out.axes, [](const Axis& axis) { return axis.name == kSample; });
-    std::ranges::move(extremes_of(*e.design), std::back_inserter(out.axes));
-  }
-  for (Axis& axis : out.axes)
-    if (std::ranges::none_of(axes, [&](const std::string& name) { return experiment::swept({axis}, name); }))
-      axis.keep_first();
+// Returns the sweep that the checks look at: a design has an axis for each of its quantities, with their
+// extremes, in place of the sample of its trials.
+Sweep sweep_of(const Experiment& experiment) {
+  if (!experiment.design || experiment.document->contains(JsonPointer("/sweep/sample")))
+    return experiment.sweep;
+  Sweep out = experiment.sweep.without(kSample);
+  std::ranges::move(extremes_of(*experiment.design), std::back_inserter(out.axes));
   return out;
 }
 
 void check_gap(const Document& d, const Experiment& experiment) {
-  const Experiment e = along(experiment, {"z_0", "z_0_m", "r0_m", "phi_0_deg", "lambda_z", "contact"});
-  for (std::size_t i = 0; i < e.points(); ++i) {
-    const PointInput point = e.point(i);
+  const Sweep sweep =
+      sweep_of(experiment).first_values({"z_0", "z_0_m", "r0_m", "phi_0_deg", "lambda_z", "contact"});
+  for (std::size_t i = 0; i < sweep.size(); ++i) {
+    const PointInput point = sweep.point(i);
     const Parameters& p = point.setup.parameters;
     const double highest = sin(p.phi_0) + kWallRangesAboveContact * contact_range(p);
     if (!point.loading.z_0) return;
     if (*point.loading.z_0 <= highest) continue;
-    const std::string where = e.points() > 1 ? fmt::format(" at {}", e.place(i)) : "";
+    const std::string where = sweep.size() > 1 ? fmt::format(" at {}", sweep.place(i)) : "";
     const bool wall = p.contact == Contact::wall;
     const std::string reach = wall ? fmt::format(" + {:g} lambda_z", kWallRangesAboveContact) : "";
     const char* beyond = wall ? ", beyond the wall" : "";
@@ -72,16 +69,16 @@ const std::array kMeanings = {
 // Throws InputError if the experiment varies a quantity that the bristles of some point do not have, or gives
 // one that the bristles of no point have.
 void check_meaning(const Document& d, const Experiment& experiment) {
-  const Experiment e = along(experiment, {"bending", "contact", "section"});
+  const Sweep sweep = sweep_of(experiment).first_values({"bending", "contact", "section"});
   const Json si = d.json().value("si", Json::object());
   for (const Meaning& m : kMeanings) {
     std::size_t have = 0;
-    for (std::size_t i = 0; i < e.points(); ++i) have += m.have(e.point(i).setup.parameters);
+    for (std::size_t i = 0; i < sweep.size(); ++i) have += m.have(sweep.point(i).setup.parameters);
     for (const std::string name : m.quantities) {
       const bool of_a_round_rod = name == "k_theta_over_k_phi" && si.value(name, 0.0) == 1;
       const bool given = (si.contains(name) && !of_a_round_rod) || d.chosen(JsonPointer("/model") / name);
       const JsonPointer at = place_of(d, name);
-      if ((have == 0 && given) || (have < e.points() && e.swept(name)))
+      if ((have == 0 && given) || (have < sweep.size() && sweep.varies(name)))
         d.fail(at.to_string(), (at.back() == name ? "" : name + " ") + m.why);
     }
   }
@@ -90,10 +87,10 @@ void check_meaning(const Document& d, const Experiment& experiment) {
 // chi has a maximum at V_s for A > 1 only; near 1 it would be a step at u = 0, which no integrator resolves.
 void check_chi(const Document& d, const Experiment& experiment) {
   constexpr double least = 1.001;
-  const Experiment e = along(experiment, {"A"});
-  if (!e.C_peaks_at_V_s) return;
-  for (std::size_t i = 0; i < e.points(); ++i)
-    if (const double A = e.point(i).setup.parameters.A; A < least)
+  const Sweep sweep = sweep_of(experiment).first_values({"A"});
+  if (!sweep.C_peaks_at_V_s) return;
+  for (std::size_t i = 0; i < sweep.size(); ++i)
+    if (const double A = sweep.point(i).setup.parameters.A; A < least)
       d.fail(place_of(d, "A").to_string(),
              fmt::format("{} has no maximum of chi at V_s; allowed: at least {}, or a number for C (0: chi "
                          "rises to 1)",
@@ -104,24 +101,25 @@ void check_chi(const Document& d, const Experiment& experiment) {
 // after t_1.
 void check_lattice(const Document& d, const Experiment& experiment) {
   constexpr double most = 1e7;  // bristles, which memory holds
-  const Experiment e =
-      along(experiment, {"L_x", "L_y", "spacing", "L_x_m", "L_y_m", "spacing_m", "r0_m", "rows", "sampling"});
-  const bool used = e.on_lattice();
-  if (used && e.base.loading.trace)
+  const Sweep sweep =
+      sweep_of(experiment)
+          .first_values({"L_x", "L_y", "spacing", "L_x_m", "L_y_m", "spacing_m", "r0_m", "rows", "sampling"});
+  const bool used = sweep.on_lattice();
+  if (used && sweep.base.loading.trace)
     d.fail("/load/trace", "cannot be combined with \"sampling\": \"lattice\"; use quadrature or list");
-  if (e.record.slab_force && !used) d.fail("/record", "slab_force needs \"sampling\": \"lattice\"");
+  if (sweep.record.slab_force && !used) d.fail("/record", "slab_force needs \"sampling\": \"lattice\"");
   for (const char* key : {"seed", "rows", "t_1"})
-    if (!used && (d.json()["orientation"].contains(key) || e.swept(key)))
+    if (!used && (d.json()["orientation"].contains(key) || sweep.varies(key)))
       d.fail(std::string("/orientation/") + key, "is allowed with \"sampling\": \"lattice\" only");
-  if (used && e.design)
+  if (used && experiment.design)
     for (const char* quantity : {"L_y", "L_y_m", "spacing", "spacing_m", "r0_m"})
-      for (const std::string& varied : e.design->quantities())
+      for (const std::string& varied : experiment.design->quantities())
         if (varied == quantity)
           d.fail(place_of(d, varied).to_string(),
                  "cannot vary with \"sampling\": \"lattice\", as L_y is a whole number of spacings; use "
                  "quadrature");
-  for (std::size_t i = 0; used && i < e.points(); ++i) {
-    const Setup point = e.point(i).setup;
+  for (std::size_t i = 0; used && i < sweep.size(); ++i) {
+    const Setup point = sweep.point(i).setup;
     const Parameters& p = point.parameters;
     const double across = p.L_y / p.spacing;
     if (std::abs(across - std::round(across)) > 1e-6 || across < 0.5)
@@ -154,13 +152,13 @@ void check_points(const Document& d, const Experiment& e) {
 std::vector<std::string> shaft_warnings(const Document& d, const Experiment& experiment) {
   // Shear, which the stiffnesses leave out, makes a shaft of the radius 0.1 r_0 2 % softer (S. P.
   // Timoshenko).
-  const Experiment e = along(experiment, {"R", "R_m", "r0_m", "spacing", "spacing_m"});
+  const Sweep sweep = sweep_of(experiment).first_values({"R", "R_m", "r0_m", "spacing", "spacing_m"});
   std::vector<std::string> out;
   // Warns once, of the first point for which is_true() holds, and names the place that sets the quantity.
   const auto warn_if = [&](const std::string& quantity, const auto& is_true, const auto& text) {
     const JsonPointer at = place_of(d, quantity);
-    for (std::size_t i = 0; i < e.points(); ++i)
-      if (const Parameters p = e.point(i).setup.parameters; is_true(p)) {
+    for (std::size_t i = 0; i < sweep.size(); ++i)
+      if (const Parameters p = sweep.point(i).setup.parameters; is_true(p)) {
         out.push_back(fmt::format("{}: {}: {}", d.origin(at), at.to_string(), text(p)));
         return;
       }

@@ -183,7 +183,7 @@ class SampleReader {
       const auto column = columns.size();
       const JsonPointer place = at / "columns" / column;
       const Sweepable& sweepable = require_sweepable(document_, place, name);
-      if (experiment::swept(columns, name)) fail(at / "columns" / column, name + " appears twice");
+      if (varies(columns, name)) fail(at / "columns" / column, name + " appears twice");
       columns.push_back({name, {}, {}});
       for (const std::size_t i : taken) {
         if (column >= rows[i].size())

@@ -4,8 +4,6 @@
 
 namespace bristle::experiment {
 
-constexpr const char* kSample = "sample";  // name of the axis
-
 // The value to seven digits. Quantiles differ between libraries of elementary functions in the last bit, and
 // must not: points are known by their values. Tables of samples are easier to read, too.
 double rounded(double value);

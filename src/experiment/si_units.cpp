@@ -82,7 +82,7 @@ const std::vector<SiQuantity>& si_quantities() {
 }
 
 void read_si_units(const Document& document, const std::vector<Axis>& axes, PointInput& input) {
-  const auto swept = [&](const std::string& name) { return experiment::swept(axes, name); };
+  const auto swept = [&](const std::string& name) { return varies(axes, name); };
   const Json& json = document.json();
   const bool given = json.contains("si");
   const auto has = [&](const char* key) { return (given && json["si"].contains(key)) || swept(key); };
@@ -127,12 +127,12 @@ void apply_si_units(PointInput& input) {
 
 std::vector<std::string> si_warnings(const Document& document, const Experiment& experiment) {
   std::vector<std::string> out;
-  if (experiment.base.si.empty()) return out;
+  if (experiment.sweep.base.si.empty()) return out;
   const auto warn = [&](const std::string& pointer, const std::string& what) {
     out.push_back(fmt::format("{}: {}: {}", document.origin(JsonPointer(pointer)), pointer, what));
   };
   const auto given = [&](const char* key) {
-    return experiment.base.si.contains(key) || experiment.swept(key);
+    return experiment.sweep.base.si.contains(key) || experiment.sweep.varies(key);
   };
   std::map<std::string, std::vector<const char*>> replaced;  // by JSON pointer: the keys of the block
   for (const SiQuantity& q : si_quantities())
@@ -147,11 +147,11 @@ std::vector<std::string> si_warnings(const Document& document, const Experiment&
       warn(pointer, what);
     }
   const bool in_load = document.json()["load"].contains("R_n");
-  if (!given("R_n_N") && (in_load || experiment.swept("R_n")))
+  if (!given("R_n_N") && (in_load || experiment.sweep.varies("R_n")))
     warn(in_load ? "/load/R_n" : "/sweep/R_n",
          fmt::format("is in units of m V_0^2/r_0, {:.3g} N at the first point; R_n_N of the si block is the "
                      "load in newtons",
-                     si_scales(experiment.point(0)).force));
+                     si_scales(experiment.sweep.point(0)).force));
   return out;
 }
 

@@ -29,9 +29,9 @@ Json document_of_point(const Experiment& experiment, std::size_t index) {
   Json document = *experiment.document;
   for (const char* of_many : {"sweep", "checks", "checks_for_each", "analysis", "locate_jumps", "design"})
     document.erase(of_many);
-  const std::vector<std::size_t> at = unravel(index, experiment.shape());
+  const std::vector<std::size_t> at = unravel(index, experiment.sweep.shape());
   for (std::size_t d = 0; d < at.size(); ++d)
-    document["sweep"][experiment.axes[d].name] = json_of(experiment.axes[d], at[d]);
+    document["sweep"][experiment.sweep.axes[d].name] = json_of(experiment.sweep.axes[d], at[d]);
   return document;
 }
 

@@ -36,34 +36,36 @@ std::string quantity(const experiment::SiQuantity& q, double value) {
 std::vector<std::string> si_parts(const Experiment& e) {
   std::vector<std::string> parts;
   for (const experiment::SiQuantity& q : experiment::si_quantities())
-    if (!e.swept(q.name) && e.base.si.contains(q.name)) parts.push_back(quantity(q, e.base.si.at(q.name)));
+    if (!e.sweep.varies(q.name) && e.sweep.base.si.contains(q.name))
+      parts.push_back(quantity(q, e.sweep.base.si.at(q.name)));
   return parts;
 }
 
 // Adds k_theta, which a round rod does not have beside k_phi.
 void add_k_theta(const Experiment& e, std::vector<std::string>& parts) {
-  const Parameters& p = e.base.setup.parameters;
-  const bool of_rods = p.section == Section::oval || e.swept("section");
-  if (e.swept("k_theta") || (p.bending == Bending::rod && !e.swept("bending") && !of_rods)) return;
+  const Parameters& p = e.sweep.base.setup.parameters;
+  const bool of_rods = p.section == Section::oval || e.sweep.varies("section");
+  if (e.sweep.varies("k_theta") || (p.bending == Bending::rod && !e.sweep.varies("bending") && !of_rods))
+    return;
   const std::string symbol = experiment::find_sweepable("k_theta")->symbol;
   parts.push_back(fmt::format("${} = {:.6g}$", symbol, p.k_theta));
-  if (e.swept("bending") && !of_rods)
+  if (e.sweep.varies("bending") && !of_rods)
     parts.back() += fmt::format(" (rods: ${}$)", experiment::find_sweepable("k_phi")->symbol);
 }
 
 std::vector<std::string> dimensionless_parts(const Experiment& e) {
-  const Parameters& p = e.base.setup.parameters;
+  const Parameters& p = e.sweep.base.setup.parameters;
   std::vector<std::string> parts;
   const auto add = [&](const char* name, double value) {
-    if (!e.swept(name))
+    if (!e.sweep.varies(name))
       parts.push_back(fmt::format("${} = {:.6g}$", experiment::find_sweepable(name)->symbol, value));
   };
   add("k_r", p.k_r);
   add_k_theta(e, parts);
   add("k_phi", p.k_phi);
-  if (const auto nominal = e.base.nominal_friction) add("nominal_friction", *nominal);
+  if (const auto nominal = e.sweep.base.nominal_friction) add("nominal_friction", *nominal);
   else if (p.friction != FrictionLaw::nss) add("mu_c", p.mu_c);
-  const Loading& load = e.base.loading;
+  const Loading& load = e.sweep.base.loading;
   if (load.z_0) add("z_0", *load.z_0);
   else if (!load.trace) add("R_n", load.R_n);
   return parts;
@@ -72,9 +74,9 @@ std::vector<std::string> dimensionless_parts(const Experiment& e) {
 // The values that are fixed in the sweep, as mathtext for the caption of the figure.
 std::string caption(const Experiment& e) {
   std::vector<std::string> parts;
-  if (!e.swept("friction"))
-    parts.emplace_back(with_law(e.base.setup.parameters.friction, [](auto law) { return law.title; }));
-  for (std::string& part : e.base.si.empty() ? dimensionless_parts(e) : si_parts(e))
+  if (!e.sweep.varies("friction"))
+    parts.emplace_back(with_law(e.sweep.base.setup.parameters.friction, [](auto law) { return law.title; }));
+  for (std::string& part : e.sweep.base.si.empty() ? dimensionless_parts(e) : si_parts(e))
     parts.push_back(std::move(part));
   if (e.tier != "full") parts.push_back(e.tier + " tier: a subset of the points");
   return fmt::format("{}", fmt::join(parts, ", "));
@@ -83,8 +85,8 @@ std::string caption(const Experiment& e) {
 // Constants for plots of the lattice's forces, if all points have the same: t_1 of Eq. (A4), in units of
 // r0/V0, and N_c0/L_y, in units of 1/r0.
 void annotate_slab_force(hid_t file, const Experiment& e) {
-  if (!h5::exists(file, "slab_force") || e.swept("L_x") || e.swept("spacing")) return;
-  const Setup& setup = e.base.setup;
+  if (!h5::exists(file, "slab_force") || e.sweep.varies("L_x") || e.sweep.varies("spacing")) return;
+  const Setup& setup = e.sweep.base.setup;
   h5::write_attribute(h5::open_dataset(file, "slab_force/t"), "t_1", lattice_start(setup));
   h5::write_attribute(h5::open_dataset(file, "slab_force/R_n"), "N_c0_per_L_y",
                       bristles_per_width(setup.parameters));

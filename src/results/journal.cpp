@@ -65,9 +65,8 @@ bool accepts(const std::string& own, const std::string& other) { return is_dirty
 
 }  // namespace
 
-std::string point_key(const Experiment& experiment, std::size_t index) {
-  return sha256_of(
-      fmt::format("numerics {}: {}", kNumericsVersion, experiment::canonical_point(experiment, index)));
+std::string point_key(const Sweep& sweep, std::size_t index) {
+  return sha256_of(fmt::format("numerics {}: {}", kNumericsVersion, sweep.key(index)));
 }
 
 bool is_dirty(const std::string& commit) { return commit.ends_with("-dirty") || commit == "unknown"; }

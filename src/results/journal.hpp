@@ -13,8 +13,8 @@
 
 namespace bristle::results {
 
-// Key of a point in journals: SHA-256 of canonical_point() and kNumericsVersion.
-std::string point_key(const Experiment& experiment, std::size_t index);
+// Key of a point in journals: SHA-256 of Sweep::key() and kNumericsVersion.
+std::string point_key(const Sweep& sweep, std::size_t index);
 
 // Whether the program cannot be built again from its commit: there were uncommitted changes, or it is
 // unknown.

@@ -63,11 +63,11 @@ void add_differences(const Map& a, const Map& b, std::vector<std::string>& out) 
 
 }  // namespace
 
-PointLayout::PointLayout(const Experiment& experiment) {
-  const Loading& loading = experiment.base.loading;
+PointLayout::PointLayout(const Sweep& sweep) {
+  const Loading& loading = sweep.base.loading;
   const bool searched = !loading.z_0 && !loading.trace;
   if (searched) groups.emplace_back("load_error");
-  for (const ResultVariable& variable : result_variables(experiment)) add(variable, searched);
+  for (const ResultVariable& variable : result_variables(sweep)) add(variable, searched);
   datasets.push_back({{"passages", "number of passages computed for the point", "N", "", H5T_NATIVE_LONG},
                       [](const PointResult& p) { return double(p.passages); },
                       0});
@@ -83,7 +83,7 @@ PointLayout::PointLayout(const Experiment& experiment) {
                        texts(words<BrushPhase>())},
                       [](const PointResult& p) { return double(phase_of(p)); },
                       double(BrushPhase::unknown)});
-  if (experiment.base.setup.orientation.distribution != Distribution::von_mises)  // as lift_off_load
+  if (sweep.base.setup.orientation.distribution != Distribution::von_mises)  // as lift_off_load
     datasets.push_back(
         {{"lift_off_domain", "whether the formula of lift_off_load was tested here, or what is outside", "",
           "docs/lift-off.md", H5T_NATIVE_SCHAR, texts(words<LiftOffDomain>())},
@@ -99,9 +99,9 @@ PointLayout::PointLayout(const Experiment& experiment) {
                          texts(words<Branch>())},
                         {},
                         double(Branch::absent)});
-  if (experiment.record.bristles) tables.emplace_back("bristles");
-  if (!experiment.record.trajectories.empty()) tables.emplace_back("trajectories");
-  if (experiment.record.slab_force) tables.emplace_back("slab_force");
+  if (sweep.record.bristles) tables.emplace_back("bristles");
+  if (!sweep.record.trajectories.empty()) tables.emplace_back("trajectories");
+  if (sweep.record.slab_force) tables.emplace_back("slab_force");
   if (loading.trace) nodes = std::size_t(loading.trace->nodes);
 }
 
@@ -152,10 +152,10 @@ PointRecord failed_record(const PointLayout& layout, const std::string& error) {
   return record;
 }
 
-PointRecord read_record(hid_t file, const Experiment& experiment, std::size_t index) {
-  const PointLayout layout(experiment);
+PointRecord read_record(hid_t file, const Sweep& sweep, std::size_t index) {
+  const PointLayout layout(sweep);
   PointRecord record;
-  h5::Shape at = h5::position(experiment.shape(), index), count(at.size(), 1);
+  h5::Shape at = h5::position(sweep.shape(), index), count(at.size(), 1);
   if (layout.nodes) {
     at.push_back(0);
     count.push_back(hsize_t(*layout.nodes));

@@ -23,7 +23,7 @@ struct PointRecord {
 
 // The datasets and tables that a result of an experiment has. Make one for all points of a sweep.
 struct PointLayout {
-  PointLayout(const Experiment& experiment);
+  PointLayout(const Sweep& sweep);
 
   // A dataset over the sweep. Its name is the path from the root.
   struct Dataset : Column {
@@ -44,8 +44,8 @@ PointRecord record_of(const PointLayout& layout, const std::vector<CurveNode>& c
 // A point that an error ended: status failed, no values, a curve with one node.
 PointRecord failed_record(const PointLayout& layout, const std::string& error);
 
-// Reads a point from a result file of this experiment. Throws RunError if it cannot be read.
-PointRecord read_record(hid_t file, const Experiment& experiment, std::size_t index);
+// Reads a point from a result file of this sweep. Throws RunError if it cannot be read.
+PointRecord read_record(hid_t file, const Sweep& sweep, std::size_t index);
 
 // Name of the attribute of the group kFailures that has the error of a point.
 std::string failure_name(std::size_t index);

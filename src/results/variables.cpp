@@ -293,7 +293,7 @@ void add_direction(Variables& variables) {
 
 }  // namespace
 
-std::vector<ResultVariable> result_variables(const Experiment& experiment) {
+std::vector<ResultVariable> result_variables(const Sweep& sweep) {
   Variables variables = {
       {{"z_0", "gap between slab and ground", R"(\tilde{z}_0)", "Fig. 3"}, gap, Errors::with_load}};
   add_observables(variables);
@@ -305,15 +305,15 @@ std::vector<ResultVariable> result_variables(const Experiment& experiment) {
                         .units = "rad"},
                        exact(&PointResult::incomplete_theta_0),
                        Errors::none});
-  if (!experiment.base.loading.z_0 && !experiment.base.loading.trace) {
+  if (!sweep.base.loading.z_0 && !sweep.base.loading.trace) {
     add_load_jump(variables);
     add_other_gap(variables);
   }
-  if (experiment.on_lattice()) add_fluctuations(variables);
-  const bool si = !experiment.base.si.empty();
+  if (sweep.on_lattice()) add_fluctuations(variables);
+  const bool si = !sweep.base.si.empty();
   if (si) add_si(variables);
   add_stability(variables);
-  if (experiment.base.setup.orientation.distribution == Distribution::von_mises) add_direction(variables);
+  if (sweep.base.setup.orientation.distribution == Distribution::von_mises) add_direction(variables);
   else add_lift_off(variables, si);
   return variables;
 }

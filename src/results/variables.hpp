@@ -23,7 +23,7 @@ struct ResultVariable : Column {
   std::function<Derived(const PointResult&)> of;
   Errors errors;
 };
-// The variables of a result of this experiment.
-std::vector<ResultVariable> result_variables(const Experiment& experiment);
+// The variables of a result of this sweep.
+std::vector<ResultVariable> result_variables(const Sweep& sweep);
 
 }  // namespace bristle::results

@@ -49,10 +49,10 @@ h5::Handle create_numbers(hid_t parent, const Column& column, const std::vector<
 }  // namespace
 
 ResultWriter::ResultWriter(const Experiment& experiment, const std::string& path)
-    : experiment_(experiment), layout_(experiment), whole_(path, result_file()) {
+    : experiment_(experiment), layout_(experiment.sweep), whole_(path, result_file()) {
   whole_.close();  // HDF5 opens it itself
   file_ = h5::create_file(partial());
-  for (const experiment::Axis& axis : experiment_.axes) create_axis(axis);
+  for (const experiment::Axis& axis : experiment_.sweep.axes) create_axis(axis);
   if (layout_.nodes) {
     std::vector<double> numbers(*layout_.nodes);
     std::iota(numbers.begin(), numbers.end(), 0.0);
@@ -70,7 +70,7 @@ GroupDimension word_dimension(const std::string& name, const std::string& meanin
   return {{name, meaning, "", ""}, words, codes};
 }
 
-std::vector<Column> jump_columns(const Experiment& experiment) {
+std::vector<Column> jump_columns(const Sweep& sweep, const std::string& along) {
   std::vector<Column> columns = {
       {"before", "value of the axis before the jump", "", ""},
       {"after", "value of the axis after the jump", "", ""},
@@ -78,8 +78,8 @@ std::vector<Column> jump_columns(const Experiment& experiment) {
       {"z_0_after", "gap after the jump; NaN: no gap carries the load", R"(\tilde{z}_0)", ""},
       {"from", "least value of the axis around the jump with an ambiguous gap, or before", "", ""},
       {"to", "greatest value of the axis around the jump with an ambiguous gap, or after", "", ""}};
-  for (const experiment::Axis& axis : experiment.axes)
-    if (axis.name != experiment.locate_jumps)
+  for (const experiment::Axis& axis : sweep.axes)
+    if (axis.name != along)
       columns.push_back(axis.quantity().options.empty() ? axis_column(axis)
                                                         : code_column(axis.name, axis.quantity().options));
   return columns;
@@ -145,7 +145,7 @@ void ResultWriter::write(std::size_t index, const PointRecord& record) {
 
 void ResultWriter::write_jumps(const std::string& along, const Rows& rows) {
   h5::in_file(partial(), [&] {
-    tables_.try_emplace("jumps", file_, "jumps", "jump", jump_columns(experiment_))
+    tables_.try_emplace("jumps", file_, "jumps", "jump", jump_columns(experiment_.sweep, along))
         .first->second.append(rows);
     h5::write_attribute(h5::open_group(file_, "jumps"), "along", axis_variable(along));
   });

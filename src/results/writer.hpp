@@ -8,8 +8,8 @@
 
 namespace bristle::results {
 
-// The columns of /jumps but "point"; those of the axes beside the one of the jumps are the last.
-std::vector<Column> jump_columns(const Experiment& experiment);
+// The columns of /jumps but "point"; those of the axes beside that along which the gap jumps are the last.
+std::vector<Column> jump_columns(const Sweep& sweep, const std::string& along);
 
 // A dimension of a group: words with their codes, or numbers.
 struct GroupDimension {

@@ -6,7 +6,6 @@
 #include "util/grid.hpp"
 #include "util/text.hpp"
 
-#include <boost/algorithm/string/erase.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <algorithm>
@@ -28,25 +27,23 @@ const std::vector<double> kShares = {0.05, 0.25, 0.5, 0.75, 0.95};
 
 using Values = std::map<std::string, std::vector<double>>;
 
-std::size_t sample_axis(const Experiment& e) {
-  return std::size_t(std::ranges::find(e.axes, experiment::kSample, &experiment::Axis::name) -
-                     e.axes.begin());
+const experiment::Axis& sample_of(const Experiment& e) {
+  return e.sweep.axes[e.sweep.axis_number(experiment::kSample)];
 }
 
-// The sweep with the first point only of the sample. Its points are those of the other axes.
-Experiment without_sample(Experiment e) {
-  e.axes[sample_axis(e)].keep_first();
-  return e;
-}
+// The sweep over the other axes.
+Sweep others_of(const Experiment& e) { return e.sweep.without(experiment::kSample); }
 
 // The values over the sample at a point of the other axes.
 std::vector<double> over_sample(const Experiment& e, const std::vector<double>& values, std::size_t other) {
-  const std::size_t sample = sample_axis(e);
-  auto at = unravel(other, without_sample(e).shape());
+  const std::size_t sample = e.sweep.axis_number(experiment::kSample);
+  const std::vector<std::size_t> shape = e.sweep.shape();
+  auto at = unravel(other, others_of(e).shape());
+  at.insert(at.begin() + long(sample), 0);
   std::vector<double> out;
-  for (std::size_t i = 0; i < e.axes[sample].values.size(); ++i) {
+  for (std::size_t i = 0; i < shape[sample]; ++i) {
     at[sample] = i;
-    out.push_back(values[ravel(at, e.shape())]);
+    out.push_back(values[ravel(at, shape)]);
   }
   return out;
 }
@@ -73,19 +70,19 @@ Used used_of(const Experiment& e, const Values& all, const std::string& output, 
 
 // The points of a block of the design for indices, 1 without them.
 std::size_t block_of(const Experiment& e) {
-  return e.analysis.sobol_indices.empty() ? 1 : e.axes[sample_axis(e)].columns.size() + 2;
+  return e.analysis.sobol_indices.empty() ? 1 : sample_of(e).columns.size() + 2;
 }
 
 std::vector<std::size_t> other_axes(const Experiment& e) {
   std::vector<std::size_t> out;
-  for (std::size_t axis = 0; axis < e.axes.size(); ++axis)
-    if (axis != sample_axis(e)) out.push_back(axis);
+  for (std::size_t axis = 0; axis < e.sweep.axes.size(); ++axis)
+    if (e.sweep.axes[axis].name != experiment::kSample) out.push_back(axis);
   return out;
 }
 
 std::vector<std::string> inputs_of(const Experiment& e) {
   std::vector<std::string> names;
-  for (const experiment::Axis& column : e.axes[sample_axis(e)].columns) names.push_back(column.name);
+  for (const experiment::Axis& column : sample_of(e).columns) names.push_back(column.name);
   return names;
 }
 
@@ -99,7 +96,7 @@ results::Group indices(const Experiment& e, const Values& values) {
                        {}};
   group.columns.push_back(ambiguous_column());
   group.values.resize(group.columns.size());
-  for (std::size_t other = 0; other < without_sample(e).points(); ++other)
+  for (std::size_t other = 0; other < others_of(e).size(); ++other)
     for (const std::string& output : outputs) {
       add_indices(group, sobol_indices(over_sample(e, values.at(output), other), inputs.size()));
       group.values.back().resize(group.values.front().size(),
@@ -121,7 +118,7 @@ results::Group quantiles(const Experiment& e, const Values& values) {
        ambiguous_column()},
       std::vector<std::vector<double>>(4)};
   const std::size_t block = block_of(e), independent = std::min<std::size_t>(block, 2);
-  for (std::size_t other = 0; other < without_sample(e).points(); ++other)
+  for (std::size_t other = 0; other < others_of(e).size(); ++other)
     for (const std::string& output : outputs) {
       const Used used = used_of(e, values, output, other, block, independent);
       for (const double share : kShares) {
@@ -192,7 +189,7 @@ std::string quantiles_line(const results::Group& group, std::size_t row, std::si
 
 void require_variable(const Experiment& experiment, const std::string& place, const std::string& name) {
   std::vector<std::string> known;
-  for (const results::ResultVariable& variable : results::result_variables(experiment))
+  for (const results::ResultVariable& variable : results::result_variables(experiment.sweep))
     known.push_back(variable.name);
   if (std::ranges::find(known, name) == known.end())
     throw InputError(fmt::format("{}: {}: {} is not a variable of the result{}; allowed: {}", experiment.path,
@@ -260,18 +257,16 @@ std::string analysis_text(const Experiment& experiment, const std::vector<result
   for (const results::Group& group : groups) {
     const bool of_indices = group.name == "indices";
     const std::vector<std::string>& outputs = group.dimensions[0].words;
-    const Experiment others = without_sample(experiment);
-    const std::size_t points = experiment.axes[sample_axis(experiment)].values.size(),
-                      block = block_of(experiment);
-    for (std::size_t row = 0; row < others.points() * outputs.size(); ++row) {
-      std::string place = others.place(row / outputs.size());
-      for (const char* sample : {"sample = 0, ", ", sample = 0"}) boost::erase_all(place, sample);
+    const Sweep others = others_of(experiment);
+    const std::size_t points = sample_of(experiment).values.size(), block = block_of(experiment);
+    for (std::size_t row = 0; row < others.size() * outputs.size(); ++row) {
       text += fmt::format(
           "{} of {}{}: {}", of_indices ? "total (and first-order) Sobol indices" : "quantiles",
-          outputs[row % outputs.size()], place == "sample = 0" ? "" : " at " + place,
+          outputs[row % outputs.size()],
+          others.axes.empty() ? "" : " at " + others.place(row / outputs.size()),
           of_indices ? indices_text(indices_of(group, row), inputs_of(experiment), points / block, kRemedy)
                      : quantiles_line(group, row, block == 1 ? points : 2 * points / block));
-      const std::size_t width = group.values.back().size() / (others.points() * outputs.size());
+      const std::size_t width = group.values.back().size() / (others.size() * outputs.size());
       if (const double count = group.values.back()[row * width]; count > 0)
         text += fmt::format("; ambiguous points among those used: {}", count);
       text += "\n";

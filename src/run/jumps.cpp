@@ -30,10 +30,9 @@ struct Interval {
 };
 
 // The intervals between neighbouring points of the sweep.
-std::vector<Interval> intervals_of(const Experiment& experiment, std::size_t axis,
-                                   const std::vector<Gap>& gaps) {
-  const auto shape = experiment.shape();
-  const std::vector<double>& values = experiment.axes[axis].values;
+std::vector<Interval> intervals_of(const Sweep& sweep, std::size_t axis, const std::vector<Gap>& gaps) {
+  const auto shape = sweep.shape();
+  const std::vector<double>& values = sweep.axes[axis].values;
   std::vector<Interval> out;
   for (std::size_t point = 0; point < gaps.size(); ++point) {
     auto at = unravel(point, shape);
@@ -46,10 +45,10 @@ std::vector<Interval> intervals_of(const Experiment& experiment, std::size_t axi
 }
 
 // The first point of the point's line along the axis.
-std::size_t line_of(const Experiment& experiment, std::size_t axis, std::size_t point) {
-  auto at = unravel(point, experiment.shape());
+std::size_t line_of(const Sweep& sweep, std::size_t axis, std::size_t point) {
+  auto at = unravel(point, sweep.shape());
   at[axis] = 0;
-  return ravel(at, experiment.shape());
+  return ravel(at, sweep.shape());
 }
 
 // All computed points of a line of the sweep along the axis: by the value of the axis, whether undecided.
@@ -57,18 +56,15 @@ using Line = std::map<double, bool>;
 
 // Halves the intervals. Returns the halves across which the gap jumps.
 // Adds the points between to their lines.
-std::vector<Interval> halve(const Experiment& experiment, std::size_t axis,
-                            const std::vector<Interval>& intervals, const SolvePoints& solve,
-                            std::map<std::size_t, Line>& lines) {
+std::vector<Interval> halve(const Sweep& sweep, std::size_t axis, const std::vector<Interval>& intervals,
+                            const SolvePoints& solve, std::map<std::size_t, Line>& lines) {
   std::set<double> middles;
   for (const Interval& interval : intervals) middles.insert(interval.middle());
-  Experiment between = experiment;
+  Sweep between = sweep.with({sweep.axes[axis].name, {middles.begin(), middles.end()}});
   between.record = {};
-  between.name += ": jumps along " + experiment.locate_jumps;
-  between.axes[axis].values.assign(middles.begin(), middles.end());
   std::vector<std::size_t> points;
   for (const Interval& interval : intervals) {
-    auto at = unravel(interval.point, experiment.shape());
+    auto at = unravel(interval.point, sweep.shape());
     at[axis] = std::size_t(std::distance(middles.begin(), middles.find(interval.middle())));
     points.push_back(ravel(at, between.shape()));
   }
@@ -76,7 +72,7 @@ std::vector<Interval> halve(const Experiment& experiment, std::size_t axis,
   std::vector<Interval> out;
   for (std::size_t i = 0; i < intervals.size(); ++i) {
     const Interval& whole = intervals[i];
-    lines[line_of(experiment, axis, whole.point)][whole.middle()] = found[i].undecided;
+    lines[line_of(sweep, axis, whole.point)][whole.middle()] = found[i].undecided;
     for (const Interval& half :
          {Interval{whole.point, whole.low, whole.middle(), whole.at_low, found[i], whole.halvings + 1},
           Interval{whole.point, whole.middle(), whole.high, found[i], whole.at_high, whole.halvings + 1}})
@@ -109,31 +105,28 @@ bool jumps(const Gap& a, const Gap& b) {
   return !(std::abs(a.z_0 - b.z_0) <= kLeastJump);  // also if one of them is NaN
 }
 
-results::Rows locate_jumps(const Experiment& experiment, const std::vector<Gap>& gaps,
+results::Rows locate_jumps(const Sweep& sweep, const std::string& along, const std::vector<Gap>& gaps,
                            const SolvePoints& solve) {
-  if (experiment.locate_jumps.empty()) return {};
-  const auto axis =
-      std::size_t(std::ranges::find(experiment.axes, experiment.locate_jumps, &experiment::Axis::name) -
-                  experiment.axes.begin());
+  const std::size_t axis = sweep.axis_number(along);
   std::map<std::size_t, Line> lines;
   for (std::size_t point = 0; point < gaps.size(); ++point)
-    lines[line_of(experiment, axis, point)]
-         [experiment.axes[axis].values[unravel(point, experiment.shape())[axis]]] = gaps[point].undecided;
-  std::vector<Interval> open = intervals_of(experiment, axis, gaps), located;
+    lines[line_of(sweep, axis, point)][sweep.axes[axis].values[unravel(point, sweep.shape())[axis]]] =
+        gaps[point].undecided;
+  std::vector<Interval> open = intervals_of(sweep, axis, gaps), located;
   while (!open.empty()) {
     const auto narrow = std::partition(open.begin(), open.end(), [](const Interval& i) { return i.wide(); });
     located.insert(located.end(), narrow, open.end());
     open.erase(narrow, open.end());
-    if (!open.empty()) open = halve(experiment, axis, open, solve, lines);
+    if (!open.empty()) open = halve(sweep, axis, open, solve, lines);
   }
   std::ranges::sort(located, {}, [](const Interval& i) { return std::pair(i.point, i.low); });
-  results::Rows rows(results::jump_columns(experiment).size() + 1);
+  results::Rows rows(results::jump_columns(sweep, along).size() + 1);
   for (const Interval& i : located) {
-    const auto [from, to] = band_of(lines.at(line_of(experiment, axis, i.point)), i);
+    const auto [from, to] = band_of(lines.at(line_of(sweep, axis, i.point)), i);
     std::vector<double> row = {double(i.point), i.low, i.high, i.at_low.z_0, i.at_high.z_0, from, to};
-    const auto at = unravel(i.point, experiment.shape());
+    const auto at = unravel(i.point, sweep.shape());
     for (std::size_t other = 0; other < at.size(); ++other)
-      if (other != axis) row.push_back(experiment.axes[other].values[at[other]]);
+      if (other != axis) row.push_back(sweep.axes[other].values[at[other]]);
     for (std::size_t column = 0; column < rows.size(); ++column) rows[column].push_back(row[column]);
   }
   return rows;

@@ -18,15 +18,15 @@ Gap gap_of(const results::PointRecord& record);
 // gap carries the load.
 bool jumps(const Gap& a, const Gap& b);
 
-// Computes these points of an experiment, and returns their gaps in the same order.
-using SolvePoints = std::function<std::vector<Gap>(const Experiment&, const std::vector<std::size_t>&)>;
+// Computes these points of a sweep, and returns their gaps in the same order.
+using SolvePoints = std::function<std::vector<Gap>(const Sweep&, const std::vector<std::size_t>&)>;
 
-// Where the gap z_0 of a load jumps along the axis experiment.locate_jumps, found by bisection: the rows of
-// the table "jumps", with their points in ascending order. A jump lies within an interval of 2 % of the axis
+// Finds where the gap z_0 of a load jumps along an axis of the sweep, by bisection. Returns the rows of the
+// table "jumps", with their points in ascending order. A jump lies within an interval of 2 % of the axis
 // value, its middle is thus within 1 %, across which z_0 changes by more than 0.1 (in units of r0) or a load
-// becomes unreachable. Its band reaches as far as the computed points beside it are ambiguous. Empty without
-// experiment.locate_jumps. gaps: of all points of the experiment, in order.
-results::Rows locate_jumps(const Experiment& experiment, const std::vector<Gap>& gaps,
+// becomes unreachable. Its band reaches as far as the computed points beside it are ambiguous. gaps: of all
+// points of the sweep, in order.
+results::Rows locate_jumps(const Sweep& sweep, const std::string& along, const std::vector<Gap>& gaps,
                            const SolvePoints& solve);
 
 }  // namespace bristle::run

@@ -62,11 +62,11 @@ std::string foreign_journals(const KeyedPoints& all, const std::string& result) 
 
 }  // namespace
 
-KeyedPoints::KeyedPoints(const Experiment& experiment, std::vector<std::size_t> points)
-    : experiment_(experiment), points_(std::move(points)) {
+KeyedPoints::KeyedPoints(const Sweep& sweep, std::vector<std::size_t> points)
+    : sweep_(sweep), points_(std::move(points)) {
   for (const std::size_t i : points_) {
     if (interrupted()) throw Interrupted("interrupted before the first point");
-    keys_.push_back(results::point_key(experiment, i));
+    keys_.push_back(results::point_key(sweep, i));
   }
 }
 
@@ -75,7 +75,7 @@ const std::string& KeyedPoints::key(std::size_t point) const {
 }
 
 std::vector<std::size_t> KeyedPoints::missing_in(const results::Journal& journal) const {
-  const results::PointLayout layout(experiment_);
+  const results::PointLayout layout(sweep_);
   std::vector<std::size_t> missing;
   for (std::size_t k = 0; k < points_.size(); ++k)
     if (const auto line = journal.find(keys_[k]); !line || !results::fits(line->record, layout))
@@ -95,8 +95,8 @@ std::vector<std::size_t> KeyedPoints::missing_beside(const std::string& result) 
 
 void KeyedPoints::adopt_into(results::Journal& journal) const {
   std::map<std::string, std::string> places;
-  for (std::size_t k = 0; k < points_.size(); ++k) places[keys_[k]] = experiment_.place(points_[k]);
-  const results::PointLayout layout(experiment_);
+  for (std::size_t k = 0; k < points_.size(); ++k) places[keys_[k]] = sweep_.place(points_[k]);
+  const results::PointLayout layout(sweep_);
   for (const std::string& other : results::journals_beside(journal.path()))
     if (other != journal.path()) journal.adopt(other, layout, places);
 }
@@ -105,14 +105,14 @@ void require_complete(const Experiment& experiment, const std::vector<std::size_
                       const std::string& result, const std::string& command_line) {
   if (missing.empty()) return;
   std::vector<std::string> points;
-  for (const std::size_t i : missing) points.push_back(fmt::format("{} ({})", i, experiment.place(i)));
+  for (const std::size_t i : missing) points.push_back(fmt::format("{} ({})", i, experiment.sweep.place(i)));
   const auto shards = shard_journals(result);
-  throw InputError(
-      fmt::format("{}: {} of {} points are missing in the journals of its folder: {}.\n{}{}", result,
-                  missing.size(), experiment.points(), list_of(points),
-                  foreign_journals(KeyedPoints(experiment, shard_points({}, experiment.points())), result),
-                  shards.empty() ? fmt::format("To compute them:\n  {}", command_with(command_line, ""))
-                                 : where_missing(missing, shards.back().first.count, command_line)));
+  throw InputError(fmt::format(
+      "{}: {} of {} points are missing in the journals of its folder: {}.\n{}{}", result, missing.size(),
+      experiment.sweep.size(), list_of(points),
+      foreign_journals(KeyedPoints(experiment.sweep, shard_points({}, experiment.sweep.size())), result),
+      shards.empty() ? fmt::format("To compute them:\n  {}", command_with(command_line, ""))
+                     : where_missing(missing, shards.back().first.count, command_line)));
 }
 
 std::string command_with(const std::string& command_line, const std::string& option) {

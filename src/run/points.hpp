@@ -11,7 +11,7 @@ namespace bristle::run {
 class KeyedPoints {
  public:
   // points: ascending
-  KeyedPoints(const Experiment& experiment, std::vector<std::size_t> points);
+  KeyedPoints(const Sweep& sweep, std::vector<std::size_t> points);
   const std::vector<std::size_t>& points() const { return points_; }
   const std::string& key(std::size_t point) const;
 
@@ -23,7 +23,7 @@ class KeyedPoints {
   void adopt_into(results::Journal& journal) const;
 
  private:
-  const Experiment& experiment_;
+  const Sweep& sweep_;
   std::vector<std::size_t> points_;  // ascending
   std::vector<std::string> keys_;
 };

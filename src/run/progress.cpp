@@ -53,7 +53,7 @@ void Progress::show_if_due() {
 
 void Progress::note(const std::string& text) {
   if (!quiet_ && terminal_) write_stderr("\r\033[K");
-  write_message(text + "\n");
+  write_message(fmt::format("{}: {}\n", name_, text));
 }
 
 void Progress::show(double seconds) {
@@ -66,7 +66,7 @@ void Progress::show(double seconds) {
   if (done_ == total_) text += ", took " + duration_text(seconds);
   else if (done_ > 0) text += fmt::format(", {} left", duration_text(double(total_ - done_) / rate));
   if (!terminal_) {
-    write_message(text + "\n");
+    write_message(fmt::format("{}: {}\n", name_, text));
     return;
   }
   constexpr std::size_t width = 30;

@@ -39,7 +39,7 @@ void Summary::add(const results::PointRecord& record, std::size_t index) {
     exceeding_[row] += std::ranges::count(record.values.at(kValidity[row].name), double(Exceeds::yes)) > 0;
   ++points_;
   if (!record.failure.empty())
-    failures_.push_back(fmt::format("{}: {}", experiment_.place(index), record.failure));
+    failures_.push_back(fmt::format("{}: {}", experiment_.sweep.place(index), record.failure));
 }
 
 std::string Summary::text() const {
@@ -62,13 +62,14 @@ void Summary::report_failures() const {
 }
 
 std::string Summary::cause_and_remedy(PointStatus status, const Example& example) const {
-  const Setup& setup = experiment_.base.setup;
-  const bool si = !experiment_.base.si.empty();
+  const Setup& setup = experiment_.sweep.base.setup;
+  const bool si = !experiment_.sweep.base.si.empty();
   switch (status) {
     case PointStatus::unreachable: {
       // With these starts the tip is at the slab or in it at any gap.
       const InitialState start = setup.parameters.initial_state;
-      const bool from_zero = start == InitialState::static_equilibrium && !experiment_.swept("initial_state");
+      const bool from_zero =
+          start == InitialState::static_equilibrium && !experiment_.sweep.varies("initial_state");
       return fmt::format(
           "no gap carries the load; use a lower one{} ({}\"load\": {{\"R_n\": null, \"path\": null, "
           "\"trace\": "
@@ -83,7 +84,7 @@ std::string Summary::cause_and_remedy(PointStatus status, const Example& example
           "the bristle with theta_0 = {:.4g} deg did not leave the slab within {} evaluations of the "
           "equations; raise /integrator/max_evaluations{}",
           example.incomplete_theta_0 * 180 / M_PI, setup.integrator.max_evaluations,
-          !has_pole(experiment_.point(example.index).setup.parameters.bending) ? ""
+          !has_pole(experiment_.sweep.point(example.index).setup.parameters.bending) ? ""
           : si ? ", or /si/alpha_J, which acts near the pole"
                : ", or /model/alpha, which acts near the pole");
     default:
@@ -97,9 +98,9 @@ std::string Summary::cause_and_remedy(PointStatus status, const Example& example
 void Summary::report_points_without_values() const {
   for (const auto& [status, example] : first_) {
     const long more = counts_[std::size_t(status)] - 1;
-    write_message(fmt::format("{}: {} at {}{}: {}\n", path_, word(status), experiment_.place(example.index),
-                              more > 0 ? fmt::format(" and {} more", more) : "",
-                              cause_and_remedy(status, example)));
+    write_message(
+        fmt::format("{}: {} at {}{}: {}\n", path_, word(status), experiment_.sweep.place(example.index),
+                    more > 0 ? fmt::format(" and {} more", more) : "", cause_and_remedy(status, example)));
   }
 }
 
@@ -110,7 +111,7 @@ void Summary::report_pinned_bristles() const {
       "{:.0f} "
       "%: that friction is a property of the polar coordinates; compare with {} (docs/own-material.md)\n",
       path_, pinned_, points_, 100 * kPinnedShare, 100 * largest_pinned_share_,
-      experiment_.swept("bending") ? "the bending \"rod\"" : "--set /model/bending=rod"));
+      experiment_.sweep.varies("bending") ? "the bending \"rod\"" : "--set /model/bending=rod"));
 }
 
 void Summary::report_validity() const {

@@ -52,9 +52,8 @@ std::vector<std::size_t> missing_points(const KeyedPoints& points, results::Jour
 }
 
 // Computes the missing points and appends each to the journal when it is solved.
-void fill_journal(const Experiment& experiment, const KeyedPoints& points,
-                  const std::vector<std::size_t>& missing, int threads, results::Journal& journal,
-                  Progress& progress) {
+void fill_journal(const Sweep& sweep, const KeyedPoints& points, const std::vector<std::size_t>& missing,
+                  int threads, results::Journal& journal, Progress& progress) {
   const std::size_t all = points.points().size();
   std::size_t saved = all - missing.size();
   const auto sink = [&](PointReport&& report) {
@@ -63,8 +62,8 @@ void fill_journal(const Experiment& experiment, const KeyedPoints& points,
     progress.step();
   };
   const auto slow = [&](std::size_t index, double seconds) {
-    progress.note(fmt::format("{}: {} takes unusually long: {} so far", experiment.name,
-                              experiment.place(index), duration_text(seconds)));
+    progress.note(
+        fmt::format("{} takes unusually long: {} so far", sweep.place(index), duration_text(seconds)));
   };
   const auto passages = [&](std::size_t computed) { progress.add_passages(computed); };
   const auto saved_text = [&](const std::string& failure) {
@@ -74,7 +73,7 @@ void fill_journal(const Experiment& experiment, const KeyedPoints& points,
   };
   bool complete = false;
   try {
-    complete = run_sweep(experiment, missing, threads, sink, interrupted, {slow, passages});
+    complete = run_sweep(sweep, missing, threads, sink, interrupted, {slow, passages});
     journal.sync();
   } catch (const RunError& e) {
     throw RunError(saved_text(e.what()));
@@ -86,8 +85,9 @@ void fill_journal(const Experiment& experiment, const KeyedPoints& points,
 results::Rows find_jumps(const Experiment& experiment, const KeyedPoints& points, results::Journal& journal,
                          const RunOptions& options) {
   if (experiment.locate_jumps.empty()) return {};
-  const auto solve = [&](const Experiment& between, const std::vector<std::size_t>& indices) {
-    Progress progress(between.name, indices.size(), options.quiet);
+  const std::string name = fmt::format("{}: jumps along {}", experiment.name, experiment.locate_jumps);
+  const auto solve = [&](const Sweep& between, const std::vector<std::size_t>& indices) {
+    Progress progress(name, indices.size(), options.quiet);
     std::vector<Gap> gaps;
     for (const results::PointRecord& record : solve_points(between, indices, options, journal, progress))
       gaps.push_back(gap_of(record));
@@ -97,7 +97,7 @@ results::Rows find_jumps(const Experiment& experiment, const KeyedPoints& points
   std::vector<Gap> gaps;
   for (const std::size_t index : points.points())
     gaps.push_back(gap_of(journal.read(points.key(index)).record));
-  return locate_jumps(experiment, gaps, solve);
+  return locate_jumps(experiment.sweep, experiment.locate_jumps, gaps, solve);
 }
 
 // Writes the result with the jumps between the points. The journals of shards, whose points are now all in
@@ -126,13 +126,13 @@ Summary summary_of(const Experiment& experiment, const KeyedPoints& points, cons
 
 // What remains to be done after a shard.
 void print_rest(const Experiment& experiment, const RunOptions& options) {
-  const KeyedPoints all(experiment, shard_points({}, experiment.points()));
+  const KeyedPoints all(experiment.sweep, shard_points({}, experiment.sweep.size()));
   if (const std::size_t missing = all.missing_beside(options.output).size(); missing > 0)
     fmt::print("{} of {} points of {} are not yet in the journals of this folder\n", missing,
-               experiment.points(), experiment.name);
+               experiment.sweep.size(), experiment.name);
   else
     fmt::print("all {} points of {} are in the journals of this folder; to write {}:\n  {}\n",
-               experiment.points(), experiment.name, options.output,
+               experiment.sweep.size(), experiment.name, options.output,
                command_with(options.command_line, "--complete"));
 }
 
@@ -141,7 +141,7 @@ void compute(const Experiment& experiment, const RunOptions& options) {
   auto entries = provenance(options.command_line, options.threads);
   entries["started"] = utc_now();
   entries["experiment_file"] = experiment.path;
-  const KeyedPoints points(experiment, shard_points(options.shard, experiment.points()));
+  const KeyedPoints points(experiment.sweep, shard_points(options.shard, experiment.sweep.size()));
   const auto require_points = [&](const std::vector<std::size_t>& missing) {
     if (options.complete) require_complete(experiment, missing, options.output, options.command_line);
   };
@@ -152,7 +152,7 @@ void compute(const Experiment& experiment, const RunOptions& options) {
   const std::size_t all = points.points().size(), found = all - missing.size();
   entries["points_computed"] = fmt::format("{} of {}", missing.size(), all);
   Progress progress(experiment.name, missing.size(), options.quiet);
-  fill_journal(experiment, points, missing, options.threads, journal, progress);
+  fill_journal(experiment.sweep, points, missing, options.threads, journal, progress);
   const Summary summary = options.shard ? summary_of(experiment, points, journal)
                                         : finish(experiment, options, points, journal, entries, progress);
   progress.finish();
@@ -171,15 +171,14 @@ void compute(const Experiment& experiment, const RunOptions& options) {
 
 }  // namespace
 
-std::vector<results::PointRecord> solve_points(const Experiment& experiment,
-                                               const std::vector<std::size_t>& points,
+std::vector<results::PointRecord> solve_points(const Sweep& sweep, const std::vector<std::size_t>& points,
                                                const RunOptions& options, results::Journal& journal,
                                                Progress& progress) {
   const std::set<std::size_t> ascending(points.begin(), points.end());
-  const KeyedPoints keyed(experiment, {ascending.begin(), ascending.end()});
+  const KeyedPoints keyed(sweep, {ascending.begin(), ascending.end()});
   const std::vector<std::size_t> missing = missing_points(keyed, journal, options.force);
   for (std::size_t found = missing.size(); found < ascending.size(); ++found) progress.step();
-  fill_journal(experiment, keyed, missing, options.threads, journal, progress);
+  fill_journal(sweep, keyed, missing, options.threads, journal, progress);
   std::vector<results::PointRecord> records;
   for (const std::size_t point : points) records.push_back(journal.read(keyed.key(point)).record);
   return records;

@@ -5,7 +5,7 @@
 #include "run/progress.hpp"
 #include "run/shard.hpp"
 #include "run/summary.hpp"
-#include "run/sweep.hpp"
+#include "run/scheduler.hpp"
 
 #include <map>
 #include <optional>
@@ -32,10 +32,9 @@ void run_experiment(const Experiment& experiment, const RunOptions& options);
 // would replace it, unless it is forced to.
 void require_no_loss(const Experiment& experiment, const RunOptions& options);
 
-// Computes these points of an experiment, as far as no journal in the folder of the result has them, and
+// Computes these points of a sweep, as far as no journal in the folder of the result has them, and
 // returns all, in the same order. options: output, threads, force. Throws as run_experiment().
-std::vector<results::PointRecord> solve_points(const Experiment& experiment,
-                                               const std::vector<std::size_t>& points,
+std::vector<results::PointRecord> solve_points(const Sweep& sweep, const std::vector<std::size_t>& points,
                                                const RunOptions& options, results::Journal& journal,
                                                Progress& progress);
 

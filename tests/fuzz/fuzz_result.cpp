@@ -112,7 +112,7 @@ void read(const Original& original, const std::string& path, Reader reader) {
       break;
     case Reader::points: {
       const Experiment experiment = stored_experiment(result.experiment(), result.text("tier"), path);
-      for (std::size_t i = 0; i < std::min<std::size_t>(experiment.points(), 6); ++i)
+      for (std::size_t i = 0; i < std::min<std::size_t>(experiment.sweep.size(), 6); ++i)
         read_record(result.file(), experiment, i);
       break;
     }

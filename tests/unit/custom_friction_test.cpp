@@ -29,10 +29,12 @@ struct Files {
   Scratch s;
 };
 
-double mu(const Experiment& e, double V_R) { return e.friction_law->at(V_R / e.friction_law->V_scale()); }
+double mu(const Experiment& e, double V_R) {
+  return e.sweep.friction_law->at(V_R / e.sweep.friction_law->V_scale());
+}
 double slope(const Experiment& e, double V_R) {
-  const double V_scale = e.friction_law->V_scale();
-  return e.friction_law->slope(V_R / V_scale) / V_scale;
+  const double V_scale = e.sweep.friction_law->V_scale();
+  return e.sweep.friction_law->slope(V_R / V_scale) / V_scale;
 }
 
 }  // namespace
@@ -171,7 +173,7 @@ TEST_CASE("custom friction: with speeds in m/s the law is the same at every velo
     const std::string with_engine = fmt::format(R"(}}, "integrator": {{"engine": "{}"}})", engine);
     const auto R_x_of = [&](const Experiment& e) {
       run::RunOptions options;
-      options.output = files.s.path(e.name + engine + std::to_string(e.points()) + ".h5");
+      options.output = files.s.path(e.name + engine + std::to_string(e.sweep.size()) + ".h5");
       options.quiet = true;
       run::run_experiment(e, options);
       return results::ResultReader(options.output).variable("R_x").values;
@@ -188,7 +190,7 @@ TEST_CASE("custom friction: with speeds in m/s the law is the same at every velo
 TEST_CASE("custom friction: speeds in m/s are divided by V0, and other laws are other points") {
   const Files files;
   const auto mu = [](const Experiment& e, double V_R) {
-    return modulation(e.point(0).setup.parameters, V_R);
+    return modulation(e.sweep.point(0).setup.parameters, V_R);
   };
   const std::string si = R"(, "si": {"m_kg": 1e-6, "r0_m": 0.01, "V0_m_per_s": 0.5})";
   const Experiment in_si =
@@ -196,8 +198,8 @@ TEST_CASE("custom friction: speeds in m/s are divided by V0, and other laws are 
   const Experiment plain = files.with_law(R"({"V_R": [0, 0.1, 1, 4], "mu": [0, 1.2, 0.6, 0.5]})", si);
   const Experiment other = files.with_law(R"({"V_R": [0, 0.1, 1, 4], "mu": [0, 1.2, 0.6, 0.4]})", si);
   for (const double V_R : {0.01, 0.3, 2.0}) CHECK(mu(in_si, V_R) == Approx(mu(plain, V_R)).epsilon(2e-4));
-  CHECK(canonical_point(plain, 0) != canonical_point(other, 0));
-  CHECK(canonical_point(plain, 0) == canonical_point(Experiment(plain), 0));
+  CHECK(plain.sweep.key(0) != other.sweep.key(0));
+  CHECK(plain.sweep.key(0) == Experiment(plain).sweep.key(0));
 }
 
 TEST_CASE("custom friction: what is not a law is refused with the place and the remedy") {
@@ -255,13 +257,13 @@ TEST_CASE("custom friction: what is not a law is refused with the place and the 
                     Catch::Contains("/sweep/sample/over/friction: \"custom\" needs the block /friction_law"));
   CHECK_THROWS_WITH(files.load(table),
                     Catch::Contains("/sweep/sample/table: \"custom\" needs the block /friction_law"));
-  CHECK(files.load(sobol + law).friction_law);
-  CHECK(files.load(table + law).friction_law);
+  CHECK(files.load(sobol + law).sweep.friction_law);
+  CHECK(files.load(table + law).sweep.friction_law);
   const std::string design =
       R"("load": {"z_0": 0.6, "R_n": null, "path": null}, "design": {"variables": {"k_r": [5, 40]},
       "objectives": [{"minimise": "R_x"}], "budget": 1, "second_model": {"friction": "custom"}})";
   CHECK_THROWS_WITH(files.load(design), Catch::Contains("/design/second_model/friction: \"custom\" needs"));
-  CHECK(files.load(design + law).friction_law);
+  CHECK(files.load(design + law).sweep.friction_law);
 }
 
 }  // namespace bristle::custom_friction_test

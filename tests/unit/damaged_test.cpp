@@ -166,7 +166,7 @@ TEST_CASE("malformed: a dataset with more or fewer dimensions than the sweep") {
   for (const h5::Shape& shape : {h5::Shape{}, h5::Shape{6}, h5::Shape{2, 3, 1}}) {
     const std::string path = small_result(s, "r.h5");
     replace_dataset(path, "R_x", shape);
-    CHECK_THROWS_AS(read_record(ResultReader(path).file(), e, 5), RunError);
+    CHECK_THROWS_AS(read_record(ResultReader(path).file(), e.sweep, 5), RunError);
   }
 }
 
@@ -196,15 +196,15 @@ TEST_CASE("malformed: a variable with fewer errors than values") {
 TEST_CASE("malformed: a journal line with an unknown status or table") {
   const Scratch s;
   const Experiment e = small_experiment(s);
-  PointRecord record = record_of(e, small_point(0), {});
-  CHECK(fits(record, e));
+  PointRecord record = record_of(e.sweep, small_point(0), {});
+  CHECK(fits(record, e.sweep));
   for (const double status : {-1.0, 0.5, 99.0, 1e300, kNone}) {
     record.values["status"] = {status};
-    CHECK_FALSE(fits(record, e));
+    CHECK_FALSE(fits(record, e.sweep));
   }
   record.values["status"] = {0};
   record.tables["no_such"] = {};
-  CHECK_FALSE(fits(record, e));
+  CHECK_FALSE(fits(record, e.sweep));
 }
 
 TEST_CASE("malformed: a reference with excessive nesting or a duplicate key") {

@@ -230,7 +230,7 @@ TEST_CASE("design: with vanishing friction the bristles are rigid") {
       "objectives": [{"minimise": "R_x_norm"}, {"maximise": "R_x_norm"}], "budget": 12})",
                               R"(, "orientation": {"rtol": 0.01})");
   const auto file = f.run(e);
-  const double chi = modulation(e.base.setup.parameters, 1);
+  const double chi = modulation(e.sweep.base.setup.parameters, 1);
   for (const char* objective : {"trials/objective_1", "trials/objective_2"}) {
     const auto &R_x_norm = file.variable(objective).values,
                &error = file.variable(std::string(objective) + "_err").values;
@@ -266,7 +266,7 @@ TEST_CASE(
   CHECK(file.variable("indices/ST").values.size() == 4);
   // The result has all that its points need.
   const Experiment stored = experiment::stored_experiment(file.experiment(), "full", "stored");
-  CHECK(stored.points() == 48);
+  CHECK(stored.sweep.size() == 48);
 }
 
 TEST_CASE("design: only a result with the inputs of the reference is compared with it") {
@@ -378,7 +378,7 @@ TEST_CASE(
              std::string(R"(, "sweep": {"V_s": {"values": [0.01, 0.02]}})") + kFew);
   // Of 256 brushes in two scenarios: R_x is the brush's number; 10 brushes have no R_x in the second
   // scenario, one has no R_n in the first, and 30, among them the 10, have an R_n beyond the constraint.
-  const auto solve = [](const Experiment&, const std::vector<std::size_t>& points, design::Purpose) {
+  const auto solve = [](const Sweep&, const std::vector<std::size_t>& points, design::Purpose) {
     std::vector<results::PointRecord> out(points.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
       const std::size_t brush = i / 2, scenario = i % 2;

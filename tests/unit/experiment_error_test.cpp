@@ -301,11 +301,11 @@ TEST_CASE("an experiment with excessive nesting is an error, not a crash") {
 
 TEST_CASE("the option --set changes a value, is named in errors, and refuses invalid arguments") {
   const std::string file = kExperiments + "/paper.json";
-  CHECK(load_experiment(file, {{"/model/k_r=33"}, "full"}).base.setup.parameters.k_r == 33);
-  CHECK(load_experiment(file, {{"/model/friction=coulomb"}, "full"}).base.setup.parameters.friction ==
+  CHECK(load_experiment(file, {{"/model/k_r=33"}, "full"}).sweep.base.setup.parameters.k_r == 33);
+  CHECK(load_experiment(file, {{"/model/friction=coulomb"}, "full"}).sweep.base.setup.parameters.friction ==
         FrictionLaw::coulomb);
   const Experiment swept = load_experiment(file, {{R"(/sweep/k_r={"values":[1,2]})"}, "full"});
-  CHECK(swept.points() == 2);
+  CHECK(swept.sweep.size() == 2);
   CHECK(error_of(with(R"("title": "x")"), {{"/model/k_r=-1"}, "full"}) ==
         "--set /model/k_r=-1: /model/k_r: -1 is not allowed; allowed: a number greater than 0 (radial "
         "stiffness, "

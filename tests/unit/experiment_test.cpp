@@ -22,11 +22,11 @@ TEST_CASE("the points of each smoke tier are points of the full tier, with which
     const Experiment full = load_experiment(file.path(), {}),
                      smoke = load_experiment(file.path(), {{}, "smoke"});
     if (smoke.design) continue;  // the trials of another search
-    REQUIRE(smoke.axes.size() == full.axes.size());
-    for (std::size_t d = 0; d < smoke.axes.size(); ++d) {
-      CHECK(smoke.axes[d].name == full.axes[d].name);
-      for (const double value : smoke.axes[d].values)
-        CHECK(std::ranges::count(full.axes[d].values, value) == 1);
+    REQUIRE(smoke.sweep.axes.size() == full.sweep.axes.size());
+    for (std::size_t d = 0; d < smoke.sweep.axes.size(); ++d) {
+      CHECK(smoke.sweep.axes[d].name == full.sweep.axes[d].name);
+      for (const double value : smoke.sweep.axes[d].values)
+        CHECK(std::ranges::count(full.sweep.axes[d].values, value) == 1);
     }
   }
 }
@@ -36,12 +36,12 @@ TEST_CASE("extends: chains, subfolders, and files outside the experiments folder
   s.write("experiments/paper.json", bytes_of(kExperiments + "/paper.json"));
   const auto child =
       s.write("experiments/more/a.json", R"({"extends": "../paper.json", "model": {"k_r": 7}})");
-  CHECK(load_experiment(child, {}).base.setup.parameters.k_r == 7);
+  CHECK(load_experiment(child, {}).sweep.base.setup.parameters.k_r == 7);
   const auto grandchild =
       s.write("experiments/more/b.json", R"({"extends": "a.json", "model": {"k_phi": 3}})");
   const Experiment e = load_experiment(grandchild, {});
-  CHECK(e.base.setup.parameters.k_r == 7);
-  CHECK(e.base.setup.parameters.k_phi == 3);
+  CHECK(e.sweep.base.setup.parameters.k_r == 7);
+  CHECK(e.sweep.base.setup.parameters.k_phi == 3);
   s.write("outside.json", "{}");
   const auto outside = s.write("experiments/c.json", R"({"extends": "../outside.json"})");
   CHECK_THROWS_WITH(load_experiment(outside, {}), Catch::Contains("lies outside the experiments folder"));
@@ -57,8 +57,8 @@ TEST_CASE("the option --set changes elements of arrays, and refuses pointers to 
     changes.insert(changes.begin(), {R"(/load={"R_n":null,"path":null,"z_0":0.5})",
                                      R"(/orientation={"sampling":"list","theta_0_deg":[10,100,170]})"});
     std::vector<double> degrees;
-    for (const double theta_0 :
-         load_experiment(kExperiments + "/paper.json", {changes, "full"}).base.setup.orientation.theta_0)
+    for (const double theta_0 : load_experiment(kExperiments + "/paper.json", {changes, "full"})
+                                    .sweep.base.setup.orientation.theta_0)
       degrees.push_back(std::round(theta_0 * 180 / M_PI));
     return degrees;
   };
@@ -83,28 +83,28 @@ TEST_CASE(
     "axes: requested values, exact ends, and a smoke tier that is a subset of the full tier bit for bit") {
   const Experiment full = load_experiment(kExperiments + "/fig4.json", {});
   const Experiment smoke = load_experiment(kExperiments + "/fig4.json", {{}, "smoke"});
-  REQUIRE(full.axes.size() == 3);
-  CHECK(full.axes[0].name == "bending");
-  CHECK(full.points() == 2400);
-  const std::vector<double>& k_r = full.axes[1].values;
+  REQUIRE(full.sweep.axes.size() == 3);
+  CHECK(full.sweep.axes[0].name == "bending");
+  CHECK(full.sweep.size() == 2400);
+  const std::vector<double>& k_r = full.sweep.axes[1].values;
   CHECK(k_r.front() == 5);
   CHECK(k_r.back() == 100);
   for (std::size_t i = 1; i < 40; ++i) CHECK(k_r[i] / k_r[i - 1] == Approx(std::pow(100.0 / 5, 1.0 / 39)));
   for (std::size_t d = 0; d < 3; ++d)
-    for (const double value : smoke.axes[d].values)
-      CHECK(std::count(full.axes[d].values.begin(), full.axes[d].values.end(), value) == 1);
+    for (const double value : smoke.sweep.axes[d].values)
+      CHECK(std::count(full.sweep.axes[d].values.begin(), full.sweep.axes[d].values.end(), value) == 1);
 }
 
 TEST_CASE("points are in row-major order over the axes, and C follows A if chi is to peak at V_s") {
   const Experiment e =
       load_experiment(kExperiments + "/paper.json",
                       {{R"(/sweep/A={"values":[1.2,1.5]})", R"(/sweep/R_n={"values":[1,2,3]})"}, "full"});
-  CHECK(e.points() == 6);
-  const PointInput p = e.point(4);
+  CHECK(e.sweep.size() == 6);
+  const PointInput p = e.sweep.point(4);
   CHECK(p.setup.parameters.A == 1.5);
   CHECK(p.loading.R_n == 2);
   CHECK(p.setup.parameters.C == Approx(chi_C_peak_at_V_s(1.5)));
-  CHECK(e.point(0).setup.parameters.C == Approx(chi_C_peak_at_V_s(1.2)));
+  CHECK(e.sweep.point(0).setup.parameters.C == Approx(chi_C_peak_at_V_s(1.2)));
 }
 
 TEST_CASE("the nominal friction is the friction of rigid bristles over their load, under every law") {
@@ -118,13 +118,13 @@ TEST_CASE("the nominal friction is the friction of rigid bristles over their loa
           "sweep": {"friction": {"values": )" +
               Json(texts(words<FrictionLaw>())).dump() + "}, " + sweep + "}}"),
       {});
-  for (std::size_t i = 0; i < e.points(); ++i) {
-    const PointInput point = e.point(i);
+  for (std::size_t i = 0; i < e.sweep.size(); ++i) {
+    const PointInput point = e.sweep.point(i);
     const double nominal = rigid_friction(point.setup.parameters, point.loading.R_n) / point.loading.R_n;
     CHECK(nominal == Approx(*point.nominal_friction).epsilon(1e-14));
   }
-  CHECK(e.point(3).setup.parameters.tau_f == Approx(3e4).epsilon(1e-5));  // the paper's, at R_n = 2
-  CHECK(e.point(7).setup.parameters.mu_c == 6.1984);
+  CHECK(e.sweep.point(3).setup.parameters.tau_f == Approx(3e4).epsilon(1e-5));  // the paper's, at R_n = 2
+  CHECK(e.sweep.point(7).setup.parameters.mu_c == 6.1984);
 }
 
 TEST_CASE("a tier removes keys by null, and an extending experiment can remove the tier of its parent") {
@@ -132,10 +132,10 @@ TEST_CASE("a tier removes keys by null, and an extending experiment can remove t
   s.write("experiments/paper.json", bytes_of(kExperiments + "/paper.json"));
   const auto parent = s.write("experiments/a.json", R"({"extends": "paper.json", "name": "a",
     "tiers": {"smoke": {"load": {"R_n": null, "path": null, "z_0": 0.5}}}})");
-  CHECK(load_experiment(parent, {{}, "smoke"}).base.loading.z_0 == 0.5);
-  CHECK_FALSE(load_experiment(parent, {}).base.loading.z_0);
+  CHECK(load_experiment(parent, {{}, "smoke"}).sweep.base.loading.z_0 == 0.5);
+  CHECK_FALSE(load_experiment(parent, {}).sweep.base.loading.z_0);
   const auto child = s.write("experiments/b.json", R"({"extends": "a.json", "tiers": {"smoke": null}})");
-  CHECK_FALSE(load_experiment(child, {{}, "smoke"}).base.loading.z_0);
+  CHECK_FALSE(load_experiment(child, {{}, "smoke"}).sweep.base.loading.z_0);
 }
 
 TEST_CASE("a change by --set concerns the chosen tier, also where another tier lacks the key") {
@@ -167,14 +167,15 @@ TEST_CASE("an inherited tier that does not fit is named with the patch that repl
             "ski.json (tier smoke): /sweep/R_n_N/take: 2 is not allowed; allowed: ascending indices "
             "from 0 to 1") &&
             Catch::Contains("the tier smoke is inherited from ") && Catch::EndsWith(advice));
-  CHECK(loaded("," + advice, "full").points() == 2 * 2 * 13);
-  CHECK(loaded("," + advice, "smoke").points() == 2 * 2 * 13);
-  CHECK(loaded(R"(, "tiers": {"smoke": {"sweep": {"R_n_N": {"take": [1]}}}})", "smoke").points() == 2 * 4);
+  CHECK(loaded("," + advice, "full").sweep.size() == 2 * 2 * 13);
+  CHECK(loaded("," + advice, "smoke").sweep.size() == 2 * 2 * 13);
+  CHECK(loaded(R"(, "tiers": {"smoke": {"sweep": {"R_n_N": {"take": [1]}}}})", "smoke").sweep.size() ==
+        2 * 4);
   const std::string own = R"(, "tiers": {"smoke": {"model": {"mu_c": 0.5}}})";
   CHECK_THROWS_WITH(loaded(own, "full"),
                     Catch::EndsWith("change this key in /tiers/smoke of " + s.path("experiments/my.json") +
                                     "; null there removes it"));
-  CHECK(loaded(R"(, "tiers": {"smoke": {"sweep": {"R_n_N": {"take": null}}}})", "smoke").points() ==
+  CHECK(loaded(R"(, "tiers": {"smoke": {"sweep": {"R_n_N": {"take": null}}}})", "smoke").sweep.size() ==
         2 * 2 * 4);
   // A mistake that every tier has is no fault of the tier.
   CHECK_THROWS_WITH(loaded(R"(, "model": {"mu_c": -1})", "smoke"), !Catch::Contains("inherited"));

@@ -16,29 +16,31 @@ using namespace testing;
 
 namespace {
 
-PointRecord small_record(const Experiment& e, std::size_t i) { return record_of(e, small_point(i), {}); }
+PointRecord small_record(const Experiment& e, std::size_t i) {
+  return record_of(e.sweep, small_point(i), {});
+}
 
 // Adds the first points of the small experiment to the journal, unless it has them.
 void write_journal(const std::string& result, const Experiment& e, std::size_t points) {
   Journal journal(result + ".journal", "0123abc", false);
   for (std::size_t i = 0; i < points; ++i)
-    if (!journal.has(point_key(e, i))) journal.append(point_key(e, i), small_record(e, i));
+    if (!journal.has(point_key(e.sweep, i))) journal.append(point_key(e.sweep, i), small_record(e, i));
 }
 
 bool holds(const Journal& journal, const Experiment& e, std::size_t i) {
-  const std::string key = point_key(e, i);
+  const std::string key = point_key(e.sweep, i);
   return journal.has(key) && differences(journal.read(key).record, small_record(e, i)).empty();
 }
 
 std::map<std::string, std::string> keys_of(const Experiment& e, const std::vector<std::size_t>& points) {
   std::map<std::string, std::string> keys;
-  for (const std::size_t i : points) keys[point_key(e, i)] = e.place(i);
+  for (const std::size_t i : points) keys[point_key(e.sweep, i)] = e.sweep.place(i);
   return keys;
 }
 
 std::size_t points_in(const Journal& journal, const Experiment& e) {
   std::size_t n = 0;
-  for (std::size_t i = 0; i < e.points(); ++i) n += journal.has(point_key(e, i));
+  for (std::size_t i = 0; i < e.sweep.size(); ++i) n += journal.has(point_key(e.sweep, i));
   return n;
 }
 
@@ -93,7 +95,7 @@ TEST_CASE("a journal truncated at any byte of its last record keeps the others a
     s.write("r.h5.journal", whole.substr(0, size));
     Journal journal(result + ".journal", "0123abc", false);
     if (points_in(journal, e) != 2 || !holds(journal, e, 0) || !holds(journal, e, 1)) FAIL(size);
-    journal.append(point_key(e, 2), small_record(e, 2));
+    journal.append(point_key(e.sweep, 2), small_record(e, 2));
     if (bytes_of(path) != whole) FAIL("not repaired: " << size);
   }
 }
@@ -121,14 +123,14 @@ TEST_CASE("a damaged record is ignored, and the others are used") {
   s.write("r.h5.journal", text);
   const Journal journal(s.path("r.h5.journal"), "0123abc", false);
   CHECK(holds(journal, e, 0));
-  CHECK(!journal.has(point_key(e, 1)));
+  CHECK(!journal.has(point_key(e.sweep, 1)));
   CHECK(holds(journal, e, 2));
 }
 
 TEST_CASE("keys of points contain choices as words, whose codes may change") {
   const Scratch s;
   const Experiment e = small_experiment(s);
-  const std::string text = canonical_point(e, 0);
+  const std::string text = e.sweep.key(0);
   for (const char* word : {R"("friction":"nss")", R"("bending":"polar")", R"("engine":"fast")",
                            R"("initial_state":"static_equilibrium")", R"("pole_rule":"reflect")"}) {
     CAPTURE(word, text);
@@ -139,17 +141,19 @@ TEST_CASE("keys of points contain choices as words, whose codes may change") {
 TEST_CASE("points computed by a program with uncommitted changes are used by such programs only") {
   const Scratch s;
   const Experiment e = small_experiment(s);
-  { Journal(s.path("r.h5.journal"), "0123abc-dirty", false).append(point_key(e, 0), small_record(e, 0)); }
-  { Journal(s.path("r.h5.journal"), "4567def", false).append(point_key(e, 1), small_record(e, 1)); }
+  {
+    Journal(s.path("r.h5.journal"), "0123abc-dirty", false).append(point_key(e.sweep, 0), small_record(e, 0));
+  }
+  { Journal(s.path("r.h5.journal"), "4567def", false).append(point_key(e.sweep, 1), small_record(e, 1)); }
   const auto has = [&](const char* commit, std::size_t i) {
-    return Journal(s.path("r.h5.journal"), commit, false).has(point_key(e, i));
+    return Journal(s.path("r.h5.journal"), commit, false).has(point_key(e.sweep, i));
   };
   CHECK(has("0123abc-dirty", 0));
   CHECK(has("unknown", 0));
   CHECK(!has("4567def", 0));
   for (const char* commit : {"4567def", "0123abc-dirty", "unknown"}) CHECK(has(commit, 1));
   Journal other(s.path("other.h5.journal"), "4567def", false);
-  other.adopt(s.path("r.h5.journal"), e, keys_of(e, {0, 1}));
+  other.adopt(s.path("r.h5.journal"), e.sweep, keys_of(e, {0, 1}));
   CHECK(points_in(other, e) == 1);
 }
 
@@ -187,16 +191,16 @@ TEST_CASE("points of this experiment in another journal are copied") {
   const Experiment e = small_experiment(s);
   write_journal(s.path("other.h5"), e, 4);
   Journal journal(s.path("r.h5.journal"), "0123abc", false);
-  journal.adopt(s.path("other.h5.journal"), e, keys_of(e, {0, 2, 5}));
+  journal.adopt(s.path("other.h5.journal"), e.sweep, keys_of(e, {0, 2, 5}));
   CHECK(holds(journal, e, 0));
-  CHECK(!journal.has(point_key(e, 1)));
+  CHECK(!journal.has(point_key(e.sweep, 1)));
   CHECK(holds(journal, e, 2));
-  CHECK(!journal.has(point_key(e, 5)));
+  CHECK(!journal.has(point_key(e.sweep, 5)));
   write_journal(s.path("other.h5"), e, 6);  // it has grown since
-  journal.adopt(s.path("other.h5.journal"), e, keys_of(e, {5}));
+  journal.adopt(s.path("other.h5.journal"), e.sweep, keys_of(e, {5}));
   CHECK(holds(journal, e, 5));
   const Experiment recorded = small_experiment(s, R"(, "record": ["observables", "bristles"])");
-  journal.adopt(s.path("other.h5.journal"), recorded, keys_of(recorded, {0, 1, 2, 3}));
+  journal.adopt(s.path("other.h5.journal"), recorded.sweep, keys_of(recorded, {0, 1, 2, 3}));
   CHECK(points_in(journal, recorded) == 0);
 }
 
@@ -209,11 +213,11 @@ TEST_CASE("of another journal, a damaged line is left out, and a point that diff
   bytes[bytes.size() - 20] ^= 1;
   s.write("other.h5.journal", bytes);
   Journal journal(s.path("r.h5.journal"), "0123abc", false);
-  journal.adopt(path, e, keys_of(e, {0, 1}));
+  journal.adopt(path, e.sweep, keys_of(e, {0, 1}));
   CHECK(holds(journal, e, 0));
-  CHECK(!journal.has(point_key(e, 1)));
-  Journal(s.path("third.h5.journal"), "0123abc", false).append(point_key(e, 0), small_record(e, 1));
-  CHECK_THROWS_WITH(journal.adopt(s.path("third.h5.journal"), e, keys_of(e, {0})),
+  CHECK(!journal.has(point_key(e.sweep, 1)));
+  Journal(s.path("third.h5.journal"), "0123abc", false).append(point_key(e.sweep, 0), small_record(e, 1));
+  CHECK_THROWS_WITH(journal.adopt(s.path("third.h5.journal"), e.sweep, keys_of(e, {0})),
                     Catch::Contains("differ at the point"));
 }
 
@@ -222,11 +226,11 @@ TEST_CASE("equal points have equal keys regardless of grid and names") {
   const Experiment e = small_experiment(s);
   Experiment finer = e;
   finer.name = finer.title = "finer";
-  finer.axes[1].values = {0.1, 0.3, 1, 3};
-  CHECK(point_key(e, 0) == point_key(finer, 1));
-  CHECK(point_key(e, 5) == point_key(finer, 7));
+  finer.sweep.axes[1].values = {0.1, 0.3, 1, 3};
+  CHECK(point_key(e.sweep, 0) == point_key(finer.sweep, 1));
+  CHECK(point_key(e.sweep, 5) == point_key(finer.sweep, 7));
   std::set<std::string> keys;
-  for (std::size_t i = 0; i < finer.points(); ++i) keys.insert(point_key(finer, i));
+  for (std::size_t i = 0; i < finer.sweep.size(); ++i) keys.insert(point_key(finer.sweep, i));
   CHECK(keys.size() == 8);
 }
 
@@ -235,9 +239,9 @@ TEST_CASE("every sweepable quantity and every setting changes the key of a point
   const Experiment e = small_experiment(s);
   const auto one = [&](const std::string& name, double value) {
     Experiment changed = e;
-    changed.axes = {{name, {value}}};
-    changed.C_peaks_at_V_s = false;
-    return point_key(changed, 0);
+    changed.sweep.axes = {{name, {value}}};
+    changed.sweep.C_peaks_at_V_s = false;
+    return point_key(changed.sweep, 0);
   };
   const auto in_si = [](const std::string& name) {
     const auto& all = si_quantities();
@@ -251,10 +255,11 @@ TEST_CASE("every sweepable quantity and every setting changes the key of a point
   }
   const auto one_in_si = [&](const std::string& name, double value) {
     Experiment changed = e;
-    changed.axes = {{name, {value}}};
-    changed.base.si = {{"m_kg", 1}, {"r0_m", 1}, {"V0_m_per_s", 1}, {"E_Pa", 1}, {"nu", 0.1}, {"R_m", 1}};
-    changed.base.si["k_r_over_k_phi"] = 1;
-    return point_key(changed, 0);
+    changed.sweep.axes = {{name, {value}}};
+    changed.sweep.base.si = {{"m_kg", 1}, {"r0_m", 1}, {"V0_m_per_s", 1},
+                             {"E_Pa", 1}, {"nu", 0.1}, {"R_m", 1}};
+    changed.sweep.base.si["k_r_over_k_phi"] = 1;
+    return point_key(changed.sweep, 0);
   };
   for (const SiQuantity& q : si_quantities()) {
     CAPTURE(q.name);
@@ -266,7 +271,7 @@ TEST_CASE("every sweepable quantity and every setting changes the key of a point
         R"("integrator": {"engine": "reference"})", R"("integrator": {"max_evaluations": 1000})",
         R"("record": ["bristles"])", R"("load": {"R_n": null, "trace": {"nodes": 96}})"}) {
     CAPTURE(change);
-    CHECK(point_key(small_experiment(s, std::string(", ") + change), 0) != point_key(e, 0));
+    CHECK(point_key(small_experiment(s, std::string(", ") + change).sweep, 0) != point_key(e.sweep, 0));
   }
 }
 

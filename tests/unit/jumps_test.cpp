@@ -9,12 +9,12 @@ using namespace testing;
 
 constexpr const char* kAlong = R"(, "locate_jumps": "k_r")";
 
-// The gap of every point of an experiment by a function of k_r and k_theta.
+// The gap of every point of a sweep by a function of k_r and k_theta.
 template <class Law>
-std::vector<run::Gap> gaps(const Experiment& e, const std::vector<std::size_t>& points, Law law) {
+std::vector<run::Gap> gaps(const Sweep& sweep, const std::vector<std::size_t>& points, Law law) {
   std::vector<run::Gap> out;
   for (const std::size_t i : points) {
-    const Parameters p = e.point(i).setup.parameters;
+    const Parameters p = sweep.point(i).setup.parameters;
     out.push_back(law(p.k_r, p.k_theta));
   }
   return out;
@@ -24,8 +24,8 @@ std::vector<run::Gap> gaps(const Experiment& e, const std::vector<std::size_t>& 
 template <class Law>
 std::pair<Rows, std::size_t> located(const Experiment& e, Law law) {
   std::size_t solved = 0;
-  Rows rows = run::locate_jumps(e, gaps(e, shard_points({}, e.points()), law),
-                                [&](const Experiment& between, const std::vector<std::size_t>& points) {
+  Rows rows = run::locate_jumps(e.sweep, e.locate_jumps, gaps(e.sweep, shard_points({}, e.sweep.size()), law),
+                                [&](const Sweep& between, const std::vector<std::size_t>& points) {
                                   solved += points.size();
                                   return gaps(between, points, law);
                                 });
@@ -43,7 +43,7 @@ TEST_CASE("jumps of the gap are located within 1 percent, each on its line of th
   REQUIRE(rows.size() == 8);
   CHECK(rows[0] == std::vector<double>{0, 1, 2});
   for (std::size_t i = 0; i < 3; ++i) {
-    const double k_theta = e.axes[1].values[i];
+    const double k_theta = e.sweep.axes[1].values[i];
     CAPTURE(k_theta);
     CHECK(rows[1][i] <= place(k_theta));
     CHECK(rows[2][i] >= place(k_theta));
@@ -68,16 +68,17 @@ TEST_CASE("all jumps between two points of the sweep are located, in ascending o
 TEST_CASE("the bisection towards a jump at zero ends") {
   const Scratch s;
   const Experiment e = sharded(s, R"(, "locate_jumps": "mu_c")", R"("mu_c": {"values": [0, 1]})");
-  const auto law = [](const Experiment& x, const std::vector<std::size_t>& points) {
+  const auto law = [](const Sweep& x, const std::vector<std::size_t>& points) {
     std::vector<run::Gap> out;
     for (const std::size_t i : points) out.push_back(gap(x.point(i).setup.parameters.mu_c > 0 ? 0.6 : 0.1));
     return out;
   };
   std::size_t rounds = 0;
-  const Rows rows = run::locate_jumps(e, law(e, {0, 1}), [&](const Experiment& x, const auto& points) {
-    ++rounds;
-    return law(x, points);
-  });
+  const Rows rows =
+      run::locate_jumps(e.sweep, "mu_c", law(e.sweep, {0, 1}), [&](const Sweep& x, const auto& points) {
+        ++rounds;
+        return law(x, points);
+      });
   CHECK(rounds == 20);
   CHECK(rows[1] == std::vector<double>{0});
   CHECK(rows[2][0] < 1e-5);

@@ -13,12 +13,12 @@ namespace {
 // sweep.
 void require_same_points(const Experiment& all) {
   const Experiment stored = experiment::stored_experiment(*all.document, all.tier, "stored");
-  REQUIRE(stored.points() == all.points());
-  for (std::size_t i = 0; i < all.points(); ++i) {
+  REQUIRE(stored.sweep.size() == all.sweep.size());
+  for (std::size_t i = 0; i < all.sweep.size(); ++i) {
     const Json document = experiment::document_of_point(stored, i);
     const Experiment one = experiment::stored_experiment(document, all.tier, "one point");
-    REQUIRE(one.points() == 1);
-    CHECK(experiment::canonical_point(one, 0) == experiment::canonical_point(all, i));
+    REQUIRE(one.sweep.size() == 1);
+    CHECK(one.sweep.key(0) == all.sweep.key(i));
     CHECK(one.checks.empty());
   }
 }
@@ -81,7 +81,8 @@ TEST_CASE("replay: the command names the result, quoted, and the point of any no
   const Experiment curves = of(s, R"("load": {"R_n": null, "path": null, "trace": {"nodes": 96}},
                                      "sweep": {"friction": {"values": ["nss", "coulomb"]}, "k_r": {"values": [5, 20]}})");
   ResultWriter writer(curves, s.path("a file.h5"));
-  for (std::size_t i = 0; i < curves.points(); ++i) writer.write(i, record_of(curves, {CurveNode{}}));
+  for (std::size_t i = 0; i < curves.sweep.size(); ++i)
+    writer.write(i, record_of(curves.sweep, {CurveNode{}}));
   writer.close({});
   writer.publish();
   const ReplayCommands commands(ResultReader(s.path("a file.h5")));

@@ -72,11 +72,11 @@ TEST_CASE("a sweep ends when it is stopped while threads share the passages of o
         "orientation": {"sampling": "lattice", "seed": 0, "rows": 2000}})"),
       {});
   std::size_t computed = 0, points = 0;
-  SweepObserver observer;
+  SchedulerObserver observer;
   observer.passages = [&](std::size_t passages) { computed += passages; };
   const auto sink = [&](PointReport&&) { ++points; };
   CHECK_FALSE(run_sweep(
-      e, {0}, 3, sink, [&] { return computed >= 300; }, observer));
+      e.sweep, {0}, 3, sink, [&] { return computed >= 300; }, observer));
   CHECK(computed >= 300);
   CHECK(points == 0);
 }
@@ -100,7 +100,7 @@ TEST_CASE("axes, values, bristles and attributes read back as written") {
   const Variable R_n = r.variable("R_n");
   CHECK(R_n.dimensions == std::vector<std::string>{"k_r", "k_phi"});
   CHECK(R_n.shape == std::vector<std::size_t>{2, 2});
-  const PointInput last = e.point(3);
+  const PointInput last = e.sweep.point(3);
   const PointResult expected = solve_point(last.setup, last.loading, make_runner(Engine::fast));
   CHECK(R_n.values[3] == expected.value[bristle::R_N]);
   CHECK(r.variable("R_x_norm").values[3] == expected.R_x_norm);
@@ -131,7 +131,7 @@ TEST_CASE("a run that fails leaves the previous result unchanged and no temporar
   const std::string before = bytes_of(s.path("r.h5"));
   try {
     ResultWriter writer(e, s.path("r.h5"));
-    writer.write(0, record_of(e, PointResult{}, {}));
+    writer.write(0, record_of(e.sweep, PointResult{}, {}));
     throw RunError("a failure in the middle");
   } catch (const RunError&) {
   }

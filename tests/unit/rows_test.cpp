@@ -20,7 +20,7 @@ std::string result_of(const Scratch& s, const std::string& name, const std::stri
       "table": ")" + name + R"(.csv")" + take + "}}}"),
                       {});
   return small_result(s, name + ".h5", e, [&](std::size_t i, PointResult& p) {
-    p = small_point(std::size_t(e.axes.front().columns.front().values[i]));
+    p = small_point(std::size_t(e.sweep.axes.front().columns.front().values[i]));
   });
 }
 

@@ -50,7 +50,7 @@ std::string sobol(const std::string& over, int points = 8, int seed = 1) {
 }
 
 const std::vector<double>& column(const Experiment& e, std::string_view name) {
-  return std::ranges::find(e.axes.front().columns, name, &Axis::name)->values;
+  return std::ranges::find(e.sweep.axes.front().columns, name, &Axis::name)->values;
 }
 
 }  // namespace
@@ -90,7 +90,7 @@ TEST_CASE("distributions of a sample: ranges, moments and words") {
       "phi_0_deg": {"uniform": [70, 85]}, "friction": {"values": ["nss", "coulomb"]},
       "k_phi": {"values": [1, 2, 4]})",
                                     1024));
-  REQUIRE(e.points() == 1024);
+  REQUIRE(e.sweep.size() == 1024);
   const auto mean = [](const std::vector<double>& v, auto of) {
     double sum = 0;
     for (const double x : v) sum += of(x);
@@ -131,7 +131,7 @@ TEST_CASE("a longer sample begins with the shorter one, and each seed has its ow
   const Folder f;
   const std::string over = R"("k_r": {"log": [3, 100]}, "mu_c": {"normal": [0.3, 0.05]})";
   const Experiment few = f.load(sobol(over, 8)), more = f.load(sobol(over, 100));
-  for (std::size_t i = 0; i < few.points(); ++i) CHECK(canonical_point(few, i) == canonical_point(more, i));
+  for (std::size_t i = 0; i < few.sweep.size(); ++i) CHECK(few.sweep.key(i) == more.sweep.key(i));
   CHECK(column(few, "k_r") != column(f.load(sobol(over, 8, 2)), "k_r"));
 }
 
@@ -141,20 +141,20 @@ TEST_CASE("a row of a table is the same point as the same values on axes") {
             "\xef\xbb\xbf# a remark\n\"k_r\", mu_c "
             ",friction,phi_0_deg\r\n\r\n5,0.2,coulomb,80\n2e1,0.3,nss,75.5\n");
   const Experiment e = f.load(R"({"sample": {"table": "t.csv"}, "bending": {"values": ["polar", "rod"]}})");
-  REQUIRE(e.shape() == std::vector<std::size_t>{2, 2});
+  REQUIRE(e.sweep.shape() == std::vector<std::size_t>{2, 2});
   const Experiment axes =
       f.load(R"({"friction": {"values": ["nss"]}, "k_r": {"values": [20]}, "mu_c": {"values": [0.3]},
       "phi_0_deg": {"values": [75.5]}, "bending": {"values": ["polar", "rod"]}})");
-  CHECK(canonical_point(e, 2) == canonical_point(axes, 0));
-  CHECK(canonical_point(e, 3) == canonical_point(axes, 1));
-  CHECK(e.place(3) == "sample = 1, bending = rod");
+  CHECK(e.sweep.key(2) == axes.sweep.key(0));
+  CHECK(e.sweep.key(3) == axes.sweep.key(1));
+  CHECK(e.sweep.place(3) == "sample = 1, bending = rod");
   f.s.write("one.csv", "k_r,mu_c\n5,0.2\n");
   CHECK(f.load(R"({"sample": {"table": "one.csv"}})")
             .warnings.empty());  // one value shows no effect, and is no mistake
   // The document has all that the points need: the file may change or be lost.
   std::filesystem::remove(f.s.path("t.csv"));
   const Experiment stored = stored_experiment(*e.document, "full", "stored");
-  for (std::size_t i = 0; i < e.points(); ++i) CHECK(canonical_point(stored, i) == canonical_point(e, i));
+  for (std::size_t i = 0; i < e.sweep.size(); ++i) CHECK(stored.sweep.key(i) == e.sweep.key(i));
 }
 
 TEST_CASE("a tier takes rows of a table, and --set names another table") {
@@ -184,7 +184,7 @@ TEST_CASE("a table that is replaced or removed is not read") {
         std::vector<double>{5, 10});
   CHECK(k_r({{"/sweep/sample/table=" + named, "/sweep/sample/table/rows/1/0=7"}, "full"}) ==
         std::vector<double>{5, 7});
-  CHECK(load_experiment(f.s.path("e.json"), {{"/sweep/sample=null"}, "full"}).points() == 1);
+  CHECK(load_experiment(f.s.path("e.json"), {{"/sweep/sample=null"}, "full"}).sweep.size() == 1);
 
   // By a tier, and by an experiment that extends another one.
   f.error(missing.substr(0, missing.size()) + R"(, "tiers": {"smoke": {"sweep": )" + with_table +
@@ -198,7 +198,7 @@ TEST_CASE("a table that is replaced or removed is not read") {
         f.s.write("child.json", fmt::format(R"({{"extends": "e.json", "sweep": {}}})", sweep)), {});
   };
   CHECK(column(child(with_table + R"(t.csv"}})"), "k_r") == std::vector<double>{5, 10});
-  CHECK(child(R"({"sample": null})").points() == 1);
+  CHECK(child(R"({"sample": null})").sweep.size() == 1);
   f.load(with_table + R"(t.csv"}})");
   CHECK(column(child(R"({"sample": {"table": {"rows": [[3]]}}})"), "k_r") == std::vector<double>{3});
 }
@@ -401,7 +401,7 @@ TEST_CASE("Sobol indices and quantiles are stored with the result of a sample") 
   const Experiment e = f.load(R"({"bending": {"values": ["polar", "rod"]}, "sample": {"sobol": 16, "seed": 1,
                  "over": {"k_r": {"log": [5, 50]}, "zeta_phi": {"uniform": [0.1, 0.1001]}}}})",
                               R"(, "analysis": {"sobol_indices": ["R_x", "R_n"], "quantiles": ["R_x"]})");
-  REQUIRE(e.points() == 2 * 16 * 4);
+  REQUIRE(e.sweep.size() == 2 * 16 * 4);
   run_experiment(e, {.output = f.s.path("e.h5"), .threads = 2, .quiet = true});
   const ResultReader result(f.s.path("e.h5"));
   CHECK(result.damage().empty());
@@ -421,7 +421,7 @@ TEST_CASE("Sobol indices and quantiles are stored with the result of a sample") 
   // Another analysis of the same points computes no point again.
   const Experiment more =
       f.load(e.document->at("sweep").dump(), R"(, "analysis": {"sobol_indices": ["R_x"]})");
-  for (std::size_t i = 0; i < e.points(); ++i) CHECK(canonical_point(more, i) == canonical_point(e, i));
+  for (std::size_t i = 0; i < e.sweep.size(); ++i) CHECK(more.sweep.key(i) == e.sweep.key(i));
 }
 
 TEST_CASE("indices and quantiles count the points that they use, and the ambiguous ones of these") {
@@ -431,7 +431,7 @@ TEST_CASE("indices and quantiles count the points that they use, and the ambiguo
       R"({"sample": {"sobol": 20, "seed": 1, "over": {"R_n": {"uniform": [0.5, 2.5]}, "k_r": {"log": [5, 50]}}}})",
       R"(, "analysis": {"sobol_indices": ["R_x"], "quantiles": ["R_x"]})");
   std::vector<double> statuses(80, double(PointStatus::ok)), values;
-  const std::vector<experiment::Axis>& columns = e.axes.front().columns;
+  const std::vector<experiment::Axis>& columns = e.sweep.axes.front().columns;
   for (std::size_t i = 0; i < 80; ++i) values.push_back(10 * columns[0].values[i] + columns[1].values[i]);
   for (const std::size_t i : {4, 5, 10, 15}) {
     statuses[i] = double(PointStatus::unreachable);

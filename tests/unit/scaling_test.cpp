@@ -45,7 +45,7 @@ struct ManyPoints {
     b = small_result(s, "b.h5", of("down", down));
     Journal journal(s.path("a.h5.journal"), kCommit, false);
     for (std::size_t i = 0; i < rows; ++i)
-      journal.append(point_key(*experiment, i), record_of(*experiment, small_point(i), {}));
+      journal.append(point_key(experiment->sweep, i), record_of(experiment->sweep, small_point(i), {}));
   }
 
   Experiment of(const std::string& name, const std::string& table) const {
@@ -104,7 +104,7 @@ TEST_CASE("the work on a finished result is proportional to its points") {
   SECTION("the points of its journal")
   require_proportional([](const ManyPoints& m) {
     const Journal journal(m.s.path("a.h5.journal"), kCommit, false);
-    const KeyedPoints points(*m.experiment, shard_points({}, m.experiment->points()));
+    const KeyedPoints points(m.experiment->sweep, shard_points({}, m.experiment->sweep.size()));
     CHECK(points.missing_in(journal).empty());
   });
 }

@@ -47,9 +47,9 @@ inline PointRecord invented_record(const Experiment& e, std::size_t index) {
     }
   };
   PointRecord record;
-  const auto& trace = e.base.loading.trace;
+  const auto& trace = e.sweep.base.loading.trace;
   const std::size_t nodes = trace ? random() % (std::size_t(trace->nodes) + 1) : 1;
-  const PointLayout layout(e);
+  const PointLayout layout(e.sweep);
   for (const auto& dataset : layout.datasets) fill(record.values[dataset.name], dataset.name, nodes);
   for (const std::string& table : layout.tables) {
     const std::size_t rows = random() % 6;
@@ -62,7 +62,7 @@ inline PointRecord invented_record(const Experiment& e, std::size_t index) {
 // Writes a result with invented numbers at once. Returns its payload digest.
 inline std::string whole_digest(const Scratch& s, const Experiment& e) {
   ResultWriter writer(e, s.path("whole.h5"));
-  for (std::size_t i = 0; i < e.points(); ++i) writer.write(i, invented_record(e, i));
+  for (std::size_t i = 0; i < e.sweep.size(); ++i) writer.write(i, invented_record(e, i));
   writer.close({});
   writer.publish();
   return ResultReader(s.path("whole.h5")).text("payload_sha256");
@@ -73,8 +73,8 @@ inline std::string write_shard(const Scratch& s, const Experiment& e, const Shar
                                const std::string& commit = kCommit) {
   const std::string path = journal_path(s.path("small/r.h5"), shard);
   Journal journal(path, commit, false);
-  for (const std::size_t i : shard_points(shard, e.points()))
-    journal.append(point_key(e, i), invented_record(e, i));
+  for (const std::size_t i : shard_points(shard, e.sweep.size()))
+    journal.append(point_key(e.sweep, i), invented_record(e, i));
   return path;
 }
 

@@ -120,8 +120,8 @@ TEST_CASE("a completed result is like that of one run, with the hosts of its poi
   const Experiment e = small_experiment(s);
   for (const char* host : {"node1", "node2"}) {
     std::string lines;
-    for (std::size_t i = host[4] - '1'; i < e.points(); i += 2)
-      lines += encode({point_key(e, i), kCommit, host, invented_record(e, i)});
+    for (std::size_t i = host[4] - '1'; i < e.sweep.size(); i += 2)
+      lines += encode({point_key(e.sweep, i), kCommit, host, invented_record(e, i)});
     s.write("small/r.h5." + std::string(1, host[4]) + "-of-2.journal", lines);
   }
   completed(s, e);
@@ -148,7 +148,7 @@ TEST_CASE("once the result is written, its journal has all points, and no shard'
   CHECK(left == std::set<std::string>{"r.h5", "r.h5.journal", "other.h5.1-of-2.journal",
                                       "r.h5.1-of-3.journal", "r.h5.2-of-3.journal"});
   const Journal journal(s.path("small/r.h5.journal"), kCommit, false);
-  for (std::size_t i = 0; i < e.points(); ++i) CHECK(journal.has(point_key(e, i)));
+  for (std::size_t i = 0; i < e.sweep.size(); ++i) CHECK(journal.has(point_key(e.sweep, i)));
 }
 
 TEST_CASE("a shard that runs again takes its points from the journals of its folder") {
@@ -162,7 +162,7 @@ TEST_CASE("a shard that runs again takes its points from the journals of its fol
   run_experiment(e, {.output = s.path("small/r.h5"), .shard = Shard{1, 4}, .threads = 1, .quiet = true});
   const Journal journal(journal_path(s.path("small/r.h5"), Shard{1, 4}), kCommit, false);
   for (const std::size_t i : {0, 4})
-    CHECK(differences(journal.read(point_key(e, i)).record, invented_record(e, i)).empty());
+    CHECK(differences(journal.read(point_key(e.sweep, i)).record, invented_record(e, i)).empty());
   CHECK_FALSE(fs::exists(s.path("small/r.h5")));
 }
 
@@ -203,10 +203,10 @@ TEST_CASE("a line with other variables is a missing point, which another journal
   const Experiment e = sharded(s);
   {
     Journal journal(s.path("small/r.h5.journal"), kCommit, false);
-    for (std::size_t i = 0; i < e.points(); ++i) {
+    for (std::size_t i = 0; i < e.sweep.size(); ++i) {
       PointRecord record = invented_record(e, i);
       if (i == 2) record.values.erase("R_n");
-      journal.append(point_key(e, i), record);
+      journal.append(point_key(e.sweep, i), record);
     }
   }
   check_holds(refusal(s, e), {"1 of 6 points are missing in the journals of its folder: 2 ("});
@@ -247,7 +247,7 @@ TEST_CASE("contradictory journals are refused with files, point and dataset") {
   PointRecord record = invented_record(e, 3);
   record.values["R_x"][0] = 7;
   const std::string other = journal_path(s.path("small/r.h5"), Shard{4, 4});
-  Journal(other, kCommit, false).append(point_key(e, 3), record);
+  Journal(other, kCommit, false).append(point_key(e.sweep, 3), record);
   check_holds(refusal(s, e),
               {"small/r.h5.journal and " + other, "differ at the point k_r = 20, k_theta = 0.3: R_x;"});
   CHECK(fs::exists(other));

@@ -21,7 +21,7 @@ TEST_CASE("an SI block gives the dimensionless values of the paper") {
       {{R"(/si={"m_kg":1e-4,"r0_m":0.017,"V0_m_per_s":10,"R_c_m":0.001,"E_star_Pa":1.190476e8,"k_theta_N_m":0.01,
            "k_r_N_per_m":346.0207612})"},
        "full"});
-  const Parameters& p = e.base.setup.parameters;
+  const Parameters& p = e.sweep.base.setup.parameters;
   CHECK(p.R_c == Approx(1.0 / 17));
   CHECK(p.E_star == Approx(5.849e4).epsilon(1e-3));
   CHECK(p.k_theta == Approx(1));
@@ -31,7 +31,7 @@ TEST_CASE("an SI block gives the dimensionless values of the paper") {
 TEST_CASE("a material in SI units has the same stiffness at every velocity") {
   const Experiment e = load_experiment(kExperiments + "/ski.json", {});
   // V0_m_per_s is the last axis: 13 values from 2 to 32.
-  const PointInput slow = e.point(0), fast = e.point(12);
+  const PointInput slow = e.sweep.point(0), fast = e.sweep.point(12);
   const Parameters &a = slow.setup.parameters, &b = fast.setup.parameters;
   CHECK(slow.si.at("V0_m_per_s") == 2);
   CHECK(fast.si.at("V0_m_per_s") == 32);
@@ -54,7 +54,7 @@ TEST_CASE("a material in SI units has the same stiffness at every velocity") {
 
 TEST_CASE("a measured polar stiffness replaces that of the shaft, and the ratios are to it") {
   const Experiment e = load_experiment(kExperiments + "/ski.json", {{"/si/k_phi_N_m=0.02"}, "full"});
-  const PointInput point = e.point(0);
+  const PointInput point = e.sweep.point(0);
   const Parameters& p = point.setup.parameters;
   CHECK(p.k_phi * si_scales(point).energy == Approx(0.02));
   CHECK(p.k_r == Approx(10 * p.k_phi));
@@ -70,7 +70,7 @@ TEST_CASE("gap, slab and spacing in metres follow the bristle's length") {
     "spacing_m": 0.5}, "sweep": {"r0_m": {"values": [2, 4]}}})"),
                                        {});
   for (const std::size_t i : {0, 1}) {
-    const PointInput point = e.point(i);
+    const PointInput point = e.sweep.point(i);
     const double r0 = i == 0 ? 2 : 4;
     CHECK(*point.loading.z_0 == Approx(1.2 / r0));
     CHECK(point.setup.parameters.L_x == Approx(7 / r0));

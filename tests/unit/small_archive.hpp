@@ -68,8 +68,8 @@ struct Release {
     const Experiment experiment = load_experiment(s.path("experiments/" + name + ".json"), {{}, tier});
     std::filesystem::create_directories(s.path("results"));
     ResultWriter writer(experiment, result(name));
-    for (std::size_t i = 0; i < experiment.points(); ++i)
-      writer.write(i, record_of(experiment, small_point(i), {}));
+    for (std::size_t i = 0; i < experiment.sweep.size(); ++i)
+      writer.write(i, record_of(experiment.sweep, small_point(i), {}));
     writer.close({{"commit", by.empty() ? head() : by},
                   {"version", options.version},
                   {"started", "2026-01-02T03:04:05Z"},

@@ -50,10 +50,10 @@ inline Experiment small_experiment(const Scratch& s, const std::string& more = "
 inline std::string small_result(const Scratch& s, const std::string& file, const Experiment& experiment,
                                 const Change& change = {}, const std::string& commit = "0123abc") {
   ResultWriter writer(experiment, s.path(file));
-  for (std::size_t i = 0; i < experiment.points(); ++i) {
+  for (std::size_t i = 0; i < experiment.sweep.size(); ++i) {
     PointResult p = small_point(i);
     if (change) change(i, p);
-    writer.write(i, record_of(experiment, p, {}));
+    writer.write(i, record_of(experiment.sweep, p, {}));
   }
   writer.close({{"commit", commit}});
   writer.publish();

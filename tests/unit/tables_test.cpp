@@ -41,7 +41,7 @@ TEST_CASE("the schema has every parameter, choice and SI quantity, with limits a
 
 TEST_CASE("the values that paper.json states are the defaults of the program") {
   const Experiment paper = experiment::load_experiment(kPaper, {});
-  const Parameters stated = paper.point(0).setup.parameters, defaults;
+  const Parameters stated = paper.sweep.point(0).setup.parameters, defaults;
   for (const Parameter& one : kParameters) {
     CAPTURE(one.name);
     CHECK(stated.*one.member == Approx(defaults.*one.member).epsilon(1e-4));  // C is rounded in Parameters
@@ -64,7 +64,7 @@ TEST_CASE("the defaults in the schema for editors are those of the program") {
         // The key exists in any case, so that null removes it.
         experiment::DocumentOptions options{set, "full"};
         for (const Json& one : {standard, value}) options.set.push_back(at + "=" + one.dump());
-        return canonical_point(experiment::load_experiment(kPaper, options), 0);
+        return experiment::load_experiment(kPaper, options).sweep.key(0);
       };
       CAPTURE((block / key).to_string());
       CHECK(with(nullptr) == with(standard));
@@ -83,36 +83,39 @@ TEST_CASE("a point's canonical text, of which journals store the digest, holds w
   const auto text_after = [&](const auto& change) {
     Experiment changed = paper;
     change(changed);
-    return canonical_point(changed, 0);
+    return changed.sweep.key(0);
   };
   const auto has = [](const char* key, const std::string& word) {
     return Catch::Contains("\"" + std::string(key) + "\":\"" + word + "\"");
   };
   for (const Choice& choice : choices())
     for (std::size_t i = 0; i < choice.words.size(); ++i)
-      CHECK_THAT(text_after([&](Experiment& e) { choice.set(e.base.setup.parameters, int(i)); }),
+      CHECK_THAT(text_after([&](Experiment& e) { choice.set(e.sweep.base.setup.parameters, int(i)); }),
                  has(choice.name, choice.words[i]));
   for (const std::string word : words<Distribution>())
     CHECK_THAT(text_after([&](Experiment& e) {
-                 e.base.setup.orientation.distribution = from_word<Distribution>(word);
+                 e.sweep.base.setup.orientation.distribution = from_word<Distribution>(word);
                }),
                has("distribution", word));
   for (const std::string word : words<Sampling>())
-    CHECK_THAT(
-        text_after([&](Experiment& e) { e.base.setup.orientation.sampling = from_word<Sampling>(word); }),
-        has("sampling", word));
+    CHECK_THAT(text_after([&](Experiment& e) {
+                 e.sweep.base.setup.orientation.sampling = from_word<Sampling>(word);
+               }),
+               has("sampling", word));
   for (const std::string word : words<LoadPath>())
-    CHECK_THAT(text_after([&](Experiment& e) { e.base.loading.path = from_word<LoadPath>(word); }),
+    CHECK_THAT(text_after([&](Experiment& e) { e.sweep.base.loading.path = from_word<LoadPath>(word); }),
                has("path", word));
   for (const std::string word : words<Engine>())
-    CHECK_THAT(text_after([&](Experiment& e) { e.engine = from_word<Engine>(word); }), has("engine", word));
+    CHECK_THAT(text_after([&](Experiment& e) { e.sweep.engine = from_word<Engine>(word); }),
+               has("engine", word));
   for (const std::string word : words<Method>())
-    CHECK_THAT(text_after([&](Experiment& e) { e.base.setup.integrator.method = from_word<Method>(word); }),
-               has("method", word));
+    CHECK_THAT(
+        text_after([&](Experiment& e) { e.sweep.base.setup.integrator.method = from_word<Method>(word); }),
+        has("method", word));
   // Whatever the order of the enumerations, these words belong to these values.
-  CHECK_THAT(text_after([](Experiment& e) { e.base.setup.parameters.friction = FrictionLaw::coulomb; }),
+  CHECK_THAT(text_after([](Experiment& e) { e.sweep.base.setup.parameters.friction = FrictionLaw::coulomb; }),
              has("friction", "coulomb"));
-  CHECK_THAT(text_after([](Experiment& e) { e.base.setup.parameters.pole_rule = PoleRule::cross; }),
+  CHECK_THAT(text_after([](Experiment& e) { e.sweep.base.setup.parameters.pole_rule = PoleRule::cross; }),
              has("pole_rule", "cross"));
 }
 

@@ -22,7 +22,7 @@ Derived value(const std::string& name, const PointResult& point) {
   Scratch s;
   const Experiment e =
       small_experiment(s, R"(, "model": {"section": "oval"}, "si": {"m_kg": 1, "r0_m": 2, "V0_m_per_s": 3})");
-  for (const auto& variable : results::result_variables(e))
+  for (const auto& variable : results::result_variables(e.sweep))
     if (variable.name == name) return variable.of(point);
   throw std::runtime_error(name);
 }

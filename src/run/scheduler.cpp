@@ -1,4 +1,4 @@
-#include "run/sweep.hpp"
+#include "run/scheduler.hpp"
 
 #include "dynamics/jobs.hpp"
 #include "experiment/si_units.hpp"
@@ -43,14 +43,15 @@ struct ActivePoint {
   PassageRequest request;
 };
 
-// The points of a sweep: distributes them in their order, and passes the reports to the sink, one at a time.
-class Sweep {
+// Computes points of a sweep on several threads: distributes them in their order, and passes the reports to
+// the sink, one at a time.
+class Scheduler {
  public:
   using Sink = std::function<void(PointReport&&)>;
-  Sweep(const Experiment& experiment, const std::vector<std::size_t>& points, std::size_t threads,
-        const Sink& sink, const std::function<bool()>& stop, const SweepObserver& observer)
-      : experiment_(experiment),
-        layout_(experiment),
+  Scheduler(const Sweep& sweep, const std::vector<std::size_t>& points, std::size_t threads, const Sink& sink,
+            const std::function<bool()>& stop, const SchedulerObserver& observer)
+      : sweep_(sweep),
+        layout_(sweep),
         points_(points),
         threads_(threads),
         sink_(sink),
@@ -79,13 +80,13 @@ class Sweep {
   bool solved() const { return delivered_ == points_.size(); }
   bool update_stopped() { return stopped_ = stopped_ || error_ || stop_(); }
 
-  const Experiment& experiment_;
+  const Sweep& sweep_;
   const results::PointLayout layout_;
   const std::vector<std::size_t>& points_;
   const std::size_t threads_;
   const Sink& sink_;
   const std::function<bool()>& stop_;
-  const SweepObserver& observer_;
+  const SchedulerObserver& observer_;
   PassageQueue passages_;
 
   std::atomic<std::size_t> delivered_ = 0;
@@ -102,14 +103,14 @@ class Sweep {
   std::list<std::list<ActivePoint>> suspended_;
 };
 
-std::optional<std::size_t> Sweep::next_point() {
+std::optional<std::size_t> Scheduler::next_point() {
   const std::lock_guard lock(mutex_);
   if (update_stopped() || started_ == points_.size()) return {};
   active_[points_[started_]] = Clock::now();
   return points_[started_++];
 }
 
-void Sweep::deliver(PointReport&& report) {
+void Scheduler::deliver(PointReport&& report) {
   const std::lock_guard lock(mutex_);
   if (error_) return;
   active_.erase(report.index);
@@ -119,7 +120,7 @@ void Sweep::deliver(PointReport&& report) {
 }
 
 // Counts passages that have been computed. Returns true if the thread must end.
-bool Sweep::ended(std::size_t passages) {
+bool Scheduler::ended(std::size_t passages) {
   const std::lock_guard lock(mutex_);
   observer_.passages(passages);
   report_slow_points();
@@ -127,14 +128,14 @@ bool Sweep::ended(std::size_t passages) {
 }
 
 // Ends the sweep on all threads.
-void Sweep::fail(std::exception_ptr error) {
+void Scheduler::fail(std::exception_ptr error) {
   const std::lock_guard lock(mutex_);
   if (!error_) error_ = std::move(error);
 }
 
 // Reports each active point once that has taken longer than five minutes and ten times the mean of the
 // others.
-void Sweep::report_slow_points() {
+void Scheduler::report_slow_points() {
   const auto seconds_since = [now = Clock::now()](Clock::time_point then) {
     return std::chrono::duration<double>(now - then).count();
   };
@@ -149,9 +150,9 @@ void Sweep::report_slow_points() {
 }
 
 // An error within a point becomes its status, so that it does not cost the other points.
-PointReport Sweep::solve(std::size_t index, const PassageRunner& run) const {
+PointReport Scheduler::solve(std::size_t index, const PassageRunner& run) const {
   const auto record = [&] {
-    const experiment::PointInput input = experiment_.point(index);
+    const experiment::PointInput input = sweep_.point(index);
     const auto add_input = [&](PointResult& result) {
       result.parameters = input.setup.parameters;
       result.si = experiment::si_scales(input);
@@ -162,7 +163,7 @@ PointReport Sweep::solve(std::size_t index, const PassageRunner& run) const {
       return results::record_of(layout_, curve);
     }
     Recorded recorded;
-    PointResult result = solve_point(input.setup, input.loading, run, experiment_.record, &recorded);
+    PointResult result = solve_point(input.setup, input.loading, run, sweep_.record, &recorded);
     add_input(result);
     return results::record_of(layout_, result, recorded);
   };
@@ -182,22 +183,24 @@ PointReport Sweep::solve(std::size_t index, const PassageRunner& run) const {
 
 // One thread with its SIMD engine. Several points are active at a time: while one waits for passages, the
 // lanes compute those of others. Passages wait in one queue for all threads; a thread resumes its own points.
-class Sweep::Worker {
+class Scheduler::Worker {
  public:
-  explicit Worker(Sweep& sweep)
-      : sweep_(sweep),
-        max_active_(std::min(kMaxActivePoints, (sweep.points_.size() + sweep.threads_ - 1) / sweep.threads_)),
+  explicit Worker(Scheduler& scheduler)
+      : scheduler_(scheduler),
+        max_active_(std::min(kMaxActivePoints,
+                             (scheduler.points_.size() + scheduler.threads_ - 1) / scheduler.threads_)),
         engine_(best_kernels(),
                 [this](std::size_t ticket, Passage&& passage) { receive(ticket, std::move(passage)); }) {
-    const std::lock_guard lock(sweep.mutex_);
-    points_ = &sweep.suspended_.emplace_back();
+    const std::lock_guard lock(scheduler.mutex_);
+    points_ = &scheduler.suspended_.emplace_back();
   }
 
   void run() {
-    while (!sweep_.ended(std::exchange(computed_, 0))) {
+    while (!scheduler_.ended(std::exchange(computed_, 0))) {
       start_points();
-      while (const auto chunk = sweep_.passages_.take(tickets_.size() - free_.size())) submit(*chunk);
-      if (!engine_.advance()) sweep_.passages_.wait([this] { return any_ready() || sweep_.solved(); });
+      while (const auto chunk = scheduler_.passages_.take(tickets_.size() - free_.size())) submit(*chunk);
+      if (!engine_.advance())
+        scheduler_.passages_.wait([this] { return any_ready() || scheduler_.solved(); });
       for (auto it = points_->begin(); it != points_->end();) {
         const auto point = it++;
         if (!point->request.complete()) continue;
@@ -216,9 +219,10 @@ class Sweep::Worker {
 
   void start_points() {
     while (points_->size() < max_active_) {
-      const auto index = sweep_.next_point();
+      const auto index = scheduler_.next_point();
       if (!index) return;
-      points_->emplace_back([this, i = *index](const PassageRunner& run) { return sweep_.solve(i, run); });
+      points_->emplace_back(
+          [this, i = *index](const PassageRunner& run) { return scheduler_.solve(i, run); });
       request_passages(std::prev(points_->end()));
     }
   }
@@ -227,12 +231,12 @@ class Sweep::Worker {
   void request_passages(Points::iterator point) {
     const std::vector<PassageTask>* tasks = point->solving.waiting_for();
     if (!tasks) {
-      sweep_.deliver(std::move(point->report));
+      scheduler_.deliver(std::move(point->report));
       points_->erase(point);
       return;
     }
     point->request.expect(tasks->size());
-    sweep_.passages_.add(*tasks, point->request);
+    scheduler_.passages_.add(*tasks, point->request);
   }
 
   void submit(const PassageChunk& chunk) {
@@ -253,14 +257,14 @@ class Sweep::Worker {
     const auto [request, index] = tickets_[ticket];
     free_.push_back(ticket);
     ++computed_;
-    if (request->deliver(index, std::move(passage))) sweep_.passages_.notify();
+    if (request->deliver(index, std::move(passage))) scheduler_.passages_.notify();
   }
 
   bool any_ready() const {
     return std::ranges::any_of(*points_, [](const ActivePoint& p) { return p.request.complete(); });
   }
 
-  Sweep& sweep_;
+  Scheduler& scheduler_;
   const std::size_t max_active_;
   Points* points_ = nullptr;
   SimdEngine engine_;
@@ -271,8 +275,8 @@ class Sweep::Worker {
 
 struct Stopped {};
 
-void Sweep::solve_sequentially() {
-  const PassageRunner run = [this, runner = make_runner(experiment_.engine)](const auto& tasks) {
+void Scheduler::solve_sequentially() {
+  const PassageRunner run = [this, runner = make_runner(sweep_.engine)](const auto& tasks) {
     std::vector<Passage> passages = runner(tasks);
     if (ended(tasks.size())) throw Stopped{};
     return passages;
@@ -283,9 +287,9 @@ void Sweep::solve_sequentially() {
   }
 }
 
-void Sweep::run_thread() {
+void Scheduler::run_thread() {
   try {
-    if (!kSanitized && experiment_.engine == Engine::fast) Worker(*this).run();
+    if (!kSanitized && sweep_.engine == Engine::fast) Worker(*this).run();
     else solve_sequentially();
   } catch (const std::bad_alloc&) {
     fail(std::make_exception_ptr(
@@ -299,21 +303,21 @@ void Sweep::run_thread() {
 
 int all_cores() { return int(std::max(1u, std::thread::hardware_concurrency())); }
 
-bool run_sweep(const Experiment& experiment, const std::vector<std::size_t>& points, int threads,
+bool run_sweep(const Sweep& sweep, const std::vector<std::size_t>& points, int threads,
                const std::function<void(PointReport&&)>& sink, const std::function<bool()>& stop,
-               const SweepObserver& observer) {
-  Sweep sweep(experiment, points, std::size_t(threads), sink, stop, observer);
+               const SchedulerObserver& observer) {
+  Scheduler scheduler(sweep, points, std::size_t(threads), sink, stop, observer);
   std::vector<std::thread> others;
   others.reserve(std::size_t(threads));
   try {
-    for (int i = 1; i < threads; ++i) others.emplace_back([&] { sweep.run_thread(); });
+    for (int i = 1; i < threads; ++i) others.emplace_back([&] { scheduler.run_thread(); });
   } catch (const std::system_error& e) {  // the numbers do not depend on how many there are
     write_message(fmt::format("bristle: {} of {} threads could be started: {}\n", others.size() + 1, threads,
                               e.what()));
   }
-  sweep.run_thread();
+  scheduler.run_thread();
   for (std::thread& thread : others) thread.join();
-  return sweep.complete();
+  return scheduler.complete();
 }
 
 }  // namespace bristle::run

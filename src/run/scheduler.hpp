@@ -12,8 +12,8 @@ struct PointReport {
   results::PointRecord record;
 };
 
-// What a sweep reports while it computes; one call at a time.
-struct SweepObserver {
+// What the scheduler reports while it computes; one call at a time.
+struct SchedulerObserver {
   // The index of a point that takes unusually long, and the seconds so far.
   std::function<void(std::size_t, double)> slow = [](std::size_t, double) {};
   // The number of passages computed since the last call, which may be 0.
@@ -27,8 +27,8 @@ int all_cores();
 // one at a time, in any order. The numbers depend neither on the threads nor on the other points. An error
 // within a point becomes its status. Returns false early when stop() becomes true. Throws the exceptions
 // of sink.
-bool run_sweep(const Experiment& experiment, const std::vector<std::size_t>& points, int threads,
+bool run_sweep(const Sweep& sweep, const std::vector<std::size_t>& points, int threads,
                const std::function<void(PointReport&&)>& sink, const std::function<bool()>& stop,
-               const SweepObserver& observer = {});
+               const SchedulerObserver& observer = {});
 
 }  // namespace bristle::run
