@@ -7,6 +7,7 @@ import hashlib
 import os
 import resource
 import warnings
+from functools import lru_cache
 
 import h5py
 
@@ -25,7 +26,20 @@ class CopiedResult(BristleError):
 
 
 def require_intact(path):
-    """Raises BristleError if the HDF5 file cannot be read, or is a result but not as `bristle run` wrote it."""
+    """Raises BristleError if the HDF5 file cannot be read, or is a result but not as `bristle run` wrote it.
+
+    A file that was intact is read again only if it has changed since.
+    """
+    try:
+        state = os.stat(path)
+    except OSError as error:
+        raise BristleError(f"{path}: cannot be read: {system_reason(error)}") from error
+    require_intact_state(os.fspath(path), state.st_mtime_ns, state.st_size, state.st_ino)
+
+
+@lru_cache(maxsize=256)
+def require_intact_state(path, *_):
+    """The same for the file in one state: the time of its last change, its size and its number in the file system."""
     try:
         receive, send = os.pipe()
     except OSError as error:

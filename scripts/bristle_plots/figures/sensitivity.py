@@ -120,7 +120,7 @@ def draw_dots(axes, file, output, indices, place):
     for model, look in looks(readings(file)):
         y = dataset(file, output).isel(place).sel(model).values
         style = dict(linestyle="", marker=look.marker, color=look.colour, markeredgewidth=0)
-        axes.plot(x[~independent], y[~independent], markersize=1.8, alpha=0.15, **style)
+        axes.plot(x[~independent], y[~independent], markersize=1.8, alpha=0.15, rasterized=True, **style)
         axes.plot(x[independent], y[independent], markersize=3, alpha=0.8, label=reading_name(model), **style)
     if not words and x.min() > 0 and x.max() / x.min() > 8:
         log_axis(axes, "x", data)
