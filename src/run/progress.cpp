@@ -66,7 +66,7 @@ void Progress::show(double seconds) {
   if (done_ == total_) text += ", took " + duration_text(seconds);
   else if (done_ > 0) text += fmt::format(", {} left", duration_text(double(total_ - done_) / rate));
   if (!terminal_) {
-    write_message(fmt::format("{}: {}\n", name_, text));
+    write_message(text + "\n");
     return;
   }
   constexpr std::size_t width = 30;

@@ -117,6 +117,7 @@ quick=(experiments/paper.json -o "$folder/r.h5" --set /load='{"z_0":0.5,"R_n":nu
 expect 0 "points: 1 ok" "$bristle" run "${quick[@]}"
 expect 0 "is up to date" "$bristle" run "${quick[@]}"
 expect 0 "points: 1 ok" "$bristle" run "${quick[@]}" --force
+"$bristle" run "${quick[@]}" --force 2>&1 | grep -qE '^\w+: computing 1/1 points' || failed "progress: not NAME: computing"
 expect 0 "points: 1 ok" "$bristle" run "${quick[@]}" --set /model/k_r=11
 expect 0 "the experiment has no checks" "$bristle" check --claims-only "$folder/r.h5"
 
