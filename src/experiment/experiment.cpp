@@ -9,7 +9,6 @@
 #include "model/friction/chi.hpp"
 #include "model/friction/laws.hpp"
 #include "util/error.hpp"
-#include "util/grid.hpp"
 #include "util/random.hpp"
 #include "util/sha.hpp"
 
