@@ -6,8 +6,6 @@
 #include "experiment/schema.hpp"
 #include "experiment/friction_law.hpp"
 #include "experiment/si_units.hpp"
-#include "model/friction/chi.hpp"
-#include "model/friction/laws.hpp"
 #include "util/error.hpp"
 #include "util/random.hpp"
 #include "util/sha.hpp"
