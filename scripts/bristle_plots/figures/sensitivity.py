@@ -16,6 +16,7 @@ from ..style import bar_looks, label, looks
 
 AXES = ["sample"]
 LEGEND_INCHES = 0.3
+MOST_DOTS = 2_000  # that are drawn as vectors
 NOTE = ("Bars: total indices, a parameter's share of the variance with all its interactions; circles: first-order indices, its "
         "share on its own. Error bars: standard errors by bootstrap.{}")
 DOTS = ("Dots: the points of the sample, circles, squares and triangles in the order of the models, with the design's further points "
@@ -120,7 +121,8 @@ def draw_dots(axes, file, output, indices, place):
     for model, look in looks(readings(file)):
         y = dataset(file, output).isel(place).sel(model).values
         style = dict(linestyle="", marker=look.marker, color=look.colour, markeredgewidth=0)
-        axes.plot(x[~independent], y[~independent], markersize=1.8, alpha=0.15, rasterized=True, **style)
+        axes.plot(x[~independent], y[~independent], markersize=1.8, alpha=0.15, rasterized=x.size > MOST_DOTS,
+                  **style)
         axes.plot(x[independent], y[independent], markersize=3, alpha=0.8, label=reading_name(model), **style)
     if not words and x.min() > 0 and x.max() / x.min() > 8:
         log_axis(axes, "x", data)
