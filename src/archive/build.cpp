@@ -179,8 +179,7 @@ class Gatherer {
     };
     if (result.text("tier") != options_.tier)
       refuse(fmt::format("is of the {} tier, not of the {} tier", result.text("tier"), options_.tier));
-    if (const long made = h5::read_integer_attribute(result.file(), "numerics_version");
-        made != results::kNumericsVersion)
+    if (const long made = result.integer("numerics_version"); made != results::kNumericsVersion)
       refuse(
           fmt::format("has numerics_version {}, but this program has {}", made, results::kNumericsVersion));
     if (result.text("inputs_sha256") != results::inputs_sha256(*experiment.document))

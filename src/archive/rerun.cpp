@@ -46,9 +46,9 @@ Json compare_point(const std::string& bytes, const std::string& name, std::size_
   run::run_sweep(
       experiment.sweep, {index}, 1, [&](run::PointReport&& report) { computed = std::move(report.record); },
       [] { return false; });
-  return {{"place", experiment.sweep.place(index)},
-          {"different",
-           results::differences(results::read_record(result.file(), experiment.sweep, index), computed)}};
+  return {
+      {"place", experiment.sweep.place(index)},
+      {"different", results::differences(results::read_record(result, experiment.sweep, index), computed)}};
 }
 
 }  // namespace

@@ -60,11 +60,11 @@ Json claims_of(const std::vector<claims::CheckResult>& checks) {
 }  // namespace
 
 Json result_facts(const results::ResultReader& result) {
-  const results::Variable& status = result.variable("status");
+  const results::Array& status = result.variable("status");
   Json facts;
   for (const char* name : {"name", "title", "figure", "tier", "payload_sha256"})
     facts[name] = result.text(name);
-  facts["numerics_version"] = h5::read_integer_attribute(result.file(), "numerics_version");
+  facts["numerics_version"] = result.integer("numerics_version");
   facts["points"] = long(status.values.size()) -
                     std::count(status.values.begin(), status.values.end(), double(PointStatus::absent));
   facts["sweep_points"] = grid_size(result.sweep_shape());

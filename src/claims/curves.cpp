@@ -43,9 +43,9 @@ std::vector<double> values_of(const results::ResultReader& result, const std::st
 }
 
 Field read(const results::ResultReader& result, const std::string& name) {
-  const results::Variable& v = result.variable(name);
-  Field field{v.dimensions, v.shape, v.values, std::vector<double>(v.values.size(), 0),
-              std::vector<bool>(v.values.size(), true)};
+  Field field{result.variable(name), {}, {}};
+  field.errors.resize(field.values.size(), 0);
+  field.kept.resize(field.values.size(), true);
   if (result.has(name + "_err")) field.errors = values_of(result, name + "_err", field.values.size());
   return field;
 }
@@ -64,7 +64,7 @@ void divide(const results::ResultReader& result, Field& field, const std::string
 
 // The value of a word on the axis of a choice: its index in the flag meanings.
 double index_of(const results::ResultReader& result, const std::string& name, const std::string& word) {
-  const auto words = result.flag_meanings(name);
+  const auto& words = result.variable(name).about.words;
   const auto found = std::find(words.begin(), words.end(), word);
   if (found == words.end())
     throw InputError(fmt::format("{}: {} is not a value of {}; allowed: {}", result.path(), word, name,
@@ -108,7 +108,7 @@ void select(const results::ResultReader& result, Field& field, const std::string
   if (axis != field.dimensions.end())
     return keep_on_axis(result, field, std::size_t(axis - field.dimensions.begin()), wanted);
   const auto [from, to] = std::get<std::array<double, 2>>(wanted);  // a range, by validate_checks()
-  const results::Variable& v = result.variable(name);
+  const results::Array& v = result.variable(name);
   std::vector<bool> selected;
   for (const double value : v.values) selected.push_back(value >= from && value <= to);
   // A column of a sample has values along one dimension only.

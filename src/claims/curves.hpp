@@ -25,10 +25,8 @@ struct Curves {
 };
 
 // A variable with its errors over the sweep, in row-major order. kept marks the selected points.
-struct CheckedField {
-  std::vector<std::string> dimensions;
-  std::vector<std::size_t> shape;
-  std::vector<double> values, errors;
+struct CheckedField : results::Array {
+  std::vector<double> errors;
   std::vector<bool> kept;
 };
 

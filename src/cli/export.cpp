@@ -28,16 +28,15 @@ int export_command(const ExportOptions& options) {
   const results::ResultReader result(options.file);
   result.require_intact();
   // Stored verdicts are not trusted: the checks are evaluated again.
-  const auto columns = options.group == "checks"
-                           ? claims::csv_columns(claims::evaluate_checks(result, {}, options.checks))
-                           : results::csv_columns(result, options.group);
+  const results::Dataset table = options.group == "checks"
+                                     ? claims::dataset_of(claims::evaluate_checks(result, {}, options.checks))
+                                     : results::table_of(result, options.group);
   if (to_standard_output) {
-    fmt::print("{}", results::csv_text(result, columns));
+    fmt::print("{}", results::csv_text(result, table));
     return kSuccess;
   }
-  write_whole(output, results::csv_text(result, columns), results::csv_kind());
-  fmt::print("{}: {} rows, {} columns\n", output, columns.empty() ? 0 : columns.front().values.size(),
-             columns.size());
+  write_whole(output, results::csv_text(result, table), results::csv_kind());
+  fmt::print("{}: {} rows, {} columns\n", output, table.size(), table.arrays().size());
   return kSuccess;
 }
 

@@ -13,38 +13,43 @@
 namespace bristle::cli {
 namespace {
 
-// The values of a variable: words of a choice, or the range of its numbers.
-struct Listing {
-  std::vector<std::string> dimensions, words;  // words: of the axis of a choice, otherwise empty
-  std::vector<std::size_t> shape;
+// The values of a variable that are numbers.
+struct Range {
   double low = INFINITY, high = -INFINITY;
-  std::size_t values = 0, missing = 0;
+  std::size_t values = 0;
 };
 
-Listing contents_of(const results::ResultReader& result, const std::string& name) {
-  const results::Variable& v = result.variable(name);
-  Listing out{v.dimensions, {}, v.shape};
-  const bool axis = results::kind_of(result, name) == results::DatasetKind::coordinate;
-  const bool choice = axis && !result.flag_meanings(name).empty();
-  for (const double x : v.values) {
-    if (choice) out.words.push_back(results::value_text(result, name, x));
+Range range_of(const results::Array& array) {
+  Range out;
+  for (const double x : array.values) {
     if (!std::isfinite(x)) continue;
     out.low = std::min(out.low, x);
     out.high = std::max(out.high, x);
     ++out.values;
   }
-  out.missing = v.values.size() - out.values;
   return out;
 }
 
+// Returns the words along the axis of a choice; empty for other variables.
+std::vector<std::string> words_along(const results::Array& array) {
+  std::vector<std::string> words;
+  if (!array.coordinate || array.about.words.empty()) return words;
+  for (const double code : array.values) words.push_back(array.text(code));
+  return words;
+}
+
 void print_variable(const results::ResultReader& result, const std::string& name) {
-  const Listing c = contents_of(result, name);
-  const std::string where = c.dimensions.empty() ? "" : fmt::format("({})", fmt::join(c.dimensions, ", "));
-  if (!c.words.empty()) fmt::print("  {:<22} {:<20} {}\n", name, where, fmt::join(c.words, ", "));
-  else if (c.values == 0) fmt::print("  {:<22} {:<20} no values\n", name, where);
+  const results::Array& array = result.variable(name);
+  const Range range = range_of(array);
+  const std::vector<std::string> words = words_along(array);
+  const std::string where =
+      array.dimensions.empty() ? "" : fmt::format("({})", fmt::join(array.dimensions, ", "));
+  const std::size_t missing = array.values.size() - range.values;
+  if (!words.empty()) fmt::print("  {:<22} {:<20} {}\n", name, where, fmt::join(words, ", "));
+  else if (range.values == 0) fmt::print("  {:<22} {:<20} no values\n", name, where);
   else
-    fmt::print("  {:<22} {:<20} {:>12.6g} .. {:<12.6g}{}\n", name, where, c.low, c.high,
-               c.missing > 0 ? fmt::format(" {} without a value", c.missing) : "");
+    fmt::print("  {:<22} {:<20} {:>12.6g} .. {:<12.6g}{}\n", name, where, range.low, range.high,
+               missing > 0 ? fmt::format(" {} without a value", missing) : "");
 }
 
 // Number of points with each status that occurs.
@@ -86,15 +91,16 @@ void print_provenance(const results::ResultReader& result) {
       fmt::print("  {:<22} {}\n", name, entry->second);
 }
 
-Json variable_json(const results::ResultReader& result, const std::string& name) {
-  const Listing c = contents_of(result, name);
-  const h5::Handle dataset = h5::open_dataset(result.file(), name);
-  Json out = {{"dimensions", c.dimensions}, {"shape", c.shape}};
-  for (const char* attribute : {"long_name", "units"})
-    if (h5::has_attribute(dataset, attribute)) out[attribute] = h5::read_text_attribute(dataset, attribute);
-  if (!c.words.empty()) out["words"] = c.words;
-  else if (c.values > 0) out.update({{"min", c.low}, {"max", c.high}});
-  out["missing"] = c.missing;
+Json variable_json(const results::Array& array) {
+  const Range range = range_of(array);
+  const std::vector<std::string> words = words_along(array);
+  Json out = {{"dimensions", array.dimensions},
+              {"shape", array.shape},
+              {"long_name", array.about.long_name},
+              {"units", array.about.units}};
+  if (!words.empty()) out["words"] = words;
+  else if (range.values > 0) out.update({{"min", range.low}, {"max", range.high}});
+  out["missing"] = array.values.size() - range.values;
   return out;
 }
 
@@ -102,17 +108,19 @@ void print_json(const results::ResultReader& result) {
   Json out = {{"file", result.path()}};
   for (const char* name : {"name", "title", "tier", "schema_version", "payload_sha256"})
     out[name] = result.text(name);
-  out["numerics_version"] = h5::read_integer_attribute(result.file(), "numerics_version");
+  out["numerics_version"] = result.integer("numerics_version");
   out["damage"] = result.damage();
   out["axes"] = Json::object();
   for (const std::string& axis : result.axes()) {
-    const Listing c = contents_of(result, axis);
-    out["axes"][axis] = c.words.empty() ? Json(result.variable(axis).values) : Json(c.words);
+    const results::Array& array = result.variable(axis);
+    const std::vector<std::string> words = words_along(array);
+    out["axes"][axis] = words.empty() ? Json(array.values) : Json(words);
   }
   out["points"] = Json::object();
   for (const auto& [name, n] : status_counts(result)) out["points"][name] = n;
   out["variables"] = Json::object();
-  for (const std::string& name : result.variables()) out["variables"][name] = variable_json(result, name);
+  for (const std::string& name : result.variables())
+    out["variables"][name] = variable_json(result.variable(name));
   out["failures"] = result.failures();
   out["provenance"] = result.provenance();
   out["experiment"] = result.experiment();

@@ -361,7 +361,7 @@ int run_command_line(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   reserve_standard_streams();
-  h5::silence();
+  results::start_hdf5();
   std::signal(SIGXFSZ, SIG_IGN);  // a write beyond the file-size limit then fails with an error message
   return on_large_stack([&] { return run_command_line(argc, argv); });
 }

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <ranges>
 #include <set>
 #include <string_view>
 #include <unordered_map>
@@ -17,7 +18,8 @@
 namespace bristle::compare {
 namespace {
 
-using results::DatasetKind;
+using results::Array;
+using results::Number;
 
 // How the dimensions of b lie in those of a. A dimension whose coordinates are equal is in neither.
 struct Matches {
@@ -25,15 +27,20 @@ struct Matches {
   std::set<std::string> different;                        // b has values that a does not have
 };
 
-// Names that are on both sides. Others are failures.
+bool same_kind(const Array& a, const Array& b) {
+  if (a.coordinate || b.coordinate) return a.coordinate == b.coordinate;
+  return a.about.number == b.about.number;
+}
+
+// Returns the names that are on both sides. Others are failures.
 std::vector<std::string> common_names(const Side& a, const Side& b, Comparison& out) {
   std::vector<std::string> both;
-  for (const auto& [name, kind] : a.kinds)
-    if (!b.kinds.contains(name)) out.failures.push_back(fmt::format("{}: only in {}", name, a.label));
-    else if (kind == b.kinds.at(name)) both.push_back(name);
+  for (const auto& [name, array] : a.arrays)
+    if (!b.arrays.contains(name)) out.failures.push_back(fmt::format("{}: only in {}", name, a.label));
+    else if (same_kind(*array, *b.arrays.at(name))) both.push_back(name);
     else out.failures.push_back(fmt::format("{}: different kinds of numbers", name));
-  for (const auto& [name, kind] : b.kinds)
-    if (!a.kinds.contains(name)) out.failures.push_back(fmt::format("{}: only in {}", name, b.label));
+  for (const auto& [name, array] : b.arrays)
+    if (!a.arrays.contains(name)) out.failures.push_back(fmt::format("{}: only in {}", name, b.label));
   return both;
 }
 
@@ -44,7 +51,7 @@ std::uint64_t bits_of(double x) {
 
 void match_coordinates(const std::string& name, const Side& a, const Side& b, Matches& matches,
                        Comparison& out) {
-  const std::vector<double> in_a = a.read(name).values, in_b = b.read(name).values;
+  const std::vector<double>&in_a = a.arrays.at(name)->values, &in_b = b.arrays.at(name)->values;
   if (std::ranges::equal(in_a, in_b, results::same_bits)) return;
   const std::string dimension = name.substr(name.rfind('/') + 1);
   std::vector<std::size_t> index;
@@ -66,56 +73,62 @@ void match_coordinates(const std::string& name, const Side& a, const Side& b, Ma
   matches.index[dimension] = index;
 }
 
-// The rows of a sample: of each, the bits of its values.
-std::vector<std::string> rows_of(const Side& side, const std::vector<std::string>& columns) {
+// Returns the bits of the values of each row of a sample, by ascending name of the columns.
+std::vector<std::string> rows_of(const std::map<std::string, const Array*>& columns) {
   std::vector<std::string> rows;
-  for (const std::string& name : columns) {
-    const std::vector<double> values = side.read(name).values;
-    rows.resize(values.size());
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      const std::uint64_t bits = bits_of(values[i]);
+  for (const auto& [name, column] : columns) {
+    rows.resize(column->values.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const std::uint64_t bits = bits_of(column->values[i]);
       rows[i].append(reinterpret_cast<const char*>(&bits), sizeof bits);
     }
   }
   return rows;
 }
 
+std::vector<std::string> names_of(const std::vector<const Array*>& columns) {
+  std::vector<std::string> names;
+  for (const Array* column : columns) names.push_back(column->about.name);
+  return names;
+}
+
 // "row 3 (k_r = 2, friction = nss)"
-std::string row_text(const results::ResultReader& result, const Side& side,
-                     const std::vector<std::string>& columns, std::size_t row) {
+std::string row_text(const std::vector<const Array*>& columns, std::size_t row) {
   std::vector<std::string> values;
-  for (const std::string& name : columns)
-    values.push_back(
-        fmt::format("{} = {}", name, results::value_text(result, name, side.read(name).values[row])));
+  for (const Array* column : columns)
+    values.push_back(fmt::format("{} = {}", column->about.name, column->text(column->values[row])));
   return fmt::format("row {} ({})", row, fmt::join(values, ", "));
 }
 
+std::map<std::string, const Array*> by_name(const std::vector<const Array*>& columns) {
+  std::map<std::string, const Array*> out;
+  for (const Array* column : columns) out[column->about.name] = column;
+  return out;
+}
+
 // Finds the rows of a sample by their values: their numbers say nothing about them.
-void match_rows(const results::ResultReader& result, const Side& a, const Side& b, Matches& matches,
-                Comparison& out) {
+void match_rows(const Side& a, const Side& b, Matches& matches, Comparison& out) {
   constexpr std::size_t most_named = 3;
   const std::string sample = experiment::kSample;
-  const std::vector<std::string>& columns = *a.sample;
-  const auto sorted = [](std::vector<std::string> names) {
-    std::ranges::sort(names);
-    return names;
-  };
-  if (sorted(columns) != sorted(*b.sample)) {
+  const auto columns_a = by_name(*a.sample), columns_b = by_name(*b.sample);
+  if (!std::ranges::equal(columns_a | std::views::keys, columns_b | std::views::keys)) {
     out.failures.push_back(fmt::format("{}: different columns: {} in {}, {} in {}", sample,
-                                       fmt::join(columns, ", "), a.label, fmt::join(*b.sample, ", "),
-                                       b.label));
+                                       fmt::join(names_of(*a.sample), ", "), a.label,
+                                       fmt::join(names_of(*b.sample), ", "), b.label));
     matches.different.insert(sample);
     return;
   }
-  const std::vector<std::string> in_a = rows_of(a, columns), in_b = rows_of(b, columns);
+  const std::vector<std::string> in_a = rows_of(columns_a), in_b = rows_of(columns_b);
   if (in_a == in_b) return;
   std::unordered_map<std::string_view, std::size_t> row_in_a;
   for (std::size_t i = 0; i < in_a.size(); ++i) row_in_a.try_emplace(in_a[i], i);
+  std::vector<const Array*> in_order_of_a;
+  for (const std::string& name : names_of(*a.sample)) in_order_of_a.push_back(columns_b.at(name));
   std::vector<std::size_t> index;
   std::vector<std::string> named;
   for (std::size_t i = 0; i < in_b.size(); ++i)
     if (const auto found = row_in_a.find(in_b[i]); found != row_in_a.end()) index.push_back(found->second);
-    else if (named.size() < most_named) named.push_back(row_text(result, b, columns, i));
+    else if (named.size() < most_named) named.push_back(row_text(in_order_of_a, i));
   if (const std::size_t missing = in_b.size() - index.size(); missing > 0) {
     out.failures.push_back(
         fmt::format("{}: different rows: {} of the {} rows of {} are not among the {} rows of {}: {}{}",
@@ -133,13 +146,13 @@ void match_rows(const results::ResultReader& result, const Side& a, const Side& 
   matches.index[sample] = index;
 }
 
-std::string shape_text(const Numbers& n) {
+std::string shape_text(const Array& n) {
   if (n.shape.empty()) return "a single value";
   return fmt::format("{} over {}", fmt::join(n.shape, " x "), fmt::join(n.dimensions, " x "));
 }
 
 // Why two variables cannot be compared; empty if they can be.
-std::string mismatch(const Numbers& a, const Numbers& b, const Matches& matches) {
+std::string mismatch(const Array& a, const Array& b, const Matches& matches) {
   std::string shapes = fmt::format("different shapes: {} against {}", shape_text(a), shape_text(b));
   if (a.dimensions != b.dimensions || a.shape.size() != b.shape.size()) return shapes;
   for (std::size_t d = 0; d < a.shape.size(); ++d) {
@@ -156,7 +169,7 @@ std::string mismatch(const Numbers& a, const Numbers& b, const Matches& matches)
 }
 
 // The index in a of each value of b.
-std::vector<std::size_t> indices(const Numbers& a, const Numbers& b, const Matches& matches) {
+std::vector<std::size_t> indices(const Array& a, const Array& b, const Matches& matches) {
   std::vector<std::size_t> out = {0};
   for (std::size_t d = 0; d < b.shape.size(); ++d) {
     const auto found = matches.index.find(b.dimensions[d]);
@@ -170,15 +183,20 @@ std::vector<std::size_t> indices(const Numbers& a, const Numbers& b, const Match
   return out;
 }
 
-// The sum of the tolerances of both sides; NaN if it is unknown.
-std::vector<double> tolerances_of(const Numbers& a, const Numbers& b, const std::vector<std::size_t>& at,
-                                  const Tolerances& given) {
+// Returns the sum of the tolerances of both sides; NaN if it is unknown. at: the index in a of each value of
+// b
+std::vector<double> tolerances_of(const std::string& name, const Side& a, const Side& b,
+                                  const std::vector<std::size_t>& at, const Tolerances& given) {
   std::vector<double> out(at.size(), std::numeric_limits<double>::quiet_NaN());
+  const std::vector<double>&in_a = a.arrays.at(name)->values, &in_b = b.arrays.at(name)->values;
+  const auto tolerance_a = a.tolerances.find(name), tolerance_b = b.tolerances.find(name);
   for (std::size_t j = 0; j < out.size(); ++j)
     if (given.given())
       out[j] = given.atol.value_or(0) +
-               given.rtol.value_or(0) * std::max(std::abs(a.values[at[j]]), std::abs(b.values[j]));
-    else if (!b.tolerance.empty()) out[j] = b.tolerance[j] + (a.tolerance.empty() ? 0 : a.tolerance[at[j]]);
+               given.rtol.value_or(0) * std::max(std::abs(in_a[at[j]]), std::abs(in_b[j]));
+    else if (tolerance_b != b.tolerances.end())
+      out[j] =
+          (*tolerance_b->second)[j] + (tolerance_a == a.tolerances.end() ? 0 : (*tolerance_a->second)[at[j]]);
   return out;
 }
 
@@ -201,24 +219,24 @@ bool add(Difference& d, double a, double b, double tolerance, bool has_size,
   return true;
 }
 
-void compare_values(const std::string& name, const results::ResultReader& result, bool flags,
-                    const Numbers& a, const Numbers& b, const std::vector<std::size_t>& at,
-                    const std::vector<double>& tolerances, Comparison& out) {
+void compare_values(const std::string& name, const results::ResultReader& result, const Array& a,
+                    const Array& b, const std::vector<std::size_t>& at, const std::vector<double>& tolerances,
+                    Comparison& out) {
   Difference d;
   d.name = name;
   std::pair<double, double> worst;
   std::size_t in_b = 0;
   for (std::size_t j = 0; j < at.size(); ++j) {
     const double x = a.values[at[j]], y = b.values[j];
-    const bool has_size = !flags && std::isfinite(x) && std::isfinite(y);
+    const bool has_size = a.about.number != Number::code && std::isfinite(x) && std::isfinite(y);
     if (!results::same_bits(x, y) && add(d, x, y, tolerances[j], has_size, worst)) in_b = j;
   }
   out.values += at.size();
   if (d.values == 0) return;
   d.where = at[in_b];
   d.place = results::place(result, name, d.where);
-  d.a = results::value_text(result, name, a.values[d.where]);
-  d.b = results::value_text(result, name, b.values[in_b]);
+  d.a = a.text(a.values[d.where]);
+  d.b = a.text(b.values[in_b]);
   out.differences.push_back(d);
 }
 
@@ -227,19 +245,17 @@ void check_tolerance(const char* option, const std::optional<double>& value) {
     throw InputError(fmt::format("{} {} is not allowed; allowed: 0 or a positive number", option, *value));
 }
 
-// All numeric datasets of a result, with the estimated errors as tolerances.
+// Returns all numeric datasets of a result, with the estimated errors as tolerances.
 Side whole_file(const results::ResultReader& result) {
-  Side side{result.path(), {}, {}};
-  for (const std::string& name : results::numeric_datasets(result))
-    side.kinds[name] = results::kind_of(result, name);
-  side.sample = result.sample_columns();
-  side.read = [&result](const std::string& name) {
-    const results::Variable& v = result.variable(name);
-    Numbers out{v.dimensions, v.shape, v.values, {}};
-    if (result.has(name + "_err")) out.tolerance = result.variable(name + "_err").values;
-    if (out.tolerance.size() != out.values.size()) out.tolerance.clear();
-    return out;
-  };
+  Side side{result.path()};
+  for (const std::string& name : result.datasets()) {
+    side.arrays[name] = &result.variable(name);
+    if (!result.has(name + "_err")) continue;
+    const std::vector<double>& errors = result.variable(name + "_err").values;
+    if (errors.size() == side.arrays[name]->values.size()) side.tolerances[name] = &errors;
+  }
+  side.sample.emplace();
+  for (const std::string& name : result.sample_columns()) side.sample->push_back(&result.variable(name));
   return side;
 }
 
@@ -262,19 +278,18 @@ Comparison compare_sides(const results::ResultReader& result, const Side& a, con
   const std::vector<std::string> names = common_names(a, b, out);
   Matches matches;
   for (const std::string& name : names)
-    if (name == experiment::kSample && a.sample && b.sample) match_rows(result, a, b, matches, out);
-    else if (a.kinds.at(name) == DatasetKind::coordinate) match_coordinates(name, a, b, matches, out);
+    if (name == experiment::kSample && a.sample && b.sample) match_rows(a, b, matches, out);
+    else if (a.arrays.at(name)->coordinate) match_coordinates(name, a, b, matches, out);
   std::map<std::string, std::vector<std::string>> not_compared;  // names, by reason
   for (const std::string& name : names) {
-    if (a.kinds.at(name) == DatasetKind::coordinate) continue;
-    const Numbers in_a = a.read(name), in_b = b.read(name);
+    const Array &in_a = *a.arrays.at(name), &in_b = *b.arrays.at(name);
+    if (in_a.coordinate) continue;
     if (const std::string reason = mismatch(in_a, in_b, matches); !reason.empty()) {
       not_compared[reason].push_back(name);
       continue;
     }
     const auto at = indices(in_a, in_b, matches);
-    compare_values(name, result, a.kinds.at(name) == DatasetKind::flags, in_a, in_b, at,
-                   tolerances_of(in_a, in_b, at, tolerances), out);
+    compare_values(name, result, in_a, in_b, at, tolerances_of(name, a, b, at, tolerances), out);
     if (name == "status") out.points = in_b.values.size(), out.points_in_file = in_a.values.size();
   }
   for (const auto& [reason, which] : not_compared)

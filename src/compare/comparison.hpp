@@ -11,21 +11,13 @@
 
 namespace bristle::compare {
 
-// A variable of one side of a comparison, values in row-major order.
-struct Numbers {
-  std::vector<std::string> dimensions;
-  std::vector<std::size_t> shape;
-  std::vector<double> values;
-  std::vector<double> tolerance;  // of each value; empty: unknown
-};
-
-// One side of a comparison: the variables of a result, or of a reference.
+// One side of a comparison: arrays of a result, or of a reference, which keep their values.
 struct Side {
-  std::string label;                                  // for messages
-  std::map<std::string, results::DatasetKind> kinds;  // by name
-  std::function<Numbers(const std::string& name)> read;
-  // Variables whose values say what the rows of a sample are; none if that is not known.
-  std::optional<std::vector<std::string>> sample{};
+  std::string label;                                               // for messages
+  std::map<std::string, const results::Array*> arrays{};           // by name
+  std::map<std::string, const std::vector<double>*> tolerances{};  // of each value; unknown for other arrays
+  // Arrays whose values say what the rows of a sample are; none if that is not known.
+  std::optional<std::vector<const results::Array*>> sample{};
 };
 
 // Two numbers agree if they differ by at most atol + rtol * max(|a|, |b|).

@@ -1,8 +1,6 @@
 #include "compare/reference.hpp"
 
-#include "experiment/document.hpp"
 #include "experiment/sample.hpp"
-#include "experiment/schema.hpp"
 #include "util/error.hpp"
 #include "util/grid.hpp"
 #include "util/text.hpp"
@@ -16,36 +14,32 @@
 #include <nlohmann/json.hpp>
 
 namespace bristle::compare {
-
-const char* reference_schema();  // the text of reference.schema.json, embedded by the build
-
 namespace {
 
-using results::DatasetKind;
+using results::Array;
+using results::Number;
 
 // The tolerance allows for an integrator's error of this many rtol. The estimated errors of means include the
 // integrator's (docs/accuracy.md has up to 60 rtol); the allowance is for the variables without an estimate.
 constexpr double kIntegrator = 10;
 
-// Dimensions of the points: those of the variable status, including nodes; those of the sweep if a damaged
-// file has no status.
+// Returns the dimensions of the points: those of the variable status, including nodes; those of the sweep if
+// a damaged file has no status.
 std::vector<std::string> dimensions_of(const results::ResultReader& result) {
   return result.has("status") ? result.variable("status").dimensions : result.axes();
 }
 
-// The variables of a result that a reference has: axes, flags and real numbers. The parameters of a sample,
-// which the numbers of its points stand for, are not among them.
-std::map<std::string, DatasetKind> kinds_of(const results::ResultReader& result) {
-  const std::vector<std::string> axes = dimensions_of(result);
-  std::map<std::string, DatasetKind> out;
-  const std::vector<std::string> parameters = result.sample_columns();
-  for (const std::string& name : results::numeric_datasets(result)) {
-    if (std::ranges::find(parameters, name) != parameters.end()) continue;
-    const bool axis = std::ranges::count(axes, name) > 0;
-    const DatasetKind kind = axis ? DatasetKind::coordinate : results::kind_of(result, name);
-    if (name.find('/') == std::string::npos && !name.ends_with("_err") && kind != DatasetKind::integer &&
-        (axis || kind != DatasetKind::coordinate))
-      out[name] = kind;
+// Returns the names of the variables that a reference has: codes and real numbers. The parameters of a
+// sample, which the numbers of its points stand for, are not among them.
+std::vector<std::string> variables_of(const results::ResultReader& result) {
+  const std::vector<std::string> axes = dimensions_of(result), parameters = result.sample_columns();
+  std::vector<std::string> out;
+  for (const std::string& name : result.variables()) {
+    if (std::ranges::count(parameters, name) > 0 || std::ranges::count(axes, name) > 0 ||
+        name.ends_with("_err"))
+      continue;
+    const Array& array = result.variable(name);
+    if (!array.coordinate && array.about.number != Number::integer) out.push_back(name);
   }
   return out;
 }
@@ -94,29 +88,6 @@ std::vector<double> tolerances_of(const results::ResultReader& result, const std
   return out;
 }
 
-// Numbers by rows of the last axis. A row ends after its last value; values: empty if all have one.
-template <class T>
-Json rows(const std::vector<T>& numbers, std::size_t length, const std::vector<double>& values) {
-  Json out = Json::array();
-  for (std::size_t first = 0; first < numbers.size(); first += length) {
-    std::size_t end = first + length;
-    while (end > first && !values.empty() && std::isnan(values[end - 1])) --end;
-    out.push_back(std::vector<T>(numbers.begin() + long(first), numbers.begin() + long(end)));
-  }
-  return out;
-}
-
-// One number if it is the same at all points that have a value.
-Json tolerance_json(const std::vector<double>& tolerance, std::size_t length,
-                    const std::vector<double>& values) {
-  std::optional<double> same;
-  for (std::size_t i = 0; i < values.size(); ++i)
-    if (!std::isnan(values[i]) && tolerance[i] != same.value_or(tolerance[i]))
-      return rows(tolerance, length, values);
-    else if (!std::isnan(values[i])) same = tolerance[i];
-  return same.value_or(0);
-}
-
 Json claims_json(const std::vector<claims::CheckResult>& checks) {
   Json out = Json::array();
   for (const claims::CheckResult& c : checks)
@@ -135,124 +106,49 @@ std::string commit_of(const results::ResultReader& result) {
   return "unknown";
 }
 
-std::vector<std::size_t> shape_of(const Json& reference) {
-  std::vector<std::size_t> shape;
-  for (const auto& [name, values] : reference["axes"].items()) shape.push_back(values.size());
-  return shape;
-}
-
-// The words of a choice, or numbers.
-Json axis_json(const results::ResultReader& result, const std::string& name) {
-  const std::vector<double>& values = result.variable(name).values;
-  if (result.flag_meanings(name).empty()) return values;
-  Json out = Json::array();
-  for (const double value : values) out.push_back(results::value_text(result, name, value));
-  return out;
-}
-
-// Length of the rows, which are along the last axis.
-std::size_t row_length(const std::vector<std::size_t>& shape) { return shape.empty() ? 1 : shape.back(); }
-
-// The numbers of rows; NaN where a row ends.
-std::vector<double> numbers_of(const Json& rows, std::size_t length) {
-  std::vector<double> out;
-  for (const Json& row : rows) {
-    const std::size_t end = out.size() + length;
-    for (const Json& value : row) out.push_back(value.is_null() ? NAN : value.get<double>());
-    out.resize(end, NAN);
+// Returns an axis, or a column of a sample, with the codes that words have in the result.
+Array with_codes_of(const results::ResultReader& result, Array array, const char* kind,
+                    const std::string& label) {
+  if (array.about.words.empty()) return array;
+  const std::string& name = array.about.name;
+  const std::vector<std::string> words =
+      result.has(name) ? result.variable(name).about.words : std::vector<std::string>();
+  for (double& value : array.values) {
+    const std::string word = array.text(value);
+    const auto found = std::ranges::find(words, word);
+    if (found == words.end())
+      throw InputError(fmt::format("{}: /{}/{}: the result {} does not know {}; it knows {}", label, kind,
+                                   name, result.path(), Json(word).dump(),
+                                   words.empty() ? "no words" : fmt::format("{}", fmt::join(words, ", "))));
+    value = double(found - words.begin());
   }
-  return out;
-}
-
-// Requires a number for each point, or one less where a row of like ends earlier.
-void require_rows(const experiment::Document& document, const JsonPointer& at, bool may_end,
-                  const Json& like = {}) {
-  const Json& rows = document.json().at(at);
-  const auto shape = shape_of(document.json());
-  const std::size_t length = row_length(shape), count = grid_size(shape) / length;
-  if (rows.size() != count)
-    document.fail(at.to_string(), fmt::format("{} rows, but the axes have {}", rows.size(), count));
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t wanted = like.is_array() ? like[i].size() : length;
-    if (rows[i].size() > wanted || (rows[i].size() < wanted && !may_end))
-      document.fail((at / i).to_string(),
-                    fmt::format("{} numbers, but there are {} points with a value", rows[i].size(), wanted));
-  }
-}
-
-Json read(const std::string& path) {
-  const auto document = experiment::Document::stored(read_json_file(path), path);
-  experiment::check_schema(document, Json::parse(reference_schema()));
-  const Json& json = document.json();
-  const JsonPointer sample = JsonPointer("/axes") / experiment::kSample;
-  const Json columns = json.value("sample", Json::object());
-  for (const auto& [name, column] : columns.items())
-    if (const std::size_t rows = json.contains(sample) ? json.at(sample).size() : 0; column.size() != rows)
-      document.fail("/sample/" + name,
-                    fmt::format("{} values, but the sample has {} rows", column.size(), rows));
-  for (const auto& [name, codes] : json["flags"].items())
-    require_rows(document, JsonPointer("/flags") / name, false);
-  for (const auto& [name, variable] : json["variables"].items()) {
-    const JsonPointer at = JsonPointer("/variables") / name;
-    require_rows(document, at / "values", true);
-    if (variable["tolerance"].is_array()) require_rows(document, at / "tolerance", false, variable["values"]);
-  }
-  return json;
+  array.about.words = words;
+  return array;
 }
 
 Side result_side(const results::ResultReader& result) {
-  const auto read = [&result](const std::string& name) {
-    const results::Variable& v = result.variable(name);
-    return Numbers{v.dimensions, v.shape, v.values, {}};
-  };
-  return {result.path(), kinds_of(result), read, result.sample_columns()};
+  Side side{result.path()};
+  for (const std::string& name : dimensions_of(result))
+    if (result.has(name)) side.arrays[name] = &result.variable(name);
+  for (const std::string& name : variables_of(result)) side.arrays[name] = &result.variable(name);
+  side.sample.emplace();
+  for (const std::string& name : result.sample_columns()) side.sample->push_back(&result.variable(name));
+  return side;
 }
 
-// Values of an axis, or a column of a sample, of the reference. A word becomes its code in the result.
-std::vector<double> axis_values(const Json& values, const char* axes, const std::string& axis,
-                                const std::string& label, const results::ResultReader& result) {
-  const std::vector<std::string> words =
-      result.has(axis) ? result.flag_meanings(axis) : std::vector<std::string>();
-  std::vector<double> out;
-  for (const Json& value : values) {
-    const auto word = std::ranges::find(words, value.is_string() ? value.get<std::string>() : "");
-    if (value.is_string() && word == words.end())
-      throw InputError(fmt::format("{}: /{}/{}: the result {} does not know {}; it knows {}", label, axes,
-                                   axis, result.path(), value.dump(),
-                                   words.empty() ? "no words" : fmt::format("{}", fmt::join(words, ", "))));
-    out.push_back(value.is_string() ? double(word - words.begin()) : value.get<double>());
-  }
-  return out;
-}
-
-Side reference_side(const Json& reference, const std::string& label, const results::ResultReader& result) {
-  Side side{label, {}, {}};
-  std::vector<std::string> axes;
-  for (const auto& [name, values] : reference["axes"].items()) axes.push_back(name);
-  for (const std::string& name : axes) side.kinds[name] = DatasetKind::coordinate;
-  for (const auto& [name, codes] : reference["flags"].items()) side.kinds[name] = DatasetKind::flags;
-  for (const auto& [name, variable] : reference["variables"].items()) side.kinds[name] = DatasetKind::real;
-  if (reference.contains("sample")) {
-    side.sample.emplace();
-    for (const auto& [name, values] : reference["sample"].items()) side.sample->push_back(name);
-  }
-  side.read = [&reference, &result, axes, label](const std::string& name) -> Numbers {
-    const std::vector<std::size_t> shape = shape_of(reference);
-    const std::size_t length = row_length(shape);
-    if (const Json& all = reference["axes"]; all.contains(name))
-      return {{name}, {all[name].size()}, axis_values(all[name], "axes", name, label, result), {}};
-    if (reference.contains("sample") && reference["sample"].contains(name)) {
-      const Json& column = reference["sample"][name];
-      return {{experiment::kSample}, {column.size()}, axis_values(column, "sample", name, label, result), {}};
-    }
-    if (const Json& all = reference["flags"]; all.contains(name))
-      return {axes, shape, numbers_of(all[name], length), {}};
-    const Json& variable = reference["variables"][name];
-    const Json& tolerance = variable["tolerance"];
-    return {axes, shape, numbers_of(variable["values"], length),
-            tolerance.is_array() ? numbers_of(tolerance, length)
-                                 : std::vector<double>(grid_size(shape), tolerance)};
-  };
+// own: keeps the arrays that the reference does not have as they are.
+Side reference_side(const Reference& reference, const std::string& label, const results::ResultReader& result,
+                    std::vector<Array>& own) {
+  Side side{label};
+  own.reserve(reference.numbers.dimensions().size() + (reference.sample ? reference.sample->size() : 0));
+  for (const Array& axis : reference.numbers.dimensions())
+    side.arrays[axis.about.name] = &own.emplace_back(with_codes_of(result, axis, "axes", label));
+  for (const Array& array : reference.numbers.arrays()) side.arrays[array.about.name] = &array;
+  for (const auto& [name, tolerance] : reference.tolerances) side.tolerances[name] = &tolerance;
+  if (!reference.sample) return side;
+  side.sample.emplace();
+  for (const Array& column : *reference.sample)
+    side.sample->push_back(&own.emplace_back(with_codes_of(result, column, "sample", label)));
   return side;
 }
 
@@ -279,50 +175,35 @@ void compare_claims(const Json& now, const Json& reference, Comparison& out) {
 
 }  // namespace
 
-Json make_reference(const results::ResultReader& result, const std::vector<claims::CheckResult>& checks) {
-  Json out = {{"schema", "bristle-reference/1"},
-              {"name", result.text("name")},
-              {"tier", h5::has_attribute(result.file(), "tier") ? result.text("tier") : "unknown"},
-              {"inputs_sha256", result.text("inputs_sha256")},
-              {"numerics_version", h5::read_integer_attribute(result.file(), "numerics_version")},
-              {"payload_sha256", result.text("payload_sha256")},
-              {"commit", commit_of(result)},
-              {"claims", claims_json(checks)},
-              {"axes", Json::object()},
-              {"flags", Json::object()},
-              {"variables", Json::object()}};
+Reference make_reference(const results::ResultReader& result,
+                         const std::vector<claims::CheckResult>& checks) {
+  Reference out;
+  out.about = {{"schema", "bristle-reference/1"},
+               {"name", result.text("name")},
+               {"tier", result.has_text("tier") ? result.text("tier") : "unknown"},
+               {"inputs_sha256", result.text("inputs_sha256")},
+               {"numerics_version", result.integer("numerics_version")},
+               {"payload_sha256", result.text("payload_sha256")},
+               {"commit", commit_of(result)},
+               {"claims", claims_json(checks)}};
   const std::vector<std::string> axes = dimensions_of(result);
-  for (const std::string& name : axes) out["axes"][name] = axis_json(result, name);
-  for (const std::string& name : result.sample_columns()) out["sample"][name] = axis_json(result, name);
-  const std::vector<std::size_t> shape = shape_of(out);
-  const std::size_t length = row_length(shape);
-  for (const auto& [name, kind] : kinds_of(result)) {
-    if (kind == DatasetKind::coordinate) continue;
-    const results::Variable& v = result.variable(name);
-    if (v.dimensions != axes || v.shape != shape)
+  for (const std::string& name : axes) out.numbers.add_dimension(result.variable(name));
+  const std::vector<std::size_t> shape = out.numbers.shape();
+  for (const std::string& name : variables_of(result)) {
+    const Array& array = result.variable(name);
+    if (array.dimensions != axes || array.shape != shape)
       throw InputError(
           fmt::format("{}: {}: different shape: ({}) over ({}), but the points are ({}) over ({})",
-                      result.path(), name, fmt::join(v.shape, ", "), fmt::join(v.dimensions, ", "),
+                      result.path(), name, fmt::join(array.shape, ", "), fmt::join(array.dimensions, ", "),
                       fmt::join(shape, ", "), fmt::join(axes, ", ")));
-    if (kind == DatasetKind::flags)
-      out["flags"][name] = rows(std::vector<long>(v.values.begin(), v.values.end()), length, {});
-    else
-      out["variables"][name] = {
-          {"values", rows(v.values, length, v.values)},
-          {"tolerance", tolerance_json(tolerances_of(result, name, v.values), length, v.values)}};
+    out.numbers.add(array);
+    if (array.about.number == Number::real) out.tolerances[name] = tolerances_of(result, name, array.values);
+  }
+  if (const auto columns = result.sample_columns(); !columns.empty()) {
+    out.sample.emplace();
+    for (const std::string& name : columns) out.sample->push_back(result.variable(name));
   }
   return out;
-}
-
-Json read_reference(const std::string& path) {
-  try {
-    return read(path);
-  } catch (const InputError& e) {
-    throw InputError(
-        fmt::format("{}; restore the reference with `git checkout -- {}`, or remove it and write it again "
-                    "with `bristle reference update`",
-                    e.what(), shell_quoted(path)));
-  }
 }
 
 std::string reference_path(const std::string& folder, const std::string& name) {
@@ -330,9 +211,9 @@ std::string reference_path(const std::string& folder, const std::string& name) {
 }
 
 Comparison compare_with_reference(const results::ResultReader& result,
-                                  const std::vector<claims::CheckResult>& checks, const Json& reference,
+                                  const std::vector<claims::CheckResult>& checks, const Reference& reference,
                                   const std::string& label) {
-  const bool same_inputs = reference["inputs_sha256"] == result.text("inputs_sha256");
+  const bool same_inputs = reference.text("inputs_sha256") == result.text("inputs_sha256");
   Comparison none;
   none.label = label;
   none.points_in_file = grid_size(result.sweep_shape());
@@ -342,22 +223,22 @@ Comparison compare_with_reference(const results::ResultReader& result,
         "such as those of the smoke tier: there are no common points");
     return none;
   }
-  if (!same_inputs && !reference.contains("sample") && !result.sample_columns().empty()) {
+  if (!same_inputs && !reference.sample && !result.sample_columns().empty()) {
     none.failures.push_back(fmt::format(
         "{} does not state the rows of its sample, so that those of other inputs cannot be compared with it; "
         "`bristle reference update` writes it again",
         label));
     return none;
   }
-  Comparison out = compare_sides(result, result_side(result), reference_side(reference, label, result));
-  const long version = h5::read_integer_attribute(result.file(), "numerics_version");
-  if (reference["numerics_version"] != version)
-    out.notes.push_back(fmt::format("numerics_version is {}, that of the reference is {}", version,
-                                    reference["numerics_version"].get<long>()));
+  std::vector<Array> own;
+  Comparison out = compare_sides(result, result_side(result), reference_side(reference, label, result, own));
+  const long version = result.integer("numerics_version"), before = reference.about.at("numerics_version");
+  if (before != version)
+    out.notes.push_back(fmt::format("numerics_version is {}, that of the reference is {}", version, before));
   if (!out.subsets.empty()) return out;
   if (!same_inputs)
     out.notes.emplace_back("computed from different inputs than the reference (inputs_sha256)");
-  compare_claims(claims_json(checks), reference["claims"], out);
+  compare_claims(claims_json(checks), reference.about.at("claims"), out);
   return out;
 }
 

@@ -4,20 +4,39 @@
 #include "compare/comparison.hpp"
 #include "util/json.hpp"
 
+#include <nlohmann/json.hpp>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
 namespace bristle::compare {
 
 constexpr const char* kReferences = "reference";  // the folder of a checkout
 
-// A reference is the JSON document of CONTRIBUTING.md: numbers, tolerances and verdicts of an experiment
-// that later results are compared with (reference.schema.json).
+// The numbers, tolerances and verdicts of an experiment that later results are compared with. A file in JSON
+// holds them (CONTRIBUTING.md, reference.schema.json). Errors are omitted because they become tolerances, and
+// counts such as passages because they are cost, not result.
+struct Reference {
+  Json about;                // of the file: all but axes, sample, flags and variables
+  results::Dataset numbers;  // over the axes: codes (flags) and real numbers (variables)
+  std::map<std::string, std::vector<double>> tolerances;  // of the real numbers, by name
+  std::optional<std::vector<results::Array>> sample;      // its columns, if the file states them
 
-// The reference made from a result and its verdicts. Errors are omitted because they become tolerances, and
-// counts such as passages because they are cost, not result. Throws InputError for a variable that is not
+  std::string text(const std::string& name) const;
+};
+
+// Returns the reference made from a result and its verdicts. Throws InputError for a variable that is not
 // over all points.
-Json make_reference(const results::ResultReader& result, const std::vector<claims::CheckResult>& checks);
+Reference make_reference(const results::ResultReader& result, const std::vector<claims::CheckResult>& checks);
 
-// Throws InputError with file and JSON pointer for every mistake.
-Json read_reference(const std::string& path);
+// Returns the text of a reference's file.
+std::string file_text(const Reference& reference);
+
+// Reads the text of a file. Throws InputError with path and JSON pointer for every mistake.
+Reference parse_reference(const std::string& text, const std::string& path);
+// The same for a file; the message says how to restore it.
+Reference read_reference(const std::string& path);
 
 // Path of the reference of an experiment: FOLDER/<name>.json.
 std::string reference_path(const std::string& folder, const std::string& name);
@@ -25,7 +44,7 @@ std::string reference_path(const std::string& folder, const std::string& name);
 // Compares a result, which may have more points, with a reference. Verdicts are compared between equal points
 // only, because they may depend on them. label: names the reference in messages.
 Comparison compare_with_reference(const results::ResultReader& result,
-                                  const std::vector<claims::CheckResult>& checks, const Json& reference,
+                                  const std::vector<claims::CheckResult>& checks, const Reference& reference,
                                   const std::string& label);
 
 // The commands that make a reference from the smoke tier of a result's experiment. options: of the update.

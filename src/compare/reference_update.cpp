@@ -49,8 +49,9 @@ void require_reason(const std::string& reason) {
         "CHANGELOG.md");
 }
 
-void require_origin(const results::ResultReader& result, const Json& made, const std::string& folder) {
-  const std::string tier = made["tier"], commit = made["commit"], path = shell_quoted(result.path());
+void require_origin(const results::ResultReader& result, const Reference& made, const std::string& folder) {
+  const std::string tier = made.text("tier"), commit = made.text("commit"),
+                    path = shell_quoted(result.path());
   const std::string run_again = fmt::format("`bristle run {} --force -o {}`", path, path);
   if (tier != "smoke")
     throw InputError(fmt::format(
@@ -79,20 +80,21 @@ bool is_invalid(const std::string& name, double value, PointStatus status) {
   return std::isinf(value) || (std::isnan(value) && has_values && !may_be_missing(name));
 }
 
-void require_sound_run(const results::ResultReader& result, const Json& made) {
-  const auto fail = [&](const std::string& name, double value, std::size_t i) {
-    throw InputError(fmt::format("{}: {}: {} at {}; a reference requires a run without failures",
-                                 result.path(), name, results::value_text(result, name, value),
-                                 results::place(result, name, i)));
+void require_sound_run(const results::ResultReader& result, const Reference& made) {
+  const auto require = [&](const results::Array& array, auto is_wrong) {
+    for (std::size_t i = 0; i < array.values.size(); ++i)
+      if (is_wrong(i))
+        throw InputError(fmt::format("{}: {}: {} at {}; a reference requires a run without failures",
+                                     result.path(), array.about.name, array.text(array.values[i]),
+                                     results::place(result, array.about.name, i)));
   };
-  const std::vector<double> status = result.variable("status").values;
-  for (std::size_t i = 0; i < status.size(); ++i)
-    if (kUnsound.contains(PointStatus(status[i]))) fail("status", status[i], i);
-  for (const auto& [name, variable] : made["variables"].items()) {
-    const std::vector<double> values = result.variable(name).values;
-    for (std::size_t i = 0; i < values.size(); ++i)
-      if (is_invalid(name, values[i], PointStatus(status[i]))) fail(name, values[i], i);
-  }
+  const results::Array& status = result.variable("status");
+  require(status, [&](std::size_t i) { return kUnsound.contains(PointStatus(status.values[i])); });
+  for (const results::Array& array : made.numbers.arrays())
+    if (array.about.number == results::Number::real)
+      require(array, [&](std::size_t i) {
+        return is_invalid(array.about.name, array.values[i], PointStatus(status.values[i]));
+      });
 }
 
 // The largest change of every variable, and the changes that have no size. The result's folder, which is of
@@ -158,27 +160,28 @@ std::string update_reference(const ReferenceUpdate& update) {
   const results::ResultReader result(update.file);
   result.require_intact();
   const auto checks = claims::evaluate_checks(result);
-  const Json made = make_reference(result, checks);
+  const Reference made = make_reference(result, checks);
   require_origin(result, made, update.folder);
   require_sound_run(result, made);
   const std::string path = reference_path(update.folder, result.text("name"));
-  Json old;
+  std::optional<Reference> old;
   if (fs::exists(path)) old = read_reference(path);
-  Json same_commit = made;
-  if (old.is_object()) same_commit["commit"] = old["commit"];
-  // As text: a value that is missing is NaN in one and null in the other.
-  if (old.is_object() && json_lines(old) == json_lines(same_commit)) return "";
+  const std::string text = file_text(made);
+  if (old) {
+    Reference same_commit = made;
+    same_commit.about["commit"] = old->about["commit"];
+    if (file_text(*old) == file_text(same_commit)) return "";
+  }
   require_clean_work_tree(update.folder);
   const std::string added = fmt::format(
-      "\n## {} {}\n\n{}\n\n- program: {}\n- payload: {} -> {}\n{}", update.day,
-      made["name"].get<std::string>(), update.reason, made["commit"].get<std::string>(),
-      old.is_object() ? old["payload_sha256"].get<std::string>() : "none",
-      made["payload_sha256"].get<std::string>(),
-      old.is_object() ? changes(compare_with_reference(result, checks, old, "the old reference"), update.file)
-                      : "- new reference\n");
+      "\n## {} {}\n\n{}\n\n- program: {}\n- payload: {} -> {}\n{}", update.day, made.text("name"),
+      update.reason, made.text("commit"), old ? old->text("payload_sha256") : "none",
+      made.text("payload_sha256"),
+      old ? changes(compare_with_reference(result, checks, *old, "the old reference"), update.file)
+          : "- new reference\n");
   const std::string log = (fs::path(update.folder) / "CHANGELOG.md").string();
   const std::string before = fs::exists(log) ? read_file(log) : kLogStart;
-  write_files(path, json_lines(made), log, before + added);
+  write_files(path, text, log, before + added);
   return added;
 }
 

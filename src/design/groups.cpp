@@ -13,35 +13,17 @@ namespace bristle::design {
 namespace {
 
 using results::Column;
-using results::Group;
-using results::GroupDimension;
+using results::Dataset;
 
-// A table with named columns over one dimension; of(i) is the value of a column at the i-th place.
-class Table {
- public:
-  Table(const std::string& name, GroupDimension dimension)
-      : group_{name, {}, {std::move(dimension)}, {}, {}} {}
-
-  template <class Of>
-  void add(const Column& column, const Of& of) {
-    group_.columns.push_back(column);
-    std::vector<double>& values = group_.values.emplace_back(group_.dimensions.front().values.size());
-    for (std::size_t i = 0; i < values.size(); ++i) values[i] = double(of(i));
-  }
-  const Group& group() const { return group_; }
-
- private:
-  Group group_;
-};
-
-GroupDimension numbers(const std::string& name, const std::string& meaning, std::size_t count) {
-  GroupDimension out{{name, meaning, "", "", H5T_NATIVE_LONG}, {}, std::vector<double>(count)};
-  std::iota(out.values.begin(), out.values.end(), 0.0);
+// Returns a table with one dimension.
+Dataset table(const std::string& name, results::Array dimension) {
+  Dataset out(name);
+  out.add_dimension(std::move(dimension));
   return out;
 }
 
 Column integer(const std::string& name, const std::string& meaning) {
-  return {name, meaning, "", "", H5T_NATIVE_LONG};
+  return {name, meaning, "", "", results::Number::integer};
 }
 
 Column column_of(const std::string& quantity) {
@@ -54,7 +36,7 @@ Column column_of(const std::string& quantity) {
 // The columns objective_1, objective_1_err, ... of estimates by row and objective. nominal: whether they are
 // nominal values, whatever counts over the tolerances.
 template <class Of>
-void add_objectives(Table& table, const Experiment& e, const Of& of, bool nominal = false) {
+void add_objectives(Dataset& table, const Experiment& e, const Of& of, bool nominal = false) {
   const std::vector<results::ResultVariable> variables = results::result_variables(e.sweep);
   for (std::size_t o = 0; o < e.design->objectives.size(); ++o) {
     experiment::Objective objective = e.design->objectives[o];
@@ -70,7 +52,7 @@ void add_objectives(Table& table, const Experiment& e, const Of& of, bool nomina
 }
 
 // The columns that all lists of trials have.
-void add_trials(Table& table, const Experiment& e, const Findings& found,
+void add_trials(Dataset& table, const Experiment& e, const Findings& found,
                 const std::vector<std::size_t>& list) {
   for (const std::string& quantity : e.design->quantities())
     table.add(column_of(quantity), [&](std::size_t i) { return found.trials[list[i]].nominal.at(quantity); });
@@ -80,67 +62,68 @@ void add_trials(Table& table, const Experiment& e, const Findings& found,
               [&](std::size_t i) { return found.trials[list[i]].constraints[c]; });
 }
 
-Group list_of(const std::string& name, const std::string& item, const std::string& meaning,
-              const Experiment& e, const Findings& found, const std::vector<std::size_t>& list) {
-  Table table(name, numbers(item, meaning, list.size()));
-  table.add(integer("trial", "number of the trial"), [&](std::size_t i) { return list[i]; });
-  add_trials(table, e, found, list);
-  return table.group();
+Dataset list_of(const std::string& name, const std::string& item, const std::string& meaning,
+                const Experiment& e, const Findings& found, const std::vector<std::size_t>& list) {
+  Dataset out = table(name, results::row_numbers(item, meaning, list.size()));
+  out.add(integer("trial", "number of the trial"), [&](std::size_t i) { return list[i]; });
+  add_trials(out, e, found, list);
+  return out;
 }
 
-Group all_trials(const Experiment& e, const Trials& trials, const Findings& found) {
+Dataset all_trials(const Experiment& e, const Trials& trials, const Findings& found) {
   std::vector<std::size_t> all(found.trials.size());
   std::iota(all.begin(), all.end(), 0);
-  Table table("trials", numbers("trial", "number of the trial, in the order of the search", all.size()));
-  add_trials(table, e, found, all);
+  Dataset out = table(
+      "trials", results::row_numbers("trial", "number of the trial, in the order of the search", all.size()));
+  add_trials(out, e, found, all);
   const auto trial = [&](std::size_t i) -> const Trial& { return found.trials[i]; };
-  table.add(
+  out.add(
       {"violation", "greatest excess over a constraint's limit, relative; infinite without values", "", ""},
       [&](std::size_t i) { return trial(i).violation; });
-  table.add(integer("first_row", "number in the sample of the point with the nominal values"),
-            [&](std::size_t i) { return i * trials.rows_of_a_trial(); });
-  table.add(integer("missing", "points without a value of an objective"),
-            [&](std::size_t i) { return trial(i).missing; });
-  table.add(integer("ambiguous", "points whose load another gap carries as well"),
-            [&](std::size_t i) { return trial(i).ambiguous; });
+  out.add(integer("first_row", "number in the sample of the point with the nominal values"),
+          [&](std::size_t i) { return i * trials.rows_of_a_trial(); });
+  out.add(integer("missing", "points without a value of an objective"),
+          [&](std::size_t i) { return trial(i).missing; });
+  out.add(integer("ambiguous", "points whose load another gap carries as well"),
+          [&](std::size_t i) { return trial(i).ambiguous; });
   for (std::size_t o = 0; o < e.design->objectives.size(); ++o)
-    table.add(integer(fmt::format("scenario_{}", o + 1),
-                      fmt::format("scenario in which objective_{} is worst", o + 1)),
-              [&](std::size_t i) { return trial(i).scenarios[o]; });
-  return table.group();
+    out.add(integer(fmt::format("scenario_{}", o + 1),
+                    fmt::format("scenario in which objective_{} is worst", o + 1)),
+            [&](std::size_t i) { return trial(i).scenarios[o]; });
+  return out;
 }
 
-Group margins(const Findings& found) {
+Dataset margins(const Findings& found) {
   std::vector<std::string> quantities;
   for (const Profile& p : found.profiles) quantities.push_back(p.quantity);
-  Table table("margins",
-              results::word_dimension("quantity", "quantity of the recommended trial", quantities));
-  table.add(
+  Dataset out =
+      table("margins", results::coordinates("quantity", "quantity of the recommended trial", quantities));
+  out.add(
       {"margin_below", "relative decrease that reaches a jump of the gap; NaN: none in the range", "", ""},
       [&](std::size_t i) { return found.profiles[i].margin_below; });
-  table.add(
+  out.add(
       {"margin_above", "relative increase that reaches a jump of the gap; NaN: none in the range", "", ""},
       [&](std::size_t i) { return found.profiles[i].margin_above; });
-  return table.group();
+  return out;
 }
 
-Group verification_group(const Experiment& e, const Verification& verified) {
-  Table table("verification", numbers("solution", "0: recommended", 1));
-  add_objectives(table, e, [&](std::size_t) { return verified.objectives; });
-  table.add(integer("brushes", "brushes as made, each with its deviations"),
-            [&](std::size_t) { return verified.brushes; });
-  table.add(integer("missing", "brushes without a value of an objective or a constraint in a scenario"),
-            [&](std::size_t) { return verified.missing; });
-  table.add(integer("violated", "brushes with values beyond a constraint"),
-            [&](std::size_t) { return verified.violated; });
-  return table.group();
+Dataset verification_group(const Experiment& e, const Verification& verified) {
+  Dataset out = table("verification", results::row_numbers("solution", "0: recommended", 1));
+  add_objectives(out, e, [&](std::size_t) { return verified.objectives; });
+  out.add(integer("brushes", "brushes as made, each with its deviations"),
+          [&](std::size_t) { return verified.brushes; });
+  out.add(integer("missing", "brushes without a value of an objective or a constraint in a scenario"),
+          [&](std::size_t) { return verified.missing; });
+  out.add(integer("violated", "brushes with values beyond a constraint"),
+          [&](std::size_t) { return verified.violated; });
+  return out;
 }
 
-Group profile_group(const Experiment& e, const Profile& p) {
-  Table table("profile_" + p.quantity, {column_of(p.quantity), {}, p.values});
+Dataset profile_group(const Experiment& e, const Profile& p) {
+  Dataset out = table("profile_" + p.quantity, results::coordinates(column_of(p.quantity), p.values));
   add_objectives(
-      table, e, [&](std::size_t i) { return p.objectives[i]; }, true);
-  return table.group();
+      out, e, [&](std::size_t i) { return p.objectives[i]; }, true);
+  return out;
 }
 
 std::vector<std::string> inputs_of(const experiment::Design& design) {
@@ -149,19 +132,16 @@ std::vector<std::string> inputs_of(const experiment::Design& design) {
   return inputs;
 }
 
-Group indices_group(const Experiment& e, const Findings& found) {
+Dataset indices_group(const Experiment& e, const Findings& found) {
   std::vector<std::string> objectives;
   for (const experiment::Objective& o : e.design->objectives) objectives.push_back(o.text());
-  Group group{"indices",
-              {},
-              {results::word_dimension(
-                   "objective", "nominal value whose variance over the tolerances is shared out", objectives),
-               results::word_dimension("input", "quantity with a tolerance", inputs_of(*e.design))},
-              run::index_columns(),
-              {}};
-  group.values.resize(group.columns.size());
-  for (const SobolIndices& indices : found.indices) run::add_indices(group, indices);
-  return group;
+  Dataset out =
+      table("indices",
+            results::coordinates(
+                "objective", "nominal value whose variance over the tolerances is shared out", objectives));
+  out.add_dimension(results::coordinates("input", "quantity with a tolerance", inputs_of(*e.design)));
+  run::add_indices(out, found.indices);
+  return out;
 }
 
 std::string estimate_text(const Estimate& e) {
@@ -280,8 +260,8 @@ std::string front_text(const Experiment& e, const Findings& found) {
 
 }  // namespace
 
-std::vector<Group> groups_of(const Experiment& e, const Trials& trials, const Findings& found) {
-  std::vector<Group> groups = {all_trials(e, trials, found)};
+std::vector<Dataset> groups_of(const Experiment& e, const Trials& trials, const Findings& found) {
+  std::vector<Dataset> groups = {all_trials(e, trials, found)};
   if (found.chosen.empty()) return groups;
   groups.push_back(
       list_of("front", "member", "number on the front, by the first objective", e, found, found.front));
@@ -292,12 +272,11 @@ std::vector<Group> groups_of(const Experiment& e, const Trials& trials, const Fi
   if (found.verification) groups.push_back(verification_group(e, *found.verification));
   if (!found.indices.empty()) groups.push_back(indices_group(e, found));
   if (found.second) {
-    Table table("second",
-                results::word_dimension(
-                    e.design->second_choice, "second model of the recommended trial",
-                    {experiment::find_sweepable(e.design->second_choice)->text(e.design->second_option)}));
-    add_objectives(table, e, [&](std::size_t) { return found.second->objectives; });
-    groups.push_back(table.group());
+    Dataset& second = groups.emplace_back(table(
+        "second", results::coordinates(
+                      e.design->second_choice, "second model of the recommended trial",
+                      {experiment::find_sweepable(e.design->second_choice)->text(e.design->second_option)})));
+    add_objectives(second, e, [&](std::size_t) { return found.second->objectives; });
   }
   return groups;
 }

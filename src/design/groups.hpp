@@ -1,7 +1,7 @@
 #pragma once
 
 #include "design/trials.hpp"
-#include "results/writer.hpp"
+#include "results/dataset.hpp"
 
 #include <optional>
 
@@ -21,8 +21,8 @@ struct Findings {
 };
 
 // The groups /trials, /front, /best, /profiles, /verification, /indices and /second of the result.
-std::vector<results::Group> groups_of(const Experiment& experiment, const Trials& trials,
-                                      const Findings& found);
+std::vector<results::Dataset> groups_of(const Experiment& experiment, const Trials& trials,
+                                        const Findings& found);
 
 // The findings in words.
 std::string text_of(const Experiment& experiment, const Findings& found);

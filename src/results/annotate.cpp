@@ -4,8 +4,8 @@
 #include "experiment/si_units.hpp"
 #include "model/friction/laws.hpp"
 #include "results/digest.hpp"
-#include "results/hdf5.hpp"
 #include "results/version.hpp"
+#include "results/writer.hpp"
 #include "util/sha.hpp"
 
 #include <fmt/format.h>
@@ -82,52 +82,52 @@ std::string caption(const Experiment& e) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-// Constants for plots of the lattice's forces, if all points have the same: t_1 of Eq. (A4), in units of
+// Adds constants for plots of the lattice's forces, if all points have the same: t_1 of Eq. (A4), in units of
 // r0/V0, and N_c0/L_y, in units of 1/r0.
-void annotate_slab_force(hid_t file, const Experiment& e) {
-  if (!h5::exists(file, "slab_force") || e.sweep.varies("L_x") || e.sweep.varies("spacing")) return;
+void add_slab_force(std::vector<Attribute>& out, const Experiment& e) {
+  if (!e.sweep.record.slab_force || e.sweep.varies("L_x") || e.sweep.varies("spacing")) return;
   const Setup& setup = e.sweep.base.setup;
-  h5::write_attribute(h5::open_dataset(file, "slab_force/t"), "t_1", lattice_start(setup));
-  h5::write_attribute(h5::open_dataset(file, "slab_force/R_n"), "N_c0_per_L_y",
-                      bristles_per_width(setup.parameters));
+  out.push_back({"slab_force/t", "t_1", lattice_start(setup)});
+  out.push_back({"slab_force/R_n", "N_c0_per_L_y", bristles_per_width(setup.parameters)});
 }
 
-// The attributes of the CF conventions that tell where the numbers come from. They differ between equal runs.
-void annotate_origin(hid_t file, const Experiment& e) {
-  h5::write_attribute(file, "Conventions", "CF-1.10");
-  h5::write_attribute(file, "references", kPaper);
+// Adds the attributes of the CF conventions that tell where the numbers come from. They differ between equal
+// runs.
+void add_origin(std::vector<Attribute>& out, const Experiment& e,
+                const std::map<std::string, std::string>& provenance) {
+  out.push_back({"/", "Conventions", "CF-1.10"});
+  out.push_back({"/", "references", kPaper});
   if (const auto institution = e.document->find("institution"); institution != e.document->end())
-    h5::write_attribute(file, "institution", institution->get<std::string>());
-  if (!h5::exists(file, "provenance")) return;
-  const h5::Handle provenance = h5::open_group(file, "provenance");
+    out.push_back({"/", "institution", institution->get<std::string>()});
+  if (provenance.empty()) return;
   const auto entry = [&](const char* name) {
-    return h5::has_attribute(provenance, name) ? h5::read_text_attribute(provenance, name) : "unknown";
+    const auto found = provenance.find(name);
+    return found == provenance.end() ? "unknown" : found->second;
   };
-  h5::write_attribute(file, "source",
-                      fmt::format("numerical model, bristle {} ({})", entry("version"), entry("commit")));
+  out.push_back(
+      {"/", "source", fmt::format("numerical model, bristle {} ({})", entry("version"), entry("commit"))});
   // Other programs add lines to the history, which remain.
-  if (!h5::has_attribute(file, "history"))
-    h5::write_attribute(file, "history", fmt::format("{}: {}", entry("finished"), entry("command_line")));
+  out.push_back({"/", "history", fmt::format("{}: {}", entry("finished"), entry("command_line")), true});
 }
 
 }  // namespace
 
-void annotate(const std::string& path, const Experiment& experiment) {
-  h5::Handle file = h5::open_file(path, true);
+void annotate(const std::string& path, const Experiment& experiment,
+              const std::map<std::string, std::string>& provenance) {
   const std::string document = experiment.document->dump(1);
-  h5::write_attribute(file, "schema_version", kResultSchema);
-  h5::write_attribute(file, "numerics_version", kNumericsVersion);
-  h5::write_attribute(file, "name", experiment.name);
-  h5::write_attribute(file, "title", experiment.title);
-  h5::write_attribute(file, "figure", experiment.figure);
-  h5::write_attribute(file, "caption", caption(experiment));
-  h5::write_attribute(file, "tier", experiment.tier);
-  h5::write_attribute(file, "experiment", document);
-  h5::write_attribute(file, "experiment_sha256", sha256_of(document));
-  h5::write_attribute(file, "inputs_sha256", inputs_sha256(*experiment.document));
-  annotate_slab_force(file, experiment);
-  annotate_origin(file, experiment);
-  file.close("closing " + path);
+  std::vector<Attribute> attributes = {{"/", "schema_version", kResultSchema},
+                                       {"/", "numerics_version", kNumericsVersion},
+                                       {"/", "name", experiment.name},
+                                       {"/", "title", experiment.title},
+                                       {"/", "figure", experiment.figure},
+                                       {"/", "caption", caption(experiment)},
+                                       {"/", "tier", experiment.tier},
+                                       {"/", "experiment", document},
+                                       {"/", "experiment_sha256", sha256_of(document)},
+                                       {"/", "inputs_sha256", inputs_sha256(*experiment.document)}};
+  add_slab_force(attributes, experiment);
+  add_origin(attributes, experiment, provenance);
+  write_attributes(path, attributes);
 }
 
 }  // namespace bristle::results

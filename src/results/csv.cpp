@@ -12,21 +12,14 @@
 #include <cmath>
 #include <cstring>
 #include <iterator>
-#include <numeric>
 
 namespace bristle::results {
 namespace {
 
 constexpr const char* kStart = "# bristle export";
 
-// A column of one cell for each value of the dataset: words for codes.
-CsvColumn column_of(const ResultReader& result, const std::string& path) {
-  return {path.substr(path.rfind('/') + 1), result.text_of(path, "units"), result.text_of(path, "long_name"),
-          result.flag_meanings(path), result.variable(path).values};
-}
-
-// The column with the cells at these indices.
-CsvColumn at(CsvColumn column, const std::vector<std::size_t>& indices) {
+// Returns the values at these indices, as a column of a table.
+Array at(Array column, const std::vector<std::size_t>& indices) {
   std::vector<double> values;
   values.reserve(indices.size());
   for (const std::size_t i : indices) values.push_back(column.values.at(i));
@@ -44,21 +37,21 @@ std::vector<std::size_t> along(const std::vector<std::size_t>& shape, std::size_
   return indices;
 }
 
-// Paths of the datasets of a group that are no coordinates, by name.
+// Returns the paths of the datasets of a group that are no coordinates, by name.
 std::vector<std::string> datasets_of(const ResultReader& result, const std::string& group) {
   std::vector<std::string> paths;
   const std::string folder = group.empty() ? "" : group + "/";
-  const auto names = group.empty() ? result.variables() : h5::children(h5::open_group(result.file(), group));
-  for (const std::string& name : names)
-    if (kind_of(result, folder + name) != DatasetKind::coordinate) paths.push_back(folder + name);
+  for (const std::string& path : result.datasets())
+    if (path.starts_with(folder) && path.find('/', folder.size()) == std::string::npos &&
+        !result.variable(path).coordinate)
+      paths.push_back(path);
   return paths;
 }
 
 void require_group(const ResultReader& result, const std::string& group) {
   std::vector<std::string> groups;
-  for (const std::string& name : h5::children(result.file()))
-    if (h5::is_group(result.file(), name) && !h5::children(h5::open_group(result.file(), name)).empty())
-      groups.push_back(name);
+  for (const std::string& name : result.names(""))
+    if (result.is_group(name) && !result.names(name).empty()) groups.push_back(name);
   if (group.empty() || std::ranges::find(groups, group) != groups.end()) return;
   throw InputError(
       fmt::format("{}: there is no table {}{}; it has: {}", result.path(), group, did_you_mean(group, groups),
@@ -66,40 +59,41 @@ void require_group(const ResultReader& result, const std::string& group) {
 }
 
 // The coordinates along each dimension of the rows.
-void add_coordinates(const ResultReader& result, const std::string& group, const Variable& like,
-                     std::vector<CsvColumn>& columns) {
+void add_coordinates(const ResultReader& result, const std::string& group, const Array& like,
+                     std::vector<Array>& columns) {
   for (std::size_t d = 0; d < like.shape.size(); ++d) {
     const std::string &name = like.dimensions[d], own = group + "/" + name;
-    const CsvColumn axis = column_of(result, !group.empty() && result.has(own) ? own : name);
+    const Array& axis = result.variable(!group.empty() && result.has(own) ? own : name);
     const std::vector<std::size_t> indices = along(like.shape, d, like.values.size());
     columns.push_back(at(axis, indices));
     if (name == "sample")
       for (const std::string& quantity : result.sample_columns())
-        columns.push_back(at(column_of(result, quantity), indices));
+        columns.push_back(at(result.variable(quantity), indices));
   }
 }
 
 // The coordinates of the point to which each row of a recorded table belongs.
-void add_points(const ResultReader& result, const std::string& table, std::vector<CsvColumn>& columns) {
+void add_points(const ResultReader& result, const std::string& table, std::vector<Array>& columns) {
   const std::vector<std::size_t> shape = result.sweep_shape();
   const std::vector<double>& points = result.variable(table + "/point").values;
   const auto axes = result.axes();
   for (std::size_t d = 0; d < axes.size(); ++d) {
     std::vector<std::size_t> indices;
     for (const double point : points) indices.push_back(unravel(std::size_t(point), shape).at(d));
-    columns.push_back(at(column_of(result, axes[d]), indices));
+    columns.push_back(at(result.variable(axes[d]), indices));
   }
 }
 
 // Removes the rows of nodes that a traced curve does not have.
-void drop_absent(std::vector<CsvColumn>& columns) {
-  const auto status = std::ranges::find(columns, "status", &CsvColumn::name);
+void drop_absent(std::vector<Array>& columns) {
+  const auto status =
+      std::ranges::find(columns, "status", [](const Array& column) { return column.about.name; });
   if (status == columns.end()) return;
   std::vector<std::size_t> kept;
   for (std::size_t i = 0; i < status->values.size(); ++i)
     if (status->values[i] != double(PointStatus::absent)) kept.push_back(i);
   if (kept.size() == status->values.size()) return;
-  for (CsvColumn& column : columns) column = at(std::move(column), kept);
+  for (Array& column : columns) column = at(std::move(column), kept);
 }
 
 // A cell that is no number but begins like a formula gets an apostrophe: spreadsheets would evaluate it.
@@ -117,24 +111,13 @@ std::string quoted(std::string cell) {
 
 std::string csv_number(double value) { return std::isnan(value) ? "" : fmt::format("{}", value); }
 
-std::string CsvColumn::cell(std::size_t row) const {
-  return words.empty() ? csv_number(values.at(row)) : value_text(words, values.at(row));
-}
-
-CsvColumn text_column(const std::string& name, const std::string& meaning,
-                      const std::vector<std::string>& texts) {
-  CsvColumn column{name, "", meaning, texts, std::vector<double>(texts.size())};
-  std::iota(column.values.begin(), column.values.end(), 0.0);
-  return column;
-}
-
-std::vector<CsvColumn> csv_columns(const ResultReader& result, const std::string& group) {
+Dataset table_of(const ResultReader& result, const std::string& group) {
   require_group(result, group);
   const std::vector<std::string> paths = datasets_of(result, group);
   const auto dimensions = [&](const std::string& path) { return result.variable(path).shape.size(); };
   const auto most = std::ranges::max_element(paths, {}, dimensions);
-  const Variable& like = result.variable(group.empty() ? "status" : paths.empty() ? group : *most);
-  std::vector<CsvColumn> columns;
+  const Array& like = result.variable(group.empty() ? "status" : paths.empty() ? group : *most);
+  std::vector<Array> columns;
   try {
     add_coordinates(result, group, like, columns);
     if (result.has(group + "/point")) add_points(result, group, columns);
@@ -145,33 +128,35 @@ std::vector<CsvColumn> csv_columns(const ResultReader& result, const std::string
   const auto sample = result.sample_columns();
   for (const std::string& path : paths)
     if (std::ranges::find(sample, path) != sample.end()) continue;
-    else if (const Variable& v = result.variable(path);
-             v.shape == like.shape && v.dimensions == like.dimensions)
-      columns.push_back(column_of(result, path));
+    else if (const Array& array = result.variable(path);
+             array.shape == like.shape && array.dimensions == like.dimensions)
+      columns.push_back(array);
   drop_absent(columns);
-  return columns;
+  Dataset table;
+  table.add_dimension(row_numbers("row", "row number", columns.empty() ? 0 : columns.front().values.size()));
+  for (Array& column : columns) table.add(std::move(column));
+  return table;
 }
 
-std::string csv_text(const ResultReader& result, const std::vector<CsvColumn>& columns) {
+std::string csv_text(const ResultReader& result, const Dataset& table) {
   std::string text =
       fmt::format("{}: {}\n# experiment {}, tier {}, payload_sha256 {}\n", kStart, result.text("title"),
                   result.text("name"), result.text("tier"), result.text("payload_sha256"));
   std::vector<std::string> names;
-  for (const CsvColumn& column : columns) {
-    names.push_back(quoted(column.name));
-    text += fmt::format("# {}{}: {}\n", printable(column.name),
-                        column.units.empty() ? "" : " [" + column.units + "]", column.meaning);
+  for (const auto& [about, dimensions, shape, values, coordinate] : table.arrays()) {
+    names.push_back(quoted(about.name));
+    text += fmt::format("# {}{}: {}\n", printable(about.name),
+                        about.units.empty() ? "" : " [" + about.units + "]", about.long_name);
   }
   text += fmt::format("{}\n", fmt::join(names, ","));
-  const std::size_t rows = columns.empty() ? 0 : columns.front().values.size();
   fmt::memory_buffer lines;
-  for (std::size_t i = 0; i < rows; ++i)
-    for (std::size_t c = 0; c < columns.size(); ++c) {
-      const double value = columns[c].values.at(i);
-      if (!columns[c].words.empty())
-        fmt::format_to(std::back_inserter(lines), "{}", quoted(columns[c].cell(i)));
+  for (std::size_t i = 0; i < table.size(); ++i)
+    for (const Array& column : table.arrays()) {
+      const double value = column.values.at(i);
+      if (!column.about.words.empty())
+        fmt::format_to(std::back_inserter(lines), "{}", quoted(column.cell(i)));
       else if (!std::isnan(value)) fmt::format_to(std::back_inserter(lines), "{}", value);
-      lines.push_back(c + 1 < columns.size() ? ',' : '\n');
+      lines.push_back(&column == &table.arrays().back() ? '\n' : ',');
     }
   return text.append(lines.data(), lines.size());
 }

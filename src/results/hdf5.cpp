@@ -17,6 +17,7 @@ namespace bristle::h5 {
 namespace {
 
 constexpr const char* kFillValue = "_FillValue";  // by the conventions of netCDF
+constexpr std::size_t kBlock = 16384;             // values that a BlockWriter keeps
 
 herr_t keep_innermost(unsigned, const H5E_error2_t* error, void* out) {
   if (error->desc) *static_cast<std::string*>(out) = error->desc;
@@ -233,6 +234,33 @@ void write_part(hid_t dataset, hid_t type, const Shape& start, const Shape& coun
 void read_part(hid_t dataset, hid_t type, const Shape& start, const Shape& count, void* data) {
   const Handle file = selection(dataset, start, count), memory = memory_space(count);
   check(H5Dread(dataset, type, memory, file, H5P_DEFAULT, data), "reading a dataset");
+}
+
+BlockWriter::BlockWriter(Handle dataset, const Shape& shape)
+    : dataset_(std::move(dataset)), shape_(shape.begin(), shape.end()) {}
+
+void BlockWriter::append(const std::vector<double>& values) {
+  if (values_.size() + values.size() > kBlock) flush();
+  values_.insert(values_.end(), values.begin(), values.end());
+}
+
+void BlockWriter::flush() {
+  for (std::size_t done = 0; done < values_.size();) {
+    const std::size_t left = values_.size() - done;
+    const Shape start = position(shape_, first_ + done);
+    // The largest part of the dataset that begins here and whose values follow one another.
+    Shape count(start.size(), 1);
+    std::size_t size = 1;
+    for (std::size_t d = shape_.size(); d-- > 0;) {
+      count[d] = std::min(shape_[d] - std::size_t(start[d]), left / size);
+      size *= std::size_t(count[d]);
+      if (count[d] < shape_[d]) break;
+    }
+    write_part(dataset_, H5T_NATIVE_DOUBLE, start, count, values_.data() + done);
+    done += size;
+  }
+  first_ += values_.size();
+  values_.clear();
 }
 
 Handle create_texts(hid_t parent, const std::string& name, const std::vector<std::string>& texts) {

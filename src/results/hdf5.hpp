@@ -76,6 +76,22 @@ hsize_t length_of(hid_t dataset);  // throws RunError unless the dataset has one
 void write_part(hid_t dataset, hid_t type, const Shape& start, const Shape& count, const void* data);
 void read_part(hid_t dataset, hid_t type, const Shape& start, const Shape& count, void* data);
 
+// Writes the values of a dataset in row-major order, in large blocks.
+class BlockWriter {
+ public:
+  BlockWriter(Handle dataset, const Shape& shape);
+
+  // Appends values, which are in the file after flush(). HDF5 converts them to the dataset's type.
+  void append(const std::vector<double>& values);
+  void flush();
+
+ private:
+  Handle dataset_;
+  std::vector<std::size_t> shape_;
+  std::size_t first_ = 0;  // place of the first value that is not yet in the file
+  std::vector<double> values_;
+};
+
 // Datasets of texts: the words of a swept choice, and columns of /checks. Their texts have a variable length,
 // because the netCDF library crashes on arrays of texts of fixed length.
 Handle create_texts(hid_t parent, const std::string& name, const std::vector<std::string>& texts);

@@ -21,4 +21,10 @@ std::vector<std::string> damage_of(const std::function<h5::Handle()>& open, std:
 // Reads all attributes, because HDF5 may crash or loop on damaged ones: call it in a child process.
 void require_plain_hdf5(hid_t file, std::size_t size);
 
+// SHA-256 of names, types, shapes and values of the payload: all datasets outside /checks and /provenance.
+// It reads texts: of a file of unknown origin only in a process of its own.
+std::string payload_sha256(hid_t file);
+// Paths of these datasets, in the order of the digest.
+std::vector<std::string> payload_datasets(hid_t file);
+
 }  // namespace bristle::results

@@ -1,6 +1,7 @@
 #include "results/reader.hpp"
 
 #include "results/digest.hpp"
+#include "results/hdf5.hpp"
 #include "results/inspect.hpp"
 #include "results/version.hpp"
 #include "util/error.hpp"
@@ -27,14 +28,46 @@ std::string coordinate(const ResultReader& result, const std::string& folder, co
   if (dimension.empty()) return fmt::format("row {}", i);
   const std::string name = result.has(folder + dimension) ? folder + dimension : dimension;
   if (!result.has(name)) return fmt::format("{}[{}]", dimension, i);
-  const std::vector<double>& values = result.variable(name).values;
-  if (i >= values.size()) return fmt::format("{}[{}]", dimension, i);
-  const std::vector<std::string> words = result.flag_meanings(name);
+  const Array& array = result.variable(name);
+  if (i >= array.values.size()) return fmt::format("{}[{}]", dimension, i);
+  const double value = array.values[i];
   return fmt::format("{} = {}", dimension,
-                     words.empty() ? fmt::format("{:.6g}", values[i]) : value_text(words, values[i]));
+                     array.about.words.empty() ? fmt::format("{:.6g}", value) : array.text(value));
+}
+
+// Returns what the attributes of a dataset of numbers say of it.
+Column read_column(hid_t dataset, const std::string& name) {
+  const auto text = [&](const char* attribute) {
+    return h5::has_attribute(dataset, attribute) ? printable(h5::read_text_attribute(dataset, attribute))
+                                                 : "";
+  };
+  Column out{
+      .name = name, .long_name = text("long_name"), .symbol = "", .equation = "", .units = text("units")};
+  if (H5Tget_class(h5::type_of(dataset)) != H5T_INTEGER) return out;
+  out.number = h5::has_attribute(dataset, "flag_meanings") ? Number::code : Number::integer;
+  std::istringstream words(text("flag_meanings"));
+  for (std::string word; words >> word;) out.words.push_back(word);
+  return out;
+}
+
+// Reads a dataset of numbers, with its name in the file.
+Array read_array(hid_t dataset, const std::string& name) {
+  Array out{read_column(dataset, name), {}, {}, {}, h5::is_scale(dataset)};
+  const h5::Shape shape = h5::shape_of(dataset);
+  for (unsigned d = 0; d < shape.size(); ++d) {
+    out.shape.push_back(shape[d]);
+    out.dimensions.push_back(out.coordinate ? name : h5::scale_name(dataset, d));
+  }
+  out.values.resize(grid_size(out.shape));
+  h5::read_part(dataset, H5T_NATIVE_DOUBLE, h5::Shape(shape.size(), 0), shape, out.values.data());
+  return out;
 }
 
 }  // namespace
+
+struct ResultReader::Open {
+  h5::Handle root;
+};
 
 ResultReader::ResultReader(const std::string& path) : path_(path) {
   if (const std::string what = not_a_file(path); !what.empty())
@@ -50,7 +83,7 @@ ResultReader::ResultReader(const std::string& path) : path_(path) {
   } catch (const MalformedError& e) {
     throw InputError(fmt::format("{}: damaged, or not written by bristle: {}; {}", path, e.what(), kRemedy));
   }
-  file_ = open();
+  file_ = std::make_shared<const Open>(Open{open()});
   require_schema();
 }
 
@@ -58,7 +91,7 @@ ResultReader::ResultReader(const std::string& name, const std::string& bytes) : 
   if (!bytes.starts_with(result_file().start)) throw MalformedError("not an HDF5 file");
   const auto open = [&] { return h5::open_image(bytes); };
   damage_ = damage_of(open, bytes.size());
-  file_ = open();
+  file_ = std::make_shared<const Open>(Open{open()});
   require_schema();
 }
 
@@ -68,7 +101,7 @@ void ResultReader::require_intact() const {
 }
 
 void ResultReader::require_schema() const {
-  if (!h5::has_attribute(file_, "schema_version"))
+  if (!has_text("schema_version"))
     throw InputError(
         fmt::format("{}: not a result of bristle: the attribute schema_version is missing", path_));
   if (const std::string version = text("schema_version"); version != kResultSchema)
@@ -78,64 +111,62 @@ void ResultReader::require_schema() const {
 }
 
 std::vector<std::string> ResultReader::variables() const {
-  std::vector<std::string> names = numeric_datasets(*this);
+  std::vector<std::string> names = datasets();
   std::erase_if(names, [](const std::string& name) { return name.find('/') != std::string::npos; });
   return names;
 }
 
-// The dataset; for the axis of a choice, that of its codes.
-h5::Handle ResultReader::open_numbers(const std::string& name) const {
-  h5::Handle dataset = h5::open_dataset(file_, name);
-  return h5::is_text(dataset) ? h5::open_dataset(file_, code_variable(name)) : std::move(dataset);
+std::vector<std::string> ResultReader::datasets() const {
+  std::vector<std::string> names = payload_datasets(file_->root);
+  for (const std::string& name : std::vector(names))
+    if (h5::is_text(h5::open_dataset(file_->root, name)) && std::erase(names, code_variable(name)) == 0)
+      std::erase(names, name);
+  return names;
 }
 
-const Variable& ResultReader::variable(const std::string& name) const {
+const Array& ResultReader::variable(const std::string& name) const {
   if (const auto found = read_.find(name); found != read_.end()) return found->second;
-  if (!h5::exists(file_, name) || h5::is_group(file_, name))
+  const hid_t root = file_->root;
+  if (!h5::exists(root, name) || h5::is_group(root, name))
     throw InputError(
         fmt::format("{}: there is no variable {}{}", path_, name, did_you_mean(name, variables())));
-  const h5::Handle dataset = open_numbers(name);
-  Variable out;
-  const h5::Shape shape = h5::shape_of(dataset);
-  std::size_t size = 1;
-  for (unsigned d = 0; d < shape.size(); ++d) {
-    out.shape.push_back(shape[d]);
-    out.dimensions.push_back(h5::scale_name(dataset, d));
-    size *= shape[d];
-  }
-  out.values.resize(size);
-  h5::read_part(dataset, H5T_NATIVE_DOUBLE, h5::Shape(shape.size(), 0), shape, out.values.data());
-  return read_[name] = std::move(out);
+  const std::string leaf = name.substr(name.rfind('/') + 1);
+  const h5::Handle dataset = h5::open_dataset(root, name);
+  if (!h5::is_text(dataset)) return read_[name] = read_array(dataset, leaf);
+  Array codes = read_array(h5::open_dataset(root, code_variable(name)), leaf);
+  const Column words = read_column(dataset, leaf);
+  codes.about.long_name = words.long_name;
+  codes.about.units = words.units;
+  codes.coordinate = h5::is_scale(dataset);
+  return read_[name] = std::move(codes);
 }
 
-std::vector<std::string> ResultReader::flag_meanings(const std::string& name) const {
-  const h5::Handle dataset = open_numbers(name);
-  std::vector<std::string> words;
-  if (!h5::has_attribute(dataset, "flag_meanings")) return words;
-  std::istringstream text(h5::read_text_attribute(dataset, "flag_meanings"));
-  for (std::string word; text >> word;) words.push_back(printable(word));
-  return words;
+std::vector<std::string> ResultReader::names(const std::string& group) const {
+  return h5::children(h5::open_group(file_->root, group.empty() ? "/" : group));
+}
+
+bool ResultReader::is_group(const std::string& name) const { return h5::is_group(file_->root, name); }
+
+bool ResultReader::has_text(const std::string& attribute) const {
+  return h5::has_attribute(file_->root, attribute);
+}
+
+long ResultReader::integer(const std::string& attribute) const {
+  return h5::read_integer_attribute(file_->root, attribute);
 }
 
 std::string ResultReader::raw_text(const std::string& attribute) const {
-  if (!h5::has_attribute(file_, attribute))
-    throw InputError(fmt::format("{}: there is no attribute {}", path_, attribute));
-  return h5::read_text_attribute(file_, attribute);
+  if (!has_text(attribute)) throw InputError(fmt::format("{}: there is no attribute {}", path_, attribute));
+  return h5::read_text_attribute(file_->root, attribute);
 }
 
 std::string ResultReader::text(const std::string& attribute) const { return printable(raw_text(attribute)); }
-
-std::string ResultReader::text_of(const std::string& name, const std::string& attribute) const {
-  const h5::Handle dataset = h5::open_dataset(file_, name);
-  return h5::has_attribute(dataset, attribute) ? printable(h5::read_text_attribute(dataset, attribute)) : "";
-}
 
 bool up_to_date(const std::string& path, const Experiment& experiment) {
   if (!std::filesystem::is_regular_file(path)) return false;
   try {
     const ResultReader file(path);
-    return file.damage().empty() &&
-           h5::read_integer_attribute(file.file(), "numerics_version") == kNumericsVersion &&
+    return file.damage().empty() && file.integer("numerics_version") == kNumericsVersion &&
            file.text("inputs_sha256") == inputs_sha256(*experiment.document);
   } catch (const InputError&) {
     return false;  // unreadable, or of another version: to be computed again
@@ -144,23 +175,8 @@ bool up_to_date(const std::string& path, const Experiment& experiment) {
   }
 }
 
-std::vector<std::string> numeric_datasets(const ResultReader& result) {
-  std::vector<std::string> names = payload_datasets(result.file());
-  for (const std::string& name : std::vector(names))
-    if (h5::is_text(h5::open_dataset(result.file(), name)) && std::erase(names, code_variable(name)) == 0)
-      std::erase(names, name);
-  return names;
-}
-
-DatasetKind kind_of(const ResultReader& result, const std::string& name) {
-  const h5::Handle dataset = h5::open_dataset(result.file(), name);
-  if (h5::is_scale(dataset)) return DatasetKind::coordinate;
-  if (H5Tget_class(h5::type_of(dataset)) != H5T_INTEGER) return DatasetKind::real;
-  return h5::has_attribute(dataset, "flag_meanings") ? DatasetKind::flags : DatasetKind::integer;
-}
-
 std::string place(const ResultReader& result, const std::string& name, std::size_t index) {
-  const Variable& v = result.variable(name);
+  const Array& v = result.variable(name);
   if (v.shape.empty()) return "the only point";
   const auto slash = name.rfind('/');
   const std::string folder = slash == std::string::npos ? "" : name.substr(0, slash + 1);
@@ -171,21 +187,6 @@ std::string place(const ResultReader& result, const std::string& name, std::size
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-std::string value_text(const std::vector<std::string>& flag_meanings, double value) {
-  for (std::size_t code = 0; code < flag_meanings.size(); ++code)
-    if (double(code) == value) return flag_meanings[code];
-  return fmt::format("{}", value);
-}
-
-std::string value_text(const ResultReader& result, const std::string& name, double value) {
-  return value_text(result.flag_meanings(name), value);
-}
-
-bool same_bits(double a, double b) {
-  if (std::isnan(a) || std::isnan(b)) return std::isnan(a) && std::isnan(b);
-  return a == b && std::signbit(a) == std::signbit(b);
-}
-
 std::string axis_variable(const std::string& name) {
   return name == "R_n" || name == "z_0" ? name + "_target" : name;
 }
@@ -194,12 +195,12 @@ std::string code_variable(const std::string& choice) { return choice + "_code"; 
 
 FileKind result_file() { return {"a result of bristle", "\x89HDF\r\n\x1a\n", {"bristle-result/"}}; }
 
-bool ResultReader::has(const std::string& name) const { return h5::exists(file_, name); }
+bool ResultReader::has(const std::string& name) const { return h5::exists(file_->root, name); }
 
 std::map<std::string, std::string> ResultReader::text_attributes(const std::string& name) const {
   std::map<std::string, std::string> out;
   if (!has(name)) return out;
-  const h5::Handle group = h5::open_group(file_, name);
+  const h5::Handle group = h5::open_group(file_->root, name);
   for (const std::string& attribute : h5::attribute_names(group))
     out[printable(attribute)] = printable(h5::read_text_attribute(group, attribute));
   return out;

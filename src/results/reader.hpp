@@ -1,7 +1,7 @@
 #pragma once
 
 #include "experiment/experiment.hpp"
-#include "results/hdf5.hpp"
+#include "results/dataset.hpp"
 #include "results/version.hpp"
 #include "util/file.hpp"
 
@@ -11,13 +11,6 @@
 #include <vector>
 
 namespace bristle::results {
-
-// A numeric variable of a result file, values in row-major order.
-struct Variable {
-  std::vector<std::string> dimensions;
-  std::vector<std::size_t> shape;
-  std::vector<double> values;
-};
 
 // Reads result files, which are not trusted: a file is opened only after damage_of() has read it in a process
 // of its own. Throws InputError with file and dataset if the file is not a result, cannot be read or has an
@@ -34,18 +27,22 @@ class ResultReader {
   const std::vector<std::string>& damage() const { return damage_; }
   void require_intact() const;
   const std::string& path() const { return path_; }
-  hid_t file() const { return file_; }
-  std::vector<std::string> variables() const;  // datasets of the root, without the codes of axes
-  // For the axis of a choice, variable() and flag_meanings() give codes and words as for other flags.
-  // variable() reads each dataset from the file once; the reference is valid as long as this reader.
-  const Variable& variable(const std::string& name) const;
-  // Meanings of the values 0, 1, ... of a flag variable; empty for other variables.
-  std::vector<std::string> flag_meanings(const std::string& name) const;
   bool has(const std::string& name) const;  // a dataset or group
+  // Returns the names in a group in ascending order; "": in the root.
+  std::vector<std::string> names(const std::string& group) const;
+  bool is_group(const std::string& name) const;
+  // Returns the paths from the root, such as "R_x" and "bristles/theta_0", of the datasets that digests
+  // cover. The axis of a choice stands for its words and codes.
+  std::vector<std::string> datasets() const;
+  std::vector<std::string> variables() const;  // those of the root
+  // Returns the values of a dataset; for the axis of a choice, codes with their words. Reads each from the
+  // file once; the reference is valid as long as this reader.
+  const Array& variable(const std::string& name) const;
+  bool has_text(const std::string& attribute) const;
   // Texts, also those of /provenance and /failures, are a stranger's: control characters in them are escaped.
   std::string text(const std::string& attribute) const;
   std::string raw_text(const std::string& attribute) const;  // as it is, such as JSON
-  std::string text_of(const std::string& dataset, const std::string& attribute) const;  // empty: none
+  long integer(const std::string& attribute) const;
   // The document of the experiment, which is parsed once.
   const Json& experiment() const;
   // Attributes of the groups /provenance and /failures; empty if there is no such group.
@@ -56,14 +53,15 @@ class ResultReader {
   std::vector<std::size_t> sweep_shape() const;     // without the nodes of traced curves
 
  private:
+  struct Open;  // the file
+
   void require_schema() const;
-  h5::Handle open_numbers(const std::string& name) const;
   std::map<std::string, std::string> text_attributes(const std::string& group) const;
 
   std::string path_;
   std::vector<std::string> damage_;
-  h5::Handle file_;
-  mutable std::map<std::string, Variable> read_;  // by name: what variable() has read
+  std::shared_ptr<const Open> file_;
+  mutable std::map<std::string, Array> read_;  // by name: what variable() has read
   mutable std::shared_ptr<const Json> experiment_;
 };
 
@@ -73,28 +71,9 @@ FileKind result_file();
 // Whether the file contains the numbers of this experiment, complete and undamaged.
 bool up_to_date(const std::string& path, const Experiment& experiment);
 
-enum class DatasetKind {
-  coordinate,  // values along a dimension (a dimension scale)
-  flags,       // codes with meanings, such as status: a difference has no size
-  integer,     // counts and indices
-  real
-};
-// Names of datasets are paths from the root, such as "R_x" and "bristles/theta_0".
-DatasetKind kind_of(const ResultReader& result, const std::string& name);
-
-// The datasets of the payload. The axis of a choice stands for its words and codes.
-std::vector<std::string> numeric_datasets(const ResultReader& result);
-
 // Coordinates of a value, such as "k_r = 2, k_theta = 0.3"; the row number for a dimension without
 // coordinates.
 std::string place(const ResultReader& result, const std::string& name, std::size_t index);
-
-// A value as text: the meaning of a flag, or a number with enough digits to identify it.
-std::string value_text(const std::vector<std::string>& flag_meanings, double value);
-std::string value_text(const ResultReader& result, const std::string& name, double value);
-
-// NaN equals NaN; zeros of opposite signs differ.
-bool same_bits(double a, double b);
 
 // The name of an axis in the file. A swept R_n or z_0 becomes R_n_target or z_0_target, because R_n and z_0
 // are the computed values.

@@ -4,9 +4,10 @@
 #include "ensemble/validity.hpp"
 #include "model/lift_off.hpp"
 #include "results/reader.hpp"
-#include "results/version.hpp"
+#include "util/error.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -27,20 +28,18 @@ PointRecord with_unified_nan(PointRecord record) {
   return record;
 }
 
-// The rows of one point. Requires that the table is sorted by points.
-Rows read_rows(hid_t file, const std::string& table, std::size_t index) {
-  const h5::Handle group = h5::open_group(file, table);
-  const auto read = [&](const std::string& column, hsize_t from, hsize_t count) {
-    std::vector<double> out(count);
-    if (count > 0)
-      h5::read_part(h5::open_dataset(group, column), H5T_NATIVE_DOUBLE, {from}, {count}, out.data());
-    return out;
-  };
-  const std::vector<double> points = read("point", 0, h5::length_of(h5::open_dataset(group, "point")));
+// Returns the rows of a table that belong to one point. Requires that the table is sorted by points.
+Rows read_rows(const ResultReader& result, const std::string& table, std::size_t index) {
+  const std::vector<double>& points = result.variable(table + "/point").values;
   const auto [from, to] = std::equal_range(points.begin(), points.end(), double(index));
-  const auto first = hsize_t(from - points.begin()), count = hsize_t(to - from);
   Rows rows;
-  for (const std::string& column : table_columns(table)) rows.push_back(read(column, first, count));
+  for (const Column& column : table_columns(table)) {
+    const std::vector<double>& values = result.variable(table + "/" + column.name).values;
+    if (values.size() != points.size())
+      throw RunError(fmt::format("{}/{} has {} rows, but {}/point has {}", table, column.name, values.size(),
+                                 table, points.size()));
+    rows.emplace_back(values.begin() + (from - points.begin()), values.begin() + (to - points.begin()));
+  }
   return rows;
 }
 
@@ -68,37 +67,36 @@ PointLayout::PointLayout(const Sweep& sweep) {
   const bool searched = !loading.z_0 && !loading.trace;
   if (searched) groups.emplace_back("load_error");
   for (const ResultVariable& variable : result_variables(sweep)) add(variable, searched);
-  datasets.push_back({{"passages", "number of passages computed for the point", "N", "", H5T_NATIVE_LONG},
-                      [](const PointResult& p) { return double(p.passages); },
-                      0});
-  datasets.push_back(
-      {{"status", "outcome of the point", "", "", H5T_NATIVE_SCHAR, texts(words<PointStatus>())},
-       [](const PointResult& p) { return double(p.status); },
-       double(PointStatus::absent)});
-  datasets.push_back({{"start", "whether bristles bend or are crushed as the slab comes down", "", "",
-                       H5T_NATIVE_SCHAR, texts(words<Start>())},
-                      [](const PointResult& p) { return double(p.start); },
-                      double(Start::undetermined)});
-  datasets.push_back({{"phase", "whether tips stay on the slab or bounce", "", "", H5T_NATIVE_SCHAR,
-                       texts(words<BrushPhase>())},
-                      [](const PointResult& p) { return double(phase_of(p)); },
-                      double(BrushPhase::unknown)});
-  if (sweep.base.setup.orientation.distribution != Distribution::von_mises)  // as lift_off_load
-    datasets.push_back(
-        {{"lift_off_domain", "whether the formula of lift_off_load was tested here, or what is outside", "",
-          "docs/lift-off.md", H5T_NATIVE_SCHAR, texts(words<LiftOffDomain>())},
-         [](const PointResult& p) { return double(lift_off_domain(p.parameters)); },
-         0});
+  variables.push_back({{"passages", "number of passages computed for the point", "N", "", Number::integer},
+                       [](const PointResult& p) { return double(p.passages); },
+                       0});
+  const auto add_code = [&](const std::string& name, const std::string& long_name, Words meanings,
+                            std::function<double(const PointResult&)> value, auto missing) {
+    variables.push_back(
+        {{name, long_name, "", "", Number::code, texts(meanings)}, std::move(value), double(missing)});
+  };
+  add_code(
+      "status", "outcome of the point", words<PointStatus>(),
+      [](const PointResult& p) { return double(p.status); }, PointStatus::absent);
+  add_code(
+      "start", "whether bristles bend or are crushed as the slab comes down", words<Start>(),
+      [](const PointResult& p) { return double(p.start); }, Start::undetermined);
+  add_code(
+      "phase", "whether tips stay on the slab or bounce", words<BrushPhase>(),
+      [](const PointResult& p) { return double(phase_of(p)); }, BrushPhase::unknown);
+  if (sweep.base.setup.orientation.distribution != Distribution::von_mises) {  // as lift_off_load
+    add_code(
+        "lift_off_domain", "whether the formula of lift_off_load was tested here, or what is outside",
+        words<LiftOffDomain>(), [](const PointResult& p) { return double(lift_off_domain(p.parameters)); },
+        LiftOffDomain::tested);
+    variables.back().equation = "docs/lift-off.md";
+  }
   for (const ValidityRow& row : kValidity)
-    datasets.push_back({{row.name, fmt::format("beyond a limit of the model: {}", row.meaning), "", "",
-                         H5T_NATIVE_SCHAR, texts(words<Exceeds>())},
-                        [&row](const PointResult& p) { return double(exceeds(row, p)); },
-                        double(Exceeds::unknown)});
+    add_code(
+        row.name, fmt::format("beyond a limit of the model: {}", row.meaning), words<Exceeds>(),
+        [&row](const PointResult& p) { return double(exceeds(row, p)); }, Exceeds::unknown);
   if (loading.trace)
-    datasets.push_back({{"branch", "paths of the slab on which the node lies", "", "", H5T_NATIVE_SCHAR,
-                         texts(words<Branch>())},
-                        {},
-                        double(Branch::absent)});
+    add_code("branch", "paths of the slab on which the node lies", words<Branch>(), {}, Branch::absent);
   if (sweep.record.bristles) tables.emplace_back("bristles");
   if (!sweep.record.trajectories.empty()) tables.emplace_back("trajectories");
   if (sweep.record.slab_force) tables.emplace_back("slab_force");
@@ -108,7 +106,7 @@ PointLayout::PointLayout(const Sweep& sweep) {
 // Adds the variable, its error, and the part of the error due to the load, if the gap follows from a search.
 void PointLayout::add(const ResultVariable& variable, bool searched) {
   const auto add_part = [&](Column column, double Derived::*part) {
-    datasets.push_back(
+    variables.push_back(
         {std::move(column), [of = variable.of, part](const PointResult& p) { return of(p).*part; }});
   };
   Column column = variable;
@@ -128,18 +126,18 @@ void PointLayout::add(const ResultVariable& variable, bool searched) {
 
 PointRecord record_of(const PointLayout& layout, const PointResult& result, const Recorded& recorded) {
   PointRecord record;
-  for (const auto& dataset : layout.datasets) record.values[dataset.name] = {dataset.value(result)};
+  for (const auto& variable : layout.variables) record.values[variable.name] = {variable.value(result)};
   for (const std::string& table : layout.tables) record.tables[table] = table_rows(table, recorded);
   return with_unified_nan(std::move(record));
 }
 
 PointRecord record_of(const PointLayout& layout, const std::vector<CurveNode>& curve) {
   PointRecord record;
-  for (const auto& dataset : layout.datasets) {
+  for (const auto& variable : layout.variables) {
     std::vector<double> numbers;
     for (const CurveNode& node : curve)
-      numbers.push_back(dataset.value ? dataset.value(node.result) : double(node.branch));
-    record.values[dataset.name] = std::move(numbers);
+      numbers.push_back(variable.value ? variable.value(node.result) : double(node.branch));
+    record.values[variable.name] = std::move(numbers);
   }
   return with_unified_nan(std::move(record));
 }
@@ -152,30 +150,33 @@ PointRecord failed_record(const PointLayout& layout, const std::string& error) {
   return record;
 }
 
-PointRecord read_record(hid_t file, const Sweep& sweep, std::size_t index) {
+PointRecord read_record(const ResultReader& result, const Sweep& sweep, std::size_t index) {
   const PointLayout layout(sweep);
-  PointRecord record;
-  h5::Shape at = h5::position(sweep.shape(), index), count(at.size(), 1);
-  if (layout.nodes) {
-    at.push_back(0);
-    count.push_back(hsize_t(*layout.nodes));
-  }
+  const std::size_t nodes = layout.nodes.value_or(1);
+  std::vector<std::size_t> shape = sweep.shape();
+  if (layout.nodes) shape.push_back(nodes);
   const auto read = [&](const std::string& name) {
-    std::vector<double> out(layout.nodes ? count.back() : 1);
-    h5::read_part(h5::open_dataset(file, name), H5T_NATIVE_DOUBLE, at, count, out.data());
-    return out;
+    const Array& array = result.variable(name);
+    if (array.shape != shape)
+      throw RunError(fmt::format("{} has the shape ({}), but the sweep has ({})", name,
+                                 fmt::join(array.shape, ", "), fmt::join(shape, ", ")));
+    const auto first = array.values.begin() + long(index * nodes);
+    return std::vector<double>(first, first + long(nodes));
   };
+  std::size_t present = nodes;
   if (layout.nodes) {
     const auto branch = read("branch");
-    count.back() = hsize_t(std::find(branch.begin(), branch.end(), double(Branch::absent)) - branch.begin());
+    present = std::size_t(std::ranges::find(branch, double(Branch::absent)) - branch.begin());
   }
-  for (const auto& dataset : layout.datasets) record.values[dataset.name] = read(dataset.name);
-  for (const std::string& table : layout.tables) record.tables[table] = read_rows(file, table, index);
-  if (h5::exists(file, kFailures)) {
-    const h5::Handle failures = h5::open_group(file, kFailures);
-    if (const std::string name = failure_name(index); h5::has_attribute(failures, name))
-      record.failure = h5::read_text_attribute(failures, name);
+  PointRecord record;
+  for (const auto& variable : layout.variables) {
+    std::vector<double>& values = record.values[variable.name] = read(variable.name);
+    values.resize(present);
   }
+  for (const std::string& table : layout.tables) record.tables[table] = read_rows(result, table, index);
+  const auto failures = result.failures();
+  if (const auto failure = failures.find(failure_name(index)); failure != failures.end())
+    record.failure = failure->second;
   return with_unified_nan(std::move(record));
 }
 
@@ -183,8 +184,8 @@ std::string failure_name(std::size_t index) { return fmt::format("point_{}", ind
 
 bool fits(const PointRecord& record, const PointLayout& layout) {
   const bool complete =
-      record.values.size() == layout.datasets.size() && record.tables.size() == layout.tables.size() &&
-      std::ranges::all_of(layout.datasets, [&](const auto& d) { return record.values.contains(d.name); }) &&
+      record.values.size() == layout.variables.size() && record.tables.size() == layout.tables.size() &&
+      std::ranges::all_of(layout.variables, [&](const auto& v) { return record.values.contains(v.name); }) &&
       std::ranges::all_of(layout.tables, [&](const auto& name) { return record.tables.contains(name); });
   if (!complete) return false;
   const std::size_t nodes = record.values.begin()->second.size();

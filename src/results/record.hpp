@@ -13,6 +13,8 @@
 
 namespace bristle::results {
 
+class ResultReader;
+
 // The numbers of one sweep point in the form of a result file. Runs compute records, journals store them, and
 // `verify --rerun` reads them from results. Every NaN has the same bits.
 struct PointRecord {
@@ -21,17 +23,17 @@ struct PointRecord {
   std::string failure;                                // the error of a point with the status failed
 };
 
-// The datasets and tables that a result of an experiment has. Make one for all points of a sweep.
+// The variables and tables that a result of an experiment has. Make one for all points of a sweep.
 struct PointLayout {
   PointLayout(const Sweep& sweep);
 
-  // A dataset over the sweep. Its name is the path from the root.
-  struct Dataset : Column {
+  // A variable over the sweep. Its name is the path from the root.
+  struct Variable : Column {
     std::function<double(const PointResult&)> value;            // empty for the branch of a curve's nodes
     double missing = std::numeric_limits<double>::quiet_NaN();  // for nodes that a curve does not have
   };
-  std::vector<Dataset> datasets;    // in the order in which the file is made
-  std::vector<std::string> groups;  // of these datasets
+  std::vector<Variable> variables;  // in the order in which the file is made
+  std::vector<std::string> groups;  // of these variables
   std::vector<std::string> tables;
   std::optional<std::size_t> nodes;  // largest number, of a curve
 
@@ -45,7 +47,7 @@ PointRecord record_of(const PointLayout& layout, const std::vector<CurveNode>& c
 PointRecord failed_record(const PointLayout& layout, const std::string& error);
 
 // Reads a point from a result file of this sweep. Throws RunError if it cannot be read.
-PointRecord read_record(hid_t file, const Sweep& sweep, std::size_t index);
+PointRecord read_record(const ResultReader& result, const Sweep& sweep, std::size_t index);
 
 // Name of the attribute of the group kFailures that has the error of a point.
 std::string failure_name(std::size_t index);

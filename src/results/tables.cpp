@@ -1,16 +1,10 @@
 #include "results/tables.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-#include <algorithm>
 #include <functional>
 #include <map>
-#include <numeric>
 
 namespace bristle::results {
 namespace {
-
-constexpr std::size_t kBlock = 16384;  // values
 
 // A column of a table and how to read it from the recorded data: for each bristle, for each point of each
 // trajectory, or for each interval of the force on the slab.
@@ -47,11 +41,11 @@ struct Field {
 };
 
 Column flag(const char* name, const char* long_name, Words meanings) {
-  return {name, long_name, "", "", H5T_NATIVE_SCHAR, texts(meanings)};
+  return {name, long_name, "", "", Number::code, texts(meanings)};
 }
 
 Column angle(const char* name, const char* long_name, const char* symbol, const char* equation) {
-  return {name, long_name, symbol, equation, H5T_NATIVE_DOUBLE, {}, "rad"};
+  return {name, long_name, symbol, equation, Number::real, {}, "rad"};
 }
 
 using B = const Passage&;
@@ -136,12 +130,6 @@ struct Layout {
   std::vector<Field> fields;
 };
 
-std::vector<Column> columns_of(const Layout& layout) {
-  std::vector<Column> columns;
-  for (const Field& field : layout.fields) columns.push_back(field.column);
-  return columns;
-}
-
 const Layout& layout_of(const std::string& table) {
   static const std::map<std::string, Layout> layouts = {{"bristles", {"bristle", bristle_fields()}},
                                                         {"trajectories", {"step", trajectory_fields()}},
@@ -151,90 +139,12 @@ const Layout& layout_of(const std::string& table) {
 
 }  // namespace
 
-void describe(hid_t dataset, const Column& column) {
-  h5::write_attribute(dataset, "long_name", column.long_name);
-  h5::write_attribute(dataset, "units", column.units);
-  h5::write_attribute(dataset, "symbol", column.symbol);
-  h5::write_attribute(dataset, "equation", column.equation);
-  if (!column.ancillary.empty()) h5::write_attribute(dataset, "ancillary_variables", column.ancillary);
-  for (const auto& [name, value] : column.constants) h5::write_attribute(dataset, name, value);
-  if (column.flags.empty()) return;
-  std::vector<signed char> values(column.flags.size());
-  std::iota(values.begin(), values.end(), static_cast<signed char>(0));
-  h5::write_attribute(dataset, "flag_values", values);
-  h5::write_attribute(dataset, "flag_meanings", fmt::format("{}", fmt::join(column.flags, " ")));
-}
+std::string row_name(const std::string& table) { return layout_of(table).row; }
 
-h5::Handle create_column(hid_t parent, const Column& column, const h5::Shape& shape) {
-  h5::Handle dataset = h5::create_dataset(parent, column.name, column.type, shape);
-  describe(dataset, column);
-  return dataset;
-}
-
-BlockWriter::BlockWriter(h5::Handle dataset, const h5::Shape& shape)
-    : dataset_(std::move(dataset)), shape_(shape.begin(), shape.end()) {}
-
-void BlockWriter::append(const std::vector<double>& values) {
-  if (values_.size() + values.size() > kBlock) flush();
-  values_.insert(values_.end(), values.begin(), values.end());
-}
-
-void BlockWriter::flush() {
-  for (std::size_t done = 0; done < values_.size();) {
-    const std::size_t left = values_.size() - done;
-    const h5::Shape start = h5::position(shape_, first_ + done);
-    // The largest part of the dataset that begins here and whose values follow one another.
-    h5::Shape count(start.size(), 1);
-    std::size_t size = 1;
-    for (std::size_t d = shape_.size(); d-- > 0;) {
-      count[d] = std::min(shape_[d] - std::size_t(start[d]), left / size);
-      size *= std::size_t(count[d]);
-      if (count[d] < shape_[d]) break;
-    }
-    h5::write_part(dataset_, H5T_NATIVE_DOUBLE, start, count, values_.data() + done);
-    done += size;
-  }
-  first_ += values_.size();
-  values_.clear();
-}
-
-TableWriter::TableWriter(hid_t file, const std::string& name)
-    : TableWriter(file, name, layout_of(name).row, columns_of(layout_of(name))) {}
-
-TableWriter::TableWriter(hid_t file, const std::string& name, const std::string& row,
-                         std::vector<Column> columns) {
-  const h5::Shape open{H5S_UNLIMITED};
-  const h5::Handle group = h5::create_group(file, name);
-  h5::Handle rows = create_column(group, {row, "row number", "", "", H5T_NATIVE_LONG}, open);
-  h5::make_scale(rows, row);
-  columns.insert(columns.begin(),
-                 {"point", "index of the sweep point, the last axis fastest", "", "", H5T_NATIVE_LONG});
-  const bool has_status = std::ranges::find(columns, "status", &Column::name) != columns.end();
-  for (Column& column : columns) {
-    if (has_status && column.flags.empty()) column.ancillary = "status";
-    h5::Handle dataset = create_column(group, column, open);
-    h5::attach_scale(dataset, rows, 0);
-    columns_.emplace_back(std::move(dataset), open);
-  }
-  columns_.emplace(columns_.begin(), std::move(rows), open);
-}
-
-void TableWriter::append(const Rows& rows) {
-  std::vector<double> numbers(rows.front().size());
-  std::iota(numbers.begin(), numbers.end(), double(length_));
-  columns_[0].append(numbers);
-  for (std::size_t i = 0; i < rows.size(); ++i) columns_[i + 1].append(rows[i]);
-  length_ += numbers.size();
-}
-
-void TableWriter::flush() {
-  for (BlockWriter& column : columns_) column.flush();
-}
-
-std::vector<std::string> table_columns(const std::string& table) {
-  std::vector<std::string> names;
-  for (const Field& field : layout_of(table).fields) names.push_back(field.column.name);
-  return names;
+std::vector<Column> table_columns(const std::string& table) {
+  std::vector<Column> columns;
+  for (const Field& field : layout_of(table).fields) columns.push_back(field.column);
+  return columns;
 }
 
 Rows table_rows(const std::string& table, const Recorded& recorded) {

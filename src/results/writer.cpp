@@ -1,7 +1,8 @@
 #include "results/writer.hpp"
 
 #include "results/annotate.hpp"
-#include "results/digest.hpp"
+#include "results/hdf5.hpp"
+#include "results/inspect.hpp"
 #include "results/reader.hpp"
 #include "results/version.hpp"
 #include "util/error.hpp"
@@ -13,62 +14,193 @@
 namespace bristle::results {
 namespace {
 
-Column axis_column(const experiment::Axis& axis) {
+void describe(hid_t dataset, const Column& column) {
+  h5::write_attribute(dataset, "long_name", column.long_name);
+  if (!column.units.empty()) h5::write_attribute(dataset, "units", column.units);
+  h5::write_attribute(dataset, "symbol", column.symbol);
+  h5::write_attribute(dataset, "equation", column.equation);
+  if (!column.ancillary.empty()) h5::write_attribute(dataset, "ancillary_variables", column.ancillary);
+  for (const auto& [name, value] : column.constants) h5::write_attribute(dataset, name, value);
+  if (column.number != Number::code) return;
+  std::vector<signed char> values(column.words.size());
+  std::iota(values.begin(), values.end(), static_cast<signed char>(0));
+  h5::write_attribute(dataset, "flag_values", values);
+  h5::write_attribute(dataset, "flag_meanings", fmt::format("{}", fmt::join(column.words, " ")));
+}
+
+hid_t type_of(Number number) {
+  return number == Number::code      ? H5T_NATIVE_SCHAR
+         : number == Number::integer ? H5T_NATIVE_LONG
+                                     : H5T_NATIVE_DOUBLE;
+}
+
+// Creates the dataset of a column of numbers or codes, with the attributes that every dataset has.
+h5::Handle create_column(hid_t parent, const Column& column, const h5::Shape& shape) {
+  h5::Handle dataset = h5::create_dataset(parent, column.name, type_of(column.number), shape);
+  describe(dataset, column);
+  return dataset;
+}
+
+h5::Handle create_texts(hid_t parent, Column column, const std::vector<double>& values) {
+  std::vector<std::string> texts;
+  for (const double value : values) texts.push_back(column.words.at(std::size_t(value)));
+  column.number = Number::text;
+  h5::Handle dataset = h5::create_texts(parent, column.name, texts);
+  describe(dataset, column);
+  return dataset;
+}
+
+h5::Handle create_array(hid_t parent, const Array& array) {
+  if (array.about.number == Number::text) return create_texts(parent, array.about, array.values);
+  const h5::Shape shape(array.shape.begin(), array.shape.end());
+  h5::Handle dataset = create_column(parent, array.about, shape);
+  h5::write_part(dataset, H5T_NATIVE_DOUBLE, h5::Shape(shape.size(), 0), shape, array.values.data());
+  return dataset;
+}
+
+Column code_column(const Column& choice) {
+  return {code_variable(choice.name), "code of " + choice.name, "", "", Number::code, choice.words};
+}
+
+// Creates a dimension scale. That of a choice has words, so that programs select by them; their codes are a
+// variable over it.
+h5::Handle create_scale(hid_t parent, const Array& coordinates) {
+  const Column& about = coordinates.about;
+  const bool choice = about.number == Number::code;
+  h5::Handle scale =
+      choice ? create_texts(parent, about, coordinates.values) : create_array(parent, coordinates);
+  h5::make_scale(scale, about.name);
+  if (choice) {
+    Array codes = coordinates;
+    codes.about = code_column(about);
+    h5::attach_scale(create_array(parent, codes), scale, 0);
+  }
+  return scale;
+}
+
+// The coordinates of an axis; with the options of a choice as words.
+Array axis_array(const experiment::Axis& axis) {
   const experiment::Sweepable& what = axis.quantity();
-  return {.name = axis_variable(axis.name),
-          .long_name = what.description,
-          .symbol = what.symbol,
-          .equation = "",
-          .type = axis.columns.empty() ? H5T_NATIVE_DOUBLE : H5T_NATIVE_LONG,
-          .units = what.units};
+  return coordinates({.name = axis_variable(axis.name),
+                      .long_name = what.description,
+                      .symbol = what.symbol,
+                      .equation = "",
+                      .number = !what.options.empty()  ? Number::code
+                                : axis.columns.empty() ? Number::real
+                                                       : Number::integer,
+                      .words = what.options,
+                      .units = what.units},
+                     axis.values);
 }
 
-Column code_column(const std::string& name, const std::vector<std::string>& options) {
-  return {code_variable(name), "code of " + name, "", "", H5T_NATIVE_SCHAR, options};
+// Writes a table of a result: a group of columns of equal length, with a dimension scale of row numbers.
+class TableWriter {
+ public:
+  // row: the name of the row numbers; columns: without "point", which becomes the first.
+  TableWriter(hid_t file, const std::string& name, const std::string& row, std::vector<Column> columns) {
+    const h5::Shape open{H5S_UNLIMITED};
+    const h5::Handle group = h5::create_group(file, name);
+    h5::Handle rows = create_column(group, {row, "row number", "", "", Number::integer}, open);
+    h5::make_scale(rows, row);
+    columns.insert(columns.begin(),
+                   {"point", "index of the sweep point, the last axis fastest", "", "", Number::integer});
+    const bool has_status = std::ranges::find(columns, "status", &Column::name) != columns.end();
+    for (Column& column : columns) {
+      if (has_status && column.number != Number::code) column.ancillary = "status";
+      h5::Handle dataset = create_column(group, column, open);
+      h5::attach_scale(dataset, rows, 0);
+      columns_.emplace_back(std::move(dataset), open);
+    }
+    columns_.emplace(columns_.begin(), std::move(rows), open);
+  }
+
+  // Appends rows, which are in the file after flush(). Columns of equal length, "point" first.
+  void append(const Rows& rows) {
+    std::vector<double> numbers(rows.front().size());
+    std::iota(numbers.begin(), numbers.end(), double(length_));
+    columns_[0].append(numbers);
+    for (std::size_t i = 0; i < rows.size(); ++i) columns_[i + 1].append(rows[i]);
+    length_ += numbers.size();
+  }
+
+  void flush() {
+    for (h5::BlockWriter& column : columns_) column.flush();
+  }
+
+ private:
+  std::vector<h5::BlockWriter> columns_;  // after the row numbers
+  std::size_t length_ = 0;
+};
+
+template <class Texts>
+void write_texts(hid_t file, const char* name, const Texts& texts) {
+  const h5::Handle group = h5::create_group(file, name);
+  for (const auto& [key, text] : texts) h5::write_attribute(group, key, text);
 }
 
-// A dimension scale of words, so that programs select by them. The codes are a variable over it.
-h5::Handle create_words(hid_t parent, const Column& column, const std::vector<std::string>& words,
-                        const Column& code, const std::vector<double>& values) {
-  h5::Handle scale = h5::create_texts(parent, column.name, words);
-  describe(scale, column);
-  h5::make_scale(scale, column.name);
-  const h5::Handle codes = create_column(parent, code, {words.size()});
-  h5::write_part(codes, H5T_NATIVE_DOUBLE, {0}, {words.size()}, values.data());
-  h5::attach_scale(codes, scale, 0);
-  return scale;
-}
-
-h5::Handle create_numbers(hid_t parent, const Column& column, const std::vector<double>& values) {
-  h5::Handle scale = create_column(parent, column, {values.size()});
-  h5::write_part(scale, H5T_NATIVE_DOUBLE, {0}, {values.size()}, values.data());
-  h5::make_scale(scale, column.name);
-  return scale;
+// axes: scales of the root, for the dimensions of the dataset that are axes of the sweep.
+void create_group(hid_t file, const Dataset& data, const std::map<std::string, hid_t>& axes) {
+  h5::Handle group = h5::create_group(file, data.name());
+  std::vector<h5::Handle> own;
+  std::vector<hid_t> scales;
+  for (const Array& dimension : data.dimensions())
+    if (dimension.values.size() == dimension.shape.front())
+      scales.push_back(own.emplace_back(create_scale(group, dimension)));
+    else scales.push_back(axes.at(dimension.about.name));
+  for (const Array& array : data.arrays()) {
+    const h5::Handle dataset = create_array(group, array);
+    for (unsigned d = 0; d < scales.size(); ++d) h5::attach_scale(dataset, scales[d], d);
+  }
+  group.close("closing /" + data.name());
 }
 
 }  // namespace
 
-ResultWriter::ResultWriter(const Experiment& experiment, const std::string& path)
-    : experiment_(experiment), layout_(experiment.sweep), whole_(path, result_file()) {
-  whole_.close();  // HDF5 opens it itself
-  file_ = h5::create_file(partial());
-  for (const experiment::Axis& axis : experiment_.sweep.axes) create_axis(axis);
-  if (layout_.nodes) {
-    std::vector<double> numbers(*layout_.nodes);
-    std::iota(numbers.begin(), numbers.end(), 0.0);
-    add_scale(create_numbers(
-        file_, {"node", "index of the node, from first contact down", "node", "", H5T_NATIVE_LONG}, numbers));
-  }
-  create_variables();
-  for (const std::string& name : layout_.tables) tables_.try_emplace(name, file_, name);
-}
+struct ResultWriter::Open {
+  h5::Handle file;
+  h5::Shape shape;  // of the sweep, and of the nodes of traced curves
+  std::vector<std::string> names;
+  std::vector<h5::Handle> axes;
+  std::vector<h5::BlockWriter> variables;  // in the order of the layout
+  std::map<std::string, TableWriter> tables;
 
-GroupDimension word_dimension(const std::string& name, const std::string& meaning,
-                              const std::vector<std::string>& words) {
-  std::vector<double> codes(words.size());
-  std::iota(codes.begin(), codes.end(), 0.0);
-  return {{name, meaning, "", ""}, words, codes};
-}
+  Open(const std::string& path, const Sweep& sweep, const PointLayout& layout) : file(h5::create_file(path)) {
+    for (const experiment::Axis& axis : sweep.axes) {
+      add_scale(axis_array(axis));
+      if (!axis.columns.empty()) create_sample(axis);
+    }
+    if (layout.nodes) {
+      Array nodes = row_numbers("node", "index of the node, from first contact down", *layout.nodes);
+      nodes.about.symbol = "node";
+      add_scale(nodes);
+    }
+    for (const std::string& group : layout.groups) h5::create_group(file, group);
+    for (const PointLayout::Variable& variable : layout.variables) {
+      h5::Handle dataset = create_column(file, variable, shape);
+      for (unsigned d = 0; d < axes.size(); ++d) h5::attach_scale(dataset, axes[d], d);
+      variables.emplace_back(std::move(dataset), shape);
+    }
+    for (const std::string& name : layout.tables)
+      tables.try_emplace(name, file, name, row_name(name), table_columns(name));
+  }
+
+  void add_scale(const Array& coordinates) {
+    shape.push_back(coordinates.shape.front());
+    names.push_back(coordinates.about.name);
+    axes.push_back(create_scale(file, coordinates));
+  }
+
+  // Creates the quantities that the sample varies, as variables over it.
+  void create_sample(const experiment::Axis& axis) {
+    std::vector<std::string> columns;
+    for (const experiment::Axis& column : axis.columns) {
+      const Array array = axis_array(column);
+      h5::attach_scale(create_array(file, array), axes.back(), 0);
+      columns.push_back(array.about.name);
+    }
+    h5::write_attribute(file, "coordinates", fmt::format("{}", fmt::join(columns, " ")));
+  }
+};
 
 std::vector<Column> jump_columns(const Sweep& sweep, const std::string& along) {
   std::vector<Column> columns = {
@@ -78,63 +210,30 @@ std::vector<Column> jump_columns(const Sweep& sweep, const std::string& along) {
       {"z_0_after", "gap after the jump; NaN: no gap carries the load", R"(\tilde{z}_0)", ""},
       {"from", "least value of the axis around the jump with an ambiguous gap, or before", "", ""},
       {"to", "greatest value of the axis around the jump with an ambiguous gap, or after", "", ""}};
-  for (const experiment::Axis& axis : sweep.axes)
-    if (axis.name != along)
-      columns.push_back(axis.quantity().options.empty() ? axis_column(axis)
-                                                        : code_column(axis.name, axis.quantity().options));
+  for (const experiment::Axis& axis : sweep.axes) {
+    if (axis.name == along) continue;
+    const Column column = axis_array(axis).about;
+    columns.push_back(column.number == Number::code ? code_column(column) : column);
+  }
   return columns;
 }
 
-void ResultWriter::create_axis(const experiment::Axis& axis) {
-  const experiment::Sweepable& what = axis.quantity();
-  const Column scale = axis_column(axis);
-  if (what.options.empty()) {
-    add_scale(create_numbers(file_, scale, axis.values));
-    if (!axis.columns.empty()) create_sample(axis);
-    return;
-  }
-  std::vector<std::string> words;
-  for (const double value : axis.values) words.push_back(what.text(value));
-  add_scale(create_words(file_, scale, words, code_column(axis.name, what.options), axis.values));
+ResultWriter::ResultWriter(const Experiment& experiment, const std::string& path)
+    : experiment_(experiment), layout_(experiment.sweep), whole_(path, result_file()) {
+  whole_.close();  // HDF5 opens it itself
+  open_ = std::make_unique<Open>(partial(), experiment.sweep, layout_);
 }
 
-// The quantities that the sample varies, as variables over it.
-void ResultWriter::create_sample(const experiment::Axis& axis) {
-  std::vector<std::string> names;
-  for (const experiment::Axis& column : axis.columns) {
-    Column variable = axis_column(column);
-    variable.flags = column.quantity().options;
-    if (!variable.flags.empty()) variable.type = H5T_NATIVE_SCHAR;
-    const h5::Handle dataset = create_column(file_, variable, {axis.values.size()});
-    h5::write_part(dataset, H5T_NATIVE_DOUBLE, {0}, {axis.values.size()}, column.values.data());
-    h5::attach_scale(dataset, axes_.back(), 0);
-    names.push_back(variable.name);
-  }
-  h5::write_attribute(file_, "coordinates", fmt::format("{}", fmt::join(names, " ")));
-}
-
-void ResultWriter::add_scale(h5::Handle dataset) {
-  shape_.push_back(h5::length_of(dataset));
-  axes_.push_back(std::move(dataset));
-}
-
-void ResultWriter::create_variables() {
-  for (const std::string& group : layout_.groups) h5::create_group(file_, group);
-  for (const PointLayout::Dataset& variable : layout_.datasets) {
-    h5::Handle dataset = create_column(file_, variable, shape_);
-    for (unsigned d = 0; d < axes_.size(); ++d) h5::attach_scale(dataset, axes_[d], d);
-    variables_.emplace_back(std::move(dataset), shape_);
-  }
-}
+ResultWriter::~ResultWriter() = default;
 
 void ResultWriter::write(std::size_t index, const PointRecord& record) {
   h5::in_file(partial(), [&] {
-    for (std::size_t i = 0; i < variables_.size(); ++i) {
-      std::vector<double> values = record.values.at(layout_.datasets[i].name);
-      values.resize(layout_.nodes.value_or(1), layout_.datasets[i].missing);
-      variables_[i].append(values);
+    for (std::size_t i = 0; i < layout_.variables.size(); ++i) {
+      std::vector<double> values = record.values.at(layout_.variables[i].name);
+      values.resize(layout_.nodes.value_or(1), layout_.variables[i].missing);
+      open_->variables[i].append(values);
     }
-    for (auto& [name, table] : tables_) {
+    for (auto& [name, table] : open_->tables) {
       Rows rows = record.tables.at(name);
       rows.insert(rows.begin(), std::vector<double>(rows.front().size(), double(index)));
       table.append(rows);
@@ -145,31 +244,16 @@ void ResultWriter::write(std::size_t index, const PointRecord& record) {
 
 void ResultWriter::write_jumps(const std::string& along, const Rows& rows) {
   h5::in_file(partial(), [&] {
-    tables_.try_emplace("jumps", file_, "jumps", "jump", jump_columns(experiment_.sweep, along))
-        .first->second.append(rows);
-    h5::write_attribute(h5::open_group(file_, "jumps"), "along", axis_variable(along));
+    const std::vector<Column> columns = jump_columns(experiment_.sweep, along);
+    open_->tables.try_emplace("jumps", open_->file, "jumps", "jump", columns).first->second.append(rows);
+    h5::write_attribute(h5::open_group(open_->file, "jumps"), "along", axis_variable(along));
   });
 }
 
-void ResultWriter::write_group(const Group& group) {
-  h5::in_file(partial(), [&] {
-    const h5::Handle parent = h5::create_group(file_, group.name);
-    std::vector<h5::Handle> own;
-    for (const auto& [column, words, values] : group.dimensions)
-      own.push_back(words.empty()
-                        ? create_numbers(parent, column, values)
-                        : create_words(parent, column, words, code_column(column.name, words), values));
-    std::vector<hid_t> scales;
-    for (const std::size_t axis : group.axes) scales.push_back(axes_[axis]);
-    for (const h5::Handle& scale : own) scales.push_back(scale);
-    h5::Shape shape;
-    for (const hid_t scale : scales) shape.push_back(h5::length_of(scale));
-    for (std::size_t i = 0; i < group.columns.size(); ++i) {
-      const h5::Handle dataset = create_column(parent, group.columns[i], shape);
-      h5::write_part(dataset, H5T_NATIVE_DOUBLE, h5::Shape(shape.size(), 0), shape, group.values[i].data());
-      for (unsigned d = 0; d < scales.size(); ++d) h5::attach_scale(dataset, scales[d], d);
-    }
-  });
+void ResultWriter::write_group(const Dataset& data) {
+  std::map<std::string, hid_t> axes;
+  for (std::size_t i = 0; i < open_->axes.size(); ++i) axes[open_->names[i]] = open_->axes[i];
+  h5::in_file(partial(), [&] { create_group(open_->file, data, axes); });
 }
 
 void ResultWriter::close(const std::map<std::string, std::string>& provenance) {
@@ -177,24 +261,45 @@ void ResultWriter::close(const std::map<std::string, std::string>& provenance) {
 }
 
 void ResultWriter::finish(const std::map<std::string, std::string>& provenance) {
-  const auto write_texts = [&](const char* name, const auto& texts) {
-    const h5::Handle group = h5::create_group(file_, name);
-    for (const auto& [key, text] : texts) h5::write_attribute(group, key, text);
-  };
-  write_texts("provenance", provenance);
-  if (!failures_.empty()) write_texts(kFailures, failures_);
-  for (BlockWriter& variable : variables_) variable.flush();
-  for (auto& [name, table] : tables_) table.flush();
-  const std::string digest = payload_sha256(file_);
-  h5::write_attribute(file_, "payload_sha256", digest);
-  h5::check(H5Fflush(file_, H5F_SCOPE_LOCAL), "writing the file");
-  variables_.clear();
-  tables_.clear();
-  axes_.clear();
-  file_.close("closing the file");
-  annotate(partial(), experiment_);
+  write_texts(open_->file, "provenance", provenance);
+  if (!failures_.empty()) write_texts(open_->file, kFailures, failures_);
+  for (h5::BlockWriter& variable : open_->variables) variable.flush();
+  for (auto& [name, table] : open_->tables) table.flush();
+  const std::string digest = payload_sha256(open_->file);
+  h5::write_attribute(open_->file, "payload_sha256", digest);
+  h5::check(H5Fflush(open_->file, H5F_SCOPE_LOCAL), "writing the file");
+  h5::Handle file = std::move(open_->file);
+  open_.reset();
+  file.close("closing the file");
+  annotate(partial(), experiment_, provenance);
   if (payload_sha256(h5::open_file(partial(), false)) != digest)
     throw RunError("reads back differently from what was written");
 }
+
+void replace_group(const std::string& path, const Dataset& data) {
+  h5::in_file(path, [&] {
+    h5::Handle file = h5::open_file(path, true);
+    if (h5::exists(file, data.name()))
+      h5::check(H5Ldelete(file, data.name().c_str(), H5P_DEFAULT), "replacing /" + data.name());
+    if (data.size() > 0) create_group(file, data, {});
+    file.close("closing the file");
+  });
+}
+
+void write_attributes(const std::string& path, const std::vector<Attribute>& attributes) {
+  h5::Handle file = h5::open_file(path, true);
+  for (const Attribute& attribute : attributes) {
+    const h5::Handle object(H5Oopen(file, attribute.object.c_str(), H5P_DEFAULT), H5Oclose,
+                            "opening " + attribute.object);
+    if (attribute.unless_present && h5::has_attribute(object, attribute.name)) continue;
+    std::visit([&](const auto& value) { h5::write_attribute(object, attribute.name, value); },
+               attribute.value);
+  }
+  file.close("closing " + path);
+}
+
+std::string hdf5_version() { return fmt::format("{}.{}.{}", H5_VERS_MAJOR, H5_VERS_MINOR, H5_VERS_RELEASE); }
+
+void start_hdf5() { h5::silence(); }
 
 }  // namespace bristle::results

@@ -5,30 +5,13 @@
 #include "util/file.hpp"
 
 #include <map>
+#include <memory>
+#include <variant>
 
 namespace bristle::results {
 
 // The columns of /jumps but "point"; those of the axes beside that along which the gap jumps are the last.
 std::vector<Column> jump_columns(const Sweep& sweep, const std::string& along);
-
-// A dimension of a group: words with their codes, or numbers.
-struct GroupDimension {
-  Column column;
-  std::vector<std::string> words;
-  std::vector<double> values;
-};
-
-GroupDimension word_dimension(const std::string& name, const std::string& meaning,
-                              const std::vector<std::string>& words);
-
-// Variables over some axes of the sweep and over dimensions of their own.
-struct Group {
-  std::string name;
-  std::vector<std::size_t> axes;  // indices
-  std::vector<GroupDimension> dimensions;
-  std::vector<Column> columns;
-  std::vector<std::vector<double>> values;  // by column, in row-major order
-};
 
 // Writes a result file point by point under a temporary name, which publish() replaces by the final name.
 // Without publish() an existing file remains unchanged and the temporary file is removed.
@@ -36,6 +19,7 @@ class ResultWriter {
  public:
   // Throws InputError if path cannot be written.
   ResultWriter(const Experiment& experiment, const std::string& path);
+  ~ResultWriter();
 
   // Call for every point, in ascending order of index. Requires fits(record, experiment).
   void write(std::size_t index, const PointRecord& record);
@@ -43,8 +27,8 @@ class ResultWriter {
   // Call after write(). Adds the group /jumps. rows: as locate_jumps() returns them; along: name of the axis.
   void write_jumps(const std::string& along, const Rows& rows);
 
-  // Call after write().
-  void write_group(const Group& group);
+  // Call after write(). Adds a group; its axes must be those of the sweep.
+  void write_group(const Dataset& data);
 
   // Adds attributes, digest and provenance (name -> text), closes the file, and verifies it by reading it
   // back.
@@ -55,21 +39,31 @@ class ResultWriter {
   void publish() { whole_.publish(); }
 
  private:
-  void create_axis(const experiment::Axis& axis);
-  void create_sample(const experiment::Axis& axis);
-  void add_scale(h5::Handle dataset);
-  void create_variables();
+  struct Open;  // the file, and what is written to it
+
   void finish(const std::map<std::string, std::string>& provenance);
 
   const Experiment& experiment_;
   const PointLayout layout_;
   WholeFile whole_;
-  h5::Handle file_;
-  h5::Shape shape_;  // of the sweep, and of the nodes of traced curves
-  std::vector<h5::Handle> axes_;
-  std::vector<BlockWriter> variables_;  // in the order of layout_.datasets
-  std::map<std::string, TableWriter> tables_;
+  std::unique_ptr<Open> open_;
   std::vector<std::pair<std::string, std::string>> failures_;  // errors of failed points, by failure_name()
 };
+
+// Replaces a group of an existing result file that no digest covers; removes it if the dataset has no values.
+void replace_group(const std::string& path, const Dataset& data);
+
+// An attribute of an object in a result file, such as "slab_force/t"; "/" is the file itself.
+struct Attribute {
+  std::string object, name;
+  std::variant<std::string, long, double> value;
+  bool unless_present = false;  // keep the value that the file has
+};
+void write_attributes(const std::string& path, const std::vector<Attribute>& attributes);
+
+// Version of the HDF5 library, such as "1.10.8".
+std::string hdf5_version();
+// Call before all other functions that read or write results: makes errors of HDF5 exceptions.
+void start_hdf5();
 
 }  // namespace bristle::results

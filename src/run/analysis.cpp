@@ -16,12 +16,6 @@
 namespace bristle::run {
 namespace {
 
-// A function, because HDF5 must not be used before main().
-results::Column ambiguous_column() {
-  return {"ambiguous", "points that are used, whose load another gap carries as well", "", "",
-          H5T_NATIVE_LONG};
-}
-
 const char* const kRemedy = "raise sobol, or choose ranges in which more points have a value";
 const std::vector<double> kShares = {0.05, 0.25, 0.5, 0.75, 0.95};
 
@@ -73,71 +67,82 @@ std::size_t block_of(const Experiment& e) {
   return e.analysis.sobol_indices.empty() ? 1 : sample_of(e).columns.size() + 2;
 }
 
-std::vector<std::size_t> other_axes(const Experiment& e) {
-  std::vector<std::size_t> out;
-  for (std::size_t axis = 0; axis < e.sweep.axes.size(); ++axis)
-    if (e.sweep.axes[axis].name != experiment::kSample) out.push_back(axis);
-  return out;
-}
-
 std::vector<std::string> inputs_of(const Experiment& e) {
   std::vector<std::string> names;
   for (const experiment::Axis& column : sample_of(e).columns) names.push_back(column.name);
   return names;
 }
 
-results::Group indices(const Experiment& e, const Values& values) {
-  const std::vector<std::string>&outputs = e.analysis.sobol_indices, inputs = inputs_of(e);
-  results::Group group{"indices",
-                       other_axes(e),
-                       {results::word_dimension("output", "variable whose variance is shared out", outputs),
-                        results::word_dimension("input", "parameter of the sample", inputs)},
-                       index_columns(),
-                       {}};
-  group.columns.push_back(ambiguous_column());
-  group.values.resize(group.columns.size());
-  for (std::size_t other = 0; other < others_of(e).size(); ++other)
-    for (const std::string& output : outputs) {
-      add_indices(group, sobol_indices(over_sample(e, values.at(output), other), inputs.size()));
-      group.values.back().resize(group.values.front().size(),
-                                 double(used_of(e, values, output, other, 1, 1).ambiguous));
-    }
-  return group;
+// Returns a group over the axes beside the sample; other dimensions follow.
+results::Dataset over_others(const std::string& name, const Experiment& e) {
+  results::Dataset out(name);
+  for (const experiment::Axis& axis : others_of(e).axes)
+    out.add_axis(results::axis_variable(axis.name), axis.values.size());
+  return out;
 }
 
-results::Group quantiles(const Experiment& e, const Values& values) {
+results::Column integers(const std::string& name, const std::string& meaning) {
+  return {name, meaning, "", "", results::Number::integer};
+}
+
+// Adds the number of ambiguous points among those that each output uses. size: values of each output
+void add_ambiguous(results::Dataset& data, const std::vector<double>& ambiguous, std::size_t size) {
+  data.add(integers("ambiguous", "points that are used, whose load another gap carries as well"),
+           [&](std::size_t i) { return ambiguous[i / size]; });
+}
+
+results::Dataset indices(const Experiment& e, const Values& values) {
+  const std::vector<std::string>&outputs = e.analysis.sobol_indices, inputs = inputs_of(e);
+  results::Dataset out = over_others("indices", e);
+  const std::size_t points = out.size();
+  out.add_dimension(results::coordinates("output", "variable whose variance is shared out", outputs));
+  out.add_dimension(results::coordinates("input", "parameter of the sample", inputs));
+  std::vector<SobolIndices> rows;
+  std::vector<double> ambiguous;
+  for (std::size_t other = 0; other < points; ++other)
+    for (const std::string& output : outputs) {
+      rows.push_back(sobol_indices(over_sample(e, values.at(output), other), inputs.size()));
+      ambiguous.push_back(double(used_of(e, values, output, other, 1, 1).ambiguous));
+    }
+  add_indices(out, rows);
+  add_ambiguous(out, ambiguous, inputs.size());
+  return out;
+}
+
+results::Dataset quantiles(const Experiment& e, const Values& values) {
   const std::vector<std::string>& outputs = e.analysis.quantiles;
-  results::Group group{
-      "quantiles",
-      other_axes(e),
-      {results::word_dimension("output", "variable", outputs),
-       {{"share", "share of the sample below the quantile", "p", ""}, {}, kShares}},
-      {{"quantile", "quantile of the variable over the sample", "", ""},
-       {"quantile_err", "standard error of the quantile", "", ""},
-       {"points", "points that are used: drawn independently and with a value", "", "", H5T_NATIVE_LONG},
-       ambiguous_column()},
-      std::vector<std::vector<double>>(4)};
-  const std::size_t block = block_of(e), independent = std::min<std::size_t>(block, 2);
-  for (std::size_t other = 0; other < others_of(e).size(); ++other)
+  results::Dataset out = over_others("quantiles", e);
+  const std::size_t points = out.size(), block = block_of(e), independent = std::min<std::size_t>(block, 2);
+  out.add_dimension(results::coordinates("output", "variable", outputs));
+  out.add_dimension(
+      results::coordinates({"share", "share of the sample below the quantile", "p", ""}, kShares));
+  std::vector<Estimate> found;
+  std::vector<double> used_points, ambiguous;
+  for (std::size_t other = 0; other < points; ++other)
     for (const std::string& output : outputs) {
       const Used used = used_of(e, values, output, other, block, independent);
-      for (const double share : kShares) {
-        const Estimate q = quantile(used.values, share);
-        const double row[] = {q.value, q.error, double(used.values.size()), double(used.ambiguous)};
-        for (std::size_t column = 0; column < std::size(row); ++column)
-          group.values[column].push_back(row[column]);
-      }
+      for (const double share : kShares) found.push_back(quantile(used.values, share));
+      used_points.push_back(double(used.values.size()));
+      ambiguous.push_back(double(used.ambiguous));
     }
-  return group;
+  out.add({"quantile", "quantile of the variable over the sample", "", ""},
+          [&](std::size_t i) { return found[i].value; });
+  out.add({"quantile_err", "standard error of the quantile", "", ""},
+          [&](std::size_t i) { return found[i].error; });
+  out.add(integers("points", "points that are used: drawn independently and with a value"),
+          [&](std::size_t i) { return used_points[i / kShares.size()]; });
+  add_ambiguous(out, ambiguous, kShares.size());
+  return out;
 }
 
 // Reads one row of indices back from a group, as add_indices() has written it.
-SobolIndices indices_of(const results::Group& group, std::size_t row) {
-  const std::size_t inputs = group.dimensions[1].words.size();
+SobolIndices indices_of(const results::Dataset& group, std::size_t row) {
+  const std::size_t inputs = group.dimension("input").shape.front();
+  const auto read = [&](const std::string& name) { return group.array(name).values.data() + row * inputs; };
   SobolIndices out;
-  for (std::size_t at = row * inputs; at < (row + 1) * inputs; ++at) {
-    out.first.push_back({group.values[0][at], group.values[1][at], std::size_t(group.values[5][at])});
-    out.total.push_back({group.values[2][at], group.values[3][at], std::size_t(group.values[4][at])});
+  for (std::size_t i = 0; i < inputs; ++i) {
+    out.first.push_back({read("S1")[i], read("S1_err")[i], std::size_t(read("S1_blocks")[i])});
+    out.total.push_back({read("ST")[i], read("ST_err")[i], std::size_t(read("blocks")[i])});
   }
   return out;
 }
@@ -170,15 +175,17 @@ std::string origin_text(const SobolIndices& indices, std::size_t blocks, const s
                      remedy);
 }
 
-std::string quantiles_line(const results::Group& group, std::size_t row, std::size_t points) {
+std::string quantiles_line(const results::Dataset& group, std::size_t row, std::size_t points) {
+  const auto read = [&](const std::string& name, std::size_t i) {
+    return group.array(name).values[row * kShares.size() + i];
+  };
   std::vector<std::string> parts;
   for (std::size_t i = 0; i < kShares.size(); ++i) {
-    const std::size_t at = row * kShares.size() + i;
-    parts.push_back(fmt::format("{:.0f} % {:.4g}", 100 * kShares[i], group.values[0][at]));
-    if (const double error = group.values[1][at]; std::isfinite(error))
+    parts.push_back(fmt::format("{:.0f} % {:.4g}", 100 * kShares[i], read("quantile", i)));
+    if (const double error = read("quantile_err", i); std::isfinite(error))
       parts.back() += fmt::format(" +- {:.1g}", error);
   }
-  const auto present = std::size_t(group.values[2][row * kShares.size()]);
+  const auto present = std::size_t(read("points", 0));
   if (present == 0) return fmt::format("none, as none of {} points has a value", points);
   return fmt::format(
       "{}{}", fmt::join(parts, ", "),
@@ -204,23 +211,20 @@ void validate_analysis(const Experiment& experiment) {
     require_variable(experiment, "/analysis/quantiles", name);
 }
 
-std::vector<results::Column> index_columns() {
-  return {{"S1", "first-order Sobol index", "S_1", ""},
-          {"S1_err", "standard error of S1", R"(\delta S_1)", ""},
-          {"ST", "total Sobol index", "S_T", ""},
-          {"ST_err", "standard error of ST", R"(\delta S_T)", ""},
-          {"blocks", "blocks of the design with the two values that ST needs", "", "", H5T_NATIVE_LONG},
-          {"S1_blocks", "blocks of the design with the three values that S1 needs", "", "", H5T_NATIVE_LONG}};
-}
-
-void add_indices(results::Group& group, const SobolIndices& indices) {
-  for (std::size_t i = 0; i < indices.total.size(); ++i) {
-    const SobolIndex &first = indices.first[i], &total = indices.total[i];
-    const double row[] = {first.value, first.error,          total.value,
-                          total.error, double(total.blocks), double(first.blocks)};
-    for (std::size_t column = 0; column < std::size(row); ++column)
-      group.values[column].push_back(row[column]);
-  }
+void add_indices(results::Dataset& data, const std::vector<SobolIndices>& rows) {
+  const auto inputs = data.shape().back();
+  const auto add = [&](const results::Column& column, std::vector<SobolIndex> SobolIndices::*kind,
+                       auto value) {
+    data.add(column, [&](std::size_t i) { return ((rows[i / inputs].*kind)[i % inputs]).*value; });
+  };
+  add({"S1", "first-order Sobol index", "S_1", ""}, &SobolIndices::first, &SobolIndex::value);
+  add({"S1_err", "standard error of S1", R"(\delta S_1)", ""}, &SobolIndices::first, &SobolIndex::error);
+  add({"ST", "total Sobol index", "S_T", ""}, &SobolIndices::total, &SobolIndex::value);
+  add({"ST_err", "standard error of ST", R"(\delta S_T)", ""}, &SobolIndices::total, &SobolIndex::error);
+  add(integers("blocks", "blocks of the design with the two values that ST needs"), &SobolIndices::total,
+      &SobolIndex::blocks);
+  add(integers("S1_blocks", "blocks of the design with the three values that S1 needs"), &SobolIndices::first,
+      &SobolIndex::blocks);
 }
 
 std::string indices_text(const SobolIndices& indices, const std::vector<std::string>& inputs,
@@ -245,18 +249,18 @@ std::set<std::string> analysed_variables(const Experiment& experiment) {
   return names;
 }
 
-std::vector<results::Group> analyse(const Experiment& experiment, const Values& values) {
-  std::vector<results::Group> groups;
+std::vector<results::Dataset> analyse(const Experiment& experiment, const Values& values) {
+  std::vector<results::Dataset> groups;
   if (!experiment.analysis.sobol_indices.empty()) groups.push_back(indices(experiment, values));
   if (!experiment.analysis.quantiles.empty()) groups.push_back(quantiles(experiment, values));
   return groups;
 }
 
-std::string analysis_text(const Experiment& experiment, const std::vector<results::Group>& groups) {
+std::string analysis_text(const Experiment& experiment, const std::vector<results::Dataset>& groups) {
   std::string text;
-  for (const results::Group& group : groups) {
-    const bool of_indices = group.name == "indices";
-    const std::vector<std::string>& outputs = group.dimensions[0].words;
+  for (const results::Dataset& group : groups) {
+    const bool of_indices = group.name() == "indices";
+    const std::vector<std::string>& outputs = group.dimension("output").about.words;
     const Sweep others = others_of(experiment);
     const std::size_t points = sample_of(experiment).values.size(), block = block_of(experiment);
     for (std::size_t row = 0; row < others.size() * outputs.size(); ++row) {
@@ -266,8 +270,8 @@ std::string analysis_text(const Experiment& experiment, const std::vector<result
           others.axes.empty() ? "" : " at " + others.place(row / outputs.size()),
           of_indices ? indices_text(indices_of(group, row), inputs_of(experiment), points / block, kRemedy)
                      : quantiles_line(group, row, block == 1 ? points : 2 * points / block));
-      const std::size_t width = group.values.back().size() / (others.size() * outputs.size());
-      if (const double count = group.values.back()[row * width]; count > 0)
+      const std::size_t width = group.shape().back();
+      if (const double count = group.array("ambiguous").values[row * width]; count > 0)
         text += fmt::format("; ambiguous points among those used: {}", count);
       text += "\n";
     }

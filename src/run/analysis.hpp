@@ -1,7 +1,8 @@
 #pragma once
 
 #include "experiment/experiment.hpp"
-#include "results/writer.hpp"
+#include "results/dataset.hpp"
+#include "results/variables.hpp"
 #include "util/sensitivity.hpp"
 
 #include <map>
@@ -14,12 +15,10 @@ namespace bristle::run {
 // Throws InputError if the result has no variable of this name. place: JSON pointer, for the message
 void require_variable(const Experiment& experiment, const std::string& place, const std::string& name);
 
-// Columns of Sobol indices, their errors, and the blocks that they follow from. A function, because HDF5 must
-// not be used before main().
-std::vector<results::Column> index_columns();
-
-// Adds one row for each input to the index_columns(), the first of the group.
-void add_indices(results::Group& group, const SobolIndices& indices);
+// Adds Sobol indices, their errors, and the blocks that they follow from to a dataset with the dimensions
+// output (or another one) and input, which are the last. rows: the indices of all inputs, by the other
+// dimensions.
+void add_indices(results::Dataset& data, const std::vector<SobolIndices>& rows);
 
 // Returns "k_r 0.40 +- 0.02 (0.31 +- 0.03), ...", by descending total index, and what the indices follow from
 // unless these are all blocks of the design. remedy: what to do where too few points have a value
@@ -34,10 +33,10 @@ std::set<std::string> analysed_variables(const Experiment& experiment);
 
 // The groups /indices and /quantiles that /analysis asks for, for each point of the axes beside the sample.
 // values: of analysed_variables(), over the sweep. Missing values (NaN) are left out.
-std::vector<results::Group> analyse(const Experiment& experiment,
-                                    const std::map<std::string, std::vector<double>>& values);
+std::vector<results::Dataset> analyse(const Experiment& experiment,
+                                      const std::map<std::string, std::vector<double>>& values);
 
 // The groups in words, one line for each variable and point of the other axes; empty without an analysis.
-std::string analysis_text(const Experiment& experiment, const std::vector<results::Group>& groups);
+std::string analysis_text(const Experiment& experiment, const std::vector<results::Dataset>& groups);
 
 }  // namespace bristle::run

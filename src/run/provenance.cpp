@@ -1,6 +1,7 @@
 #include "run/provenance.hpp"
 
 #include "results/journal.hpp"
+#include "results/writer.hpp"
 #include "simd/dispatch.hpp"
 #include "util/process.hpp"
 
@@ -8,7 +9,6 @@
 #include <ctime>
 #include <fmt/chrono.h>
 #include <fmt/format.h>
-#include <hdf5.h>
 #include <nlohmann/json_fwd.hpp>
 #include <openssl/opensslv.h>
 #include <sleef.h>
@@ -56,7 +56,7 @@ std::map<std::string, std::string> provenance(const std::string& command_line, i
       {"eigen", BRISTLE_EIGEN},
       {"boost",
        fmt::format("{}.{}.{}", BOOST_VERSION / 100000, BOOST_VERSION / 100 % 1000, BOOST_VERSION % 100)},
-      {"hdf5", fmt::format("{}.{}.{}", H5_VERS_MAJOR, H5_VERS_MINOR, H5_VERS_RELEASE)},
+      {"hdf5", results::hdf5_version()},
       {"nlohmann_json", fmt::format("{}.{}.{}", NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR,
                                     NLOHMANN_JSON_VERSION_PATCH)},
       {"fmt", fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100)},

@@ -31,12 +31,13 @@ void add_checks(const std::string& path) {
 
 // Updates title, notes and checks of a result whose numbers are up to date.
 void refresh_description(const Experiment& experiment, const std::string& path) {
-  if (results::ResultReader(path).experiment() == *experiment.document) return;
+  const results::ResultReader result(path);
+  if (result.experiment() == *experiment.document) return;
   const results::Journal lock(journal_path(path, {}), kCommit, false);
   WholeFile copy(path, results::result_file());
   copy.write(read_file(path));
   copy.close();
-  results::annotate(copy.partial(), experiment);
+  results::annotate(copy.partial(), experiment, result.provenance());
   add_checks(copy.partial());
   copy.publish();
 }
@@ -185,7 +186,7 @@ std::vector<results::PointRecord> solve_points(const Sweep& sweep, const std::ve
 }
 
 Summary write_result(const Experiment& experiment, const std::string& path, const KeyedPoints& points,
-                     const results::Rows& jumps, const std::vector<results::Group>& more,
+                     const results::Rows& jumps, const std::vector<results::Dataset>& more,
                      const results::Journal& journal, std::map<std::string, std::string> entries,
                      Progress& progress) {
   progress.stage("writing " + path);
@@ -203,9 +204,9 @@ Summary write_result(const Experiment& experiment, const std::string& path, cons
     hosts.insert(line.host);
   }
   if (!jumps.empty()) writer.write_jumps(experiment.locate_jumps, jumps);
-  const std::vector<results::Group> groups = analyse(experiment, analysed);
+  const std::vector<results::Dataset> groups = analyse(experiment, analysed);
   for (const auto* list : {&groups, &more})
-    for (const results::Group& group : *list) writer.write_group(group);
+    for (const results::Dataset& group : *list) writer.write_group(group);
   summary.add(analysis_text(experiment, groups));
   entries["points_commits"] = fmt::format("{}", fmt::join(commits, ", "));
   entries["points_hosts"] = fmt::format("{}", fmt::join(hosts, ", "));

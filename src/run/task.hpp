@@ -41,7 +41,7 @@ std::vector<results::PointRecord> solve_points(const Sweep& sweep, const std::ve
 // Writes the result file from the journal, in the order of the points, with jumps, analysis, more groups and
 // provenance.
 Summary write_result(const Experiment& experiment, const std::string& path, const KeyedPoints& points,
-                     const results::Rows& jumps, const std::vector<results::Group>& more,
+                     const results::Rows& jumps, const std::vector<results::Dataset>& more,
                      const results::Journal& journal, std::map<std::string, std::string> entries,
                      Progress& progress);
 

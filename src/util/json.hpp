@@ -3,7 +3,9 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include <cstdint>
+#include <map>
 #include <string>
+#include <vector>
 
 namespace bristle {
 
@@ -28,6 +30,17 @@ Json json_object(const std::string& name, const std::string& text);
 // Parses untrusted text. Throws InputError, without a file name, for text that is not JSON, for a key that
 // appears twice in one object, and for nesting deeper than kMaxJsonDepth.
 Json parse_json(const std::string& text);
+
+// Rows of numbers, such as [[1, 2], [3, null]]. NaN stands for null.
+struct NumberRows {
+  std::vector<double> values;     // of all rows
+  std::vector<std::size_t> ends;  // index behind the last value of each row
+  bool plain = true;              // every value is a number or null
+};
+
+// Parses untrusted text with very many numbers, as parse_json() does but in a tenth of the time: returns the
+// document with [] in place of every array of arrays, and adds its rows by JSON pointer.
+Json parse_json(const std::string& text, std::map<std::string, NumberRows>& rows);
 
 // JSON text: objects and arrays of objects with one entry per line, arrays of numbers on one line.
 std::string json_lines(const Json& json);

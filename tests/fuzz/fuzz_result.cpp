@@ -103,8 +103,8 @@ void read(const Original& original, const std::string& path, Reader reader) {
   const ResultReader result(path);
   switch (reader) {
     case Reader::facts:
-      for (const std::string& name : result.variables()) result.flag_meanings(name);
-      payload_sha256(result.file());
+      for (const std::string& name : result.datasets()) result.variable(name);
+      payload_sha256(h5::open_file(path, false));
       result_facts(result).dump();
       break;
     case Reader::difference:
@@ -113,12 +113,12 @@ void read(const Original& original, const std::string& path, Reader reader) {
     case Reader::points: {
       const Experiment experiment = stored_experiment(result.experiment(), result.text("tier"), path);
       for (std::size_t i = 0; i < std::min<std::size_t>(experiment.sweep.size(), 6); ++i)
-        read_record(result.file(), experiment, i);
+        read_record(result, experiment.sweep, i);
       break;
     }
     case Reader::reference: {
       checks_table(evaluate_checks(result));
-      json_lines(reference_of(path));
+      reference_of(path);
       break;
     }
   }

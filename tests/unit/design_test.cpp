@@ -276,7 +276,7 @@ TEST_CASE("design: only a result with the inputs of the reference is compared wi
   const auto with_budget = [&](int budget) {
     return f.run(f.load(design + std::to_string(budget) + "}", kFew));
   };
-  const Json reference = compare::make_reference(with_budget(6), {});
+  const auto reference = compare::make_reference(with_budget(6), {});
   CHECK(compare::compare_with_reference(with_budget(6), {}, reference, "reference").points == 6);
   const compare::Comparison other =
       compare::compare_with_reference(with_budget(8), {}, reference, "reference");

@@ -386,12 +386,13 @@ TEST_CASE("the result of a sample: its quantities are variables over it, first i
   CHECK(result.damage().empty());
   CHECK(result.variable("k_r").values == std::vector<double>{20, 5});
   CHECK(result.variable("k_r").dimensions == std::vector<std::string>{"sample"});
-  CHECK(result.flag_meanings("friction").at(1) == "coulomb");
+  CHECK(result.variable("friction").about.words.at(1) == "coulomb");
   CHECK(result.variable("R_x").dimensions == std::vector<std::string>{"sample", "k_phi"});
   CHECK(result.text("coordinates") == "k_r friction R_n_target");
-  const auto columns = csv_columns(result, "");
+  const Dataset table = table_of(result, "");
+  const auto& columns = table.arrays();
   std::vector<std::string> names;
-  for (std::size_t i = 0; i < 5; ++i) names.push_back(columns[i].name);
+  for (std::size_t i = 0; i < 5; ++i) names.push_back(columns[i].about.name);
   CHECK(names == std::vector<std::string>{"sample", "k_r", "friction", "R_n_target", "k_phi"});
   for (const std::size_t row : {0, 1, 2, 3}) CHECK(columns[2].cell(row) == (row < 2 ? "nss" : "coulomb"));
 }
@@ -405,17 +406,18 @@ TEST_CASE("Sobol indices and quantiles are stored with the result of a sample") 
   run_experiment(e, {.output = f.s.path("e.h5"), .threads = 2, .quiet = true});
   const ResultReader result(f.s.path("e.h5"));
   CHECK(result.damage().empty());
-  const Variable& total = result.variable("indices/ST");
+  const Array& total = result.variable("indices/ST");
   CHECK(total.dimensions == std::vector<std::string>{"bending", "output", "input"});
   CHECK(result.variable("indices/S1_err").shape == std::vector<std::size_t>{2, 2, 2});
   CHECK(total.values[0] > 0.9);  // k_r
   CHECK(total.values[1] < 0.01);
-  const Variable& quantiles = result.variable("quantiles/quantile");
+  const Array& quantiles = result.variable("quantiles/quantile");
   CHECK(quantiles.shape == std::vector<std::size_t>{2, 1, 5});
   CHECK(std::is_sorted(quantiles.values.begin(), quantiles.values.begin() + 5));
   CHECK(result.variable("quantiles/points").values.front() == 32);
-  const auto columns = csv_columns(result, "indices");
-  CHECK(columns[1].name == "output");
+  const Dataset table = table_of(result, "indices");
+  const auto& columns = table.arrays();
+  CHECK(columns[1].about.name == "output");
   CHECK(columns[1].cell(2) == "R_n");
   CHECK(columns[2].cell(1) == "zeta_phi");
   // Another analysis of the same points computes no point again.
@@ -442,15 +444,11 @@ TEST_CASE("indices and quantiles count the points that they use, and the ambiguo
   statuses[24] = double(PointStatus::not_converged);
   statuses[25] = double(PointStatus::load_jump);
   const auto groups = run::analyse(e, {{"R_x", values}, {"status", statuses}});
-  const auto column = [](const results::Group& group, const std::string& name) {
-    const auto at = std::ranges::find(group.columns, name, &results::Column::name) - group.columns.begin();
-    return group.values.at(std::size_t(at));
-  };
-  CHECK(column(groups[0], "blocks") == std::vector<double>{18, 18});
-  CHECK(column(groups[0], "S1_blocks") == std::vector<double>{18, 18});
-  CHECK(column(groups[0], "ambiguous") == std::vector<double>{3, 3});
-  CHECK(column(groups[1], "points") == std::vector<double>(5, 38));
-  CHECK(column(groups[1], "ambiguous") == std::vector<double>(5, 1));
+  CHECK(groups[0].array("blocks").values == std::vector<double>{18, 18});
+  CHECK(groups[0].array("S1_blocks").values == std::vector<double>{18, 18});
+  CHECK(groups[0].array("ambiguous").values == std::vector<double>{3, 3});
+  CHECK(groups[1].array("points").values == std::vector<double>(5, 38));
+  CHECK(groups[1].array("ambiguous").values == std::vector<double>(5, 1));
   const std::string text = run::analysis_text(e, groups);
   CHECK_THAT(
       text,

@@ -89,7 +89,7 @@ TEST_CASE("the work on a finished result is proportional to its points") {
   SECTION("its table")
   require_proportional([](const ManyPoints& m) {
     const ResultReader result(m.a);
-    csv_text(result, csv_columns(result, ""));
+    csv_text(result, table_of(result, ""));
   });
   SECTION("comparing it with a result of the same rows in another order")
   require_proportional([](const ManyPoints& m) {
@@ -98,7 +98,7 @@ TEST_CASE("the work on a finished result is proportional to its points") {
   SECTION("its reference")
   require_proportional([](const ManyPoints& m) {
     const ResultReader result(m.a);
-    const Json reference = make_reference(result, {});
+    const Reference reference = make_reference(result, {});
     CHECK(compare_with_reference(result, {}, reference, "the reference").agree());
   });
   SECTION("the points of its journal")

@@ -50,11 +50,11 @@ inline PointRecord invented_record(const Experiment& e, std::size_t index) {
   const auto& trace = e.sweep.base.loading.trace;
   const std::size_t nodes = trace ? random() % (std::size_t(trace->nodes) + 1) : 1;
   const PointLayout layout(e.sweep);
-  for (const auto& dataset : layout.datasets) fill(record.values[dataset.name], dataset.name, nodes);
+  for (const auto& variable : layout.variables) fill(record.values[variable.name], variable.name, nodes);
   for (const std::string& table : layout.tables) {
     const std::size_t rows = random() % 6;
-    for (const std::string& column : table_columns(table))
-      fill(record.tables[table].emplace_back(), column, rows);
+    for (const Column& column : table_columns(table))
+      fill(record.tables[table].emplace_back(), column.name, rows);
   }
   return record;
 }

@@ -6,6 +6,7 @@
 #include "experiment/experiment.hpp"
 #include "results/digest.hpp"
 #include "results/hdf5.hpp"
+#include "results/inspect.hpp"
 #include "results/reader.hpp"
 #include "results/version.hpp"
 #include "results/writer.hpp"
@@ -66,7 +67,13 @@ inline std::string small_result(const Scratch& s, const std::string& file, const
 
 inline Json reference_of(const std::string& path) {
   const ResultReader result(path);
-  return make_reference(result, evaluate_checks(result));
+  return Json::parse(file_text(make_reference(result, evaluate_checks(result))));
+}
+
+// Compares a result with a reference that a test has changed.
+inline Comparison compare_with(const ResultReader& result, const std::vector<CheckResult>& checks,
+                               const Json& reference, const std::string& label) {
+  return compare_with_reference(result, checks, parse_reference(json_lines(reference), label), label);
 }
 
 inline void put(const std::string& path, const std::string& name, const h5::Shape& at, double value) {
