@@ -1,6 +1,6 @@
 #include "cli/commands.hpp"
 #include "cli/usage.hpp"
-#include "results/hdf5.hpp"
+#include "results/writer.hpp"
 #include "run/provenance.hpp"
 #include "run/signals.hpp"
 #include "simd/probe.hpp"

@@ -87,8 +87,7 @@ class NumbersReader {
     const std::vector<std::size_t> whole(count_, length_);
     std::vector<double> codes = read(JsonPointer("/flags") / name, false, whole);
     reference_.numbers.add(
-        Array{.about = {.name = name, .number = Number::code},
-              .values = std::move(codes)});
+        Array{.about = {.name = name, .number = Number::code}, .values = std::move(codes)});
   }
 
   void read_variable(const std::string& name) {
@@ -99,8 +98,7 @@ class NumbersReader {
     reference_.tolerances[name] = tolerance.is_array()
                                       ? read(at / "tolerance", false, lengths_of(at / "values"))
                                       : std::vector<double>(values.size(), tolerance.get<double>());
-    reference_.numbers.add(Array{.about = {.name = name},
-                                 .values = std::move(values)});
+    reference_.numbers.add(Array{.about = {.name = name}, .values = std::move(values)});
   }
 
  private:
@@ -133,8 +131,8 @@ class NumbersReader {
     for (std::size_t row = 0; row < count_; ++row) {
       const std::size_t length = lengths[row];
       if (length > wanted[row] || (length < wanted[row] && !may_end))
-        document_.fail((at / row).to_string(), fmt::format("{} numbers, but there are {} points with a value",
-                                                           length, wanted[row]));
+        document_.fail((at / row).to_string(),
+                       fmt::format("{} numbers, but there are {} points with a value", length, wanted[row]));
       out.insert(out.end(), next, next + length);
       out.resize((row + 1) * length_, NAN);
       next += length;
@@ -148,8 +146,8 @@ class NumbersReader {
   const std::size_t length_, count_;
 };
 
-// Returns whether the schema allows these rows: integers for flags, no negative tolerances, and null for values
-// only.
+// Returns whether the schema allows these rows: integers for flags, no negative tolerances, and null for
+// values only.
 bool is_allowed(const std::string& at, const NumberRows& rows) {
   const auto all = [&](auto allowed) { return std::ranges::all_of(rows.values, allowed); };
   if (!rows.plain) return false;

@@ -20,23 +20,6 @@ namespace bristle::compare {
 namespace fs = std::filesystem;
 namespace {
 
-// Variables without a value at some points: only points with a jump, an incomplete passage or a lattice have
-// one. So are the values at the other gap of an ambiguous point, means over the bristles that are not pinned,
-// where all are, and the formulas of lift-off beyond their domains.
-const std::set<std::string> kMayBeMissing = {"jump_z_0",
-                                             "jump_R_n",
-                                             "incomplete_theta_0",
-                                             "R_n_fluctuation",
-                                             "R_n_fluctuation_of_rows",
-                                             "lift_off_load",
-                                             "load_over_lift_off",
-                                             "lift_off_load_in_N",
-                                             "lift_off_speed",
-                                             "growth_rate",
-                                             "transverse_growth_rate",
-                                             "transverse_frequency",
-                                             "R_n_statics"};
-
 constexpr const char* kLogTitle = "# Changes of the references";
 const std::string kLogStart = kLogTitle + std::string(
                                               "\n\nWritten by `bristle reference update`, oldest first. "
@@ -67,17 +50,14 @@ void require_origin(const results::ResultReader& result, const Reference& made, 
 const std::set<PointStatus> kUnsound = {PointStatus::incomplete, PointStatus::not_converged,
                                         PointStatus::failed, PointStatus::work_limit};
 
-bool may_be_missing(const std::string& name) {
-  return kMayBeMissing.contains(name) || name.ends_with("_other") ||
-         std::ranges::any_of(kObservables, [&](const ObservableRow& row) {
-           return row.unpinned == Unpinned::mean && name == fmt::format("{}_unpinned", row.name);
-         });
-}
-
-// Whether a value is infinite, or NaN although the point has values.
-bool is_invalid(const std::string& name, double value, PointStatus status) {
-  const bool has_values = status == PointStatus::ok || status == PointStatus::load_jump;
-  return std::isinf(value) || (std::isnan(value) && has_values && !may_be_missing(name));
+// Returns the names of the variables that need not have a value at points with values.
+std::set<std::string> may_be_missing(const results::ResultReader& result) {
+  const Experiment experiment =
+      experiment::stored_experiment(result.experiment(), result.text("tier"), result.path());
+  std::set<std::string> names;
+  for (const results::ResultVariable& variable : results::result_variables(experiment.sweep))
+    if (variable.may_be_missing) names.insert(variable.name);
+  return names;
 }
 
 void require_sound_run(const results::ResultReader& result, const Reference& made) {
@@ -89,11 +69,15 @@ void require_sound_run(const results::ResultReader& result, const Reference& mad
                                      results::place(result, array.about.name, i)));
   };
   const results::Array& status = result.variable("status");
+  const std::set<std::string> absent = may_be_missing(result);
   require(status, [&](std::size_t i) { return kUnsound.contains(PointStatus(status.values[i])); });
   for (const results::Array& array : made.numbers.arrays())
     if (array.about.number == results::Number::real)
       require(array, [&](std::size_t i) {
-        return is_invalid(array.about.name, array.values[i], PointStatus(status.values[i]));
+        const auto at = PointStatus(status.values[i]);
+        const bool has_values = at == PointStatus::ok || at == PointStatus::load_jump;
+        return std::isinf(array.values[i]) ||
+               (std::isnan(array.values[i]) && has_values && !absent.contains(array.about.name));
       });
 }
 

@@ -71,7 +71,8 @@ std::size_t Dataset::size() const { return grid_size(shape()); }
 void Dataset::add(Array array) {
   Array& added = add_array(std::move(array.about));
   if (array.values.size() != size())
-    throw std::out_of_range(fmt::format("{}: {} values, not {}", added.about.name, array.values.size(), size()));
+    throw std::out_of_range(
+        fmt::format("{}: {} values, not {}", added.about.name, array.values.size(), size()));
   added.values = std::move(array.values);
 }
 

@@ -20,8 +20,8 @@ enum class Number {
 struct Column {
   std::string name, long_name{}, symbol{}, equation{};
   Number number = Number::real;
-  std::vector<std::string> words{};  // of the values 0, 1, ...; empty for numbers
-  std::string units = "1";           // "": none, and the file states none
+  std::vector<std::string> words{};                         // of the values 0, 1, ...; empty for numbers
+  std::string units = "1";                                  // "": none, and the file states none
   std::vector<std::pair<std::string, double>> constants{};  // used in the column's definition: attributes
   std::string ancillary{};                                  // names of variables about this one
 };

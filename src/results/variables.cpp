@@ -61,7 +61,7 @@ ResultVariable unpinned_of(Observable k) {
                          fmt::format("{}, without pinned bristles", row.long_name),
                          with_subscript(row.symbol, "unpinned"), ""};
   if (row.unpinned == Unpinned::contribution) return mean(column, unpinned(k));
-  return {column, [k](P p) { return unpinned_mean(p, k); }, Errors::with_load};
+  return {column, [k](P p) { return unpinned_mean(p, k); }, Errors::with_load, true};  // all may be pinned
 }
 
 void add_observables(Variables& variables) {
@@ -291,6 +291,14 @@ void add_direction(Variables& variables) {
                        Errors::estimated});
 }
 
+// Adds variables that may be missing at points with values.
+template <class Add>
+void add_that_may_be_missing(Variables& variables, const Add& add) {
+  const std::size_t first = variables.size();
+  add(variables);
+  for (std::size_t i = first; i < variables.size(); ++i) variables[i].may_be_missing = true;
+}
+
 }  // namespace
 
 std::vector<ResultVariable> result_variables(const Sweep& sweep) {
@@ -304,17 +312,20 @@ std::vector<ResultVariable> result_variables(const Sweep& sweep) {
                         .equation = "",
                         .units = "rad"},
                        exact(&PointResult::incomplete_theta_0),
-                       Errors::none});
-  if (!sweep.base.loading.z_0 && !sweep.base.loading.trace) {
-    add_load_jump(variables);
-    add_other_gap(variables);
-  }
-  if (sweep.on_lattice()) add_fluctuations(variables);
+                       Errors::none,
+                       true});
+  const bool searched = !sweep.base.loading.z_0 && !sweep.base.loading.trace;
   const bool si = !sweep.base.si.empty();
+  const bool von_mises = sweep.base.setup.orientation.distribution == Distribution::von_mises;
+  if (searched) {
+    add_that_may_be_missing(variables, add_load_jump);  // only points with a jump have one
+    add_that_may_be_missing(variables, add_other_gap);  // only ambiguous points have one
+  }
+  if (sweep.on_lattice()) add_that_may_be_missing(variables, add_fluctuations);
   if (si) add_si(variables);
-  add_stability(variables);
-  if (sweep.base.setup.orientation.distribution == Distribution::von_mises) add_direction(variables);
-  else add_lift_off(variables, si);
+  add_that_may_be_missing(variables, add_stability);  // beyond the domains of the formulas
+  if (von_mises) add_direction(variables);
+  else add_that_may_be_missing(variables, [&](Variables& all) { add_lift_off(all, si); });
   return variables;
 }
 

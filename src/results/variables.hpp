@@ -22,6 +22,7 @@ enum class Errors {
 struct ResultVariable : Column {
   std::function<Derived(const PointResult&)> of;
   Errors errors;
+  bool may_be_missing = false;  // at points with values: at some of them it is not defined
 };
 // The variables of a result of this sweep.
 std::vector<ResultVariable> result_variables(const Sweep& sweep);

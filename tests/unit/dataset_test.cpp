@@ -16,7 +16,8 @@ TEST_CASE("dataset: arrays lie over all dimensions, and have words for codes and
   data.add_dimension(coordinates("model", "model of the brush", {"polar", "rod"}));
   data.add_axis("k_r", 3);
   CHECK(data.shape() == std::vector<std::size_t>{2, 3});
-  data.add({"R_x", "friction", "R_x", "Eq. (5)"}, [](std::size_t i) { return i == 4 ? NAN : 0.5 * double(i); });
+  data.add({"R_x", "friction", "R_x", "Eq. (5)"},
+           [](std::size_t i) { return i == 4 ? NAN : 0.5 * double(i); });
   data.add({"place", "where"}, [](std::size_t i) { return "at " + std::to_string(i); });
   const Array& R_x = data.array("R_x");
   CHECK(R_x.dimensions == std::vector<std::string>{"model", "k_r"});
