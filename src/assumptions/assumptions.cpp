@@ -178,10 +178,9 @@ class AssumptionsRun {
         experiment.checks != compared.checks;
     const std::string path = result_path(affected ? a : of_baseline, baseline);
     if (affected)
-      run::run_experiment(experiment, {.output = path,
-                                       .threads = options_.threads,
-                                       .quiet = true,
-                                       .command_line = options_.command_line});
+      run::run_experiment(
+          experiment,
+          {.output = path, .threads = options_.threads, .quiet = true, .arguments = options_.arguments});
     const results::ResultReader result(path);
     const std::size_t first = row;
     for (const Window& window : matrix_.windows) {

@@ -14,7 +14,7 @@ struct AssumptionsOptions {
   std::string tier = "study";
   int threads = run::all_cores();
   bool quiet = false;
-  std::string command_line;
+  std::vector<std::string> arguments;  // of the command line
 };
 
 // Runs every experiment of the folder that has checks of claims of the paper under

@@ -215,8 +215,7 @@ CLI::App* add_verify(CLI::App& app, VerifyOptions& verify) {
 class CommandLine {
  public:
   CommandLine(int argc, char** argv) {
-    for (int i = 0; i < argc; ++i) command_line_ += fmt::format("{}{}", i ? " " : "", shell_quoted(argv[i]));
-    run_.command_line = assumptions_.command_line = command_line_;
+    run_.arguments = assumptions_.arguments = {argv, argv + argc};
     app_.set_version_flag("--version", fmt::format("bristle {} ({})", run::kVersion, run::kCommit));
     app_.require_subcommand(1);
     app_.footer(
@@ -289,7 +288,7 @@ class CommandLine {
 
   CLI::App app_{"bristle: dry friction of a lattice of elastic bristles under a sliding slab"};
   Command selected_;
-  std::string command_line_, new_name_, instruction_set_, cited_;
+  std::string new_name_, instruction_set_, cited_;
   bool new_in_si_ = false, new_repository_ = false;
   ExperimentOptions experiment_;
   run::RunOptions run_;

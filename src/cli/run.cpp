@@ -161,8 +161,7 @@ bool compute_to_standard_output(const Experiment& experiment, const run::RunOpti
   } catch (const Interrupted&) {
     throw Interrupted(std::string("interrupted") + lost);
   } catch (const RunError& e) {
-    const std::string what = e.what();
-    throw RunError(what.substr(0, what.find("; ")) + lost + " (TMPDIR names the folder for temporary files)");
+    throw RunError(e.reason() + lost + " (TMPDIR names the folder for temporary files)");
   }
 }
 

@@ -10,7 +10,6 @@
 #include "run/signals.hpp"
 #include "util/error.hpp"
 
-#include <boost/algorithm/string/replace.hpp>
 #include <fmt/format.h>
 #include <algorithm>
 #include <set>
@@ -249,12 +248,12 @@ bool run_design(const Experiment& experiment, const run::RunOptions& options) {
     const results::ResultReader file(options.output);
     if (!options.quiet)
       fmt::print("{} is up to date: nothing to compute (--force computes it again)\n{}", options.output,
-                 boost::replace_all_copy(file.provenance().at(kFound), "\\x0a", "\n"));
+                 file.provenance_lines(kFound));
     return file.has("best");
   }
   run::require_no_loss(experiment, options);
   run::install_signal_handlers();
-  auto entries = run::provenance(options.command_line, options.threads);
+  auto entries = run::provenance(options.arguments, options.threads);
   entries["started"] = run::utc_now();
   entries["experiment_file"] = experiment.path;
   const auto [text, found] = Search(experiment, options).run(entries);

@@ -359,7 +359,7 @@ void Document::include_table(Json& merged) {
 void Document::fail(const std::string& pointer, const std::string& what) const {
   const std::string place =
       place_of_ ? place_of_(pointer) : fmt::format("{}: {}", origin(JsonPointer(pointer)), pointer);
-  throw InputError(fmt::format("{}: {}", place, what));
+  throw InputError(fmt::format("{}: {}", place, what), place_of_ ? "" : tier_of(JsonPointer(pointer)));
 }
 
 bool Document::set_by_option(const JsonPointer& pointer) const {
@@ -378,12 +378,23 @@ bool Document::chosen(const JsonPointer& pointer) const {
 std::string Document::origin(const JsonPointer& pointer) const {
   for (auto s = set_.rbegin(); s != set_.rend(); ++s)
     if (sets(*s, pointer)) return s->name;
+  const Source* source = source_of(pointer);
+  if (!source) return path_;
+  const std::string tier = tier_of(pointer);
+  return tier.empty() ? source->name : fmt::format("{} (tier {})", source->name, tier);
+}
+
+const Document::Source* Document::source_of(const JsonPointer& pointer) const {
   const JsonPointer in_tier = JsonPointer("/tiers/" + tier_) / pointer;
-  for (auto s = files_.rbegin(); s != files_.rend(); ++s) {
-    if (s->content->contains(in_tier)) return fmt::format("{} (tier {})", s->name, tier_);
-    if (s->content->contains(pointer)) return s->name;
-  }
-  return path_;
+  for (auto s = files_.rbegin(); s != files_.rend(); ++s)
+    if (s->content->contains(in_tier) || s->content->contains(pointer)) return &*s;
+  return nullptr;
+}
+
+std::string Document::tier_of(const JsonPointer& pointer) const {
+  if (set_by_option(pointer)) return "";
+  const Source* source = source_of(pointer);
+  return source && source->content->contains(JsonPointer("/tiers/" + tier_) / pointer) ? tier_ : "";
 }
 
 }  // namespace bristle::experiment

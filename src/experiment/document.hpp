@@ -61,6 +61,10 @@ class Document {
 
  private:
   std::vector<Json> tier_patches(const std::string& tier) const;
+  // Returns the last file that has a value at pointer, in its tier's patch or outside; null if none has.
+  const Source* source_of(const JsonPointer& pointer) const;
+  // Returns the tier whose patch sets the value at pointer; empty if no patch does.
+  std::string tier_of(const JsonPointer& pointer) const;
   void merge();
   // Reads the table of the sample if merged has only the name of its file, and puts it in place of the name,
   // so that the experiment contains all that determines its numbers. A table that is replaced or removed is

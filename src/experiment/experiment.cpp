@@ -288,11 +288,10 @@ Experiment read_tier(const Document& document, const std::string& tier, const st
     return read(document);
   } catch (const InputError& e) {
     std::string message = e.what();
-    const std::string named = fmt::format("(tier {})", tier);  // in the message if the tier sets the value
-    if (tier != asked_for && message.find(named) == message.npos) message += " " + named;
+    if (tier != asked_for && e.tier().empty()) message += fmt::format(" (tier {})", tier);
     const std::string remedy = document.remedy_of_inherited_tier(tier);
     if (!remedy.empty() && is_valid(document.with_tier("none"))) message += "; " + remedy;
-    throw InputError(message);
+    throw InputError(message, tier);
   }
 }
 

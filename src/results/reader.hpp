@@ -46,6 +46,8 @@ class ResultReader {
   // The document of the experiment, which is parsed once.
   const Json& experiment() const;
   // Attributes of the groups /provenance and /failures; empty if there is no such group.
+  // Returns one of the provenance's texts, with its line feeds. Throws std::out_of_range if there is none.
+  std::string provenance_lines(const std::string& name) const;
   std::map<std::string, std::string> provenance() const { return text_attributes("provenance"); }
   std::map<std::string, std::string> failures() const { return text_attributes(kFailures); }
   std::vector<std::string> axes() const;            // names of the variables of the sweep's axes

@@ -4,11 +4,11 @@
 #include "run/shard.hpp"
 #include "run/signals.hpp"
 #include "util/error.hpp"
+#include "util/text.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <algorithm>
-#include <regex>
 #include <set>
 #include <unordered_set>
 
@@ -27,12 +27,12 @@ std::string list_of(const std::vector<std::string>& names) {
 // The shards to which the missing points belong, and the command of the first of them. Journals beside the
 // result tell how many shards there are.
 std::string where_missing(const std::vector<std::size_t>& missing, std::size_t shards,
-                          const std::string& command_line) {
+                          const std::vector<std::string>& arguments) {
   std::set<std::size_t> numbers;
   for (const std::size_t i : missing) numbers.insert(i % shards + 1);
   std::vector<std::string> names;
   for (const std::size_t n : numbers) names.push_back(shard_text({n, shards}));
-  const std::string command = command_with(command_line, "--shard " + names.front());
+  const std::string command = command_with(arguments, "--shard " + names.front());
   if (names.size() == 1)
     return fmt::format("They belong to shard {}. To compute it:\n  {}", names.front(), command);
   return fmt::format("They belong to the shards {}. To compute the first (the others likewise):\n  {}",
@@ -102,7 +102,7 @@ void KeyedPoints::adopt_into(results::Journal& journal) const {
 }
 
 void require_complete(const Experiment& experiment, const std::vector<std::size_t>& missing,
-                      const std::string& result, const std::string& command_line) {
+                      const std::string& result, const std::vector<std::string>& arguments) {
   if (missing.empty()) return;
   std::vector<std::string> points;
   for (const std::size_t i : missing) points.push_back(fmt::format("{} ({})", i, experiment.sweep.place(i)));
@@ -111,20 +111,25 @@ void require_complete(const Experiment& experiment, const std::vector<std::size_
       "{}: {} of {} points are missing in the journals of its folder: {}.\n{}{}", result, missing.size(),
       experiment.sweep.size(), list_of(points),
       foreign_journals(KeyedPoints(experiment.sweep, shard_points({}, experiment.sweep.size())), result),
-      shards.empty() ? fmt::format("To compute them:\n  {}", command_with(command_line, ""))
-                     : where_missing(missing, shards.back().first.count, command_line)));
+      shards.empty() ? fmt::format("To compute them:\n  {}", command_with(arguments, ""))
+                     : where_missing(missing, shards.back().first.count, arguments)));
 }
 
-std::string command_with(const std::string& command_line, const std::string& option) {
-  if (command_line.empty()) return "bristle run EXPERIMENT.json " + option;
-  // A run that completes is not forced: it would ignore the points of the shards.
-  static const std::regex old(" (--complete|--force|--shard[ =]\\d+/\\d+)(?= |$)"), merge(" merge(?= )");
-  static const std::regex standard_input(" (run|merge) (.* )?-( |$)");
-  const std::string run =
-      std::regex_replace(command_line, merge, " run", std::regex_constants::format_first_only);
-  const bool piped = std::regex_search(run, standard_input);
-  return std::regex_replace(run, old, "") + (option.empty() ? "" : " " + option) +
-         (piped ? " < EXPERIMENT.json" : "");
+std::string command_with(const std::vector<std::string>& arguments, const std::string& option) {
+  if (arguments.empty()) return "bristle run EXPERIMENT.json " + option;
+  std::vector<std::string> kept;
+  bool piped = false;
+  for (auto argument = arguments.begin(); argument != arguments.end(); ++argument) {
+    // A run that completes is not forced: it would ignore the points of the shards.
+    if (*argument == "--complete" || *argument == "--force" || argument->starts_with("--shard=")) continue;
+    if (*argument == "--shard") {
+      if (++argument == arguments.end()) break;
+      continue;
+    }
+    piped = piped || *argument == "-";
+    kept.push_back(kept.size() == 1 && *argument == "merge" ? "run" : *argument);
+  }
+  return shell_command(kept) + (option.empty() ? "" : " " + option) + (piped ? " < EXPERIMENT.json" : "");
 }
 
 }  // namespace bristle::run

@@ -31,9 +31,10 @@ class KeyedPoints {
 // Throws InputError if points are missing: which ones, of which shards, and the command that computes them,
 // made of that of this run. Names the journals of shards that have no point of the experiment.
 void require_complete(const Experiment& experiment, const std::vector<std::size_t>& missing,
-                      const std::string& result, const std::string& command_line);
+                      const std::string& result, const std::vector<std::string>& arguments);
 
-// The command of a run with this option in place of --shard and --complete.
-std::string command_with(const std::string& command_line, const std::string& option);
+// Returns the command of a run with this option in place of --shard and --complete. arguments: of the run's
+// command line
+std::string command_with(const std::vector<std::string>& arguments, const std::string& option);
 
 }  // namespace bristle::run

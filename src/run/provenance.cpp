@@ -45,7 +45,7 @@ std::string system_text() {
 
 std::string utc_now() { return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))); }
 
-std::map<std::string, std::string> provenance(const std::string& command_line, int threads) {
+std::map<std::string, std::string> provenance(const std::vector<std::string>& arguments, int threads) {
   return {
       {"version", kVersion},
       {"commit", kCommit},
@@ -70,7 +70,7 @@ std::map<std::string, std::string> provenance(const std::string& command_line, i
       {"system", system_text()},
       {"host", host_name()},
       {"threads", fmt::format("{}", threads)},
-      {"command_line", command_line},
+      {"command_line", shell_command(arguments)},
   };
 }
 

@@ -11,7 +11,7 @@ extern const char* const kCommit;
 
 // Facts that may differ between runs with equal numbers: program,
 // compiler, libraries, host, command line. Name and text.
-std::map<std::string, std::string> provenance(const std::string& command_line, int threads);
+std::map<std::string, std::string> provenance(const std::vector<std::string>& arguments, int threads);
 
 // Current time in UTC, ISO 8601.
 std::string utc_now();

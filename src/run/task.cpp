@@ -67,19 +67,19 @@ void fill_journal(const Sweep& sweep, const KeyedPoints& points, const std::vect
         fmt::format("{} takes unusually long: {} so far", sweep.place(index), duration_text(seconds)));
   };
   const auto passages = [&](std::size_t computed) { progress.add_passages(computed); };
-  const auto saved_text = [&](const std::string& failure) {
+  const auto saved_text = [&] {
     progress.finish();
-    return fmt::format("{}; {} of {} points are saved in {}: the same command computes the rest", failure,
-                       saved, all, journal.path());
+    return fmt::format("{} of {} points are saved in {}: the same command computes the rest", saved, all,
+                       journal.path());
   };
   bool complete = false;
   try {
     complete = run_sweep(sweep, missing, threads, sink, interrupted, {slow, passages});
     journal.sync();
   } catch (const RunError& e) {
-    throw RunError(saved_text(e.what()));
+    throw RunError(e.reason(), saved_text());
   }
-  if (!complete) throw Interrupted(saved_text("interrupted"));
+  if (!complete) throw Interrupted("interrupted", saved_text());
 }
 
 // The jumps of the gap between the points, which are all in the journal.
@@ -113,8 +113,8 @@ Summary finish(const Experiment& experiment, const RunOptions& options, const Ke
     return summary;
   } catch (const RunError& e) {
     progress.finish();
-    throw RunError(fmt::format("{}; all points are saved in {}: the same command writes the result", e.what(),
-                               journal.path()));
+    throw RunError(e.reason(), fmt::format("all points are saved in {}: the same command writes the result",
+                                           journal.path()));
   }
 }
 
@@ -134,17 +134,17 @@ void print_rest(const Experiment& experiment, const RunOptions& options) {
   else
     fmt::print("all {} points of {} are in the journals of this folder; to write {}:\n  {}\n",
                experiment.sweep.size(), experiment.name, options.output,
-               command_with(options.command_line, "--complete"));
+               command_with(options.arguments, "--complete"));
 }
 
 void compute(const Experiment& experiment, const RunOptions& options) {
   install_signal_handlers();
-  auto entries = provenance(options.command_line, options.threads);
+  auto entries = provenance(options.arguments, options.threads);
   entries["started"] = utc_now();
   entries["experiment_file"] = experiment.path;
   const KeyedPoints points(experiment.sweep, shard_points(options.shard, experiment.sweep.size()));
   const auto require_points = [&](const std::vector<std::size_t>& missing) {
-    if (options.complete) require_complete(experiment, missing, options.output, options.command_line);
+    if (options.complete) require_complete(experiment, missing, options.output, options.arguments);
   };
   if (options.complete) require_points(points.missing_beside(options.output));
   results::Journal journal(journal_path(options.output, options.shard), kCommit, options.force);

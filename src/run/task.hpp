@@ -19,7 +19,7 @@ struct RunOptions {
   bool complete = false;         // write the result of points that are in journals; throw if one is missing
   int threads = all_cores();
   bool force = false, quiet = false;
-  std::string command_line{};  // stored in the provenance
+  std::vector<std::string> arguments{};  // of the command line, stored in the provenance
 };
 
 // Brings the result file up to date with the experiment, or computes a shard of its points. Points that are

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace bristle {
 
@@ -9,7 +10,13 @@ namespace bristle {
 // remedy.
 class InputError : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  // tier: of an experiment file whose patch the message names as the place; empty for other places
+  explicit InputError(const std::string& message, std::string tier = "")
+      : std::runtime_error(message), tier_(std::move(tier)) {}
+  const std::string& tier() const { return tier_; }
+
+ private:
+  std::string tier_;
 };
 
 // A file that does not exist.
@@ -21,7 +28,13 @@ class MissingFile : public InputError {
 // The run could not finish although its input is valid: exit code 3.
 class RunError : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  // saved: where the work that was done is kept, which the message says after the reason
+  explicit RunError(const std::string& reason, const std::string& saved = "")
+      : std::runtime_error(saved.empty() ? reason : reason + "; " + saved), reason_(reason) {}
+  const std::string& reason() const { return reason_; }
+
+ private:
+  std::string reason_;
 };
 
 // The system refused what the program needs, whatever the input is: too many open files, a device that fails.

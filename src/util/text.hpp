@@ -16,6 +16,8 @@ std::optional<double> number_in(const std::string& text);
 
 // The text quoted as one word of a shell command.
 std::string shell_quoted(const std::string& text);
+// The command of these arguments.
+std::string shell_command(const std::vector<std::string>& arguments);
 
 // Untrusted text with control characters, except those to be kept, replaced by escapes such as \x1b, as a
 // terminal would execute them.

@@ -14,7 +14,7 @@ namespace {
 const std::string kOldResult = "\x89HDF\r\n\x1a\n bristle-result/1";
 
 // The message with which the completion of small/r.h5 is refused. It must not write anything.
-std::string refusal(const Scratch& s, const Experiment& e, const std::string& command_line = "") {
+std::string refusal(const Scratch& s, const Experiment& e, const std::vector<std::string>& arguments = {}) {
   s.write("small/r.h5", kOldResult);
   std::string message = "(nothing)";
   try {
@@ -22,7 +22,7 @@ std::string refusal(const Scratch& s, const Experiment& e, const std::string& co
                        .complete = true,
                        .threads = 1,
                        .quiet = true,
-                       .command_line = command_line});
+                       .arguments = arguments});
   } catch (const InputError& error) {
     message = error.what();
   }
@@ -73,11 +73,16 @@ TEST_CASE("each shard of a result has a journal of its own, which is found by it
 }
 
 TEST_CASE("the command of another shard, or of the completion, is that of the run with another option") {
-  CHECK(command_with("bristle run x.json --shard 2/5 -o r.h5", "--complete") ==
+  CHECK(command_with({"bristle", "run", "x.json", "--shard", "2/5", "-o", "r.h5"}, "--complete") ==
         "bristle run x.json -o r.h5 --complete");
-  CHECK(command_with("bristle run x.json --shard=2/5", "--shard 1/5") == "bristle run x.json --shard 1/5");
-  CHECK(command_with("bristle run --complete x.json", "") == "bristle run x.json");
-  CHECK(command_with("bristle merge x.json", "--shard 1/5") == "bristle run x.json --shard 1/5");
+  CHECK(command_with({"bristle", "run", "x.json", "--shard=2/5"}, "--shard 1/5") ==
+        "bristle run x.json --shard 1/5");
+  CHECK(command_with({"bristle", "run", "--complete", "x.json"}, "") == "bristle run x.json");
+  CHECK(command_with({"bristle", "merge", "x.json"}, "--shard 1/5") == "bristle run x.json --shard 1/5");
+  CHECK(command_with({"bristle", "run", "a --force b.json", "--force"}, "") ==
+        "bristle run 'a --force b.json'");
+  CHECK(command_with({"bristle", "run", "-", "--shard", "1/2"}, "--complete") ==
+        "bristle run - --complete < EXPERIMENT.json");
 }
 
 TEST_CASE("the journals of any number of shards give the digest of the whole result") {
@@ -169,11 +174,11 @@ TEST_CASE("a shard that runs again takes its points from the journals of its fol
 TEST_CASE("missing points are named, with their shards and the command that computes them") {
   const Scratch s;
   const Experiment e = sharded(s);
-  CHECK_THAT(refusal(s, e, "bristle run small.json --complete"),
+  CHECK_THAT(refusal(s, e, {"bristle", "run", "small.json", "--complete"}),
              Contains("6 of 6 points") && Contains("To compute them:\n  bristle run small.json"));
   write_shard(s, e, {3, 3});
   check_holds(
-      refusal(s, e, "bristle run small.json --complete -o small/r.h5"),
+      refusal(s, e, {"bristle", "run", "small.json", "--complete", "-o", "small/r.h5"}),
       {"r.h5: 4 of 6 points are missing",
        "0 (k_r = 5, k_theta = 0.3), 1 (k_r = 5, k_theta = 1), 3 (k_r = 20, k_theta = 0.3)",
        "They belong to the shards 1/3, 2/3.", "\n  bristle run small.json -o small/r.h5 --shard 1/3"});
