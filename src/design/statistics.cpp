@@ -14,8 +14,8 @@ constexpr double kNormal95 =
 }  // namespace
 
 Estimate value_of(const results::PointRecord& record, const std::string& variable) {
-  const auto error = record.values.find(variable + "_err");
-  return {record.values.at(variable).front(), error == record.values.end() ? 0 : error->second.front()};
+  const std::string error = variable + "_err";
+  return {record.at(variable).front(), record.layout->has(error) ? record.at(error).front() : 0};
 }
 
 namespace {

@@ -72,9 +72,10 @@ std::string point_key(const Sweep& sweep, std::size_t index) {
 bool is_dirty(const std::string& commit) { return commit.ends_with("-dirty") || commit == "unknown"; }
 
 void read_journal(const std::string& path, const std::string& commit,
-                  const std::function<void(JournalLine&&)>& visit) {
+                  const std::function<void(const JournalStart&)>& visit) {
   each_line(path, [&](const std::string& text, std::uint64_t) {
-    if (auto line = decode(text); line && accepts(commit, line->commit)) visit(std::move(*line));
+    const auto line = decode_start(text);
+    if (line && !line->key.empty() && accepts(commit, line->commit)) visit(*line);
   });
 }
 
@@ -124,35 +125,34 @@ void Journal::scan() {
         "{}: not a journal of bristle; move the file: the run writes its journal to this path", path_));
 }
 
-std::optional<JournalLine> Journal::find(const std::string& key) const {
+std::optional<JournalLine> Journal::find(const std::string& key, const Layout& layout) const {
   const auto entry = entries_.find(key);
   if (entry == entries_.end()) return {};
   std::string text(entry->second.length, '\0');
   const ssize_t got = pread(file_, text.data(), text.size(), off_t(entry->second.offset));
   if (got != ssize_t(text.size())) return {};
-  auto line = decode(text);
+  auto line = decode(text, layout);
   if (line && line->key != key) line.reset();
   return line;
 }
 
-JournalLine Journal::read(const std::string& key) const {
-  if (auto line = find(key)) return *std::move(line);
+JournalLine Journal::read(const std::string& key, const Layout& layout) const {
+  if (auto line = find(key, layout)) return *std::move(line);
   throw RunError(fmt::format("{}: changed while in use; run the same command again", path_));
 }
 
-void Journal::append(const std::string& key, PointRecord record) {
-  append({key, commit_, host_name(), std::move(record)});
+void Journal::append(const std::string& key, const PointRecord& record) {
+  append_text(key, encode(key, commit_, host_name(), record));
 }
 
-void Journal::append(const JournalLine& line) {
-  const std::string text = encode(line);
+void Journal::append_text(const std::string& key, const std::string& text) {
   for (std::size_t written = 0; written < text.size();) {
     const ssize_t n = pwrite(file_, text.data() + written, text.size() - written, off_t(end_ + written));
     if (n < 0 && errno == EINTR) continue;
     if (n <= 0) throw RunError(fmt::format("{}: {}", path_, system_reason(n < 0 ? errno : ENOSPC)));
     written += std::size_t(n);
   }
-  entries_[line.key] = {end_, text.size() - 1};
+  entries_[key] = {end_, text.size() - 1};
   end_ += text.size();
   if (std::time(nullptr) >= synced_ + kSyncSeconds) sync();
 }
@@ -177,7 +177,7 @@ const Journal::Entries& Journal::entries_of(const std::string& other) {
   return known.entries;
 }
 
-void Journal::adopt(const std::string& other, const PointLayout& layout,
+void Journal::adopt(const std::string& other, const Layout& layout,
                     const std::map<std::string, std::string>& points) {
   const Entries& entries = entries_of(other);
   std::ifstream in = open_input(other);
@@ -187,10 +187,10 @@ void Journal::adopt(const std::string& other, const PointLayout& layout,
     std::string text(entry->second.length, '\0');
     in.clear();
     in.seekg(std::streamoff(entry->second.offset)).read(text.data(), std::streamsize(text.size()));
-    const auto line = decode(text);
-    if (!line || line->key != key || !accepts(commit_, line->commit) || !fits(line->record, layout)) continue;
-    const auto known = find(key);
-    if (!known || !fits(known->record, layout)) append(*line);
+    const auto line = decode(text, layout);
+    if (!line || line->key != key || !accepts(commit_, line->commit)) continue;
+    const auto known = find(key, layout);
+    if (!known) append_text(key, text + "\n");
     else if (const auto names = differences(known->record, line->record); !names.empty())
       throw InputError(fmt::format(
           "{} and {} differ at the point {}: {}; move one of them away, and run the same command again",

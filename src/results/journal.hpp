@@ -20,33 +20,33 @@ std::string point_key(const Sweep& sweep, std::size_t index);
 // unknown.
 bool is_dirty(const std::string& commit);
 
-inline constexpr const char* kJournalSchema = "bristle-journal/1";
+inline constexpr const char* kJournalSchema = "bristle-journal/2";
 inline constexpr std::size_t kDigestLength = 64;  // of the SHA-256 with which a line begins
 
-// A line of a journal: one finished point, and where it was computed.
-struct JournalLine {
-  std::string key, commit, host;
+// What a line begins with: one finished point, and where it was computed. layout: the digest of its record's
+// layout. All but schema are empty if the line is of another schema or malformed.
+struct JournalStart {
+  std::string schema, key, commit, host, layout;
+};
+struct JournalLine : JournalStart {
   PointRecord record;
 };
 
-// The line with its line feed: the SHA-256 of the rest, and JSON with numbers that read back exactly. Numbers
-// that are not finite are words.
-std::string encode(const JournalLine& line);
-// What a line begins with. key and commit are empty if the line is of another schema or malformed.
-struct JournalStart {
-  std::string schema, key, commit;
-};
-
-// The opposite, of a line without its line feed. None if the line is truncated, damaged or of another schema.
-std::optional<JournalLine> decode(std::string_view line);
-// Only the start of the line, but the digest of all of it is checked. None if the line is truncated or
+// Returns the line with its line feed: the SHA-256 of the rest, and JSON with numbers that read back exactly,
+// in the order of the record's layout. Numbers that are not finite are words.
+std::string encode(const std::string& key, const std::string& commit, const std::string& host,
+                   const PointRecord& record);
+// Returns a line, without its line feed, that encode() has written. None if the line is truncated, damaged,
+// of another schema or layout, or if its record is not consistent.
+std::optional<JournalLine> decode(std::string_view line, const Layout& layout);
+// Reads only the start of the line, but checks the digest of all of it. None if the line is truncated or
 // damaged.
 std::optional<JournalStart> decode_start(std::string_view line);
 
 // Calls visit for every line of the journal at path that a program of this commit uses. Points computed by
 // programs with uncommitted changes are used by such programs only.
 void read_journal(const std::string& path, const std::string& commit,
-                  const std::function<void(JournalLine&&)>& visit);
+                  const std::function<void(const JournalStart&)>& visit);
 // The paths of all journals in the folder of a result, in ascending order.
 std::vector<std::string> journals_beside(const std::string& result);
 
@@ -65,20 +65,20 @@ class Journal {
 
   const std::string& path() const { return path_; }
   bool has(const std::string& key) const { return entries_.contains(key); }
-  // None if the journal does not have the point, or not in this form.
-  std::optional<JournalLine> find(const std::string& key) const;
+  // None if the journal does not have the point, or not in this layout.
+  std::optional<JournalLine> find(const std::string& key, const Layout& layout) const;
   // Throws RunError if the line has changed since the journal was opened.
-  JournalLine read(const std::string& key) const;
+  JournalLine read(const std::string& key, const Layout& layout) const;
 
   // Hands the record to the operating system; it is on the disk some seconds later, or after sync(). Throws
   // RunError, for instance if the disk is full; the earlier points remain.
-  void append(const std::string& key, PointRecord record);
+  void append(const std::string& key, const PointRecord& record);
   void sync();
 
   // Copies these points (key -> place, for messages), as far as the other journal has them in this layout.
   // Reads the whole file the first time, and again if its size has changed. Throws InputError if both
   // journals have one of the points with different numbers.
-  void adopt(const std::string& other, const PointLayout& layout,
+  void adopt(const std::string& other, const Layout& layout,
              const std::map<std::string, std::string>& points);
   // Removes the other journal if this one has all its points, unless a run is writing it. Call sync() before.
   void remove_copied(const std::string& other) const;
@@ -94,7 +94,7 @@ class Journal {
   };
 
   void scan();
-  void append(const JournalLine& line);
+  void append_text(const std::string& key, const std::string& text);
   const Entries& entries_of(const std::string& other);
 
   std::string path_, commit_;

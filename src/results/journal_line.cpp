@@ -1,10 +1,10 @@
 #include "results/journal.hpp"
-#include "util/error.hpp"
 #include "util/sha.hpp"
 
 #include <fmt/format.h>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -15,30 +15,7 @@ namespace {
 const std::pair<const char*, double> kNumberWords[] = {
     {"nan", std::numeric_limits<double>::quiet_NaN()}, {"inf", INFINITY}, {"-inf", -INFINITY}};
 
-Json to_json(const std::vector<double>& numbers) {
-  Json out = numbers;
-  for (std::size_t i = 0; i < numbers.size(); ++i)
-    for (const auto& [word, value] : kNumberWords)
-      if (value == numbers[i] || (std::isnan(value) && std::isnan(numbers[i]))) out[i] = word;
-  return out;
-}
-
-double number_of(const Json& json) {
-  if (json.is_number()) return json;
-  for (const auto& [word, value] : kNumberWords)
-    if (json == word) return value;
-  throw MalformedError("neither a number nor a word for one");
-}
-
-std::vector<double> numbers_of(const Json& list) {
-  if (!list.is_array()) throw MalformedError("not a list of numbers");
-  std::vector<double> out;
-  out.reserve(list.size());
-  for (const Json& number : list) out.push_back(number_of(number));
-  return out;
-}
-
-// The JSON of a line without its digest. None if it is truncated or damaged.
+// Returns the JSON of a line without its digest. None if it is truncated or damaged.
 std::optional<std::string_view> intact(std::string_view line) {
   if (line.size() <= kDigestLength || line[kDigestLength] != ' ') return {};
   const std::string_view text = line.substr(kDigestLength + 1);
@@ -46,41 +23,24 @@ std::optional<std::string_view> intact(std::string_view line) {
   return text;
 }
 
-std::optional<JournalLine> line_of(const Json& json) {
-  if (json.at("schema") != kJournalSchema) return {};
-  try {
-    JournalLine line{json.at("key"), json.at("commit"), json.at("host"), {}};
-    for (const auto& [name, numbers] : json.at("values").items())
-      line.record.values.emplace_hint(line.record.values.end(), name, numbers_of(numbers));
-    for (const auto& [name, columns] : json.at("tables").items())
-      for (Rows& rows = line.record.tables[name]; const Json& column : columns)
-        rows.push_back(numbers_of(column));
-    line.record.failure = json.value("failure", "");
-    return line;
-  } catch (const Json::exception&) {
-    return {};
-  } catch (const MalformedError&) {
-    return {};
-  }
-}
-
-// Reads the JSON that encode() writes, some ten times as fast as a parser of all JSON. Each function returns
-// false for any other text.
+// Reads the JSON that encode() writes. Each function returns false for any other text.
 class LineReader {
  public:
   explicit LineReader(std::string_view text) : rest_(text) {}
 
-  bool start(JournalLine& line) {
-    return literal(R"({"schema":")") && literal(kJournalSchema) && literal(R"(","key":)") && word(line.key) &&
-           literal(R"(,"commit":)") && word(line.commit) && literal(R"(,"host":)") && word(line.host);
+  bool schema(JournalStart& out) { return literal(R"({"schema":)") && word(out.schema); }
+  bool start(JournalStart& out) {
+    return schema(out) && out.schema == kJournalSchema && literal(R"(,"key":)") && word(out.key) &&
+           literal(R"(,"commit":)") && word(out.commit) && literal(R"(,"host":)") && word(out.host) &&
+           literal(R"(,"layout":)") && word(out.layout);
   }
-  bool line(JournalLine& out) {
-    const auto numbers = [&](std::vector<double>& list) { return this->numbers(list); };
-    const auto columns = [&](Rows& rows) {
-      return list('[', ']', [&] { return this->numbers(rows.emplace_back()); });
+  bool record(PointRecord& out) {
+    const auto columns = [&] {
+      Rows& rows = out.tables.emplace_back();
+      return list([&] { return numbers(rows.emplace_back()); });
     };
-    return start(out) && literal(R"(,"values":)") && members(out.record.values, numbers) &&
-           literal(R"(,"tables":)") && members(out.record.tables, columns) && rest_ == "}";
+    return literal(R"(,"values":)") && numbers(out.values) && literal(R"(,"tables":)") && list(columns) &&
+           (rest_ == "}" || failure(out.failure));
   }
 
  private:
@@ -89,7 +49,7 @@ class LineReader {
     rest_.remove_prefix(text.size());
     return true;
   }
-  // A text without escapes.
+  // Reads a text without escapes.
   bool word(std::string& out) {
     if (!literal("\"")) return false;
     const std::size_t end = rest_.find_first_of("\"\\");
@@ -111,62 +71,98 @@ class LineReader {
     return true;
   }
   template <class Element>
-  bool list(char open, char close, Element element) {
-    if (!rest_.starts_with(open)) return false;
-    rest_.remove_prefix(1);
-    for (bool first = true; !rest_.starts_with(close); first = false)
+  bool list(Element element) {
+    if (!literal("[")) return false;
+    for (bool first = true; !rest_.starts_with(']'); first = false)
       if (!(first || literal(",")) || !element()) return false;
     rest_.remove_prefix(1);
     return true;
   }
   bool numbers(std::vector<double>& out) {
-    return list('[', ']', [&] { return number(out.emplace_back()); });
+    return list([&] { return number(out.emplace_back()); });
   }
-  template <class Map, class Value>
-  bool members(Map& out, Value value) {
-    std::string name;
-    return list('{', '}', [&] {
-      return word(name) && literal(":") && value(out.try_emplace(out.end(), name)->second);
-    });
+  // Reads the last member, a text with any escapes.
+  bool failure(std::string& out) {
+    if (!literal(R"(,"failure":)") || !rest_.ends_with('}')) return false;
+    const Json text = Json::parse(rest_.substr(0, rest_.size() - 1), nullptr, false);
+    if (!text.is_string()) return false;
+    out = text;
+    return true;
   }
 
   std::string_view rest_;
 };
 
+class LineWriter {
+ public:
+  void add(std::string_view text) { text_.append(text); }
+  void add_word(const char* name, const std::string& word) {
+    fmt::format_to(std::back_inserter(text_), R"(,"{}":{})", name, Json(word).dump());
+  }
+  template <class List, class Add>
+  void add_list(const List& list, const Add& add_element) {
+    text_.push_back('[');
+    bool first = true;
+    for (const auto& element : list) {
+      if (!first) text_.push_back(',');
+      first = false;
+      add_element(element);
+    }
+    text_.push_back(']');
+  }
+  void add_numbers(const std::vector<double>& numbers) {
+    add_list(numbers, [&](double x) {
+      if (std::isfinite(x)) fmt::format_to(std::back_inserter(text_), "{}", x);
+      else add(std::isnan(x) ? R"("nan")" : x > 0 ? R"("inf")" : R"("-inf")");
+    });
+  }
+  std::string_view text() const { return {text_.data(), text_.size()}; }
+
+ private:
+  fmt::memory_buffer text_;
+};
+
 }  // namespace
 
-std::string encode(const JournalLine& line) {
-  Json values = Json::object(), tables = Json::object();
-  for (const auto& [name, numbers] : line.record.values) values[name] = to_json(numbers);
-  for (const auto& [name, columns] : line.record.tables)
-    for (Json& table = tables[name] = Json::array(); const auto& column : columns)
-      table.push_back(to_json(column));
-  Json json = {{"schema", kJournalSchema}, {"key", line.key}, {"commit", line.commit}, {"host", line.host}};
-  json["values"] = std::move(values);
-  json["tables"] = std::move(tables);
-  if (!line.record.failure.empty()) json["failure"] = line.record.failure;
-  const std::string text = json.dump();
-  return fmt::format("{} {}\n", sha256_of(text), text);
+std::string encode(const std::string& key, const std::string& commit, const std::string& host,
+                   const PointRecord& record) {
+  LineWriter out;
+  out.add(fmt::format(R"({{"schema":"{}")", kJournalSchema));
+  out.add_word("key", key);
+  out.add_word("commit", commit);
+  out.add_word("host", host);
+  out.add_word("layout", record.layout->digest());
+  out.add(R"(,"values":)");
+  out.add_numbers(record.values);
+  out.add(R"(,"tables":)");
+  out.add_list(record.tables, [&](const Rows& rows) {
+    out.add_list(rows, [&](const std::vector<double>& column) { out.add_numbers(column); });
+  });
+  if (!record.failure.empty()) out.add_word("failure", record.failure);
+  out.add("}");
+  return fmt::format("{} {}\n", sha256_of(out.text()), out.text());
 }
 
-std::optional<JournalLine> decode(std::string_view line) {
+std::optional<JournalLine> decode(std::string_view line, const Layout& layout) {
   const auto text = intact(line);
   if (!text) return {};
-  if (JournalLine out; LineReader(*text).line(out)) return out;
-  const Json json = Json::parse(*text, nullptr, false);
-  if (!json.is_object() || !json.value("schema", Json()).is_string()) return {};
-  return line_of(json);
+  JournalLine out;
+  out.record.layout = layout;
+  LineReader reader(*text);
+  if (!reader.start(out) || out.layout != layout->digest()) return {};
+  out.record.values.reserve(layout->variables.size());
+  if (!reader.record(out.record) || !is_consistent(out.record)) return {};
+  return out;
 }
 
 std::optional<JournalStart> decode_start(std::string_view line) {
   const auto text = intact(line);
   if (!text) return {};
-  if (JournalLine out; LineReader(*text).start(out)) return JournalStart{kJournalSchema, out.key, out.commit};
-  const Json json = Json::parse(*text, nullptr, false);
-  if (!json.is_object() || !json.value("schema", Json()).is_string()) return {};
-  JournalStart out{json["schema"], "", ""};
-  if (const auto whole = line_of(json)) out = {out.schema, whole->key, whole->commit};
-  return out;
+  JournalStart out;
+  if (LineReader(*text).start(out)) return out;
+  JournalStart other;
+  if (!LineReader(*text).schema(other)) return {};
+  return other;
 }
 
 }  // namespace bristle::results

@@ -5,6 +5,7 @@
 #include "model/lift_off.hpp"
 #include "results/reader.hpp"
 #include "util/error.hpp"
+#include "util/sha.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -22,8 +23,8 @@ void unify_nan(std::vector<double>& numbers) {
 }
 
 PointRecord with_unified_nan(PointRecord record) {
-  for (auto& [name, numbers] : record.values) unify_nan(numbers);
-  for (auto& [name, rows] : record.tables)
+  unify_nan(record.values);
+  for (Rows& rows : record.tables)
     for (auto& column : rows) unify_nan(column);
   return record;
 }
@@ -43,21 +44,12 @@ Rows read_rows(const ResultReader& result, const std::string& table, std::size_t
   return rows;
 }
 
-bool same(const std::vector<double>& a, const std::vector<double>& b) {
+bool same(std::span<const double> a, std::span<const double> b) {
   return std::ranges::equal(a, b, same_bits);
 }
 
 bool same(const Rows& a, const Rows& b) {
   return std::ranges::equal(a, b, [](const auto& x, const auto& y) { return same(x, y); });
-}
-
-template <class Map>
-void add_differences(const Map& a, const Map& b, std::vector<std::string>& out) {
-  for (const auto& [name, values] : a)
-    if (const auto other = b.find(name); other == b.end() || !same(values, other->second))
-      out.push_back(name);
-  for (const auto& [name, values] : b)
-    if (!a.contains(name)) out.push_back(name);
 }
 
 }  // namespace
@@ -101,6 +93,14 @@ PointLayout::PointLayout(const Sweep& sweep) {
   if (!sweep.record.trajectories.empty()) tables.emplace_back("trajectories");
   if (sweep.record.slab_force) tables.emplace_back("slab_force");
   if (loading.trace) nodes = std::size_t(loading.trace->nodes);
+  std::string names = fmt::format("{}: ", nodes.value_or(1));
+  for (const Variable& variable : variables) {
+    numbers_.emplace(variable.name, numbers_.size());
+    names += variable.name + ",";
+  }
+  for (const std::string& table : tables)
+    for (const Column& column : table_columns(table)) names += fmt::format("{}/{},", table, column.name);
+  digest_ = sha256_of(names).substr(0, 16);
 }
 
 // Adds the variable, its error, and the part of the error due to the load, if the gap follows from a search.
@@ -124,37 +124,41 @@ void PointLayout::add(const ResultVariable& variable, bool searched) {
   if (variable.errors != Errors::none) add_part(column, &Derived::error);
 }
 
-PointRecord record_of(const PointLayout& layout, const PointResult& result, const Recorded& recorded) {
-  PointRecord record;
-  for (const auto& variable : layout.variables) record.values[variable.name] = {variable.value(result)};
-  for (const std::string& table : layout.tables) record.tables[table] = table_rows(table, recorded);
+Layout layout_of(const Sweep& sweep) { return std::make_shared<const PointLayout>(sweep); }
+
+std::span<const double> PointRecord::at(const std::string& variable) const {
+  const std::size_t count = nodes();
+  return std::span(values).subspan(layout->number(variable) * count, count);
+}
+
+PointRecord record_of(const Layout& layout, const PointResult& result, const Recorded& recorded) {
+  PointRecord record{layout};
+  for (const auto& variable : layout->variables) record.values.push_back(variable.value(result));
+  for (const std::string& table : layout->tables) record.tables.push_back(table_rows(table, recorded));
   return with_unified_nan(std::move(record));
 }
 
-PointRecord record_of(const PointLayout& layout, const std::vector<CurveNode>& curve) {
-  PointRecord record;
-  for (const auto& variable : layout.variables) {
-    std::vector<double> numbers;
+PointRecord record_of(const Layout& layout, const std::vector<CurveNode>& curve) {
+  PointRecord record{layout};
+  for (const auto& variable : layout->variables)
     for (const CurveNode& node : curve)
-      numbers.push_back(variable.value ? variable.value(node.result) : double(node.branch));
-    record.values[variable.name] = std::move(numbers);
-  }
+      record.values.push_back(variable.value ? variable.value(node.result) : double(node.branch));
   return with_unified_nan(std::move(record));
 }
 
-PointRecord failed_record(const PointLayout& layout, const std::string& error) {
+PointRecord failed_record(const Layout& layout, const std::string& error) {
   const PointResult result = without_values(PointStatus::failed);
   PointRecord record =
-      layout.nodes ? record_of(layout, {{result, Branch::unstable}}) : record_of(layout, result, {});
+      layout->nodes ? record_of(layout, {{result, Branch::unstable}}) : record_of(layout, result, {});
   record.failure = error;
   return record;
 }
 
 PointRecord read_record(const ResultReader& result, const Sweep& sweep, std::size_t index) {
-  const PointLayout layout(sweep);
-  const std::size_t nodes = layout.nodes.value_or(1);
+  const Layout layout = layout_of(sweep);
+  const std::size_t nodes = layout->nodes.value_or(1);
   std::vector<std::size_t> shape = sweep.shape();
-  if (layout.nodes) shape.push_back(nodes);
+  if (layout->nodes) shape.push_back(nodes);
   const auto read = [&](const std::string& name) {
     const Array& array = result.variable(name);
     if (array.shape != shape)
@@ -164,16 +168,16 @@ PointRecord read_record(const ResultReader& result, const Sweep& sweep, std::siz
     return std::vector<double>(first, first + long(nodes));
   };
   std::size_t present = nodes;
-  if (layout.nodes) {
+  if (layout->nodes) {
     const auto branch = read("branch");
     present = std::size_t(std::ranges::find(branch, double(Branch::absent)) - branch.begin());
   }
-  PointRecord record;
-  for (const auto& variable : layout.variables) {
-    std::vector<double>& values = record.values[variable.name] = read(variable.name);
-    values.resize(present);
+  PointRecord record{layout};
+  for (const auto& variable : layout->variables) {
+    const std::vector<double> values = read(variable.name);
+    record.values.insert(record.values.end(), values.begin(), values.begin() + long(present));
   }
-  for (const std::string& table : layout.tables) record.tables[table] = read_rows(result, table, index);
+  for (const std::string& table : layout->tables) record.tables.push_back(read_rows(result, table, index));
   const auto failures = result.failures();
   if (const auto failure = failures.find(failure_name(index)); failure != failures.end())
     record.failure = failure->second;
@@ -182,32 +186,30 @@ PointRecord read_record(const ResultReader& result, const Sweep& sweep, std::siz
 
 std::string failure_name(std::size_t index) { return fmt::format("point_{}", index); }
 
-bool fits(const PointRecord& record, const PointLayout& layout) {
-  const bool complete =
-      record.values.size() == layout.variables.size() && record.tables.size() == layout.tables.size() &&
-      std::ranges::all_of(layout.variables, [&](const auto& v) { return record.values.contains(v.name); }) &&
-      std::ranges::all_of(layout.tables, [&](const auto& name) { return record.tables.contains(name); });
-  if (!complete) return false;
-  const std::size_t nodes = record.values.begin()->second.size();
-  const bool nodes_valid = layout.nodes ? nodes <= *layout.nodes : nodes == 1;
-  const bool equal_lengths = std::all_of(record.values.begin(), record.values.end(),
-                                         [&](const auto& v) { return v.second.size() == nodes; });
-  const bool tables_valid = std::all_of(record.tables.begin(), record.tables.end(), [](const auto& t) {
-    return t.second.size() == table_columns(t.first).size() &&
-           std::all_of(t.second.begin(), t.second.end(),
-                       [&](const auto& column) { return column.size() == t.second.front().size(); });
-  });
-  const auto& status = record.values.at("status");
-  const bool status_known = std::all_of(status.begin(), status.end(), [](double s) {
+bool is_consistent(const PointRecord& record) {
+  const PointLayout& layout = *record.layout;
+  const std::size_t nodes = record.nodes();
+  if (record.values.size() != nodes * layout.variables.size() || record.tables.size() != layout.tables.size())
+    return false;
+  if (layout.nodes ? nodes > *layout.nodes : nodes != 1) return false;
+  for (std::size_t i = 0; i < record.tables.size(); ++i) {
+    const Rows& rows = record.tables[i];
+    if (rows.size() != table_columns(layout.tables[i]).size()) return false;
+    for (const auto& column : rows)
+      if (column.size() != rows.front().size()) return false;
+  }
+  return std::ranges::all_of(record.at("status"), [](double s) {
     return s >= 0 && s < double(words<PointStatus>().size()) && s == std::floor(s);
   });
-  return nodes_valid && equal_lengths && tables_valid && status_known;
 }
 
 std::vector<std::string> differences(const PointRecord& a, const PointRecord& b) {
+  const PointLayout& layout = *a.layout;
   std::vector<std::string> out;
-  add_differences(a.values, b.values, out);
-  add_differences(a.tables, b.tables, out);
+  for (const auto& variable : layout.variables)
+    if (!same(a.at(variable.name), b.at(variable.name))) out.push_back(variable.name);
+  for (std::size_t i = 0; i < layout.tables.size(); ++i)
+    if (!same(a.tables[i], b.tables[i])) out.push_back(layout.tables[i]);
   return out;
 }
 

@@ -6,26 +6,21 @@
 
 #include <functional>
 #include <limits>
-#include <map>
+#include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace bristle::results {
 
 class ResultReader;
 
-// The numbers of one sweep point in the form of a result file. Runs compute records, journals store them, and
-// `verify --rerun` reads them from results. Every NaN has the same bits.
-struct PointRecord {
-  std::map<std::string, std::vector<double>> values;  // by dataset: one number, or one per node of a curve
-  std::map<std::string, Rows> tables;                 // by table: its columns except the first, "point"
-  std::string failure;                                // the error of a point with the status failed
-};
-
 // The variables and tables that a result of an experiment has. Make one for all points of a sweep.
-struct PointLayout {
-  PointLayout(const Sweep& sweep);
+class PointLayout {
+ public:
+  explicit PointLayout(const Sweep& sweep);
 
   // A variable over the sweep. Its name is the path from the root.
   struct Variable : Column {
@@ -37,14 +32,38 @@ struct PointLayout {
   std::vector<std::string> tables;
   std::optional<std::size_t> nodes;  // largest number, of a curve
 
+  // Returns the index of a variable. Throws std::out_of_range if there is none of this name.
+  std::size_t number(const std::string& name) const { return numbers_.at(name); }
+  bool has(const std::string& name) const { return numbers_.contains(name); }
+  // Returns 16 hexadecimal digits that differ for other variables, tables or numbers of nodes.
+  const std::string& digest() const { return digest_; }
+
  private:
   void add(const ResultVariable& variable, bool searched);
+
+  std::unordered_map<std::string, std::size_t> numbers_;  // indices of the variables, by name
+  std::string digest_;
+};
+using Layout = std::shared_ptr<const PointLayout>;
+Layout layout_of(const Sweep& sweep);
+
+// The numbers of one sweep point in the form of a result file. Runs compute records, journals store them, and
+// `verify --rerun` reads them from results. Every NaN has the same bits.
+struct PointRecord {
+  Layout layout;
+  std::vector<double> values{};  // by variable, then by node of a curve
+  std::vector<Rows> tables{};    // by table: its columns except the first, "point"
+  std::string failure{};         // the error of a point with the status failed
+
+  std::size_t nodes() const { return values.size() / layout->variables.size(); }  // 1 unless it is a curve
+  // Returns the value at each node. Throws std::out_of_range if there is no such variable.
+  std::span<const double> at(const std::string& variable) const;
 };
 
-PointRecord record_of(const PointLayout& layout, const PointResult& result, const Recorded& recorded);
-PointRecord record_of(const PointLayout& layout, const std::vector<CurveNode>& curve);
+PointRecord record_of(const Layout& layout, const PointResult& result, const Recorded& recorded);
+PointRecord record_of(const Layout& layout, const std::vector<CurveNode>& curve);
 // A point that an error ended: status failed, no values, a curve with one node.
-PointRecord failed_record(const PointLayout& layout, const std::string& error);
+PointRecord failed_record(const Layout& layout, const std::string& error);
 
 // Reads a point from a result file of this sweep. Throws RunError if it cannot be read.
 PointRecord read_record(const ResultReader& result, const Sweep& sweep, std::size_t index);
@@ -52,10 +71,10 @@ PointRecord read_record(const ResultReader& result, const Sweep& sweep, std::siz
 // Name of the attribute of the group kFailures that has the error of a point.
 std::string failure_name(std::size_t index);
 
-// Whether the record has exactly these datasets and tables, with consistent lengths and valid status codes.
-bool fits(const PointRecord& record, const PointLayout& layout);
+// Returns whether the record has the numbers of its layout, with consistent lengths and valid status codes.
+bool is_consistent(const PointRecord& record);
 
-// Datasets and tables whose bits differ, or which only one of the records has.
+// Returns the variables and tables whose bits differ between records of the same layout.
 std::vector<std::string> differences(const PointRecord& a, const PointRecord& b);
 
 }  // namespace bristle::results

@@ -228,15 +228,17 @@ ResultWriter::~ResultWriter() = default;
 
 void ResultWriter::write(std::size_t index, const PointRecord& record) {
   h5::in_file(partial(), [&] {
+    const auto value = record.values.begin();
+    const auto nodes = long(record.nodes());
     for (std::size_t i = 0; i < layout_.variables.size(); ++i) {
-      std::vector<double> values = record.values.at(layout_.variables[i].name);
+      std::vector<double> values(value + long(i) * nodes, value + long(i + 1) * nodes);
       values.resize(layout_.nodes.value_or(1), layout_.variables[i].missing);
       open_->variables[i].append(values);
     }
-    for (auto& [name, table] : open_->tables) {
-      Rows rows = record.tables.at(name);
+    for (std::size_t i = 0; i < layout_.tables.size(); ++i) {
+      Rows rows = record.tables[i];
       rows.insert(rows.begin(), std::vector<double>(rows.front().size(), double(index)));
-      table.append(rows);
+      open_->tables.at(layout_.tables[i]).append(rows);
     }
   });
   if (!record.failure.empty()) failures_.emplace_back(failure_name(index), record.failure);

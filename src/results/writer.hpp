@@ -21,7 +21,8 @@ class ResultWriter {
   ResultWriter(const Experiment& experiment, const std::string& path);
   ~ResultWriter();
 
-  // Call for every point, in ascending order of index. Requires fits(record, experiment).
+  // Call for every point, in ascending order of index. Requires the layout of the experiment, and
+  // is_consistent(record).
   void write(std::size_t index, const PointRecord& record);
 
   // Call after write(). Adds the group /jumps. rows: as locate_jumps() returns them; along: name of the axis.

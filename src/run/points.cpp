@@ -47,7 +47,7 @@ std::string foreign_journals(const KeyedPoints& all, const std::string& result) 
   for (const auto& [shard, path] : shard_journals(result)) {
     std::size_t points = 0, own = 0;
     // "unknown": also those of programs with uncommitted changes, which this one may not use.
-    results::read_journal(path, "unknown", [&](results::JournalLine&& line) {
+    results::read_journal(path, "unknown", [&](const results::JournalStart& line) {
       ++points;
       own += keys.contains(line.key) && (results::is_dirty(kCommit) || !results::is_dirty(line.commit));
     });
@@ -63,7 +63,7 @@ std::string foreign_journals(const KeyedPoints& all, const std::string& result) 
 }  // namespace
 
 KeyedPoints::KeyedPoints(const Sweep& sweep, std::vector<std::size_t> points)
-    : sweep_(sweep), points_(std::move(points)) {
+    : sweep_(sweep), layout_(results::layout_of(sweep)), points_(std::move(points)) {
   for (const std::size_t i : points_) {
     if (interrupted()) throw Interrupted("interrupted before the first point");
     keys_.push_back(results::point_key(sweep, i));
@@ -75,18 +75,18 @@ const std::string& KeyedPoints::key(std::size_t point) const {
 }
 
 std::vector<std::size_t> KeyedPoints::missing_in(const results::Journal& journal) const {
-  const results::PointLayout layout(sweep_);
   std::vector<std::size_t> missing;
   for (std::size_t k = 0; k < points_.size(); ++k)
-    if (const auto line = journal.find(keys_[k]); !line || !results::fits(line->record, layout))
-      missing.push_back(points_[k]);
+    if (!journal.find(keys_[k], layout_)) missing.push_back(points_[k]);
   return missing;
 }
 
 std::vector<std::size_t> KeyedPoints::missing_beside(const std::string& result) const {
   std::unordered_set<std::string> found;
   for (const std::string& path : results::journals_beside(result))
-    results::read_journal(path, kCommit, [&](results::JournalLine&& line) { found.insert(line.key); });
+    results::read_journal(path, kCommit, [&](const results::JournalStart& line) {
+      if (line.layout == layout_->digest()) found.insert(line.key);
+    });
   std::vector<std::size_t> missing;
   for (std::size_t k = 0; k < points_.size(); ++k)
     if (!found.contains(keys_[k])) missing.push_back(points_[k]);
@@ -96,9 +96,8 @@ std::vector<std::size_t> KeyedPoints::missing_beside(const std::string& result) 
 void KeyedPoints::adopt_into(results::Journal& journal) const {
   std::map<std::string, std::string> places;
   for (std::size_t k = 0; k < points_.size(); ++k) places[keys_[k]] = sweep_.place(points_[k]);
-  const results::PointLayout layout(sweep_);
   for (const std::string& other : results::journals_beside(journal.path()))
-    if (other != journal.path()) journal.adopt(other, layout, places);
+    if (other != journal.path()) journal.adopt(other, layout_, places);
 }
 
 void require_complete(const Experiment& experiment, const std::vector<std::size_t>& missing,

@@ -14,6 +14,7 @@ class KeyedPoints {
   KeyedPoints(const Sweep& sweep, std::vector<std::size_t> points);
   const std::vector<std::size_t>& points() const { return points_; }
   const std::string& key(std::size_t point) const;
+  const results::Layout& layout() const { return layout_; }
 
   std::vector<std::size_t> missing_in(const results::Journal& journal) const;
   // The points that no journal in the folder of the result has.
@@ -24,6 +25,7 @@ class KeyedPoints {
 
  private:
   const Sweep& sweep_;
+  const results::Layout layout_;
   std::vector<std::size_t> points_;  // ascending
   std::vector<std::string> keys_;
 };

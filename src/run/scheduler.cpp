@@ -51,7 +51,7 @@ class Scheduler {
   Scheduler(const Sweep& sweep, const std::vector<std::size_t>& points, std::size_t threads, const Sink& sink,
             const std::function<bool()>& stop, const SchedulerObserver& observer)
       : sweep_(sweep),
-        layout_(sweep),
+        layout_(results::layout_of(sweep)),
         points_(points),
         threads_(threads),
         sink_(sink),
@@ -81,7 +81,7 @@ class Scheduler {
   bool update_stopped() { return stopped_ = stopped_ || error_ || stop_(); }
 
   const Sweep& sweep_;
-  const results::PointLayout layout_;
+  const results::Layout layout_;
   const std::vector<std::size_t>& points_;
   const std::size_t threads_;
   const Sink& sink_;

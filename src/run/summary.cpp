@@ -18,25 +18,25 @@ constexpr double kPinnedShare = 0.1;  // of R_x
 }  // namespace
 
 void Summary::add(const results::PointRecord& record, std::size_t index) {
-  const std::vector<double>& statuses = record.values.at("status");
+  const std::span<const double> statuses = record.at("status");
   for (std::size_t i = 0; i < statuses.size(); ++i) {
     const auto status = PointStatus(std::lround(statuses[i]));
     ++counts_[std::size_t(status)];
     if (std::ranges::count(kWithoutValues, status) > 0)
-      first_.try_emplace(status, Example{index, record.values.at("incomplete_theta_0")[i]});
+      first_.try_emplace(status, Example{index, record.at("incomplete_theta_0")[i]});
   }
   phases_.add([&](const std::string& name) {
-    const auto found = record.values.find(name);
-    return found == record.values.end() ? std::vector<double>() : found->second;
+    const auto values = record.layout->has(name) ? record.at(name) : std::span<const double>();
+    return std::vector(values.begin(), values.end());
   });
   bool pinned = false;
-  for (const double share : record.values.at("pinned_share_R_x")) {
+  for (const double share : record.at("pinned_share_R_x")) {
     pinned = pinned || share > kPinnedShare;
     if (share > largest_pinned_share_) largest_pinned_share_ = share;
   }
   pinned_ += pinned;
   for (std::size_t row = 0; row < kValidity.size(); ++row)
-    exceeding_[row] += std::ranges::count(record.values.at(kValidity[row].name), double(Exceeds::yes)) > 0;
+    exceeding_[row] += std::ranges::count(record.at(kValidity[row].name), double(Exceeds::yes)) > 0;
   ++points_;
   if (!record.failure.empty())
     failures_.push_back(fmt::format("{}: {}", experiment_.sweep.place(index), record.failure));

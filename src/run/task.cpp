@@ -58,7 +58,7 @@ void fill_journal(const Sweep& sweep, const KeyedPoints& points, const std::vect
   const std::size_t all = points.points().size();
   std::size_t saved = all - missing.size();
   const auto sink = [&](PointReport&& report) {
-    journal.append(points.key(report.index), std::move(report.record));
+    journal.append(points.key(report.index), report.record);
     ++saved;
     progress.step();
   };
@@ -97,7 +97,7 @@ results::Rows find_jumps(const Experiment& experiment, const KeyedPoints& points
   };
   std::vector<Gap> gaps;
   for (const std::size_t index : points.points())
-    gaps.push_back(gap_of(journal.read(points.key(index)).record));
+    gaps.push_back(gap_of(journal.read(points.key(index), points.layout()).record));
   return locate_jumps(experiment.sweep, experiment.locate_jumps, gaps, solve);
 }
 
@@ -121,7 +121,8 @@ Summary finish(const Experiment& experiment, const RunOptions& options, const Ke
 // What the shard's journal has.
 Summary summary_of(const Experiment& experiment, const KeyedPoints& points, const results::Journal& journal) {
   Summary summary(experiment, journal.path());
-  for (const std::size_t i : points.points()) summary.add(journal.read(points.key(i)).record, i);
+  for (const std::size_t i : points.points())
+    summary.add(journal.read(points.key(i), points.layout()).record, i);
   return summary;
 }
 
@@ -181,7 +182,8 @@ std::vector<results::PointRecord> solve_points(const Sweep& sweep, const std::ve
   for (std::size_t found = missing.size(); found < ascending.size(); ++found) progress.step();
   fill_journal(sweep, keyed, missing, options.threads, journal, progress);
   std::vector<results::PointRecord> records;
-  for (const std::size_t point : points) records.push_back(journal.read(keyed.key(point)).record);
+  for (const std::size_t point : points)
+    records.push_back(journal.read(keyed.key(point), keyed.layout()).record);
   return records;
 }
 
@@ -195,9 +197,9 @@ Summary write_result(const Experiment& experiment, const std::string& path, cons
   results::ResultWriter writer(experiment, path);
   std::map<std::string, std::vector<double>> analysed;
   for (const std::size_t i : points.points()) {
-    const results::JournalLine line = journal.read(points.key(i));
+    const results::JournalLine line = journal.read(points.key(i), points.layout());
     for (const std::string& name : analysed_variables(experiment))
-      analysed[name].push_back(line.record.values.at(name).front());
+      analysed[name].push_back(line.record.at(name).front());
     writer.write(i, line.record);
     summary.add(line.record, i);
     commits.insert(line.commit);

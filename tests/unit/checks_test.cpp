@@ -33,7 +33,7 @@ std::vector<CheckResult> evaluated(const Scratch& s, const std::vector<double>& 
     p.R_x_norm = values[i];
     p.R_x_norm_error = error;
     if (!gaps.empty()) p.z_0 = gaps[i];
-    writer.write(i, record_of(e.sweep, p, {}));
+    writer.write(i, record_of(layout_of(e.sweep), p, {}));
   }
   writer.close({});
   writer.publish();

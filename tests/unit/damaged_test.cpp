@@ -195,15 +195,19 @@ TEST_CASE("malformed: a variable with fewer errors than values") {
 TEST_CASE("malformed: a journal line with an unknown status or table") {
   const Scratch s;
   const Experiment e = small_experiment(s);
-  PointRecord record = record_of(e.sweep, small_point(0), {});
-  CHECK(fits(record, e.sweep));
+  PointRecord record = record_of(layout_of(e.sweep), small_point(0), {});
+  CHECK(is_consistent(record));
+  double& at_status = record.values[record.layout->number("status")];
   for (const double status : {-1.0, 0.5, 99.0, 1e300, kNone}) {
-    record.values["status"] = {status};
-    CHECK_FALSE(fits(record, e.sweep));
+    at_status = status;
+    CHECK_FALSE(is_consistent(record));
   }
-  record.values["status"] = {0};
-  record.tables["no_such"] = {};
-  CHECK_FALSE(fits(record, e.sweep));
+  at_status = 0;
+  record.tables.emplace_back();
+  CHECK_FALSE(is_consistent(record));
+  record.tables.clear();
+  record.values.push_back(0);
+  CHECK_FALSE(is_consistent(record));
 }
 
 TEST_CASE("malformed: a reference with excessive nesting or a duplicate key") {

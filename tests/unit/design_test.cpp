@@ -378,12 +378,14 @@ TEST_CASE(
              std::string(R"(, "sweep": {"V_s": {"values": [0.01, 0.02]}})") + kFew);
   // Of 256 brushes in two scenarios: R_x is the brush's number; 10 brushes have no R_x in the second
   // scenario, one has no R_n in the first, and 30, among them the 10, have an R_n beyond the constraint.
-  const auto solve = [](const Sweep&, const std::vector<std::size_t>& points, design::Purpose) {
-    std::vector<results::PointRecord> out(points.size());
+  const auto solve = [](const Sweep& sweep, const std::vector<std::size_t>& points, design::Purpose) {
+    const auto empty = results::record_of(results::layout_of(sweep), PointResult{}, {});
+    std::vector<results::PointRecord> out(points.size(), empty);
+    const std::size_t R_x = empty.layout->number("R_x"), R_n = empty.layout->number("R_n");
     for (std::size_t i = 0; i < points.size(); ++i) {
       const std::size_t brush = i / 2, scenario = i % 2;
-      out[i].values["R_x"] = {brush < 10 && scenario == 1 ? NAN : double(brush)};
-      out[i].values["R_n"] = {brush == 40 && scenario == 0 ? NAN : brush < 30 ? 2 : 0.5};
+      out[i].values[R_x] = brush < 10 && scenario == 1 ? NAN : double(brush);
+      out[i].values[R_n] = brush == 40 && scenario == 0 ? NAN : brush < 30 ? 2 : 0.5;
     }
     return out;
   };

@@ -3,6 +3,7 @@
 #include "results/journal.hpp"
 #include "util/error.hpp"
 #include "util/sha.hpp"
+#include "shards.hpp"
 #include "small_result.hpp"
 
 #include <bit>
@@ -17,7 +18,7 @@ using namespace testing;
 namespace {
 
 PointRecord small_record(const Experiment& e, std::size_t i) {
-  return record_of(e.sweep, small_point(i), {});
+  return record_of(layout_of(e.sweep), small_point(i), {});
 }
 
 // Adds the first points of the small experiment to the journal, unless it has them.
@@ -29,7 +30,8 @@ void write_journal(const std::string& result, const Experiment& e, std::size_t p
 
 bool holds(const Journal& journal, const Experiment& e, std::size_t i) {
   const std::string key = point_key(e.sweep, i);
-  return journal.has(key) && differences(journal.read(key).record, small_record(e, i)).empty();
+  return journal.has(key) &&
+         differences(journal.read(key, layout_of(e.sweep)).record, small_record(e, i)).empty();
 }
 
 std::map<std::string, std::string> keys_of(const Experiment& e, const std::vector<std::size_t>& points) {
@@ -47,38 +49,61 @@ std::size_t points_in(const Journal& journal, const Experiment& e) {
 }  // namespace
 
 TEST_CASE("a journal line reads back bit for bit with arbitrary numbers") {
-  rc::check([](const std::vector<std::uint64_t>& bits) {
-    PointRecord record;
-    for (const std::uint64_t b : bits) {
-      const double x = std::bit_cast<double>(b);
-      record.values["x"].push_back(std::isnan(x) ? kNone : x);
+  const Scratch s;
+  PointRecord record = small_record(small_experiment(s), 0);
+  const std::size_t status = record.layout->number("status");
+  const std::vector<double> edges = {0.0, -0.0, INFINITY, -INFINITY, kNone, 5e-324, 0.1, 1e308};
+  std::copy(edges.begin(), edges.end(), record.values.begin());
+  rc::check([&](const std::vector<std::uint64_t>& bits) {
+    for (std::size_t i = 0; i < bits.size() && edges.size() + i < status; ++i) {
+      const double x = std::bit_cast<double>(bits[i]);
+      record.values[edges.size() + i] = std::isnan(x) ? kNone : x;
     }
-    record.values["edge"] = {0.0, -0.0, INFINITY, -INFINITY, kNone, 5e-324, 0.1};
-    record.tables["t"] = {{1, 2}, {kNone, 1e308}};
-    const std::string text = encode({std::string(64, 'a'), "c", "node1", record});
-    const auto line = decode(std::string_view(text).substr(0, text.size() - 1));
+    const std::string text = encode(std::string(64, 'a'), "c", "node1", record);
+    const auto line = decode(std::string_view(text).substr(0, text.size() - 1), record.layout);
     RC_ASSERT(line.has_value());
     RC_ASSERT(differences(line->record, record).empty());
     RC_ASSERT(line->key == std::string(64, 'a') && line->commit == "c" && line->host == "node1");
   });
 }
 
+TEST_CASE("journals keep tables and curves, as far as their layout is the same") {
+  const Scratch s;
+  for (const std::string& more : {kTables, kLattice, kCurve}) {
+    CAPTURE(more);
+    const Experiment e = sharded(s, more);
+    PointRecord record = invented_record(e, 1);
+    record.failure = "a \"b\"\n";
+    const std::string text = encode("k", "c", "h", record);
+    const std::string_view line = std::string_view(text).substr(0, text.size() - 1);
+    REQUIRE(decode(line, record.layout));
+    CHECK(differences(decode(line, record.layout)->record, record).empty());
+    CHECK(decode(line, record.layout)->record.failure == record.failure);
+    CHECK_FALSE(decode(line, layout_of(small_experiment(s).sweep)));
+  }
+}
+
 TEST_CASE("a line with a correct checksum that the program cannot have written is no point") {
+  const Scratch s;
+  const Experiment e = small_experiment(s);
+  const Layout layout = layout_of(e.sweep);
   const auto line_of = [](const std::string& json) { return sha256_of(json) + " " + json; };
-  const std::string head = R"({"schema":"bristle-journal/1","key":"k","commit":"c","host":"h")";
-  const std::string whole =
-      head + R"(,"values":{"x":[1,-0.0,"nan"]},"tables":{"t":[[1],[]]},"failure":"a \"b\"\n"})";
-  REQUIRE(decode(line_of(whole)));
-  CHECK(decode(line_of(whole))->record.failure == "a \"b\"\n");
+  const std::string text = encode("k", "c", "h", small_record(e, 0));
+  const std::string whole = text.substr(kDigestLength + 1, text.size() - kDigestLength - 2);
+  REQUIRE(decode(line_of(whole), layout));
   for (std::size_t size = 0; size < whole.size(); ++size)
-    if (decode(line_of(whole.substr(0, size)))) FAIL(size);
-  for (const char* rest :
-       {R"(,"values":{"x":[1e999]},"tables":{}})", R"(,"values":{"x":[null]},"tables":{}})",
-        R"(,"values":{"x":[inf]},"tables":{}})", R"(,"values":{"x":["one"]},"tables":{}})",
-        R"(,"values":{"x":1},"tables":{}})", R"(,"values":{"x":[1]},"tables":{"t":[1]}})",
-        R"(,"values":{"x":[1]},"tables":{},"failure":1})", R"(,"values":{}})"}) {
-    CAPTURE(rest);
-    CHECK_FALSE(decode(line_of(head + rest)));
+    if (decode(line_of(whole.substr(0, size)), layout)) FAIL(size);
+  const std::string values = R"("values":[)", tables = R"("tables":[)";
+  for (const auto& [before, after] :
+       {std::pair(values, values + "1e999,"), std::pair(values, values + "null,"),
+        std::pair(values, values + "inf,"), std::pair(values, values + R"("one",)"),
+        std::pair(values, values + "1,"), std::pair(tables, tables + "1"), std::pair(tables, tables + "[]"),
+        std::pair(tables, R"("failure":1,)" + tables),
+        std::pair(std::string("]}"), std::string(R"(],"failure":1})"))}) {
+    CAPTURE(after);
+    std::string changed = whole;
+    changed.replace(changed.rfind(before), before.size(), after);
+    CHECK_FALSE(decode(line_of(changed), layout));
   }
 }
 
@@ -118,7 +143,7 @@ TEST_CASE("a damaged record is ignored, and the others are used") {
   const Experiment e = small_experiment(s);
   write_journal(s.path("r.h5"), e, 3);
   std::string text = bytes_of(s.path("r.h5.journal"));
-  const auto second = text.find('\n') + 1, digit = text.find("\"R_x\":[", second) + 8;
+  const auto second = text.find('\n') + 1, digit = text.find("\"values\":[", second) + 10;
   text[digit] = text[digit] == '1' ? '2' : '1';
   s.write("r.h5.journal", text);
   const Journal journal(s.path("r.h5.journal"), "0123abc", false);
@@ -153,7 +178,7 @@ TEST_CASE("points computed by a program with uncommitted changes are used by suc
   CHECK(!has("4567def", 0));
   for (const char* commit : {"4567def", "0123abc-dirty", "unknown"}) CHECK(has(commit, 1));
   Journal other(s.path("other.h5.journal"), "4567def", false);
-  other.adopt(s.path("r.h5.journal"), e.sweep, keys_of(e, {0, 1}));
+  other.adopt(s.path("r.h5.journal"), layout_of(e.sweep), keys_of(e, {0, 1}));
   CHECK(points_in(other, e) == 1);
 }
 
@@ -191,16 +216,16 @@ TEST_CASE("points of this experiment in another journal are copied") {
   const Experiment e = small_experiment(s);
   write_journal(s.path("other.h5"), e, 4);
   Journal journal(s.path("r.h5.journal"), "0123abc", false);
-  journal.adopt(s.path("other.h5.journal"), e.sweep, keys_of(e, {0, 2, 5}));
+  journal.adopt(s.path("other.h5.journal"), layout_of(e.sweep), keys_of(e, {0, 2, 5}));
   CHECK(holds(journal, e, 0));
   CHECK(!journal.has(point_key(e.sweep, 1)));
   CHECK(holds(journal, e, 2));
   CHECK(!journal.has(point_key(e.sweep, 5)));
   write_journal(s.path("other.h5"), e, 6);  // it has grown since
-  journal.adopt(s.path("other.h5.journal"), e.sweep, keys_of(e, {5}));
+  journal.adopt(s.path("other.h5.journal"), layout_of(e.sweep), keys_of(e, {5}));
   CHECK(holds(journal, e, 5));
   const Experiment recorded = small_experiment(s, R"(, "record": ["observables", "bristles"])");
-  journal.adopt(s.path("other.h5.journal"), recorded.sweep, keys_of(recorded, {0, 1, 2, 3}));
+  journal.adopt(s.path("other.h5.journal"), layout_of(recorded.sweep), keys_of(recorded, {0, 1, 2, 3}));
   CHECK(points_in(journal, recorded) == 0);
 }
 
@@ -213,11 +238,11 @@ TEST_CASE("of another journal, a damaged line is left out, and a point that diff
   bytes[bytes.size() - 20] ^= 1;
   s.write("other.h5.journal", bytes);
   Journal journal(s.path("r.h5.journal"), "0123abc", false);
-  journal.adopt(path, e.sweep, keys_of(e, {0, 1}));
+  journal.adopt(path, layout_of(e.sweep), keys_of(e, {0, 1}));
   CHECK(holds(journal, e, 0));
   CHECK(!journal.has(point_key(e.sweep, 1)));
   Journal(s.path("third.h5.journal"), "0123abc", false).append(point_key(e.sweep, 0), small_record(e, 1));
-  CHECK_THROWS_WITH(journal.adopt(s.path("third.h5.journal"), e.sweep, keys_of(e, {0})),
+  CHECK_THROWS_WITH(journal.adopt(s.path("third.h5.journal"), layout_of(e.sweep), keys_of(e, {0})),
                     Catch::Contains("differ at the point"));
 }
 

@@ -51,7 +51,8 @@ TEST_CASE("a run replaces neither its experiment, nor what that extends, nor any
   const std::string text = s.write("notes.h5", "schema_version bristle-result/1\n");
   std::string foreign = s.path("foreign.h5");
   h5::create_file(foreign).close("closing");
-  Journal(s.path("other.h5.journal"), "0123abc", false).append("key", {});
+  Journal(s.path("other.h5.journal"), "0123abc", false)
+      .append("key", record_of(layout_of(small_experiment(s).sweep), small_point(0), {}));
   for (const std::string& path :
        {s.path("quick.json"), s.path("paper.json"), text, foreign, s.path("other.h5.journal")}) {
     CAPTURE(path);

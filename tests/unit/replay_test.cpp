@@ -82,7 +82,7 @@ TEST_CASE("replay: the command names the result, quoted, and the point of any no
                                      "sweep": {"friction": {"values": ["nss", "coulomb"]}, "k_r": {"values": [5, 20]}})");
   ResultWriter writer(curves, s.path("a file.h5"));
   for (std::size_t i = 0; i < curves.sweep.size(); ++i)
-    writer.write(i, record_of(curves.sweep, {CurveNode{}}));
+    writer.write(i, record_of(layout_of(curves.sweep), {CurveNode{}}));
   writer.close({});
   writer.publish();
   const ReplayCommands commands(ResultReader(s.path("a file.h5")));

@@ -130,7 +130,7 @@ TEST_CASE("a run that fails leaves the previous result unchanged and no temporar
   const std::string before = bytes_of(s.path("r.h5"));
   try {
     ResultWriter writer(e, s.path("r.h5"));
-    writer.write(0, record_of(e.sweep, PointResult{}, {}));
+    writer.write(0, record_of(layout_of(e.sweep), PointResult{}, {}));
     throw RunError("a failure in the middle");
   } catch (const RunError&) {
   }

@@ -45,7 +45,8 @@ struct ManyPoints {
     b = small_result(s, "b.h5", of("down", down));
     Journal journal(s.path("a.h5.journal"), kCommit, false);
     for (std::size_t i = 0; i < rows; ++i)
-      journal.append(point_key(experiment->sweep, i), record_of(experiment->sweep, small_point(i), {}));
+      journal.append(point_key(experiment->sweep, i),
+                     record_of(layout_of(experiment->sweep), small_point(i), {}));
   }
 
   Experiment of(const std::string& name, const std::string& table) const {

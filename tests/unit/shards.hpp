@@ -39,22 +39,21 @@ inline bool is_flag(const std::string& name) {
 inline PointRecord invented_record(const Experiment& e, std::size_t index) {
   std::mt19937_64 random(index + 1);
   const auto fill = [&](std::vector<double>& numbers, const std::string& name, std::size_t count) {
-    numbers.clear();
-    while (numbers.size() < count) {
+    for (std::size_t i = 0; i < count; ++i) {
       const double any = std::normal_distribution<double>(0, 1e3)(random);
       const bool whole = is_flag(name) || name == "passages" || name == "steps" || name == "reflections";
       numbers.push_back(whole ? double(random() % 4) : random() % 5 == 0 ? kNone : any);
     }
   };
-  PointRecord record;
+  PointRecord record{layout_of(e.sweep)};
   const auto& trace = e.sweep.base.loading.trace;
   const std::size_t nodes = trace ? random() % (std::size_t(trace->nodes) + 1) : 1;
-  const PointLayout layout(e.sweep);
-  for (const auto& variable : layout.variables) fill(record.values[variable.name], variable.name, nodes);
-  for (const std::string& table : layout.tables) {
+  for (const auto& variable : record.layout->variables) fill(record.values, variable.name, nodes);
+  for (const std::string& table : record.layout->tables) {
     const std::size_t rows = random() % 6;
+    record.tables.emplace_back();
     for (const Column& column : table_columns(table))
-      fill(record.tables[table].emplace_back(), column.name, rows);
+      fill(record.tables.back().emplace_back(), column.name, rows);
   }
   return record;
 }

@@ -126,7 +126,7 @@ TEST_CASE("a completed result is like that of one run, with the hosts of its poi
   for (const char* host : {"node1", "node2"}) {
     std::string lines;
     for (std::size_t i = host[4] - '1'; i < e.sweep.size(); i += 2)
-      lines += encode({point_key(e.sweep, i), kCommit, host, invented_record(e, i)});
+      lines += encode(point_key(e.sweep, i), kCommit, host, invented_record(e, i));
     s.write("small/r.h5." + std::string(1, host[4]) + "-of-2.journal", lines);
   }
   completed(s, e);
@@ -167,7 +167,8 @@ TEST_CASE("a shard that runs again takes its points from the journals of its fol
   run_experiment(e, {.output = s.path("small/r.h5"), .shard = Shard{1, 4}, .threads = 1, .quiet = true});
   const Journal journal(journal_path(s.path("small/r.h5"), Shard{1, 4}), kCommit, false);
   for (const std::size_t i : {0, 4})
-    CHECK(differences(journal.read(point_key(e.sweep, i)).record, invented_record(e, i)).empty());
+    CHECK(differences(journal.read(point_key(e.sweep, i), layout_of(e.sweep)).record, invented_record(e, i))
+              .empty());
   CHECK_FALSE(fs::exists(s.path("small/r.h5")));
 }
 
@@ -197,7 +198,7 @@ TEST_CASE("a damaged line is a missing point") {
   write_shard(s, e, {1, 2});
   const std::string path = write_shard(s, e, {2, 2});
   std::string text = bytes_of(path);
-  const auto digit = text.find("\"passages\":[", text.find('\n')) + 12;
+  const auto digit = text.find("\"values\":[", text.find('\n')) + 10;
   text[digit] = text[digit] == '1' ? '2' : '1';
   s.write("small/" + fs::path(path).filename().string(), text);
   check_holds(refusal(s, e), {"1 of 6 points are missing in the journals of its folder: 3 (", "shard 2/2"});
@@ -210,7 +211,7 @@ TEST_CASE("a line with other variables is a missing point, which another journal
     Journal journal(s.path("small/r.h5.journal"), kCommit, false);
     for (std::size_t i = 0; i < e.sweep.size(); ++i) {
       PointRecord record = invented_record(e, i);
-      if (i == 2) record.values.erase("R_n");
+      if (i == 2) record.values.pop_back();
       journal.append(point_key(e.sweep, i), record);
     }
   }
@@ -242,7 +243,7 @@ TEST_CASE("axes in another order are the same points in another order") {
   completed(s, turned);
   const ResultReader result(s.path("small/r.h5"));
   CHECK(result.sweep_shape() == std::vector<std::size_t>{3, 2});
-  CHECK(result.variable("passages").values[1] == invented_record(sharded(s), 3).values.at("passages")[0]);
+  CHECK(result.variable("passages").values[1] == invented_record(sharded(s), 3).at("passages")[0]);
 }
 
 TEST_CASE("contradictory journals are refused with files, point and dataset") {
@@ -250,7 +251,7 @@ TEST_CASE("contradictory journals are refused with files, point and dataset") {
   const Experiment e = sharded(s);
   write_shards(s, e, 2);
   PointRecord record = invented_record(e, 3);
-  record.values["R_x"][0] = 7;
+  record.values[record.layout->number("R_x")] = 7;
   const std::string other = journal_path(s.path("small/r.h5"), Shard{4, 4});
   Journal(other, kCommit, false).append(point_key(e.sweep, 3), record);
   check_holds(refusal(s, e),

@@ -69,7 +69,7 @@ struct Release {
     std::filesystem::create_directories(s.path("results"));
     ResultWriter writer(experiment, result(name));
     for (std::size_t i = 0; i < experiment.sweep.size(); ++i)
-      writer.write(i, record_of(experiment.sweep, small_point(i), {}));
+      writer.write(i, record_of(layout_of(experiment.sweep), small_point(i), {}));
     writer.close({{"commit", by.empty() ? head() : by},
                   {"version", options.version},
                   {"started", "2026-01-02T03:04:05Z"},

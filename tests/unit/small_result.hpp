@@ -54,7 +54,7 @@ inline std::string small_result(const Scratch& s, const std::string& file, const
   for (std::size_t i = 0; i < experiment.sweep.size(); ++i) {
     PointResult p = small_point(i);
     if (change) change(i, p);
-    writer.write(i, record_of(experiment.sweep, p, {}));
+    writer.write(i, record_of(layout_of(experiment.sweep), p, {}));
   }
   writer.close({{"commit", commit}});
   writer.publish();
