@@ -1,10 +1,10 @@
 // Measures the errors of the integration, the error estimates of the quadrature, the standard errors of the
 // lattice, and the stiffness of the equations. The numbers do not depend on the processor or on time. Writes
 // JSON to standard output, from which scripts/accuracy.py generates docs/accuracy.md.
-#include "dynamics/jacobian.hpp"
-#include "ensemble/lattice.hpp"
-#include "ensemble/point.hpp"
-#include "model/elementary.hpp"
+#include "bristle/dynamics/jacobian.hpp"
+#include "bristle/ensemble/lattice.hpp"
+#include "bristle/ensemble/point.hpp"
+#include "bristle/model/elementary.hpp"
 #include "sample.hpp"
 
 #include <Eigen/Eigenvalues>

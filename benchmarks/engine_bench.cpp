@@ -2,7 +2,7 @@
 // output, from which scripts/performance.py generates the document. --quick is a test: it measures only the
 // ratio to the reference engine, which is based on Boost.Odeint, and fails if the ratio is below --per-lane
 // times the number of SIMD lanes.
-#include "dynamics/ode.hpp"
+#include "bristle/dynamics/ode.hpp"
 #include "kernel_speed.hpp"
 #include "odeint_peers.hpp"
 #include "sample.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "rates.hpp"
-#include "simd/kernels.hpp"
+#include "bristle/simd/kernels.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -2,8 +2,8 @@
 // inline functions in the rest of the program.
 #include "odeint_peers.hpp"
 
-#include "dynamics/ode.hpp"
-#include "dynamics/rules.hpp"
+#include "bristle/dynamics/ode.hpp"
+#include "bristle/dynamics/rules.hpp"
 
 #include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_cash_karp54.hpp>

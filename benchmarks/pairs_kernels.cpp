@@ -1,5 +1,5 @@
-// Compiled once per instruction set, like src/simd/kernels.cpp.
-#include "simd/step.hpp"
+// Compiled once per instruction set, like src/bristle/simd/kernels.cpp.
+#include "bristle/simd/step.hpp"
 #include "pairs.hpp"
 #include "rates.hpp"
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "model/equilibrium.hpp"
-#include "model/friction/laws.hpp"
-#include "simd/dispatch.hpp"
-#include "simd/engine.hpp"
+#include "bristle/model/equilibrium.hpp"
+#include "bristle/model/friction/laws.hpp"
+#include "bristle/simd/dispatch.hpp"
+#include "bristle/simd/engine.hpp"
 
 #include <algorithm>
 #include <chrono>

@@ -1,5 +1,5 @@
 // The equations for SciPy through ctypes, so that it integrates the same compiled code as the other solvers.
-#include "dynamics/ode.hpp"
+#include "bristle/dynamics/ode.hpp"
 #include "sample.hpp"
 
 namespace {

@@ -1,6 +1,6 @@
 #include "sundials_peers.hpp"
 
-#include "dynamics/ode.hpp"
+#include "bristle/dynamics/ode.hpp"
 
 #include <arkode/arkode_arkstep.h>
 #include <cvode/cvode.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dynamics/passage.hpp"
+#include "bristle/dynamics/passage.hpp"
 
 namespace bristle::bench {
 

@@ -1,5 +1,5 @@
 # Refuses flags of compiler and linker that change numbers. Such a program would compute other bits under the same
-# commit. No list of them is complete: the program itself looks at its numbers, too (src/simd/probe.cpp).
+# commit. No list of them is complete: the program itself looks at its numbers, too (src/bristle/simd/probe.cpp).
 set(arithmetic_flags
   # GCC and clang. A linker driven by one of the first four makes the program flush subnormal numbers to zero.
   "-Ofast" "-ffast-math" "-funsafe-math-optimizations" "-mdaz-ftz"

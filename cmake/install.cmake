@@ -1,9 +1,19 @@
-# cmake --install: the program, its experiments, schema and references, the Python package of the figures, the manual
-# page and the completion for bash. cpack makes a Debian package of the same.
-include(GNUInstallDirs)
+# cmake --install: the program, its experiments, schema and references, the library with its headers, the Python package
+# of the figures, the manual page and the completion for bash. cpack makes a Debian package of the same.
 set(data ${CMAKE_INSTALL_DATADIR}/bristle)  # src/util/data.cpp finds it from the program
 
 install(TARGETS bristle RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(TARGETS libbristle EXPORT bristle ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(DIRECTORY src/bristle DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp")
+set(config ${CMAKE_INSTALL_LIBDIR}/cmake/bristle)
+install(EXPORT bristle NAMESPACE bristle:: FILE bristleTargets.cmake DESTINATION ${config})
+install(FILES cmake/bristleConfig.cmake DESTINATION ${config})
+include(CMakePackageConfigHelpers)
+string(REGEX REPLACE -.* "" number ${BRISTLE_VERSION})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/bristleConfigVersion.cmake VERSION ${number}
+  COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/bristleConfigVersion.cmake DESTINATION ${config})
+
 # The experiments with reference values: others in this folder are the user's own.
 file(GLOB references RELATIVE ${PROJECT_SOURCE_DIR}/reference CONFIGURE_DEPENDS reference/*.json)
 foreach(name paper.json ${references})

@@ -6,7 +6,7 @@
 #include "run/scheduler.hpp"
 #include "util/error.hpp"
 #include "util/process.hpp"
-#include "util/random.hpp"
+#include "bristle/random.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>

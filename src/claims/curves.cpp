@@ -1,7 +1,7 @@
 #include "claims/curves.hpp"
 
-#include "ensemble/trace.hpp"
-#include "model/elementary.hpp"
+#include "bristle/ensemble/trace.hpp"
+#include "bristle/model/elementary.hpp"
 #include "util/error.hpp"
 #include "util/text.hpp"
 

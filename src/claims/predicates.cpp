@@ -1,6 +1,6 @@
 #include "claims/predicates.hpp"
 
-#include "model/elementary.hpp"
+#include "bristle/model/elementary.hpp"
 
 #include <algorithm>
 #include <cmath>

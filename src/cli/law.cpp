@@ -1,7 +1,7 @@
 #include "cli/commands.hpp"
 
-#include "model/bristle.hpp"
-#include "model/elementary.hpp"
+#include "bristle/model/bristle.hpp"
+#include "bristle/model/elementary.hpp"
 #include "results/csv.hpp"
 
 #include <fmt/format.h>

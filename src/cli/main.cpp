@@ -3,7 +3,7 @@
 #include "results/writer.hpp"
 #include "run/provenance.hpp"
 #include "run/signals.hpp"
-#include "simd/probe.hpp"
+#include "bristle/simd/probe.hpp"
 #include "util/error.hpp"
 #include "util/text.hpp"
 

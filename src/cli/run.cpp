@@ -8,7 +8,7 @@
 #include "experiment/si_units.hpp"
 #include "results/reader.hpp"
 #include "run/analysis.hpp"
-#include "simd/dispatch.hpp"
+#include "bristle/simd/dispatch.hpp"
 #include "util/error.hpp"
 #include "util/file.hpp"
 #include "util/grid.hpp"

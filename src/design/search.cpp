@@ -1,7 +1,7 @@
 #include "design/search.hpp"
 
-#include "model/elementary.hpp"
-#include "util/random.hpp"
+#include "bristle/model/elementary.hpp"
+#include "bristle/random.hpp"
 #include "util/sobol.hpp"
 
 #include <nlopt.hpp>

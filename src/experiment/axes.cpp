@@ -1,7 +1,7 @@
 #include "experiment/experiment.hpp"
 
 #include "experiment/sample.hpp"
-#include "model/elementary.hpp"
+#include "bristle/model/elementary.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

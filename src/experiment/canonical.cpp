@@ -1,7 +1,7 @@
 #include "experiment/sweep.hpp"
 
 #include "experiment/si_units.hpp"
-#include "model/friction/laws.hpp"
+#include "bristle/model/friction/laws.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "util/json.hpp"
-#include "util/words.hpp"
+#include "bristle/words.hpp"
 
 #include <array>
 #include <optional>

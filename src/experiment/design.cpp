@@ -2,7 +2,7 @@
 
 #include "experiment/sample.hpp"
 #include "experiment/schema.hpp"
-#include "model/elementary.hpp"
+#include "bristle/model/elementary.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>

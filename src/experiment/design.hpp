@@ -1,7 +1,7 @@
 #pragma once
 
 #include "experiment/document.hpp"
-#include "util/words.hpp"
+#include "bristle/words.hpp"
 
 #include <cstdint>
 #include <optional>

@@ -1,7 +1,7 @@
 #include "experiment/document.hpp"
 
 #include "experiment/sample.hpp"
-#include "model/parameters.hpp"
+#include "bristle/model/parameters.hpp"
 #include "util/data.hpp"
 #include "util/error.hpp"
 #include "util/text.hpp"

@@ -1,6 +1,6 @@
 #include "experiment/sweep.hpp"
 #include "experiment/si_units.hpp"
-#include "model/equations.hpp"
+#include "bristle/model/equations.hpp"
 
 #include <algorithm>
 

@@ -7,7 +7,7 @@
 #include "experiment/friction_law.hpp"
 #include "experiment/si_units.hpp"
 #include "util/error.hpp"
-#include "util/random.hpp"
+#include "bristle/random.hpp"
 #include "util/sha.hpp"
 
 #include <fmt/format.h>

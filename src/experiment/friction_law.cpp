@@ -1,8 +1,8 @@
 #include "experiment/friction_law.hpp"
 
 #include "experiment/overrides.hpp"
-#include "model/friction/formula.hpp"
-#include "model/friction/laws.hpp"
+#include "bristle/model/friction/formula.hpp"
+#include "bristle/model/friction/laws.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

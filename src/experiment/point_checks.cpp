@@ -1,10 +1,10 @@
 #include "experiment/point_checks.hpp"
 
-#include "ensemble/lattice.hpp"
-#include "ensemble/load.hpp"
+#include "bristle/ensemble/lattice.hpp"
+#include "bristle/ensemble/load.hpp"
 #include "experiment/overrides.hpp"
 #include "experiment/sample.hpp"
-#include "model/elementary.hpp"
+#include "bristle/model/elementary.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>

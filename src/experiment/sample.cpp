@@ -1,7 +1,7 @@
 #include "experiment/sample.hpp"
 
 #include "experiment/schema.hpp"
-#include "model/elementary.hpp"
+#include "bristle/model/elementary.hpp"
 #include "util/error.hpp"
 #include "util/file.hpp"
 #include "util/sensitivity.hpp"

@@ -1,5 +1,7 @@
 #include "experiment/si_units.hpp"
 
+#include "bristle/model/material.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <cmath>
@@ -10,23 +12,20 @@
 namespace bristle::experiment {
 namespace {
 
-// Bending stiffness of the shaft, N m/rad.
-double cantilever(double E, double R, double r0) { return 3 * M_PI * E * (R * R) * (R * R) / (4 * r0); }
-
 // Stiffnesses of the shaft and the contact modulus, from the elastic constants of the material.
 void apply_material(PointInput& input, const SiScales& scales) {
   const auto value = [&](const char* key) { return input.si.at(key); };
   const auto has = [&](const char* key) { return input.si.contains(key); };
   Parameters& p = input.setup.parameters;
   if (has("R_m")) {
-    p.k_phi =
-        (has("k_phi_N_m") ? value("k_phi_N_m") : cantilever(value("E_Pa"), value("R_m"), scales.length)) /
-        scales.energy;
+    p.k_phi = (has("k_phi_N_m") ? value("k_phi_N_m")
+                                : cantilever_stiffness(value("E_Pa"), value("R_m"), scales.length)) /
+              scales.energy;
     p.R = value("R_m") / scales.length;
     p.k_theta = (has("k_theta_over_k_phi") ? value("k_theta_over_k_phi") : 1) * p.k_phi;
     if (has("k_r_over_k_phi")) p.k_r = value("k_r_over_k_phi") * p.k_phi;
   }
-  if (has("nu")) p.E_star = value("E_Pa") / (1 - value("nu") * value("nu")) / scales.stress;
+  if (has("nu")) p.E_star = contact_modulus(value("E_Pa"), value("nu")) / scales.stress;
 }
 
 }  // namespace
@@ -194,9 +193,7 @@ std::vector<std::string> values_not_in_si(const PointInput& input) {
 
 SiScales si_scales(const PointInput& input) {
   if (input.si.empty()) return {};
-  const double r0 = input.si.at("r0_m"), V0 = input.si.at("V0_m_per_s");
-  const double energy = input.si.at("m_kg") * V0 * V0, force = energy / r0;
-  return {r0, V0, energy, force, force / r0, force / (r0 * r0)};
+  return bristle::si_scales(input.si.at("m_kg"), input.si.at("r0_m"), input.si.at("V0_m_per_s"));
 }
 
 }  // namespace bristle::experiment

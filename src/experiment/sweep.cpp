@@ -1,7 +1,8 @@
 #include "experiment/sweep.hpp"
 
 #include "experiment/si_units.hpp"
-#include "model/friction/laws.hpp"
+#include "bristle/model/friction/laws.hpp"
+#include "bristle/model/material.hpp"
 #include "util/grid.hpp"
 
 #include <fmt/format.h>
@@ -34,12 +35,7 @@ bool varies(const std::vector<Axis>& axes, const std::string& quantity) {
 
 void apply_nominal_friction(PointInput& point) {
   if (!point.nominal_friction) return;
-  Parameters& p = point.setup.parameters;
-  const double R_n = point.loading.R_n;
-  with_law(p.friction, [&](auto law) {
-    p.*law.strength = 1;
-    p.*law.strength = *point.nominal_friction * R_n / law.rigid(p, R_n);
-  });
+  set_nominal_friction(point.setup.parameters, *point.nominal_friction, point.loading.R_n);
 }
 
 std::size_t Sweep::size() const { return grid_size(shape()); }

@@ -1,8 +1,8 @@
 #include "results/annotate.hpp"
 
-#include "ensemble/lattice.hpp"
+#include "bristle/ensemble/lattice.hpp"
 #include "experiment/si_units.hpp"
-#include "model/friction/laws.hpp"
+#include "bristle/model/friction/laws.hpp"
 #include "results/digest.hpp"
 #include "results/version.hpp"
 #include "results/writer.hpp"

@@ -1,6 +1,6 @@
 #include "results/phases.hpp"
 
-#include "ensemble/phase.hpp"
+#include "bristle/ensemble/phase.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

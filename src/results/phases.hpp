@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/lift_off.hpp"
+#include "bristle/model/lift_off.hpp"
 
 #include <array>
 #include <functional>

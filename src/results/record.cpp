@@ -1,8 +1,8 @@
 #include "results/record.hpp"
 
-#include "ensemble/phase.hpp"
-#include "ensemble/validity.hpp"
-#include "model/lift_off.hpp"
+#include "bristle/ensemble/phase.hpp"
+#include "bristle/ensemble/validity.hpp"
+#include "bristle/model/lift_off.hpp"
 #include "results/reader.hpp"
 #include "util/error.hpp"
 #include "util/sha.hpp"
@@ -105,23 +105,23 @@ PointLayout::PointLayout(const Sweep& sweep) {
 
 // Adds the variable, its error, and the part of the error due to the load, if the gap follows from a search.
 void PointLayout::add(const ResultVariable& variable, bool searched) {
-  const auto add_part = [&](Column column, double Derived::*part) {
+  const auto add_part = [&](Column column, double Quantity::*part) {
     variables.push_back(
         {std::move(column), [of = variable.of, part](const PointResult& p) { return of(p).*part; }});
   };
   Column column = variable;
   column.ancillary = variable.errors == Errors::none ? "status" : variable.name + "_err status";
-  add_part(column, &Derived::value);
+  add_part(column, &Quantity::value);
   column.ancillary = "";
   column.symbol = R"(\delta )" + variable.symbol;
   if (searched && variable.errors == Errors::with_load) {
     column.name = "load_error/" + variable.name;
     column.long_name = "part of " + variable.name + "_err due to the deviation of the load from its target";
-    add_part(column, &Derived::load_error);
+    add_part(column, &Quantity::load_error);
   }
   column.name = variable.name + "_err";
   column.long_name = "estimated numerical error of " + variable.name;
-  if (variable.errors != Errors::none) add_part(column, &Derived::error);
+  if (variable.errors != Errors::none) add_part(column, &Quantity::error);
 }
 
 Layout layout_of(const Sweep& sweep) { return std::make_shared<const PointLayout>(sweep); }

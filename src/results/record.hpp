@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ensemble/trace.hpp"
+#include "bristle/ensemble/trace.hpp"
 #include "results/tables.hpp"
 #include "results/variables.hpp"
 

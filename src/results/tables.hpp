@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ensemble/point.hpp"
+#include "bristle/ensemble/point.hpp"
 #include "results/dataset.hpp"
 
 #include <string>

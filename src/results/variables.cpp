@@ -1,8 +1,8 @@
 #include "results/variables.hpp"
 
-#include "dynamics/stability.hpp"
-#include "ensemble/trace.hpp"
-#include "model/lift_off.hpp"
+#include "bristle/dynamics/stability.hpp"
+#include "bristle/ensemble/trace.hpp"
+#include "bristle/model/lift_off.hpp"
 
 #include <fmt/format.h>
 
@@ -13,16 +13,16 @@ using Variables = std::vector<ResultVariable>;
 using P = const PointResult&;
 
 // An ensemble mean.
-using Value = std::function<Derived(P)>;
+using Value = std::function<Quantity(P)>;
 Value mean_of(Observable k) {
-  return [k](P p) { return Derived{p.value[k], p.error[k], p.load_error[k]}; };
+  return [k](P p) { return Quantity{p.value[k], p.error[k], p.load_error[k]}; };
 }
 // A number without an error.
 Value exact(double PointResult::*number) {
-  return [number](P p) { return Derived{p.*number, 0, 0}; };
+  return [number](P p) { return Quantity{p.*number, 0, 0}; };
 }
 
-Derived gap(P p) { return {p.z_0, p.z_0_error, p.z_0_error}; }
+Quantity gap(P p) { return {p.z_0, p.z_0_error, p.z_0_error}; }
 
 ResultVariable mean(const Column& column, Observable k) { return {column, mean_of(k), Errors::with_load}; }
 
@@ -76,15 +76,11 @@ void add_observables(Variables& variables) {
 void add_norms(Variables& variables) {
   variables.push_back(
       {{"R_x_norm", "friction force over that of rigid bristles", R"(\check{R}_x)", "Eq. (20)"},
-       [](P p) {
-         return Derived{p.R_x_norm, p.R_x_norm_error, p.R_x_norm_load_error};
-       },
+       [](P p) { return p.R_x_norm; },
        Errors::with_load});
   variables.push_back(
       {{"R_y_norm", "transverse force over the friction of rigid bristles", R"(\check{R}_y)", "Eq. (21)"},
-       [](P p) {
-         return Derived{p.R_y_norm, p.R_y_norm_error, p.R_y_norm_load_error};
-       },
+       [](P p) { return p.R_y_norm; },
        Errors::with_load});
   variables.push_back(
       {{"R_x_norm_unpinned", "friction force over that of rigid bristles under R_n, without pinned bristles",
@@ -118,7 +114,7 @@ void add_other_gap(Variables& variables) {
   for (Observable k = 0; k < kObservables.size(); ++k)
     if (const ObservableRow& row = kObservables[k]; row.controlled)
       add(row.name, row.long_name, row.symbol, row.equation, [k](P p) {
-        return Derived{p.value_other[k], 0, 0};
+        return Quantity{p.value_other[k], 0, 0};
       });
   add("R_x_norm", "friction force over that of rigid bristles", R"(\check{R}_x)", "Eq. (20)",
       exact(&PointResult::R_x_norm_other));
@@ -127,17 +123,13 @@ void add_other_gap(Variables& variables) {
 void add_fluctuations(Variables& variables) {
   variables.push_back(
       {{"R_n_fluctuation", "standard deviation of R_n(t) over its mean", R"(\sigma(R_n)/R_n)", "Eq. (A3)"},
-       [](P p) {
-         return Derived{p.fluctuation.value, p.fluctuation.error, 0};
-       },
+       [](P p) { return p.fluctuation; },
        Errors::estimated});
   variables.push_back(
       {{"R_n_fluctuation_of_rows",
         "standard deviation of R_n(t), averaged over the passing time of a row, over its mean",
         R"(\sigma(\langle R_n\rangle_{\mathrm{row}})/R_n)", "Eq. (A3)"},
-       [](P p) {
-         return Derived{p.fluctuation_of_rows.value, p.fluctuation_of_rows.error, 0};
-       },
+       [](P p) { return p.fluctuation_of_rows; },
        Errors::estimated});
 }
 
@@ -156,7 +148,7 @@ double per_area(P p) {
 // Forces are per bristle under a slab of rigid bristles, N_c0, of which there is one per area of the spacing.
 std::vector<SiRow> si_rows() {
   const auto length = [](double Parameters::*member) -> Value {
-    return [member](P p) { return Derived{p.parameters.*member, 0, 0}; };
+    return [member](P p) { return Quantity{p.parameters.*member, 0, 0}; };
   };
   const auto in_m = [](P p) { return p.si.length; };
   const auto pressure = [](P p) { return p.si.force * per_area(p); };
@@ -175,7 +167,7 @@ std::vector<SiRow> si_rows() {
        "", "s-1", impact_rate, [](P p) { return p.si.velocity / p.si.length; }},
       {"bristles_per_m2", "bristles per area", R"(1/\Delta^2)", "", "m-2",
        [](P) {
-         return Derived{1, 0, 0};
+         return Quantity{1, 0, 0};
        },
        per_area},
       {"pressure_in_Pa", "normal load per area", R"(R_n/(L_x L_y))", "Eq. (19)", "Pa", mean_of(R_N),
@@ -199,9 +191,9 @@ void add_si(Variables& variables) {
                           .equation = row.equation,
                           .units = row.units},
                          [row](P p) {
-                           const Derived d = row.value(p);
+                           const Quantity d = row.value(p);
                            const double factor = row.factor(p);
-                           return Derived{d.value * factor, d.error * factor, d.load_error * factor};
+                           return Quantity{d.value * factor, d.error * factor, d.load_error * factor};
                          },
                          Errors::with_load});
   variables.push_back({{"friction_coefficient", "friction force over normal load", R"(R_x/R_n)", "Eq. (19)"},
@@ -214,11 +206,11 @@ void add_lift_off(Variables& variables, bool si) {
   const char* where = "docs/lift-off.md";
   const auto load = [](P p) {
     const double value = lift_off_load(p.parameters);
-    return Derived{value, kLiftOff.scatter * value, 0};
+    return Quantity{value, kLiftOff.scatter * value, 0};
   };
   const auto ratio = [load](P p) {
     const double lift_off = load(p).value, value = p.value[R_N] / lift_off;
-    return Derived{value, kLiftOff.scatter * value + p.error[R_N] / lift_off, p.load_error[R_N] / lift_off};
+    return Quantity{value, kLiftOff.scatter * value + p.error[R_N] / lift_off, p.load_error[R_N] / lift_off};
   };
   const std::string formula =
       fmt::format("load below which the tips bounce: {:.2g} (k_r k_phi)^(1/2) - {:.2g} k_phi ln(k_phi)",
@@ -235,8 +227,8 @@ void add_lift_off(Variables& variables, bool si) {
                         .equation = where,
                         .units = "N"},
                        [load](P p) {
-                         const Derived d = load(p);
-                         return Derived{d.value * p.si.force, d.error * p.si.force, 0};
+                         const Quantity d = load(p);
+                         return Quantity{d.value * p.si.force, d.error * p.si.force, 0};
                        },
                        Errors::estimated});
   variables.push_back(
@@ -247,7 +239,7 @@ void add_lift_off(Variables& variables, bool si) {
         .units = "m s-1"},
        [](P p) {
          const LiftOffSpeed speed = lift_off_speed(p.parameters, p.value[R_N]);
-         return Derived{p.si.velocity * speed.value, p.si.velocity * speed.value * (speed.factor - 1), 0};
+         return Quantity{p.si.velocity * speed.value, p.si.velocity * speed.value * (speed.factor - 1), 0};
        },
        Errors::estimated});
 }
@@ -258,7 +250,7 @@ void add_stability(Variables& variables) {
                        double Mode::*number) {
     variables.push_back({{name, long_name, symbol, "docs/lift-off.md"},
                          [mode, number](P p) {
-                           return Derived{steady_sliding(p.parameters, p.z_0).*mode.*number, 0, 0};
+                           return Quantity{steady_sliding(p.parameters, p.z_0).*mode.*number, 0, 0};
                          },
                          Errors::none});
   };
@@ -271,7 +263,7 @@ void add_stability(Variables& variables) {
   variables.push_back({{"R_n_statics", "normal load of bouncing bristles by statics",
                         R"(\tilde{R}_{n,\mathrm{statics}}/N_{c,0})", "docs/lift-off.md"},
                        [](P p) {
-                         return Derived{bouncing_load_by_statics(p.parameters, p.z_0), 0, 0};
+                         return Quantity{bouncing_load_by_statics(p.parameters, p.z_0), 0, 0};
                        },
                        Errors::none});
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ensemble/derived.hpp"
+#include "bristle/ensemble/derived.hpp"
 #include "experiment/experiment.hpp"
 #include "results/tables.hpp"
 
@@ -20,7 +20,7 @@ enum class Errors {
 
 // A variable of the result file, with one value per sweep point.
 struct ResultVariable : Column {
-  std::function<Derived(const PointResult&)> of;
+  std::function<Quantity(const PointResult&)> of;
   Errors errors;
   bool may_be_missing = false;  // at points with values: at some of them it is not defined
 };

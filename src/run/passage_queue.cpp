@@ -1,6 +1,6 @@
 #include "run/passage_queue.hpp"
 
-#include "simd/block.hpp"
+#include "bristle/simd/block.hpp"
 
 #include <algorithm>
 #include <chrono>

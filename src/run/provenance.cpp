@@ -2,7 +2,7 @@
 
 #include "results/journal.hpp"
 #include "results/writer.hpp"
-#include "simd/dispatch.hpp"
+#include "bristle/simd/dispatch.hpp"
 #include "util/process.hpp"
 
 #include <boost/version.hpp>

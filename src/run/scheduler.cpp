@@ -1,14 +1,14 @@
 #include "run/scheduler.hpp"
 
-#include "dynamics/jobs.hpp"
+#include "bristle/dynamics/jobs.hpp"
 #include "experiment/si_units.hpp"
-#include "model/error.hpp"
+#include "bristle/model/error.hpp"
 #include "run/passage_queue.hpp"
-#include "simd/dispatch.hpp"
-#include "simd/engine.hpp"
+#include "bristle/simd/dispatch.hpp"
+#include "bristle/simd/engine.hpp"
 #include "util/error.hpp"
 #include "util/text.hpp"
-#include "util/sanitizer.hpp"
+#include "bristle/sanitizer.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>

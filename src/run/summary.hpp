@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ensemble/validity.hpp"
+#include "bristle/ensemble/validity.hpp"
 #include "experiment/experiment.hpp"
 #include "results/phases.hpp"
 #include "results/record.hpp"

@@ -2,7 +2,7 @@
 
 #include "util/error.hpp"
 #include "util/file.hpp"
-#include "util/sanitizer.hpp"
+#include "bristle/sanitizer.hpp"
 
 #include <fmt/format.h>
 #include <cerrno>

@@ -1,6 +1,6 @@
 #include "util/sensitivity.hpp"
 
-#include "util/random.hpp"
+#include "bristle/random.hpp"
 #include "util/sobol.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "util/sobol.hpp"
 
-#include "util/random.hpp"
+#include "bristle/random.hpp"
 
 #include <boost/random/sobol.hpp>
 

@@ -1,6 +1,6 @@
 #!/bin/sh
 # The program calls no function of the C library whose last bit may differ between machines; it uses
-# src/model/elementary.hpp instead. usage: libm_test.sh NM BRISTLE
+# src/bristle/model/elementary.hpp instead. usage: libm_test.sh NM BRISTLE
 set -eu
 inexact='sin|cos|tan|asin|acos|atan|atan2|sincos|sinh|cosh|tanh|asinh|acosh|atanh|exp|exp2|exp10|expm1|log|log2|log10|log1p'
 inexact="$inexact|pow|cbrt|hypot|erf|erfc|tgamma|lgamma|j0|j1|jn|y0|y1|yn"

@@ -97,19 +97,21 @@ def defines(text, name):
 
 
 def check_architecture(path):
-    """Every folder of src/ has a paragraph, in the order of the layers. The files that the document names exist and contain
-    the names in the table."""
+    """Every folder of src/ has a row, in the order of the layers. The files that the document names exist and contain the
+    names in the table."""
     text = path.read_text(encoding="utf-8")
-    headings = re.findall(r"^### src/(\w+)$", text, re.M)
-    folders = {folder.name for folder in (source / "src").iterdir() if folder.is_dir()}
-    assert set(headings) == folders, f"{path.name}: the folders differ from those of src/: {set(headings) ^ folders}"
+    rows = table_cells(path, "The folders")
+    listed = [names_in(folder)[0] for folder, _, _ in rows]
+    folders = {f"{folder.relative_to(source / 'src')}" for parent in (source / "src", source / "src/bristle")
+               for folder in parent.iterdir() if folder.is_dir()} - {"bristle"}
+    assert set(listed) == folders, f"{path.name}: the folders differ from those of src/: {set(listed) ^ folders}"
     order = re.search(r"in\s+this\s+order:([^.]*)\.", text).group(1)
-    assert names_in(order) == headings, f"{path.name}: the paragraphs are not in the order of the layers"
-    for folder, paragraph in re.findall(r"^### src/(\w+)\n(.*?)(?=^##)", text, re.M | re.S):
-        for name in re.findall(r"`([\w.]+\.(?:hpp|cpp|json))`", paragraph):
+    assert names_in(order) == [folder.split("/")[-1] for folder in listed], f"{path.name}: the rows are not in the order of the layers"
+    for folder, (_, _, files) in zip(listed, rows):
+        for name in names_in(files):
             assert (source / "src" / folder / name).exists(), f"{path.name}: there is no src/{folder}/{name}"
     rows = table_cells(path, "Where to find")
-    assert len(rows) > 30, f"{path.name}: the table has too few rows"
+    assert len(rows) > 10, f"{path.name}: the table has too few rows"
     for what, file, names in rows:
         content = (source / names_in(file)[0]).read_text(encoding="utf-8")
         for name in names_in(names):

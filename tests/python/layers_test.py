@@ -1,4 +1,5 @@
 """Files in src/ include only files of their own folder and of folders before it in the order of docs/architecture.md.
+The folders of the library, src/bristle, are named by their last name.
 
 layers_test.py SOURCE
 """
@@ -8,11 +9,14 @@ import sys
 
 source = pathlib.Path(sys.argv[1])
 page = (source / "docs/architecture.md").read_text(encoding="utf-8")
-order = re.findall(r"`(\w+)`", re.search(r"in\s+this\s+order:([^.]*)\.", page).group(1))
+order = ["bristle"] + re.findall(r"`(\w+)`", re.search(r"in\s+this\s+order:([^.]*)\.", page).group(1))
 wrong = []
 for file in sorted((source / "src").rglob("*.?pp")):
-    folder = file.relative_to(source / "src").parts[0]
-    for included in re.findall(r'^#include "(\w+)/', file.read_text(encoding="utf-8"), re.M):
+    parts = file.relative_to(source / "src").parts
+    folder = parts[1] if parts[0] == "bristle" and len(parts) > 2 else parts[0]
+    for path in re.findall(r'^#include "([\w/]+)/\w+\.hpp"', file.read_text(encoding="utf-8"), re.M):
+        names = path.split("/")
+        included = names[1] if names[0] == "bristle" and len(names) > 1 else names[0]
         if order.index(included) > order.index(folder):
             wrong.append(f"{file.relative_to(source)} includes {included}/, a later layer")
 assert not wrong, "\n".join(wrong)

@@ -30,8 +30,8 @@ std::vector<CheckResult> evaluated(const Scratch& s, const std::vector<double>& 
   ResultWriter writer(e, s.path("c.h5"));
   for (std::size_t i = 0; i < values.size(); ++i) {
     PointResult p;
-    p.R_x_norm = values[i];
-    p.R_x_norm_error = error;
+    p.R_x_norm.value = values[i];
+    p.R_x_norm.error = error;
     if (!gaps.empty()) p.z_0 = gaps[i];
     writer.write(i, record_of(layout_of(e.sweep), p, {}));
   }

@@ -1,8 +1,8 @@
-#include "dynamics/trajectory.hpp"
-#include "ensemble/point.hpp"
+#include "bristle/dynamics/trajectory.hpp"
+#include "bristle/ensemble/point.hpp"
 #include "generators.hpp"
-#include "model/equilibrium.hpp"
-#include "simd/runner.hpp"
+#include "bristle/model/equilibrium.hpp"
+#include "bristle/simd/runner.hpp"
 
 namespace bristle::contact_test {
 using namespace testing;

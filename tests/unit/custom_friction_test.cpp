@@ -1,7 +1,7 @@
 // The friction law of an experiment's own: a table of values, or a formula.
 #include "experiment/experiment.hpp"
-#include "model/friction/formula.hpp"
-#include "model/friction/laws.hpp"
+#include "bristle/model/friction/formula.hpp"
+#include "bristle/model/friction/laws.hpp"
 #include "results/reader.hpp"
 #include "run/task.hpp"
 #include "util/error.hpp"

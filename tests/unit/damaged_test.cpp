@@ -5,7 +5,7 @@
 #include "results/journal.hpp"
 #include "util/error.hpp"
 #include "util/process.hpp"
-#include "util/sanitizer.hpp"
+#include "bristle/sanitizer.hpp"
 #include "catch.hpp"
 #include "small_result.hpp"
 

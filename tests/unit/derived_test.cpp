@@ -1,9 +1,9 @@
 #include "design/design.hpp"
 #include "design/statistics.hpp"
-#include "ensemble/point.hpp"
+#include "bristle/ensemble/point.hpp"
 #include "experiment/experiment.hpp"
 #include "results/reader.hpp"
-#include "simd/runner.hpp"
+#include "bristle/simd/runner.hpp"
 #include "scratch.hpp"
 
 #include "catch.hpp"

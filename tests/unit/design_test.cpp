@@ -4,7 +4,7 @@
 #include "design/search.hpp"
 #include "design/trials.hpp"
 #include "experiment/experiment.hpp"
-#include "model/friction/laws.hpp"
+#include "bristle/model/friction/laws.hpp"
 #include "results/reader.hpp"
 #include "run/task.hpp"
 #include "util/error.hpp"

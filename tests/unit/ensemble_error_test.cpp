@@ -1,4 +1,4 @@
-#include "ensemble/derived.hpp"
+#include "bristle/ensemble/derived.hpp"
 #include "ensembles.hpp"
 
 #include "catch.hpp"
@@ -97,7 +97,7 @@ TEST_CASE("the error by the load is at most the difference to the gap that it is
   REQUIRE(std::isfinite(r.z_0_other));
   CHECK(r.z_0_error > 0);
   CHECK(r.z_0_error < 0.05);  // a step of the search
-  CHECK(r.R_x_norm_error < 0.1 * r.R_x_norm);
+  CHECK(r.R_x_norm.error < 0.1 * r.R_x_norm.value);
 }
 
 TEST_CASE("a point whose error is undefined is not ok") {
@@ -225,9 +225,9 @@ TEST_CASE("derived values: errors are positive where the unpinned bristles push 
   p.value[R_X] = 1;
   p.value[unpinned(R_X)] = -0.5;
   p.value[pinned(R_X)] = 1.5;
-  p.R_x_norm = 0.2;
-  p.R_x_norm_error = 0.05;
-  const Derived friction = unpinned_friction(p);
+  p.R_x_norm.value = 0.2;
+  p.R_x_norm.error = 0.05;
+  const Quantity friction = unpinned_friction(p);
   CHECK(friction.value == Approx(-0.1));
   CHECK(friction.error == Approx(0.025));
   p.error[R_X] = 0.1;

@@ -1,4 +1,4 @@
-#include "ensemble/derived.hpp"
+#include "bristle/ensemble/derived.hpp"
 #include "ensembles.hpp"
 
 #include "catch.hpp"
@@ -92,7 +92,7 @@ TEST_CASE("points without friction have the status undefined, and a bounded ener
   setup.parameters.mu_c = 0;
   const PointResult r = solve(setup, Loading{0.5});
   CHECK(r.status == PointStatus::undefined);
-  CHECK(std::isnan(r.R_x_norm));
+  CHECK(std::isnan(r.R_x_norm.value));
   CHECK(r.value[R_N] > 0);
   CHECK(r.value[R_X] == 0);
   CHECK(r.value[ENERGY_RESIDUAL] < 1e-3);
@@ -152,7 +152,7 @@ TEST_CASE("an ensemble with an incomplete passage has status incomplete and no v
   i.integrator.max_evaluations = 5000;
   const PointResult r = solve(i, Loading{0.3, 0, LoadPath::loading});
   CHECK(r.status == PointStatus::incomplete);
-  CHECK(std::isnan(r.R_x_norm));
+  CHECK(std::isnan(r.R_x_norm.value));
   CHECK(std::isfinite(r.incomplete_theta_0));
 }
 
@@ -160,7 +160,7 @@ TEST_CASE("a point with a target load carries this load within its error and the
   const PointResult r = solve(paper(30, 3e-3), Loading{});
   CHECK(r.status == PointStatus::ok);
   CHECK(std::abs(r.value[R_N] - 2) <= 2 * 3e-3 * 2);
-  CHECK(r.R_x_norm == Approx(r.value[R_X] / rigid_friction(paper(30).parameters, r.value[R_N])));
+  CHECK(r.R_x_norm.value == Approx(r.value[R_X] / rigid_friction(paper(30).parameters, r.value[R_N])));
   CHECK(r.z_0_error > 0);
   const PointResult same = solve(paper(30, 3e-3), Loading{r.z_0, 0, LoadPath::loading});
   // The values are those at the reported gap. The quadrature nodes differ, as the load search added some.
@@ -201,7 +201,7 @@ TEST_CASE("load control on the model: loading and unloading paths differ where R
   CHECK(down.z_0 > 0.55);
   CHECK(up.z_0 < 0.25);
   for (const PointResult& r : {down, up}) CHECK(r.value[R_N] == Approx(2).epsilon(1e-2));
-  CHECK(up.R_x_norm > 3 * down.R_x_norm);
+  CHECK(up.R_x_norm.value > 3 * down.R_x_norm.value);
 }
 
 TEST_CASE("rigid friction: Eqs. (22, 23)") {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "ensemble/ensemble.hpp"
-#include "ensemble/point.hpp"
-#include "model/friction/laws.hpp"
+#include "bristle/ensemble/ensemble.hpp"
+#include "bristle/ensemble/point.hpp"
+#include "bristle/model/friction/laws.hpp"
 
 namespace bristle::testing {
 

@@ -1,4 +1,4 @@
-#include "model/equilibrium.hpp"
+#include "bristle/model/equilibrium.hpp"
 
 #include "generators.hpp"
 

@@ -1,5 +1,5 @@
 #include "experiment/experiment.hpp"
-#include "model/friction/laws.hpp"
+#include "bristle/model/friction/laws.hpp"
 #include "util/error.hpp"
 #include "scratch.hpp"
 
@@ -311,7 +311,7 @@ TEST_CASE("the option --set changes a value, is named in errors, and refuses inv
         "stiffness, "
         "dimensionless)");
   CHECK_THROWS_WITH(load_experiment(file, {{"/model/k_r"}, "full"}), Catch::Contains("'=' is missing"));
-  CHECK_THROWS_WITH(load_experiment(file, {{"model/k_r=1"}, "full"}),
+  CHECK_THROWS_WITH(load_experiment(file, {{"bristle/model/k_r=1"}, "full"}),
                     Catch::Contains("must be empty or begin with '/'"));
   CHECK_THROWS_WITH(load_experiment(file, {{"/model/k_r=1x"}, "full"}), Catch::Contains("not JSON"));
   CHECK_THROWS_WITH(load_experiment(file, {{"/name=\xff"}, "full"}), Catch::Contains("invalid UTF-8"));

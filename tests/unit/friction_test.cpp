@@ -1,8 +1,8 @@
 // What every registered friction law has to fulfil.
 #include "catch.hpp"
-#include "model/friction/laws.hpp"
-#include "model/friction/table.hpp"
-#include "simd/runner.hpp"
+#include "bristle/model/friction/laws.hpp"
+#include "bristle/model/friction/table.hpp"
+#include "bristle/simd/runner.hpp"
 
 namespace bristle::friction_test {
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "catch.hpp"
-#include "model/energy.hpp"
-#include "model/friction/laws.hpp"
+#include "bristle/model/energy.hpp"
+#include "bristle/model/friction/laws.hpp"
 
 #include <cmath>
 #include <rapidcheck.h>

@@ -1,11 +1,11 @@
 // Appendix A of the paper: random azimuths, the force on the slab over time, and its standard errors.
-#include "dynamics/trajectory.hpp"
-#include "ensemble/lattice.hpp"
+#include "bristle/dynamics/trajectory.hpp"
+#include "bristle/ensemble/lattice.hpp"
 
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/special_functions/bessel.hpp>
-#include "model/friction/laws.hpp"
+#include "bristle/model/friction/laws.hpp"
 
 #include "catch.hpp"
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "model/lift_off.hpp"
+#include "bristle/model/lift_off.hpp"
 
 #include "generators.hpp"
 

@@ -1,4 +1,4 @@
-#include "ensemble/load.hpp"
+#include "bristle/ensemble/load.hpp"
 
 #include "catch.hpp"
 #include <cmath>

@@ -1,8 +1,8 @@
 #include "generators.hpp"
 
-#include "dynamics/jacobian.hpp"
-#include "model/friction/table.hpp"
-#include "model/equilibrium.hpp"
+#include "bristle/dynamics/jacobian.hpp"
+#include "bristle/model/friction/table.hpp"
+#include "bristle/model/equilibrium.hpp"
 
 #include "catch.hpp"
 

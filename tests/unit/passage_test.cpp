@@ -1,5 +1,5 @@
-#include "dynamics/passage.hpp"
-#include "dynamics/rules.hpp"
+#include "bristle/dynamics/passage.hpp"
+#include "bristle/dynamics/rules.hpp"
 #include "generators.hpp"
 
 #include "catch.hpp"

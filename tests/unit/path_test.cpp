@@ -1,7 +1,7 @@
-#include "ensemble/observables.hpp"
+#include "bristle/ensemble/observables.hpp"
 #include "generators.hpp"
-#include "model/equilibrium.hpp"
-#include "simd/runner.hpp"
+#include "bristle/model/equilibrium.hpp"
+#include "bristle/simd/runner.hpp"
 
 #include "catch.hpp"
 

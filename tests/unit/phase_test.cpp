@@ -1,6 +1,6 @@
-#include "ensemble/phase.hpp"
+#include "bristle/ensemble/phase.hpp"
 #include "results/phases.hpp"
-#include "simd/runner.hpp"
+#include "bristle/simd/runner.hpp"
 
 #include "catch.hpp"
 
@@ -33,7 +33,7 @@ TEST_CASE("phase: one brush bounces under a load and stays in contact under a gr
                     heavy = solve_point(setup, {.R_n = 2.6}, run);
   CHECK(phase_of(light) == BrushPhase::bouncing);
   CHECK(phase_of(heavy) == BrushPhase::contact);
-  CHECK(light.R_x_norm < 0.5 * heavy.R_x_norm);
+  CHECK(light.R_x_norm.value < 0.5 * heavy.R_x_norm.value);
 }
 
 namespace {

@@ -1,6 +1,6 @@
 #include "results/version.hpp"
-#include "simd/dispatch.hpp"
-#include "simd/probe.hpp"
+#include "bristle/simd/dispatch.hpp"
+#include "bristle/simd/probe.hpp"
 #include "util/error.hpp"
 
 #include "catch.hpp"
@@ -13,7 +13,7 @@ using Catch::Contains;
 TEST_CASE("probe: the stored bits of a passage are those that it has") {
   const std::string advice = fmt::format(
       "If the numerics of a passage were changed on purpose: raise kNumericsVersion, now {} "
-      "(src/results/version.hpp), and set in src/simd/probe.hpp kPassageBits = {:#x} and "
+      "(src/results/version.hpp), and set in src/bristle/simd/probe.hpp kPassageBits = {:#x} and "
       "kReferencePassageBits = {:#x}",
       results::kNumericsVersion, passage_bits(best_kernels()), reference_passage_bits());
   for (const Kernels* kernels : available_kernels()) {
@@ -31,7 +31,7 @@ TEST_CASE("probe: a process that rounds otherwise is refused") {
     std::fesetround(rounding);
     try {
       require_same_bits();
-    } catch (const RunError& e) {
+    } catch (const ArithmeticError& e) {
       text = e.what();
     }
     std::fesetround(FE_TONEAREST);

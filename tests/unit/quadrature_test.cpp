@@ -1,5 +1,5 @@
-#include "ensemble/nested_rule.hpp"
-#include "ensemble/quadrature.hpp"
+#include "bristle/ensemble/nested_rule.hpp"
+#include "bristle/ensemble/quadrature.hpp"
 #include "generators.hpp"
 
 #include <algorithm>

@@ -63,7 +63,7 @@ TEST_CASE("update: writes reference and change log, but nothing if the numbers a
 
   small_result(r.s, "r.h5", small_experiment(r.s), [](std::size_t i, PointResult& p) {
     if (i == 3) p.value[bristle::R_X] += 0.5;
-    if (i < 3) p.R_x_norm = 0.1;
+    if (i < 3) p.R_x_norm.value = 0.1;
   });
   // A variable that the old reference does not have.
   std::string old = bytes_of(r.json());
@@ -163,7 +163,7 @@ TEST_CASE("update: refused for a run with failures") {
   CHECK(with([](std::size_t, PointResult& p) {
           p.status = PointStatus::unreachable;
           p.value.fill(kNone);
-          p.z_0 = p.R_x_norm = p.R_y_norm = kNone;
+          p.z_0 = p.R_x_norm.value = p.R_y_norm.value = kNone;
         }) == "");
 }
 

@@ -103,7 +103,7 @@ TEST_CASE("axes, values, bristles and attributes read back as written") {
   const PointInput last = e.sweep.point(3);
   const PointResult expected = solve_point(last.setup, last.loading, make_runner(Engine::fast));
   CHECK(R_n.values[3] == expected.value[bristle::R_N]);
-  CHECK(r.variable("R_x_norm").values[3] == expected.R_x_norm);
+  CHECK(r.variable("R_x_norm").values[3] == expected.R_x_norm.value);
   CHECK(r.experiment()["name"] == "quick");
   CHECK(r.variables().size() >= 2 * 13);
   CHECK(r.variable("bristles/theta_0").shape == std::vector<std::size_t>{12});

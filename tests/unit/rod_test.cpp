@@ -1,9 +1,9 @@
-#include "dynamics/rules.hpp"
-#include "dynamics/trajectory.hpp"
-#include "ensemble/point.hpp"
+#include "bristle/dynamics/rules.hpp"
+#include "bristle/dynamics/trajectory.hpp"
+#include "bristle/ensemble/point.hpp"
 #include "generators.hpp"
-#include "model/equilibrium.hpp"
-#include "simd/runner.hpp"
+#include "bristle/model/equilibrium.hpp"
+#include "bristle/simd/runner.hpp"
 
 #include <Eigen/Geometry>
 

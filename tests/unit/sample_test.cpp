@@ -1,6 +1,6 @@
 #include "experiment/experiment.hpp"
 #include "experiment/sample.hpp"
-#include "model/friction/laws.hpp"
+#include "bristle/model/friction/laws.hpp"
 #include "run/analysis.hpp"
 #include "run/task.hpp"
 #include "results/csv.hpp"

@@ -1,6 +1,6 @@
-#include "simd/dispatch.hpp"
-#include "simd/engine.hpp"
-#include "simd/tableau.hpp"
+#include "bristle/simd/dispatch.hpp"
+#include "bristle/simd/engine.hpp"
+#include "bristle/simd/tableau.hpp"
 #include "generators.hpp"
 
 #include <hwy/targets.h>

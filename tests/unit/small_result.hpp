@@ -28,9 +28,9 @@ inline PointResult small_point(std::size_t i) {
   p.z_0_error = 1e-4;
   for (std::size_t k = 0; k < p.value.size(); ++k) p.value[k] = 1 + 0.1 * double(k) + 0.5 * double(i);
   p.error.fill(1e-3);
-  p.R_x_norm = 0.8 - 0.1 * double(i);
-  p.R_x_norm_error = 1e-3;
-  p.R_y_norm_error = 1e-3;
+  p.R_x_norm.value = 0.8 - 0.1 * double(i);
+  p.R_x_norm.error = 1e-3;
+  p.R_y_norm.error = 1e-3;
   p.jump_z_0 = p.jump_R_n = p.incomplete_theta_0 = kNone;
   p.passages = 100;
   return p;

@@ -1,8 +1,8 @@
-#include "dynamics/stability.hpp"
+#include "bristle/dynamics/stability.hpp"
 
-#include "dynamics/trajectory.hpp"
+#include "bristle/dynamics/trajectory.hpp"
 #include "generators.hpp"
-#include "model/lift_off.hpp"
+#include "bristle/model/lift_off.hpp"
 
 #include "catch.hpp"
 

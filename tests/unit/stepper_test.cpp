@@ -1,6 +1,6 @@
 // Observed order of the integration methods on the equations of the bristle, with walls of range 0.1, soft
 // enough for the fixed steps to resolve them.
-#include "dynamics/rosenbrock.hpp"
+#include "bristle/dynamics/rosenbrock.hpp"
 
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 #include "catch.hpp"

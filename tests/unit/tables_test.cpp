@@ -3,7 +3,7 @@
 #include "experiment/experiment.hpp"
 #include "experiment/schema.hpp"
 #include "experiment/si_units.hpp"
-#include "model/friction/laws.hpp"
+#include "bristle/model/friction/laws.hpp"
 #include "scratch.hpp"
 
 #include "catch.hpp"

@@ -1,7 +1,7 @@
 // The traced curve R_n(z_0): resolution, folds, landings, and the loading and unloading paths.
-#include "ensemble/trace.hpp"
+#include "bristle/ensemble/trace.hpp"
 
-#include "model/friction/laws.hpp"
+#include "bristle/model/friction/laws.hpp"
 
 #include <algorithm>
 #include "catch.hpp"

@@ -1,4 +1,4 @@
-#include "ensemble/validity.hpp"
+#include "bristle/ensemble/validity.hpp"
 #include "results/variables.hpp"
 #include "small_result.hpp"
 
@@ -18,7 +18,7 @@ PointResult point_in_si() {
   return p;
 }
 
-Derived value(const std::string& name, const PointResult& point) {
+Quantity value(const std::string& name, const PointResult& point) {
   Scratch s;
   const Experiment e =
       small_experiment(s, R"(, "model": {"section": "oval"}, "si": {"m_kg": 1, "r0_m": 2, "V0_m_per_s": 3})");
@@ -55,7 +55,7 @@ TEST_CASE("impacts per second are those of a passage over its time") {
   p.value[N_C_RATIO] = 1.5;
   p.error[observable("impacts")] = 0.6;
   p.error[N_C_RATIO] = 0.15;
-  const Derived rate = value("impacts_per_s", p);
+  const Quantity rate = value("impacts_per_s", p);
   CHECK(rate.value == Approx(6 / (1.5 * 10 * 2 / 3.0)));  // the slab takes 1.5 L_x/V_0
   CHECK(rate.error == Approx(0.2 * rate.value));
 }

@@ -1,0 +1,70 @@
+#pragma once
+
+#include "bristle/model/parameters.hpp"
+#include "bristle/words.hpp"
+
+#include <string>
+
+namespace bristle {
+
+// Lift-off (docs/lift-off.md): the tips of a brush stay on the slab under loads above the lift-off load, and
+// bounce under loads below it.
+
+// The lift-off load R_n*/N_c0 = of_springs (k_r k_phi)^(1/2) - of_speed k_phi ln(k_phi), dimensionless. It is
+// a fit to 603 computed maxima of R_n(z_0) among bouncing bristles; scatter is the root mean square distance
+// of these from the fit, relative to it. The first term does not depend on the slab's speed; k_phi is
+// proportional to V_0^-2.
+struct LiftOffFit {
+  double of_springs, of_speed, scatter;
+};
+constexpr LiftOffFit kLiftOff = {0.346, 0.154, 0.09};
+
+// Whether the fit was tested for a brush, or the first quantity that lies outside the range of the tests.
+enum class LiftOffDomain {
+  tested,
+  section,
+  k_phi,
+  k_r_over_k_phi,
+  load_over_k_phi,
+  local_friction,
+  L_x,
+  phi_0,
+  zeta_phi
+};
+template <>
+inline Words words<LiftOffDomain>() {
+  static constexpr const char* list[] = {"tested",          "section",        "k_phi", "k_r_over_k_phi",
+                                         "load_over_k_phi", "local_friction", "L_x",   "phi_0",
+                                         "zeta_phi"};
+  return list;
+}
+
+// Returns whether the fit was tested for bristles with the parameters p.
+LiftOffDomain lift_off_domain(const Parameters& p);
+
+// Says why the fit was not tested, such as "L_x is outside 5 to 16"; empty if it was.
+std::string outside_of(LiftOffDomain domain);
+
+// Returns the lift-off load R_n*/N_c0 of bristles with the parameters p, dimensionless; NaN where the fit was
+// not tested.
+double lift_off_load(const Parameters& p);
+
+// The speed at which a load is the lift-off load, over the speed V_0 by which the parameters are
+// dimensionless. The true speed is likely between value/factor and value factor. NaN where the fit was not
+// tested.
+struct LiftOffSpeed {
+  double value, factor;
+};
+
+// Returns the speed above which bristles bounce under the load R_n/N_c0. R_n and the parameters p are
+// dimensionless with the same speed V_0.
+LiftOffSpeed lift_off_speed(const Parameters& p, double R_n);
+
+// Returns the normal load R_n/N_c0 of bouncing bristles with the parameters p at the gap z_0 by statics,
+// dimensionless: a(z_0) k_phi + b(z_0) k_r/L_x. The first term is the frictionless equilibrium of the polar
+// spring, a = (phi_0 - phi)/cos(phi) with sin(phi) = z_0. The second is what the radial spring carries while
+// tips cross over their roots at the slab's speed: b is the mean over theta_0 of the integral of z_0 (1/r -
+// 1) along the motion.
+double bouncing_load_by_statics(const Parameters& p, double z_0);
+
+}  // namespace bristle
