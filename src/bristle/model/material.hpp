@@ -6,8 +6,8 @@
 // From a brush in SI units, or a friction coefficient, to the dimensionless parameters of the model.
 namespace bristle {
 
-// Returns one unit of each dimensionless quantity of bristles with the tip mass m in kg and the length r0 in m
-// under a slab with the velocity V0 in m/s. All are positive.
+// Returns one unit of each dimensionless quantity of bristles with the tip mass m in kg and the length r0 in
+// m under a slab with the velocity V0 in m/s. All are positive.
 SiScales si_scales(double m, double r0, double V0);
 
 // Returns k_phi in N m/rad of a round shaft that bends like a cantilever: 3 pi E R^4/(4 r0), section 3 of the
