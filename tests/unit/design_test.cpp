@@ -5,6 +5,7 @@
 #include "design/trials.hpp"
 #include "experiment/experiment.hpp"
 #include "bristle/model/friction/laws.hpp"
+#include "results/csv.hpp"
 #include "results/reader.hpp"
 #include "run/task.hpp"
 #include "util/error.hpp"
@@ -264,6 +265,7 @@ TEST_CASE(
   CHECK(file.variable("trials/k_r").values.size() == 16);
   CHECK(file.variable("sample").values.size() == 16 * 3);
   CHECK(file.variable("indices/ST").values.size() == 4);
+  CHECK(results::table_of(file, "indices").array("objective").cell(3) == "objective_2");
   // The result has all that its points need.
   const Experiment stored = experiment::stored_experiment(file.experiment(), "full", "stored");
   CHECK(stored.sweep.size() == 48);
