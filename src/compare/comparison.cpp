@@ -10,7 +10,6 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <ranges>
 #include <set>
 #include <string_view>
 #include <unordered_map>
@@ -111,7 +110,8 @@ void match_rows(const Side& a, const Side& b, Matches& matches, Comparison& out)
   constexpr std::size_t most_named = 3;
   const std::string sample = experiment::kSample;
   const auto columns_a = by_name(*a.sample), columns_b = by_name(*b.sample);
-  if (!std::ranges::equal(columns_a | std::views::keys, columns_b | std::views::keys)) {
+  const auto same_name = [](const auto& x, const auto& y) { return x.first == y.first; };
+  if (!std::ranges::equal(columns_a, columns_b, same_name)) {
     out.failures.push_back(fmt::format("{}: different columns: {} in {}, {} in {}", sample,
                                        fmt::join(names_of(*a.sample), ", "), a.label,
                                        fmt::join(names_of(*b.sample), ", "), b.label));
