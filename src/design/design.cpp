@@ -21,8 +21,8 @@ namespace {
 constexpr std::size_t kProfileValues = 25;
 constexpr const char* kFound = "design";  // entry of the provenance: the findings in words
 
-// Throws InputError if an objective or a constraint names a variable that a result of this experiment does
-// not have.
+// Throws InputError if an objective or a constraint names a variable that the result of this experiment
+// lacks.
 void require_variables(const Experiment& e) {
   for (std::size_t i = 0; i < e.design->objectives.size(); ++i)
     run::require_variable(e, fmt::format("/design/objectives/{}", i), e.design->objectives[i].variable);
@@ -31,7 +31,7 @@ void require_variables(const Experiment& e) {
       run::require_variable(e, fmt::format("/design/constraints/{}/variable", i), name);
 }
 
-// The experiment with the rows as its sample, as it is stored in the result.
+// Returns the experiment with the rows as its sample, as the result stores it.
 Experiment with_table(const Experiment& e, const Trials& trials, const std::vector<Values>& rows) {
   Json table = {{"columns", Json::array()}, {"rows", Json::array()}};
   const Sweep sampled = trials.with_rows(rows);
@@ -47,13 +47,14 @@ Experiment with_table(const Experiment& e, const Trials& trials, const std::vect
   return experiment::stored_experiment(document, e.tier, e.path);
 }
 
-// Whether the file has the result of this design with its title and notes, complete and undamaged.
+// Returns true if the file has the result of this design with its title and notes, complete and undamaged.
 bool up_to_date(const std::string& path, const Experiment& e) {
   return results::up_to_date(path, e) && results::without_trials(results::ResultReader(path).experiment()) ==
                                              results::without_trials(*e.document);
 }
 
-// The values of a quantity beside the best trial: from bound to bound, or over its deviations.
+// Returns the values of a quantity's profile, including the best trial's: from bound to bound for a variable
+// of the design, otherwise over the quantity's deviations.
 std::vector<double> profile_values(const experiment::Design& design, const std::string& quantity,
                                    double best) {
   experiment::DesignVariable range{quantity, 0, 0, false};
@@ -107,8 +108,8 @@ class Search {
   }
 
  private:
-  // Only the points of the search's trials are counted in the progress: how many others there will be is not
-  // known.
+  // Returns the solver of the trials. The progress counts only the points of the search's trials, because the
+  // number of other points is not known.
   Solve solver() {
     return [this](const Sweep& sweep, const std::vector<std::size_t>& points, Purpose purpose) {
       const bool counted = searching_ && purpose == Purpose::trials;
@@ -146,13 +147,13 @@ class Search {
     found.nearest_miss = std::size_t(std::ranges::min_element(scores, better) - scores.begin());
     std::erase_if(found.chosen, [&](std::size_t i) { return scores[i].violation > 0; });
     if (found.chosen.empty() && !found.front.empty()) found.chosen = {found.front.front()};
-    // If a local minimum of the distance from a target meets the target, only those that meet it are
-    // solutions.
+    // If a local minimum of the distance from a target meets the target, only such minima are solutions.
     if (std::ranges::any_of(found.chosen, [&](std::size_t i) { return scores[i].is_met; }))
       std::erase_if(found.chosen, [&](std::size_t i) { return !scores[i].is_met; });
   }
 
-  // Of a front, the trial nearest to the best values of all objectives, relative to their ranges.
+  // Returns the trial of a front that is nearest to the best values of all objectives, relative to their
+  // ranges.
   static std::vector<std::size_t> knee_of(const std::vector<Score>& scores,
                                           const std::vector<std::size_t>& front) {
     if (front.empty()) return {};
@@ -170,9 +171,9 @@ class Search {
     return {*std::ranges::min_element(front, {}, distance)};
   }
 
-  // Locates the jump margins of all trials that are chosen or on the front. The search has judged them by two
-  // neighbours of each quantity; a jump may lie between. Returns whether a trial turned out to be nearer to a
-  // jump than required.
+  // Locates the jump margins of all trials that are chosen or on the front. The search has judged each trial
+  // by only two neighbours per quantity, between which a jump may lie. Returns true if a trial turned out to
+  // be nearer to a jump than required.
   bool locate_margins(Findings& found) {
     bool any_nearer = false;
     std::set<std::size_t> reported(found.chosen.begin(), found.chosen.end());
@@ -185,8 +186,8 @@ class Search {
     return any_nearer;
   }
 
-  // Looks beside the recommended trial. Its profiles have more values than those by which its margin was
-  // located; if they show a jump that is nearer than required, the next trial is recommended.
+  // Looks beside the recommended trial. Its profiles have more values than the search for its margin; if they
+  // show a jump that is nearer than required, the next trial is recommended.
   void recommend(Findings& found) {
     for (; !found.chosen.empty(); choose(found)) {
       progress_->stage("computing what is beside the recommended trial");

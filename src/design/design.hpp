@@ -4,14 +4,15 @@
 
 namespace bristle::design {
 
-// Throws InputError if an objective or a constraint of a design names a variable that the result, or the
-// result of the second model, does not have. Does nothing without a design.
+// Throws InputError if an objective or a constraint of the design names a variable that the result lacks, or
+// that the result of the second model lacks. Does nothing without a design.
 void validate_design(const Experiment& experiment);
 
-// Looks for the best values of the variables of the experiment's block "design", and writes all trials and
-// what they show into the result file: its sweep is a sample with the trials. Trials that are in its journal
-// are not computed again. Prints the recommended values in words unless quiet. Returns false if no trial
-// meets the constraints or has a value; the nearest miss is printed. Throws as run_experiment().
+// Searches for the best values of the variables in the experiment's block "design". Writes all trials and the
+// findings to the result file, whose sweep is a sample of the trials. Does not compute trials again that are
+// in the result's journal. Prints the recommended values in words unless options.quiet is set. Returns false
+// if no trial meets the constraints or has a value; the nearest miss is then printed. Throws as
+// run_experiment().
 bool run_design(const Experiment& experiment, const run::RunOptions& options);
 
 }  // namespace bristle::design

@@ -33,8 +33,8 @@ Column column_of(const std::string& quantity) {
   return out;
 }
 
-// The columns objective_1, objective_1_err, ... of estimates by row and objective. nominal: whether they are
-// nominal values, whatever counts over the tolerances.
+// Adds the columns objective_1, objective_1_err, ... to a table. of(row) returns the estimates of all
+// objectives. nominal: the estimates are nominal values, whatever statistic counts over the tolerances.
 template <class Of>
 void add_objectives(Dataset& table, const Experiment& e, const Of& of, bool nominal = false) {
   const std::vector<results::ResultVariable> variables = results::result_variables(e.sweep);
@@ -51,7 +51,7 @@ void add_objectives(Dataset& table, const Experiment& e, const Of& of, bool nomi
   }
 }
 
-// The columns that all lists of trials have.
+// Adds the columns that all lists of trials have.
 void add_trials(Dataset& table, const Experiment& e, const Findings& found,
                 const std::vector<std::size_t>& list) {
   for (const std::string& quantity : e.design->quantities())
@@ -155,7 +155,7 @@ std::string place_of(const Experiment& e, std::size_t scenario) {
   return scenarios.axes.empty() ? "" : " at " + scenarios.place(scenario);
 }
 
-// "R_m = 0.001 m (+- 10 %), ..."
+// Returns a text such as "R_m = 0.001 m (+- 10 %), ...".
 std::string values_text(const Experiment& e, const Trial& trial) {
   std::vector<std::string> parts;
   for (const std::string& quantity : e.design->quantities()) {
@@ -170,7 +170,7 @@ std::string values_text(const Experiment& e, const Trial& trial) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-// found: a trial, or its verification.
+// Returns the objectives of a trial, or of its verification, in words.
 template <class Found>
 std::string objectives_text(const Experiment& e, const Found& found) {
   std::vector<std::string> parts;
@@ -247,7 +247,7 @@ std::string indices_text(const Experiment& e, const Findings& found) {
   return out;
 }
 
-// The range of each objective on the front.
+// Returns the range of each objective on the front, in words.
 std::string front_text(const Experiment& e, const Findings& found) {
   std::vector<std::string> parts;
   for (std::size_t o = 0; o < e.design->objectives.size(); ++o) {

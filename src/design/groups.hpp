@@ -13,18 +13,18 @@ struct Findings {
   std::vector<std::size_t> optima;  // trials at which the searches of one objective ended, the best first
   std::vector<std::size_t> chosen;  // trials: the recommended one first, then other local optima
   std::vector<std::size_t> front;   // trials that no other surpasses
-  std::size_t nearest_miss = 0;     // the least violation, where no trial meets the constraints
-  std::vector<Profile> profiles;    // beside the recommended trial, by quantity
-  std::optional<Verification> verification;  // of the recommended trial; none without tolerances
-  std::vector<SobolIndices> indices;         // by objective; empty without tolerances
+  std::size_t nearest_miss = 0;     // trial with the least violation, if none meets the constraints
+  std::vector<Profile> profiles;    // profiles of the recommended trial, by quantity
+  std::optional<Verification> verification;  // verification of the recommended trial; none without tolerances
+  std::vector<SobolIndices> indices;         // indices of each objective; empty without tolerances
   std::optional<Trial> second;               // the recommended trial with the second model
 };
 
-// The groups /trials, /front, /best, /profiles, /verification, /indices and /second of the result.
+// Returns the groups /trials, /front, /best, /profiles, /verification, /indices and /second of the result.
 std::vector<results::Dataset> groups_of(const Experiment& experiment, const Trials& trials,
                                         const Findings& found);
 
-// The findings in words.
+// Returns the findings in words.
 std::string text_of(const Experiment& experiment, const Findings& found);
 
 }  // namespace bristle::design

@@ -23,7 +23,7 @@ bool dominates(const std::vector<double>& a, const std::vector<double>& b) {
   return less;
 }
 
-// Uniform random numbers in (0, 1).
+// Draws uniform random numbers in (0, 1).
 class Random {
  public:
   explicit Random(std::uint64_t seed) : seed_(split_mix(seed)) {}
@@ -48,7 +48,7 @@ bool preferred(const Individual& a, const Individual& b) {
 void set_crowding(const std::vector<Individual*>& front) {
   for (std::size_t o = 0; o < front.front()->score.objectives.size(); ++o) {
     std::vector<Individual*> order = front;
-    const auto value = [o](const Individual* one) { return one->score.objectives[o]; };
+    const auto value = [o](const Individual* individual) { return individual->score.objectives[o]; };
     std::ranges::stable_sort(order, {}, value);
     const double range = value(order.back()) - value(order.front());
     order.front()->crowding = order.back()->crowding = kInfinity;
@@ -58,21 +58,22 @@ void set_crowding(const std::vector<Individual*>& front) {
   }
 }
 
-// Ranks the individuals by fronts: 0 for those than which none is better, 1 for those that remain, ...
+// Ranks the individuals by fronts: 0 if no individual is better, 1 if none of the remaining ones is better,
+// ...
 void rank(std::vector<Individual>& all) {
   std::vector<Individual*> rest;
-  for (Individual& one : all) {
-    one.crowding = 0;
-    rest.push_back(&one);
+  for (Individual& individual : all) {
+    individual.crowding = 0;
+    rest.push_back(&individual);
   }
   for (std::size_t rank = 0; !rest.empty(); ++rank) {
     std::vector<Individual*> front, behind;
-    for (Individual* one : rest) {
+    for (Individual* individual : rest) {
       const bool beaten = std::ranges::any_of(
-          rest, [&](const Individual* other) { return better(other->score, one->score); });
-      (beaten ? behind : front).push_back(one);
+          rest, [&](const Individual* other) { return better(other->score, individual->score); });
+      (beaten ? behind : front).push_back(individual);
     }
-    for (Individual* one : front) one->rank = rank;
+    for (Individual* individual : front) individual->rank = rank;
     set_crowding(front);
     rest = behind;
   }
@@ -80,7 +81,8 @@ void rank(std::vector<Individual>& all) {
 
 constexpr double kCrossoverIndex = 15, kMutationIndex = 20, kCrossoverShare = 0.9;
 
-// Simulated binary crossover and polynomial mutation (K. Deb, R. B. Agrawal, Complex Syst. 9, 1995).
+// Creates a child by simulated binary crossover and polynomial mutation (K. Deb, R. B. Agrawal, Complex Syst.
+// 9, 1995).
 Point child_of(const Point& a, const Point& b, Random& random) {
   Point child = a;
   const bool crossed = random() < kCrossoverShare;
@@ -104,8 +106,8 @@ double square_of_distance(const Point& a, const Point& b) {
   return sum;
 }
 
-// The trials from which the way to the nearest better one leads past a worse one: within the ball around the
-// middle between both lies another trial, which is not better. The best first.
+// Returns the trials that look like separate minima, best first: no trial is better, or between the trial and
+// its nearest better one lies a trial that is not better (inside the ball whose diameter joins the two).
 std::vector<std::size_t> local_minima(const std::vector<Point>& points, const std::vector<Score>& scores) {
   std::vector<std::size_t> minima;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -128,9 +130,9 @@ std::vector<std::size_t> local_minima(const std::vector<Point>& points, const st
   return minima;
 }
 
-// Subplex from one start, which asks for one trial at a time. NLopt calls for values, whereas trials of
-// several searches are computed together; so each trial repeats the search from its start with the values it
-// knows, up to the first that it does not know.
+// Runs Subplex from one start and asks for one trial at a time. NLopt calls for values, whereas trials of
+// several searches are computed together; so next() repeats the search from its start with the values that
+// are known, up to the first one that is not.
 class LocalSearch {
  public:
   LocalSearch(Point start, double value, double step, std::size_t best)
@@ -141,9 +143,9 @@ class LocalSearch {
   void end() { ended_ = true; }
   bool is_active() const { return !ended_; }
 
-  std::size_t best;  // of its trials, as the caller numbers them
+  std::size_t best;  // best trial of this search, in the caller's numbering
 
-  // The trial it needs next; none once it has ended.
+  // Returns the trial that the search needs next; none once the search has ended.
   std::optional<Point> next() {
     unknown_.reset();
     if (ended_) return {};
@@ -165,7 +167,7 @@ class LocalSearch {
     double least = 0;
     try {
       search.optimize(x, least);
-    } catch (const nlopt::roundoff_limited&) {  // it has ended
+    } catch (const nlopt::roundoff_limited&) {  // the search has ended
     } catch (const nlopt::forced_stop&) {
     }
     ended_ = !unknown_;
@@ -219,7 +221,7 @@ void search_front(std::size_t dimensions, std::size_t budget, std::uint64_t seed
     std::vector<Point> children;
     while (children.size() < std::min(size, budget)) {
       Point child;
-      // A child that is its parent again would be a trial for nothing.
+      // A child that equals its parent would be a wasted trial.
       for (int attempt = 0; attempt < 10; ++attempt) {
         const Point &a = winner(), &b = winner();
         child = child_of(a, b, random);
@@ -243,8 +245,8 @@ class MinimumSearch {
     return std::ranges::any_of(scores_, [](const Score& score) { return score.is_met; });
   }
 
-  // Goes on up to this many trials: half of them are the Sobol sequence, the others those of local searches,
-  // of which as many are active as can have of_a_search.
+  // Continues until there are `trials` trials: half from the Sobol sequence, half from local searches. Runs
+  // at most trials / 2 / of_a_search searches at a time, so that each can use of_a_search trials.
   void run(std::size_t trials, std::size_t of_a_search) {
     const std::vector<Point> sample = sobol_points((trials + 1) / 2, dimensions_, seed_);
     add({sample.begin() + std::ptrdiff_t(sampled_), sample.end()});
@@ -258,7 +260,8 @@ class MinimumSearch {
     searched_.resize(points_.size(), true);
   }
 
-  // Without those closer than 1 % of the cube's edge to a better one. The best first.
+  // Returns the trials at which local searches ended, best first, without trials closer than 1 % of the
+  // cube's edge to a better one.
   std::vector<std::size_t> distinct_ends() const {
     std::vector<std::size_t> ends, distinct;
     for (const LocalSearch& search : searches_) ends.push_back(search.best);
@@ -278,7 +281,8 @@ class MinimumSearch {
     points_.insert(points_.end(), points.begin(), points.end());
   }
 
-  // Those of trials with a violation are worse than all others.
+  // Returns the value of trial i that local searches minimise. A trial with a violation is worse than all
+  // others.
   double value(std::size_t i) const {
     const Score& score = scores_[i];
     if (score.violation == 0) return score.objectives.front();
@@ -286,7 +290,7 @@ class MinimumSearch {
                                           : HUGE_VAL;
   }
 
-  // Until this many are active.
+  // Starts local searches until `most` of them are active.
   void start_searches(std::size_t most) {
     auto active = std::size_t(std::ranges::count_if(searches_, &LocalSearch::is_active));
     const double edge = 1 / pow(double(sampled_), 1 / double(dimensions_));
@@ -300,7 +304,8 @@ class MinimumSearch {
     }
   }
 
-  // One trial of each active search, at most this many. False if none is active.
+  // Computes the next trial of each active search, at most `most` trials. Returns false if no search is
+  // active.
   bool ask(std::size_t most) {
     std::vector<LocalSearch*> asking;
     std::vector<Point> asked;
@@ -330,7 +335,7 @@ class MinimumSearch {
   std::vector<Score> scores_;
   std::vector<bool> searched_;  // whether a local search has been at the trial
   std::vector<LocalSearch> searches_;
-  double worst_ = 0;  // of the trials without violation
+  double worst_ = 0;  // greatest objective of the trials without violation
 };
 
 }  // namespace

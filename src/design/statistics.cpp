@@ -9,7 +9,7 @@ namespace bristle::design {
 namespace {
 
 constexpr double kNormal95 =
-    1.6448536;  // 95 % of a normal distribution lie below as many standard deviations
+    1.6448536;  // 95 % of a normal distribution lie below this many standard deviations
 
 }  // namespace
 
@@ -20,9 +20,10 @@ Estimate value_of(const results::PointRecord& record, const std::string& variabl
 
 namespace {
 
-// The quantile of few values, on the side of a normal distribution's standard deviations z. Its error is the
-// larger one of a bootstrap, which cannot see beyond the greatest value, and of a normal distribution: the
-// standard error of its quantile, and the distance to it where fewer than one value is expected beyond.
+// Returns a quantile of few values. z: the same quantile of a normal distribution, in standard deviations
+// from its mean. The error is the larger of two. One is from a bootstrap, which cannot see beyond the extreme
+// values. The other is the standard error of a normal distribution's quantile, plus the distance to this
+// quantile if fewer than one value is expected beyond it.
 Estimate tail_quantile(const std::vector<double>& values, double share, double z, double mean,
                        double deviation) {
   Estimate out = quantile(values, share);

@@ -12,17 +12,18 @@ namespace bristle::design {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-// Returns the value of a variable at a point, and its error; 0 if it has none.
+// Returns the value of a variable at a point, with its error, or with 0 if the variable has no error.
 Estimate value_of(const results::PointRecord& record, const std::string& variable);
 
-// Returns the statistic of the values at deviations, NaN if one of them is NaN. Its error contains that of
-// few values, with the tail that they do not show, and the mean error of the values.
+// Returns the statistic of the values at all deviations; NaN if one value is NaN. The error of a mean or a
+// quantile combines the error due to the small number of values, with the tail that they do not show, and the
+// mean error of the values.
 Estimate statistic(Statistic of, const std::vector<Estimate>& all);
 
-// Returns the number to be minimised.
+// Returns the number that the search minimises, for a value of the objective.
 double cost(const experiment::Objective& objective, double value);
 
-// Returns the scenario with the highest cost; one without a value is worse than all.
+// Returns the scenario with the highest cost; a scenario without a value is worse than all others.
 std::size_t worst_scenario(const experiment::Objective& objective, const std::vector<Estimate>& by_scenario);
 
 }  // namespace bristle::design

@@ -15,8 +15,8 @@ namespace {
 using experiment::Axis;
 using experiment::Objective;
 
-constexpr std::size_t kVerification = 256;  // least number of deviations of a trial that is recommended
-// A reported jump margin is located between this number of points on both sides of the nominal values.
+constexpr std::size_t kVerification = 256;  // least number of deviations for the recommended trial
+// Number of points on each side of the nominal value between which a reported jump margin is located.
 constexpr std::size_t kMarginPoints = 8;
 
 double beyond(double value, double limit) {
@@ -70,7 +70,7 @@ Values Trials::deviated(const Values& nominal, const Point& deviations) const {
   return out;
 }
 
-// The value after the relative change, within the bounds of a variable.
+// Returns the value after a relative change, within the bounds of a variable of the design.
 double Trials::neighbour(const Values& nominal, const std::string& quantity, double change) const {
   const double value = experiment::rounded(nominal.at(quantity) * (1 + change));
   const auto variable = std::ranges::find(design_.variables, quantity, &experiment::DesignVariable::name);
@@ -83,14 +83,14 @@ std::size_t Trials::rows_of_a_trial() const {
 
 std::vector<Values> Trials::rows(const std::vector<Values>& nominal) const {
   std::vector<Values> out;
-  for (const Values& one : nominal) {
-    out.push_back(one);
-    for (const Point& deviations : deviations_) out.push_back(deviated(one, deviations));
+  for (const Values& trial : nominal) {
+    out.push_back(trial);
+    for (const Point& deviations : deviations_) out.push_back(deviated(trial, deviations));
     if (const double margin = design_.jump_margin(); margin > 0)
       for (const std::string& quantity : design_.quantities())
         for (const double change : {-margin, margin}) {
-          out.push_back(one);
-          out.back()[quantity] = neighbour(one, quantity, change);
+          out.push_back(trial);
+          out.back()[quantity] = neighbour(trial, quantity, change);
         }
   }
   return out;
@@ -117,13 +117,14 @@ std::vector<Trial> Trials::evaluate(const std::vector<Values>& nominal) const {
   return out;
 }
 
-// By how much the value at a point is beyond a limit; negative within, infinite without a value.
+// Returns by how much the value at a point exceeds a limit; negative within the limits, infinite without a
+// value.
 double Trials::excess(const experiment::Constraint& constraint, const results::PointRecord& record) const {
   const double value = value_of(record, constraint.variable).value;
   return std::isnan(value) ? kInfinity : std::max(value - constraint.max, constraint.min - value);
 }
 
-// records: of the rows of the trial, for each row those of all scenarios
+// Judges a trial by its points. records: for each row of the trial, the points of all scenarios
 Trial Trials::judge(const Values& nominal, const results::PointRecord* records) const {
   const std::size_t scenarios = this->scenarios(), samples = 1 + deviations_.size();
   Trial out{nominal, {}, {}, {}, 0, 0, 0};
@@ -153,7 +154,7 @@ Trial Trials::judge(const Values& nominal, const results::PointRecord* records) 
   for (const experiment::Constraint& c : design_.constraints) {
     double value = kNone, most = -kInfinity;
     if (c.variable == experiment::kJumpMargin) {
-      out.constraints.push_back(kNone);  // computed below, for trials that meet the others
+      out.constraints.push_back(kNone);  // computed below, for trials that meet the other constraints
       continue;
     }
     for (std::size_t i = 0; i < samples * scenarios; ++i) {
@@ -177,8 +178,9 @@ void Trials::set_jump_margin(Trial& trial, double margin) const {
   if (margin < design_.jump_margin()) trial.violation = beyond(margin, design_.jump_margin());
 }
 
-// The least relative change of a quantity that reaches a jump; infinite if none up to the required margin
-// does. Jumps are located only between neighbours whose gaps differ. records: of the trial
+// Returns the least relative change of a quantity that reaches a jump; infinite if no change up to the
+// required margin does. Locates jumps only between neighbours whose gaps differ. records: the points of the
+// trial
 double Trials::jump_margin(const Values& nominal, const results::PointRecord* records) const {
   double margin = kInfinity;
   const std::size_t scenarios = this->scenarios();
@@ -204,7 +206,8 @@ double Trials::located_margin(const Values& nominal) const {
   return least_margin(profiles);
 }
 
-// From one neighbour to the other, with the nominal value between as many intervals on both sides.
+// Returns values of a quantity from its lower to its upper neighbour, with `intervals` intervals on each side
+// of the nominal value.
 std::vector<double> Trials::values_beside(const Values& nominal, const std::string& quantity,
                                           std::size_t intervals) const {
   std::vector<double> values;
@@ -215,7 +218,8 @@ std::vector<double> Trials::values_beside(const Values& nominal, const std::stri
   return values;
 }
 
-// The value in the scenario where it is worst. records: of one row, those of all scenarios
+// Returns the value in the scenario where the objective is worst. records: the points of one row in all
+// scenarios
 Estimate Trials::worst_nominal(const Objective& objective, const results::PointRecord* records) const {
   std::vector<Estimate> by_scenario;
   for (std::size_t s = 0; s < scenarios(); ++s)

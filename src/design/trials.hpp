@@ -12,81 +12,85 @@
 
 namespace bristle::design {
 
-using Values = std::map<std::string, double>;  // of quantities of the design, by name
+using Values = std::map<std::string, double>;  // values of the design's quantities, by name
 
-constexpr std::size_t kIndexBlocks = 128;  // of the design for Sobol indices
+constexpr std::size_t kIndexBlocks = 128;  // blocks of Saltelli's design for Sobol indices
 
-// Computes points of a sweep, of trials or beside one; returns them in the same order.
+// Why points are computed: for trials of the search, or to look beside a trial.
 enum class Purpose {
   trials,
   beside
 };
+// Computes points of a sweep; returns them in the same order.
 using Solve =
     std::function<std::vector<results::PointRecord>(const Sweep&, const std::vector<std::size_t>&, Purpose)>;
 
 struct Trial {
   Values nominal;
-  std::vector<Estimate> objectives;    // values of the variables; NaN if a point that they need has none
-  std::vector<std::size_t> scenarios;  // where each objective is worst
-  std::vector<double> constraints;     // the value nearest to its limit, or farthest beyond; infinite: a jump
-                                       // margin above its limit; NaN: not computed
-  double violation;                    // the greatest, relative to the limit; infinite without values
-  std::size_t missing, ambiguous;      // points
+  std::vector<Estimate> objectives;    // value of each objective; NaN if a point that it needs has none
+  std::vector<std::size_t> scenarios;  // scenario in which each objective is worst
+  std::vector<double> constraints;  // each value nearest to its limit, or farthest beyond; infinite: a jump
+                                    // margin above its limit; NaN: not computed
+  double violation;                 // greatest excess, relative to its limit; infinite without values
+  std::size_t missing, ambiguous;   // numbers of points
 };
 
-// What a quantity does beside a trial: nominal objectives over the values, and the nearest jumps of the gap.
+// Shows how one quantity changes a trial: the nominal objectives over values of the quantity, and the nearest
+// jumps of the gap.
 struct Profile {
   std::string quantity;
   std::vector<double> values;                     // ascending
-  std::vector<std::vector<Estimate>> objectives;  // by value, in the scenario where it is worst
+  std::vector<std::vector<Estimate>> objectives;  // by value, each in its worst scenario
   double margin_below, margin_above;  // relative change that reaches a jump; NaN: none among the values
 };
 
-// What many deviations of one trial show. Each is a brush that was made.
+// Shows what many deviations of one trial do. Each deviation is a brush as made.
 struct Verification {
   std::vector<Estimate>
-      objectives;  // of the brushes with a value, in the scenario where each objective is worst
-  std::vector<std::size_t> scenarios;  // by objective
+      objectives;  // statistics of brushes with a value, in the scenario where each objective is worst
+  std::vector<std::size_t> scenarios;  // scenario in which each objective is worst
   std::size_t brushes;
   std::size_t missing;   // brushes without a value of an objective or a constraint in a scenario
   std::size_t violated;  // brushes with values beyond a constraint
 };
 
-// Whether the only objective is a target, and the trial meets it within half of the value's error, or within
-// a ten-thousandth of the target. One with a violation does not, nor one of which another gap carries the
-// load as well at more than half of the points.
+// Returns true if the only objective is a target that the trial meets within half of the value's error, or
+// within a ten-thousandth of the target. Returns false if a constraint is violated or more than half of the
+// points are ambiguous.
 bool meets_target(const experiment::Design& design, const Trial& trial);
-// The least relative change of any of the quantities that reaches a jump; infinite if none does.
+// Returns the least relative change of any quantity that reaches a jump; infinite if none does.
 double least_margin(const std::vector<Profile>& profiles);
 
-// The trials of a design: what they are as points of a sweep, and what the points say about them.
+// Turns trials of a design into points of a sweep, and judges the trials by the computed points.
 class Trials {
  public:
-  // experiment: with a design and the axis "sample", the first
+  // experiment: has a design, and "sample" as its first axis
   Trials(const Experiment& experiment, Solve solve);
 
-  // The nominal values of a point of the unit cube.
+  // Returns the nominal values at a point of the unit cube.
   Values at(const Point& point) const;
   std::vector<Trial> evaluate(const std::vector<Values>& nominal) const;
-  // Sets the value of the constraint jump_margin, and the violation if it is below its limit.
+  // Sets the value of the constraint jump_margin, and the violation if the margin is below its limit.
   void set_jump_margin(Trial& trial, double margin) const;
-  // The least relative change of a quantity that reaches a jump, by points between the neighbours of the
-  // nominal values; infinite if none up to the required margin does.
+  // Returns the least relative change of a quantity that reaches a jump, located with points between the
+  // neighbours of the nominal values; infinite if no change up to the required margin does.
   double located_margin(const Values& nominal) const;
-  // For the search: objectives are to be minimised.
+  // Returns the score of a trial for the search, which minimises objectives.
   Score score_of(const Trial& trial) const;
 
   Profile profile(const Values& nominal, const std::string& quantity,
                   const std::vector<double>& values) const;
-  // The trial with a number of deviations that shows the tails of its statistics, 256 or more. Requires
+  // Computes the trial with 256 or more deviations, enough to show the tails of its statistics. Requires
   // tolerances.
   Verification verify(const Values& nominal) const;
-  // Total and first-order indices of the nominal objectives over the tolerances, by objective.
+  // Returns total and first-order indices of each nominal objective over the tolerances.
   std::vector<SobolIndices> indices(const Values& nominal) const;
 
-  // The rows of the sample for these trials, each with the same number of rows, and the sweep of them.
+  // Returns the number of rows that each trial has in the sample.
   std::size_t rows_of_a_trial() const;
+  // Returns the rows of the sample for these trials.
   std::vector<Values> rows(const std::vector<Values>& nominal) const;
+  // Returns the sweep with these rows as its sample.
   Sweep with_rows(const std::vector<Values>& rows) const;
 
  private:
@@ -104,7 +108,7 @@ class Trials {
   const Experiment& experiment_;
   const experiment::Design& design_;
   Solve solve_;
-  std::vector<Point> deviations_;  // of tolerances, in the unit cube
+  std::vector<Point> deviations_;  // points of the unit cube, by tolerance
 };
 
 }  // namespace bristle::design
