@@ -20,7 +20,7 @@ constexpr const char* kPaper =
     "N. Menga, F. Bottiglione, G. Carbone: Exploiting surface textures dynamics for dry friction control, "
     "Nonlinear Dynamics (2022)";
 
-// A value with symbol and unit as mathtext, with powers of ten: "$m = 10^{-4}$ kg".
+// Returns a value with symbol and unit as mathtext, with powers of ten: "$m = 10^{-4}$ kg".
 std::string quantity(const experiment::SiQuantity& q, double value) {
   std::string number = fmt::format("{:.4g}", value);
   if (const auto e = number.find('e'); e != std::string::npos) {
@@ -41,7 +41,7 @@ std::vector<std::string> si_parts(const Experiment& e) {
   return parts;
 }
 
-// Adds k_theta, which a round rod does not have beside k_phi.
+// Adds k_theta, except for round rods, whose k_phi replaces it.
 void add_k_theta(const Experiment& e, std::vector<std::string>& parts) {
   const Parameters& p = e.sweep.base.setup.parameters;
   const bool of_rods = p.section == Section::oval || e.sweep.varies("section");
@@ -71,7 +71,7 @@ std::vector<std::string> dimensionless_parts(const Experiment& e) {
   return parts;
 }
 
-// The values that are fixed in the sweep, as mathtext for the caption of the figure.
+// Returns the values that are fixed in the sweep, as mathtext for the caption of the figure.
 std::string caption(const Experiment& e) {
   std::vector<std::string> parts;
   if (!e.sweep.varies("friction"))
@@ -82,8 +82,8 @@ std::string caption(const Experiment& e) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-// Adds constants for plots of the lattice's forces, if all points have the same: t_1 of Eq. (A4), in units of
-// r0/V0, and N_c0/L_y, in units of 1/r0.
+// Adds constants for plots of the lattice's forces, if they are the same at all points: t_1 of Eq. (A4), in
+// units of r0/V0, and N_c0/L_y, in units of 1/r0.
 void add_slab_force(std::vector<Attribute>& out, const Experiment& e) {
   if (!e.sweep.record.slab_force || e.sweep.varies("L_x") || e.sweep.varies("spacing")) return;
   const Setup& setup = e.sweep.base.setup;
@@ -91,7 +91,7 @@ void add_slab_force(std::vector<Attribute>& out, const Experiment& e) {
   out.push_back({"slab_force/R_n", "N_c0_per_L_y", bristles_per_width(setup.parameters)});
 }
 
-// Adds the attributes of the CF conventions that tell where the numbers come from. They differ between equal
+// Adds the attributes of the CF conventions that tell where the numbers come from, which differ between equal
 // runs.
 void add_origin(std::vector<Attribute>& out, const Experiment& e,
                 const std::map<std::string, std::string>& provenance) {
@@ -106,7 +106,7 @@ void add_origin(std::vector<Attribute>& out, const Experiment& e,
   };
   out.push_back(
       {"/", "source", fmt::format("numerical model, bristle {} ({})", entry("version"), entry("commit"))});
-  // Other programs add lines to the history, which remain.
+  // Lines that other programs add to the history remain.
   out.push_back({"/", "history", fmt::format("{}: {}", entry("finished"), entry("command_line")), true});
 }
 

@@ -27,7 +27,7 @@ Array at(Array column, const std::vector<std::size_t>& indices) {
   return column;
 }
 
-// The indices along one dimension of all values of an array.
+// Returns the index along one dimension of each value of an array. values: number of values of the array
 std::vector<std::size_t> along(const std::vector<std::size_t>& shape, std::size_t dimension,
                                std::size_t values) {
   std::size_t stride = 1;
@@ -37,7 +37,7 @@ std::vector<std::size_t> along(const std::vector<std::size_t>& shape, std::size_
   return indices;
 }
 
-// Returns the paths of the datasets of a group that are no coordinates, by name.
+// Returns the paths of the datasets of a group that are not coordinates, by name.
 std::vector<std::string> datasets_of(const ResultReader& result, const std::string& group) {
   std::vector<std::string> paths;
   const std::string folder = group.empty() ? "" : group + "/";
@@ -58,7 +58,7 @@ void require_group(const ResultReader& result, const std::string& group) {
                   groups.empty() ? "none beside the variables" : fmt::format("{}", fmt::join(groups, ", "))));
 }
 
-// The coordinates along each dimension of the rows.
+// Adds the coordinates of the rows along each dimension of `like`.
 void add_coordinates(const ResultReader& result, const std::string& group, const Array& like,
                      std::vector<Array>& columns) {
   for (std::size_t d = 0; d < like.shape.size(); ++d) {
@@ -72,7 +72,7 @@ void add_coordinates(const ResultReader& result, const std::string& group, const
   }
 }
 
-// The coordinates of the point to which each row of a recorded table belongs.
+// Adds the coordinates of the point to which each row of a recorded table belongs.
 void add_points(const ResultReader& result, const std::string& table, std::vector<Array>& columns) {
   const std::vector<std::size_t> shape = result.sweep_shape();
   const std::vector<double>& points = result.variable(table + "/point").values;
@@ -96,7 +96,8 @@ void drop_absent(std::vector<Array>& columns) {
   for (Array& column : columns) column = at(std::move(column), kept);
 }
 
-// A cell that is no number but begins like a formula gets an apostrophe: spreadsheets would evaluate it.
+// Returns a cell, quoted if necessary. Text that begins like a formula gets an apostrophe, because
+// spreadsheets would evaluate it.
 std::string quoted(std::string cell) {
   double number = 0;
   const char* end = cell.data() + cell.size();

@@ -8,7 +8,7 @@
 // Tables of a result as text, for programs without HDF5.
 namespace bristle::results {
 
-// Returns all digits of a number; empty for NaN.
+// Returns a number with all digits; empty for NaN.
 std::string csv_number(double value);
 
 // Returns a row for each point of the sweep (for each node of a traced curve) or for each row of a recorded
@@ -16,11 +16,11 @@ std::string csv_number(double value);
 // InputError if the result has no such group.
 Dataset table_of(const ResultReader& result, const std::string& group);
 
-// Returns lines with # that name the result and the columns with their units, the names, and a row for each
-// index of the table's arrays.
+// Returns a table as text: lines with # that name the result and the columns with their units, a line of
+// column names, and a row for each index of the arrays.
 std::string csv_text(const ResultReader& result, const Dataset& table);
 
-// The files that an export may replace.
+// Returns the kind of file that an export may replace.
 FileKind csv_kind();
 
 }  // namespace bristle::results

@@ -12,7 +12,7 @@ namespace bristle::results {
 enum class Number {
   real,
   integer,
-  code,  // of the words of a choice
+  code,  // index of a word of a choice
   text   // the words themselves
 };
 
@@ -20,9 +20,9 @@ enum class Number {
 struct Column {
   std::string name, long_name{}, symbol{}, equation{};
   Number number = Number::real;
-  std::vector<std::string> words{};                         // of the values 0, 1, ...; empty for numbers
-  std::string units = "1";                                  // "": none, and the file states none
-  std::vector<std::pair<std::string, double>> constants{};  // used in the column's definition: attributes
+  std::vector<std::string> words{};  // words of the values 0, 1, ...; empty for numbers
+  std::string units = "1";           // "": none, and the file states none
+  std::vector<std::pair<std::string, double>> constants{};  // constants of the definition, as attributes
   std::string ancillary{};                                  // names of variables about this one
 };
 
@@ -30,9 +30,9 @@ struct Column {
 struct Array {
   Column about;
   std::vector<std::string> dimensions{};
-  std::vector<std::size_t> shape{};  // by dimension
+  std::vector<std::size_t> shape{};  // size of each dimension
   std::vector<double> values{};      // in row-major order
-  bool coordinate = false;           // the values along a dimension, which has the name of the array
+  bool coordinate = false;           // the array holds the coordinates of the dimension of its name
 
   // Returns the word of a code, or a number with enough digits to identify it.
   std::string text(double value) const;
@@ -40,10 +40,11 @@ struct Array {
   std::string cell(std::size_t i) const;
 };
 
-// Returns an array over one dimension. With words, the values are their codes.
+// Returns the coordinates of a dimension, an array over this dimension alone. With words, the values are
+// their codes.
 Array coordinates(const Column& about, std::vector<double> values);
 Array coordinates(const std::string& name, const std::string& meaning, const std::vector<std::string>& words);
-// 0, 1, ..., count - 1
+// Returns the coordinates 0, 1, ..., count - 1.
 Array row_numbers(const std::string& name, const std::string& meaning, std::size_t count);
 
 // Arrays over common dimensions: a table, a group of a result file, or the numbers of a reference.
@@ -51,9 +52,9 @@ class Dataset {
  public:
   explicit Dataset(std::string name = "") : name_(std::move(name)) {}
 
-  // Adds a dimension, before all arrays; the last one varies fastest.
+  // Adds a dimension. Call it before adding arrays; the last dimension varies fastest.
   void add_dimension(Array coordinates);
-  // Adds a dimension of the sweep, whose coordinates the root of a result file has.
+  // Adds a dimension of the sweep, whose coordinates are in the root of a result file.
   void add_axis(const std::string& name, std::size_t size);
   // Adds an array over all dimensions; of(i) returns its value at index i, a number or a text.
   template <class Of>
@@ -64,18 +65,18 @@ class Dataset {
       else array.values.push_back(double(of(i)));
   }
 
-  // Adds an array with as many values as the others, as one over all dimensions.
+  // Adds an array over all dimensions. Requires as many values as the other arrays have.
   void add(Array array);
 
   const std::string& name() const { return name_; }
   const std::vector<Array>& arrays() const { return arrays_; }
   // Throws std::out_of_range if there is no array of this name.
   const Array& array(const std::string& name) const;
-  // The coordinates of each dimension; those of an axis have no values.
+  // Returns the coordinates of each dimension; the coordinates of an axis have no values.
   const std::vector<Array>& dimensions() const { return dimensions_; }
   const Array& dimension(const std::string& name) const;
   std::vector<std::size_t> shape() const;
-  std::size_t size() const;  // values of each array
+  std::size_t size() const;  // number of values of each array
 
  private:
   Array& add_array(Column about);
@@ -85,7 +86,7 @@ class Dataset {
   std::vector<Array> dimensions_, arrays_;
 };
 
-// NaN equals NaN; zeros of opposite signs differ.
+// Returns true if two numbers are the same. NaN equals NaN; zeros of opposite signs differ.
 bool same_bits(double a, double b);
 
 }  // namespace bristle::results

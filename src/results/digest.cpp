@@ -18,7 +18,7 @@ std::string inputs_sha256(const Json& document) {
   nlohmann::json inputs = without_trials(document);
   for (const char* name : {"name", "title", "figure", "institution", "notes", "checks", "checks_for_each"})
     inputs.erase(name);
-  // The order of the axes matters: it is that of the dimensions.
+  // The order of the axes matters, because it is the order of the dimensions.
   nlohmann::json axes = nlohmann::json::array();
   if (document.contains("sweep"))
     for (const auto& [name, axis] : document["sweep"].items()) axes.push_back(name);

@@ -6,12 +6,12 @@
 
 namespace bristle::results {
 
-// The document of an experiment with sorted keys, whose order in the file does not matter, and without the
-// sample of a design, whose points follow from the rest and are stored with the result.
+// Returns the document of an experiment with sorted keys, whose order in the file does not matter, and
+// without the sample of a design, whose points follow from the rest and are stored with the result.
 nlohmann::json without_trials(const Json& document);
 
-// SHA-256 of the part of an experiment's document that determines the numbers: everything except name, title,
-// figure, institution, notes and checks.
+// Returns the SHA-256 of the part of an experiment's document that determines the numbers: everything except
+// name, title, figure, institution, notes and checks.
 std::string inputs_sha256(const Json& document);
 
 }  // namespace bristle::results

@@ -16,15 +16,15 @@
 namespace bristle::h5 {
 namespace {
 
-constexpr const char* kFillValue = "_FillValue";  // by the conventions of netCDF
-constexpr std::size_t kBlock = 16384;             // values that a BlockWriter keeps
+constexpr const char* kFillValue = "_FillValue";  // name in the conventions of netCDF
+constexpr std::size_t kBlock = 16384;             // number of values that a BlockWriter keeps
 
 herr_t keep_innermost(unsigned, const H5E_error2_t* error, void* out) {
   if (error->desc) *static_cast<std::string*>(out) = error->desc;
   return 0;
 }
 
-// A visitor of links or attributes.
+// Adds the name of a link or attribute to names; HDF5 calls it for each.
 template <class Info>
 herr_t add_name(hid_t, const char* name, const Info*, void* names) {
   static_cast<std::vector<std::string>*>(names)->push_back(name);
@@ -79,8 +79,8 @@ Handle file_access() {
   return access;
 }
 
-// Properties for creating an object: without time stamps, and with the creation order of its attributes,
-// without which netCDF programs do not add any.
+// Returns properties for creating an object: without time stamps, and with the creation order of its
+// attributes, without which netCDF programs do not add any.
 Handle creation_properties(hid_t kind) {
   Handle creation(H5Pcreate(kind), H5Pclose, "creating an object's properties");
   check(H5Pset_obj_track_times(creation, false), "switching time stamps off");
@@ -88,8 +88,8 @@ Handle creation_properties(hid_t kind) {
   return creation;
 }
 
-// The same for a group or the root: netCDF programs write only to groups with the creation order of their
-// links.
+// Returns creation_properties() with the creation order of links: netCDF programs write only to groups that
+// have this order.
 Handle group_properties(hid_t kind) {
   Handle creation = creation_properties(kind);
   check(H5Pset_link_creation_order(creation, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED),
@@ -248,7 +248,7 @@ void BlockWriter::flush() {
   for (std::size_t done = 0; done < values_.size();) {
     const std::size_t left = values_.size() - done;
     const Shape start = position(shape_, first_ + done);
-    // The largest part of the dataset that begins here and whose values follow one another.
+    // Find the largest part of the dataset that begins here and whose values follow one another.
     Shape count(start.size(), 1);
     std::size_t size = 1;
     for (std::size_t d = shape_.size(); d-- > 0;) {

@@ -19,7 +19,7 @@ Code check(Code code, const std::string& what) {
   return code;
 }
 
-// Does the work, which is on the file at path, and adds the path to the message of a RunError.
+// Calls work(), which uses the file at path, and adds the path to the message of a RunError.
 template <class Work>
 void in_file(const std::string& path, const Work& work) {
   try {
@@ -29,8 +29,8 @@ void in_file(const std::string& path, const Work& work) {
   }
 }
 
-// Call before all other functions. Prevents HDF5 from printing its error stack, as errors become exceptions,
-// and from cleaning up at exit.
+// Prevents HDF5 from printing its error stack, as errors become exceptions, and from cleaning up at exit.
+// Call it before all other functions.
 void silence();
 
 class Handle {
@@ -43,7 +43,7 @@ class Handle {
   ~Handle();
 
   operator hid_t() const { return id_; }
-  // Closes and throws RunError if that fails, which the destructor cannot do.
+  // Closes the handle. Throws RunError if closing fails, which the destructor cannot do.
   void close(const std::string& what);
 
  private:
@@ -52,12 +52,12 @@ class Handle {
 };
 
 using Shape = std::vector<hsize_t>;
-// Position of a point in a row-major grid of this shape.
+// Returns the position of a point in a row-major grid of this shape.
 Shape position(const std::vector<std::size_t>& shape, std::size_t index);
 
 Handle create_file(const std::string& path);
 Handle open_file(const std::string& path, bool writable);
-// A file in memory, for reading. bytes need not outlive the call.
+// Opens a file in memory for reading. bytes need not outlive the call.
 Handle open_image(const std::string& bytes);
 Handle create_group(hid_t parent, const std::string& name);
 Handle open_group(hid_t parent, const std::string& name);
@@ -71,9 +71,10 @@ Handle type_of(hid_t dataset);
 bool is_text(hid_t dataset);
 Shape shape_of(hid_t dataset);
 hsize_t length_of(hid_t dataset);  // throws RunError unless the dataset has one dimension
-// Part of a dataset: count elements along each dimension from start. Throws RunError if the number of
-// dimensions differs.
+// Writes a part of a dataset: count elements along each dimension from start. Throws RunError if the number
+// of dimensions differs.
 void write_part(hid_t dataset, hid_t type, const Shape& start, const Shape& count, const void* data);
+// Reads a part of a dataset, with the arguments and errors of write_part().
 void read_part(hid_t dataset, hid_t type, const Shape& start, const Shape& count, void* data);
 
 // Writes the values of a dataset in row-major order, in large blocks.
@@ -92,31 +93,33 @@ class BlockWriter {
   std::vector<double> values_;
 };
 
-// Datasets of texts: the words of a swept choice, and columns of /checks. Their texts have a variable length,
-// because the netCDF library crashes on arrays of texts of fixed length.
+// Creates a dataset of texts: the words of a swept choice, or a column of /checks. The texts have a variable
+// length, because the netCDF library crashes on arrays of texts of fixed length.
 Handle create_texts(hid_t parent, const std::string& name, const std::vector<std::string>& texts);
-// HDF5 trusts the lengths that the file states: call it for a file of unknown origin only in a process of its
-// own.
+// Reads a dataset of texts. HDF5 trusts the lengths that the file states: call this function for a file of
+// unknown origin only in a process of its own.
 std::vector<std::string> read_texts(hid_t dataset);
 
 void write_attribute(hid_t object, const std::string& name, const std::string& text);
 void write_attribute(hid_t object, const std::string& name, long value);
 void write_attribute(hid_t object, const std::string& name, double value);
 void write_attribute(hid_t object, const std::string& name, const std::vector<signed char>& values);
-// These throw RunError if the attribute is not a single value.
+// Reads an attribute as a text. Throws RunError if the attribute is not a single value.
 std::string read_text_attribute(hid_t object, const std::string& name);
+// Reads an attribute as an integer. Throws RunError if the attribute is not a single value.
 long read_integer_attribute(hid_t object, const std::string& name);
 bool has_attribute(hid_t object, const std::string& name);
 std::vector<std::string> attribute_names(hid_t object);
-// Names of the links of a group in ascending order.
+// Returns the names of the links of a group in ascending order.
 std::vector<std::string> children(hid_t group);
 bool is_group(hid_t parent, const std::string& name);
 
-// Turns a dataset into a dimension scale (coordinates), or attaches one to a dimension of a dataset.
+// Turns a dataset into a dimension scale, which holds coordinates.
 void make_scale(hid_t dataset, const std::string& name);
+// Attaches a dimension scale to a dimension of a dataset.
 void attach_scale(hid_t dataset, hid_t scale, unsigned dimension);
 bool is_scale(hid_t dataset);
-// Name of the dimension scale of a dimension; empty if there is none.
+// Returns the name of the dimension scale of a dimension; empty if the dimension has none.
 std::string scale_name(hid_t dataset, unsigned dimension);
 
 }  // namespace bristle::h5

@@ -14,7 +14,8 @@
 namespace bristle::results {
 namespace {
 
-// Seconds of processor time and bytes of memory beyond those of the file. A result of 1 MB takes 10 ms.
+// Limits of processor time (s) and memory (bytes), to which damage_of() adds for the size of the file. A
+// result of 1 MB takes 10 ms.
 constexpr long kSeconds = 5;
 constexpr std::size_t kBytesPerSecond = 20'000'000;
 constexpr std::size_t kMemory = std::size_t(256) << 20;
@@ -49,7 +50,7 @@ class PlainChecker {
     throw MalformedError(fmt::format("{}: {}; a result file has none", at.empty() ? "/" : at, what));
   }
 
-  // Reads the attributes; rejects those that declare more data than the size of the file.
+  // Reads the attributes; rejects an attribute that declares more data than the size of the file.
   void check_attributes(hid_t object, const std::string& path) {
     for (const std::string& name : h5::attribute_names(object)) {
       const h5::Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose,
@@ -76,13 +77,13 @@ class PlainChecker {
     const h5::Handle type = h5::type_of(dataset);
     const H5T_class_t kind = H5Tget_class(type);
     // HDF5 1.10 trusts the lengths of texts of variable length. Only this process, which checks the digests,
-    // reads those of the words of a choice and of /checks.
+    // reads such texts: the words of a choice, and /checks.
     const bool text = kind == H5T_STRING && may_be_text;
     if (kind != H5T_INTEGER && kind != H5T_FLOAT && !text) refuse(path, "a dataset of other than numbers");
     std::size_t left = H5Dget_storage_size(dataset);
     if (left > size_) refuse(path, "a dataset larger than the file");
-    // A dataset without stored data has only fill values, while /status of as many points is stored: one byte
-    // for each number.
+    // A dataset without stored data has only fill values. It may have one value for each byte of the file,
+    // because /status, over as many points, is stored with one byte for each.
     left = left == 0 ? size_ : left / H5Tget_size(type);
     for (const hsize_t n : h5::shape_of(dataset)) {
       if (n > left) refuse(path, "a dataset whose declared size exceeds its stored data");
@@ -137,10 +138,11 @@ void add_dataset(Digest& digest, hid_t file, const std::string& path) {
     if (h5::has_attribute(dataset, name))
       digest.add(fmt::format("{} {}\n", name, h5::read_text_attribute(dataset, name)));
   if (!text) return add_values(digest, dataset, shape);
-  for (const std::string& one : h5::read_texts(dataset)) digest.add(one.c_str(), one.size() + 1);
+  for (const std::string& word : h5::read_texts(dataset)) digest.add(word.c_str(), word.size() + 1);
 }
 
-// What is wrong with an attribute that holds a digest; empty if it matches.
+// Returns what is wrong with an attribute that holds a digest; empty if it matches. what: names the data
+// under the digest
 std::string mismatch(hid_t file, const char* attribute, const char* what,
                      const std::function<std::string()>& digest) {
   try {
@@ -153,7 +155,7 @@ std::string mismatch(hid_t file, const char* attribute, const char* what,
   return fmt::format("{} DOES NOT MATCH {}", attribute, what);
 }
 
-// Reads all datasets of /checks, which no digest covers.
+// Reads all datasets of /checks, which no digest covers. Returns why reading fails; empty if it does not.
 std::string unreadable_checks(hid_t file) {
   if (!h5::exists(file, "checks")) return "";
   try {

@@ -25,7 +25,7 @@ constexpr const char* kJournalExtension = ".journal";
 constexpr const char* kAfterChecksum = R"( {"schema":"bristle-journal/)";
 constexpr long kSyncSeconds = 2;
 
-// The key of a line as encode() writes it, which need not be intact.
+// Returns the key of a line in the form that encode() writes; the line need not be intact.
 std::optional<std::string> key_of(std::string_view line) {
   static const std::string before = fmt::format(R"( {{"schema":"{}","key":")", kJournalSchema);
   if (line.size() < kDigestLength + before.size() || line.substr(kDigestLength, before.size()) != before)
@@ -34,8 +34,8 @@ std::optional<std::string> key_of(std::string_view line) {
   return std::string(rest.substr(0, rest.find('"')));
 }
 
-// Calls visit(line, offset) for every line that ends with a line feed. Returns the end of the last of them.
-// Throws unless all lines were read: what follows the last of them may be removed.
+// Calls visit(line, offset) for every line that ends with a line feed. Returns the end of the last such line.
+// Throws unless all lines were read, because what follows the last one may be removed.
 template <class Visit>
 std::uint64_t each_line(const std::string& path, Visit visit) {
   std::ifstream in = open_input(path);
@@ -46,7 +46,7 @@ std::uint64_t each_line(const std::string& path, Visit visit) {
   return end;
 }
 
-// Whether the file can be the remainder of a journal after a crash: the start of a line, which is a checksum
+// Returns true if the file can be what a crash leaves of a journal: the start of a line, which is a checksum
 // followed by JSON, or the zeros that a power cut leaves.
 bool may_be_truncated_journal(const std::string& path) {
   std::string start(kDigestLength + std::strlen(kAfterChecksum), '\0');
@@ -60,7 +60,8 @@ bool may_be_truncated_journal(const std::string& path) {
   return true;
 }
 
-// Whether a program of the commit own uses the points that a program of another commit computed.
+// Returns true if a program of the commit `own` uses the points that a program of the commit `other`
+// computed.
 bool accepts(const std::string& own, const std::string& other) { return is_dirty(own) || !is_dirty(other); }
 
 }  // namespace
@@ -162,9 +163,10 @@ void Journal::sync() {
   synced_ = std::time(nullptr);
 }
 
-// The lines of another journal, which may be damaged, as only the start of each is read.
+// Returns the lines of another journal by key. The lines may be damaged, because only the start of each is
+// read.
 const Journal::Entries& Journal::entries_of(const std::string& other) {
-  std::error_code none;  // it may have been removed since; then it has no lines
+  std::error_code none;  // the journal may have been removed since; then it has no lines
   const std::uintmax_t size = fs::file_size(other, none);
   Other& known = others_.try_emplace(other, Other{0, {}}).first->second;
   if (known.size != size) {
@@ -207,7 +209,7 @@ void Journal::remove_copied(const std::string& other) const {
       if (const auto line = decode_start(text); line && !has(line->key)) copied = false;
     });
   } catch (const std::exception&) {
-    copied = false;  // another run is writing it, or it cannot be read
+    copied = false;  // another run is writing the journal, or it cannot be read
   }
   std::error_code ignored;
   if (copied) fs::remove(other, ignored);

@@ -15,7 +15,7 @@ namespace {
 const std::pair<const char*, double> kNumberWords[] = {
     {"nan", std::numeric_limits<double>::quiet_NaN()}, {"inf", INFINITY}, {"-inf", -INFINITY}};
 
-// Returns the JSON of a line without its digest. None if it is truncated or damaged.
+// Returns the JSON of a line without its digest; none if the line is truncated or damaged.
 std::optional<std::string_view> intact(std::string_view line) {
   if (line.size() <= kDigestLength || line[kDigestLength] != ' ') return {};
   const std::string_view text = line.substr(kDigestLength + 1);

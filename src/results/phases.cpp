@@ -77,7 +77,7 @@ std::string Phases::lift_off_text() const {
       parts.push_back(fmt::format("{} of {} points in contact carry more", in_contact_above_, contact));
     text += parts.empty() ? "\n" : fmt::format("; {}\n", fmt::join(parts, ", "));
   }
-  // One brush has one lift-off speed at all speeds of the slab, but for rounding.
+  // A brush has the same lift-off speed at all speeds of the slab, except for rounding.
   if (speed_.from <= speed_.to && speed_.to < speed_.from * (1 + 1e-3)) {
     const double factor = 1 + speed_error_.to / speed_.to;
     text += fmt::format("at {} N this brush lifts off above about {:.2g} m/s (between {:.2g} and {:.2g})\n",

@@ -14,12 +14,11 @@ namespace bristle::results {
 // (docs/lift-off.md).
 class Phases {
  public:
-  // Adds points. variable returns the values of a variable at these points; none if the result does not have
-  // it.
+  // Adds points. variable returns the values of a variable at these points; empty if the result lacks the
+  // variable.
   void add(const std::function<std::vector<double>(const std::string&)>& variable);
-  // Says in lines, for a reader of the terminal, how many points are in which phase, where lift-off is
-  // expected, and why the formula of lift-off says nothing at some points. Empty if no point has a known
-  // phase.
+  // Returns lines for the terminal that say how many points are in which phase, where lift-off is expected,
+  // and why the formula of lift-off says nothing at some points; empty if no point has a known phase.
   std::string text() const;
 
  private:
@@ -32,8 +31,8 @@ class Phases {
   std::string lift_off_text() const;
 
   static constexpr std::size_t kPhases = 4;
-  std::array<std::size_t, kPhases> points_{}, tested_{};   // by phase; tested: where lift-off is known
-  std::size_t bouncing_below_ = 0, in_contact_above_ = 0;  // of the tested points
+  std::array<std::size_t, kPhases> points_{}, tested_{};   // number by phase; tested: where lift-off is known
+  std::size_t bouncing_below_ = 0, in_contact_above_ = 0;  // numbers of tested points
   std::map<LiftOffDomain, std::size_t> outside_;
   Range load_in_N_, lift_off_, lift_off_in_N_, speed_, speed_error_;
 };

@@ -21,8 +21,8 @@ namespace {
 
 constexpr const char* kRemedy = "restore the file, or compute it again with `bristle run`";
 
-// The coordinate at index i of a dimension. Coordinates are datasets in the folder of the variable or, for
-// the axes of the sweep, in the root.
+// Returns the coordinate at index i of a dimension, in words. Coordinates are datasets in the folder of the
+// variable or, for the axes of the sweep, in the root.
 std::string coordinate(const ResultReader& result, const std::string& folder, const std::string& dimension,
                        std::size_t i) {
   if (dimension.empty()) return fmt::format("row {}", i);
@@ -35,7 +35,7 @@ std::string coordinate(const ResultReader& result, const std::string& folder, co
                      array.about.words.empty() ? fmt::format("{:.6g}", value) : array.text(value));
 }
 
-// Returns what the attributes of a dataset of numbers say of it.
+// Returns what the attributes of a dataset of numbers say about it.
 Column read_column(hid_t dataset, const std::string& name) {
   const auto text = [&](const char* attribute) {
     return h5::has_attribute(dataset, attribute) ? printable(h5::read_text_attribute(dataset, attribute))

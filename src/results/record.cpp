@@ -16,7 +16,7 @@
 namespace bristle::results {
 namespace {
 
-// The sign of a computed NaN depends on processor and compiler.
+// Makes all NaN the same, because the sign of a computed NaN depends on processor and compiler.
 void unify_nan(std::vector<double>& numbers) {
   for (double& x : numbers)
     if (std::isnan(x)) x = std::numeric_limits<double>::quiet_NaN();
@@ -103,7 +103,7 @@ PointLayout::PointLayout(const Sweep& sweep) {
   digest_ = sha256_of(names).substr(0, 16);
 }
 
-// Adds the variable, its error, and the part of the error due to the load, if the gap follows from a search.
+// Adds the variable, its error and, if the gap was searched for, the part of the error due to the load.
 void PointLayout::add(const ResultVariable& variable, bool searched) {
   const auto add_part = [&](Column column, double Quantity::*part) {
     variables.push_back(

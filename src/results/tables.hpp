@@ -13,10 +13,10 @@ using Rows = std::vector<std::vector<double>>;  // by column, then by row
 
 // Returns the name of a table's row numbers.
 std::string row_name(const std::string& table);
-// Returns the columns of a table. In the file another one, "point", comes first: the index of the sweep
-// point.
+// Returns the columns of a table. In the file, the column "point", the index of the sweep point, precedes
+// them.
 std::vector<Column> table_columns(const std::string& table);
-// Returns the rows of one point, by table_columns().
+// Returns the rows of one point, for the columns of table_columns().
 Rows table_rows(const std::string& table, const Recorded& recorded);
 
 }  // namespace bristle::results

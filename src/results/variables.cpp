@@ -12,12 +12,13 @@ namespace {
 using Variables = std::vector<ResultVariable>;
 using P = const PointResult&;
 
-// An ensemble mean.
+// Computes one quantity of a point.
 using Value = std::function<Quantity(P)>;
+// Returns an ensemble mean.
 Value mean_of(Observable k) {
   return [k](P p) { return Quantity{p.value[k], p.error[k], p.load_error[k]}; };
 }
-// A number without an error.
+// Returns a number without an error.
 Value exact(double PointResult::*number) {
   return [number](P p) { return Quantity{p.*number, 0, 0}; };
 }
@@ -26,10 +27,10 @@ Quantity gap(P p) { return {p.z_0, p.z_0_error, p.z_0_error}; }
 
 ResultVariable mean(const Column& column, Observable k) { return {column, mean_of(k), Errors::with_load}; }
 
-// "R_n" as in "R_n/N_c0".
+// Returns "R_n" of "R_n/N_c0".
 std::string before_slash(const std::string& symbol) { return symbol.substr(0, symbol.find('/')); }
 
-// The symbol of a dimensional quantity, without the tilde of the dimensionless one.
+// Returns the symbol of a dimensional quantity, without the tilde of the dimensionless one.
 std::string without_tilde(std::string symbol) {
   const std::string tilde = R"(\tilde{)";
   if (const auto at = symbol.find(tilde); at != std::string::npos) {
@@ -39,7 +40,7 @@ std::string without_tilde(std::string symbol) {
   return symbol;
 }
 
-// The symbol with a word added to its first subscript, a single character.
+// Returns the symbol with a word added to its first subscript, a single character.
 std::string with_subscript(std::string symbol, const char* word) {
   const auto at = symbol.find('_') + 1;
   return symbol.replace(at, 1, fmt::format(R"({{{},\mathrm{{{}}}}})", symbol[at], word));
@@ -54,7 +55,7 @@ ResultVariable pinned_share_of(Observable k) {
   return {column, [k](P p) { return pinned_share(p, k); }, Errors::with_load};
 }
 
-// The variant of an observable for the bristles that are not pinned.
+// Returns the variant of an observable for the bristles that are not pinned.
 ResultVariable unpinned_of(Observable k) {
   const ObservableRow& row = kObservables[k];
   const Column column = {fmt::format("{}_unpinned", row.name),
@@ -100,7 +101,8 @@ void add_load_jump(Variables& variables) {
        Errors::none});
 }
 
-// The values at the other gap of an ambiguous point, with the same errors as those of the point.
+// Adds the values at the other gap of an ambiguous point, without errors, because these equal the errors of
+// the point.
 void add_other_gap(Variables& variables) {
   const auto add = [&](const std::string& name, const std::string& long_name, const std::string& symbol,
                        const char* equation, const Value& value) {
@@ -145,7 +147,8 @@ double per_area(P p) {
   return 1 / (spacing * spacing);
 }
 
-// Forces are per bristle under a slab of rigid bristles, N_c0, of which there is one per area of the spacing.
+// Returns the quantities in SI units. Forces are per bristle under a slab of rigid bristles, N_c0, with one
+// bristle per area of the spacing.
 std::vector<SiRow> si_rows() {
   const auto length = [](double Parameters::*member) -> Value {
     return [member](P p) { return Quantity{p.parameters.*member, 0, 0}; };
@@ -201,7 +204,7 @@ void add_si(Variables& variables) {
                        Errors::estimated});
 }
 
-// The errors are the scatter of computed lift-off loads about the formula.
+// Adds lift-off loads and speeds. Their errors are the scatter of computed lift-off loads about the formula.
 void add_lift_off(Variables& variables, bool si) {
   const char* where = "docs/lift-off.md";
   const auto load = [](P p) {
@@ -244,7 +247,7 @@ void add_lift_off(Variables& variables, bool si) {
        Errors::estimated});
 }
 
-// Of a bristle that points along the motion, theta_0 = 0.
+// Adds the stability and statics of a bristle that points along the motion, theta_0 = 0.
 void add_stability(Variables& variables) {
   const auto add = [&](const char* name, const char* long_name, const char* symbol, Mode SteadySliding::*mode,
                        double Mode::*number) {
@@ -268,7 +271,8 @@ void add_stability(Variables& variables) {
                        Errors::none});
 }
 
-// If the azimuths are not uniformly distributed, the friction force is not parallel to the motion.
+// Adds magnitude and direction of friction. If the azimuths are not uniformly distributed, the friction force
+// is not parallel to the motion.
 void add_direction(Variables& variables) {
   variables.push_back(
       {{"R_norm", "magnitude of friction over that of rigid bristles", R"(|\check{R}|)", "Eqs. (20, 21)"},

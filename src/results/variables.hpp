@@ -10,8 +10,8 @@
 
 namespace bristle::results {
 
-// What is written beside a variable: nothing; its error, as <name>_err; or the error and, for the gap of a
-// load, its part due to the deviation of the load from its target, as load_error/<name>.
+// The errors that are written beside a variable: none; its error, as <name>_err; or also, for the gap of a
+// load, the part of the error due to the deviation of the load from its target, as load_error/<name>.
 enum class Errors {
   none,
   estimated,
@@ -22,9 +22,9 @@ enum class Errors {
 struct ResultVariable : Column {
   std::function<Quantity(const PointResult&)> of;
   Errors errors;
-  bool may_be_missing = false;  // at points with values: at some of them it is not defined
+  bool may_be_missing = false;  // the variable is not defined at some points with values
 };
-// The variables of a result of this sweep.
+// Returns the variables of a result of this sweep.
 std::vector<ResultVariable> result_variables(const Sweep& sweep);
 
 }  // namespace bristle::results

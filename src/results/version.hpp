@@ -2,7 +2,7 @@
 
 namespace bristle::results {
 
-// Version of the layout.
+// Version of the layout of result files.
 constexpr const char* kResultSchema = "bristle-result/2";
 // The group whose text attributes are the errors of failed points.
 constexpr const char* kFailures = "failures";

@@ -62,8 +62,8 @@ Column code_column(const Column& choice) {
   return {code_variable(choice.name), "code of " + choice.name, "", "", Number::code, choice.words};
 }
 
-// Creates a dimension scale. That of a choice has words, so that programs select by them; their codes are a
-// variable over it.
+// Creates a dimension scale. The scale of a choice has words, so that programs select by them; their codes
+// are a variable over the scale.
 h5::Handle create_scale(hid_t parent, const Array& coordinates) {
   const Column& about = coordinates.about;
   const bool choice = about.number == Number::code;
@@ -78,7 +78,7 @@ h5::Handle create_scale(hid_t parent, const Array& coordinates) {
   return scale;
 }
 
-// The coordinates of an axis; with the options of a choice as words.
+// Returns the coordinates of an axis, with the options of a choice as words.
 Array axis_array(const experiment::Axis& axis) {
   const experiment::Sweepable& what = axis.quantity();
   return coordinates({.name = axis_variable(axis.name),
@@ -96,7 +96,8 @@ Array axis_array(const experiment::Axis& axis) {
 // Writes a table of a result: a group of columns of equal length, with a dimension scale of row numbers.
 class TableWriter {
  public:
-  // row: the name of the row numbers; columns: without "point", which becomes the first.
+  // Creates the group of the table. row: the name of the row numbers; columns: all except "point", which
+  // becomes the first
   TableWriter(hid_t file, const std::string& name, const std::string& row, std::vector<Column> columns) {
     const h5::Shape open{H5S_UNLIMITED};
     const h5::Handle group = h5::create_group(file, name);
@@ -114,7 +115,7 @@ class TableWriter {
     columns_.emplace(columns_.begin(), std::move(rows), open);
   }
 
-  // Appends rows, which are in the file after flush(). Columns of equal length, "point" first.
+  // Appends rows, which are in the file after flush(). rows: columns of equal length, "point" first
   void append(const Rows& rows) {
     std::vector<double> numbers(rows.front().size());
     std::iota(numbers.begin(), numbers.end(), double(length_));
@@ -128,7 +129,7 @@ class TableWriter {
   }
 
  private:
-  std::vector<h5::BlockWriter> columns_;  // after the row numbers
+  std::vector<h5::BlockWriter> columns_;  // row numbers first
   std::size_t length_ = 0;
 };
 
@@ -138,7 +139,7 @@ void write_texts(hid_t file, const char* name, const Texts& texts) {
   for (const auto& [key, text] : texts) h5::write_attribute(group, key, text);
 }
 
-// axes: scales of the root, for the dimensions of the dataset that are axes of the sweep.
+// Creates a group. axes: scales of the root, for the dimensions of the dataset that are axes of the sweep
 void create_group(hid_t file, const Dataset& data, const std::map<std::string, hid_t>& axes) {
   h5::Handle group = h5::create_group(file, data.name());
   std::vector<h5::Handle> own;
@@ -158,7 +159,7 @@ void create_group(hid_t file, const Dataset& data, const std::map<std::string, h
 
 struct ResultWriter::Open {
   h5::Handle file;
-  h5::Shape shape;  // of the sweep, and of the nodes of traced curves
+  h5::Shape shape;  // shape of the sweep, and of the nodes of traced curves
   std::vector<std::string> names;
   std::vector<h5::Handle> axes;
   std::vector<h5::BlockWriter> variables;  // in the order of the layout
@@ -220,7 +221,7 @@ std::vector<Column> jump_columns(const Sweep& sweep, const std::string& along) {
 
 ResultWriter::ResultWriter(const Experiment& experiment, const std::string& path)
     : experiment_(experiment), layout_(experiment.sweep), whole_(path, result_file()) {
-  whole_.close();  // HDF5 opens it itself
+  whole_.close();  // HDF5 opens the file itself
   open_ = std::make_unique<Open>(partial(), experiment.sweep, layout_);
 }
 

@@ -10,10 +10,11 @@
 
 namespace bristle::results {
 
-// The columns of /jumps but "point"; those of the axes beside that along which the gap jumps are the last.
+// Returns the columns of /jumps except "point". The last ones are the axes other than `along`, along which
+// the gap jumps.
 std::vector<Column> jump_columns(const Sweep& sweep, const std::string& along);
 
-// Writes a result file point by point under a temporary name, which publish() replaces by the final name.
+// Writes a result file point by point under a temporary name, which publish() changes to the final name.
 // Without publish() an existing file remains unchanged and the temporary file is removed.
 class ResultWriter {
  public:
@@ -21,20 +22,21 @@ class ResultWriter {
   ResultWriter(const Experiment& experiment, const std::string& path);
   ~ResultWriter();
 
-  // Call for every point, in ascending order of index. Requires the layout of the experiment, and
-  // is_consistent(record).
+  // Writes a point. Call it for every point, in ascending order of index. Requires the layout of the
+  // experiment, and is_consistent(record).
   void write(std::size_t index, const PointRecord& record);
 
-  // Call after write(). Adds the group /jumps. rows: as locate_jumps() returns them; along: name of the axis.
+  // Adds the group /jumps. Call it after write(). rows: as locate_jumps() returns them; along: name of the
+  // axis
   void write_jumps(const std::string& along, const Rows& rows);
 
-  // Call after write(). Adds a group; its axes must be those of the sweep.
+  // Adds a group, whose axes must be axes of the sweep. Call it after write().
   void write_group(const Dataset& data);
 
   // Adds attributes, digest and provenance (name -> text), closes the file, and verifies it by reading it
   // back.
   void close(const std::map<std::string, std::string>& provenance);
-  // Temporary name of the closed file, for additions before publish().
+  // Returns the temporary name of the closed file, for additions before publish().
   const std::string& partial() const { return whole_.partial(); }
   // Renames the closed file to its final name.
   void publish() { whole_.publish(); }
@@ -51,7 +53,8 @@ class ResultWriter {
   std::vector<std::pair<std::string, std::string>> failures_;  // errors of failed points, by failure_name()
 };
 
-// Replaces a group of an existing result file that no digest covers; removes it if the dataset has no values.
+// Replaces a group that no digest covers in an existing result file; removes the group if the dataset has no
+// values.
 void replace_group(const std::string& path, const Dataset& data);
 
 // An attribute of an object in a result file, such as "slab_force/t"; "/" is the file itself.
@@ -62,9 +65,9 @@ struct Attribute {
 };
 void write_attributes(const std::string& path, const std::vector<Attribute>& attributes);
 
-// Version of the HDF5 library, such as "1.10.8".
+// Returns the version of the HDF5 library, such as "1.10.8".
 std::string hdf5_version();
-// Call before all other functions that read or write results: makes errors of HDF5 exceptions.
+// Makes errors of HDF5 exceptions. Call it before all other functions that read or write results.
 void start_hdf5();
 
 }  // namespace bristle::results
