@@ -25,10 +25,10 @@ const experiment::Axis& sample_of(const Experiment& e) {
   return e.sweep.axes[e.sweep.axis_number(experiment::kSample)];
 }
 
-// The sweep over the other axes.
+// Returns the sweep over all axes other than the sample.
 Sweep others_of(const Experiment& e) { return e.sweep.without(experiment::kSample); }
 
-// The values over the sample at a point of the other axes.
+// Returns the values over the sample at a point of the other axes.
 std::vector<double> over_sample(const Experiment& e, const std::vector<double>& values, std::size_t other) {
   const std::size_t sample = e.sweep.axis_number(experiment::kSample);
   const std::vector<std::size_t> shape = e.sweep.shape();
@@ -45,10 +45,11 @@ std::vector<double> over_sample(const Experiment& e, const std::vector<double>& 
 // The points of a sample that a statistic uses.
 struct Used {
   std::vector<double> values;
-  std::size_t ambiguous = 0;  // of these points, those whose load another gap carries as well
+  std::size_t ambiguous = 0;  // number of these points whose load another gap carries as well
 };
 
-// The values at a point of the other axes. Of each block of the sample the first points count.
+// Returns the values that a statistic uses at a point of the other axes: the first ones of each block of the
+// sample. block: points of a block; first: how many of them count
 Used used_of(const Experiment& e, const Values& all, const std::string& output, std::size_t other,
              std::size_t block, std::size_t first) {
   const std::vector<double> values = over_sample(e, all.at(output), other),
@@ -62,7 +63,7 @@ Used used_of(const Experiment& e, const Values& all, const std::string& output, 
   return out;
 }
 
-// The points of a block of the design for indices, 1 without them.
+// Returns the number of points in a block of the design for indices; 1 without indices.
 std::size_t block_of(const Experiment& e) {
   return e.analysis.sobol_indices.empty() ? 1 : sample_of(e).columns.size() + 2;
 }
@@ -85,7 +86,8 @@ results::Column integers(const std::string& name, const std::string& meaning) {
   return {name, meaning, "", "", results::Number::integer};
 }
 
-// Adds the number of ambiguous points among those that each output uses. size: values of each output
+// Adds the number of ambiguous points among the points that each output uses. size: number of values of each
+// output
 void add_ambiguous(results::Dataset& data, const std::vector<double>& ambiguous, std::size_t size) {
   data.add(integers("ambiguous", "points that are used, whose load another gap carries as well"),
            [&](std::size_t i) { return ambiguous[i / size]; });
@@ -231,7 +233,8 @@ std::string indices_text(const SobolIndices& indices, const std::vector<std::str
                          std::size_t blocks, const std::string& remedy) {
   std::vector<std::size_t> order(inputs.size());
   std::iota(order.begin(), order.end(), 0);
-  const auto total = [&](std::size_t i) { return std::fmax(indices.total[i].value, -1); };  // without NaN
+  // Replaces NaN by -1.
+  const auto total = [&](std::size_t i) { return std::fmax(indices.total[i].value, -1); };
   std::ranges::stable_sort(order, std::greater<>(), total);
   std::vector<std::string> parts;
   for (const std::size_t i : order)

@@ -15,28 +15,29 @@ namespace bristle::run {
 // Throws InputError if the result has no variable of this name. place: JSON pointer, for the message
 void require_variable(const Experiment& experiment, const std::string& place, const std::string& name);
 
-// Adds Sobol indices, their errors, and the blocks that they follow from to a dataset with the dimensions
-// output (or another one) and input, which are the last. rows: the indices of all inputs, by the other
-// dimensions.
+// Adds Sobol indices, their errors, and the numbers of blocks that the indices follow from, to a dataset
+// whose last dimensions are output (or another one) and input. rows: the indices of all inputs, by the other
+// dimensions
 void add_indices(results::Dataset& data, const std::vector<SobolIndices>& rows);
 
-// Returns "k_r 0.40 +- 0.02 (0.31 +- 0.03), ...", by descending total index, and what the indices follow from
-// unless these are all blocks of the design. remedy: what to do where too few points have a value
+// Returns "k_r 0.40 +- 0.02 (0.31 +- 0.03), ...", by descending total index. Adds what the indices follow
+// from, unless they follow from all blocks of the design. remedy: what to do if too few points have a value
 std::string indices_text(const SobolIndices& indices, const std::vector<std::string>& inputs,
                          std::size_t blocks, const std::string& remedy);
 
 // Throws InputError if /analysis names a variable that the result does not have.
 void validate_analysis(const Experiment& experiment);
 
-// The names of the variables that /analysis needs, and status.
+// Returns the names of the variables that /analysis needs, and status.
 std::set<std::string> analysed_variables(const Experiment& experiment);
 
-// The groups /indices and /quantiles that /analysis asks for, for each point of the axes beside the sample.
-// values: of analysed_variables(), over the sweep. Missing values (NaN) are left out.
+// Returns the groups /indices and /quantiles that /analysis asks for, for each point of the axes other than
+// the sample. values: the values of analysed_variables() over the sweep; missing values (NaN) are left out
 std::vector<results::Dataset> analyse(const Experiment& experiment,
                                       const std::map<std::string, std::vector<double>>& values);
 
-// The groups in words, one line for each variable and point of the other axes; empty without an analysis.
+// Returns the groups in words, one line for each variable and point of the other axes; empty without an
+// analysis.
 std::string analysis_text(const Experiment& experiment, const std::vector<results::Dataset>& groups);
 
 }  // namespace bristle::run

@@ -11,14 +11,14 @@
 namespace bristle::run {
 namespace {
 
-constexpr double kLeastJump = 0.1;  // of z_0, in units of r0
-constexpr double kWidth = 0.02;     // of the interval that contains a located jump, relative
+constexpr double kLeastJump = 0.1;  // change of z_0, in units of r0
+constexpr double kWidth = 0.02;     // relative width of the interval that contains a located jump
 
 constexpr int kMostHalvings = 20;
 
 // Part of the axis across which the gap jumps.
 struct Interval {
-  std::size_t point;  // of the sweep, at or below low on the axis
+  std::size_t point;  // point of the sweep, at or below low on the axis
   double low, high;
   Gap at_low, at_high;
   int halvings = 0;  // bounded: near zero no interval is narrow relative to its values
@@ -29,7 +29,7 @@ struct Interval {
   double middle() const { return low > 0 ? std::sqrt(low * high) : (low + high) / 2; }
 };
 
-// The intervals between neighbouring points of the sweep.
+// Returns the intervals between neighbouring points of the sweep across which the gap jumps.
 std::vector<Interval> intervals_of(const Sweep& sweep, std::size_t axis, const std::vector<Gap>& gaps) {
   const auto shape = sweep.shape();
   const std::vector<double>& values = sweep.axes[axis].values;
@@ -44,18 +44,19 @@ std::vector<Interval> intervals_of(const Sweep& sweep, std::size_t axis, const s
   return out;
 }
 
-// The first point of the point's line along the axis.
+// Returns the first point of the line along the axis on which a point lies.
 std::size_t line_of(const Sweep& sweep, std::size_t axis, std::size_t point) {
   auto at = unravel(point, sweep.shape());
   at[axis] = 0;
   return ravel(at, sweep.shape());
 }
 
-// All computed points of a line of the sweep along the axis: by the value of the axis, whether undecided.
+// All computed points of a line of the sweep along the axis: value of the axis -> whether the point is
+// undecided.
 using Line = std::map<double, bool>;
 
-// Halves the intervals. Returns the halves across which the gap jumps.
-// Adds the points between to their lines.
+// Halves the intervals. Adds the points in the middle to their lines. Returns the halves across which the gap
+// jumps.
 std::vector<Interval> halve(const Sweep& sweep, std::size_t axis, const std::vector<Interval>& intervals,
                             const SolvePoints& solve, std::map<std::size_t, Line>& lines) {
   std::set<double> middles;
@@ -81,7 +82,8 @@ std::vector<Interval> halve(const Sweep& sweep, std::size_t axis, const std::vec
   return out;
 }
 
-// From the outermost points in a row with undecided gaps on both sides of the interval.
+// Returns the band of a jump: on each side of the interval it extends to the last of the adjacent points with
+// undecided gaps.
 std::pair<double, double> band_of(const Line& line, const Interval& jump) {
   double from = jump.low, to = jump.high;
   for (auto at = line.find(jump.low); at->second; --at) {
@@ -102,7 +104,7 @@ Gap gap_of(const results::PointRecord& record) {
 
 bool jumps(const Gap& a, const Gap& b) {
   if (!a.known || !b.known || (std::isnan(a.z_0) && std::isnan(b.z_0))) return false;
-  return !(std::abs(a.z_0 - b.z_0) <= kLeastJump);  // also if one of them is NaN
+  return !(std::abs(a.z_0 - b.z_0) <= kLeastJump);  // true also if one gap is NaN
 }
 
 results::Rows locate_jumps(const Sweep& sweep, const std::string& along, const std::vector<Gap>& gaps,

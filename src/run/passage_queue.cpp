@@ -9,12 +9,13 @@ namespace bristle::run {
 namespace {
 
 constexpr std::size_t kMaxChunk = 64;
-// Passages with which a thread keeps its lanes full, those far from the pole as well as those near it.
+// Number of passages with which a thread keeps its lanes full, both for passages far from the pole and for
+// passages near it.
 constexpr std::size_t kEnough = 128;
-// After which a waiting thread looks whether the sweep has been stopped.
+// Time after which a waiting thread checks whether the sweep has been stopped.
 constexpr std::chrono::milliseconds kMoment(100);
 
-// Number of passages in each chunk of a request of this size: whole sets of lanes.
+// Returns the number of passages in each chunk of a request of `tasks` passages: whole sets of lanes.
 std::size_t chunk_size(std::size_t tasks, std::size_t threads) {
   constexpr std::size_t lanes = kLanes;
   const std::size_t share = (tasks + threads - 1) / threads;

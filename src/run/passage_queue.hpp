@@ -11,8 +11,8 @@
 
 namespace bristle::run {
 
-// The passages that one point waits for. Any threads deliver them, each once; the thread of the point takes
-// them when all have been delivered.
+// Collects the passages that one point waits for. Any threads deliver the passages, each once; the thread of
+// the point takes them when all have been delivered.
 class PassageRequest {
  public:
   void expect(std::size_t count) {
@@ -20,7 +20,7 @@ class PassageRequest {
     outstanding_ = count;
   }
   bool complete() const { return outstanding_.load(std::memory_order_acquire) == 0; }
-  // Returns true for the last passage. The request may have ended its life when this returns.
+  // Stores a passage. Returns true for the last one; the request may then have ended its life.
   bool deliver(std::size_t index, Passage&& passage) {
     passages_[index] = std::move(passage);
     return outstanding_.fetch_sub(1, std::memory_order_acq_rel) == 1;
@@ -35,24 +35,26 @@ class PassageRequest {
 // Some of the passages of a request, to be computed by one thread.
 struct PassageChunk {
   const std::vector<PassageTask>* tasks;
-  std::size_t first, last;  // without last
+  std::size_t first, last;  // first is included, last is not
   PassageRequest* request;
 };
 
-// The passages that the points of a sweep wait for, for all threads. All functions may be called from several
-// threads.
+// Queues the passages that the points of a sweep wait for, for all threads. All functions may be called from
+// several threads.
 class PassageQueue {
  public:
   explicit PassageQueue(std::size_t threads) : threads_(threads) {}
 
-  // Both must live until the request is complete or no thread takes chunks any more.
+  // Adds passages. tasks and request must live until the request is complete or no thread takes chunks any
+  // more.
   void add(const std::vector<PassageTask>& tasks, PassageRequest& request);
-  // The next chunk for a thread that has this many passages. None if it has enough, or if it has any while
-  // another thread has none.
+  // Returns the next chunk for a thread that has `passages` passages; none if the thread has enough, or if it
+  // has any while another thread has none.
   std::optional<PassageChunk> take(std::size_t passages);
-  // Waits until there is a chunk, or done() holds; or for a moment.
+  // Waits until there is a chunk or done() holds, but only for a moment.
   void wait(const std::function<bool()>& done);
-  // To be called when what done() depends on has changed: a passage completed a request, for example.
+  // Wakes the waiting threads. Call it when the result of done() may have changed, for example because a
+  // passage completed a request.
   void notify();
 
  private:

@@ -15,17 +15,17 @@
 namespace bristle::run {
 namespace {
 
-constexpr std::size_t kMaxNamed = 10;  // points and shards named in a message
+constexpr std::size_t kMaxNamed = 10;  // greatest number of points or shards named in a message
 
-// "1/3, 2/3 and 7 more"
+// Returns a list such as "1/3, 2/3 and 7 more".
 std::string list_of(const std::vector<std::string>& names) {
   const auto end = names.begin() + long(std::min(names.size(), kMaxNamed));
   const std::string more = end == names.end() ? "" : fmt::format(" and {} more", names.end() - end);
   return fmt::format("{}{}", fmt::join(names.begin(), end, ", "), more);
 }
 
-// The shards to which the missing points belong, and the command of the first of them. Journals beside the
-// result tell how many shards there are.
+// Returns in words the shards to which the missing points belong, and the command of the first shard. shards:
+// their total number, which journals beside the result tell
 std::string where_missing(const std::vector<std::size_t>& missing, std::size_t shards,
                           const std::vector<std::string>& arguments) {
   std::set<std::size_t> numbers;
@@ -39,14 +39,14 @@ std::string where_missing(const std::vector<std::size_t>& missing, std::size_t s
                      list_of(names), command);
 }
 
-// A sentence about each journal of a shard that has points, but none of the experiment.
+// Returns a sentence about each journal of a shard that has points, but none of the experiment.
 std::string foreign_journals(const KeyedPoints& all, const std::string& result) {
   std::unordered_set<std::string> keys;
   for (const std::size_t i : all.points()) keys.insert(all.key(i));
   std::string out;
   for (const auto& [shard, path] : shard_journals(result)) {
     std::size_t points = 0, own = 0;
-    // "unknown": also those of programs with uncommitted changes, which this one may not use.
+    // "unknown" includes points of programs with uncommitted changes, which this program may not use.
     results::read_journal(path, "unknown", [&](const results::JournalStart& line) {
       ++points;
       own += keys.contains(line.key) && (results::is_dirty(kCommit) || !results::is_dirty(line.commit));
@@ -119,7 +119,7 @@ std::string command_with(const std::vector<std::string>& arguments, const std::s
   std::vector<std::string> kept;
   bool piped = false;
   for (auto argument = arguments.begin(); argument != arguments.end(); ++argument) {
-    // A run that completes is not forced: it would ignore the points of the shards.
+    // A run with --complete is not forced, because --force would ignore the points of the shards.
     if (*argument == "--complete" || *argument == "--force" || argument->starts_with("--shard=")) continue;
     if (*argument == "--shard") {
       if (++argument == arguments.end()) break;

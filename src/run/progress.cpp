@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kTerminalSeconds = 0.2, kFirstPlainSeconds = 3, kPlainSeconds = 30;
 
-// "15,300"
+// Returns a number such as "15,300".
 std::string count_text(std::size_t count) {
   std::string out = std::to_string(count);
   for (std::size_t i = out.size(); i > 3; i -= 3) out.insert(i - 3, ",");

@@ -5,18 +5,18 @@
 
 namespace bristle::run {
 
-// Progress on standard error: on a terminal a bar with rate and time left, otherwise a line after 3 s and
-// then every 30 s, nothing if quiet. Each line begins with the name of what is done and the stage.
+// Shows progress on standard error: on a terminal a bar with rate and time left, otherwise a line after 3 s
+// and then every 30 s, nothing if quiet. Each line begins with the name of what is done and the stage.
 class Progress {
  public:
   Progress(const std::string& name, std::size_t total, bool quiet);
-  // The next stage, which has no count: "writing results/fig4.h5". A line of its own after those of a long
-  // run.
+  // Shows the next stage, which has no count, such as "writing results/fig4.h5". Off a terminal, the stage of
+  // a long run has a line of its own; a short run shows none.
   void stage(const std::string& text);
   void step();                           // counts one completed item
-  void add_passages(std::size_t count);  // of items that need not be completed
-  void note(const std::string& text);    // a line of its own, also if quiet
-  void finish();                         // ends the line of the bar, or removes that of a stage
+  void add_passages(std::size_t count);  // counts passages of items, completed or not
+  void note(const std::string& text);    // writes a line of its own, also if quiet
+  void finish();                         // ends the line of the bar, or removes the line of a stage
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -30,7 +30,7 @@ class Progress {
   double due_;  // seconds from the start at which the next line is due
 };
 
-// "3 min 20 s"
+// Returns a duration such as "3 min 20 s".
 std::string duration_text(double seconds);
 
 }  // namespace bristle::run

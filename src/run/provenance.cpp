@@ -20,7 +20,7 @@ namespace bristle::run {
 
 namespace {
 
-// Instruction sets for vectors that the processor supports.
+// Returns the instruction sets for vectors that the processor supports.
 std::string cpu_features() {
   std::string out;
   for (const Kernels* kernels : available_kernels())

@@ -9,11 +9,11 @@ namespace bristle::run {
 extern const char* const kVersion;
 extern const char* const kCommit;
 
-// Facts that may differ between runs with equal numbers: program,
-// compiler, libraries, host, command line. Name and text.
+// Returns facts, by name, that may differ between runs with equal numbers: program, compiler, libraries,
+// host, command line.
 std::map<std::string, std::string> provenance(const std::vector<std::string>& arguments, int threads);
 
-// Current time in UTC, ISO 8601.
+// Returns the current time in UTC, ISO 8601.
 std::string utc_now();
 
 }  // namespace bristle::run

@@ -30,7 +30,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr double kSlowSeconds = 300, kSlowFactor = 10;
-// Enough points to keep the lanes full while most of the points wait for the last passages of a batch.
+// Points that a thread solves at a time: enough to keep the lanes full while most points wait for the last
+// passages of a batch.
 constexpr std::size_t kMaxActivePoints = 24;
 
 // A point that is being solved with its own stack, suspended until the passages that it waits for have been
@@ -59,9 +60,10 @@ class Scheduler {
         observer_(observer),
         passages_(threads) {}
 
-  // Solves points until all points of the sweep are solved, on one of the threads.
+  // Solves points on the calling thread, until all points of the sweep are solved.
   void run_thread();
-  // Whether all points have been solved. Throws what ended the sweep. Call it when all threads have ended.
+  // Returns true if all points have been solved. Throws the exception that ended the sweep. Call it when all
+  // threads have ended.
   bool complete() const {
     if (error_) std::rethrow_exception(error_);
     return solved();
@@ -90,16 +92,16 @@ class Scheduler {
   PassageQueue passages_;
 
   std::atomic<std::size_t> delivered_ = 0;
-  std::mutex mutex_;  // of all that follows
+  std::mutex mutex_;  // protects all that follows
   std::size_t started_ = 0;
   bool stopped_ = false;
   std::exception_ptr error_;
   const Clock::time_point begin_ = Clock::now();
-  std::map<std::size_t, Clock::time_point> active_;  // points by index, with their start
-  std::size_t most_active_ = 1;                      // at the same time
+  std::map<std::size_t, Clock::time_point> active_;  // start of each active point, by index
+  std::size_t most_active_ = 1;                      // most points that were active at the same time
   std::set<std::size_t> named_;                      // slow points that have been reported
-  // Those of all threads. They live as long as the sweep, because a thread that stops early does not wait for
-  // others that compute passages of its points.
+  // Active points of all threads. The lists live as long as the sweep, because a thread that stops early does
+  // not wait for other threads that compute passages of its points.
   std::list<std::list<ActivePoint>> suspended_;
 };
 
@@ -133,7 +135,7 @@ void Scheduler::fail(std::exception_ptr error) {
   if (!error_) error_ = std::move(error);
 }
 
-// Reports each active point once that has taken longer than five minutes and ten times the mean of the
+// Reports each active point once, if it has taken longer than five minutes and ten times the mean of the
 // others.
 void Scheduler::report_slow_points() {
   const auto seconds_since = [now = Clock::now()](Clock::time_point then) {
@@ -149,7 +151,7 @@ void Scheduler::report_slow_points() {
       observer_.slow(index, seconds);
 }
 
-// An error within a point becomes its status, so that it does not cost the other points.
+// Solves a point. An error within the point becomes its status, so that other points are not lost.
 PointReport Scheduler::solve(std::size_t index, const PassageRunner& run) const {
   const auto record = [&] {
     const experiment::PointInput input = sweep_.point(index);
@@ -173,7 +175,7 @@ PointReport Scheduler::solve(std::size_t index, const PassageRunner& run) const 
     throw;  // the other points may be the cause
   } catch (const ModelError& e) {
     return {index, results::failed_record(layout_, e.what())};
-  } catch (const std::exception&) {  // its text would be that of a library
+  } catch (const std::exception&) {  // the text would come from a library
     return {index,
             results::failed_record(layout_,
                                    "the computation ended by an error of the program: please report it with "
@@ -181,8 +183,9 @@ PointReport Scheduler::solve(std::size_t index, const PassageRunner& run) const 
   }
 }
 
-// One thread with its SIMD engine. Several points are active at a time: while one waits for passages, the
-// lanes compute those of others. Passages wait in one queue for all threads; a thread resumes its own points.
+// One thread with its SIMD engine. Several points are active at a time: while one point waits for passages,
+// the lanes compute passages of other points. Passages wait in one queue for all threads; a thread resumes
+// its own points.
 class Scheduler::Worker {
  public:
   explicit Worker(Scheduler& scheduler)
@@ -214,7 +217,7 @@ class Scheduler::Worker {
   using Points = std::list<ActivePoint>;
   struct Ticket {
     PassageRequest* request;
-    std::size_t index;  // of the passage within the request
+    std::size_t index;  // index of the passage within the request
   };
 
   void start_points() {
@@ -311,7 +314,7 @@ bool run_sweep(const Sweep& sweep, const std::vector<std::size_t>& points, int t
   others.reserve(std::size_t(threads));
   try {
     for (int i = 1; i < threads; ++i) others.emplace_back([&] { scheduler.run_thread(); });
-  } catch (const std::system_error& e) {  // the numbers do not depend on how many there are
+  } catch (const std::system_error& e) {  // the numbers do not depend on the number of threads
     write_message(fmt::format("bristle: {} of {} threads could be started: {}\n", others.size() + 1, threads,
                               e.what()));
   }

@@ -12,21 +12,21 @@ struct PointReport {
   results::PointRecord record;
 };
 
-// What the scheduler reports while it computes; one call at a time.
+// Functions that the scheduler calls while it computes, one call at a time.
 struct SchedulerObserver {
-  // The index of a point that takes unusually long, and the seconds so far.
+  // Receives the index of a point that takes unusually long, and the seconds so far.
   std::function<void(std::size_t, double)> slow = [](std::size_t, double) {};
-  // The number of passages computed since the last call, which may be 0.
+  // Receives the number of passages computed since the last call, which may be 0.
   std::function<void(std::size_t)> passages = [](std::size_t) {};
 };
 
-// The number of cores of this machine.
+// Returns the number of cores of this machine.
 int all_cores();
 
-// Solves these points of the sweep on this many threads. Passes each report to sink when its point is solved,
-// one at a time, in any order. The numbers depend neither on the threads nor on the other points. An error
-// within a point becomes its status. Returns false early when stop() becomes true. Throws the exceptions
-// of sink.
+// Solves these points of the sweep on `threads` threads. Passes the report of each point to sink when the
+// point is solved, one at a time, in any order. The numbers depend neither on the threads nor on the other
+// points. An error within a point becomes its status. Returns false early when stop() becomes true. Throws
+// the exceptions of sink.
 bool run_sweep(const Sweep& sweep, const std::vector<std::size_t>& points, int threads,
                const std::function<void(PointReport&&)>& sink, const std::function<bool()>& stop,
                const SchedulerObserver& observer = {});

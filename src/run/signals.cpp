@@ -7,7 +7,7 @@
 namespace bristle::run {
 namespace {
 
-// The number of the signal; 0: none. Atomic because the handler runs on one thread and all threads read;
+// Number of the received signal; 0: none. Atomic because the handler runs on one thread and all threads read;
 // sig_atomic_t is safe within one thread only.
 std::atomic<int> received = 0;
 static_assert(std::atomic<int>::is_always_lock_free);
@@ -25,7 +25,7 @@ double seconds() {
   return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
 }
 
-// The first request asks for an end, the second terminates the process.
+// Handles a signal: the first request asks for an end, the second one terminates the process.
 void on_signal(int signal) {
   if (received == 0) {
     first_request = seconds();

@@ -2,11 +2,10 @@
 
 namespace bristle::run {
 
-// Installs handlers for SIGINT, SIGTERM and SIGHUP. The first
-// signal makes interrupted() return true; one that follows more than half a second later terminates the
-// process.
+// Installs handlers for SIGINT, SIGTERM and SIGHUP. The first signal makes interrupted() return true; a
+// signal that follows more than half a second later terminates the process.
 void install_signal_handlers();
 bool interrupted();
-int received_signal();  // its number; 0: none
+int received_signal();  // number of the signal; 0: none
 
 }  // namespace bristle::run

@@ -13,7 +13,7 @@ namespace {
 const std::vector<PointStatus> kWithoutValues = {PointStatus::unreachable, PointStatus::incomplete,
                                                  PointStatus::work_limit};
 
-constexpr double kPinnedShare = 0.1;  // of R_x
+constexpr double kPinnedShare = 0.1;  // fraction of R_x
 
 }  // namespace
 
@@ -66,7 +66,7 @@ std::string Summary::cause_and_remedy(PointStatus status, const Example& example
   const bool si = !experiment_.sweep.base.si.empty();
   switch (status) {
     case PointStatus::unreachable: {
-      // With these starts the tip is at the slab or in it at any gap.
+      // With these starts the tip touches the slab or is in it at any gap.
       const InitialState start = setup.parameters.initial_state;
       const bool from_zero =
           start == InitialState::static_equilibrium && !experiment_.sweep.varies("initial_state");

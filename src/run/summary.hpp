@@ -12,26 +12,27 @@
 
 namespace bristle::run {
 
-// Number of points with each status, which points have no values and why, and where pinned bristles carry
-// much of the friction, for the messages after a run.
+// Collects, for the messages after a run, the number of points with each status, which points have no values
+// and why, and where pinned bristles carry much of the friction.
 class Summary {
  public:
-  // path: of the result, for messages
+  // path: the path of the result, for messages
   Summary(const Experiment& experiment, std::string path) : experiment_(experiment), path_(std::move(path)) {}
   void add(const results::PointRecord& record, std::size_t index);
   void add(const std::string& analysis) { analysis_ += analysis; }
-  const std::string& analysis() const { return analysis_; }  // of a sample, in lines
-  // The numbers of points by status.
+  const std::string& analysis() const { return analysis_; }  // lines about a sample
+  // Returns the numbers of points by status.
   std::string text() const;
-  // What the brushes do, in lines, see results::Phases.
+  // Returns lines that say what the brushes do, see results::Phases.
   std::string phases() const { return phases_.text(); }
-  // Names the failed points on standard error. Throws RunError if there are no others.
+  // Names the failed points on standard error. Throws RunError if all points failed.
   void report_failures() const;
-  // For each status of points without values: an example, the cause and the remedy, on standard error.
+  // Writes to standard error an example, the cause and the remedy for each status of points without values.
   void report_points_without_values() const;
-  // If pinned bristles carry more than a tenth of R_x anywhere: at how many points, on standard error.
+  // Writes to standard error at how many points pinned bristles carry more than a tenth of R_x, if there are
+  // any.
   void report_pinned_bristles() const;
-  // At how many points the model is beyond each of its limits, on standard error.
+  // Writes to standard error at how many points the model is beyond each of its limits.
   void report_validity() const;
 
  private:
@@ -46,11 +47,11 @@ class Summary {
   std::vector<long> counts_ = std::vector<long>(words<PointStatus>().size(), 0);
   std::size_t points_ = 0;
   std::vector<std::string> failures_;
-  std::map<PointStatus, Example> first_;  // of each status without values
-  results::Phases phases_;                // of all points and nodes
+  std::map<PointStatus, Example> first_;  // first point of each status without values
+  results::Phases phases_;                // phases of all points and nodes
   std::size_t pinned_ = 0;                // points at which pinned bristles carry more than a tenth of R_x
   double largest_pinned_share_ = 0;
-  std::array<std::size_t, kValidity.size()> exceeding_{};  // number of points
+  std::array<std::size_t, kValidity.size()> exceeding_{};  // number of points beyond each limit
 };
 
 }  // namespace bristle::run

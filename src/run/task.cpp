@@ -42,7 +42,8 @@ void refresh_description(const Experiment& experiment, const std::string& path) 
   copy.publish();
 }
 
-// The points that no journal in the folder has. Unless force, copies those of other journals to this one.
+// Returns the points that the journal lacks. Unless force is set, copies points from the other journals of
+// the folder to this one first.
 std::vector<std::size_t> missing_points(const KeyedPoints& points, results::Journal& journal, bool force) {
   std::vector<std::size_t> missing = points.missing_in(journal);
   if (!force && !missing.empty()) {
@@ -82,7 +83,7 @@ void fill_journal(const Sweep& sweep, const KeyedPoints& points, const std::vect
   if (!complete) throw Interrupted("interrupted", saved_text());
 }
 
-// The jumps of the gap between the points, which are all in the journal.
+// Finds the jumps of the gap between the points, which are all in the journal.
 results::Rows find_jumps(const Experiment& experiment, const KeyedPoints& points, results::Journal& journal,
                          const RunOptions& options) {
   if (experiment.locate_jumps.empty()) return {};
@@ -101,8 +102,8 @@ results::Rows find_jumps(const Experiment& experiment, const KeyedPoints& points
   return locate_jumps(experiment.sweep, experiment.locate_jumps, gaps, solve);
 }
 
-// Writes the result with the jumps between the points. The journals of shards, whose points are now all in
-// the journal of the result, are removed.
+// Writes the result with the jumps between the points. Removes the journals of shards, whose points are now
+// all in the journal of the result.
 Summary finish(const Experiment& experiment, const RunOptions& options, const KeyedPoints& points,
                results::Journal& journal, const std::map<std::string, std::string>& entries,
                Progress& progress) {
@@ -118,7 +119,7 @@ Summary finish(const Experiment& experiment, const RunOptions& options, const Ke
   }
 }
 
-// What the shard's journal has.
+// Returns the summary of a shard's journal.
 Summary summary_of(const Experiment& experiment, const KeyedPoints& points, const results::Journal& journal) {
   Summary summary(experiment, journal.path());
   for (const std::size_t i : points.points())
@@ -126,7 +127,7 @@ Summary summary_of(const Experiment& experiment, const KeyedPoints& points, cons
   return summary;
 }
 
-// What remains to be done after a shard.
+// Prints what remains to be done after a shard.
 void print_rest(const Experiment& experiment, const RunOptions& options) {
   const KeyedPoints all(experiment.sweep, shard_points({}, experiment.sweep.size()));
   if (const std::size_t missing = all.missing_beside(options.output).size(); missing > 0)
