@@ -20,9 +20,10 @@ namespace {
 using results::Array;
 using results::Number;
 
-// How the dimensions of b lie in those of a. A dimension whose coordinates are equal is in neither.
+// Maps the dimensions of b to the dimensions of a. A dimension whose coordinates are equal is in neither
+// member.
 struct Matches {
-  std::map<std::string, std::vector<std::size_t>> index;  // in a, of each value of b
+  std::map<std::string, std::vector<std::size_t>> index;  // index in a of each value of b
   std::set<std::string> different;                        // b has values that a does not have
 };
 
@@ -31,7 +32,7 @@ bool same_kind(const Array& a, const Array& b) {
   return a.about.number == b.about.number;
 }
 
-// Returns the names that are on both sides. Others are failures.
+// Returns the names that are on both sides. Other names become failures.
 std::vector<std::string> common_names(const Side& a, const Side& b, Comparison& out) {
   std::vector<std::string> both;
   for (const auto& [name, array] : a.arrays)
@@ -43,7 +44,7 @@ std::vector<std::string> common_names(const Side& a, const Side& b, Comparison& 
   return both;
 }
 
-// Equal for numbers that are the same by same_bits().
+// Returns the bits of a number, which are equal for numbers that are the same by same_bits().
 std::uint64_t bits_of(double x) {
   return std::bit_cast<std::uint64_t>(std::isnan(x) ? std::numeric_limits<double>::quiet_NaN() : x);
 }
@@ -91,7 +92,7 @@ std::vector<std::string> names_of(const std::vector<const Array*>& columns) {
   return names;
 }
 
-// "row 3 (k_r = 2, friction = nss)"
+// Returns a text such as "row 3 (k_r = 2, friction = nss)".
 std::string row_text(const std::vector<const Array*>& columns, std::size_t row) {
   std::vector<std::string> values;
   for (const Array* column : columns)
@@ -105,7 +106,7 @@ std::map<std::string, const Array*> by_name(const std::vector<const Array*>& col
   return out;
 }
 
-// Finds the rows of a sample by their values: their numbers say nothing about them.
+// Finds the rows of a sample by their values, because row numbers do not identify them.
 void match_rows(const Side& a, const Side& b, Matches& matches, Comparison& out) {
   constexpr std::size_t most_named = 3;
   const std::string sample = experiment::kSample;
@@ -151,7 +152,7 @@ std::string shape_text(const Array& n) {
   return fmt::format("{} over {}", fmt::join(n.shape, " x "), fmt::join(n.dimensions, " x "));
 }
 
-// Why two variables cannot be compared; empty if they can be.
+// Returns why two variables cannot be compared; empty if they can be.
 std::string mismatch(const Array& a, const Array& b, const Matches& matches) {
   std::string shapes = fmt::format("different shapes: {} against {}", shape_text(a), shape_text(b));
   if (a.dimensions != b.dimensions || a.shape.size() != b.shape.size()) return shapes;
@@ -168,7 +169,7 @@ std::string mismatch(const Array& a, const Array& b, const Matches& matches) {
   return "";
 }
 
-// The index in a of each value of b.
+// Returns the index in a of each value of b.
 std::vector<std::size_t> indices(const Array& a, const Array& b, const Matches& matches) {
   std::vector<std::size_t> out = {0};
   for (std::size_t d = 0; d < b.shape.size(); ++d) {
@@ -200,7 +201,7 @@ std::vector<double> tolerances_of(const std::string& name, const Side& a, const 
   return out;
 }
 
-// Adds a pair of values that differ; returns whether it is the worst so far.
+// Adds a pair of values that differ. Returns true if their difference is the worst so far.
 bool add(Difference& d, double a, double b, double tolerance, bool has_size,
          std::pair<double, double>& worst) {
   const double size = has_size ? std::abs(a - b) : INFINITY;

@@ -19,18 +19,19 @@ namespace {
 using results::Array;
 using results::Number;
 
-// The tolerance allows for an integrator's error of this many rtol. The estimated errors of means include the
-// integrator's (docs/accuracy.md has up to 60 rtol); the allowance is for the variables without an estimate.
+// Allowance of the tolerance for an error of the integrator, in units of rtol. The estimated errors of means
+// include the integrator's error (docs/accuracy.md has up to 60 rtol); the allowance is for variables without
+// an estimate.
 constexpr double kIntegrator = 10;
 
-// Returns the dimensions of the points: those of the variable status, including nodes; those of the sweep if
-// a damaged file has no status.
+// Returns the dimensions of the points: the dimensions of the variable status, including nodes, or the
+// dimensions of the sweep if a damaged file has no status.
 std::vector<std::string> dimensions_of(const results::ResultReader& result) {
   return result.has("status") ? result.variable("status").dimensions : result.axes();
 }
 
-// Returns the names of the variables that a reference has: codes and real numbers. The parameters of a
-// sample, which the numbers of its points stand for, are not among them.
+// Returns the names of the variables that a reference has: codes and real numbers. Leaves out the parameters
+// of a sample, because the numbers of its points stand for them.
 std::vector<std::string> variables_of(const results::ResultReader& result) {
   const std::vector<std::string> axes = dimensions_of(result), parameters = result.sample_columns();
   std::vector<std::string> out;
@@ -44,8 +45,8 @@ std::vector<std::string> variables_of(const results::ResultReader& result) {
   return out;
 }
 
-// The estimated error of each value; 0 if there is none. The allowed distance of the load from its target,
-// orientation.rtol, is not part of the error of R_n.
+// Returns the estimated error of each value; 0 if there is none. Adds the allowed distance of the load from
+// its target, orientation.rtol, which the error of R_n does not include.
 std::vector<double> errors_of(const results::ResultReader& result, const std::string& name,
                               std::size_t size) {
   std::vector<double> errors(size, 0);
@@ -56,15 +57,15 @@ std::vector<double> errors_of(const results::ResultReader& result, const std::st
     const Json& experiment = result.experiment();
     double target = experiment.value(JsonPointer("/load/R_n"), 0.0);
     if (result.has("R_n_target"))
-      for (const double one : result.variable("R_n_target").values) target = std::max(target, one);
+      for (const double value : result.variable("R_n_target").values) target = std::max(target, value);
     distance = experiment.value(JsonPointer("/orientation/rtol"), 0.0) * target;
   }
   for (double& error : errors) error = (std::isfinite(error) ? error : 0) + distance;
   return errors;
 }
 
-// Rounded down to two digits, by its text: "1.2" and "e-05" of 1.2345e-05. At most the largest finite number,
-// as JSON has no infinity; 0 below the smallest normal one.
+// Returns x rounded down to two digits, by its text: "1.2" and "e-05" of 1.2345e-05. Returns at most the
+// largest finite number, because JSON has no infinity, and 0 below the smallest normal number.
 double rounded_down(double x) {
   using Limits = std::numeric_limits<double>;
   if (!(x >= Limits::min())) return 0;
@@ -72,9 +73,10 @@ double rounded_down(double x) {
   return *number_in(text.substr(0, 3) + text.substr(text.find('e')));
 }
 
-// The estimated error twice, because both runs may be off by it, and an allowance for the integrator. The
-// latter is relative to the largest value of the variable: a value near zero is not more accurate than its
-// neighbours. energy_residual is itself an error of the integrator.
+// Returns the tolerance of each value: twice the estimated error, because both runs may be off by it, and an
+// allowance for the integrator. The allowance is relative to the largest value of the variable, because a
+// value near zero is not more accurate than its neighbours. energy_residual is itself an error of the
+// integrator.
 std::vector<double> tolerances_of(const results::ResultReader& result, const std::string& name,
                                   const std::vector<double>& values) {
   double scale = 0;
@@ -98,7 +100,7 @@ Json claims_json(const std::vector<claims::CheckResult>& checks) {
   return out;
 }
 
-// Commit of the program that computed the points; a list of commits if several programs did.
+// Returns the commit of the program that computed the points; a list of commits if several programs did.
 std::string commit_of(const results::ResultReader& result) {
   const auto provenance = result.provenance();
   for (const char* name : {"points_commits", "commit"})
@@ -106,7 +108,7 @@ std::string commit_of(const results::ResultReader& result) {
   return "unknown";
 }
 
-// Returns an axis, or a column of a sample, with the codes that words have in the result.
+// Returns an axis, or a column of a sample, with the codes that its words have in the result.
 Array with_codes_of(const results::ResultReader& result, Array array, const char* kind,
                     const std::string& label) {
   if (array.about.words.empty()) return array;
@@ -136,7 +138,8 @@ Side result_side(const results::ResultReader& result) {
   return side;
 }
 
-// own: keeps the arrays that the reference does not have as they are.
+// Returns a reference as one side of a comparison. own: storage for the arrays that the side does not take
+// from the reference as they are
 Side reference_side(const Reference& reference, const std::string& label, const results::ResultReader& result,
                     std::vector<Array>& own) {
   Side side{label};

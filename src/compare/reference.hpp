@@ -12,22 +12,22 @@
 
 namespace bristle::compare {
 
-constexpr const char* kReferences = "reference";  // the folder of a checkout
+constexpr const char* kReferences = "reference";  // name of the folder in a checkout
 
 // The numbers, tolerances and verdicts of an experiment that later results are compared with. A file in JSON
 // holds them (CONTRIBUTING.md, reference.schema.json). Errors are omitted because they become tolerances, and
 // counts such as passages because they are cost, not result.
 struct Reference {
-  Json about;                // of the file: all but axes, sample, flags and variables
-  results::Dataset numbers;  // over the axes: codes (flags) and real numbers (variables)
-  std::map<std::string, std::vector<double>> tolerances;  // of the real numbers, by name
-  std::optional<std::vector<results::Array>> sample;      // its columns, if the file states them
+  Json about;                // the file without axes, sample, flags and variables
+  results::Dataset numbers;  // codes (flags) and real numbers (variables) over the axes
+  std::map<std::string, std::vector<double>> tolerances;  // tolerances of the real numbers, by name
+  std::optional<std::vector<results::Array>> sample;      // columns of the sample, if the file states them
 
   std::string text(const std::string& name) const;
 };
 
-// Returns the reference made from a result and its verdicts. Throws InputError for a variable that is not
-// over all points.
+// Returns the reference made from a result and its verdicts. Throws InputError for a variable that does not
+// extend over all points.
 Reference make_reference(const results::ResultReader& result, const std::vector<claims::CheckResult>& checks);
 
 // Returns the text of a reference's file.
@@ -35,25 +35,26 @@ std::string file_text(const Reference& reference);
 
 // Reads the text of a file. Throws InputError with path and JSON pointer for every mistake.
 Reference parse_reference(const std::string& text, const std::string& path);
-// The same for a file; the message says how to restore it.
+// Reads the reference file at path as parse_reference() does. Messages say how to restore the file.
 Reference read_reference(const std::string& path);
 
-// Path of the reference of an experiment: FOLDER/<name>.json.
+// Returns the path of the reference of an experiment: FOLDER/<name>.json.
 std::string reference_path(const std::string& folder, const std::string& name);
 
-// Compares a result, which may have more points, with a reference. Verdicts are compared between equal points
-// only, because they may depend on them. label: names the reference in messages.
+// Compares a result, which may have more points, with a reference. Compares verdicts between equal points
+// only, because verdicts may depend on the points. label: names the reference in messages
 Comparison compare_with_reference(const results::ResultReader& result,
                                   const std::vector<claims::CheckResult>& checks, const Reference& reference,
                                   const std::string& label);
 
-// The commands that make a reference from the smoke tier of a result's experiment. options: of the update.
+// Returns the commands that make a reference from the smoke tier of a result's experiment. options: options
+// of the command that updates the reference
 std::string smoke_commands(const results::ResultReader& result, const std::string& options = "");
 
 struct ReferenceUpdate {
   std::string file, reason;
   std::string folder = kReferences;
-  std::string day;  // of the change, YYYY-MM-DD
+  std::string day;  // day of the change, YYYY-MM-DD
 };
 
 // Writes the result to FOLDER/<name>.json as the new reference, and reason and changes to

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 #include <cmath>
 
-// References as files.
+// Reads and writes references as files.
 namespace bristle::compare {
 
 const char* reference_schema();  // the text of reference.schema.json, embedded by the build
@@ -26,7 +26,8 @@ std::size_t row_length(const Reference& reference) {
   return shape.empty() ? 1 : shape.back();
 }
 
-// Returns numbers by rows. A row ends after its last value; values: empty if all numbers have one.
+// Returns numbers by rows, each of which ends after its last value. values: tell which numbers have a value;
+// empty if all have one
 template <class T>
 Json rows_of(const std::vector<T>& numbers, std::size_t length, const std::vector<double>& values) {
   Json out = Json::array();
@@ -38,7 +39,7 @@ Json rows_of(const std::vector<T>& numbers, std::size_t length, const std::vecto
   return out;
 }
 
-// Returns one number if the tolerance is the same at all points that have a value.
+// Returns one number if the tolerance is the same at all points that have a value, otherwise rows.
 Json tolerance_json(const std::vector<double>& tolerance, std::size_t length,
                     const std::vector<double>& values) {
   std::optional<double> same;
@@ -118,8 +119,8 @@ class NumbersReader {
     return out;
   }
 
-  // Returns the numbers of all points, NaN behind the end of a row. wanted: numbers in each row, or at most
-  // that many if a row may end earlier.
+  // Returns the numbers of all points, NaN behind the end of a row. wanted: number of values in each row, or
+  // the greatest number if may_end is set
   std::vector<double> read(const JsonPointer& at, bool may_end,
                            const std::vector<std::size_t>& wanted) const {
     const std::vector<std::size_t> lengths = lengths_of(at);
@@ -170,7 +171,7 @@ experiment::Document checked_document(const std::string& text, const std::string
   } catch (const InputError& e) {
     throw InputError(fmt::format("{}: {}", path, e.what()));
   }
-  // The schema names the place of a mistake in the rows, for which it takes the document with all numbers.
+  // The schema needs the document with all numbers to name the place of a mistake in the rows.
   bool allowed = json.is_object();
   for (const auto& [at, found] : rows) allowed = allowed && is_allowed(at, found);
   if (!allowed) checked(json_object(path, text));

@@ -81,8 +81,8 @@ void require_sound_run(const results::ResultReader& result, const Reference& mad
       });
 }
 
-// The largest change of every variable, and the changes that have no size. The result's folder, which is of
-// one machine, is not recorded.
+// Returns the largest change of every variable, and the changes that have no size. Leaves out the result's
+// folder, because it belongs to one machine.
 std::string changes(const Comparison& comparison, const std::string& result) {
   std::string text;
   for (const auto* lines : {&comparison.notes, &comparison.subsets, &comparison.failures})
@@ -96,7 +96,7 @@ std::string changes(const Comparison& comparison, const std::string& result) {
   return text.empty() ? "- the same values, but different tolerances, inputs or digests\n" : text;
 }
 
-// Writes both files under temporary names first, so that a full disk leaves both old files.
+// Writes both files under temporary names first, so that a full disk leaves both old files unchanged.
 void write_files(const std::string& reference, const std::string& text, const std::string& log,
                  const std::string& record) {
   WholeFile new_reference(reference, {"a reference of bristle", "{", {"\"bristle-reference/"}});

@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 ReplayCommands::ReplayCommands(const results::ResultReader& result) {
   points_ = grid_size(result.sweep_shape());
   nodes_ = result.variable("status").values.size() / points_;
-  // In a checkout of bristle the program is where `make build` puts it; elsewhere it is an installed one.
+  // In a checkout of bristle the program is where `make build` puts it; elsewhere it is installed.
   const char* own_build = "build/bristle";
   const std::string program = fs::exists(own_build) ? own_build : "bristle";
   // A name that begins with a dash would be an option.

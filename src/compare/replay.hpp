@@ -7,21 +7,21 @@
 
 namespace bristle::compare {
 
-// The commands that compute single points of a result again, with the same bits, from the experiment that is
-// stored in the result. Reads what the commands share once.
+// Builds the commands that compute single points of a result again, with the same bits, from the experiment
+// that is stored in the result. Reads once what the commands share.
 class ReplayCommands {
  public:
   explicit ReplayCommands(const results::ResultReader& result);
 
-  // The command of the point to which a value of the variable status belongs. index: of the value, in
-  // row-major order.
+  // Returns the command of the point to which a value of the variable status belongs. index: index of the
+  // value, in row-major order
   std::string of_value(std::size_t index) const;
-  // The commands of all points of the sweep in row-major order, as a JSON array.
+  // Returns the commands of all points of the sweep in row-major order, as a JSON array.
   Json of_all_points() const;
 
  private:
-  std::size_t points_ = 0, nodes_ = 1;  // of the sweep; nodes of the curve at each point, or 1
-  std::string begin_;                   // of the command, before the number of the point
+  std::size_t points_ = 0, nodes_ = 1;  // points of the sweep; nodes of the curve at each point, or 1
+  std::string begin_;                   // start of the command, before the number of the point
 };
 
 }  // namespace bristle::compare
