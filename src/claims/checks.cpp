@@ -15,7 +15,7 @@ namespace {
 // A trend with a larger p-value may be due to chance.
 constexpr double kSignificanceLevel = 0.05;
 
-// Distance from the threshold or from the end of the band; positive if the claim holds.
+// Returns the distance from the threshold or from the end of the band; positive if the claim holds.
 double margin_of(const experiment::Check& check, double value) {
   switch (check.criterion) {
     case Criterion::near: return *check.band - std::abs(value - check.threshold);
@@ -32,14 +32,14 @@ Verdict decide(const Measurement& m, double margin) {
   return margin >= m.uncertainty ? Verdict::supported : Verdict::undecided;
 }
 
-// Whether the check selects or compares values of this axis.
+// Returns true if the check selects or compares values of this axis.
 bool selects(const experiment::Check& check, const std::string& axis) {
   const auto same = [&](const auto& selection) { return selection.first == axis; };
   return std::ranges::any_of(check.where, same) ||
          std::ranges::any_of(check.compare, [&](const auto& pair) { return pair.name == axis; });
 }
 
-// The worse of two verdicts: refuted, undecided, supported.
+// Returns the worse of two verdicts, in the order refuted, undecided, supported.
 Verdict worse(Verdict a, Verdict b) {
   if (a == Verdict::refuted || b == Verdict::refuted) return Verdict::refuted;
   return a == Verdict::supported ? b : a;
@@ -51,7 +51,7 @@ Json checks_of(const std::string& file) {
   return content["checks"];
 }
 
-// The verdict on a claim under one reading (CheckResult::claim_verdict).
+// Returns the verdict on a claim under one reading (CheckResult::claim_verdict).
 Verdict verdict_on_claim(const std::vector<CheckResult>& checks, const std::string& claim,
                          const std::string& reading) {
   std::map<std::string, Verdict> interpretations;
@@ -96,8 +96,8 @@ std::vector<CheckResult> evaluate_checks(
 std::vector<ClaimVerdict> claim_verdicts(const std::vector<CheckResult>& checks) {
   std::vector<ClaimVerdict> out;
   for (const CheckResult& c : checks) {
-    const bool known = std::ranges::any_of(out, [&](const ClaimVerdict& one) {
-      return one.claim == c.check.claim && one.reading == c.check.reading;
+    const bool known = std::ranges::any_of(out, [&](const ClaimVerdict& verdict) {
+      return verdict.claim == c.check.claim && verdict.reading == c.check.reading;
     });
     if (!known) out.push_back({c.check.claim, c.check.reading, c.claim_verdict});
   }

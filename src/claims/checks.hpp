@@ -5,8 +5,8 @@
 
 namespace bristle {
 
-// undecided: the threshold lies within the uncertainty of the measurement, too few points have values, or a
-// trend is not significant.
+// Outcome of a check or a claim. undecided: the threshold lies within the uncertainty of the measurement, too
+// few points have values, or a trend is not significant.
 enum class Verdict {
   supported,
   refuted,
@@ -26,9 +26,9 @@ struct CheckResult {
   Measurement measured;
   double margin;  // distance from the threshold or from the end of the band; positive if the claim holds
   Verdict verdict;
-  // On the claim under this check's reading, by the main checks of the claim. An interpretation is supported
-  // if all its main checks are, and refuted if one of them is; the claim is supported if one of its
-  // interpretations is, and refuted if all are.
+  // Verdict on the claim under this check's reading, by the main checks of the claim. An interpretation is
+  // supported if all its main checks are supported, and refuted if one of them is refuted. The claim is
+  // supported if one of its interpretations is supported, and refuted if all are refuted.
   Verdict claim_verdict;
 };
 
@@ -38,19 +38,19 @@ struct ClaimVerdict {
   Verdict verdict;
 };
 
-// The verdicts on the claims, in the order of their first checks.
+// Returns the verdicts on the claims, in the order of their first checks.
 std::vector<ClaimVerdict> claim_verdicts(const std::vector<CheckResult>& checks);
 
-// Evaluates the checks of the experiment that is stored in the result. Throws InputError if a check names a
-// variable, an axis or a value that the result does not have.
-// within limits the axes that a check neither selects nor compares to ranges [from, to]. The checks of
-// checks_file, a JSON file such as an experiment, are taken in place of the result's if it is named.
+// Evaluates the checks of the experiment that is stored in the result. within: ranges [from, to] that limit
+// axes, except those that a check selects or compares. checks_file: a JSON file, such as an experiment, whose
+// checks replace the checks of the result; empty for none. Throws InputError if a check names a variable, an
+// axis or a value that the result does not have.
 std::vector<CheckResult> evaluate_checks(
     const results::ResultReader& result,
     const std::vector<std::pair<std::string, std::array<double, 2>>>& within = {},
     const std::string& checks_file = "");
 
-// A human-readable table with one line per check of the experiment, and a column of verdicts for each
+// Returns a human-readable table with one line per check of the experiment, and a column of verdicts for each
 // reading.
 std::string checks_table(const std::vector<CheckResult>& checks);
 

@@ -32,7 +32,7 @@ std::size_t dimension_of(const results::ResultReader& result, const Field& field
   return std::size_t(found - field.dimensions.begin());
 }
 
-// Values of a variable or an axis, of which there must be count.
+// Returns the values of a variable or an axis. Throws InputError unless there are `count` of them.
 std::vector<double> values_of(const results::ResultReader& result, const std::string& name,
                               std::size_t count) {
   std::vector<double> values = result.variable(name).values;
@@ -62,7 +62,7 @@ void divide(const results::ResultReader& result, Field& field, const std::string
   }
 }
 
-// The value of a word on the axis of a choice: its index in the flag meanings.
+// Returns the value of a word on the axis of a choice: its index in the flag meanings.
 double index_of(const results::ResultReader& result, const std::string& name, const std::string& word) {
   const auto& words = result.variable(name).about.words;
   const auto found = std::find(words.begin(), words.end(), word);
@@ -72,7 +72,7 @@ double index_of(const results::ResultReader& result, const std::string& name, co
   return double(found - words.begin());
 }
 
-// A selection on this axis as a range [from, to].
+// Returns a selection on this axis as a range [from, to].
 std::array<double, 2> range_of(const results::ResultReader& result, const std::string& name,
                                const experiment::Selection& wanted) {
   if (const auto* range = std::get_if<std::array<double, 2>>(&wanted)) return *range;
@@ -122,7 +122,8 @@ void select(const results::ResultReader& result, Field& field, const std::string
     if (!selected[i]) field.kept[i] = false;
 }
 
-// Value and error where the abscissa first crosses the target along the nodes of a curve; NaN if it does not.
+// Returns value and error where the abscissa first crosses the target along the nodes of a curve; NaN if it
+// does not cross the target.
 CurvePoint interpolate(const Curve& nodes, double target) {
   for (std::size_t i = 1; i < nodes.size(); ++i) {
     const CurvePoint &a = nodes[i - 1], &b = nodes[i];
@@ -135,7 +136,8 @@ CurvePoint interpolate(const Curve& nodes, double target) {
   return {target, NAN, NAN};
 }
 
-// The field without its last dimension, "node": interpolated where the named variable has the target value.
+// Returns the field without its last dimension, "node": interpolated where the named variable has the target
+// value.
 Field reduce(const results::ResultReader& result, const Field& field, const std::string& name,
              double target) {
   if (field.shape.empty())
@@ -165,7 +167,7 @@ Field reduce(const results::ResultReader& result, const Field& field, const std:
   return out;
 }
 
-// The first point behind the largest rise of ln(z_0) between neighbouring points.
+// Returns the index of the first point behind the largest rise of ln(z_0) between neighbouring points.
 std::size_t behind_jump(const std::vector<double>& gaps) {
   std::size_t at = gaps.size();
   double most = 0;
@@ -199,7 +201,8 @@ Curves CheckedCurves::along(const std::string& dimension) const { return curves(
 
 Curves CheckedCurves::from_end_to_end() const { return curves(check_.along, true); }
 
-// whole: without the curves that have no value at their first or last selected point.
+// Returns the curves along a dimension. whole: leaves out curves without a value at their first or last
+// selected point
 Curves CheckedCurves::curves(const std::string& dimension, bool whole) const {
   const CheckedField y = field_of(check_.variable);
   const std::size_t d = dimension_of(result_, y, check_.variable, dimension), stride = stride_of(y, d);

@@ -13,11 +13,11 @@ namespace bristle::claims {
 struct CurvePoint {
   double x, value, error;
   double x_error = 0;
-  bool behind_jump = false;  // of z_0; for a check that distinguishes pairs of points
+  bool behind_jump = false;  // the point is behind the jump of z_0; for checks that distinguish pairs
 };
 using Curve = std::vector<CurvePoint>;
 
-// Curves along one dimension of a result, the input of predicates.
+// Curves along one dimension of a result: the input of predicates.
 struct Curves {
   std::vector<Curve> curves;
   std::size_t missing = 0;   // number of points without a value, which are omitted
@@ -30,24 +30,25 @@ struct CheckedField : results::Array {
   std::vector<bool> kept;
 };
 
-// The variable of a check, divided by powers of other variables, at the points that "where" selects. "at"
-// reduces every traced curve to one value by linear interpolation between nodes: at the given load on the
-// loading path or, for a variable other than R_n, where that variable first crosses the given value. The
+// Reads the variable of a check, divided by powers of other variables, at the points that "where" selects.
+// "at" reduces every traced curve to one value by linear interpolation between nodes: at the given load on
+// the loading path or, for a variable other than R_n, where this variable first crosses the given value. The
 // error then includes the difference from the nearer node. All members throw InputError for a name that the
 // result does not have.
 class CheckedCurves {
  public:
-  // side: for a check with "compare", which of its values to measure at, 0 or 1.
+  // side: 0 or 1, the value of "compare" at which to measure; none for a check without "compare"
   CheckedCurves(const results::ResultReader& result, const experiment::Check& check,
                 std::optional<std::size_t> side = {});
 
-  // Curves along the check's dimension, or another one, over that axis or over the check's variable x.
+  // Returns the curves along the check's dimension. The abscissa is this axis or the check's variable x.
   Curves along() const;
+  // Returns the curves along `dimension`, with the same choice of the abscissa as along().
   Curves along(const std::string& dimension) const;
-  // The same along the check's dimension, of the curves that have values at the first and at the last
-  // selected point: the others do not show a change from end to end.
+  // Returns the curves along the check's dimension that have values at the first and at the last selected
+  // point. Other curves do not show a change from end to end.
   Curves from_end_to_end() const;
-  // All selected points in row-major order, including those without a value.
+  // Returns all selected points in row-major order, including points without a value.
   Curve points() const;
 
  private:

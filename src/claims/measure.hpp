@@ -16,22 +16,22 @@ struct Need {
 struct Predicate {
   std::string name;
   std::vector<Need> needs;
-  // One of the two is null: a predicate measures on curves along one dimension, or on two quantities at the
-  // same points.
+  // One of these two functions is null: a predicate measures on curves along one dimension, or on two
+  // quantities at the same points.
   Measurement (*on_curves)(const CheckedCurves& curves, const experiment::Check& check);
   Measurement (*on_pairs)(const Curve& first, const Curve& second, const experiment::Check& check);
 };
 
-// All predicates. docs/claims.md describes them; a test compares the names.
+// Returns all predicates. docs/claims.md describes them; a test compares the names.
 const std::vector<Predicate>& predicates();
 std::vector<std::string> predicate_names();
-// name: one in the table.
+// Returns the predicate of this name, which must be in the table.
 const Predicate& find_predicate(const std::string& name);
 
-// The number that the check measures, with its uncertainty. A check with "compare" measures at two values of
-// an axis and returns the ratio or the difference of the two numbers; a predicate on pairs measures on both
-// values together. Throws InputError if the result does not have a variable, an axis or a value that the
-// check names.
+// Returns the number that the check measures, with its uncertainty. A check with "compare" measures at two
+// values of an axis and returns the ratio or the difference of the two numbers; a predicate on pairs measures
+// on both values together. Throws InputError if the result does not have a variable, an axis or a value that
+// the check names.
 Measurement measure(const results::ResultReader& result, const experiment::Check& check);
 
 }  // namespace bristle::claims

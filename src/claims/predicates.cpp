@@ -10,7 +10,7 @@ namespace {
 
 double relative_error(const CurvePoint& p) { return p.error / std::abs(p.value); }
 
-// Sum of errors: in quadrature if they are independent, otherwise linear.
+// Adds errors: in quadrature if they are independent, otherwise linearly.
 class ErrorSum {
  public:
   explicit ErrorSum(bool independent) : independent_(independent) {}
@@ -22,7 +22,8 @@ class ErrorSum {
   double sum_ = 0;
 };
 
-// Mean over the curves with this many points. of_curve returns {value, uncertainty} of one curve.
+// Returns the mean over the curves with at least least_points points. of_curve returns {value, uncertainty}
+// of one curve.
 template <class OfCurve>
 Measurement mean_over(const Curves& in, OfCurve of_curve, std::size_t least_points = 2) {
   double sum = 0;
@@ -48,7 +49,7 @@ struct Estimate {
   double value, uncertainty;
 };
 
-// ln of the ratio of two values.
+// Returns ln of the ratio of two values.
 Estimate log_ratio(const CurvePoint& a, const CurvePoint& b) {
   return {log(a.value / b.value), relative_error(a) + relative_error(b)};
 }
@@ -66,20 +67,20 @@ Measurement mean_log_range(const Curves& in) {
   });
 }
 
-// Sign of a change; 0 if its size does not exceed its error.
+// Returns the sign of a change; 0 if its size does not exceed its error.
 int sign_of(double change, double error) { return change > error ? 1 : change < -error ? -1 : 0; }
 
 // Pairs of points, counted for Kendall's tau.
 struct Pairs {
   long rising = 0, falling = 0, all = 0;
-  double variance = 0;  // of rising - falling if there is no association
+  double variance = 0;  // variance of rising - falling if there is no association
 
   void add(int sign) {
     ++all;
     rising += sign > 0;
     falling += sign < 0;
   }
-  // The points whose pairs are added: n before the jump and m behind it.
+  // Adds the variance of the pairs of n points before the jump and m points behind it.
   void add_points(double n, double m, experiment::PointPairs counted) {
     const auto of_all = [](double k) { return k * (k - 1) * (2 * k + 5) / 18; };
     variance += counted == experiment::PointPairs::all      ? of_all(n + m)
@@ -99,7 +100,7 @@ struct Pairs {
   }
 };
 
-// Slopes of ln(value) over ln(abscissa) between neighbouring points, with their errors.
+// Returns the slopes of ln(value) over ln(abscissa) between neighbouring points, with their errors.
 std::vector<Estimate> log_slopes(const Curve& curve) {
   std::vector<Estimate> out;
   for (std::size_t i = 1; i < curve.size(); ++i) {
@@ -114,8 +115,8 @@ std::size_t steepest(const std::vector<Estimate>& slopes) {
   return std::size_t(std::ranges::min_element(slopes, {}, &Estimate::value) - slopes.begin());
 }
 
-// ln(abscissa) at which the curve first falls to a level after the point from, and half the distance of the
-// points there.
+// Returns ln(abscissa) at which the curve first falls to a level after the point `from`. The uncertainty is
+// half the distance of the points there.
 Estimate falls_to(const Curve& curve, std::size_t from, double level) {
   for (std::size_t i = from + 1; i < curve.size(); ++i) {
     if (curve[i].value > level) continue;
@@ -215,7 +216,7 @@ Measurement range_ratio(const Curves& along, const Curves& against) {
 
 namespace {
 
-// Weights of the points in the slope of their least-squares line, and its errors.
+// The least-squares line of points: its slope, the error of the slope, and the means of the coordinates.
 struct Line {
   double slope = 0, slope_error = 0, x_mean = 0, y_mean = 0;
 };
@@ -360,7 +361,7 @@ Measurement ordering(const Curve& first, const Curve& second) {
     else ++missing;
   }
   Measurement out = pairs.measurement(2, missing);
-  out.significance = NAN;  // of a rank correlation only
+  out.significance = NAN;  // only a rank correlation has one
   return out;
 }
 

@@ -81,7 +81,8 @@ class CheckValidator {
       fail("role", fmt::format("every check of claim {} is \"further\"; one must be \"main\"", check_.claim));
   }
 
-  // The selection must be a word of a choice, a value of an axis, or a range of an axis or a variable.
+  // Requires that the selection is a word of a choice, a value of an axis, or a range of an axis or a
+  // variable.
   void selects(const std::string& key, const std::string& name, const experiment::Selection& value) const {
     const bool range = std::holds_alternative<Range>(value);
     const auto axis =
