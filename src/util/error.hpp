@@ -10,7 +10,8 @@ namespace bristle {
 // remedy.
 class InputError : public std::runtime_error {
  public:
-  // tier: of an experiment file whose patch the message names as the place; empty for other places
+  // tier: the tier of an experiment file, if the place in the message is in the patch of a tier; otherwise
+  // empty
   explicit InputError(const std::string& message, std::string tier = "")
       : std::runtime_error(message), tier_(std::move(tier)) {}
   const std::string& tier() const { return tier_; }
@@ -28,7 +29,7 @@ class MissingFile : public InputError {
 // The run could not finish although its input is valid: exit code 3.
 class RunError : public std::runtime_error {
  public:
-  // saved: where the work that was done is kept, which the message says after the reason
+  // saved: where finished work is kept; the message says it after the reason
   explicit RunError(const std::string& reason, const std::string& saved = "")
       : std::runtime_error(saved.empty() ? reason : reason + "; " + saved), reason_(reason) {}
   const std::string& reason() const { return reason_; }
@@ -38,7 +39,7 @@ class RunError : public std::runtime_error {
 };
 
 // The system refused what the program needs, whatever the input is: too many open files, a device that fails.
-// Exit code 3. What a file contains is not the reason: nobody may call it damaged.
+// Exit code 3. The contents of a file are not the reason, so no file may be called damaged.
 class SystemError : public RunError {
  public:
   using RunError::RunError;

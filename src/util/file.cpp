@@ -16,7 +16,8 @@ namespace bristle {
 namespace fs = std::filesystem;
 namespace {
 
-// Whether path still names the descriptor's file: it may have been renamed between opening and locking.
+// Returns true if path still names the descriptor's file, which may have been renamed between opening and
+// locking.
 bool still_named(int descriptor, const std::string& path) {
   struct stat opened {
   }, named{};
@@ -24,7 +25,7 @@ bool still_named(int descriptor, const std::string& path) {
          opened.st_ino == named.st_ino && opened.st_dev == named.st_dev;
 }
 
-// file: the file whose data are flushed, for messages.
+// Flushes path to the disk. file: the file whose data are flushed, for messages
 void flush_to_disk(const std::string& file, const std::string& path, int flags) {
   const int descriptor = open(path.c_str(), flags | O_CLOEXEC);
   const bool done = descriptor >= 0 && fsync(descriptor) == 0;
@@ -34,7 +35,7 @@ void flush_to_disk(const std::string& file, const std::string& path, int flags) 
     throw RunError(fmt::format("{}: cannot be flushed to the disk: {}", file, system_reason(reason)));
 }
 
-// What stands at path itself, not behind a symbolic link, if it is not a regular file; for messages.
+// Returns, for messages, what stands at path itself, not behind a symbolic link, if it is not a regular file.
 std::string special_file(const std::string& path) {
   struct stat found {};
   if (lstat(path.c_str(), &found) != 0 || S_ISREG(found.st_mode)) return "";
@@ -53,8 +54,8 @@ void require_regular_or_none(const std::string& path) {
   if (const std::string what = special_file(path); !what.empty()) refuse(path, what);
 }
 
-// Whether the file can be the remainder of one that begins with start: its beginning, or zeros, because the
-// first bytes of an HDF5 file are written last.
+// Returns true if the file can be the remainder of one that begins with start: its beginning, or zeros,
+// because the first bytes of an HDF5 file are written last.
 bool may_be_partial(const std::string& path, const std::string& start) {
   std::string found(start.size(), '\0');
   std::ifstream in = open_input(path);
@@ -63,7 +64,7 @@ bool may_be_partial(const std::string& path, const std::string& start) {
   return start.compare(0, found.size(), found) == 0 || found.find_first_not_of('\0') == std::string::npos;
 }
 
-// Appends what is left to read. Returns 0, or errno if reading fails.
+// Appends the unread rest of a file to bytes. Returns 0, or errno if reading fails.
 int read_all(int descriptor, std::string& bytes) {
   std::string block(std::size_t(1) << 20, '\0');
   for (;;) {
@@ -74,7 +75,7 @@ int read_all(int descriptor, std::string& bytes) {
   }
 }
 
-// Whether one of the texts occurs in the rest of the stream.
+// Returns true if one of the texts occurs in the rest of the stream.
 bool contains_one(std::istream& in, const std::vector<std::string>& texts) {
   std::size_t longest = 1;
   for (const std::string& text : texts) longest = std::max(longest, text.size());

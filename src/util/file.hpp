@@ -7,25 +7,27 @@
 
 namespace bristle {
 
-// The system's words for the value of errno, with the remedy if it is a limit of the shell.
+// Returns the system's words for the value of errno, with the remedy if the reason is a limit of the shell.
 std::string system_reason(int error);
-// Whether the value of errno is of the system, and not of the name or the content of a file.
+// Returns true if the value of errno is due to the system, and not to the name or the content of a file.
 bool is_of_the_system(int error);
-// Throws what with the reason of errno: SystemError if it is of the system, otherwise InputError.
+// Throws an error with the text `what` and the reason of errno: SystemError if the reason is due to the
+// system, otherwise InputError.
 [[noreturn]] void throw_system_reason(const std::string& what, int error);
 
-// A stream that reads path, without content if there is no such file. Throws InputError or SystemError if it
-// cannot be opened.
+// Returns a stream that reads path, without content if there is no such file. Throws InputError or
+// SystemError if the file cannot be opened.
 std::ifstream open_input(const std::string& path);
 // Throws if reading from the stream failed, other than at the end of the file. Call it before errno changes.
 void require_read(const std::ios& in, const std::string& path);
 
-// The bytes of a file. Throws InputError if it is not a regular file (reading a pipe or a device may never
-// end) or has more bytes than max_bytes; MissingFile, another InputError or SystemError if it cannot be read.
+// Returns the bytes of a file. Throws InputError if it is not a regular file (reading a pipe or a device may
+// never end) or has more bytes than max_bytes; MissingFile, another InputError or SystemError if it cannot be
+// read.
 std::string read_file(const std::string& path, std::uintmax_t max_bytes = UINTMAX_MAX);
 
-// What an input is instead of a regular file: "a folder; give the name of a file in it"; empty if it is one
-// or does not exist.
+// Returns what an input is instead of a regular file, such as "a folder; give the name of a file in it";
+// empty if it is a regular file or does not exist.
 std::string not_a_file(const std::string& path);
 
 // A kind of file that the program writes. Every such file begins with start and, if there are marks,
@@ -36,14 +38,14 @@ struct FileKind {
   std::vector<std::string> marks;
 };
 
-// Whether the file at path is of this kind, as far as its bytes tell; it may be damaged or of another
+// Returns true if the file at path is of this kind, as far as its bytes tell; it may be damaged or of another
 // version.
 bool is_of_kind(const std::string& path, const FileKind& kind);
 
-// Throws InputError unless output is the name of a file that the program may write: nothing stands there, or
-// an empty regular file (made by mktemp, or by a full disk), or one of this kind. The same holds for the
-// temporary file output.partial, of which an earlier program may have written only the beginning. Symbolic
-// links to the file are refused, links to its folders are followed. Call it before computing.
+// Throws InputError unless the program may write to output: nothing stands there, or an empty regular file
+// (made by mktemp, or by a full disk), or a file of this kind. Requires the same of the temporary file
+// output.partial, of which an earlier program may have written only the beginning. Symbolic links to the file
+// are refused, links to its folders are followed. Call it before computing.
 void require_replaceable(const std::string& output, const FileKind& kind);
 
 // Opens path for writing, creating it and its folder if necessary, and locks it. Returns the descriptor; the
@@ -74,7 +76,7 @@ class WholeFile {
  private:
   std::string path_, partial_;
   int file_;       // descriptor of the temporary file, which holds its lock
-  int error_ = 0;  // of the first write that failed, or 0
+  int error_ = 0;  // errno of the first write that failed, or 0
   bool published_ = false;
 };
 

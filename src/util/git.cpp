@@ -17,8 +17,8 @@ std::string without_newline(std::string text) {
   return text;
 }
 
-// git without the variables by which the caller's shell, or a hook that runs the program, points git at
-// another repository or changes what a path means.
+// Command for git without the variables by which the caller's shell, or a hook that runs the program, points
+// git at another repository or changes what a path means.
 constexpr const char* kGit =
     "env -u GIT_DIR -u GIT_WORK_TREE -u GIT_INDEX_FILE -u GIT_COMMON_DIR -u GIT_OBJECT_DIRECTORY "
     "-u GIT_ALTERNATE_OBJECT_DIRECTORIES -u GIT_NAMESPACE -u GIT_PREFIX -u GIT_GRAFT_FILE -u "

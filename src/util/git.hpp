@@ -16,16 +16,16 @@ class Repository {
   Repository(const std::string& folder, const std::string& option, const std::string& purpose);
 
   std::string commit() const;  // the commit that is checked out
-  bool is_top() const;         // folder is the top folder of the work tree
+  bool is_top() const;         // true if folder is the top folder of the work tree
   std::time_t commit_time() const;
-  // Output of `git status --porcelain` without the path except, which is relative to folder. Empty if the
-  // work tree equals the commit.
+  // Returns the output of `git status --porcelain` without the path `except`, which is relative to folder;
+  // empty if the work tree equals the commit.
   std::string changes(const std::string& except = "") const;
-  // Whether the commit that is checked out is the given one or descends from it.
+  // Returns true if the commit that is checked out is the given one or descends from it.
   bool descends_from(const std::string& commit) const;
-  // Names, relative to folder, of the files under version control below a path.
+  // Returns the names, relative to folder, of the files under version control below a path.
   std::vector<std::string> files(const std::string& under) const;
-  // The files of the commit as a tar archive, whose header contains the commit's identifier.
+  // Returns the files of the commit as a tar archive, whose header contains the commit's identifier.
   std::string source_archive(const std::string& prefix) const;
 
  private:

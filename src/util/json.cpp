@@ -59,7 +59,7 @@ class Watch {
  private:
   struct Level {
     bool object;
-    std::string key;  // of the value that follows
+    std::string key;  // key of the value that follows
     std::set<std::string> keys;
   };
 
@@ -100,8 +100,8 @@ class Watch {
 
   std::map<std::string, NumberRows>* rows_;
   std::vector<Level> levels_;
-  NumberRows* row_ = nullptr;  // to which values belong
-  int depth_of_row_ = 0;       // of arrays, 1 in a row
+  NumberRows* row_ = nullptr;  // rows to which values belong
+  int depth_of_row_ = 0;       // depth of arrays, 1 in a row
 };
 
 Json parse(const std::string& text, std::map<std::string, NumberRows>* rows) {

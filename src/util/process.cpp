@@ -33,7 +33,7 @@ void limit(int resource, rlim_t soft, rlim_t hard) {
   setrlimit(resource, &limits);
 }
 
-// The address space of this process in bytes.
+// Returns the address space of this process in bytes.
 rlim_t memory_in_use() {
   rlim_t pages = 0;
   std::ifstream("/proc/self/statm") >> pages;
@@ -49,8 +49,8 @@ bool write_all(int descriptor, const std::string& text) {
   return true;
 }
 
-// The parent process reports a crash; inherited signal handlers and the C library's messages would report it
-// a second time.
+// Silences inherited signal handlers and the C library's messages, which would report a crash a second time:
+// the parent process reports it.
 void silence_crash_output() {
   for (const int signal : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL, SIGXCPU}) std::signal(signal, SIG_DFL);
   const int null_device = open("/dev/null", O_WRONLY | O_CLOEXEC);

@@ -14,11 +14,11 @@ struct ProcessResult {
 // Runs a shell command line. Throws SystemError if it cannot be started.
 ProcessResult run_process(const std::string& command);
 
-// The name of this machine.
+// Returns the name of this machine.
 std::string host_name();
 
 struct Limits {
-  long seconds;        // of processor time
+  long seconds;        // processor time
   std::size_t memory;  // bytes, beyond those of this process
 };
 

@@ -12,12 +12,13 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kResamples = 200;
-// With a larger error all possible indices, 0 to 1, lie within the error. An index farther outside of 0 to 1,
-// by both numbers, is not noise of the sample: the points with a value are not alike.
+// Limits of an index. With an error above kLargestError all possible indices, 0 to 1, lie within the error.
+// An index that is outside of 0 to 1 by more than kOutside and more than kOutsideErrors errors is not noise
+// of the sample: the points with a value are not alike.
 constexpr double kLargestError = 0.5, kOutside = 0.1, kOutsideErrors = 3;
 
-// The standard deviation of a statistic over resamples of `size` items, which are drawn with replacement. The
-// same draws each time.
+// Returns the standard deviation of a statistic over resamples of `size` items, which are drawn with
+// replacement. The draws are the same each time.
 template <class Statistic>
 std::vector<double> bootstrap_errors(std::size_t size, const Statistic& statistic) {
   std::vector<double> sum, sum_of_squares;
@@ -42,11 +43,11 @@ std::vector<double> bootstrap_errors(std::size_t size, const Statistic& statisti
   return errors;
 }
 
-// A block of the design. The first value of all is subtracted from all, so that constant values have no
-// variance.
+// The values of a block of the design, minus the first finite value of all blocks, so that constant values
+// have no variance.
 struct Block {
   double a, b;
-  std::vector<double> mixed;  // a with the coordinate of b, by input
+  std::vector<double> mixed;  // values at a with the coordinate of b, by input
 };
 
 std::vector<Block> blocks_of(const std::vector<double>& values, std::size_t inputs) {
@@ -87,7 +88,7 @@ bool has_triple(const Block& block, std::size_t input) {
   return has_pair(block, input) && std::isfinite(block.b);
 }
 
-// First-order indices, then total ones.
+// Returns the first-order indices, then the total ones.
 std::vector<double> estimates(const std::vector<Block>& blocks, const std::vector<std::size_t>& drawn,
                               std::size_t inputs) {
   const auto [mean, variance] = moments_of(blocks, drawn);

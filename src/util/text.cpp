@@ -14,7 +14,8 @@
 namespace bristle {
 namespace {
 
-// The least number of insertions, removals, replacements and exchanges of neighbours.
+// Returns the least number of insertions, removals, replacements and exchanges of neighbours that turn a into
+// b.
 std::size_t edit_distance(const std::string& a, const std::string& b) {
   std::vector<std::size_t> before, last(b.size() + 1), row(b.size() + 1);
   std::iota(last.begin(), last.end(), 0);
@@ -40,7 +41,7 @@ std::string small_letters(std::string text) {
 
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& known) {
   std::string best;
-  // Of equal distances without regard to capitals, the one with regard to them decides.
+  // If distances are equal without regard to capitals, the distance with regard to them decides.
   std::pair<std::size_t, std::size_t> least = {1 + std::max<std::size_t>(1, word.size() / 3), 0};
   for (const std::string& candidate : known)
     if (const std::pair distance = {edit_distance(small_letters(word), small_letters(candidate)),

@@ -6,28 +6,28 @@
 
 namespace bristle {
 
-// " (did you mean x?)" with the known word of the smallest edit distance, in which capitals and small letters
-// are the same; empty if none is similar.
+// Returns " (did you mean x?)" with the known word of the smallest edit distance, in which capitals and small
+// letters are the same; empty if no word is similar.
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& known);
 
-// The number that the text states, rounded to the nearest double: 0 or infinity beyond their range. None if
-// it states no number.
+// Returns the number that the text states, rounded to the nearest double: 0 or infinity beyond the range of
+// doubles. Returns none if the text states no number.
 std::optional<double> number_in(const std::string& text);
 
-// The text quoted as one word of a shell command.
+// Returns the text quoted as one word of a shell command.
 std::string shell_quoted(const std::string& text);
-// The command of these arguments.
+// Returns the shell command of these arguments.
 std::string shell_command(const std::vector<std::string>& arguments);
 
-// Untrusted text with control characters, except those to be kept, replaced by escapes such as \x1b, as a
-// terminal would execute them.
+// Returns untrusted text with control characters, except those to be kept, replaced by escapes such as \x1b,
+// because a terminal would execute them.
 std::string printable(const std::string& text, const std::string& kept = "");
 
-// Writes the text to standard error. If that is closed or on a full disk the text is lost, and nothing else:
-// a message must not end the command that it is about.
+// Writes the text to standard error. If standard error is closed or on a full disk, only the text is lost: a
+// message must not end the command that it is about.
 void write_stderr(const std::string& text);
-// The same for lines that may hold untrusted text: with its control characters, except line feeds, replaced
-// by escapes.
+// Writes lines that may hold untrusted text to standard error, with their control characters, except line
+// feeds, replaced by escapes.
 void write_message(const std::string& text);
 
 // Splits "a, b, c", the format of lists of commits in /provenance, into {a, b, c}.
