@@ -1,6 +1,7 @@
 #include "bristle/ensemble/load.hpp"
 
 #include "bristle/ensemble/load_path.hpp"
+#include "bristle/ensemble/load_rules.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,23 +10,6 @@
 
 namespace bristle {
 namespace {
-
-// Distance before a crossing, in steps of the scan, at which the load is checked to be below the target.
-constexpr double kNeighbour = 0.125;
-// Before a crossing, R_n is expected to fall at least by this share of its mean slope in the scan's bracket.
-constexpr double kEven = 0.75;
-// Slow steps of the root-finder, in excess of the others, after which it bisects.
-constexpr int kMaxSlow = 3;
-// A bracket narrower than this, in steps of the scan, should have led to the target already: it contains a
-// jump, or the noise of the means misled the search.
-constexpr double kNarrow = 1. / 64;
-// Where the load is even (even_between()), a gap is accepted whose load is within this multiple of rtol: the
-// values at the target follow from secants. Slopes are similar whose ratio is at most kSimilar.
-constexpr double kWide = 3, kSimilar = 2;
-constexpr int kMaxEarlier = 4;  // number of times that the search moves to an earlier crossing
-// Of the target. A rough load that does not decide whether the load falls beyond the crossing is made precise
-// if it is uncertain by more than this, as it is under a large rtol.
-constexpr double kRoughEnough = 0.02;
 
 // Locates the crossing within the bracket of the scan.
 class CrossingFinder {
@@ -60,7 +44,7 @@ class CrossingFinder {
     int slow = 0;  // steps that did not halve the bracket, less those that did
     bool examined = accuracy == Accuracy::reported;
     while (!solution_ && width() > search_.z_0_resolution) {
-      if (slow >= kMaxSlow && !examined && width() < kNarrow * search_.step) {
+      if (slow >= kMaxSlowSteps && !examined && width() < kSuspectBracketSteps * search_.step) {
         bracket_ = loads_.between(bracket_.near.z_0, bracket_.far.z_0, Accuracy::reported);
         take_solution();
         if (solution_ || !bracket_.encloses()) return;
@@ -68,7 +52,7 @@ class CrossingFinder {
       }
       const double before = width();
       const double middle = bracket_.near.z_0 + (bracket_.far.z_0 - bracket_.near.z_0) / 2;
-      const GapLoad probe = loads_.at(slow < kMaxSlow ? interpolated() : middle, accuracy);
+      const GapLoad probe = loads_.at(slow < kMaxSlowSteps ? interpolated() : middle, accuracy);
       (probe.excess < 0 ? bracket_.near : bracket_.far) = probe;
       take_solution();
       slow = width() > before / 2 ? slow + 1 : std::max(0, slow - 1);
@@ -84,7 +68,8 @@ class CrossingFinder {
     const double distance = std::abs(at.excess);
     // No gap does better than one whose mean does not converge, if it is within its own error of the target.
     return distance <= loads_.allowed() || (!at.load.converged && distance <= at.load.error) ||
-           (search_.by_secants && distance <= kWide * loads_.allowed() && even_between(at.z_0));
+           (search_.by_secants && distance <= kEvenToleranceFactor * loads_.allowed() &&
+            even_between(at.z_0));
   }
 
   // The nearest computed gaps on both sides of this one whose loads differ from its load beyond doubt, if the
@@ -97,7 +82,7 @@ class CrossingFinder {
     std::array<const GapLoad*, 2> sides{};
     for (const GapLoad& one : computed) {
       if (one.z_0 == z_0 || apart(one) > search_.step ||
-          std::abs(one.excess - at.excess) <= kDistinct * (one.load.error + at.load.error))
+          std::abs(one.excess - at.excess) <= kUndecidedErrors * (one.load.error + at.load.error))
         continue;
       const GapLoad*& side = sides[loads_.is_before(one.z_0, z_0) ? 0 : 1];
       if (!side || apart(one) <= apart(*side)) side = &one;
@@ -105,7 +90,7 @@ class CrossingFinder {
     if (!sides[0] || !sides[1]) return {};
     const double before = (at.excess - sides[0]->excess) / apart(*sides[0]);
     const double after = (sides[1]->excess - at.excess) / apart(*sides[1]);
-    if (std::min(before, after) * kSimilar < std::max(before, after)) return {};
+    if (std::min(before, after) * kSlopeRatio < std::max(before, after)) return {};
     return std::array{sides[0]->z_0, sides[1]->z_0};
   }
 
@@ -119,7 +104,7 @@ class CrossingFinder {
     for (const GapLoad& one : loads_.computed()) {
       const double along = (one.z_0 - near.z_0) / run;
       const double apart = along < 0 ? near.excess - one.excess : along > 1 ? one.excess - far.excess : 0;
-      if (apart <= kDistinct * one.load.error) continue;
+      if (apart <= kUndecidedErrors * one.load.error) continue;
       if (!third || std::abs(one.z_0 - secant) <= std::abs(third->z_0 - secant)) third = &one;
     }
     if (!third) return secant;
@@ -131,8 +116,8 @@ class CrossingFinder {
   }
 
   void move_to_earlier_crossings() {
-    double distance = kNeighbour * search_.step;
-    for (int i = 0; solution_ && i < kMaxEarlier; ++i, distance /= 2) {
+    double distance = kFirstLookSteps * search_.step;
+    for (int i = 0; solution_ && i < kMaxEarlierCrossings; ++i, distance /= 2) {
       scan_ = refined(scan_);
       const auto earlier = earlier_crossing(*solution_, distance);
       if (!earlier) return;
@@ -148,10 +133,10 @@ class CrossingFinder {
     const double slope = (scan_.far.excess - scan_.near.excess) / std::abs(scan_.far.z_0 - scan_.near.z_0);
     const double room = std::abs(scan_.near.z_0 - crossing.z_0);
     for (; distance < room; distance *= 2) {
-      if (falls_before(crossing.z_0, distance, kEven * slope)) continue;
+      if (falls_before(crossing.z_0, distance, kExpectedSlopeShare * slope)) continue;
       const double z_0 = loads_.beyond(crossing.z_0, -distance);
       GapLoad probe = loads_.at(z_0, Accuracy::rough);
-      if (probe.excess >= -kDistinct * probe.load.error) {
+      if (probe.excess >= -kUndecidedErrors * probe.load.error) {
         probe = loads_.at(z_0, Accuracy::precise);
         if (probe.excess >= 0) return probe;
       }
@@ -165,7 +150,7 @@ class CrossingFinder {
     return std::ranges::any_of(loads_.computed(), [&](const GapLoad& one) {
       const double before = search_.path == LoadPath::loading ? one.z_0 - crossing : crossing - one.z_0;
       return distance / M_SQRT2 <= before && before <= M_SQRT2 * distance &&
-             one.excess + kDistinct * one.load.error < -slope * before;
+             one.excess + kUndecidedErrors * one.load.error < -slope * before;
     });
   }
 
@@ -243,7 +228,7 @@ std::optional<double> falls_beyond(LoadsOnPath& loads, double crossing) {
       if (loads.is_before(last.z_0, one.z_0) && loads.is_before(one.z_0, next)) next = one.z_0;
     GapLoad at = loads.at(next, Accuracy::rough);
     if (std::abs(at.excess) <= loads.undecided(at) &&
-        loads.undecided(at) > kRoughEnough * loads.search.target)
+        loads.undecided(at) > kRoughErrorShare * loads.search.target)
       at = loads.at(next, Accuracy::precise);
     if (at.excess < -loads.undecided(at)) {
       const GapLoad between = loads.at(last.z_0 + (next - last.z_0) / 2, Accuracy::precise);

@@ -1,18 +1,13 @@
 #pragma once
 
 #include "bristle/ensemble/load.hpp"
+#include "bristle/ensemble/load_rules.hpp"
 
 #include <algorithm>
 #include <optional>
 #include <vector>
 
 namespace bristle {
-
-// The load is above or below the target beyond doubt if its distance from the target exceeds this multiple of
-// its error.
-constexpr double kDistinct = 2;
-// Of the target. The loads of a lattice fluctuate by more in time.
-constexpr double kUndecided = 0.005;
 
 // R_n at one gap. excess is R_n minus the target on the loading path, the target minus R_n on the unloading
 // path: negative before the crossing.
@@ -54,7 +49,7 @@ class LoadsOnPath {
   double allowed() const { return search.rtol * search.target; }
   // Within this distance from the target, the fluctuation of the loads decides on which side of it they lie.
   double undecided(const GapLoad& at) const {
-    return std::max(kUndecided * search.target, kDistinct * at.load.error);
+    return std::max(kUndecidedShare * search.target, kUndecidedErrors * at.load.error);
   }
 
   const LoadSearch& search;

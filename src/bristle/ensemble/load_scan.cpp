@@ -1,4 +1,5 @@
 #include "bristle/ensemble/load_path.hpp"
+#include "bristle/ensemble/load_rules.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,23 +8,6 @@
 
 namespace bristle {
 namespace {
-
-// A hump is searched if its parabola reaches the target to within this share of the target, by gaps that are
-// at least this share of the scan's step apart.
-constexpr double kHumpBelow = 0.01, kHumpStep = 1. / 16;
-// Humps of R_n(z_0) are a few per cent high and down to 0.01 wide. Between two gaps below the target the scan
-// goes on in steps of half the distance, down to this share of its step, as long as a load comes within
-// kNear of the target, times the distance in steps.
-constexpr double kFinest = 1. / 8, kNear = 0.08;
-// Where the loads do not lie on straight lines, R_n(z_0) may oscillate between the gaps. So one gap is
-// computed in the middle of a step whose loads come within kLook of the target, and the scan goes on, down to
-// kFinestRough of its step, as long as a load comes within kRough times the deviation of that gap from the
-// straight line. Of the deviation of a step, half counts within its parts. (docs/numerics.md)
-constexpr double kLook = 0.25, kRough = 2, kFinestRough = 1. / 64, kWholeStep = 0.9;
-
-// The scan skips a gap if the loads at the gap before it and at the gap after it are below the target by this
-// share of the target: between such gaps the load does not rise to the target (docs/numerics.md).
-constexpr double kFarBelow = 0.35;
 
 std::vector<double> scan_gaps(const LoadSearch& search) {
   const double length = search.first_contact - search.ground;
@@ -45,14 +29,14 @@ double parabola_top(const GapLoad& a, const GapLoad& b, const GapLoad& c) {
 // beyond doubt. The distance between the gaps is halved as long as the parabola through the loads may reach
 // the target.
 GapLoad top_of_hump(LoadsOnPath& loads, GapLoad a, GapLoad top, GapLoad c) {
-  const auto found = [&] { return top.excess > loads.allowed() + kDistinct * top.load.error; };
+  const auto found = [&] { return top.excess > loads.allowed() + kUndecidedErrors * top.load.error; };
   const auto between = [&](const GapLoad& one, const GapLoad& other) {
     const double z_0 = one.z_0 + (other.z_0 - one.z_0) / 2;
     const GapLoad probe = loads.at(z_0, Accuracy::rough);
     return probe.excess < 0 ? probe : loads.at(z_0, Accuracy::precise);
   };
-  while (!found() && std::abs(c.z_0 - a.z_0) > 3 * kHumpStep * loads.search.step) {
-    if (parabola_top(a, top, c) < -kHumpBelow * loads.search.target) return top;
+  while (!found() && std::abs(c.z_0 - a.z_0) > 3 * kLeastHumpSteps * loads.search.step) {
+    if (parabola_top(a, top, c) < -kHumpShare * loads.search.target) return top;
     const GapLoad left = between(a, top), right = between(top, c);
     if (left.excess > std::max(top.excess, right.excess)) c = std::exchange(top, left);
     else if (right.excess > top.excess) a = std::exchange(top, right);
@@ -129,7 +113,7 @@ class Scan {
 
  private:
   bool is_far_below(const GapLoad& one) const {
-    return loads_.search.path == LoadPath::loading && one.excess < -kFarBelow * loads_.search.target;
+    return loads_.search.path == LoadPath::loading && one.excess < -kSkipShare * loads_.search.target;
   }
 
   // Whether a gap is needed between these two. roughness: the deviation of the loads around them from
@@ -137,9 +121,9 @@ class Scan {
   bool is_needed_between(const GapLoad& from, const GapLoad& to, double roughness) const {
     const double steps = std::abs(to.z_0 - from.z_0) / loads_.search.step, target = loads_.search.target;
     const double distance = -(to.excess < 0 ? std::max(from.excess, to.excess) : from.excess);
-    return (steps > kFinest && distance <= kNear * steps * target) ||
-           (steps > kWholeStep && distance <= kLook * target) ||
-           (steps > kFinestRough && distance <= kRough * roughness);
+    return (steps > kLeastHalvingSteps && distance <= kHalvingShare * steps * target) ||
+           (steps > kLeastMiddleSteps && distance <= kMiddleShare * target) ||
+           (steps > kLeastDeviationSteps && distance <= kDeviationFactor * roughness);
   }
 
   // Scans between two neighbouring gaps, in the order of the path.
