@@ -9,7 +9,8 @@ namespace bristle {
 namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-// A fraction of the bristles below this is none: a sum of weights that should be 1 deviates by less.
+// Smallest fraction of the bristles that counts: the sum of the weights should be 1 and deviates by less than
+// this.
 constexpr double kNoFraction = 1e-12;
 
 }  // namespace
@@ -33,7 +34,8 @@ Quantity unpinned_mean(const PointResult& p, Observable k) {
 Quantity unpinned_friction(const PointResult& p) {
   const Observable part = unpinned(R_X);
   const double R_rigid = p.value[R_X] / p.R_x_norm.value, share = p.value[part] / p.value[R_X];
-  const double of_load = p.R_x_norm.error - p.error[R_X] / R_rigid;  // error by that of R_n in R_rigid
+  const double of_load =
+      p.R_x_norm.error - p.error[R_X] / R_rigid;  // the part of the error that R_n causes in R_rigid
   return {share * p.R_x_norm.value, p.error[part] / R_rigid + std::abs(share) * of_load,
           p.load_error[part] / R_rigid};
 }

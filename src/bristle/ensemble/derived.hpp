@@ -6,25 +6,28 @@ namespace bristle {
 
 // Quantities derived from the values of a point. All errors add linearly.
 
-// Share of an observable that the pinned bristles carry. Dimensionless.
+// Returns the share of an observable that the pinned bristles carry. Dimensionless.
 Quantity pinned_share(const PointResult& p, Observable k);
 
-// Mean of an observable over the bristles that are not pinned. Dimensionless.
+// Returns the mean of an observable over the bristles that are not pinned. Dimensionless.
 Quantity unpinned_mean(const PointResult& p, Observable k);
 
-// Friction force of the bristles that are not pinned over that of rigid bristles under the whole load.
+// Returns the friction force of the bristles that are not pinned over the friction force of rigid bristles
+// under the whole load.
 Quantity unpinned_friction(const PointResult& p);
 
-// R_x/R_n, Eq. (19). Dimensionless.
+// Returns R_x/R_n, Eq. (19). Dimensionless.
 Quantity friction_coefficient(const PointResult& p);
 
-// Impacts on the slab per time of contact. Dimensionless.
+// Returns the number of impacts on the slab per time of contact. Dimensionless.
 Quantity impact_rate(const PointResult& p);
 
-// Magnitude of the in-plane friction force over that of rigid bristles, from Eqs. (20, 21). Dimensionless.
+// Returns the magnitude of the in-plane friction force over the friction force of rigid bristles, from Eqs.
+// (20, 21). Dimensionless.
 Quantity friction_magnitude(const PointResult& p);
 
-// Angle from the direction opposite to the motion to the friction force, in degrees: from -180 to 180.
+// Returns the angle from the direction opposite to the motion to the friction force, in degrees: from -180 to
+// 180.
 Quantity friction_direction(const PointResult& p);
 
 }  // namespace bristle

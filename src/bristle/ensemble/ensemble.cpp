@@ -10,21 +10,21 @@
 namespace bristle {
 namespace {
 
-// rough_load() refines to at most this multiple of the tolerance.
+// Tolerance of rough_load() for R_n, as a multiple of orientation.rtol.
 constexpr double kRoughFactor = 4;
-// Nodes that the search for a load, and the values of a point, take at most where outcomes alternate at every
-// scale.
+// Maximum number of nodes where outcomes alternate at every scale, for a load search and for the values of a
+// point.
 constexpr std::size_t kAlternatingForLoad = 128, kAlternatingForValues = 8192;
 
 // Maximum panel widths (rad) of full(), for bristles that point forward and backward. Nodes are then at most
 // 2.5 and 1.25 degrees apart, which resolves the intervals in which the number of bounces changes (measured
-// in docs/numerics.md). Beside the bristle that points exactly against the motion a panel is at most as wide
-// as its distance from it, but need not be narrower than kHeadOnPanel: there lie narrow intervals of azimuths
-// whose bristles are pinned or chatter.
+// in docs/numerics.md). Beside the head-on bristle, which points exactly against the motion, narrow intervals
+// of azimuths contain pinned or chattering bristles: a panel there is at most as wide as its distance from
+// the head-on bristle, but need not be narrower than kHeadOnPanel.
 constexpr double kForwardPanel = 0.35, kBackwardPanel = 0.175, kHeadOnPanel = 0.01;
 
-// If the usual estimate of the integrator's error exceeds kLargeError times the tolerance of a mean,
-// kMoreEffort times as many passages are repeated.
+// If the usual estimate of the integrator's error exceeds kLargeError times the tolerance of a mean, it is
+// repeated with kMoreEffort times as many passages.
 constexpr double kLargeError = 4;
 constexpr std::size_t kMoreEffort = 4;
 
@@ -38,8 +38,8 @@ bool too_wide(bool pole, double left, double right) {
 
 bool near_pole(const Passage& passage) { return passage.implicit || passage.reflections > 0; }
 
-// Edges of the first panels. A narrow distribution is integrated around its mean only, over panels of 3 or 4
-// standard deviations; beyond the last edge its density is below exp(-40) of the peak.
+// Returns the edges of the first panels. A narrow distribution is integrated around its mean only, over
+// panels of 3 or 4 standard deviations; beyond the last edge its density is below exp(-40) of the peak.
 std::vector<double> initial_edges(const Orientation& o, bool half_circle) {
   if (const double sigma = standard_deviation(o); 9 * sigma < M_PI) {
     if (half_circle && cos(o.mean) > 0) return {0, 2 * sigma, 5 * sigma, 9 * sigma};
@@ -53,9 +53,9 @@ std::vector<double> initial_edges(const Orientation& o, bool half_circle) {
   return {-M_PI, -M_PI + kHeadOn, 0, M_PI - kHeadOn, M_PI};
 }
 
-// Where the tip crosses the pole, bristles that are nearly head-on differ from the one that is exactly
-// head-on, at a node of the quadrature: they may become pinned as they pass the pole within its range, or
-// cross it and stay. These azimuths get panels of their own, of 1, 16 and 40 ranges lambda.
+// Adds edges around the head-on azimuth, 1, 16 and 40 ranges lambda away from it, if tips cross the pole.
+// Bristles that are nearly head-on then differ from the exactly head-on one, which is a node of the
+// quadrature: they may become pinned as they pass within the range of the pole, or cross it and stay.
 std::vector<double> with_pole_panels(std::vector<double> edges, const Parameters& p) {
   if (!has_pole(p.bending) || p.pole_rule != PoleRule::cross) return edges;
   for (const double ranges : {1., 16., 40.})
@@ -132,7 +132,7 @@ std::vector<Sample> EnsembleMean::samples(const std::vector<double>& theta_0) {
     sample.sensitive = near_pole(one);
     sample.valid = one.complete();
     sample.value = observables(one, setup_.parameters);
-    if (half_circle_) sample.value[R_Y] = 0;  // cancels against the mirror image
+    if (half_circle_) sample.value[R_Y] = 0;  // the mirror image cancels it
     for (double& value : sample.value) value *= weight(one.theta_0);
     out.push_back(sample);
   }
@@ -178,10 +178,9 @@ const Ensemble& EnsembleMean::full() {
   return out_;
 }
 
-// The fraction of bristles whose outcome the nodes may not have seen: half of the gap between nodes beside
-// the bristle that points exactly against the motion, where such intervals of azimuths are common, and a
-// share of any other gap beside a node whose bristle came near the pole, where they are rare
-// (docs/numerics.md).
+// Estimates the fraction of bristles whose outcome falls between two nodes. Around the head-on bristle such
+// intervals of azimuths are common: half of the gap between nodes counts. Elsewhere beside a bristle that
+// came near the pole they are rare: 1/32 of the gap counts (docs/numerics.md).
 double EnsembleMean::hidden_fraction() const {
   constexpr double common = 1. / 2, rare = 1. / 32;
   if (!has_pole(setup_.parameters.bending)) return 0;
@@ -205,7 +204,7 @@ void EnsembleMean::add_hidden_errors() {
   out_.error[PINNED_FRACTION] += hidden;
   for (Observable k = 0; k < kObservables.size(); ++k) {
     if (kObservables[k].unpinned != Unpinned::contribution) continue;
-    double of_pinned = 0;  // contribution of a pinned bristle; as large as that of any, if none is pinned
+    double of_pinned = 0;  // contribution of a pinned bristle; the largest of any bristle if none is pinned
     if (pinned_part > 0) of_pinned = std::abs(out_.mean[pinned(k)]) / pinned_part;
     else
       for (const Passage& one : passages_)
@@ -270,7 +269,7 @@ const Ensemble& EnsembleMean::with_integrator_error() {
   const long before = checked_->passages;
   estimate(1);
   const bool all_repeated = checked_->passages - before >= long(passages().size());
-  // Of a few repeated passages, one may be far more sensitive than the others.
+  // Among a few repeated passages, one may be far more sensitive than the others.
   const auto is_large = [&](Observable k) {
     return kObservables[k].controlled && k != R_Y &&
            more[k] > kLargeError * setup_.orientation.rtol * std::abs(checked_->mean[k]);

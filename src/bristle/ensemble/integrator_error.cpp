@@ -8,13 +8,13 @@
 namespace bristle {
 namespace {
 
-// By how much the tolerance of a repeated passage is tighter: by the first ratio for a sample of the
-// passages; if all are repeated, by each of the two. With one ratio alone, the original and the repeated
-// passage of a bristle that is about to be pinned may agree by chance.
+// Ratios of the original to the tighter tolerance of a repeated passage. A sample of the passages is repeated
+// with the first ratio. If there are few passages, all are repeated, once with each ratio: with one ratio
+// alone, the original and the repeated passage of a bristle that is about to be pinned may agree by chance.
 constexpr std::array<double, 2> kTighter = {4, 16};
-constexpr long kMoreEvaluations = 10;  // allowed for a repeated passage
-// Number of repeated passages of each class, all if there are fewer: of those that came near the pole, of
-// those that point against the motion, to within kHeadOn, and of the others.
+constexpr long kMoreEvaluations = 10;  // factor on max_evaluations for a repeated passage
+// Number of repeated passages in each class: bristles that came near the pole, other bristles that point
+// against the motion to within kHeadOn, and all others. A class with fewer passages is repeated completely.
 constexpr std::array<std::size_t, 3> kClasses = {12, 6, 6};
 
 std::size_t class_of(const Passage& p) {
@@ -22,7 +22,8 @@ std::size_t class_of(const Passage& p) {
   return std::abs(from_head_on(p.theta_0)) < kHeadOn ? 1 : 2;
 }
 
-// Systematic sampling: passages at equal distances of the cumulative weight. Their weights have the same sum.
+// Samples `count` passages at equal distances of the cumulative weight (systematic sampling). The weights of
+// the sample have the same sum.
 std::vector<WeightedPassage> sample(const std::vector<WeightedPassage>& all, std::size_t count) {
   if (all.size() <= count) return all;
   double total = 0, passed = 0;
@@ -48,8 +49,8 @@ std::vector<WeightedPassage> sample_of_classes(const std::vector<WeightedPassage
   return out;
 }
 
-// The error by the differences between these passages and the same with a tolerance that is tighter by this
-// ratio.
+// Estimates the error of the means by repeating the chosen passages with a tolerance that is `tighter` times
+// smaller. Adds the number of repetitions to `count`.
 ObservableArray error_by(double tighter, const std::vector<WeightedPassage>& chosen,
                          const Parameters& parameters, const std::function<PassageTask(const Passage&)>& task,
                          const PassageRunner& run, long& count) {
@@ -65,7 +66,7 @@ ObservableArray error_by(double tighter, const std::vector<WeightedPassage>& cho
   count += long(exact.size());
 
   ObservableArray difference{}, squares{};
-  double most_impact_weight = 0;  // of a repeated passage with impacts
+  double most_impact_weight = 0;  // largest weight of a repeated passage with impacts
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     const ObservableArray a = observables(*chosen[i].passage, parameters);
     const ObservableArray b = exact[i].complete() ? observables(exact[i], parameters) : ObservableArray{};
@@ -79,7 +80,7 @@ ObservableArray error_by(double tighter, const std::vector<WeightedPassage>& cho
   ObservableArray error;
   for (std::size_t k = 0; k < OBSERVABLES; ++k)
     error[k] = tighter / (tighter - 1) * std::sqrt(difference[k] * difference[k] + squares[k]);
-  // A number of impacts changes by whole ones, so that few repeated passages often show no change.
+  // The number of impacts is an integer, so that a few repeated passages often show no change.
   error[IMPACT_COUNT] = std::max(error[IMPACT_COUNT], most_impact_weight);
   return error;
 }
@@ -92,7 +93,7 @@ ObservableArray integrator_error(const std::vector<WeightedPassage>& passages, c
   const auto by = [&](double tighter, const std::vector<WeightedPassage>& chosen) {
     return error_by(tighter, chosen, parameters, task, run, count);
   };
-  // No more passages than the sample of a mean over many would have.
+  // All passages are repeated if they are no more than a full sample has.
   const bool all =
       passages.size() <= effort * std::accumulate(kClasses.begin(), kClasses.end(), std::size_t(0));
   if (!all) return by(kTighter[0], sample_of_classes(passages, effort));

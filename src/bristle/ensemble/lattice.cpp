@@ -7,11 +7,11 @@
 namespace bristle {
 namespace {
 
-constexpr long kIntervalsPerRow = 4;
-constexpr long kBatch = 4096;  // passages whose samples are held at the same time
+constexpr long kIntervalsPerRow = 4;  // intervals of the series in the time between rows
+constexpr long kBatch = 4096;         // passages whose samples are held at the same time
 
-// Integrals over an interval of the forces on the slab and of the number of bristles in contact, before
-// division by the length of the interval and by N_c0.
+// Integrals, over one interval, of the forces on the slab and of the number of bristles in contact. They are
+// not yet divided by the length of the interval and by N_c0.
 struct Impulse {
   double R_n = 0, R_x = 0, R_y = 0, time = 0;
 };
@@ -28,9 +28,9 @@ Impulse operator-(const Impulse& a, const Impulse& b) {
   return {a.R_n - b.R_n, a.R_x - b.R_x, a.R_y - b.R_y, a.time - b.time};
 }
 
-// Sum of independent contributions, and its standard error from the differences
-// of successive contributions. Their expected value may vary slowly along the
-// sequence (von Neumann et al., Ann. Math. Stat. 12 (1941) 153).
+// Sums independent contributions and estimates the standard error of the sum from the differences of
+// successive contributions, whose expected value may vary slowly along the sequence (von Neumann et al., Ann.
+// Math. Stat. 12 (1941) 153).
 class Contributions {
  public:
   void add(double value) {
@@ -50,8 +50,8 @@ class Contributions {
   long count_ = 0;
 };
 
-// The error follows from the effective number of independent
-// values, given by the autocorrelation up to its first zero.
+// Returns the standard deviation of the series over its mean. The error follows from the effective number of
+// independent values, given by the autocorrelation up to its first zero.
 Quantity fluctuation_of(const std::vector<double>& series) {
   const std::size_t n = series.size();
   const double mean = std::accumulate(series.begin(), series.end(), 0.0) / double(n);
@@ -71,7 +71,7 @@ Quantity fluctuation_of(const std::vector<double>& series) {
   return {value, value * std::sqrt(correlated / double(n))};
 }
 
-// How the mean of an observable, or of its contributions by outcome, is taken.
+// Returns how to average an observable or a contribution to it by outcome.
 Average average_of(Observable k) {
   for (std::size_t row = 0; row < kObservables.size(); ++row)
     if (k == row || (kObservables[row].unpinned != Unpinned::none && k == unpinned(row)))
@@ -162,7 +162,7 @@ class Lattice {
     out_.fluctuation_of_rows = fluctuation_of(window_means(kIntervalsPerRow));
   }
 
-  // R_n(t) within t_1..t_2, averaged over this many intervals each.
+  // Returns R_n(t) within t_1..t_2, averaged over groups of `intervals` intervals.
   std::vector<double> window_means(std::size_t intervals) const {
     std::vector<double> out;
     const std::vector<double>& R_n = out_.force.R_n;
@@ -178,7 +178,7 @@ class Lattice {
   double z_0_;
   Equilibrium start_;
   long row_size_;             // bristles in a row
-  double interval_;           // of the series, in units of r0/V0
+  double interval_;           // time between the values of the series, in units of r0/V0
   std::size_t window_start_;  // index of the first interval of t_1..t_2
   std::vector<Impulse> series_;
   std::array<Contributions, OBSERVABLES> contributions_;

@@ -20,7 +20,7 @@ class CrossingFinder {
   LoadPoint run() {
     narrow(Accuracy::precise);
     move_to_earlier_crossings();
-    // The loads that have been computed since may show that the load is not even there.
+    // Loads computed after the solution may show that the load is not even at its gap.
     if (solution_ && !is_accepted(*solution_)) narrow(Accuracy::precise);
     if (!solution_) {
       // A jump, or the noise of the means: the reported loads decide.
@@ -31,17 +31,18 @@ class CrossingFinder {
   }
 
  private:
-  // The search may have refined the loads of these gaps since.
+  // Returns the bracket with the latest loads of its gaps: the search may have refined them.
   LoadBracket refined(const LoadBracket& bracket) {
     return loads_.between(bracket.near.z_0, bracket.far.z_0, Accuracy::precise);
   }
 
-  // Narrows the bracket to a gap at which the load is within rtol of the target, or to z_0_resolution.
+  // Narrows the bracket until the load at one of its ends is accepted (is_accepted()) or the bracket is as
+  // narrow as z_0_resolution.
   void narrow(Accuracy accuracy) {
     const auto width = [this] { return std::abs(bracket_.near.z_0 - bracket_.far.z_0); };
     solution_.reset();
     take_solution();
-    int slow = 0;  // steps that did not halve the bracket, less those that did
+    int slow = 0;  // steps that did not halve the bracket, minus the steps that did
     bool examined = accuracy == Accuracy::reported;
     while (!solution_ && width() > search_.z_0_resolution) {
       if (slow >= kMaxSlowSteps && !examined && width() < kSuspectBracketSteps * search_.step) {
@@ -66,14 +67,15 @@ class CrossingFinder {
 
   bool is_accepted(const GapLoad& at) const {
     const double distance = std::abs(at.excess);
-    // No gap does better than one whose mean does not converge, if it is within its own error of the target.
+    // A mean that does not converge is accepted within its own error of the target: other gaps do no better.
     return distance <= loads_.allowed() || (!at.load.converged && distance <= at.load.error) ||
            (search_.by_secants && distance <= kEvenToleranceFactor * loads_.allowed() &&
             even_between(at.z_0));
   }
 
-  // The nearest computed gaps on both sides of this one whose loads differ from its load beyond doubt, if the
-  // load rises along the path from the first to the second with similar slopes.
+  // Returns the computed gaps on both sides of z_0 that are nearest to it among the gaps whose loads differ
+  // from the load at z_0 beyond doubt. Returns none unless the load rises along the path with similar slopes
+  // from the first to z_0 and from z_0 to the second.
   std::optional<std::array<double, 2>> even_between(double z_0) const {
     const auto& computed = loads_.computed();
     const GapLoad at =
@@ -94,8 +96,9 @@ class CrossingFinder {
     return std::array{sides[0]->z_0, sides[1]->z_0};
   }
 
-  // The gap at which the inverse parabola, through both ends of the bracket and the gap nearest to it whose
-  // load continues their order, has the load of the target; without such a gap, the secant.
+  // Returns the gap of the target load on the inverse parabola through three points: the ends of the bracket
+  // and the computed gap nearest to the secant's result whose load continues their order. Returns the result
+  // of the secant if there is no such gap or the parabola leaves the bracket.
   double interpolated() const {
     const auto& [near, far] = bracket_;
     const double run = far.z_0 - near.z_0, rise = far.excess - near.excess;
@@ -126,9 +129,10 @@ class CrossingFinder {
     }
   }
 
-  // A gap before the crossing whose load is above the target already: then the load between has a maximum and
-  // a minimum. Looks at this distance, then twice as far each time, down to the near end of the scan's
-  // bracket, unless a load computed already shows that the load falls as expected there.
+  // Finds a gap before the crossing whose load has reached the target: between it and the crossing the load
+  // then has a maximum and a minimum. Looks at `distance` before the crossing, then twice as far each time,
+  // up to the near end of the scan's bracket. Skips a distance at which a computed load already falls as
+  // expected.
   std::optional<GapLoad> earlier_crossing(const GapLoad& crossing, double distance) {
     const double slope = (scan_.far.excess - scan_.near.excess) / std::abs(scan_.far.z_0 - scan_.near.z_0);
     const double room = std::abs(scan_.near.z_0 - crossing.z_0);
@@ -144,8 +148,8 @@ class CrossingFinder {
     return {};
   }
 
-  // Whether a load computed already, at about this distance before the crossing, is as far below the target
-  // as with this slope.
+  // Returns whether a load that was computed at about `distance` before the crossing is at least as far below
+  // the target as a load that falls with this slope.
   bool falls_before(double crossing, double distance, double slope) const {
     return std::ranges::any_of(loads_.computed(), [&](const GapLoad& one) {
       const double before = search_.path == LoadPath::loading ? one.z_0 - crossing : crossing - one.z_0;
@@ -154,8 +158,9 @@ class CrossingFinder {
     });
   }
 
-  // The reported loads at the ends of the bracket do not enclose the target, as the precise ones misled the
-  // search. Locates the crossing by reported loads, between the bracket and an end of the scan's.
+  // Locates the crossing by reported loads, between the bracket and an end of the scan's bracket. Called if
+  // the noise of the precise loads misled the search, so that the reported loads at the ends of the bracket
+  // do not enclose the target.
   void locate_again() {
     if (bracket_.near.excess >= 0) bracket_ = {loads_.at(scan_.near.z_0, Accuracy::reported), bracket_.near};
     else bracket_ = {bracket_.far, loads_.at(scan_.far.z_0, Accuracy::reported)};
@@ -191,12 +196,12 @@ class CrossingFinder {
   LoadsOnPath& loads_;
   const LoadSearch& search_;
   LoadBracket scan_, bracket_;
-  std::optional<GapLoad> solution_;  // within rtol of the target
+  std::optional<GapLoad> solution_;  // see is_accepted()
   bool by_noise_ = false;            // no reported loads enclose the target
 };
 
-// The first gap before the crossing with a load that is below the target by no more than decides, if the load
-// falls again between that gap and the crossing.
+// Finds the first gap before the crossing whose load may, within its error or 0.5 %, already reach the
+// target, provided that the load drops clearly below the target again before the crossing.
 std::optional<double> undecided_before(LoadsOnPath& loads, double crossing) {
   std::vector<GapLoad> before;
   for (const GapLoad& one : loads.computed())
@@ -204,7 +209,7 @@ std::optional<double> undecided_before(LoadsOnPath& loads, double crossing) {
   std::ranges::stable_sort(before,
                            [&](const GapLoad& a, const GapLoad& b) { return loads.is_before(a.z_0, b.z_0); });
   const auto below = [&](const GapLoad& one) { return one.excess < -loads.undecided(one); };
-  while (!before.empty() && !below(before.back())) before.pop_back();  // the slope to the crossing
+  while (!before.empty() && !below(before.back())) before.pop_back();  // gaps on the rise to the crossing
   for (const GapLoad& one : before) {
     if (below(one)) continue;
     const GapLoad precise = loads.at(one.z_0, Accuracy::precise);
@@ -213,15 +218,15 @@ std::optional<double> undecided_before(LoadsOnPath& loads, double crossing) {
   return {};
 }
 
-// The gap beyond the crossing at which the load is below the target beyond doubt, if before that gap it has
-// not been above it beyond doubt.
+// Finds the gap beyond the crossing at which the load is below the target beyond doubt, provided that the
+// load is nowhere above the target beyond doubt between the crossing and that gap.
 std::optional<double> falls_beyond(LoadsOnPath& loads, double crossing) {
   const double end =
       loads.search.path == LoadPath::loading ? loads.search.ground : loads.search.first_contact;
   const auto above = [&](const GapLoad& at) { return at.excess > loads.undecided(at); };
   GapLoad last = loads.at(crossing, Accuracy::precise);
   while (!above(last) && loads.is_before(last.z_0, end)) {
-    // The next gap: that of a load computed already, or an eighth of the scan's step further.
+    // The next gap is the nearest one with a computed load, but at most an eighth of the scan's step further.
     double next = loads.beyond(last.z_0, loads.search.step / 8);
     if (!loads.is_before(next, end)) next = end;
     for (const GapLoad& one : loads.computed())
@@ -239,7 +244,7 @@ std::optional<double> falls_beyond(LoadsOnPath& loads, double crossing) {
   return {};
 }
 
-// The first crossing. other: whether to look for another gap that might be it.
+// Finds the first crossing and, if `other` is true, another gap that may be the first crossing.
 LoadPoint search_crossing(const LoadCurve& curve, const LoadSearch& search, bool other) {
   LoadsOnPath loads(curve, search);
   const auto bracket = scan_for_crossing(loads);

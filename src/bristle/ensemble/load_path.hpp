@@ -9,15 +9,16 @@
 
 namespace bristle {
 
-// R_n at one gap. excess is R_n minus the target on the loading path, the target minus R_n on the unloading
-// path: negative before the crossing.
+// R_n at one gap. excess is R_n minus the target on the loading path and the target minus R_n on the
+// unloading path, so that it is negative before the crossing.
 struct GapLoad {
   double z_0;
   Load load;
   double excess;
 };
 
-// Two gaps on the path. They enclose a crossing if the excess is negative at near and not negative at far.
+// Two gaps on the path, near before far. They enclose a crossing if the excess is negative at near and not
+// negative at far.
 struct LoadBracket {
   GapLoad near, far;
   bool encloses() const { return near.excess < 0 && far.excess >= 0; }
@@ -30,24 +31,27 @@ class LoadsOnPath {
 
   LoadsOnPath(const LoadCurve& curve, const LoadSearch& search) : search(search), curve_(curve) {}
 
-  // Throws NotComputable.
+  // Computes the load at a gap. Throws NotComputable if the load is not finite.
   GapLoad at(double z_0, Accuracy accuracy);
   LoadBracket between(double near, double far, Accuracy accuracy) {
     return {at(near, accuracy), at(far, accuracy)};
   }
-  GapLoad one_step_beyond(double z_0, Accuracy accuracy);  // a step of the scan, but within the path
+  // Computes the load one step of the scan beyond z_0, or at the end of the path if that is nearer.
+  GapLoad one_step_beyond(double z_0, Accuracy accuracy);
   const std::vector<GapLoad>& computed() const { return computed_; }
 
-  // The gap that lies beyond z_0 on the path by this distance, or before it if the distance is negative.
+  // Returns the gap that lies beyond z_0 on the path by `distance`, or before z_0 if `distance` is negative.
   double beyond(double z_0, double distance) const {
     return z_0 + (search.path == LoadPath::loading ? -distance : distance);
   }
-  // The gaps before z_0 on the path, and those beyond it.
+  // Returns whether the gap `one` lies before z_0 on the path.
   bool is_before(double one, double z_0) const {
     return search.path == LoadPath::loading ? one > z_0 : one < z_0;
   }
+  // Returns the accepted distance of R_n from the target.
   double allowed() const { return search.rtol * search.target; }
-  // Within this distance from the target, the fluctuation of the loads decides on which side of it they lie.
+  // Returns the distance from the target within which the error or the fluctuation of the load leaves open on
+  // which side of the target it lies.
   double undecided(const GapLoad& at) const {
     return std::max(kUndecidedShare * search.target, kUndecidedErrors * at.load.error);
   }
@@ -60,7 +64,7 @@ class LoadsOnPath {
 };
 
 // Scans the path for its first crossing of the target, at gaps a step apart and within humps of R_n(z_0)
-// between them. The loads of the bracket are precise. None if the path does not cross the target.
+// between them. Returns a bracket with precise loads, or none if the path does not cross the target.
 std::optional<LoadBracket> scan_for_crossing(LoadsOnPath& loads);
 
 }  // namespace bristle

@@ -18,16 +18,16 @@ std::vector<double> scan_gaps(const LoadSearch& search) {
   return gaps;
 }
 
-// The top of the parabola through the loads at equidistant gaps, of which b has the largest load, and its
-// error.
+// Returns the excess at the top of the parabola through the loads at equidistant gaps, plus the error of the
+// load at b, which is the largest of the three.
 double parabola_top(const GapLoad& a, const GapLoad& b, const GapLoad& c) {
   const double rise = std::max(0.0, b.excess - a.excess), fall = std::max(0.0, b.excess - c.excess);
   return b.excess + (rise - fall) * (rise - fall) / (8 * (rise + fall) + 1e-300) + b.load.error;
 }
 
-// The largest load found between two gaps on both sides of top, or the first that is above the target
-// beyond doubt. The distance between the gaps is halved as long as the parabola through the loads may reach
-// the target.
+// Searches the hump between the gaps a and c for its top, from the gap `top` between them. Halves the
+// distance between the gaps as long as the parabola through the loads may reach the target. Returns the
+// largest load found, or the first load above the target beyond doubt.
 GapLoad top_of_hump(LoadsOnPath& loads, GapLoad a, GapLoad top, GapLoad c) {
   const auto found = [&] { return top.excess > loads.allowed() + kUndecidedErrors * top.load.error; };
   const auto between = [&](const GapLoad& one, const GapLoad& other) {
@@ -56,8 +56,8 @@ std::optional<GapLoad> find_in_hump(LoadsOnPath& loads, const GapLoad& a, const 
   return top;
 }
 
-// The first gap of some above first contact whose load is below the target. The wall is soft: a load below
-// R_n at first contact occurs a few wall ranges lambda_z above it.
+// Returns the first gap, going up from first contact, whose load is below the target, or the last gap tried
+// if none is. The wall is soft: a load below R_n at first contact occurs a few wall ranges lambda_z above it.
 GapLoad above_contact(LoadsOnPath& loads) {
   const LoadSearch& search = loads.search;
   GapLoad probe = loads.at(search.first_contact, Accuracy::precise);
@@ -74,8 +74,8 @@ std::optional<LoadBracket> if_encloses(const LoadBracket& bracket) {
   return {};
 }
 
-// Brackets the crossing by the last scanned gap with negative excess, according to precise loads, and the gap
-// after it.
+// Brackets the crossing by the last scanned gap whose precise load has a negative excess and the gap after
+// it. `far` is the gap after the scanned ones.
 std::optional<LoadBracket> bracket_before(LoadsOnPath& loads, GapLoad far,
                                           const std::vector<GapLoad>& scanned) {
   for (auto point = scanned.rbegin(); point != scanned.rend(); ++point) {
@@ -88,12 +88,13 @@ std::optional<LoadBracket> bracket_before(LoadsOnPath& loads, GapLoad far,
   return if_encloses({above_contact(loads), far});
 }
 
-// The scan along the path: gaps a step apart, and finer where the load comes near the target.
+// Scans the path at gaps a step apart, and at finer ones where the load comes near the target.
 class Scan {
  public:
   explicit Scan(LoadsOnPath& loads) : loads_(loads) {}
 
-  // A crossing found with rough loads is confirmed with precise loads.
+  // Returns the bracket of the first crossing. A crossing found with rough loads is confirmed with precise
+  // loads.
   std::optional<LoadBracket> run() {
     const std::vector<double> gaps = scan_gaps(loads_.search);
     for (std::size_t i = 0; i < gaps.size(); ++i) {
@@ -116,8 +117,8 @@ class Scan {
     return loads_.search.path == LoadPath::loading && one.excess < -kSkipShare * loads_.search.target;
   }
 
-  // Whether a gap is needed between these two. roughness: the deviation of the loads around them from
-  // straight lines.
+  // Returns whether the scan needs a gap between `from` and `to`. `roughness` is the deviation of the loads
+  // around them from straight lines.
   bool is_needed_between(const GapLoad& from, const GapLoad& to, double roughness) const {
     const double steps = std::abs(to.z_0 - from.z_0) / loads_.search.step, target = loads_.search.target;
     const double distance = -(to.excess < 0 ? std::max(from.excess, to.excess) : from.excess);
@@ -126,7 +127,8 @@ class Scan {
            (steps > kLeastDeviationSteps && distance <= kDeviationFactor * roughness);
   }
 
-  // Scans between two neighbouring gaps, in the order of the path.
+  // Scans between the neighbouring gaps `from` and `to`, in the order of the path. Returns the bracket of a
+  // crossing, if any.
   std::optional<LoadBracket> between(const GapLoad& from, const GapLoad& to, double roughness = 0) {
     if (!is_needed_between(from, to, roughness)) return {};
     const GapLoad middle = loads_.at(from.z_0 + (to.z_0 - from.z_0) / 2, Accuracy::rough);
@@ -138,8 +140,8 @@ class Scan {
     return between(middle, to, roughness);
   }
 
-  // Adds the next gap of the path: the crossing before it, or in the hump between the last three gaps, if
-  // any.
+  // Adds the next gap of the path. Returns the bracket of a crossing before that gap, or in the hump between
+  // the last three gaps, if any.
   std::optional<LoadBracket> add(GapLoad next) {
     scanned_.push_back(next);
     const std::size_t n = scanned_.size();

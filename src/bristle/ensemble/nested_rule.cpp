@@ -5,7 +5,7 @@
 namespace bristle {
 namespace {
 
-// The i-th Lagrange polynomial of the nodes 0, 1, .. count - 1 at x.
+// Returns the i-th Lagrange polynomial of the nodes 0, 1, .. count - 1 at x.
 double lagrange(std::size_t i, std::size_t count, double x) {
   double value = 1;
   for (std::size_t j = 0; j < count; ++j)

@@ -4,10 +4,10 @@
 
 namespace bristle {
 
-// Romberg's rules of 2, 3, 5 or 9 equidistant nodes on [0, 1], exact up to degree 1, 3, 5 and 7.
+// Romberg's rule of 2, 3, 5 or 9 equidistant nodes on [0, 1], exact up to degree 1, 3, 5 or 7.
 struct NestedRule {
   std::vector<double> weight;
-  const NestedRule* coarse;  // the rule of every second node; none for 2 nodes
+  const NestedRule* coarse;  // the rule of every second node; null for 2 nodes
   // between[i][j]: weight of the value at node 2 j in the interpolation polynomial at node 2 i + 1.
   std::vector<std::vector<double>> between;
 };

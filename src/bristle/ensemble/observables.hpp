@@ -8,29 +8,30 @@
 
 namespace bristle {
 
-// Appendix A averages over time what acts on the slab, and over the bristles what is a property of a passage.
-// The integrals over time are those of PathSample.
+// Averages of Appendix A: over time for what acts on the slab, over the bristles for a property of a passage.
+// The integrals over time are the members of PathSample.
 enum class Average {
   over_time,
   over_passages
 };
 
-// The variants of an observable for the bristles that are not pinned at the pole.
+// Variants of an observable that hold for the bristles that are not pinned at the pole.
 enum class Unpinned {
   none,
-  contribution,  // their contribution to the mean, and the share of the pinned bristles
-  mean           // the mean over them
+  contribution,  // contribution of the unpinned bristles to the mean, and share of the pinned ones
+  mean           // mean over the unpinned bristles
 };
 
-// Standard deviation of F_n over the time of a passage, over its mean; 0 for a passage without load.
+// Returns the standard deviation of F_n over the time of a passage, divided by the mean of F_n; 0 for a
+// passage without load.
 double load_spread(const Passage& passage);
-// The angle (rad) with this 1 - cos.
+// Returns the angle (rad) for which 1 - cos(angle) equals versed.
 double angle_of_versed(double versed);
-// Strain at the root of a cantilever with the shaft's radius that is bent by this angle (rad): the tip's
-// force F bends it by F r0^2/(3 E I), and the strain is F r0 R/(E I). Dimensionless.
+// Returns the strain at the root of a cantilever with the shaft's radius whose bending angle is `bending`
+// (rad): the tip's force F bends it by F r0^2/(3 E I), and the strain is F r0 R/(E I). Dimensionless.
 double root_strain(const Parameters& p, double bending);
 
-// The unit of an observable's variant in SI units, <name>_in_<suffix>.
+// Unit of the variant <name>_in_<suffix> of an observable in SI units.
 struct SiUnit {
   const char *suffix, *units;
   double SiScales::*scale;
@@ -38,11 +39,11 @@ struct SiUnit {
 inline constexpr SiUnit kNewton{"N", "N", &SiScales::force}, kMetre{"m", "m", &SiScales::length},
     kPascal{"Pa", "Pa", &SiScales::stress}, kJoulePerMetre{"J_per_m", "J m-1", &SiScales::force};
 
-// What ensemble, lattice and results need to know of a quantity that is averaged over theta_0. From its row
-// follow its variables in result files, with errors. Dimensionless; forces per N_c0.
+// Describes a quantity that is averaged over theta_0, for ensemble, lattice and results. The variables in
+// result files, with their errors, follow from its row. Dimensionless; forces per N_c0.
 struct ObservableRow {
   const char *name, *long_name, *symbol, *equation;
-  double (*value)(const Passage& passage, const Parameters&);  // its contribution to the mean
+  double (*value)(const Passage& passage, const Parameters&);  // contribution of one passage to the mean
   Average average;
   bool controlled;  // refined until its error is within orientation.rtol
   Unpinned unpinned = Unpinned::none;
@@ -124,7 +125,7 @@ inline constexpr std::array kObservables = {
                   Average::over_passages, false, Unpinned::none, &kJoulePerMetre},
 };
 
-// Index of an observable: of a row, of a contribution by outcome, or WEIGHT.
+// Index of an observable: a row of kObservables, a contribution by outcome, or WEIGHT.
 using Observable = std::size_t;
 
 consteval Observable observable(std::string_view name) {
@@ -139,8 +140,8 @@ inline constexpr Observable R_N = observable("R_n"), R_X = observable("R_x"), R_
                             ENERGY_RESIDUAL = observable("energy_residual"),
                             IMPACT_COUNT = observable("impacts");
 
-// After the rows: the contributions of the bristles that are not pinned, then those of the pinned ones, of
-// the rows that have them.
+// Count and find the contributions by outcome, whose indices follow the rows of kObservables: first the
+// contributions of the bristles that are not pinned, then of the pinned ones, for the rows that have them.
 constexpr std::size_t count_unpinned(bool pinned_too) {
   std::size_t count = 0;
   for (const ObservableRow& row : kObservables)
@@ -154,7 +155,7 @@ constexpr Observable split_index(Observable k, bool pinned) {
                     : kObservables[i].unpinned != Unpinned::none;
   return index;
 }
-// Require that the row has such contributions.
+// Return the index of the contribution of the unpinned or pinned bristles to the row k, which must have one.
 constexpr Observable unpinned(Observable k) { return split_index(k, false); }
 constexpr Observable pinned(Observable k) { return split_index(k, true); }
 
@@ -163,9 +164,10 @@ inline constexpr Observable WEIGHT = kObservables.size() + count_unpinned(false)
 inline constexpr std::size_t OBSERVABLES = WEIGHT + 1;
 using ObservableArray = std::array<double, OBSERVABLES>;
 
-// Contribution of one passage to the means.
+// Returns the contribution of one passage to the means.
 ObservableArray observables(const Passage& passage, const Parameters& parameters);
-// Sets the contributions of pinned and of other bristles according to those of the passage.
+// Sets the contributions of pinned and unpinned bristles from the contribution of a passage with this
+// outcome.
 void split_by_outcome(ObservableArray& contribution, Outcome outcome);
 
 }  // namespace bristle

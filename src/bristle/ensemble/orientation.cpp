@@ -11,15 +11,15 @@ namespace bristle {
 
 namespace {
 
-// Density of the von Mises distribution relative to its peak.
+// Returns the density of the von Mises distribution relative to its peak.
 double relative_density(double kappa, double from_mean) {
   const double half = sin(from_mean / 2);
   return exp(-2 * kappa * half * half);
 }
 
-// Integral of relative_density(), by the trapezoidal rule over the circle or over ten standard deviations on
-// both sides of the peak. For a periodic or vanishing integrand the rule converges faster than any power;
-// with this number of nodes its error is below rounding.
+// Returns the integral of relative_density(), by the trapezoidal rule over the circle or over ten standard
+// deviations on both sides of the peak. For a periodic or vanishing integrand the rule converges faster than
+// any power; with this number of nodes its error is below rounding.
 double integral(double kappa) {
   constexpr int nodes = 64;
   const double half_width = kappa > 0 ? std::min(M_PI, 10 / std::sqrt(kappa)) : M_PI;
@@ -51,14 +51,14 @@ bool mirror_symmetric(const Orientation& o) {
 
 namespace {
 
-// Uniform in [0, 1), keyed by seed, index of the bristle and number of the draw.
+// Returns a number that is uniform in [0, 1), keyed by seed, index of the bristle and number of the draw.
 double uniform(std::uint64_t seed, std::uint64_t index, std::uint64_t draw) {
   const std::uint64_t bits = split_mix(split_mix(split_mix(seed) + index) + draw);
   return double(bits >> 11) * 0x1p-53;
 }
 
-// D. J. Best and N. I. Fisher, Applied Statistics 28 (1979)
-// 152: rejection from a wrapped Cauchy distribution.
+// Draws from the von Mises distribution by rejection from a wrapped Cauchy distribution (D. J. Best and N. I.
+// Fisher, Applied Statistics 28 (1979) 152).
 double von_mises(double kappa, std::uint64_t seed, std::uint64_t index) {
   const double tau = 1 + std::sqrt(1 + 4 * kappa * kappa);
   const double rho = (tau - std::sqrt(2 * tau)) / (2 * kappa);

@@ -34,7 +34,7 @@ struct Orientation {
   double mean = 0, concentration = 0;  // Distribution::von_mises
   Sampling sampling = Sampling::quadrature;
   bool full_circle = false;     // do not use the mirror symmetry even if it holds
-  double rtol = 1e-3;           // of the ensemble means
+  double rtol = 1e-3;           // requested relative accuracy of the ensemble means
   std::vector<double> theta_0;  // Sampling::list, equally weighted
   std::uint64_t seed = 0;       // Sampling::lattice: seed of the random azimuths
   long rows = 0;                // Sampling::lattice: number of rows; one enters every spacing/V0
@@ -52,18 +52,19 @@ class Density {
   double mean_, concentration_, peak_;
 };
 
-// Standard deviation of a narrow distribution, rad; infinity for the uniform one.
+// Returns the standard deviation of a narrow distribution, rad; infinity for the uniform one.
 double standard_deviation(const Orientation& orientation);
 
-// The azimuth (rad) of the bristle with this index. Depends on the seed and the index only.
+// Returns the azimuth (rad) of the bristle with this index. It depends on the seed and the index only.
 double random_azimuth(const Orientation& orientation, std::uint64_t index);
 
-// Whether theta_0 -> -theta_0 leaves the distribution unchanged: then [0, pi] suffices and R_y = 0.
+// Returns whether theta_0 -> -theta_0 leaves the distribution unchanged: then [0, pi] suffices and R_y = 0.
 bool mirror_symmetric(const Orientation& orientation);
 
-// The azimuth theta_0 relative to that of the bristle that points exactly against the motion: -pi to pi, rad.
+// Returns the angle from the head-on bristle, which points exactly against the motion, to the azimuth
+// theta_0: -pi to pi, rad.
 inline double from_head_on(double theta_0) { return std::remainder(theta_0 - M_PI, 2 * M_PI); }
-// Bristles within this of it contribute most to friction, rad.
+// Angle from the head-on bristle within which bristles contribute most to friction, rad.
 constexpr double kHeadOn = M_PI / 6;
 
 }  // namespace bristle

@@ -4,8 +4,8 @@
 
 namespace bristle {
 
-// What the bristles of a brush do: contact, their tips stay on the slab, bent and dragged; bouncing, their
-// tips are off the slab most of the time; mixed, neither. Unknown without values.
+// Phase of a brush. contact: the tips stay on the slab, bent and dragged. bouncing: the tips are off the slab
+// most of the time. mixed: neither. unknown: the point has no values.
 enum class BrushPhase {
   contact,
   bouncing,
@@ -18,7 +18,7 @@ inline Words words<BrushPhase>() {
   return list;
 }
 
-// Shares of the time for which tips are off the slab: at most in contact, and at least where brushes bounce.
+// Largest share of the time off the slab at which a brush is in contact, and smallest at which it bounces.
 constexpr double kContactShare = 0.05, kBouncingShare = 0.5;
 
 inline BrushPhase phase_of(const PointResult& point) {

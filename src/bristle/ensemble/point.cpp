@@ -13,13 +13,14 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-// Where an observable has an extremum over the gap, neighbouring gaps show no change with the load. Its
-// relative change is then taken to be this share of the load's.
+// Smallest relative change of an observable, as a share of the relative change of the load. Where the
+// observable has an extremum over the gap, neighbouring gaps show no change with the load.
 constexpr double kLeastSensitivity = 0.01;
 
-// Adds the effect of a deviation of the load from its target (in units of R_n) to the errors: by
-// interpolation to another gap, and by all of the difference if the loads at both gaps differ by less than
-// the deviation. Larger errors remain.
+// Sets the errors due to a deviation of the load from its target (in units of R_n) to at least the change of
+// the values on the way to the gap of `other`: the share of the difference that corresponds to the deviation,
+// or all of it if the loads at both gaps differ by less than the deviation. Errors that are already larger
+// remain.
 void add_load_error(PointResult& out, const Ensemble& other, double deviation) {
   const double span = std::abs(other.mean[R_N] - out.value[R_N]);
   const double share = span > deviation ? deviation / span : 1;
@@ -41,7 +42,7 @@ void normalise(PointResult& out, const Parameters& p) {
   out.R_y_norm = over_rigid(R_Y);
 }
 
-// The status of a converged point.
+// Returns the status of a converged point.
 PointStatus quality(const Parameters& p, const PointResult& out) {
   if (conserves_energy(p.bending) && out.value[ENERGY_RESIDUAL] > kMaxEnergyResidual)
     return PointStatus::inaccurate;
@@ -105,9 +106,9 @@ class PointSolver {
     return out;
   }
 
-  // How the values and the gap change with R_n between the gap of the values and another one.
+  // Change of the values and of the gap with R_n between the gap of the values and another gap.
   struct Secant {
-    double weight;  // of two secants, the weights of the parabola through all three gaps
+    double weight;  // two secants with these weights give the slope of the parabola through all three gaps
     ObservableArray slope{}, error{};
     double z_0_slope, z_0_error;
   };
@@ -125,8 +126,8 @@ class PointSolver {
     return out;
   }
 
-  // Moves the values and the gap to the target load by secants to the gaps on both sides. Their uncertain
-  // slopes, and the error of the load itself, add to the errors.
+  // Moves the values and the gap to the target load by secants to the gaps on both sides (`between`). The
+  // uncertainty of the slopes and the error of the load itself add to the errors.
   void move_to_target(PointResult& out, const std::array<double, 2>& between) {
     const double at = out.z_0, missing = loading_.R_n - out.value[R_N], load_error = out.error[R_N];
     const Secant a = secant(at, between[0]), b = secant(at, between[1]);
@@ -144,7 +145,7 @@ class PointSolver {
       if (k == R_N) continue;
       const double least = std::min({out.value[k], before[k], after[k]});
       move(out.value[k], out.load_error[k], a.slope[k], b.slope[k], std::max(a.error[k], b.error[k]));
-      if (least >= 0) out.value[k] = std::max(out.value[k], 0.0);  // a share or a number
+      if (least >= 0) out.value[k] = std::max(out.value[k], 0.0);  // shares and counts stay positive or zero
       const double relative = (std::abs(missing) + load_error) / loading_.R_n;
       out.load_error[k] = std::max(out.load_error[k], kLeastSensitivity * std::abs(out.value[k]) * relative);
       out.error[k] += out.load_error[k];
@@ -170,7 +171,7 @@ class PointSolver {
       out.status = PointStatus::not_converged;
   }
 
-  // Adds the secant to the nearest gap whose load differs by at least the deviation.
+  // Adds the load error by the nearest gap, from `from` on, whose load differs by at least the deviation.
   template <class Iterator>
   void add_nearest(PointResult& out, Iterator from, Iterator to, double deviation) {
     for (; from != to; ++from) {
@@ -193,7 +194,8 @@ class PointSolver {
     return first_crossing([this](double z_0, Accuracy accuracy) { return load_at(z_0, accuracy); }, search);
   }
 
-  // Precise: if R_n may be at the target, as accurate as the reported values.
+  // Returns R_n at a gap. Unless the accuracy is rough, a load near the target is as accurate as the reported
+  // values.
   Load load_at(double z_0, Accuracy accuracy) {
     EnsembleMean& mean = mean_at(z_0);
     purpose_ = accuracy == Accuracy::rough ? SCAN : CROSSING;
@@ -232,8 +234,9 @@ class PointSolver {
     return out;
   }
 
-  // If the limit of work ends a mean over alternating outcomes, its values so far are not converged. The
-  // estimate of the integrator's error may then exceed the limit by some dozens of passages.
+  // Returns the values at a given gap. If the limit of work ends a mean over alternating outcomes, returns
+  // its values so far, which are not converged. The estimate of the integrator's error may then exceed the
+  // limit by some dozens of passages.
   PointResult at_given_gap(double z_0) {
     try {
       return at_gap(z_0, LoadStatus::reached);
@@ -255,7 +258,7 @@ class PointSolver {
     return out;
   }
 
-  // Replaces the values of the ensemble mean by those of the lattice at the same gap.
+  // Returns the values of the lattice at the gap of the ensemble mean, in place of the values of this mean.
   PointResult lattice_values(const PointResult& mean) {
     LatticeMean lattice = lattice_mean(setup_, mean.z_0, run_);
     lattice_passages_ = long(lattice.passages.size());
@@ -276,7 +279,8 @@ class PointSolver {
     return out;
   }
 
-  // Those of the mean at the gap of the values, which is computed now if the values were moved to this gap.
+  // Records the passages of the mean at the gap of the values. Computes this mean if the values were moved to
+  // a gap that the search has not computed.
   void record_bristles(double z_0) {
     if (const auto known = means_.find(z_0); known != means_.end()) {
       recorded_.bristles = known->second.passages();
@@ -303,13 +307,13 @@ class PointSolver {
   InitialStates starts_{setup_.parameters};
   const PassageRunner limited_run_ = [this](const auto& tasks) { return run_within_limit(tasks); };
   long evaluations_ = 0;
-  bool limited_ = true;  // by max_evaluations_per_point
+  bool limited_ = true;  // whether max_evaluations_per_point applies
   Purpose purpose_ = VALUES;
   std::array<long, PURPOSES> passages_for_{};
   std::map<double, EnsembleMean> means_;  // by gap
   long lattice_passages_ = 0;
-  ObservableArray integrator_error_{};  // of the means of the values
-  double incomplete_theta_0_ = kNone;   // of a passage without an exit, rad
+  ObservableArray integrator_error_{};  // part of the errors of the values that the integrator causes
+  double incomplete_theta_0_ = kNone;   // azimuth of a passage without an exit, rad
 };
 
 }  // namespace

@@ -15,9 +15,9 @@ namespace bristle {
 
 // Parameters of a traced curve R_n(z_0), see trace.hpp.
 struct Trace {
-  double to = 0.01;          // lowest gap; the highest is that of first contact
+  double to = 0.01;          // lowest gap; the highest is the gap of first contact
   double resolution = 0.02;  // maximum relative deviation of R_n from the line between neighbouring nodes
-  long nodes = 256;          // maximum number
+  long nodes = 256;          // maximum number of nodes
 };
 
 // Loading of a sweep point: a gap, a target load, or a traced curve. Dimensionless, per N_c0.
@@ -30,7 +30,7 @@ struct Loading {
 
 enum class PointStatus {
   ok,
-  load_jump,      // R_n(z_0) jumps across the target: the values are those after the jump
+  load_jump,      // R_n(z_0) jumps across the target: the values hold after the jump
   unreachable,    // no gap carries the target: no values
   incomplete,     // a passage ended without an exit: no values
   not_converged,  // there are values, but with an error above rtol
@@ -39,7 +39,7 @@ enum class PointStatus {
   work_limit,     // integrator.max_evaluations_per_point was reached: no values
   ambiguous,      // there are values, but within the errors another crossing of the target may be the first
   inaccurate,     // there are values, but the energy residual exceeds kMaxEnergyResidual
-  undefined       // there are values, but some or their errors are NaN: ratios to a load or friction of zero
+  undefined       // some values or errors are NaN: they are ratios to a load or friction of zero
 };
 template <>
 inline Words words<PointStatus>() {
@@ -48,11 +48,11 @@ inline Words words<PointStatus>() {
       "failed", "work_limit", "ambiguous",   "inaccurate", "undefined"};
   return list;
 }
-// Bound on the energy residual of a trustworthy point, where conserves_energy().
+// Largest energy residual of a trustworthy point, if its model conserves energy (conserves_energy()).
 constexpr double kMaxEnergyResidual = 1e-2;
 
-// What the mean of a passage is for: to decide on which side of the target R_n lies, to locate the crossing,
-// or for the values of the point.
+// Purpose for which passages are computed: to decide on which side of the target R_n lies, to locate the
+// crossing, or for the values of the point.
 enum Purpose {
   SCAN,
   CROSSING,
@@ -60,8 +60,9 @@ enum Purpose {
   PURPOSES
 };
 
-// Result of one sweep point. Values that the status excludes are NaN. Errors include the quadrature over
-// theta_0, the integrator and, after a load search, the deviation of the load from its target.
+// Result of one sweep point. Values are NaN where the status says that there are none. Errors include the
+// quadrature over theta_0, the integrator and, after a load search, the deviation of the load from its
+// target.
 struct PointResult {
   PointStatus status = PointStatus::ok;
   double z_0 = 0, z_0_error = 0;
@@ -70,14 +71,15 @@ struct PointResult {
   Quantity fluctuation, fluctuation_of_rows;  // for lattice sampling; NaN otherwise
   Quantity R_x_norm, R_y_norm;                // Eqs. (20, 21), for the computed R_n
   double jump_z_0 = 0, jump_R_n = 0;          // last gap before a jump, and its R_n; NaN without a jump
-  // At the other gap of an ambiguous point, see LoadPoint::z_0_other; NaN without one.
+  // The other gap of an ambiguous point (LoadPoint::z_0_other) and the values there; NaN without another gap.
   double z_0_other = 0, R_x_norm_other = 0;
   ObservableArray value_other{};
   Start start = Start::undetermined;
-  double incomplete_theta_0 = 0;              // rad; NaN if complete
-  long passages = 0;                          // number of passages computed for this point
-  std::array<long, PURPOSES> passages_for{};  // those of its means; the rest are of the lattice
-  Parameters parameters{};                    // of the point
+  double incomplete_theta_0 = 0;  // rad; NaN if complete
+  long passages = 0;              // number of passages computed for this point
+  // Passages of the means, by purpose; the other passages belong to the lattice.
+  std::array<long, PURPOSES> passages_for{};
+  Parameters parameters{};
   SiScales si{};
 };
 
@@ -93,13 +95,13 @@ struct Recorded {
   std::vector<Trajectory> trajectories;
 };
 
-// The result of a point without values. Throws nothing.
+// Returns the result of a point without values. Throws nothing.
 PointResult without_values(PointStatus status);
 
 // Solves one sweep point. If the status is ok and a target load is given, R_n is within orientation.rtol of
-// it, or equal to it where the values have been moved to it by secants. For lattice sampling the gap is the
-// one at which the ensemble mean carries the target load. run computes the passages. recorded is required if
-// record requests data.
+// the target, or equal to it where the values have been moved to it by secants. With lattice sampling, the
+// gap is the one at which the ensemble mean carries the target load. `run` computes the passages. `recorded`
+// is required if `record` requests data.
 PointResult solve_point(const Setup& setup, const Loading& loading, const PassageRunner& run,
                         const Recording& record = {}, Recorded* recorded = nullptr);
 

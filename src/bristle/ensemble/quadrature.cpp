@@ -9,12 +9,12 @@
 
 namespace bristle {
 
-// Jumps closer than this are not resolved.
+// Distance of the nodes beside a jump below which the jump is not bisected further.
 constexpr double kSmallestPanel = 1e-7;
-constexpr double kRounding = 1e-15;  // of the sum over the panels, relative
-constexpr std::size_t kMaxNodes = 9;
-// Panels whose estimate is small by accident are not refined further, which biases the total error. The
-// estimates of rough panels are therefore multiplied by this factor (calibrated in docs/numerics.md).
+constexpr double kRounding = 1e-15;   // relative rounding error of the sum over the panels
+constexpr std::size_t kMaxNodes = 9;  // in a panel that is not alternating
+// Factor on the error estimates of rough panels. Panels whose estimate is small by accident are not refined
+// further, so that the total error is biased; the factor makes up for it (calibrated in docs/numerics.md).
 constexpr double kRoughnessFactor = 1;
 
 std::vector<Quadrature::Node> Quadrature::evaluate(const std::vector<double>& at) {
@@ -32,7 +32,7 @@ std::vector<Quadrature::Node> Quadrature::evaluate(const std::vector<double>& at
   return nodes;
 }
 
-// The 5 nodes of the initial panel that begins at this edge.
+// Returns the 5 nodes of the initial panel with this index.
 std::vector<double> Quadrature::initial_nodes(std::size_t panel) const {
   constexpr std::size_t steps = kMaxNodes / 2;
   std::vector<double> at;
@@ -57,7 +57,7 @@ void Quadrature::sample_initial_panels() {
   }
 }
 
-// The rule of every stride-th node of the panel.
+// Returns the integral over the panel by the rule of every stride-th node.
 Quadrature::Values Quadrature::rule(const Panel& panel, std::size_t stride) const {
   const NestedRule& r = nested_rule((panel.nodes.size() - 1) / stride + 1);
   Values integral{};
@@ -101,8 +101,8 @@ Quadrature::Panel Quadrature::make_panel(std::vector<Node> nodes) const {
   return panel;
 }
 
-// Evaluates, in one batch, the middles between the nodes of these panels and of these jumps. A panel that
-// then has too many nodes is split, unless it is alternating.
+// Evaluates, in one batch, the middles between the nodes of these panels and of these jumps. A panel with too
+// many nodes is then split, unless it is alternating.
 void Quadrature::refine_in_batch(const std::vector<std::size_t>& panels,
                                  const std::vector<std::size_t>& jumps) {
   const auto middle = [](const Node& left, const Node& right) { return left.at + (right.at - left.at) / 2; };
@@ -182,7 +182,8 @@ Quadrature::Values Quadrature::uncertainty(const LabelChange& change) {
   return error;
 }
 
-// Appends panels for equidistant nodes, each as large as possible, starting from the left or from the right.
+// Appends panels for equidistant nodes to `out`, each panel as large as possible, starting from the left or
+// from the right.
 void Quadrature::append_panels(std::vector<Panel>& out, const std::vector<Node>& nodes,
                                bool from_right) const {
   std::size_t from = 0, to = nodes.size() - 1;
@@ -222,7 +223,7 @@ Quadrature::Values Quadrature::squares(const Values& error) {
   return out;
 }
 
-// Squares of the errors of a panel, including the uncertain positions of the changes in it.
+// Returns the squares of the errors of a panel, including the uncertain positions of the label changes in it.
 Quadrature::Values Quadrature::squares(const Panel& panel) {
   Values out = squares(panel.error);
   for (const LabelChange& change : changes_in(panel)) {
@@ -283,24 +284,25 @@ std::optional<QuadratureResult> Quadrature::difference_to(const Quadrature& othe
   return difference.result_;
 }
 
-// Whether the panel has as many nodes as an alternating one may have.
+// Returns whether the panel is alternating and has the maximum number of nodes.
 bool Quadrature::is_complete(const Panel& panel) const {
   return panel.alternating && panel.nodes.size() >= goal_.most_alternating;
 }
 
-// The error that the goal allows.
+// Returns the error of the component k that the goal allows.
 double Quadrature::asked(std::size_t k) const {
   const double relative = goal_.rtol[k] * std::abs(result_.integral[goal_.scale[k]]);
   if (!goal_.threshold) return relative;
   return std::max(relative, std::abs(result_.integral[k] - *goal_.threshold) / 4);
 }
 
-// The error to which the rest is refined: what the goal allows, beside the errors that cannot be reduced.
+// Returns the error of the component k to which the panels and jumps are refined: what the goal allows, in
+// addition to the errors of complete panels, which cannot be reduced.
 double Quadrature::tolerance(std::size_t k) const {
   return complete_[k] > 0 ? std::sqrt(asked(k) * asked(k) + complete_[k]) : asked(k);
 }
 
-// The largest ratio of an error to the tolerance of its component.
+// Returns the largest ratio of an error to the tolerance of its component.
 double Quadrature::severity(const Values& error) const {
   double worst = 0;
   for (std::size_t k = 0; k < OBSERVABLES; ++k) {
@@ -310,7 +312,7 @@ double Quadrature::severity(const Values& error) const {
   return worst;
 }
 
-// Severity in the components whose total error exceeds the tolerance.
+// Returns the severity of an error among the components whose total error exceeds the tolerance.
 double Quadrature::unmet_severity(Values error) const {
   for (std::size_t k = 0; k < OBSERVABLES; ++k)
     if (result_.error[k] <= tolerance(k)) error[k] = 0;
@@ -323,8 +325,8 @@ double Quadrature::unmet_severity(const Panel& panel) const {
   return change ? std::max(own, unmet_severity(uncertainty(*change))) : own;
 }
 
-// The panels and jumps with the largest unmet severities: the fewest without whose errors the goal is met,
-// and at least one. None if no error can be reduced.
+// Returns the panels and jumps with the largest unmet severities: the fewest whose removal would meet the
+// goal, and at least one. Returns none if no error can be reduced.
 Quadrature::Selection Quadrature::largest() const {
   struct Part {
     double severity;
@@ -359,8 +361,8 @@ Quadrature::Selection Quadrature::largest() const {
   return chosen;
 }
 
-// The panels that the first two bisections of these jumps have left beside them. A node in their middle shows
-// whether the label changes once only.
+// Returns the panels beside these jumps that the first two bisections of the jumps have left there. A node in
+// the middle of such a panel shows whether the label changes only once.
 std::vector<std::size_t> Quadrature::beside(const std::vector<std::size_t>& jumps) const {
   std::vector<std::size_t> out;
   for (std::size_t i = 0; i < panels_.size(); ++i) {

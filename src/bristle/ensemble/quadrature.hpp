@@ -16,26 +16,26 @@ namespace bristle {
 // of the integrand, which is located by bisection on the label (one sample per step). Each batch refines all
 // panels and jumps without which the goal cannot be met.
 // Labels may also alternate at every scale. Each jump would then stand for many, so that neither the integral
-// nor its error could be trusted. Such a range becomes one panel of equidistant nodes with a statistical
-// error.
+// nor its error could be trusted. A range with such labels becomes one panel of equidistant nodes with a
+// statistical error.
 struct Sample {
   ObservableArray value{};
   int label = 0;
-  bool sensitive = false;  // whether a small change of the place may change the label
+  bool sensitive = false;  // whether a small shift of the sample may change its label
   bool valid = true;       // false ends the quadrature: its result would be invalid
 };
 
 struct QuadratureGoal {
   ObservableArray rtol{};                       // per component; 0: not controlled
-  std::array<Observable, OBSERVABLES> scale{};  // component whose integral rtol refers to
-  // Limits the distance between nodes: whether a panel from left to right is to be divided.
+  std::array<Observable, OBSERVABLES> scale{};  // component to whose integral rtol is relative
+  // Returns whether a panel from left to right is to be divided. Limits the distance between nodes.
   std::function<bool(double left, double right)> too_wide = [](double, double) { return false; };
-  // An error of a quarter of the distance between the integral and this value also suffices, as a root-finder
-  // or a scan only needs the side on which the integral lies.
+  // If set, an error of a quarter of the distance between the integral and this value also suffices, as a
+  // root-finder or a scan only needs to know on which side of it the integral lies.
   std::optional<double> threshold;
-  // Nodes of an alternating panel, whose error falls with the square root of their number only. If its error
-  // is too large with as many, the rest is refined as if it had none, and the quadrature ends as not
-  // converged.
+  // Maximum number of nodes of an alternating panel, whose error falls only with the square root of that
+  // number. If its error is then still too large, the other panels are refined as if it had none, and the
+  // quadrature ends as not converged.
   std::size_t most_alternating = 2048;
 };
 
@@ -47,12 +47,12 @@ enum class QuadratureStatus {
 
 struct QuadratureResult {
   QuadratureStatus status = QuadratureStatus::converged;
-  // error: root of the sum of squares of the errors of the panels and of the uncertain positions of the
-  // jumps, which count by the spread of the values beside them. The error of a panel is the difference
-  // between its rule and the rule of every second node, with a lower bound from the misfit between its nodes
-  // and the polynomial through every second node: for a rough integrand the difference can be small by
-  // accident (Gonnet 2010). Where labels alternate it is the standard error of a sum of independent values,
-  // by the differences between neighbours (von Neumann).
+  // error is the root of the sum of the squares of the errors of jumps and panels. Jumps: the uncertain
+  // position counts by the spread of the values beside the jump. Panels: the difference between the rule of
+  // the panel and the rule of every second node, but at least an error from the misfit between its nodes and
+  // the polynomial through every second node, because for a rough integrand the difference can be small by
+  // accident (Gonnet 2010). Alternating panels: the standard error of a sum of independent values, by the
+  // differences between neighbours (von Neumann).
   ObservableArray integral{}, error{};
   std::vector<double> jumps;  // ascending
   long samples = 0;
@@ -63,20 +63,22 @@ class Quadrature {
   using Function = std::function<std::vector<Sample>(const std::vector<double>&)>;
   using Values = ObservableArray;
 
-  // edges: boundaries of the initial panels, ascending, at least two.
+  // edges are the boundaries of the initial panels: at least two, ascending.
   Quadrature(Function f, std::vector<double> edges, long max_samples = 16000)
       : f_(std::move(f)), edges_(std::move(edges)), max_samples_(max_samples) {}
 
-  // Samples until the goal is met. A later call, with another goal, continues from the existing samples.
+  // Samples until the goal is met. A later call with another goal continues from the existing samples.
   const QuadratureResult& refine(const QuadratureGoal& goal);
 
-  // Whether a range has alternating labels. Its error is statistical, and so holds with any number of nodes.
+  // Returns whether a range has alternating labels. Its error is statistical, and so holds with any number of
+  // nodes.
   bool alternates() const;
-  // The result of the samples so far, as not converged, after the function has thrown.
+  // Returns the result of the samples so far, as not converged. To be called after the function has thrown.
   const QuadratureResult& interrupted();
 
-  // The integral of the other's integrand minus this one's, by the rule of this one's nodes: most of the
-  // errors of both integrals cancel. None if the other lacks one of these nodes.
+  // Returns the integral of the difference between the integrand of `other` and this integrand, at the nodes
+  // of this quadrature: most of the errors of both integrals cancel. Returns none if `other` lacks one of
+  // these nodes.
   std::optional<QuadratureResult> difference_to(const Quadrature& other) const;
 
  private:
@@ -87,31 +89,31 @@ class Quadrature {
   struct Panel {
     std::vector<Node> nodes;  // 2^k + 1, equidistant
     Values integral{}, error{};
-    bool initial = false;      // with half of the nodes only
-    bool alternating = false;  // any number of nodes, and changes of the label between them that are no jumps
+    bool initial = false;      // has only half of its nodes
+    bool alternating = false;  // has any number of nodes; label changes between them are not jumps
     double width() const { return nodes.back().at - nodes.front().at; }
   };
-  // Neighbouring nodes with different labels. For a located jump: panels end at left and continue at right.
-  // spread: of the values in the panel in which the change was found; the values beside the change may be
-  // equal by accident.
+  // Neighbouring nodes with different labels. Once the change is located as a jump, panels end at left and
+  // continue at right. spread is the spread of the values in the panel in which the change was found, because
+  // the values beside the change may be equal by accident.
   struct LabelChange {
     Node left, right;
     Values spread{};
-    double gap = 0;  // distance of the nodes between which it was found
+    double gap = 0;  // distance of the nodes between which the change was found
   };
 
-  // A range of neighbouring panels and jumps whose samples are sensitive, or which have changes of the label.
+  // A range of neighbouring panels and jumps with sensitive samples or changes of the label.
   struct SensitiveRange {
     double from, to;
     std::size_t changes = 0;
-    bool alternating = false;  // one alternating panel already
+    bool alternating = false;  // the range is already one alternating panel
   };
 
   struct Selection {
-    std::vector<std::size_t> panels, jumps;  // indices, those of the panels ascending
+    std::vector<std::size_t> panels, jumps;  // indices; of panels ascending
   };
 
-  // The samples at these places. Those in kept_ are not computed again.
+  // Returns nodes with samples at these places. Samples in kept_ are not computed again.
   std::vector<Node> evaluate(const std::vector<double>& at);
   std::vector<double> initial_nodes(std::size_t panel) const;
   void sample_initial_panels();
@@ -127,7 +129,7 @@ class Quadrature {
   std::vector<std::size_t> beside(const std::vector<std::size_t>& jumps) const;
   void refine_largest();
   void append_panels(std::vector<Panel>& out, const std::vector<Node>& nodes, bool from_right) const;
-  // The changes that may become jumps: none in an alternating panel.
+  // Returns the label changes in a panel that may become jumps: none if the panel is alternating.
   static std::vector<LabelChange> changes_in(const Panel& panel);
   std::vector<SensitiveRange> sensitive_ranges() const;
   std::vector<double> equidistant(const SensitiveRange& range) const;
@@ -151,9 +153,9 @@ class Quadrature {
   long max_samples_;
   QuadratureGoal goal_;
   std::vector<Panel> panels_;       // ascending
-  std::vector<LabelChange> jumps_;  // located
+  std::vector<LabelChange> jumps_;  // label changes that have been located
   Values complete_{};               // squares of the errors of panels that are not refined further
-  std::map<double, Sample> kept_;   // of panels and jumps that an alternating panel has replaced
+  std::map<double, Sample> kept_;   // samples of panels and jumps that an alternating panel has replaced
   QuadratureResult result_;
 };
 

@@ -7,8 +7,8 @@
 namespace bristle {
 namespace {
 
-// Labels alternate where more changes than this have been found in a sensitive range: one interval of another
-// label has two, and one at the end of the quadrature has one.
+// Largest number of label changes in a sensitive range whose labels do not alternate: one interval of another
+// label has two changes, and one at the end of the quadrature has one.
 constexpr std::size_t kMostChanges = 3;
 // An alternating panel begins with at least this number of intervals.
 constexpr double kLeastIntervals = 32;
@@ -17,7 +17,7 @@ constexpr double kLeastIntervals = 32;
 
 bool Quadrature::alternates() const { return std::ranges::any_of(panels_, &Panel::alternating); }
 
-// The trapezoidal rule. The nodes are equidistant but for rounding.
+// Integrates by the trapezoidal rule. The nodes are equidistant up to rounding.
 void Quadrature::evaluate_alternating(Panel& panel) {
   Values integral{}, variance{};
   for (std::size_t i = 1; i < panel.nodes.size(); ++i) {
@@ -32,7 +32,8 @@ void Quadrature::evaluate_alternating(Panel& panel) {
   for (std::size_t k = 0; k < OBSERVABLES; ++k) panel.error[k] = std::sqrt(variance[k]);
 }
 
-// Ascending. A panel belongs to a range if its label changes, or if half of its samples are sensitive.
+// Returns the sensitive ranges in ascending order. A panel belongs to a range if its label changes or if half
+// of its samples are sensitive.
 std::vector<Quadrature::SensitiveRange> Quadrature::sensitive_ranges() const {
   std::vector<SensitiveRange> parts;
   for (const LabelChange& jump : jumps_) parts.push_back({jump.left.at, jump.right.at, 1});
@@ -57,7 +58,8 @@ std::vector<Quadrature::SensitiveRange> Quadrature::sensitive_ranges() const {
   return ranges;
 }
 
-// The places in this range, with its ends, at which halving of the initial panels arrives at the same time.
+// Returns the places in this range at which halving of the initial panels arrives at the same time, and the
+// ends of the range.
 std::vector<double> Quadrature::equidistant(const SensitiveRange& range) const {
   std::vector<double> at;
   for (std::size_t panel = 0; panel + 1 < edges_.size(); ++panel) {
@@ -78,7 +80,7 @@ std::vector<double> Quadrature::equidistant(const SensitiveRange& range) const {
   return at;
 }
 
-// Replaces the panels and jumps of this range by one panel. Their samples are kept.
+// Replaces the panels and jumps of this range by one alternating panel. Their samples are kept.
 void Quadrature::make_alternating(const SensitiveRange& range) {
   const auto inside = [&](const Node& left) { return range.from <= left.at && left.at < range.to; };
   for (const LabelChange& jump : jumps_)

@@ -15,9 +15,9 @@ namespace {
 
 constexpr int kFirstIntervals = 24;
 constexpr double kSmallLoad = 0.1;      // R_n below which the resolution is absolute
-constexpr int kSearchSteps = 10;        // of the search for a fold or a landing
-constexpr long kReservedNodes = 12;     // for the results of these searches
-constexpr double kMinFoldDepth = 0.25;  // in units of the resolution; shallower folds are ignored
+constexpr int kSearchSteps = 10;        // maximum steps of the search for a fold or a landing
+constexpr long kReservedNodes = 12;     // nodes kept free for the results of the searches
+constexpr double kMinFoldDepth = 0.25;  // depth in units of the resolution below which folds are ignored
 
 class Tracer {
  public:
@@ -39,12 +39,12 @@ class Tracer {
   }
 
  private:
-  // A node at which a path ends, with its neighbours in order
-  // of the gaps: descending for sign 1, ascending for sign -1.
+  // A node at which a path ends, with the nodes before and after it on the path: gaps descend for sign 1 and
+  // ascend for sign -1.
   struct Fold {
     double sign, before, at, after;
   };
-  // Neighbouring nodes after a fold between which R_n passes the load at the fold.
+  // Neighbouring nodes after a fold between which R_n passes `load`, its value at the fold.
   struct Landing {
     double near, far, load;
   };
@@ -70,8 +70,8 @@ class Tracer {
     run_all(gaps, [this](double z_0, const PassageRunner& run) { nodes_[z_0] = solve(z_0, run); });
   }
 
-  // R_n at a gap where it is about `near`, without making a node there. NaN if it cannot be computed. Adds
-  // the number of computed passages to `passages`.
+  // Returns R_n at a gap where it is about `near`, without making a node there; NaN if it cannot be computed.
+  // Adds the number of computed passages to `passages`.
   double searched_load(double z_0, double near, const PassageRunner& run, long& passages) {
     if (const auto node = nodes_.find(z_0); node != nodes_.end()) return node->second.value[R_N];
     EnsembleMean mean(setup_, z_0, starts_.at(z_0), run);
@@ -100,9 +100,9 @@ class Tracer {
     return out;
   }
 
-  // Halves the intervals beside nodes whose R_n deviates from the chord of
-  // their neighbours. Returns false if there are none, or if the maximum
-  // number of nodes is reached: then these nodes get the status not_converged.
+  // Halves the intervals beside nodes whose R_n deviates from the chord of their neighbours. Returns false if
+  // there are no such nodes, or if halving would exceed the maximum number of nodes: then they get the status
+  // not_converged.
   bool refine() {
     const std::vector<double> z = gaps();
     std::vector<double> between, unresolved;
@@ -140,8 +140,8 @@ class Tracer {
     return z;
   }
 
-  // Whether R_n has turned back from the extreme of the path
-  // by no more than the errors or the minimum fold depth.
+  // Returns whether R_n has turned back from the extreme of the path by no more than the errors or the
+  // minimum fold depth.
   bool on_path(double z_0, double extreme_at, double sign) const {
     const double allowed = kMinFoldDepth * trace_.resolution * std::max(load(z_0), kSmallLoad);
     return sign * (load(z_0) - load(extreme_at)) >= -std::max(error(z_0) + error(extreme_at), allowed);
@@ -173,7 +173,7 @@ class Tracer {
     add_found(extreme, run, passages);
   }
 
-  // Intervals in which the slab lands after a jump from one of the folds.
+  // Finds the intervals in which the slab lands after a jump from one of the folds.
   std::vector<Landing> landings(const std::vector<Fold>& folds) const {
     std::vector<Landing> out;
     for (const Fold& fold : folds) {
@@ -193,7 +193,7 @@ class Tracer {
     return out;
   }
 
-  // Adds nodes on both sides of the gap with the load of the fold.
+  // Adds nodes on both sides of the gap at which R_n equals the load at the fold.
   void refine_landing(const Landing& landing, const PassageRunner& run) {
     long passages = 0;
     const auto excess = [&](double z_0) {

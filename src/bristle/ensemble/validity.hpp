@@ -6,7 +6,8 @@
 
 namespace bristle {
 
-// Whether a point is beyond a limit within which the model describes bristles. Unknown without values.
+// Tells whether a point is beyond a limit within which the model describes bristles. unknown: the point has
+// no values.
 enum class Exceeds {
   no,
   yes,
@@ -18,15 +19,15 @@ inline Words words<Exceeds>() {
   return list;
 }
 
-// A limit of the model. From its row follow its flag in result files and the remarks of run and figures.
+// A limit of the model. The flag in result files and the remarks of `run` and of figures follow from its row.
 struct ValidityRow {
-  const char *name, *meaning;            // the flag's name; what a point beyond the limit has, in words
-  double (*excess)(const PointResult&);  // positive beyond the limit, in the quantity's own unit
+  const char *name, *meaning;            // name of the flag; what is wrong beyond the limit, in words
+  double (*excess)(const PointResult&);  // positive beyond the limit, in the unit of the limited quantity
 };
 
 // Each limit is compared with the mean over the bristles.
 inline constexpr std::array kValidity = {
-    // By Hertz the contact radius is pi p R_c/(2 E*) under the largest pressure p.
+    // By Hertz, the contact radius is pi p R_c/(2 E*) under the largest pressure p.
     ValidityRow{"exceeds_R_c", "contact larger than the tip",
                 [](const PointResult& p) {
                   return M_PI * p.value[observable("hertz_pressure_peak")] / (2 * p.parameters.E_star) - 1;
