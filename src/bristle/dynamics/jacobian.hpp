@@ -18,7 +18,7 @@ AutoDiffScalar<typename internal::remove_all<D>::type::PlainObject> atan(const A
   const double x = u.value();
   return {bristle::atan(x), u.derivatives() * (1.0 / (1.0 + x * x))};
 }
-// Overrides Eigen's own, which calls std::sin.
+// Overrides Eigen's function, which calls std::sin.
 template <int N>
 AutoDiffScalar<Matrix<double, N, 1>> sin(const AutoDiffScalar<Matrix<double, N, 1>>& u) {
   return {bristle::sin(u.value()), u.derivatives() * bristle::cos(u.value())};
@@ -44,7 +44,8 @@ namespace bristle {
 using StateJacobian = Eigen::Matrix<double, kState, kState>;
 using IntegralJacobian = Eigen::Matrix<double, kIntegrals, kState>;
 
-// Jacobian of derivative() with respect to the state, by automatic differentiation.
+// Computes the Jacobian of derivative() with respect to the state, by automatic differentiation: the rows of
+// the state (of_state) and of the integrals (of_integrals).
 inline void jacobian(const Bristle<double>& b, const OdeState& y, StateJacobian& of_state,
                      IntegralJacobian& of_integrals) {
   using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<double, kState, 1>>;

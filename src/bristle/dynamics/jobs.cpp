@@ -12,7 +12,8 @@ namespace {
 
 namespace context = boost::context;
 
-// Several times what the equilibrium, the quadrature and a passage of the reference engine need.
+// Size of a job's stack: several times what the equilibrium, the quadrature and a passage of the reference
+// engine need.
 constexpr std::size_t kStackBytes = 256 << 10;
 
 // Stacks of jobs that have ended on this thread, for its next jobs: the system needs some 20 microseconds to

@@ -7,7 +7,8 @@
 namespace bristle {
 
 // Components of the initial value problem of one passage: the tip's state, then integrals over the local time
-// xi from 0, on which no force depends. Dimensionless. slopes_of() states the slope of each.
+// xi from 0, on which no force depends. Dimensionless. slopes_of() states the time derivative of each
+// component.
 enum Component {
   X,
   Y,
@@ -18,7 +19,7 @@ enum Component {
   THETA,
   PHI,
   NORMAL,      // F_n
-  FRICTION_X,  // F_fx on the slab: the component that opposes its motion
+  FRICTION_X,  // F_fx on the slab: the component against the slab's motion
   FRICTION_Y,
   MODULATION,  // F_n modulation, numerator of Eq. (24)
   ALIGNMENT,   // -F_n e_f.i, numerator of Eq. (25)
@@ -29,11 +30,12 @@ enum Component {
 constexpr int kState = NORMAL;  // number of components on which forces depend
 constexpr int kIntegrals = COMPONENTS - NORMAL;
 
-// The error of a step may be rtol |y| + atol tolerance_scale(component).
+// Returns the scale of atol for a component: the error of a step may be rtol |y| + atol
+// tolerance_scale(component).
 constexpr double tolerance_scale(int component) { return VX <= component && component <= VZ ? 0.1 : 1; }
 
-// A load, or an integral of F_n over a passage, below this number counts as none. A tip that just touches the
-// slab has less by the rounding of its height, with the Hertz contact.
+// Loads, and integrals of F_n over a passage, count as zero below this number. A tip that just touches the
+// slab has less, from the rounding of its height, with the Hertz contact.
 constexpr double kNoLoad = 1e-12;
 
 using OdeState = std::array<double, COMPONENTS>;
@@ -47,7 +49,7 @@ inline OdeState pack(const State<double>& s) {
   return {s.r[0], s.r[1], s.r[2], s.v[0], s.v[1], s.v[2], s.theta, s.phi};
 }
 
-// Time derivative of every component.
+// Sets dydt to the time derivative of every component. `pole` is has_pole() of the bristle.
 template <class T, class P, class Out, class Pole>
 void slopes_of(const Bristle<P>& b, const State<T>& state, const Motion<T>& m, Out& dydt, Pole pole) {
   for (int i = 0; i < 3; ++i) {

@@ -12,14 +12,16 @@ namespace bristle {
 namespace odeint = boost::numeric::odeint;
 namespace {
 
-// A pinned bristle oscillates undamped about its equilibrium. Its means do not depend on the phase, so a
-// looser tolerance suffices (measured in docs/numerics.md).
+// Factor by which the tolerance of the implicit method is looser. A pinned bristle oscillates undamped about
+// its equilibrium; its means do not depend on the phase, so that a looser tolerance suffices (measured in
+// docs/numerics.md).
 constexpr double kImplicitToleranceFactor = 3;
 
-// The implicit method also takes over after this many explicit steps, more than an ordinary passage needs.
+// Number of explicit steps after which the implicit method takes over even far from the pole: more than an
+// ordinary passage needs.
 constexpr long kExplicitSteps = 6000;
 
-constexpr double kTimeTolerance = 1e-13;
+constexpr double kTimeTolerance = 1e-13;  // for the times of exit and pole contact
 
 struct EvaluationLimit {};
 
@@ -39,8 +41,8 @@ struct System {
   }
 };
 
-// Largest ratio of error to tolerance. A non-finite step
-// has a ratio of 1e6: Odeint's own checker accepts NaN.
+// Computes the largest ratio of error to tolerance. A step that is not finite has a ratio of 1e6: Odeint's
+// own checker accepts NaN.
 class ErrorChecker {
  public:
   ErrorChecker(double atol, double rtol) : atol_(atol), rtol_(rtol) {}
@@ -139,7 +141,7 @@ class PassageIntegrator {
     return advance(stepper, [] { return false; });
   }
 
-  // Steps until the exit or until hand_over() is true. Updates time and state.
+  // Steps until the exit or until hand_over() is true. Updates the time t_ and the state y_.
   template <class Stepper, class HandOver>
   StopReason advance(Stepper& stepper, HandOver hand_over) {
     stepper.initialize(y_, t_, dt_);
@@ -181,7 +183,7 @@ class PassageIntegrator {
     }
   }
 
-  // Adds the last step, up to the time t_, to the path: times by equal weights of three instants, the other
+  // Adds the last step, up to the time t_, to the path: times by equal weights of three instants, all other
   // integrals by Simpson's rule.
   template <class DenseOutput>
   void add_step(double from, DenseOutput dense_output) {
@@ -224,7 +226,7 @@ class PassageIntegrator {
 void evaluate_exit(const PassageTask& task, Passage& out) {
   out.outcome = outcome_at_exit(*task.parameters, out.end);
   const double T = out.contact_time, I_n = out.end[NORMAL];
-  if (I_n < kNoLoad) {  // at first contact: the limits for a vanishing load, of a tip at rest
+  if (I_n < kNoLoad) {  // at first contact: the limits for a tip at rest under a vanishing load
     out.gamma_1 = modulation(*task.parameters, 1);
     out.gamma_2 = out.gamma_3 = 1;
   } else {

@@ -38,13 +38,13 @@ inline Words words<Method>() {
 struct IntegratorOptions {
   double rtol = 1e-6;
   double atol = 1e-8;
-  // automatic: explicit until the bristle is stiff, then implicit. In the fast engine, whose only method is
-  // implicit in the stiff terms, these are the lanes far from the pole and near it.
+  // automatic: explicit until the bristle is stiff, then implicit. The fast engine has one method, implicit
+  // in the stiff terms: there explicit_only and implicit_only choose the lanes far from the pole and near it.
   Method method = Method::automatic;
-  long max_evaluations = 2'000'000;  // of derivative() per passage, including rejected steps
+  long max_evaluations = 2'000'000;  // calls of derivative() per passage, including rejected steps
 };
 
-// Integrals of F_n, F_fx and F_fy from the start of a passage to one instant, see Component.
+// Integrals of F_n, F_fx and F_fy (see Component) from the start of a passage to one instant.
 struct PathSample {
   double normal, friction_x, friction_y;
 };
@@ -72,15 +72,15 @@ struct PassageTask {
   Bristle<double> bristle;
   Equilibrium start;  // initial position at rest, at the azimuth theta_0 of the bristle
   IntegratorOptions integrator;
-  double sample_interval = 0;  // of Passage::samples; 0: none. No other value depends on it
+  double sample_interval = 0;  // time between Passage::samples; 0: no samples. No other value depends on it
 };
 
-// Computes the passages of the tasks, in their order. The
-// result of a task does not depend on the other tasks.
+// Computes the passages of the tasks, in the order of the tasks. The result of a task does not depend on the
+// other tasks.
 using PassageRunner = std::function<std::vector<Passage>(const std::vector<PassageTask>&)>;
 
 enum class Engine {
-  fast,      // src/bristle/simd: one bristle per SIMD lane
+  fast,      // src/bristle/simd: one bristle in each SIMD lane
   reference  // run_passage(): one bristle after the other, by Boost.Odeint
 };
 template <>
@@ -89,15 +89,15 @@ inline Words words<Engine>() {
   return list;
 }
 
-// Called with time and state at the start, after each step and at the exit.
+// Called with the time xi and the state at the start, after each step and at the exit.
 using Observer = std::function<void(double xi, const OdeState&)>;
 
-// Integrates Eqs. (13, 17, 18) from rest until the slip xi - (x - x(0)) reaches L_x (Eq. A2), by
-// Boost.Odeint: the reference for the SIMD engine. A numerical failure is an Outcome, not an exception.
+// Integrates Eqs. (13, 17, 18) with Boost.Odeint from rest until the slip xi - (x - x(0)) reaches L_x (Eq.
+// A2). This is the reference for the SIMD engine. A numerical failure is an Outcome, not an exception.
 Passage run_passage(const PassageTask& task, const Observer& observe = {});
 
-// Computes outcome, gamma_1..3 and energy residual of a passage that reached its exit, from contact_time and
-// end, and completes its path.
+// Computes the outcome, gamma_1..3 and the energy residual of a passage that reached its exit, from
+// contact_time and end, and completes its path.
 void evaluate_exit(const PassageTask& task, Passage& passage);
 
 }  // namespace bristle

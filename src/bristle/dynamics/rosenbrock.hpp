@@ -11,9 +11,9 @@
 
 namespace bristle {
 
-// Rosenbrock method of order 4(3) with the coefficients and the interface of Odeint's rosenbrock4, for
-// fixed-size states. Eigen factorises the 8 x 8 block of the state; the integrals follow by substitution. To
-// be used with Odeint's rosenbrock4_controller and rosenbrock4_dense_output.
+// Rosenbrock method of order 4(3) with the coefficients and the interface of Odeint's rosenbrock4, for states
+// of fixed size. Eigen factorises the 8 x 8 block of the state; the integrals follow by substitution. The
+// class is meant for Odeint's rosenbrock4_controller and rosenbrock4_dense_output.
 class Rosenbrock4 {
  public:
   using value_type = double;
@@ -25,7 +25,7 @@ class Rosenbrock4 {
   using resizer_type = boost::numeric::odeint::never_resizer;
   using stepper_category = boost::numeric::odeint::stepper_tag;
 
-  // One step of an autonomous system with members derivative(y, dydt) and jacobian(y, J, J_integrals).
+  // Makes one step of an autonomous system with members derivative(y, dydt) and jacobian(y, J, J_integrals).
   // System is a std::reference_wrapper because Odeint's drivers copy it.
   template <class System>
   void do_step(System reference, const OdeState& y, double /*t*/, OdeState& y_out, double dt,
@@ -95,8 +95,8 @@ class Rosenbrock4 {
   Column third_ = g1_, fourth_ = g1_;
 };
 
-// Odeint's controller, including K. Gustafsson's prediction,
-// with square roots instead of the C library's pow.
+// Odeint's controller, including K. Gustafsson's prediction, with square roots instead of the C library's
+// pow.
 class RosenbrockController : public boost::numeric::odeint::rosenbrock4_controller<Rosenbrock4> {
  public:
   using rosenbrock4_controller::rosenbrock4_controller;
@@ -125,7 +125,7 @@ class RosenbrockController : public boost::numeric::odeint::rosenbrock4_controll
 
  private:
   static double fourth_root(double x) { return std::sqrt(std::sqrt(x)); }
-  // Divisor of the step size, with a safety factor of 0.9. 5 for a step that is not finite.
+  // Returns the divisor of the step size, with a safety factor of 0.9; 5 for a step that is not finite.
   static double step_divisor(double root) { return std::max(1.0 / 6, std::min(5.0, root / 0.9)); }
 };
 

@@ -10,7 +10,7 @@
 namespace bristle {
 namespace {
 
-// Position and velocity of the tip.
+// Number of components for the position and velocity of the tip.
 constexpr int kTip = THETA;
 using TipJacobian = Eigen::Matrix<double, kTip, kTip>;
 
@@ -39,14 +39,14 @@ Equilibrium polar(const Rest& tip) {
 
 OdeState state_of(const Bristle<double>& b, const Rest& tip) { return pack(state_at_rest(b, polar(tip))); }
 
-// Returns the tip at the same distance from its root, at the height z; x is NaN if that is too high.
+// Returns a tip at the height z at the same distance from its root as `tip`; x is NaN if that is too high.
 Rest at_height(const Rest& tip, double z) { return {std::sqrt(tip.x * tip.x + tip.z * tip.z - z * z), z}; }
 
 // Returns the place near the tip at which the bristle b rests on the moving slab, by Newton's method. x is
 // NaN if the method finds none.
 Rest resting_place(const Bristle<double>& b, Rest tip) {
   constexpr int kIterations = 50;
-  constexpr double kTolerance = 1e-11;  // of the place, dimensionless
+  constexpr double kTolerance = 1e-11;  // length of the last step, in units of r0
   for (int i = 0; i < kIterations && tip.x > 0 && tip.z > 0; ++i) {
     const OdeState y = state_of(b, tip);
     OdeState slope;
@@ -61,7 +61,7 @@ Rest resting_place(const Bristle<double>& b, Rest tip) {
   return {NAN, NAN};
 }
 
-// Returns the rows and columns of these components.
+// Returns the rows and columns of of_tip for these components.
 template <std::size_t N>
 Eigen::Matrix<double, N, N> part(const TipJacobian& of_tip, const std::array<Component, N>& components) {
   Eigen::Matrix<double, N, N> out;
@@ -81,7 +81,7 @@ Mode least_stable(const Matrix& linear) {
 }  // namespace
 
 SteadySliding steady_sliding(const Parameters& p, double z_0) {
-  constexpr double kLargestStep = 2e-3, kLeastStep = 1e-6;  // of the gap
+  constexpr double kLargestStep = 2e-3, kLeastStep = 1e-6;  // change of the gap in one step
   Bristle<double> b = make_bristle(p, z_0, 0);
   b.z_0 = std::max(z_0, sin(p.phi_0) + 3 * b.off_slab);  // where a wall is hardly felt
   Rest tip = resting_place(b, {cos(p.phi_0), sin(p.phi_0)});

@@ -13,7 +13,8 @@ struct Mode {
 
 // Steady sliding: the tip rests at the distance r from its root and at the polar angle phi (rad) while the
 // slab moves over it under F_n. in_plane is the least stable mode in the vertical plane of the motion,
-// transverse the one across it; by symmetry they do not couple. Dimensionless; NaN if a bristle cannot rest.
+// transverse the least stable mode across it; by symmetry they do not couple. Dimensionless; NaN if a bristle
+// cannot rest.
 struct SteadySliding {
   double r = NAN, phi = NAN, F_n = NAN;
   Mode in_plane = {NAN, NAN}, transverse = {NAN, NAN};

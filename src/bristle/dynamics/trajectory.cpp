@@ -12,15 +12,15 @@ Phase phase_of(const Bristle<double>& b, const State<double>& state, const Slidi
   return -sliding.e_x < cos(kSideSlip) ? Phase::side_slip : Phase::slip;
 }
 
-// Angle from one in-plane position to another, in (-pi, pi], rad.
+// Returns the angle from the in-plane position a to the in-plane position b, in (-pi, pi], rad.
 double angle_between(const OdeState& a, const OdeState& b) {
   const double cross = a[X] * b[Y] - a[Y] * b[X], dot = a[X] * b[X] + a[Y] * b[Y];
   const double half_turn = dot >= 0 ? 0 : cross >= 0 ? M_PI : -M_PI;
   return cross == 0 ? half_turn : half_turn + atan(cross / dot);
 }
 
-// The state with the azimuth, unwrapped since the point before, and the polar angle of its position: a rod's
-// own state has none.
+// Returns the state y with the azimuth and the polar angle of its position, which a rod's own state lacks.
+// The azimuth is unwrapped from the state before.
 OdeState with_angles(OdeState y, const OdeState& before) {
   y[THETA] = before[THETA] + angle_between(before, y);
   y[PHI] = asin(y[Z] / std::sqrt(y[X] * y[X] + y[Y] * y[Y] + y[Z] * y[Z]));

@@ -5,7 +5,7 @@
 
 namespace bristle {
 
-// Phase of the tip's motion, as marked in Fig. 2. The first whose condition holds.
+// Phase of the tip's motion, as marked in Fig. 2: the first phase in this list whose condition holds.
 enum class Phase {
   off_slab,   // rebound: is_off_slab()
   stick,      // V_R below V_s, the static branch of chi
@@ -19,8 +19,7 @@ inline Words words<Phase>() {
 }
 constexpr double kSideSlip = 0.5235987755982988;  // rad (30 deg)
 
-// State and forces at the start, after each step and at
-// the exit. Dimensionless; forces are those on the slab.
+// State and forces on the slab at the start, after each step or at the exit. Dimensionless.
 struct TrajectoryPoint {
   double xi;
   OdeState y;  // state and integrals, see Component
