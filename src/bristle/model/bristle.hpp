@@ -26,11 +26,11 @@ struct Bristle {
   P hertz_stiffness, hertz_stiffness_23;  // hertz_stiffness(), and its power 2/3; 0 with the wall
   P off_slab;                             // distance below the slab beyond which a tip is off it
   P z_0;
-  P V_s, V_scale;  // below V_s a tip sticks; V_scale is that of the friction law
+  P V_s, V_scale;  // below V_s a tip sticks; V_scale is the speed scale of the friction law
 };
 
-// Pointers to all numbers of a Bristle, in a fixed order.
-// The SIMD engine uses them to copy a bristle into a lane.
+// Returns pointers to all numbers of a Bristle, in a fixed order. The SIMD engine uses them to copy a bristle
+// into a lane.
 template <class B>
 constexpr auto constants_of(B& b) {
   auto& friction = b.friction_constants;
@@ -72,9 +72,9 @@ static_assert(sizeof(Bristle<double>) == sizeof(FrictionLaw) + sizeof(Bending) +
 // below 0.03 for the paper's beta.
 constexpr double kOffSlabRanges = 10;
 
-// Evaluates Eqs. (11, 12), for a rod the damping of a unit mass at r = 1, and the derived constants of Eqs.
-// (3, 4, 7, 14-16), or those of the Hertz contact, for the gap z_0 (dimensionless) and the
-// undeformed azimuth theta_0 (rad).
+// Returns the constants of a bristle for the gap z_0 (dimensionless) and the undeformed azimuth theta_0
+// (rad). Evaluates Eqs. (11, 12), or for a rod the damping of a unit mass at r = 1, and the derived constants
+// of Eqs. (3, 4, 7, 14-16), or of the Hertz contact in place of Eq. (3).
 inline Bristle<double> make_bristle(const Parameters& p, double z_0, double theta_0) {
   Bristle<double> b{};
   b.friction = p.friction;
@@ -119,7 +119,7 @@ template <class T>
 using Vector3 = std::array<T, 3>;
 
 // Tip position and velocity, azimuth theta (unwrapped) and polar angle phi (from the x-y plane), rad. For a
-// rod, theta and phi keep their values of the start.
+// rod, theta and phi keep their initial values.
 template <class T>
 struct State {
   Vector3<T> r, v;

@@ -8,16 +8,16 @@ namespace bristle {
 template <class P>
 struct Bristle;  // model/bristle.hpp
 
-// Short-range exponential repulsion, Eqs. (3, 4): strength/(2 range) exp(-distance/range). Dimensionless
-// force. peak is strength/(2 range), rate is 1/range.
+// Returns the force of a short-range exponential repulsion, Eqs. (3, 4): strength/(2 range)
+// exp(-distance/range). Dimensionless. peak is strength/(2 range), rate is 1/range.
 template <class T, class P>
 T short_range_force(const T& distance, const P& peak, const P& rate) {
   const T exponent = -distance * rate;
   return peak * T(decay(exponent));
 }
 
-// Potential of short_range_force(): its negative derivative
-// by the distance is the force. Dimensionless energy.
+// Returns the potential of short_range_force(), whose negative derivative by the distance is the force.
+// Dimensionless energy.
 template <class T, class P>
 T short_range_energy(const T& distance, const P& peak, const P& rate) {
   return short_range_force(distance, peak, rate) / rate;
@@ -30,7 +30,7 @@ struct ContactForce {
   T F_n_23;  // F_n^(2/3)
 };
 
-// Returns the force of the wall, Eq. (3), at the distance z_0 - z. One exponential gives both powers:
+// Returns the force of the wall, Eq. (3), at `distance` = z_0 - z. One exponential gives both powers:
 // root_peak is the cube root of the peak, root_rate a third of the rate.
 template <class T, class P>
 ContactForce<T> wall_force(const T& distance, const P& root_peak, const P& root_rate) {
@@ -41,7 +41,7 @@ ContactForce<T> wall_force(const T& distance, const P& root_peak, const P& root_
 }
 
 // Returns stiffness depth^(3/2), the force of a sphere that is pressed into the slab by depth >= 0 (Hertz).
-// stiffness is hertz_stiffness(), stiffness_23 its power 2/3.
+// stiffness is hertz_stiffness(); stiffness_23 is stiffness^(2/3).
 template <class T, class P>
 ContactForce<T> hertz_force(const T& depth, const P& stiffness, const P& stiffness_23) {
   constexpr double regular =
@@ -54,8 +54,8 @@ ContactForce<T> hertz_force(const T& depth, const P& stiffness, const P& stiffne
 // Hertz. Dimensionless.
 inline double hertz_stiffness(double R_c, double E_star) { return 4 * E_star * std::sqrt(R_c) / 3; }
 
-// Returns how deep a tip at the height z is pressed into a slab at the gap z_0 of b, in units of r0: 0 below
-// it.
+// Returns how deep a tip at the height z is pressed into a slab at the gap b.z_0, in units of r0: 0 below the
+// slab.
 template <class T, class P>
 T contact_depth(const Bristle<P>& b, const T& z) {
   const T depth = z - b.z_0;

@@ -37,7 +37,7 @@ inline double max(double a, double b) { return a < b ? b : a; }
 // any other force.
 constexpr double kNegligible = -40;
 
-// exp(x) for x <= 0; exactly 0 below kNegligible.
+// Returns exp(x) for x <= 0; exactly 0 below kNegligible.
 inline double decay(double x) { return x < kNegligible ? 0 : exp(x); }
 
 }  // namespace bristle

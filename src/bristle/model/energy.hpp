@@ -4,7 +4,8 @@
 
 namespace bristle {
 
-// Potential energy: springs, contact and, in polar coordinates, pole repulsion. Dimensionless (m V0^2).
+// Returns the potential energy of springs, contact and, in polar coordinates, pole repulsion. Dimensionless
+// (m V0^2).
 template <class T, class P>
 T potential_energy(const Bristle<P>& b, const Vector3<T>& position, const T& theta, const T& phi) {
   const Frame<T> f = frame_at(position, has_pole(b.bending));
@@ -19,15 +20,15 @@ T potential_energy(const Bristle<P>& b, const Vector3<T>& position, const T& the
          contact_energy(b, position[2]) + short_range_energy(f.s, b.pole_peak, b.pole_rate);
 }
 
-// Total energy E of the tip in contact. Dimensionless (m V0^2).
+// Returns the total energy E of the tip in contact. Dimensionless (m V0^2).
 template <class T, class P>
 T energy(const Bristle<P>& b, const State<T>& state) {
   return T((state.v[0] * state.v[0] + state.v[1] * state.v[1] + state.v[2] * state.v[2]) / 2) +
          potential_energy(b, state.r, state.theta, state.phi);
 }
 
-// dE/dt from the forces: power of the slab on the tip (F_fx V0) minus friction and damping losses. Equals the
-// time derivative of energy() if conserves_energy(). Dimensionless.
+// Returns dE/dt from the forces: the power of the slab on the tip (F_fx V0) minus friction and damping
+// losses. Equals the time derivative of energy() if conserves_energy(). Dimensionless.
 template <class T, class P>
 T power(const Bristle<P>& b, const Motion<T>& m) {
   const T friction = m.friction[0] * m.sliding.V_x + m.friction[1] * m.sliding.V_y;

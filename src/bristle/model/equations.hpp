@@ -6,12 +6,12 @@
 
 namespace bristle {
 
-// pole in the functions below is has_pole() of the bristle: a bool, or a constant such as std::true_type,
-// with which the compiler leaves out the other kind of bending.
+// The argument pole of the functions below is has_pole() of the bristle: a bool, or a constant such as
+// std::true_type, with which the compiler leaves out the other kind of bending.
 
-// Lengths and unit vectors of Eq. (2) at a position. Those that are singular at the pole, s = 0, have values
-// only for bristles with a pole: e_s = (cos_theta, sin_theta,
-// 0), e_theta = (-sin_theta, cos_theta, 0), e_r = cos_phi e_s + sin_phi k, e_phi = -sin_phi e_s + cos_phi k.
+// Lengths and unit vectors of Eq. (2) at a position: e_s = (cos_theta, sin_theta, 0), e_theta = (-sin_theta,
+// cos_theta, 0), e_r = cos_phi e_s + sin_phi k, e_phi = -sin_phi e_s + cos_phi k. Members that are singular
+// at the pole, s = 0, have values only for bristles with a pole.
 template <class T>
 struct Frame {
   T r, one_r;  // one_r = 1/r
@@ -36,13 +36,13 @@ Frame<T> frame_at(const Vector3<T>& position, Pole pole) {
   return f;
 }
 
-// theta' per velocity along e_theta: 1/s, kinematically exact, or s/r^2 by Eq. (17) as printed.
+// Returns theta' over the velocity along e_theta: 1/s, kinematically exact, or s/r^2 by Eq. (17) as printed.
 template <class T>
 T azimuth_rate_factor(Bending bending, const Frame<T>& f) {
   return bending == Bending::polar ? f.one_s : T(f.s * T(f.one_r * f.one_r));
 }
 
-// theta', Eq. (17), and phi', Eq. (18). For a rod, the rates of the bending angles u_s and u_p.
+// The rates theta', Eq. (17), and phi', Eq. (18); for a rod, the rates of the bending angles u_s and u_p.
 template <class T>
 struct AngularRates {
   T theta, phi;
@@ -56,16 +56,16 @@ AngularRates<T> angular_rates(Bending bending, const Frame<T>& f, const Vector3<
   return {T(along_theta * azimuth_rate_factor(bending, f)), T(along_phi * f.one_r)};
 }
 
-// What the equations need of the tip's position.
+// What the equations need to know about the tip's position.
 template <class T>
 struct Place {
   Frame<T> frame;
-  RodAngles<T> rod;  // of a rod only
+  RodAngles<T> rod;  // set for rods only
   ContactForce<T> contact;
   T friction_limit;  // friction_limit()
 };
 
-// Friction force where the modulation is 1, Eqs. (14, 15).
+// Returns the friction force where the modulation is 1, Eqs. (14, 15).
 template <class T, class P>
 T friction_limit(const Bristle<P>& b, const ContactForce<T>& contact) {
   return b.friction_factor * with_law(b.friction, [&](auto law) -> T { return law.load(contact); });
@@ -89,7 +89,8 @@ struct Sliding {
   T modulation;     // speed dependence of friction: chi, Eq. (7), for the paper's laws
 };
 
-// All but the modulation.
+// Returns the motion of the tip relative to the slab, without the modulation. v_x and v_y are the tip's
+// velocity.
 template <class T>
 Sliding<T> relative_motion(const T& v_x, const T& v_y) {
   Sliding<T> s;
@@ -112,10 +113,11 @@ Sliding<T> sliding_at(const Bristle<P>& b, const T& v_x, const T& v_y) {
   return s;
 }
 
-// Friction force on the tip, in the plane of the slab; limit is friction_limit().
+// Components x and y of a force in the plane of the slab.
 template <class T>
 using InPlane = std::array<T, 2>;
 
+// Returns the friction force on the tip; limit is friction_limit().
 template <class T>
 InPlane<T> friction_force(const T& limit, const Sliding<T>& sliding) {
   const T F_f = limit * sliding.modulation;
@@ -146,7 +148,7 @@ void set_polar_motion(const Bristle<P>& b, const State<T>& state, const Frame<T>
   m.acceleration[2] = -radial * f.sin_phi - polar * f.cos_phi - m.contact.F_n;
 }
 
-// The same for a rod.
+// Sets the acceleration of a rod and the rates of its bending angles.
 template <class T, class P>
 void set_rod_motion(const Bristle<P>& b, const State<T>& state, const Place<T>& place, Motion<T>& m) {
   const RodAngles<T>& rod = place.rod;
@@ -161,7 +163,7 @@ void set_rod_motion(const Bristle<P>& b, const State<T>& state, const Place<T>& 
                     T(springs(2) - m.contact.F_n)};
 }
 
-// Eq. (13) with Eqs. (17, 18), for a given friction force.
+// Returns the motion by Eq. (13) with Eqs. (17, 18), for a given friction force.
 template <class T, class P, class Pole>
 Motion<T> motion(const Bristle<P>& b, const State<T>& state, const Place<T>& place, const Sliding<T>& sliding,
                  const InPlane<T>& friction, Pole pole) {
@@ -179,8 +181,9 @@ Motion<T> motion(const Bristle<P>& b, const State<T>& state) {
   return motion(b, state, place, sliding, friction_force(place.friction_limit, sliding), pole);
 }
 
-// The azimuth's damper exerts the force -azimuth_damping() v_theta along e_theta, that of the polar angle
-// -polar_damping() v_phi along e_phi.
+// Return the damping coefficients of the velocity: the damper of the azimuth exerts the force
+// -azimuth_damping() v_theta along e_theta, the damper of the polar angle exerts -polar_damping() v_phi along
+// e_phi.
 template <class T, class P>
 T azimuth_damping(const Bristle<P>& b, const Frame<T>& f) {
   return b.c_theta * T(azimuth_rate_factor(b.bending, f) * f.one_s);

@@ -10,18 +10,18 @@
 namespace bristle {
 namespace {
 
-// A function's value and its derivative.
+// Value of a function and its derivative.
 struct Tangent {
   double value, slope;
 };
 
-// The root of a function that is negative at lower and not negative at upper: Newton's method from guess, and
-// bisection where a step of Newton's method leaves the bracket or is longer than the one before.
+// Returns the root of a function that is negative at lower and not negative at upper, by Newton's method from
+// guess. Bisects where a step of Newton's method leaves the bracket or is longer than the step before it.
 template <class Function>
 double bracketed_root(Function function, double lower, double upper, double guess) {
   constexpr double converged = 1e-12;  // a Newton step of this relative size is correct to rounding
   constexpr double rounding = 4e-16;
-  constexpr int most_steps = 60;  // of Newton's method, which may be slow far away from the root
+  constexpr int most_steps = 60;  // then bisection: Newton's method may be slow far away from the root
   double x = guess > lower && guess < upper ? guess : lower + (upper - lower) / 2;
   double last = upper - lower;
   for (int i = 0;; ++i) {
@@ -37,12 +37,12 @@ double bracketed_root(Function function, double lower, double upper, double gues
   }
 }
 
-// The bristle with its tip at the radius where the radial forces balance, for a polar angle.
+// A bristle at the polar angle phi with its tip at the radius where the radial forces balance.
 class Bent {
  public:
-  // z: a guess of the tip's height, such as its height at a similar angle.
+  // z is a guess of the tip's height, such as its height at a similar angle.
   Bent(const Bristle<double>& b, double phi, double z) : b_(b), phi_(phi), sin_(sin(phi)), cos_(cos(phi)) {
-    // The radial force increases strictly with r; this is its sign at r = 0.
+    // The radial force increases strictly with r: without a negative sign at r = 0 it has no root.
     if (sin_ * contact_force(b_, 0.0).F_n >= b.k_r + cos_ * b.pole_peak) {
       r_ = std::numeric_limits<double>::quiet_NaN();
     } else {
@@ -51,11 +51,11 @@ class Bent {
     }
   }
 
-  // NaN if a wall that reaches down to r = 0 compresses the spring completely.
+  // Returns the radius; NaN if a wall that reaches down to r = 0 compresses the spring completely.
   double r() const { return r_; }
   double z() const { return r_ * sin_; }
 
-  // dU/dphi along the balanced radius, and its derivative. Zero at an equilibrium.
+  // Returns dU/dphi along the balanced radius, and its derivative. dU/dphi is zero at an equilibrium.
   Tangent polar() const {
     const double s = r_ * cos_, z = r_ * sin_;
     const double F_n = contact_force(b_, z).F_n, F_n_slope = contact_stiffness(b_, z);
@@ -79,14 +79,14 @@ class Bent {
   double phi_, sin_, cos_, r_;
 };
 
-// The bristle with its tip at the slab, z = z_0, for a polar angle.
+// A bristle at the polar angle phi with its tip at the slab, z = z_0.
 class AtSlab {
  public:
   AtSlab(const Bristle<double>& b, double phi) : b_(b), phi_(phi), tan_(tan(phi)), r_(b.z_0 / sin(phi)) {}
 
   double r() const { return r_; }
 
-  // dU/dphi of springs and pole repulsion along z = z_0, and its derivative.
+  // Returns dU/dphi of springs and pole repulsion along z = z_0, and its derivative.
   Tangent polar() const {
     const double pole = short_range_force(r_ * cos(phi_), b_.pole_peak, b_.pole_rate);
     const double s_slope = b_.z_0 / (sin(phi_) * sin(phi_));  // -ds/dphi
@@ -100,9 +100,9 @@ class AtSlab {
   double phi_, tan_, r_;
 };
 
-// The minimum of the energy over 0 < phi <= phi_0 that is downhill from this angle: dU/dphi is negative below
-// it and not negative above it. The search goes in steps, so that it does not step over a maximum to another
-// minimum. NaN if there is none.
+// Finds the polar angle of the minimum of the energy over 0 < phi <= phi_0 that is downhill from phi: dU/dphi
+// is negative below it and not negative above it. Searches in steps, so as not to step over a maximum to
+// another minimum. Returns NaN if there is none.
 template <class Polar>
 double downhill(Polar polar, double phi, double phi_0) {
   const double step = phi_0 / 64, least = 1e-9;
@@ -142,7 +142,7 @@ FollowedMinimum::Step FollowedMinimum::minimum(double z_0, const Step& from) con
 }
 
 double FollowedMinimum::phi(double z_0) {
-  constexpr double step = 1. / 64;  // of the gap
+  constexpr double step = 1. / 64;  // change of the gap, in units of r0
   const double contact = sin(bristle_.phi_0);
   Step last = {contact, bristle_.phi_0, contact};
   double gap = contact;
@@ -166,7 +166,8 @@ Equilibrium static_equilibrium(Bristle<double> b, double z_0, FollowedMinimum& m
   return {r, phi};
 }
 
-// Undeformed radius, and a tip just out of the slab's reach: the springs' only energy is that of bending.
+// Returns the position with the undeformed radius and the tip just out of the slab's reach: the springs' only
+// energy is the energy of bending.
 Equilibrium unstretched(const Parameters& p, double z_0) {
   constexpr double clearance = 5;  // in units of contact_range()
   return {1, std::min(asin(std::clamp(z_0 - clearance * contact_range(p), 0.0, 1.0)), p.phi_0)};

@@ -15,14 +15,14 @@ struct Equilibrium {
   double r, phi;
 };
 
-// Frictionless static equilibrium in the vertical plane theta = theta_0: the minimum of the potential energy
-// over (r, phi) with 0 < phi <= phi_0 that is reached from the undeformed bristle as the slab comes down from
-// first contact to the gap of b. Throws ModelError if at some gap on this way there is no equilibrium
-// (parameters far outside the physical ranges).
+// Returns the frictionless static equilibrium in the vertical plane theta = theta_0: the minimum of the
+// potential energy over (r, phi) with 0 < phi <= phi_0 that is reached from the undeformed bristle as the
+// slab comes down from first contact to the gap b.z_0. Throws ModelError if at some gap on this way there is
+// no equilibrium (parameters far outside the physical ranges).
 Equilibrium static_equilibrium(const Bristle<double>& b);
 
-// How a bristle yields to a slab that comes down from first contact to the ground. It depends on k_r/k_phi
-// and phi_0; which of both a curve over the stiffness has may change along it.
+// How a bristle yields to a slab that comes down from first contact to the ground. The outcome depends on
+// k_r/k_phi and phi_0, so it may change along a sweep over the stiffness.
 enum class Start {
   bent,         // it bends down
   crushed,      // it is compressed upright
@@ -35,22 +35,21 @@ inline Words words<Start>() {
 }
 
 // Follows the minimum of the energy from first contact, z_0 = sin(phi_0), down to a gap in small steps, as
-// the polar angle of a bristle does under a slab that comes down slowly: soft bristles have two minima under
-// the slab. The steps are common to all gaps and are computed once.
+// the bristle does under a slab that comes down slowly: soft bristles have two minima under the slab. The
+// steps are common to all gaps and are computed once.
 class FollowedMinimum {
  public:
-  // At the slab: the tip is held at z = z_0 instead of being pushed by the wall. The gap of b does not
-  // matter.
+  // at_slab: the tip is held at z = z_0 instead of being pushed by the wall. b.z_0 does not matter.
   FollowedMinimum(const Bristle<double>& b, bool at_slab) : bristle_(b), at_slab_(at_slab) {}
 
-  // Polar angle, rad; NaN if there is no minimum at a gap on the way.
+  // Returns the polar angle at the gap z_0, rad; NaN if there is no minimum at a gap on the way.
   double phi(double z_0);
 
  private:
   struct Step {
     double z_0, phi, z;  // z: a guess of the tip's height at the next step
   };
-  // The minimum downhill from another gap's.
+  // Returns the minimum at the gap z_0 that is downhill from the minimum `from` at another gap.
   Step minimum(double z_0, const Step& from) const;
 
   Bristle<double> bristle_;
@@ -64,8 +63,9 @@ class InitialStates {
  public:
   explicit InitialStates(const Parameters& p);
 
-  // For the gap z_0. Throws ModelError like static_equilibrium().
+  // Returns the position at the gap z_0. Throws ModelError like static_equilibrium().
   Equilibrium at(double z_0);
+  // Returns how the bristle yields on the way down to the ground.
   Start start();
 
  private:
@@ -73,7 +73,7 @@ class InitialStates {
   FollowedMinimum minimum_;
 };
 
-// State of the bristle at rest at this position, with the azimuth theta_0 of b.
+// Returns the state of the bristle b at rest at the position e, with the azimuth theta_0 of b.
 State<double> state_at_rest(const Bristle<double>& b, const Equilibrium& e);
 
 }  // namespace bristle

@@ -4,7 +4,7 @@
 
 namespace bristle {
 
-// Thrown for input for which the model has no numbers. The message says why, for users. Other exceptions are
+// Thrown for input for which the model has no numbers. The message tells users why. Other exceptions are
 // defects of the program or of a library.
 struct ModelError : std::runtime_error {
   using std::runtime_error::runtime_error;

@@ -14,7 +14,7 @@ double fitted_load(const Parameters& p) {
   return kLiftOff.of_springs * std::sqrt(p.k_r * p.k_phi) - kLiftOff.of_speed * p.k_phi * log(p.k_phi);
 }
 
-// The range of a quantity in which the fit was tested.
+// Range of a quantity in which the fit was tested.
 struct Tested {
   LiftOffDomain outside;
   const char* name;
@@ -40,7 +40,7 @@ constexpr std::array kTested = {
     Tested{LiftOffDomain::zeta_phi, "zeta_phi", [](const Parameters& p) { return p.zeta_phi; }, 0.05, 0.3},
 };
 
-// Returns the parameters of the same bristles where the slab moves with speed times V_0.
+// Returns the parameters of the bristles p under a slab whose velocity is `speed` times V_0.
 Parameters at_speed(Parameters p, double speed) {
   for (const auto member : {&Parameters::k_r, &Parameters::k_theta, &Parameters::k_phi, &Parameters::tau_f,
                             &Parameters::E_star, &Parameters::alpha, &Parameters::beta})
@@ -86,8 +86,8 @@ LiftOffSpeed lift_off_speed(const Parameters& p, double R_n) {
 double bouncing_load_by_statics(const Parameters& p, double z_0) {
   const double cos_phi = std::sqrt(1 - z_0 * z_0);
   const double a = (p.phi_0 - asin(z_0)) / cos_phi;
-  // With r = 1 at both ends of the way over the root, from x = -X to X, the integral is z_0 (2 atanh(X) - 2
-  // X). Half of the bristles take this way.
+  // With r = 1 at both ends of the path over the root, from x = -X to X, the integral is z_0 (2 atanh(X) - 2
+  // X). Half of the bristles take this path.
   constexpr int kNodes = 64;
   double b = 0;
   for (int i = 0; i < kNodes; ++i) {

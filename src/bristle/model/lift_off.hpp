@@ -11,15 +11,16 @@ namespace bristle {
 // bounce under loads below it.
 
 // The lift-off load R_n*/N_c0 = of_springs (k_r k_phi)^(1/2) - of_speed k_phi ln(k_phi), dimensionless. It is
-// a fit to 603 computed maxima of R_n(z_0) among bouncing bristles; scatter is the root mean square distance
-// of these from the fit, relative to it. The first term does not depend on the slab's speed; k_phi is
-// proportional to V_0^-2.
+// a fit to 603 computed maxima of R_n(z_0) among bouncing bristles; scatter is the root mean square of their
+// relative distances from the fit. The first term does not depend on the slab's speed; k_phi is proportional
+// to V_0^-2.
 struct LiftOffFit {
   double of_springs, of_speed, scatter;
 };
 constexpr LiftOffFit kLiftOff = {0.346, 0.154, 0.09};
 
-// Whether the fit was tested for a brush, or the first quantity that lies outside the range of the tests.
+// States that the fit was tested for a brush, or names the first quantity that lies outside the range of the
+// tests.
 enum class LiftOffDomain {
   tested,
   section,
@@ -49,9 +50,9 @@ std::string outside_of(LiftOffDomain domain);
 // not tested.
 double lift_off_load(const Parameters& p);
 
-// The speed at which a load is the lift-off load, over the speed V_0 by which the parameters are
-// dimensionless. The true speed is likely between value/factor and value factor. NaN where the fit was not
-// tested.
+// The slab's speed at which a load is the lift-off load, divided by the speed V_0 with which the parameters
+// are dimensionless. The true ratio is likely between value/factor and value factor. NaN where the fit was
+// not tested.
 struct LiftOffSpeed {
   double value, factor;
 };
@@ -62,9 +63,9 @@ LiftOffSpeed lift_off_speed(const Parameters& p, double R_n);
 
 // Returns the normal load R_n/N_c0 of bouncing bristles with the parameters p at the gap z_0 by statics,
 // dimensionless: a(z_0) k_phi + b(z_0) k_r/L_x. The first term is the frictionless equilibrium of the polar
-// spring, a = (phi_0 - phi)/cos(phi) with sin(phi) = z_0. The second is what the radial spring carries while
-// tips cross over their roots at the slab's speed: b is the mean over theta_0 of the integral of z_0 (1/r -
-// 1) along the motion.
+// spring, a = (phi_0 - phi)/cos(phi) with sin(phi) = z_0. The second term is the load on the radial spring
+// while tips cross over their roots at the slab's speed: b is the mean over theta_0 of the integral of z_0
+// (1/r - 1) along the motion.
 double bouncing_load_by_statics(const Parameters& p, double z_0);
 
 }  // namespace bristle

@@ -3,7 +3,7 @@
 #include "bristle/model/parameters.hpp"
 #include "bristle/model/si_scales.hpp"
 
-// From a brush in SI units, or a friction coefficient, to the dimensionless parameters of the model.
+// Converts a brush in SI units, or a friction coefficient, to the dimensionless parameters of the model.
 namespace bristle {
 
 // Returns one unit of each dimensionless quantity of bristles with the tip mass m in kg and the length r0 in

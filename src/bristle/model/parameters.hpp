@@ -13,9 +13,9 @@ enum class FrictionLaw : int;  // model/friction/laws.hpp
 template <>
 Words words<FrictionLaw>();
 
-// The springs against bending. polar: those of the paper in the angles theta and phi, Eq. (13), with theta'
-// kinematically exact; polar_as_printed: with theta' by Eq. (17) as printed; rod: the same stiffnesses in
-// coordinates without a pole (model/rod.hpp).
+// Model of the springs against bending. polar: the springs of the paper in the angles theta and phi, Eq.
+// (13), with theta' kinematically exact. polar_as_printed: with theta' by Eq. (17) as printed. rod: springs
+// of the same stiffnesses in coordinates without a pole (model/rod.hpp).
 enum class Bending {
   polar,
   polar_as_printed,
@@ -27,14 +27,14 @@ inline Words words<Bending>() {
   return list;
 }
 
-// Whether the coordinates of bending are singular upright, at s = 0: there the pole repulsion and the pole
-// rule act. A rod has neither.
+// Returns whether the coordinates of bending are singular upright, at s = 0: there the pole repulsion and the
+// pole rule act. A rod has neither.
 constexpr bool has_pole(Bending bending) { return bending != Bending::rod; }
-// Whether dE/dt is exactly the power of forces and dampers (model/energy.hpp).
+// Returns whether dE/dt is exactly the power of forces and dampers (model/energy.hpp).
 constexpr bool conserves_energy(Bending bending) { return bending != Bending::polar_as_printed; }
 
-// The law of the contact between slab and tip (model/contact.hpp). wall: the paper's wall of short range, Eq.
-// (3); hertz: a tip of radius R_c and contact modulus E_star.
+// Law of the contact between slab and tip (model/contact.hpp). wall: the paper's short-range wall, Eq. (3).
+// hertz: a tip of radius R_c and contact modulus E_star.
 enum class Contact {
   wall,
   hertz
@@ -45,8 +45,8 @@ inline Words words<Contact>() {
   return list;
 }
 
-// The cross-section of the shaft, which matters to a rod only. round: k_theta is k_phi, whatever the
-// parameter k_theta; oval: k_theta as given.
+// Cross-section of the shaft, which matters to a rod only. round: k_theta equals k_phi, whatever the
+// parameter k_theta is. oval: k_theta is the parameter.
 enum class Section {
   round,
   oval
@@ -74,8 +74,8 @@ inline Words words<InitialState>() {
   return list;
 }
 
-// Rule for a tip that reaches s = s_min: reflect reverses its radial
-// in-plane velocity, cross moves it to the opposite side of the pole.
+// Rule for a tip that reaches s = s_min. reflect reverses its radial in-plane velocity. cross moves it to the
+// opposite side of the pole.
 enum class PoleRule {
   reflect,
   cross
@@ -86,10 +86,10 @@ inline Words words<PoleRule>() {
   return list;
 }
 
-// What the law "custom" of an experiment needs. The experiment owns the table.
+// What the friction law "custom" needs. The experiment owns the table.
 struct CustomFriction {
   const ModulationTable* table = nullptr;
-  double V_0 = 1;  // in the unit of the table's speeds
+  double V_0 = 1;  // velocity of the slab, in the unit of the table's speeds
 };
 
 // The parameters of bristle, friction and slab, dimensionless (length r0, time r0/V0, force m V0^2/r0), with
@@ -123,7 +123,7 @@ struct Parameters {
   double L_x = 5;
   double L_y = 5;
   double spacing = 0.2;
-  double R = 0.0637;  // of the paper's k_phi, E_star and nu = 0.4, by k_phi = 3 pi E R^4/4
+  double R = 0.0637;  // from k_phi = 3 pi E R^4/4 with the paper's k_phi, E_star and nu = 0.4
   double strain_limit = 0.05;
   double stretch_limit = 0.5;
   CustomFriction custom_friction;
@@ -134,27 +134,27 @@ inline double azimuthal_stiffness(const Parameters& p) {
   return p.bending == Bending::rod && p.section == Section::round ? p.k_phi : p.k_theta;
 }
 
-// Returns how far the contact force reaches below the slab, in units of r0: not at all by Hertz.
+// Returns how far the contact force reaches below the slab, in units of r0; 0 with the Hertz contact.
 inline double contact_range(const Parameters& p) { return p.contact == Contact::wall ? p.lambda_z : 0; }
 
-// The values that an experiment may give a number.
+// Limits of the values that an experiment may give a number.
 struct Bounds {
   double least = -std::numeric_limits<double>::infinity(), most = std::numeric_limits<double>::infinity();
-  bool above_least = false, below_most = false;  // the limit itself is excluded
+  bool above_least = false, below_most = false;  // whether the limit itself is excluded
 };
 constexpr Bounds kPositive{.least = 0, .above_least = true}, kNotNegative{.least = 0};
 
-// What experiments, results and documents need to know of a number in Parameters. From its row follow the key
-// of the block "model", its limits, its axis in sweeps, and the attributes of that axis.
+// Describes a number in Parameters for experiments, results and documents. The key of the block "model", its
+// limits, its axis in sweeps and the attributes of that axis follow from its row.
 struct Parameter {
   const char* name;  // JSON key
   double Parameters::*member;
   const char* symbol;  // LaTeX
   const char* description;
-  const char* scale;  // of the JSON value, for its description
+  const char* scale;  // unit or equation of the JSON value, in its description
   Bounds limits;
   double unit = 1;             // member = JSON value * unit
-  const char* word = nullptr;  // in place of a number: the program computes the value
+  const char* word = nullptr;  // word that an experiment may give instead: the program computes the number
 };
 
 inline constexpr std::array kParameters = {
@@ -206,7 +206,7 @@ inline constexpr std::array kParameters = {
               "elongation beyond which exceeds_stretch_limit is yes", "in units of r0", kPositive},
 };
 
-// The same for an enumeration in Parameters: one of several words.
+// Describes an enumeration in Parameters, whose JSON value is one of several words.
 struct Choice {
   const char* name;  // JSON key
   const char* description;

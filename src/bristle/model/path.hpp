@@ -4,8 +4,8 @@
 
 namespace bristle {
 
-// What results report of a bristle's passage beyond the integrals of Component (dynamics/ode.hpp). Neither
-// the motion nor the size of a step depends on these. Dimensionless.
+// Quantities that results report about a passage beyond the integrals of Component (dynamics/ode.hpp).
+// Neither the motion nor the size of a step depends on them. Dimensionless.
 enum PathQuantity {
   STUCK_TIME,     // on the slab with V_R below V_s, the static branch of chi
   OFF_SLAB_TIME,  // see is_off_slab()
@@ -27,8 +27,9 @@ auto is_off_slab(const Bristle<P>& b, const T& z) {
   return T(b.off_slab) < T(b.z_0 - z);
 }
 
-// Adds the integrands at one instant. weight: of the instant in a quadrature of a high order over time;
-// share: in one with positive weights, for the times, whose integrands jump between 0 and 1.
+// Adds the integrands at one instant to the path. weight is the weight of the instant in a quadrature of high
+// order over time. share is its weight in a quadrature with positive weights, for the times, whose integrands
+// jump between 0 and 1.
 template <class T, class P>
 void add_instant(const Bristle<P>& b, const T& z, const ContactForce<T>& contact, const Sliding<T>& sliding,
                  const std::array<T, 2>& friction, const T& weight, const T& share, Path<T>& path) {
@@ -40,8 +41,8 @@ void add_instant(const Bristle<P>& b, const T& z, const ContactForce<T>& contact
   path[LOAD_PEAK] = max(path[LOAD_PEAK], contact.F_n);
 }
 
-// Compares with the largest values so far. position: of the tip at the start of a step; frame: at the
-// position; x_0: where the passage began.
+// Updates the largest values and the number of impacts in the path. position is the tip's position at the
+// start of a step, frame the frame there, and x_0 the tip's x at the start of the passage.
 template <class T, class P>
 void add_position(const Bristle<P>& b, const Vector3<T>& position, const Frame<T>& frame, const T& x_0,
                   Path<T>& path) {

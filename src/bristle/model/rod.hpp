@@ -11,10 +11,10 @@ namespace bristle {
 // The rod (docs/model.md): a spring against bending without a pole. n = r/|r| and the unit vectors d along
 // the undeformed bristle, e_p = e_phi(theta_0, phi_0) and e_s = e_theta(theta_0) across it give the two
 // bending angles u_p = g n.e_p and u_s = g n.e_s, where u_p^2 + u_s^2 is the square of the angle between n
-// and d. Vectors of this file have the components along d, e_p, e_s.
+// and d. Vectors in this file have components along d, e_p and e_s.
 
-// g(c) = acos(c)/sqrt(1 - c^2) for the cosine c of an angle, and its derivative g'(c). It is singular only at
-// c = -1, opposite to d.
+// The function g(c) = acos(c)/sqrt(1 - c^2) of the cosine c of an angle, and its derivative g'(c). g is
+// singular only at c = -1, opposite to d.
 template <class T>
 struct AngleOverSine {
   T value, slope;
@@ -22,9 +22,9 @@ struct AngleOverSine {
 
 namespace rod {
 
-// Coefficients of the polynomial in 1 - c that equals g at the 24 Chebyshev nodes of 0 <= 1 - c <= 1. As
-// rounded here they give g in this range with a relative error below 1e-16, and its derivative with one below
-// 1e-15.
+// Coefficients of the polynomial in 1 - c that equals g at the 24 Chebyshev nodes of 0 <= 1 - c <= 1. With
+// the coefficients as rounded here, the relative error in this range is below 1e-16 for g and below 1e-15 for
+// its derivative.
 constexpr std::array kPolynomial = {1.0,
                                     0.3333333333333335,
                                     0.13333333333330513,
@@ -55,8 +55,8 @@ constexpr auto kDerivative = [] {
   return a;
 }();
 
-// The sum of a_i x^i by Estrin's scheme, in which most operations do not depend on each other, so that the
-// processor overlaps them.
+// Returns the sum of a_i x^i by Estrin's scheme, in which most operations do not depend on each other, so
+// that the processor overlaps them.
 template <std::size_t N, class T>
 T polynomial(const std::array<double, N>& a, T x) {
   std::array<T, (N + 1) / 2> sums;
@@ -72,7 +72,8 @@ T polynomial(const std::array<double, N>& a, T x) {
 
 }  // namespace rod
 
-// versed = 1 - c. Angles beyond 90 degrees follow from those below: acos(c) = pi - acos(-c).
+// Returns g and g' at c = 1 - versed. Values for angles beyond 90 degrees follow from angles below: acos(c) =
+// pi - acos(-c).
 template <class T>
 AngleOverSine<T> angle_over_sine(T versed) {
   const T other = 2.0 - versed;  // 1 + c
@@ -85,8 +86,9 @@ AngleOverSine<T> angle_over_sine(T versed) {
           select(beyond, T(T(T(1.0 - versed) * of_pi) * T(one_sine * one_sine) - slope), T(-slope))};
 }
 
-// The bending angles (rad) and their gradients with respect to the tip's position, along x, y and z: rates
-// are the gradients times the velocity, forces of bending the moments times the gradients.
+// The bending angles (rad) and their gradients with respect to the tip's position, along x, y and z. The
+// rates of the angles are the gradients times the velocity; the forces of bending are the moments times the
+// gradients.
 template <class T>
 struct RodAngles {
   T u_p, u_s;
@@ -98,17 +100,19 @@ T dot(const Vector3<T>& a, const Vector3<T>& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-// one_r is the inverse of the tip's distance from the base.
+// Returns the bending angles at a position of the tip. one_r is the inverse of the tip's distance from the
+// base.
 template <class T, class P>
 RodAngles<T> rod_angles(const Bristle<P>& b, const Vector3<T>& position, const T& one_r) {
   const T along_e_s = b.cos_theta_0 * position[0] + b.sin_theta_0 * position[1];
   const T across = b.cos_theta_0 * position[1] - b.sin_theta_0 * position[0];
-  // n = r/|r| along d, e_p and e_s, of which e_s = e_theta(theta_0) is horizontal.
+  // Components of n = r/|r| along d, e_p and e_s; e_s = e_theta(theta_0) is horizontal.
   const T n_d = T(b.cos_phi_0 * along_e_s + b.sin_phi_0 * position[2]) * one_r;
   const T n_p = T(b.cos_phi_0 * position[2] - b.sin_phi_0 * along_e_s) * one_r;
   const T n_s = across * one_r;
   const auto [g, slope] = angle_over_sine(T(1.0 - n_d));
-  // The gradient with respect to n of u_p is a_p = g e_p + g' n_p d; of it the part across n, over r.
+  // The gradient of u_p with respect to n is a_p = g e_p + g' n_p d. The gradient with respect to the
+  // position is the part of a_p across n, divided by r.
   const T g_r = g * one_r, slope_r = slope * one_r;
   const auto gradient = [&](const T& n_i, const T& e_p, const T& e_s) {
     const T along_n = n_i * T(slope_r * n_d + g_r);

@@ -4,7 +4,7 @@
 
 namespace bristle {
 
-// One unit of each dimensionless quantity in SI units; NaN where a bristle has none.
+// One unit of each dimensionless quantity, in SI units; NaN if it is not known.
 struct SiScales {
   static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 

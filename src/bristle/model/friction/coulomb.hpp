@@ -16,7 +16,7 @@ struct Coulomb : ModulatedByChi {
   static T load(const ContactForce<T>& contact) {
     return contact.F_n;
   }
-  // Eq. (23)
+  // Returns the friction force of rigid bristles under the load R_n, Eq. (23).
   static double rigid(const Parameters& p, double R_n) { return factor(p) * R_n; }
 };
 

@@ -12,15 +12,17 @@
 namespace bristle {
 namespace {
 
-constexpr double kSamplingError = 1e-5, kTableError = 1e-4;  // as a share of the largest mu
+// Largest errors of mu that the samples and the table may have, as a share of the largest mu.
+constexpr double kSamplingError = 1e-5, kTableError = 1e-4;
 
-// mu and its derivative by V_R. At the last speed, beyond which mu is constant, the derivative before it.
+// mu and its derivative by V_R. At the last speed, beyond which mu is constant, slope is the derivative on
+// the side of lower speeds.
 struct Value {
   double mu, slope;
 };
 
-// Returns the slope dmu/dV_R of a monotone cubic at one end of its values: that of the parabola through three
-// values, limited so that the curve stays monotone (Fritsch and Butland 1984, as SciPy and MATLAB have it).
+// Returns the slope dmu/dV_R of a monotone cubic at one end of its values: the slope of the parabola through
+// three values, limited so that the curve stays monotone (Fritsch and Butland 1984, as in SciPy and MATLAB).
 // near and far are the widths of the two intervals from that end, rise and next the slopes of their secants.
 double end_slope(double near, double far, double rise, double next) {
   const double slope = ((2 * near + far) * rise - near * next) / (near + far);
@@ -62,14 +64,15 @@ struct Knot {
   double q, slope;
 };
 
-// The law over t = V_R/(V_R + V_scale). V_scale is such that the last speed, beyond which mu is constant, is
-// at t_end = 1 - 2^-k: mu may have a corner there, which is then between two intervals of every table.
+// A friction law over t = V_R/(V_R + V_scale). V_scale is such that the last speed, beyond which mu is
+// constant, is at t_end = 1 - 2^-k: mu may have a corner there, which then lies between two intervals of
+// every table.
 struct Law {
   Interpolant mu;
   double V_end, V_scale, t_end;
 };
 
-// V_scale is near the geometric mean of the first speed and the last.
+// Returns the law of these values. Its V_scale is near the geometric mean of the first speed and the last.
 Law law_of(const FrictionValues& values) {
   const double V_end = values.V_R.back();
   const double wanted = 1 / (1 + std::sqrt(V_end / values.V_R[1]));
@@ -85,20 +88,22 @@ Knot knot(const Law& law, double t) {
   return {value / t, (slope * law.V_scale / (rest * rest) - value / t) / t};
 }
 
-// The cubic with these values and slopes at both ends of the interval.
+// Returns the coefficients of the cubic in the position within an interval, from 0 to 1, with the values and
+// slopes a and b at the ends of the interval.
 std::array<double, 4> cubic_between(const Knot& a, const Knot& b, double width) {
   const double rise = b.q - a.q, from = width * a.slope, to = width * b.slope;
   return {a.q, from, 3 * rise - 2 * from - to, from + to - 2 * rise};
 }
 
-// As cubic_between(), for the first interval: q at t = 0 is a limit, and its slope there is chosen so that
-// the cubic has the right value in the middle.
+// Returns the knot at t = 0 of the first interval. q is a limit there, and its slope is chosen so that the
+// cubic has the right value in the middle of the interval. `next` is the knot at the end of the interval.
 Knot first_knot(const Law& law, double width, const Knot& next) {
   const double q = law.mu(0).slope * law.V_scale, middle = knot(law, width / 2).q;
   return {q, 8 * (middle - (q + next.q) / 2) / width + next.slope};
 }
 
-// The coefficients for this number of intervals, and the largest error of mu between their ends.
+// Sets the coefficients for this number of intervals and returns the largest error of mu between the ends of
+// the intervals; infinity if a coefficient is not finite.
 double fill(std::vector<double>& coefficients, const Law& law, int intervals) {
   coefficients.clear();
   const double width = 1.0 / intervals;
@@ -164,7 +169,7 @@ std::shared_ptr<const ModulationTable> modulation_table(const FrictionValues& va
     if (intervals * (1 - law.t_end) < 1) continue;  // the last speed would be within an interval
     if (fill(coefficients, law, intervals) > allowed) continue;
     auto table = std::make_shared<ModulationTable>(law.V_scale, coefficients);
-    double worst = 0;  // at the corners
+    double worst = 0;  // largest error at the corners
     for (std::size_t i = 0; i < values.V_R.size(); ++i)
       worst = std::max(worst, std::abs(table->at(values.V_R[i] / law.V_scale) - values.mu[i]));
     if (worst <= allowed) return table;

@@ -11,8 +11,8 @@ namespace bristle {
 
 inline double interpolated(const ModulationTable& table, double u) { return table.at(u); }
 
-// The law of an experiment's own: F_f = mu_c mu(V_R) F_n, where mu is a table or a formula of the experiment
-// (docs/experiments.md). Its modulation is mu.
+// The experiment's own law: F_f = mu_c mu(V_R) F_n, where mu is a table or a formula of the experiment
+// (docs/experiments.md). The modulation of the law is mu.
 struct Custom {
   static constexpr const char* name = "custom";
   static constexpr const char* title = "the experiment's own law";
@@ -31,27 +31,28 @@ struct Custom {
   static T load(const ContactForce<T>& contact) {
     return contact.F_n;
   }
-  // At the sliding speed V_0.
+  // Returns the friction force of rigid bristles under the load R_n at the sliding speed V_0.
   static double rigid(const Parameters& p, double R_n) {
     return factor(p) * p.custom_friction.table->at(1 / V_scale(p)) * R_n;
   }
 };
 
-// Values of a law over ascending speeds, from mu = 0 at V_R = 0; positive and constant beyond the last one.
-// Between them mu is linear, or cubic and monotone (pchip, Fritsch and Butland 1984; at least 4 values).
+// Values of a friction law at ascending speeds, from mu = 0 at V_R = 0. mu is positive elsewhere, constant
+// beyond the last speed, and between the speeds linear, or cubic and monotone (pchip, Fritsch and Butland
+// 1984; at least 4 values).
 struct FrictionValues {
   std::vector<double> V_R, mu;  // V_R in units of V0 or in m/s, mu dimensionless
   bool linear = false;
 };
 
-// The values of mu(V_R) up to V_end, so close that pchip differs from mu by less than 1e-5 of the largest
-// value. Throws std::invalid_argument if mu is not 0 at V_R = 0, elsewhere not positive and finite, or too
-// steep.
+// Returns values of mu(V_R) up to V_end at speeds so close that pchip differs from mu by less than 1e-5 of
+// the largest value. Throws std::invalid_argument if mu is not 0 at V_R = 0, elsewhere not positive and
+// finite, or too steep.
 FrictionValues sampled(const std::function<double(double)>& mu, double V_end);
 
-// The table that both engines evaluate. Its slope is continuous but at the last speed; it rounds the corners
-// of linear interpolation, and differs from it by at most 1e-4 of the largest mu. Throws
-// std::invalid_argument if that takes too many intervals.
+// Returns the table of a law, which both engines evaluate. Its slope is continuous except at the last speed.
+// It rounds the corners of linear interpolation, from which it differs by at most 1e-4 of the largest mu.
+// Throws std::invalid_argument if that takes too many intervals.
 std::shared_ptr<const ModulationTable> modulation_table(const FrictionValues& values);
 
 }  // namespace bristle

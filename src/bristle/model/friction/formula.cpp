@@ -34,7 +34,7 @@ const std::map<std::string, double (*)(double)>& functions() {
   return table;
 }
 
-// A recursive descent: sum -> product -> signed -> power -> atom.
+// Parses by recursive descent: sum -> product -> signed -> power -> atom.
 class Parser {
  public:
   Parser(const std::string& text, const std::string& variable) : text_(text), variable_(variable) {}
@@ -46,7 +46,7 @@ class Parser {
   }
 
  private:
-  // Members of a chain of operators, from left to right.
+  // Combines the members of a chain of operators from left to right.
   Function sum() {
     Function left = product();
     while (true)
@@ -69,7 +69,7 @@ class Parser {
     --depth_;
     return out;
   }
-  // To the right first: a^b^c is a^(b^c), and -a^b is -(a^b).
+  // Combines powers from right to left: a^b^c is a^(b^c), and -a^b is -(a^b).
   Function power() {
     Function base = atom();
     if (!take('^')) return base;

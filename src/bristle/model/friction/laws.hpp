@@ -42,7 +42,7 @@ inline Words words<FrictionLaw>() {
   return list;
 }
 
-// The modulation of the law of p at the sliding speed V_R, dimensionless.
+// Returns the modulation of the friction law of p at the sliding speed V_R, dimensionless.
 inline double modulation(const Parameters& p, double V_R) {
   return with_law(p.friction,
                   [&](auto law) { return law.modulation(V_R / law.V_scale(p), law.constants(p)); });

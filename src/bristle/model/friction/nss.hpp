@@ -5,14 +5,14 @@
 
 namespace bristle {
 
-// Factor of the contact area A_c = hertz_area_factor F_n^(2/3), Eq. (16). Dimensionless.
+// Returns the factor of the contact area A_c = hertz_area_factor F_n^(2/3), Eq. (16). Dimensionless.
 inline double hertz_area_factor(double R_c, double E_star) {
   const double c = cbrt(3 * R_c / (4 * E_star));
   return M_PI * c * c;
 }
 
-// Largest pressure in the contact of a tip under the force F_n, Hertz, whose mean is F_n over the area.
-// Dimensionless.
+// Returns the largest pressure in the contact of a tip under the force F_n by Hertz: 3/2 of the mean
+// pressure, F_n over the area. Dimensionless.
 inline double hertz_pressure(const Parameters& p, double F_n) {
   return 1.5 * cbrt(F_n) / hertz_area_factor(p.R_c, p.E_star);
 }
@@ -28,7 +28,7 @@ struct Nss : ModulatedByChi {
   static T load(const ContactForce<T>& contact) {
     return contact.F_n_23;
   }
-  // Eq. (22)
+  // Returns the friction force of rigid bristles under the load R_n, Eq. (22).
   static double rigid(const Parameters& p, double R_n) {
     const double root = cbrt(R_n);
     return factor(p) * root * root;

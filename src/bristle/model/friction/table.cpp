@@ -11,14 +11,15 @@
 namespace bristle {
 namespace {
 
-// Above this size of q its relative error is bounded: that of kModulationError at this size.
+// Size of q above which the relative error of q is bounded instead of the absolute one, by kModulationError
+// divided by this size.
 constexpr double kLarge = 100;
 
-// The zeros of the Chebyshev polynomial of degree 4, in an interval from 0 to 1.
+// Zeros of the Chebyshev polynomial of degree 4, in an interval from 0 to 1.
 constexpr std::array<double, 4> kNodes = {(1 - 0.92387953251128674) / 2, (1 - 0.38268343236508977) / 2,
                                           (1 + 0.38268343236508977) / 2, (1 + 0.92387953251128674) / 2};
 
-// Coefficients of the cubic through the values at kNodes, by Newton's divided differences.
+// Returns the coefficients of the cubic through the values at kNodes, by Newton's divided differences.
 std::array<double, 4> cubic_through(std::array<double, 4> value) {
   for (int order = 1; order < 4; ++order)
     for (int i = 3; i >= order; --i) value[i] = (value[i] - value[i - 1]) / (kNodes[i] - kNodes[i - order]);
@@ -73,13 +74,13 @@ double ModulationTable::slope(double u) const {
   return (q + t * dq) / ((1 + u) * (1 + u));
 }
 
-// q(t), for 0 < t < 1.
+// Returns q(t), for 0 < t < 1.
 double ModulationTable::exact(double t) const {
   return with_law(law_, [&](auto law) { return law.modulation(t / (1 - t), constants_); }) / t;
 }
 
-// Returns false if the error, measured between the nodes, is too large. A modulation that overflows has a
-// table that is not finite, and so are its passages.
+// Builds the table with this number of intervals. Returns false if the error, measured between the nodes, is
+// too large. A modulation that overflows gives a table that is not finite, and passages that are not finite.
 bool ModulationTable::build(int intervals) {
   intervals_ = intervals;
   coefficients_.clear();

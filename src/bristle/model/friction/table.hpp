@@ -7,30 +7,29 @@
 namespace bristle {
 
 // The modulation of a friction law as a piecewise polynomial, for engines that need it and its slope quickly.
-// modulation(u) = t q(t) with t = u/(1 + u) and u = V_R/V_scale, and q is a cubic in each of equal intervals
-// of t. The absolute error of q is below kModulationError, or its relative error below 1e-12; the number of
-// intervals follows from it. A table serves bristles of any V_scale.
+// modulation(u) = t q(t) with t = u/(1 + u) and u = V_R/V_scale, and q is a cubic in each of many equal
+// intervals of t. The number of intervals is chosen so that the absolute error of q is below
+// kModulationError, or its relative error below 1e-12. A table serves bristles of any V_scale.
 constexpr double kModulationError = 1e-10;
 constexpr int kFewestIntervals = 64, kMostIntervals = 1 << 16;
 
 class ModulationTable {
  public:
-  // Throws std::runtime_error if the law's modulation is too steep for the largest number of intervals.
-  // Of the law "custom" it is a copy of the table in constants.
+  // Builds the table of a law. Throws std::runtime_error if the law's modulation is too steep for the largest
+  // number of intervals. For the law "custom", copies the table in constants.
   ModulationTable(FrictionLaw law, const FrictionConstants<double>& constants);
-  // A law that is defined by its table, for any V_scale. coefficients: as coefficients(), of the intervals
-  // and of one more, which begins at t = 1.
+  // Makes a table that defines a law, for any V_scale. coefficients has four coefficients for each interval,
+  // in the order of coefficients(), and four for one more interval, which begins at t = 1.
   ModulationTable(double V_scale, std::vector<double> coefficients);
 
-  double V_scale() const {
-    return V_scale_;
-  }  // of a law that is defined by its table, in the unit of its speeds
+  // Returns V_scale of a law that is defined by its table, in the unit of the speeds of the law.
+  double V_scale() const { return V_scale_; }
   double intervals() const { return intervals_; }
-  // Four coefficients per interval, in ascending powers of the position in the interval, from 0 to 1.
+  // Returns four coefficients per interval, in ascending powers of the position in the interval, from 0 to 1.
   const double* coefficients() const { return coefficients_.data(); }
 
-  double at(double u) const;     // the modulation
-  double slope(double u) const;  // its derivative by u
+  double at(double u) const;     // returns the modulation
+  double slope(double u) const;  // returns the derivative of the modulation by u
 
   bool serves(FrictionLaw law, const FrictionConstants<double>& constants) const {
     return law == law_ && constants == constants_;
