@@ -4,6 +4,7 @@
 #include "results/writer.hpp"
 #include "bristle/simd/dispatch.hpp"
 #include "util/process.hpp"
+#include "util/text.hpp"
 
 #include <boost/version.hpp>
 #include <ctime>
