@@ -21,8 +21,8 @@ std::vector<std::string> damage_of(const std::function<h5::Handle()>& open, std:
 // Reads all attributes, because HDF5 may crash or loop on damaged ones: call it in a child process.
 void require_plain_hdf5(hid_t file, std::size_t size);
 
-// Returns the SHA-256 of names, types, shapes and values of the payload: all datasets outside /checks and
-// /provenance. Reads texts: call it for a file of unknown origin only in a process of its own.
+// Returns the SHA-256 of names, types, shapes and values of the payload: all datasets outside /checks,
+// /provenance and /failures. Reads texts: call it for a file of unknown origin only in a process of its own.
 std::string payload_sha256(hid_t file);
 // Returns the paths of the payload's datasets, in the order of the digest.
 std::vector<std::string> payload_datasets(hid_t file);

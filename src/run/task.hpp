@@ -28,8 +28,8 @@ struct RunOptions {
 // the computed points are then in the journal.
 void run_experiment(const Experiment& experiment, const RunOptions& options);
 
-// Throws InputError if this run, of a tier with fewer points than the full one, would replace the result of
-// another tier, unless options.force is set.
+// Throws InputError if this run, of any tier but full, would replace the result of another tier, unless
+// options.force is set.
 void require_no_loss(const Experiment& experiment, const RunOptions& options);
 
 // Returns these points of a sweep, in the same order. Computes only points that no journal in the folder of
