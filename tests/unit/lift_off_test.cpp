@@ -59,7 +59,9 @@ TEST_CASE("lift-off: at the lift-off speed the load is the lift-off load, and ab
     RC_PRE(std::isfinite(speed.value));
     const auto ratio = [&](double times) { return R_n / (times * times) / lift_off_load(faster(p, times)); };
     RC_ASSERT(ratio(speed.value) == Approx(1).epsilon(1e-9));
-    RC_ASSERT(ratio(1.01 * speed.value) < 1);
+    // A faster slab may leave the range of the tests, in which there is a lift-off load.
+    const double above = ratio(1.01 * speed.value);
+    RC_ASSERT(above < 1 || lift_off_domain(faster(p, 1.01 * speed.value)) != LiftOffDomain::tested);
     // The scatter of the load is the factor of the speed.
     const LiftOffSpeed heavier = lift_off_speed(p, R_n * (1 + kLiftOff.scatter));
     if (std::isfinite(heavier.value))
