@@ -59,7 +59,7 @@ class Integration {
       : system_{task.bristle, evaluations_},
         stepper_(typename Controlled::error_checker_type(task.integrator.atol, task.integrator.rtol)),
         y_(y) {
-    const double x_0 = y[X], L_x = task.parameters->L_x;
+    const double x_0 = y[component::X], L_x = task.parameters->L_x;
     const auto excess = [&] { return t_new_ - (y_new_[X] - x_0) - L_x; };  // of the slip beyond the exit
     system_(y_, slope_, 0);
     for (long attempt = 0; attempt < kMaxAttempts; ++attempt) {
@@ -110,7 +110,7 @@ class Integration {
     double shortest = 0, longest = h;
     for (int i = 0; i < kMaxShortened && std::abs(excess()) > kSlipTolerance; ++i) {
       (excess() < 0 ? shortest : longest) = h;
-      h -= excess() / (1 - y_new_[VX]);
+      h -= excess() / (1 - y_new_[component::VX]);
       if (!(shortest < h && h < longest)) h = 0.5 * (shortest + longest);
       step(h);
     }

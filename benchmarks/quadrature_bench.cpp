@@ -76,7 +76,7 @@ Json compare(const Case& c) {
 // Passages by their purpose, over points of Figure 4.
 Json purposes() {
   const PassageRunner run = make_runner(Engine::fast);
-  std::array<long, PURPOSES> sum{};
+  std::array<long, purpose::PURPOSES> sum{};
   int points = 0;
   for (const double k_r : {3., 5., 8., 13., 22., 36., 60., 100.})
     for (const double k_theta : {0.3, 0.65, 1.4, 3.}) {
@@ -86,10 +86,13 @@ Json purposes() {
       setup.parameters.C = chi_C_peak_at_V_s(setup.parameters.A);
       setup.integrator = {3e-5, 6e-5};
       const PointResult point = solve_point(setup, {}, run);
-      for (int i = 0; i < PURPOSES; ++i) sum[i] += point.passages_for[i];
+      for (int i = 0; i < purpose::PURPOSES; ++i) sum[i] += point.passages_for[i];
       ++points;
     }
-  return {{"points", points}, {"scan", sum[SCAN]}, {"crossing", sum[CROSSING]}, {"values", sum[VALUES]}};
+  return {{"points", points},
+          {"scan", sum[purpose::SCAN]},
+          {"crossing", sum[purpose::CROSSING]},
+          {"values", sum[purpose::VALUES]}};
 }
 
 }  // namespace

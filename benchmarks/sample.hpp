@@ -83,7 +83,7 @@ inline double impulse_error(const std::vector<Passage>& passages, const std::vec
   std::vector<double> errors;
   for (std::size_t i = 0; i < passages.size(); ++i) {
     double worst = 0;
-    for (const int c : {NORMAL, FRICTION_X})
+    for (const int c : {component::NORMAL, component::FRICTION_X})
       worst = std::max(worst, std::abs(passages[i].end[c] / exact[i].end[c] - 1));
     errors.push_back(worst);
   }

@@ -30,7 +30,7 @@ int slope(realtype, N_Vector y, N_Vector dydt, void* data) {
 
 int remaining_slip(realtype t, N_Vector y, realtype* g, void* data) {
   const auto* problem = static_cast<Problem*>(data);
-  *g = problem->task->parameters->L_x - (t - (N_VGetArrayPointer(y)[X] - problem->x_0));
+  *g = problem->task->parameters->L_x - (t - (N_VGetArrayPointer(y)[component::X] - problem->x_0));
   return 0;
 }
 
@@ -44,7 +44,7 @@ std::vector<Passage> run(const std::vector<PassageTask>& tasks, Solver solve) {
   for (const PassageTask& task : tasks) {
     const OdeState start = pack(state_at_rest(task.bristle, task.start));
     std::copy(start.begin(), start.end(), N_VGetArrayPointer(y));
-    Problem problem{&task, start[X]};
+    Problem problem{&task, start[component::X]};
     Passage& passage = out.emplace_back();
     passage.contact_time = solve(context, y, problem);
     std::copy_n(N_VGetArrayPointer(y), COMPONENTS, passage.end.begin());

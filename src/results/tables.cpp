@@ -6,6 +6,8 @@
 namespace bristle::results {
 namespace {
 
+using namespace component;
+
 // A column of a table and how to read it from the recorded data: for each bristle, for each point of each
 // trajectory, or for each interval of the force on the slab.
 struct Field {

@@ -7,6 +7,7 @@
 
 namespace bristle::ensemble_test {
 using namespace testing;
+using namespace component;
 
 TEST_CASE("the range of pinned bristles near theta_0 = 180 degrees is located") {
   const Ensemble e = ensemble_mean(paper(50), 0.62);

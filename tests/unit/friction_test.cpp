@@ -62,7 +62,8 @@ TEST_CASE("every friction law: both engines agree, and energy is conserved") {
     const auto fast = make_runner(Engine::fast)(tasks), reference = make_runner(Engine::reference)(tasks);
     for (std::size_t i = 0; i < tasks.size(); ++i) {
       CAPTURE(i);
-      CHECK(fast[i].end[FRICTION_X] == Approx(reference[i].end[FRICTION_X]).epsilon(1e-4));
+      CHECK(fast[i].end[component::FRICTION_X] ==
+            Approx(reference[i].end[component::FRICTION_X]).epsilon(1e-4));
       CHECK(fast[i].gamma_1 == Approx(reference[i].gamma_1).epsilon(1e-4));
       CHECK(fast[i].energy_residual < 1e-5);
     }

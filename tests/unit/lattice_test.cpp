@@ -132,7 +132,7 @@ TEST_CASE(
     CHECK(sampled.contact_time == plain.contact_time);
     REQUIRE(sampled.samples.size() == std::size_t(std::floor(sampled.contact_time / 0.05)));
     REQUIRE(sampled.samples.size() == reference.samples.size());
-    const double scale = sampled.end[NORMAL];
+    const double scale = sampled.end[component::NORMAL];
     for (std::size_t k = 0; k < sampled.samples.size(); ++k)
       REQUIRE(sampled.samples[k].normal == Approx(reference.samples[k].normal).margin(3e-3 * scale));
     CHECK(sampled.samples.back().normal <= scale);

@@ -6,6 +6,7 @@
 
 namespace bristle::passage_test {
 using namespace testing;
+using namespace component;
 
 namespace {
 

@@ -7,6 +7,7 @@
 
 namespace bristle::path_test {
 using namespace testing;
+using namespace component;
 
 namespace {
 

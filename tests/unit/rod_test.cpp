@@ -9,6 +9,7 @@
 
 namespace bristle::rod_test {
 using namespace testing;
+using namespace component;
 
 namespace {
 

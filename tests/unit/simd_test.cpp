@@ -11,6 +11,7 @@
 
 namespace bristle::simd_test {
 using namespace testing;
+using namespace component;
 
 namespace {
 

@@ -8,6 +8,7 @@
 
 namespace bristle::stability_test {
 using namespace testing;
+using namespace component;
 
 namespace {
 

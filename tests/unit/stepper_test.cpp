@@ -7,6 +7,7 @@
 #include <functional>
 
 namespace bristle::stepper_test {
+using namespace component;
 
 namespace {
 

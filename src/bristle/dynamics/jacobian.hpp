@@ -54,7 +54,7 @@ inline void jacobian(const Bristle<double>& b, const OdeState& y, StateJacobian&
   for (int i = 0; i < kState; ++i) in[i] = Dual(y[i], kState, i);
   derivative<Dual>(b, in, out);
   for (int i = 0; i < kState; ++i) of_state.row(i) = out[i].derivatives();
-  for (int i = 0; i < kIntegrals; ++i) of_integrals.row(i) = out[NORMAL + i].derivatives();
+  for (int i = 0; i < kIntegrals; ++i) of_integrals.row(i) = out[component::NORMAL + i].derivatives();
 }
 
 }  // namespace bristle

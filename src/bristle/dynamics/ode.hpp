@@ -9,6 +9,7 @@ namespace bristle {
 // Components of the initial value problem of one passage: the tip's state, then integrals over the local time
 // xi from 0, on which no force depends. Dimensionless. slopes_of() states the time derivative of each
 // component.
+namespace component {
 enum Component {
   X,
   Y,
@@ -24,15 +25,17 @@ enum Component {
   MODULATION,  // F_n modulation, numerator of Eq. (24)
   ALIGNMENT,   // -F_n e_f.i, numerator of Eq. (25)
   AREA,        // F_n^(2/3), numerator of Eq. (26)
-  WORK,        // power(), the right-hand side of the energy balance
-  COMPONENTS
+  WORK         // power(), the right-hand side of the energy balance
 };
-constexpr int kState = NORMAL;  // number of components on which forces depend
-constexpr int kIntegrals = COMPONENTS - NORMAL;
+}  // namespace component
+using component::Component;
+constexpr int COMPONENTS = component::WORK + 1;
+constexpr int kState = component::NORMAL;  // number of components on which forces depend
+constexpr int kIntegrals = COMPONENTS - component::NORMAL;
 
 // Returns the scale of atol for a component: the error of a step may be rtol |y| + atol
-// tolerance_scale(component).
-constexpr double tolerance_scale(int component) { return VX <= component && component <= VZ ? 0.1 : 1; }
+// tolerance_scale(c) for the component c.
+constexpr double tolerance_scale(int c) { return component::VX <= c && c <= component::VZ ? 0.1 : 1; }
 
 // Loads, and integrals of F_n over a passage, count as zero below this number. A tip that just touches the
 // slab has less, from the rounding of its height, with the Hertz contact.
@@ -42,6 +45,7 @@ using OdeState = std::array<double, COMPONENTS>;
 
 template <class T, class Array>
 State<T> unpack(const Array& y) {
+  using namespace component;
   return {{y[X], y[Y], y[Z]}, {y[VX], y[VY], y[VZ]}, y[THETA], y[PHI]};
 }
 
@@ -52,6 +56,7 @@ inline OdeState pack(const State<double>& s) {
 // Sets dydt to the time derivative of every component. `pole` is has_pole() of the bristle.
 template <class T, class P, class Out, class Pole>
 void slopes_of(const Bristle<P>& b, const State<T>& state, const Motion<T>& m, Out& dydt, Pole pole) {
+  using namespace component;
   for (int i = 0; i < 3; ++i) {
     dydt[X + i] = state.v[i];
     dydt[VX + i] = m.acceleration[i];

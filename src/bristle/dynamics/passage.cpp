@@ -9,6 +9,8 @@
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 
 namespace bristle {
+
+using namespace component;
 namespace odeint = boost::numeric::odeint;
 namespace {
 

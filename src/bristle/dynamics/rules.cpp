@@ -2,6 +2,8 @@
 
 namespace bristle {
 
+using namespace component;
+
 bool apply_pole_rule(const Parameters& p, OdeState& y) {
   const double square = singular_square(p.bending, y), inward = singular_product(p.bending, y);
   if (inward >= 0) return false;

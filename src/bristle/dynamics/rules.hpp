@@ -23,6 +23,7 @@ constexpr double kFirstStep = 1e-5;
 // Returns the square of the tip's distance from the place where the coordinates are singular: the pole, the
 // line s = 0, for polar coordinates, or the base, the point r = 0, for a rod.
 inline double singular_square(Bending bending, const OdeState& y) {
+  using namespace component;
   return y[X] * y[X] + y[Y] * y[Y] + (has_pole(bending) ? 0 : y[Z] * y[Z]);
 }
 inline double singular_distance(Bending bending, const OdeState& y) {
@@ -30,6 +31,7 @@ inline double singular_distance(Bending bending, const OdeState& y) {
 }
 // Returns half the time derivative of singular_square(); it is negative while the tip approaches.
 inline double singular_product(Bending bending, const OdeState& y) {
+  using namespace component;
   return y[X] * y[VX] + y[Y] * y[VY] + (has_pole(bending) ? 0 : y[Z] * y[VZ]);
 }
 

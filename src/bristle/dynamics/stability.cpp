@@ -10,6 +10,8 @@
 namespace bristle {
 namespace {
 
+using namespace component;
+
 // Number of components for the position and velocity of the tip.
 constexpr int kTip = THETA;
 using TipJacobian = Eigen::Matrix<double, kTip, kTip>;

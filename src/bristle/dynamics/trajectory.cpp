@@ -6,6 +6,8 @@
 namespace bristle {
 namespace {
 
+using namespace component;
+
 Phase phase_of(const Bristle<double>& b, const State<double>& state, const Sliding<double>& sliding) {
   if (is_off_slab(b, state.r[2])) return Phase::off_slab;
   if (sliding.V_R < b.V_s) return Phase::stick;

@@ -68,7 +68,7 @@ std::vector<double> with_pole_panels(std::vector<double> edges, const Parameters
 }  // namespace
 
 double load_spread(const Passage& p) {
-  const double impulse = p.end[NORMAL];
+  const double impulse = p.end[component::NORMAL];
   if (impulse * impulse == 0) return 0;
   return std::sqrt(std::max(p.path[SQUARED_LOAD] * p.contact_time / (impulse * impulse) - 1, 0.0));
 }

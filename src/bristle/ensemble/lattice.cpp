@@ -124,7 +124,8 @@ class Lattice {
     for (const PathSample& s : passage.samples)
       add_until({s.normal, s.friction_x, s.friction_y, time += interval_});
     const OdeState& end = passage.end;
-    add_until({end[NORMAL], end[FRICTION_X], end[FRICTION_Y], passage.contact_time});
+    add_until({end[component::NORMAL], end[component::FRICTION_X], end[component::FRICTION_Y],
+               passage.contact_time});
     passage.samples.clear();
     passage.samples.shrink_to_fit();
     add_contribution(passage, in_window);

@@ -52,14 +52,16 @@ struct ObservableRow {
 
 inline constexpr std::array kObservables = {
     ObservableRow{"R_n", "normal load per bristle", R"(\tilde{R}_n/N_{c,0})", "Eq. (19)",
-                  [](const Passage& p, const Parameters& in) { return p.end[NORMAL] / in.L_x; },
+                  [](const Passage& p, const Parameters& in) { return p.end[component::NORMAL] / in.L_x; },
                   Average::over_time, true, Unpinned::contribution, &kNewton},
-    ObservableRow{"R_x", "friction force per bristle along the motion", R"(\tilde{R}_x/N_{c,0})", "Eq. (19)",
-                  [](const Passage& p, const Parameters& in) { return p.end[FRICTION_X] / in.L_x; },
-                  Average::over_time, true, Unpinned::contribution, &kNewton},
-    ObservableRow{"R_y", "friction force per bristle across the motion", R"(\tilde{R}_y/N_{c,0})", "Eq. (19)",
-                  [](const Passage& p, const Parameters& in) { return p.end[FRICTION_Y] / in.L_x; },
-                  Average::over_time, true, Unpinned::none, &kNewton},
+    ObservableRow{
+        "R_x", "friction force per bristle along the motion", R"(\tilde{R}_x/N_{c,0})", "Eq. (19)",
+        [](const Passage& p, const Parameters& in) { return p.end[component::FRICTION_X] / in.L_x; },
+        Average::over_time, true, Unpinned::contribution, &kNewton},
+    ObservableRow{
+        "R_y", "friction force per bristle across the motion", R"(\tilde{R}_y/N_{c,0})", "Eq. (19)",
+        [](const Passage& p, const Parameters& in) { return p.end[component::FRICTION_Y] / in.L_x; },
+        Average::over_time, true, Unpinned::none, &kNewton},
     ObservableRow{"N_c_ratio", "bristles in contact over those of rigid bristles", R"(N_c/N_{c,0})",
                   "Eq. (A2)", [](const Passage& p, const Parameters& in) { return p.contact_time / in.L_x; },
                   Average::over_time, true},

@@ -198,7 +198,7 @@ class PointSolver {
   // values.
   Load load_at(double z_0, Accuracy accuracy) {
     EnsembleMean& mean = mean_at(z_0);
-    purpose_ = accuracy == Accuracy::rough ? SCAN : CROSSING;
+    purpose_ = accuracy == Accuracy::rough ? purpose::SCAN : purpose::CROSSING;
     const Ensemble* e = &mean.rough_load(loading_.R_n);
     const auto distance = [&] { return std::abs(e->mean[R_N] - loading_.R_n); };
     const bool rough = accuracy == Accuracy::rough;
@@ -206,7 +206,7 @@ class PointSolver {
     const double near =
         std::max(2 * setup_.orientation.rtol * loading_.R_n, e->converged ? 0 : e->error[R_N]);
     if (e->incomplete == 0 && !rough && distance() <= near) {
-      purpose_ = VALUES;
+      purpose_ = purpose::VALUES;
       e = &mean.full();
     }
     if (e->incomplete == 0 && accuracy == Accuracy::reported) e = &mean.with_integrator_error();
@@ -249,7 +249,7 @@ class PointSolver {
 
   PointResult at_gap(double z_0, LoadStatus status) {
     EnsembleMean& mean = mean_at(z_0);
-    purpose_ = VALUES;
+    purpose_ = purpose::VALUES;
     const Ensemble& ensemble = mean.with_integrator_error();
     integrator_error_ = ensemble.integrator_error;
     PointResult out = values_of(setup_.parameters, ensemble);
@@ -308,8 +308,8 @@ class PointSolver {
   const PassageRunner limited_run_ = [this](const auto& tasks) { return run_within_limit(tasks); };
   long evaluations_ = 0;
   bool limited_ = true;  // whether max_evaluations_per_point applies
-  Purpose purpose_ = VALUES;
-  std::array<long, PURPOSES> passages_for_{};
+  Purpose purpose_ = purpose::VALUES;
+  std::array<long, purpose::PURPOSES> passages_for_{};
   std::map<double, EnsembleMean> means_;  // by gap
   long lattice_passages_ = 0;
   ObservableArray integrator_error_{};  // part of the errors of the values that the integrator causes

@@ -53,12 +53,15 @@ constexpr double kMaxEnergyResidual = 1e-2;
 
 // Purpose for which passages are computed: to decide on which side of the target R_n lies, to locate the
 // crossing, or for the values of the point.
+namespace purpose {
 enum Purpose {
   SCAN,
   CROSSING,
   VALUES,
   PURPOSES
 };
+}  // namespace purpose
+using purpose::Purpose;
 
 // Result of one sweep point. Values are NaN where the status says that there are none. Errors include the
 // quadrature over theta_0, the integrator and, after a load search, the deviation of the load from its
@@ -78,7 +81,7 @@ struct PointResult {
   double incomplete_theta_0 = 0;  // rad; NaN if complete
   long passages = 0;              // number of passages computed for this point
   // Passages of the means, by purpose; the other passages belong to the lattice.
-  std::array<long, PURPOSES> passages_for{};
+  std::array<long, purpose::PURPOSES> passages_for{};
   Parameters parameters{};
   SiScales si{};
 };

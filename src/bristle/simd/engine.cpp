@@ -159,7 +159,7 @@ class SimdEngine::LaneSet {
     if (may_reach_pole) pole = pole_contact(path, p, 0, 1, kFractionTolerance);
     const bool ends_at_pole = std::abs(singular_distance(p.bending, y_new) / s_min - 1) < kPoleTolerance;
     if (may_reach_pole && pole > 0.5 && ends_at_pole) pole = 1;
-    const Hermite x = path.coordinate(X);
+    const Hermite x = path.coordinate(component::X);
     const auto slip = [&](double u) { return active.t + u * h - (x.value(u) - active.x_0) - L_x; };
     if (may_exit) exit_at = slip(1) <= kSlipTolerance ? 1 : first_root(slip, 0, 1, kFractionTolerance);
     const double first = std::min(pole, exit_at);
@@ -206,9 +206,9 @@ class SimdEngine::LaneSet {
       const auto at = [&](int c, double slope, double slope_new) {
         return Hermite(active.y[c], y_new[c], h * slope, h * slope_new).value((next - from) / h);
       };
-      active.samples.push_back({at(NORMAL, before.normal, after.normal),
-                                at(FRICTION_X, before.friction[0], after.friction[0]),
-                                at(FRICTION_Y, before.friction[1], after.friction[1])});
+      active.samples.push_back({at(component::NORMAL, before.normal, after.normal),
+                                at(component::FRICTION_X, before.friction[0], after.friction[0]),
+                                at(component::FRICTION_Y, before.friction[1], after.friction[1])});
       next = double(active.samples.size() + 1) * interval;
     }
     block_.next_sample.lane[lane] = next;
@@ -220,8 +220,8 @@ class SimdEngine::LaneSet {
   };
   // The forces on the tip, with the modulation that the kernels use.
   SlabForces slab_forces(const Bristle<double>& b, const OdeState& y) const {
-    const ContactForce<double> contact = contact_force(b, y[Z]);
-    Sliding<double> sliding = relative_motion(y[VX], y[VY]);
+    const ContactForce<double> contact = contact_force(b, y[component::Z]);
+    Sliding<double> sliding = relative_motion(y[component::VX], y[component::VY]);
     sliding.modulation = modulation_->at(sliding.V_R / b.V_scale);
     return {contact.F_n, friction_force(friction_limit(b, contact), sliding)};
   }
@@ -312,7 +312,7 @@ void SimdEngine::remove_idle_sets() {
 
 void SimdEngine::submit(const PassageTask& task, std::size_t ticket) {
   ActivePassage active{task, ticket, pack(state_at_rest(task.bristle, task.start))};
-  active.x_0 = active.y[X];
+  active.x_0 = active.y[component::X];
   active.near_pole = has_pole(task.bristle.bending) && task.integrator.method == Method::implicit_only;
   remove_idle_sets();
   lane_set_for(task, active.near_pole).add(std::move(active));

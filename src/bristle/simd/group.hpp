@@ -23,9 +23,13 @@ struct Group {
 };
 
 inline Lanes in_plane_distance_squared(const std::array<Lanes, COMPONENTS>& y) {
+  using namespace component;
   return y[X] * y[X] + y[Y] * y[Y];
 }
-inline Lanes radial_product(const std::array<Lanes, COMPONENTS>& y) { return y[X] * y[VX] + y[Y] * y[VY]; }
+inline Lanes radial_product(const std::array<Lanes, COMPONENTS>& y) {
+  using namespace component;
+  return y[X] * y[VX] + y[Y] * y[VY];
+}
 
 template <int Stages, int Components = COMPONENTS>
 using Slopes = std::array<std::array<Lanes, Components>, Stages>;
@@ -126,7 +130,7 @@ class Kernel {
     g.attempts += Lanes(1.0);
 
     const Lanes::Mask good = g.error < 1.0;
-    const Lanes slip = t_new - (g.y_new[X] - g.x_0);
+    const Lanes slip = t_new - (g.y_new[component::X] - g.x_0);
     const Lanes::Mask exits = good & (slip >= g.L_x - kSlipTolerance);
     const Lanes::Mask meets_pole = good & Region::pole_event(g);
     const Lanes::Mask ordinary = good & !(exits | meets_pole);

@@ -21,15 +21,17 @@ class TipPath {
   TipPath(const OdeState& from, const OdeState& to, double h) : from_(from), to_(to), h_(h) {}
   OdeState operator()(double u) const {
     OdeState at{};
-    for (const int c : {X, Y, Z}) {
+    for (const int c : {component::X, component::Y, component::Z}) {
       const Hermite cubic = coordinate(c);
       at[c] = cubic.value(u);
-      at[VX + c] = cubic.slope(u) / h_;
+      at[component::VX + c] = cubic.slope(u) / h_;
     }
     return at;
   }
   // X, Y or Z.
-  Hermite coordinate(int c) const { return {from_[c], to_[c], h_ * from_[VX + c], h_ * to_[VX + c]}; }
+  Hermite coordinate(int c) const {
+    return {from_[c], to_[c], h_ * from_[component::VX + c], h_ * to_[component::VX + c]};
+  }
 
  private:
   const OdeState &from_, &to_;

@@ -19,6 +19,7 @@ struct FarFromPole {
  private:
   // The tip approached the pole, now recedes, and its straight path would have come within s_handover.
   static Lanes::Mask passes_pole(const Group& g) {
+    using namespace component;
     const Lanes angular_momentum = g.y[X] * g.y[VY] - g.y[Y] * g.y[VX];
     const Lanes speed2 = g.y[VX] * g.y[VX] + g.y[VY] * g.y[VY];
     const Lanes reach = g.s_handover * g.s_handover;
@@ -33,6 +34,7 @@ struct FarFromPole {
 // Dimensions: 2 in the plane, 3 in space.
 template <int Dimensions>
 inline Lanes::Mask may_reach_s_min(const Group& g) {
+  using namespace component;
   Lanes points[4][Dimensions], direction[Dimensions], length2 = 0.0, product = 0.0;
   for (int i = 0; i < Dimensions; ++i) {
     points[0][i] = g.y[X + i];

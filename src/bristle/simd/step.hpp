@@ -36,7 +36,9 @@ class AdditiveStep {
   static constexpr bool kRodDampers = Region::kImplicitRodDampers;
   static constexpr std::bool_constant<!kRodDampers> kPole{};
   // No force on a rod depends on its angles, which are not integrated.
-  static constexpr bool is_integrated(int c) { return !kRodDampers || (c != THETA && c != PHI); }
+  static constexpr bool is_integrated(int c) {
+    return !kRodDampers || (c != component::THETA && c != component::PHI);
+  }
   static constexpr int kImplicit = kPolarDamper || kRodDampers ? 3 : 2;  // components of the velocity
 
   struct Work {
@@ -265,8 +267,9 @@ class AdditiveStep {
                   : g.y[c];
     // The sum above weights the implicit parts of the slopes by a; they need the weights a_implicit.
     for (int i = 0; i < kImplicit; ++i)
-      at[VX + i] += g.h * weighted_sum<I>(w.implicit, i,
-                                          [](int j) { return Tableau::a_implicit[I][j] - Tableau::a[I][j]; });
+      at[component::VX + i] += g.h * weighted_sum<I>(w.implicit, i, [](int j) {
+                                 return Tableau::a_implicit[I][j] - Tableau::a[I][j];
+                               });
     w.state = unpack<Lanes>(at);
   }
 
