@@ -27,7 +27,7 @@ struct Stribeck {
   static T load(const ContactForce<T>& contact) {
     return contact.F_n;
   }
-  // Returns the friction force of rigid bristles under the load R_n at the sliding speed V_0, far above V_s.
+  // Returns the friction force of rigid bristles under the load R_n, at V_0 far above V_s.
   static double rigid(const Parameters& p, double R_n) { return factor(p) * R_n; }
 };
 
