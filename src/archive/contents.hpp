@@ -1,7 +1,7 @@
 #pragma once
 
 #include "archive/bag.hpp"
-#include "util/json.hpp"
+#include "json/json.hpp"
 
 #include <ctime>
 #include <map>

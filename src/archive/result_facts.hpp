@@ -1,7 +1,7 @@
 #pragma once
 
 #include "results/reader.hpp"
-#include "util/json.hpp"
+#include "json/json.hpp"
 
 namespace bristle::archive {
 

@@ -2,7 +2,7 @@
 
 #include "util/error.hpp"
 #include "util/file.hpp"
-#include "util/json.hpp"
+#include "json/json.hpp"
 
 #include <archive.h>
 #include <archive_entry.h>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "archive/contents.hpp"
-#include "util/json.hpp"
+#include "json/json.hpp"
 
 #include <nlohmann/json.hpp>
 

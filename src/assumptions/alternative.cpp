@@ -1,7 +1,7 @@
 #include "assumptions/alternative.hpp"
 
-#include "experiment/document.hpp"
-#include "experiment/schema.hpp"
+#include "json/document.hpp"
+#include "json/schema.hpp"
 #include "util/error.hpp"
 #include "util/text.hpp"
 
@@ -108,8 +108,8 @@ Declarations read_declarations(const std::vector<std::string>& files) {
   Declarations out{{"baseline", "", "every open choice as in docs/model.md", {}, {}}, {}, {}};
   std::vector<std::pair<std::string, Json>> documents;
   for (const std::string& file : files) {
-    const experiment::Document document = experiment::Document::stored(read_json_file(file), file);
-    experiment::check_schema(document, Json::parse(assumption_schema()));
+    const json::Document document = json::Document::stored(read_json_file(file), file);
+    json::Schema(Json::parse(assumption_schema())).check(document);
     const Json& json = documents.emplace_back(file, document.json()).second;
     if (json.contains("base"))
       out.baseline.declarations.push_back(std::make_shared<const Json>(json["base"]));

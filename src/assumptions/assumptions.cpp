@@ -36,7 +36,8 @@ std::vector<Experiment> experiments_with_claims(const AssumptionsOptions& option
   std::vector<Experiment> out;
   for (const std::string& file : files) {
     Experiment e = experiment::load_experiment(file, {{}, options.tier});
-    if (!e.checks.empty() && (e.has_study_tier || !e.figure.empty())) out.push_back(std::move(e));
+    if (!claims::read_checks(e).empty() && (e.has_study_tier || !e.figure.empty()))
+      out.push_back(std::move(e));
   }
   if (out.empty())
     throw InputError(
@@ -175,7 +176,7 @@ class AssumptionsRun {
     const bool affected =
         &a == &of_baseline ||
         results::inputs_sha256(*experiment.document) != results::inputs_sha256(*compared.document) ||
-        experiment.checks != compared.checks;
+        claims::read_checks(experiment) != claims::read_checks(compared);
     const std::string path = result_path(affected ? a : of_baseline, baseline);
     if (affected)
       run::run_experiment(

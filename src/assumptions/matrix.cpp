@@ -17,7 +17,7 @@ Json number(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
 bool reversed(Verdict a, Verdict b) { return a != b && a != Verdict::undecided && b != Verdict::undecided; }
 
 Json check_json(const Matrix::Row& row) {
-  const experiment::Check& c = row.cells.front().result.check;
+  const claims::Check& c = row.cells.front().result.check;
   return {{"experiment", row.experiment},
           {"claim", c.claim},
           {"role", c.main ? "main" : "further"},

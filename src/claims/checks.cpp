@@ -2,7 +2,7 @@
 
 #include "claims/measure.hpp"
 #include "util/error.hpp"
-#include "util/json.hpp"
+#include "json/json.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -16,7 +16,7 @@ namespace {
 constexpr double kSignificanceLevel = 0.05;
 
 // Returns the distance from the threshold or from the end of the band; positive if the claim holds.
-double margin_of(const experiment::Check& check, double value) {
+double margin_of(const Check& check, double value) {
   switch (check.criterion) {
     case Criterion::near: return *check.band - std::abs(value - check.threshold);
     case Criterion::at_most: return check.threshold - value;
@@ -33,7 +33,7 @@ Verdict decide(const Measurement& m, double margin) {
 }
 
 // Returns true if the check selects or compares values of this axis.
-bool selects(const experiment::Check& check, const std::string& axis) {
+bool selects(const Check& check, const std::string& axis) {
   const auto same = [&](const auto& selection) { return selection.first == axis; };
   return std::ranges::any_of(check.where, same) ||
          std::ranges::any_of(check.compare, [&](const auto& pair) { return pair.name == axis; });
@@ -77,13 +77,14 @@ std::vector<CheckResult> evaluate_checks(
   if (!checks_file.empty()) document["checks"] = checks_of(checks_file);
   if (!document.contains("checks")) return out;
   // The checks of a file are untrusted, and the predicates rely on the validation.
-  Experiment experiment =
+  const Experiment experiment =
       experiment::stored_experiment(document, "full", checks_file.empty() ? result.path() : checks_file);
-  for (experiment::Check& check : experiment.checks)
+  std::vector<Check> checks = read_checks(experiment);
+  for (Check& check : checks)
     for (const auto& [axis, range] : within)
       if (experiment.sweep.varies(axis) && !selects(check, axis)) check.where.emplace_back(axis, range);
-  validate_checks(experiment);
-  for (const experiment::Check& check : experiment.checks) {
+  validate_checks(experiment, checks);
+  for (const Check& check : checks) {
     CheckResult r{check, measure(result, check), 0, Verdict::undecided, Verdict::undecided};
     r.margin = margin_of(check, r.measured.value);
     r.verdict = decide(r.measured, r.margin);

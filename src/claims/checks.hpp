@@ -22,7 +22,7 @@ namespace claims {
 
 // The check of a claim of the paper, evaluated on a result.
 struct CheckResult {
-  experiment::Check check;
+  Check check;
   Measurement measured;
   double margin;  // distance from the threshold or from the end of the band; positive if the claim holds
   Verdict verdict;
@@ -57,6 +57,8 @@ std::string checks_table(const std::vector<CheckResult>& checks);
 // Finds mistakes in checks before anything is computed: throws InputError if a check lacks a key that its
 // predicate needs, or names a variable, an axis or a value that the result of the experiment will not have.
 void validate_checks(const Experiment& experiment);
+// Finds mistakes in these checks of the experiment, as above.
+void validate_checks(const Experiment& experiment, const std::vector<Check>& checks);
 
 }  // namespace claims
 }  // namespace bristle

@@ -8,7 +8,7 @@
 namespace bristle::claims {
 namespace {
 
-std::string claimed(const experiment::Check& check) {
+std::string claimed(const Check& check) {
   switch (check.criterion) {
     case Criterion::near: return fmt::format("{:.3g} +- {:.3g}", check.threshold, *check.band);
     case Criterion::at_most: return fmt::format("at most {:.3g}", check.threshold);

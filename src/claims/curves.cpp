@@ -74,7 +74,7 @@ double index_of(const results::ResultReader& result, const std::string& name, co
 
 // Returns a selection on this axis as a range [from, to].
 std::array<double, 2> range_of(const results::ResultReader& result, const std::string& name,
-                               const experiment::Selection& wanted) {
+                               const Selection& wanted) {
   if (const auto* range = std::get_if<std::array<double, 2>>(&wanted)) return *range;
   const auto* word = std::get_if<std::string>(&wanted);
   const double value = word ? index_of(result, name, *word) : std::get<double>(wanted);
@@ -88,8 +88,7 @@ void keep_along(Field& field, std::size_t d, const std::vector<bool>& selected) 
     if (!selected[i / stride % field.shape[d]]) field.kept[i] = false;
 }
 
-void keep_on_axis(const results::ResultReader& result, Field& field, std::size_t d,
-                  const experiment::Selection& wanted) {
+void keep_on_axis(const results::ResultReader& result, Field& field, std::size_t d, const Selection& wanted) {
   const std::string& name = field.dimensions[d];
   const std::vector<double> axis = values_of(result, name, field.shape[d]);
   const auto [low, high] = range_of(result, name, wanted);
@@ -98,12 +97,12 @@ void keep_on_axis(const results::ResultReader& result, Field& field, std::size_t
   for (const double x : axis) selected.push_back(x >= low - slack && x <= high + slack);
   if (std::ranges::count(selected, true) == 0)
     throw InputError(fmt::format("{}: the axis {} has no value {}; it has: {:.6g}", result.path(), name,
-                                 experiment::selection_text(wanted), fmt::join(axis, ", ")));
+                                 selection_text(wanted), fmt::join(axis, ", ")));
   keep_along(field, d, selected);
 }
 
 void select(const results::ResultReader& result, Field& field, const std::string& name,
-            const experiment::Selection& wanted) {
+            const Selection& wanted) {
   const auto axis = std::ranges::find(field.dimensions, name);
   if (axis != field.dimensions.end())
     return keep_on_axis(result, field, std::size_t(axis - field.dimensions.begin()), wanted);
@@ -181,7 +180,7 @@ std::size_t behind_jump(const std::vector<double>& gaps) {
 
 }  // namespace
 
-CheckedCurves::CheckedCurves(const results::ResultReader& result, const experiment::Check& check,
+CheckedCurves::CheckedCurves(const results::ResultReader& result, const Check& check,
                              std::optional<std::size_t> side)
     : result_(result), check_(check), side_(side) {}
 
@@ -209,7 +208,7 @@ Curves CheckedCurves::curves(const std::string& dimension, bool whole) const {
   const std::vector<double> axis = values_of(result_, dimension, y.shape[d]);
   std::optional<CheckedField> x, gap;
   if (!check_.x.empty()) x = field_of(check_.x);
-  if (check_.pairs != experiment::PointPairs::all) gap = read(result_, "z_0");
+  if (check_.pairs != PointPairs::all) gap = read(result_, "z_0");
   if (x && x->shape != y.shape)
     throw InputError(fmt::format("{}: damaged: {} and {} have different shapes", result_.path(),
                                  check_.variable, check_.x));

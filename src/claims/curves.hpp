@@ -1,6 +1,6 @@
 #pragma once
 
-#include "experiment/check.hpp"
+#include "claims/check.hpp"
 #include "results/reader.hpp"
 
 #include <optional>
@@ -38,7 +38,7 @@ struct CheckedField : results::Array {
 class CheckedCurves {
  public:
   // side: 0 or 1, the value of "compare" at which to measure; none for a check without "compare"
-  CheckedCurves(const results::ResultReader& result, const experiment::Check& check,
+  CheckedCurves(const results::ResultReader& result, const Check& check,
                 std::optional<std::size_t> side = {});
 
   // Returns the curves along the check's dimension. The abscissa is this axis or the check's variable x.
@@ -56,7 +56,7 @@ class CheckedCurves {
   Curves curves(const std::string& dimension, bool whole) const;
 
   const results::ResultReader& result_;
-  const experiment::Check& check_;
+  const Check& check_;
   std::optional<std::size_t> side_;
 };
 

@@ -27,7 +27,7 @@ Measurement difference(const Measurement& a, const Measurement& b) {
   return combined(a, b, a.value - b.value, a.uncertainty + b.uncertainty);
 }
 
-using Check = experiment::Check;
+using Check = Check;
 
 template <Measurement (*Function)(const Curves&)>
 Measurement along(const CheckedCurves& curves, const Check&) {
@@ -107,7 +107,7 @@ const Predicate& find_predicate(const std::string& name) {
   return *std::ranges::find(predicates(), name, &Predicate::name);
 }
 
-Measurement measure(const results::ResultReader& result, const experiment::Check& check) {
+Measurement measure(const results::ResultReader& result, const Check& check) {
   const Predicate& predicate = find_predicate(check.predicate);
   const CheckedCurves all(result, check);
   if (predicate.on_pairs && check.expected) {

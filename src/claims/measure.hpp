@@ -1,7 +1,7 @@
 #pragma once
 
 #include "claims/predicates.hpp"
-#include "experiment/check.hpp"
+#include "claims/check.hpp"
 #include "results/reader.hpp"
 
 namespace bristle::claims {
@@ -9,7 +9,7 @@ namespace bristle::claims {
 // A key that a check needs in addition to variable and criterion, and whether the check has it.
 struct Need {
   const char* key;
-  bool (*met)(const experiment::Check&);
+  bool (*met)(const Check&);
 };
 
 // A predicate: what a check measures, by the name that experiments use.
@@ -18,8 +18,8 @@ struct Predicate {
   std::vector<Need> needs;
   // One of these two functions is null: a predicate measures on curves along one dimension, or on two
   // quantities at the same points.
-  Measurement (*on_curves)(const CheckedCurves& curves, const experiment::Check& check);
-  Measurement (*on_pairs)(const Curve& first, const Curve& second, const experiment::Check& check);
+  Measurement (*on_curves)(const CheckedCurves& curves, const Check& check);
+  Measurement (*on_pairs)(const Curve& first, const Curve& second, const Check& check);
 };
 
 // Returns all predicates. docs/claims.md describes them; a test compares the names.
@@ -32,6 +32,6 @@ const Predicate& find_predicate(const std::string& name);
 // values of an axis and returns the ratio or the difference of the two numbers; a predicate on pairs measures
 // on both values together. Throws InputError if the result does not have a variable, an axis or a value that
 // the check names.
-Measurement measure(const results::ResultReader& result, const experiment::Check& check);
+Measurement measure(const results::ResultReader& result, const Check& check);
 
 }  // namespace bristle::claims

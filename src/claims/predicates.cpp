@@ -81,11 +81,11 @@ struct Pairs {
     falling += sign < 0;
   }
   // Adds the variance of the pairs of n points before the jump and m points behind it.
-  void add_points(double n, double m, experiment::PointPairs counted) {
+  void add_points(double n, double m, PointPairs counted) {
     const auto of_all = [](double k) { return k * (k - 1) * (2 * k + 5) / 18; };
-    variance += counted == experiment::PointPairs::all      ? of_all(n + m)
-                : counted == experiment::PointPairs::within ? of_all(n) + of_all(m)
-                                                            : n * m * (n + m + 1) / 3;
+    variance += counted == PointPairs::all      ? of_all(n + m)
+                : counted == PointPairs::within ? of_all(n) + of_all(m)
+                                                : n * m * (n + m + 1) / 3;
   }
   Measurement measurement(std::size_t curves, std::size_t missing) const {
     Measurement out;
@@ -129,8 +129,7 @@ Estimate falls_to(const Curve& curve, std::size_t from, double level) {
 
 }  // namespace
 
-Measurement trend(const Curves& in, experiment::PointPairs counted) {
-  using experiment::PointPairs;
+Measurement trend(const Curves& in, PointPairs counted) {
   Pairs pairs;
   std::size_t used = 0;
   for (const Curve& curve : in.curves) {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "claims/curves.hpp"
-#include "experiment/check.hpp"
+#include "claims/check.hpp"
 
 #include <limits>
 
@@ -20,7 +20,7 @@ struct Measurement {
 // Returns Kendall's tau pooled over the curves: (rising - falling pairs of points)/(all pairs). A pair whose
 // errors overlap, in the value or the abscissa, counts as neither and increases the uncertainty. -1: all
 // pairs fall, 1: all pairs rise. counted: all pairs, or only pairs within the sides of the jump, or across it
-Measurement trend(const Curves& curves, experiment::PointPairs counted = experiment::PointPairs::all);
+Measurement trend(const Curves& curves, PointPairs counted = PointPairs::all);
 
 // Returns Kendall's tau between two quantities at the same points: 1 if they always rise and fall together.
 Measurement concordance(const Curve& first, const Curve& second);

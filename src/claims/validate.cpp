@@ -1,9 +1,9 @@
 #include "claims/checks.hpp"
 
 #include "claims/measure.hpp"
+#include "json/node.hpp"
 #include "results/reader.hpp"
 #include "results/variables.hpp"
-#include "util/error.hpp"
 #include "util/text.hpp"
 
 #include <fmt/format.h>
@@ -16,13 +16,17 @@ namespace {
 
 class CheckValidator {
  public:
-  CheckValidator(const Experiment& experiment, const experiment::Check& check)
-      : experiment_(experiment), check_(check) {
+  // checks: all checks of the experiment
+  CheckValidator(const Experiment& experiment, const std::vector<Check>& checks, const Check& check)
+      : experiment_(experiment),
+        checks_(checks),
+        check_(check),
+        node_(*experiment.source, fmt::format("/checks/{}", check.number)) {
     for (const results::ResultVariable& v : results::result_variables(experiment.sweep))
       variables_.push_back(v.name);
-    for (const experiment::Axis& axis : experiment.sweep.axes) {
+    for (const sweep::Axis& axis : experiment.sweep.axes) {
       axes_.push_back(results::axis_variable(axis.name));
-      for (const experiment::Axis& column : axis.columns)
+      for (const sweep::Axis& column : axis.columns)
         variables_.push_back(results::axis_variable(column.name));
     }
     if (experiment.sweep.base.loading.trace) axes_.emplace_back("node");
@@ -41,16 +45,19 @@ class CheckValidator {
       fail("at", "is allowed for traced curves only (/load/trace)");
     for (const auto& [name, value] : check_.where) selects("where/" + name, name, value);
     for (const auto& [name, values] : check_.compare)
-      for (const experiment::Selection& value : values) selects("compare/" + name, name, value);
-    if (check_.pairs != experiment::PointPairs::all && check_.predicate != "trend")
+      for (const Selection& value : values) selects("compare/" + name, name, value);
+    if (check_.pairs != PointPairs::all && check_.predicate != "trend")
       fail("pairs", "is allowed with trend only");
   }
 
  private:
   using Range = std::array<double, 2>;
 
+  // key: key of the check, or two keys with a slash between them
   [[noreturn]] void fail(const std::string& key, const std::string& what) const {
-    throw InputError(fmt::format("{}: /checks/{}/{}: {}", experiment_.path, check_.number, key, what));
+    const std::size_t slash = key.find('/');
+    const json::Node node = node_[key.substr(0, slash)];
+    (slash == key.npos ? node : node[key.substr(slash + 1)]).fail(what);
   }
 
   void known(const std::string& key, const std::string& name, const std::vector<std::string>& names) const {
@@ -74,20 +81,19 @@ class CheckValidator {
   }
 
   void require_main_check() const {
-    const bool any = std::ranges::any_of(experiment_.checks, [this](const experiment::Check& other) {
-      return other.main && other.claim == check_.claim;
-    });
+    const bool any = std::ranges::any_of(
+        checks_, [this](const Check& other) { return other.main && other.claim == check_.claim; });
     if (!any)
       fail("role", fmt::format("every check of claim {} is \"further\"; one must be \"main\"", check_.claim));
   }
 
   // Requires that the selection is a word of a choice, a value of an axis, or a range of an axis or a
   // variable.
-  void selects(const std::string& key, const std::string& name, const experiment::Selection& value) const {
+  void selects(const std::string& key, const std::string& name, const Selection& value) const {
     const bool range = std::holds_alternative<Range>(value);
     const auto axis =
         std::find_if(experiment_.sweep.axes.begin(), experiment_.sweep.axes.end(),
-                     [&](const experiment::Axis& a) { return results::axis_variable(a.name) == name; });
+                     [&](const sweep::Axis& a) { return results::axis_variable(a.name) == name; });
     if (axis == experiment_.sweep.axes.end()) {
       std::vector<std::string> names = variables_;
       names.insert(names.end(), axes_.begin(), axes_.end());
@@ -96,36 +102,40 @@ class CheckValidator {
       return;
     }
     if (!on_axis(*axis, value))
-      fail(key, fmt::format("{} {} this axis; allowed: {}", experiment::selection_text(value),
+      fail(key, fmt::format("{} {} this axis; allowed: {}", selection_text(value),
                             range ? "contains no value of" : "is not a value of", axis_text(*axis)));
   }
 
-  static bool on_axis(const experiment::Axis& axis, const experiment::Selection& value) {
-    const experiment::Sweepable& sweepable = axis.quantity();
+  static bool on_axis(const sweep::Axis& axis, const Selection& value) {
+    const sweep::Sweepable& sweepable = axis.quantity();
     return std::any_of(axis.values.begin(), axis.values.end(), [&](double x) {
       if (const Range* range = std::get_if<Range>(&value))
         return x >= (*range)[0] - 1e-9 * std::abs(x) && x <= (*range)[1] + 1e-9 * std::abs(x);
-      if (!sweepable.options.empty()) return value == experiment::Selection(sweepable.text(x));
+      if (!sweepable.options.empty()) return value == Selection(sweepable.text(x));
       const double* number = std::get_if<double>(&value);
       return number && std::abs(x - *number) <= 1e-9 * std::abs(x);
     });
   }
 
-  static std::string axis_text(const experiment::Axis& axis) {
+  static std::string axis_text(const sweep::Axis& axis) {
     std::vector<std::string> texts;
     for (const double x : axis.values) texts.push_back(axis.quantity().text(x));
     return fmt::format("{}", fmt::join(texts, ", "));
   }
 
   const Experiment& experiment_;
-  const experiment::Check& check_;
+  const std::vector<Check>& checks_;
+  const Check& check_;
+  json::Node node_;
   std::vector<std::string> variables_, axes_;
 };
 
 }  // namespace
 
-void validate_checks(const Experiment& experiment) {
-  for (const experiment::Check& check : experiment.checks) CheckValidator(experiment, check).validate();
+void validate_checks(const Experiment& experiment, const std::vector<Check>& checks) {
+  for (const Check& check : checks) CheckValidator(experiment, checks, check).validate();
 }
+
+void validate_checks(const Experiment& experiment) { validate_checks(experiment, read_checks(experiment)); }
 
 }  // namespace bristle::claims

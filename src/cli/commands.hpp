@@ -25,7 +25,7 @@ enum ExitCode {
 // to it; and the number of its only point, if the other points are to be left out.
 struct ExperimentOptions {
   std::string file;
-  experiment::DocumentOptions load;
+  json::DocumentOptions load;
   std::optional<std::size_t> point{};
 };
 // options: without output the result is results/<name>.h5 or, of another tier, results/<name>-<tier>.h5, and

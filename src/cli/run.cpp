@@ -2,10 +2,11 @@
 
 #include "claims/measure.hpp"
 #include "claims/checks.hpp"
+#include "design/block.hpp"
 #include "design/design.hpp"
-#include "experiment/sample.hpp"
 #include "experiment/schema.hpp"
-#include "experiment/si_units.hpp"
+#include "json/node.hpp"
+#include "sweep/si.hpp"
 #include "results/reader.hpp"
 #include "run/analysis.hpp"
 #include "bristle/simd/dispatch.hpp"
@@ -46,7 +47,7 @@ Experiment load_result(const ExperimentOptions& options) {
         fmt::format("--tier {}: {} has the experiment of its tier, {}, only; name the experiment file",
                     options.load.tier, options.file, tier));
   Json document = result.experiment();
-  if (!options.point && document.contains("design")) document["sweep"].erase(experiment::kSample);
+  if (!options.point && document.contains("design")) document["sweep"].erase(sweep::kSample);
   return experiment::stored_experiment(document, tier, options.file, options.load.set);
 }
 
@@ -67,10 +68,17 @@ Experiment only_point(const Experiment& all, std::size_t point) {
   return experiment::stored_experiment(experiment::document_of_point(all, point), all.tier, all.path);
 }
 
+// Finds mistakes in the blocks that the experiment's own reader leaves to others.
+void read_blocks(const Experiment& experiment) {
+  claims::read_checks(experiment);
+  run::read_analysis(experiment);
+  if (!experiment.ranges.empty()) design::read_design(experiment);
+}
+
 Experiment load_checked(const ExperimentOptions& options) {
   const bool is_result = not_a_file(options.file).empty() && is_of_kind(options.file, results::result_file());
   Experiment experiment =
-      is_result ? load_result(options) : experiment::load_experiment(options.file, options.load);
+      is_result ? load_result(options) : experiment::load_experiment(options.file, options.load, read_blocks);
   if (options.point) experiment = only_point(experiment, *options.point);
   claims::validate_checks(experiment);
   run::validate_analysis(experiment);
@@ -79,10 +87,10 @@ Experiment load_checked(const ExperimentOptions& options) {
 }
 
 // The words of a choice; otherwise the number of values and the ends of their range.
-std::string range_text(const experiment::Axis& axis) {
-  const experiment::Sweepable& sweepable = axis.quantity();
+std::string range_text(const sweep::Axis& axis) {
+  const sweep::Sweepable& sweepable = axis.quantity();
   std::vector<std::string> columns;
-  for (const experiment::Axis& column : axis.columns) columns.push_back(column.name);
+  for (const sweep::Axis& column : axis.columns) columns.push_back(column.name);
   if (!columns.empty()) return fmt::format("{} of {}", axis.values.size(), fmt::join(columns, ", "));
   if (sweepable.options.empty())
     return fmt::format("{} from {:.6g} to {:.6g}", axis.values.size(), axis.values.front(),
@@ -136,7 +144,7 @@ struct TemporaryFolder {
 };
 
 bool compute(const Experiment& experiment, const run::RunOptions& options, bool needs_design) {
-  if (experiment.design || needs_design) return design::run_design(experiment, options);
+  if (!experiment.ranges.empty() || needs_design) return design::run_design(experiment, options);
   run::run_experiment(experiment, options);
   return true;
 }
@@ -174,7 +182,7 @@ void print_conversion(const Experiment& e) {
   const std::size_t last = e.sweep.size() - 1;
   for (const std::size_t index : last > 0 ? std::vector<std::size_t>{0, last} : std::vector<std::size_t>{0})
     fmt::print("dimensionless at {}: {}\n", e.sweep.place(index),
-               fmt::join(experiment::values_from_si(e.sweep.point(index)), ", "));
+               fmt::join(sweep::values_from_si(e.sweep.point(index)), ", "));
 }
 
 }  // namespace
@@ -199,9 +207,9 @@ int run_command(const ExperimentOptions& input, const run::RunOptions& options,
 int validate_command(const ExperimentOptions& options) {
   const Experiment e = load_checked(options);
   std::string sweep;
-  for (const experiment::Axis& axis : e.sweep.axes)
+  for (const sweep::Axis& axis : e.sweep.axes)
     sweep += fmt::format("{}{} ({})", sweep.empty() ? "" : " x ", axis.name, range_text(axis));
-  const std::size_t checks = e.checks.empty() ? 0 : e.checks.back().number + 1;
+  const std::size_t checks = json::Node(*e.source, "/checks").elements().size();
   fmt::print("{}: valid. {}: {} point{}{}{}, {} check{}\n",
              options.file == "-" ? "standard input" : options.file, e.name, e.sweep.size(),
              e.sweep.size() == 1 ? "" : "s", sweep.empty() ? "" : ", ", sweep, checks,
@@ -209,7 +217,7 @@ int validate_command(const ExperimentOptions& options) {
   print_warnings(e);
   if (e.sweep.base.si.empty()) return kSuccess;
   print_conversion(e);
-  if (const auto kept = experiment::values_not_in_si(e.sweep.point(0)); !kept.empty())
+  if (const auto kept = sweep::values_not_in_si(e.sweep.point(0)); !kept.empty())
     fmt::print("not given in the si block, so dimensionless and the same for any material: {}\n",
                fmt::join(kept, ", "));
   return kSuccess;

@@ -1,6 +1,5 @@
 #include "compare/comparison.hpp"
 
-#include "experiment/sample.hpp"
 #include "util/error.hpp"
 
 #include <fmt/format.h>
@@ -109,7 +108,7 @@ std::map<std::string, const Array*> by_name(const std::vector<const Array*>& col
 // Finds the rows of a sample by their values, because row numbers do not identify them.
 void match_rows(const Side& a, const Side& b, Matches& matches, Comparison& out) {
   constexpr std::size_t most_named = 3;
-  const std::string sample = experiment::kSample;
+  const std::string sample = sweep::kSample;
   const auto columns_a = by_name(*a.sample), columns_b = by_name(*b.sample);
   const auto same_name = [](const auto& x, const auto& y) { return x.first == y.first; };
   if (!std::ranges::equal(columns_a, columns_b, same_name)) {
@@ -279,7 +278,7 @@ Comparison compare_sides(const results::ResultReader& result, const Side& a, con
   const std::vector<std::string> names = common_names(a, b, out);
   Matches matches;
   for (const std::string& name : names)
-    if (name == experiment::kSample && a.sample && b.sample) match_rows(a, b, matches, out);
+    if (name == sweep::kSample && a.sample && b.sample) match_rows(a, b, matches, out);
     else if (a.arrays.at(name)->coordinate) match_coordinates(name, a, b, matches, out);
   std::map<std::string, std::vector<std::string>> not_compared;  // names, by reason
   for (const std::string& name : names) {

@@ -1,6 +1,5 @@
 #include "compare/reference.hpp"
 
-#include "experiment/sample.hpp"
 #include "util/error.hpp"
 #include "util/grid.hpp"
 #include "util/text.hpp"

@@ -2,7 +2,7 @@
 
 #include "claims/checks.hpp"
 #include "compare/comparison.hpp"
-#include "util/json.hpp"
+#include "json/json.hpp"
 
 #include <nlohmann/json.hpp>
 #include <map>

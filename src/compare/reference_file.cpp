@@ -1,8 +1,7 @@
 #include "compare/reference.hpp"
 
-#include "experiment/document.hpp"
-#include "experiment/sample.hpp"
-#include "experiment/schema.hpp"
+#include "json/document.hpp"
+#include "json/schema.hpp"
 #include "util/error.hpp"
 #include "util/file.hpp"
 #include "util/text.hpp"
@@ -59,7 +58,7 @@ Json coordinates_json(const Array& array) {
 }
 
 // Returns an array over a dimension of this name. Words become codes in the order in which they occur.
-Array coordinates_of(const experiment::Document& document, const JsonPointer& at, const std::string& name) {
+Array coordinates_of(const json::Document& document, const JsonPointer& at, const std::string& name) {
   const Json& json = document.json().at(at);
   Array out = results::coordinates({name, "", "", ""}, {});
   for (std::size_t i = 0; i < json.size(); ++i) {
@@ -76,7 +75,7 @@ Array coordinates_of(const experiment::Document& document, const JsonPointer& at
 // Reads the numbers of a reference's flags and variables.
 class NumbersReader {
  public:
-  NumbersReader(const experiment::Document& document, const std::map<std::string, NumberRows>& rows,
+  NumbersReader(const json::Document& document, const std::map<std::string, NumberRows>& rows,
                 Reference& reference)
       : document_(document),
         rows_(rows),
@@ -141,7 +140,7 @@ class NumbersReader {
     return out;
   }
 
-  const experiment::Document& document_;
+  const json::Document& document_;
   const std::map<std::string, NumberRows>& rows_;
   Reference& reference_;
   const std::size_t length_, count_;
@@ -158,11 +157,11 @@ bool is_allowed(const std::string& at, const NumberRows& rows) {
   return at.starts_with("/variables/") && at.ends_with("/values");
 }
 
-experiment::Document checked_document(const std::string& text, const std::string& path,
-                                      std::map<std::string, NumberRows>& rows) {
+json::Document checked_document(const std::string& text, const std::string& path,
+                                std::map<std::string, NumberRows>& rows) {
   const auto checked = [&](const Json& json) {
-    const auto document = experiment::Document::stored(json, path);
-    experiment::check_schema(document, Json::parse(reference_schema()));
+    const auto document = json::Document::stored(json, path);
+    json::Schema(Json::parse(reference_schema())).check(document);
     return document;
   };
   Json json;
@@ -212,7 +211,7 @@ Reference parse_reference(const std::string& text, const std::string& path) {
   for (const auto& [name, axis] : document.json()["axes"].items())
     out.numbers.add_dimension(coordinates_of(document, JsonPointer("/axes") / name, name));
   if (document.json().contains("sample")) {
-    const JsonPointer sample = JsonPointer("/axes") / experiment::kSample;
+    const JsonPointer sample = JsonPointer("/axes") / sweep::kSample;
     const std::size_t points = document.json().contains(sample) ? document.json().at(sample).size() : 0;
     out.sample.emplace();
     for (const auto& [name, column] : document.json()["sample"].items()) {

@@ -1,8 +1,9 @@
 #include "design/design.hpp"
 
+#include "design/block.hpp"
 #include "design/groups.hpp"
 #include "design/trials.hpp"
-#include "experiment/sample.hpp"
+#include "sampling/quantile.hpp"
 #include "results/digest.hpp"
 #include "results/reader.hpp"
 #include "run/analysis.hpp"
@@ -23,25 +24,26 @@ constexpr const char* kFound = "design";  // entry of the provenance: the findin
 
 // Throws InputError if an objective or a constraint names a variable that the result of this experiment
 // lacks.
-void require_variables(const Experiment& e) {
-  for (std::size_t i = 0; i < e.design->objectives.size(); ++i)
-    run::require_variable(e, fmt::format("/design/objectives/{}", i), e.design->objectives[i].variable);
-  for (std::size_t i = 0; i < e.design->constraints.size(); ++i)
-    if (const std::string& name = e.design->constraints[i].variable; name != experiment::kJumpMargin)
-      run::require_variable(e, fmt::format("/design/constraints/{}/variable", i), name);
+void require_variables(const Experiment& experiment, const Design& design) {
+  const json::Node block(*experiment.source, "/design");
+  for (std::size_t i = 0; i < design.objectives.size(); ++i)
+    run::require_variable(experiment, block["objectives"][i], design.objectives[i].variable);
+  for (std::size_t i = 0; i < design.constraints.size(); ++i)
+    if (const std::string& name = design.constraints[i].variable; name != kJumpMargin)
+      run::require_variable(experiment, block["constraints"][i]["variable"], name);
 }
 
 // Returns the experiment with the rows as its sample, as the result stores it.
 Experiment with_table(const Experiment& e, const Trials& trials, const std::vector<Values>& rows) {
   Json table = {{"columns", Json::array()}, {"rows", Json::array()}};
   const Sweep sampled = trials.with_rows(rows);
-  for (const experiment::Axis& column : sampled.axes[sampled.axis_number(experiment::kSample)].columns)
+  for (const sweep::Axis& column : sampled.axes[sampled.axis_number(sweep::kSample)].columns)
     table["columns"].push_back(column.name);
   for (const Values& row : rows) {
     table["rows"].push_back(Json::array());
     for (const Json& name : table["columns"]) table["rows"].back().push_back(row.at(name));
   }
-  Json document = *e.document, sweep = {{experiment::kSample, {{"table", table}}}};
+  Json document = *e.document, sweep = {{sweep::kSample, {{"table", table}}}};
   if (document.contains("sweep")) sweep.update(document["sweep"]);
   document["sweep"] = sweep;
   return experiment::stored_experiment(document, e.tier, e.path);
@@ -55,16 +57,15 @@ bool up_to_date(const std::string& path, const Experiment& e) {
 
 // Returns the values of a quantity's profile, including the best trial's: from bound to bound for a variable
 // of the design, otherwise over the quantity's deviations.
-std::vector<double> profile_values(const experiment::Design& design, const std::string& quantity,
-                                   double best) {
-  experiment::DesignVariable range{quantity, 0, 0, false};
-  const auto variable = std::ranges::find(design.variables, quantity, &experiment::DesignVariable::name);
+std::vector<double> profile_values(const Design& design, const std::string& quantity, double best) {
+  experiment::Range range{quantity, 0, 0, false};
+  const auto variable = std::ranges::find(design.variables, quantity, &experiment::Range::name);
   if (variable != design.variables.end()) range = *variable;
   else {
     const auto t = std::ranges::find(design.tolerances, quantity, &experiment::Tolerance::name);
     const double reach = std::min(0.9, (t->normal ? 4 : 1) * t->width);
-    range.low = experiment::rounded(best * (1 - reach));
-    range.high = experiment::rounded(best * (1 + reach));
+    range.low = rounded(best * (1 - reach));
+    range.high = rounded(best * (1 + reach));
     if (range.low > range.high) std::swap(range.low, range.high);
   }
   std::vector<double> values = {best};
@@ -78,16 +79,16 @@ std::vector<double> profile_values(const experiment::Design& design, const std::
 // Runs the search; keeps all trials and the solver that they share.
 class Search {
  public:
-  Search(const Experiment& e, const run::RunOptions& options)
-      : experiment_(e),
-        design_(*e.design),
+  Search(const Experiment& experiment, const Design& design, const run::RunOptions& options)
+      : experiment_(experiment),
+        design_(design),
         options_(options),
         journal_(run::journal_path(options.output, {}), run::kCommit, options.force),
-        trials_(e, solver()) {}
+        trials_(experiment, design, solver()) {}
 
   // Returns the text that says what was found, and whether a trial meets the constraints.
   std::pair<std::string, bool> run(std::map<std::string, std::string> entries) {
-    const std::size_t scenarios = experiment_.sweep.without(experiment::kSample).size();
+    const std::size_t scenarios = experiment_.sweep.without(sweep::kSample).size();
     progress_.emplace(experiment_.name, design_.budget * trials_.rows_of_a_trial() * scenarios,
                       options_.quiet);
     Findings found = search();
@@ -98,11 +99,11 @@ class Search {
     for (const Trial& trial : found.trials) nominal.push_back(trial.nominal);
     const Experiment all = with_table(experiment_, trials_, trials_.rows(nominal));
     const std::vector<std::size_t> points = run::shard_points({}, all.sweep.size());
-    const std::string text = text_of(experiment_, found);
+    const std::string text = text_of(trials_, found);
     entries[kFound] = text;
     const run::Summary summary =
         run::write_result(all, options_.output, run::KeyedPoints(all.sweep, points), {},
-                          groups_of(experiment_, trials_, found), journal_, entries, *progress_);
+                          groups_of(trials_, found), journal_, entries, *progress_);
     if (!options_.quiet) fmt::print("{}: points: {}\n", options_.output, summary.text());
     return {text, !found.chosen.empty()};
   }
@@ -130,7 +131,7 @@ class Search {
       return scores;
     };
     const std::size_t dimensions = design_.variables.size();
-    const experiment::Objective& first = design_.objectives.front();
+    const Objective& first = design_.objectives.front();
     if (design_.objectives.size() > 1) search_front(dimensions, design_.budget, design_.seed, evaluate);
     else
       out.optima =
@@ -191,15 +192,15 @@ class Search {
   void recommend(Findings& found) {
     for (; !found.chosen.empty(); choose(found)) {
       progress_->stage("computing what is beside the recommended trial");
-      if (design_.jump_margin() > 0 && locate_margins(found)) continue;
+      if (design_.jump_margin > 0 && locate_margins(found)) continue;
       Trial& best = found.trials[found.chosen.front()];
       found.profiles.clear();
       for (const std::string& quantity : design_.quantities())
         found.profiles.push_back(trials_.profile(
             best.nominal, quantity, profile_values(design_, quantity, best.nominal.at(quantity))));
       const double margin = least_margin(found.profiles);
-      if (design_.jump_margin() > 0) trials_.set_jump_margin(best, margin);
-      if (margin >= design_.jump_margin()) return look_beside(found, best.nominal);
+      if (design_.jump_margin > 0) trials_.set_jump_margin(best, margin);
+      if (margin >= design_.jump_margin) return look_beside(found, best.nominal);
     }
   }
 
@@ -209,12 +210,12 @@ class Search {
       found.indices = trials_.indices(best);
     }
     if (design_.second_choice.empty()) return;
-    const Experiment second = experiment::second_model_of(experiment_);
-    found.second = Trials(second, solver()).evaluate({best}).front();
+    const Experiment second = second_model_of(experiment_, design_);
+    found.second = Trials(second, design_, solver()).evaluate({best}).front();
   }
 
   const Experiment& experiment_;
-  const experiment::Design& design_;
+  const Design& design_;
   const run::RunOptions& options_;
   results::Journal journal_;
   std::optional<run::Progress> progress_;
@@ -227,13 +228,14 @@ class Search {
 }  // namespace
 
 void validate_design(const Experiment& experiment) {
-  if (!experiment.design) return;
-  require_variables(experiment);
-  if (!experiment.design->second_choice.empty()) require_variables(experiment::second_model_of(experiment));
+  if (experiment.ranges.empty()) return;
+  const Design design = read_design(experiment);
+  require_variables(experiment, design);
+  if (!design.second_choice.empty()) require_variables(second_model_of(experiment, design), design);
 }
 
 bool run_design(const Experiment& experiment, const run::RunOptions& options) {
-  if (!experiment.design)
+  if (experiment.ranges.empty())
     throw InputError(
         fmt::format("{}: /design: is missing; it says what to vary and what to look for (docs/design.md)",
                     experiment.path));
@@ -257,7 +259,8 @@ bool run_design(const Experiment& experiment, const run::RunOptions& options) {
   auto entries = run::provenance(options.arguments, options.threads);
   entries["started"] = run::utc_now();
   entries["experiment_file"] = experiment.path;
-  const auto [text, found] = Search(experiment, options).run(entries);
+  const Design design = read_design(experiment);
+  const auto [text, found] = Search(experiment, design, options).run(entries);
   if (!options.quiet) fmt::print("{}", text);
   return found;
 }

@@ -27,7 +27,7 @@ Column integer(const std::string& name, const std::string& meaning) {
 }
 
 Column column_of(const std::string& quantity) {
-  const experiment::Sweepable& s = *experiment::find_sweepable(quantity);
+  const sweep::Sweepable& s = *sweep::find_sweepable(quantity);
   Column out{s.name, s.description, s.symbol, ""};
   out.units = s.units;
   return out;
@@ -36,10 +36,10 @@ Column column_of(const std::string& quantity) {
 // Adds the columns objective_1, objective_1_err, ... to a table. of(row) returns the estimates of all
 // objectives. nominal: the estimates are nominal values, whatever statistic counts over the tolerances.
 template <class Of>
-void add_objectives(Dataset& table, const Experiment& e, const Of& of, bool nominal = false) {
-  const std::vector<results::ResultVariable> variables = results::result_variables(e.sweep);
-  for (std::size_t o = 0; o < e.design->objectives.size(); ++o) {
-    experiment::Objective objective = e.design->objectives[o];
+void add_objectives(Dataset& table, const Trials& trials, const Of& of, bool nominal = false) {
+  const std::vector<results::ResultVariable> variables = results::result_variables(trials.sweep());
+  for (std::size_t o = 0; o < trials.design().objectives.size(); ++o) {
+    Objective objective = trials.design().objectives[o];
     if (nominal) objective.of = Statistic::nominal;
     Column column = *std::ranges::find(variables, objective.variable, &results::ResultVariable::name);
     column.name = fmt::format("objective_{}", o + 1);
@@ -52,30 +52,30 @@ void add_objectives(Dataset& table, const Experiment& e, const Of& of, bool nomi
 }
 
 // Adds the columns that all lists of trials have.
-void add_trials(Dataset& table, const Experiment& e, const Findings& found,
+void add_trials(Dataset& table, const Trials& trials, const Findings& found,
                 const std::vector<std::size_t>& list) {
-  for (const std::string& quantity : e.design->quantities())
+  for (const std::string& quantity : trials.design().quantities())
     table.add(column_of(quantity), [&](std::size_t i) { return found.trials[list[i]].nominal.at(quantity); });
-  add_objectives(table, e, [&](std::size_t i) { return found.trials[list[i]].objectives; });
-  for (std::size_t c = 0; c < e.design->constraints.size(); ++c)
-    table.add({fmt::format("constraint_{}", c + 1), e.design->constraints[c].text(), "", ""},
+  add_objectives(table, trials, [&](std::size_t i) { return found.trials[list[i]].objectives; });
+  for (std::size_t c = 0; c < trials.design().constraints.size(); ++c)
+    table.add({fmt::format("constraint_{}", c + 1), trials.design().constraints[c].text(), "", ""},
               [&](std::size_t i) { return found.trials[list[i]].constraints[c]; });
 }
 
 Dataset list_of(const std::string& name, const std::string& item, const std::string& meaning,
-                const Experiment& e, const Findings& found, const std::vector<std::size_t>& list) {
+                const Trials& trials, const Findings& found, const std::vector<std::size_t>& list) {
   Dataset out = table(name, results::row_numbers(item, meaning, list.size()));
   out.add(integer("trial", "number of the trial"), [&](std::size_t i) { return list[i]; });
-  add_trials(out, e, found, list);
+  add_trials(out, trials, found, list);
   return out;
 }
 
-Dataset all_trials(const Experiment& e, const Trials& trials, const Findings& found) {
+Dataset all_trials(const Trials& trials, const Findings& found) {
   std::vector<std::size_t> all(found.trials.size());
   std::iota(all.begin(), all.end(), 0);
   Dataset out = table(
       "trials", results::row_numbers("trial", "number of the trial, in the order of the search", all.size()));
-  add_trials(out, e, found, all);
+  add_trials(out, trials, found, all);
   const auto trial = [&](std::size_t i) -> const Trial& { return found.trials[i]; };
   out.add(
       {"violation", "greatest excess over a constraint's limit, relative; infinite without values", "", ""},
@@ -86,7 +86,7 @@ Dataset all_trials(const Experiment& e, const Trials& trials, const Findings& fo
           [&](std::size_t i) { return trial(i).missing; });
   out.add(integer("ambiguous", "points whose load another gap carries as well"),
           [&](std::size_t i) { return trial(i).ambiguous; });
-  for (std::size_t o = 0; o < e.design->objectives.size(); ++o)
+  for (std::size_t o = 0; o < trials.design().objectives.size(); ++o)
     out.add(integer(fmt::format("scenario_{}", o + 1),
                     fmt::format("scenario in which objective_{} is worst", o + 1)),
             [&](std::size_t i) { return trial(i).scenarios[o]; });
@@ -107,9 +107,9 @@ Dataset margins(const Findings& found) {
   return out;
 }
 
-Dataset verification_group(const Experiment& e, const Verification& verified) {
+Dataset verification_group(const Trials& trials, const Verification& verified) {
   Dataset out = table("verification", results::row_numbers("solution", "0: recommended", 1));
-  add_objectives(out, e, [&](std::size_t) { return verified.objectives; });
+  add_objectives(out, trials, [&](std::size_t) { return verified.objectives; });
   out.add(integer("brushes", "brushes as made, each with its deviations"),
           [&](std::size_t) { return verified.brushes; });
   out.add(integer("missing", "brushes without a value of an objective or a constraint in a scenario"),
@@ -119,50 +119,51 @@ Dataset verification_group(const Experiment& e, const Verification& verified) {
   return out;
 }
 
-Dataset profile_group(const Experiment& e, const Profile& p) {
+Dataset profile_group(const Trials& trials, const Profile& p) {
   Dataset out = table("profile_" + p.quantity, results::coordinates(column_of(p.quantity), p.values));
   add_objectives(
-      out, e, [&](std::size_t i) { return p.objectives[i]; }, true);
+      out, trials, [&](std::size_t i) { return p.objectives[i]; }, true);
   return out;
 }
 
-std::vector<std::string> inputs_of(const experiment::Design& design) {
+std::vector<std::string> inputs_of(const Design& design) {
   std::vector<std::string> inputs;
   for (const experiment::Tolerance& t : design.tolerances) inputs.push_back(t.name);
   return inputs;
 }
 
-Dataset indices_group(const Experiment& e, const Findings& found) {
+Dataset indices_group(const Trials& trials, const Findings& found) {
   std::vector<std::string> objectives;
   // No texts: the words of a flag are separated by spaces.
-  for (std::size_t o = 0; o < e.design->objectives.size(); ++o)
+  for (std::size_t o = 0; o < trials.design().objectives.size(); ++o)
     objectives.push_back(fmt::format("objective_{}", o + 1));
   Dataset out =
       table("indices",
             results::coordinates(
                 "objective", "nominal value whose variance over the tolerances is shared out", objectives));
-  out.add_dimension(results::coordinates("input", "quantity with a tolerance", inputs_of(*e.design)));
+  out.add_dimension(results::coordinates("input", "quantity with a tolerance", inputs_of(trials.design())));
   run::add_indices(out, found.indices);
   return out;
 }
 
-std::string estimate_text(const Estimate& e) {
-  return std::isnan(e.value) ? "no value" : fmt::format("{:.4g} +- {:.1g}", e.value, e.error);
+std::string estimate_text(const Estimate& estimate) {
+  return std::isnan(estimate.value) ? "no value"
+                                    : fmt::format("{:.4g} +- {:.1g}", estimate.value, estimate.error);
 }
 
-std::string place_of(const Experiment& e, std::size_t scenario) {
-  const Sweep scenarios = e.sweep.without(experiment::kSample);
+std::string place_of(const Trials& trials, std::size_t scenario) {
+  const Sweep scenarios = trials.sweep().without(sweep::kSample);
   return scenarios.axes.empty() ? "" : " at " + scenarios.place(scenario);
 }
 
 // Returns a text such as "R_m = 0.001 m (+- 10 %), ...".
-std::string values_text(const Experiment& e, const Trial& trial) {
+std::string values_text(const Trials& trials, const Trial& trial) {
   std::vector<std::string> parts;
-  for (const std::string& quantity : e.design->quantities()) {
+  for (const std::string& quantity : trials.design().quantities()) {
     const std::string units = column_of(quantity).units;
     std::string part =
         fmt::format("{} = {:.4g}{}", quantity, trial.nominal.at(quantity), units == "1" ? "" : " " + units);
-    for (const experiment::Tolerance& t : e.design->tolerances)
+    for (const experiment::Tolerance& t : trials.design().tolerances)
       if (t.name == quantity)
         part += fmt::format(" ({} {:g} %)", t.normal ? "standard deviation" : "+-", 100 * t.width);
     parts.push_back(part);
@@ -172,18 +173,18 @@ std::string values_text(const Experiment& e, const Trial& trial) {
 
 // Returns the objectives of a trial, or of its verification, in words.
 template <class Found>
-std::string objectives_text(const Experiment& e, const Found& found) {
+std::string objectives_text(const Trials& trials, const Found& found) {
   std::vector<std::string> parts;
   for (std::size_t o = 0; o < found.objectives.size(); ++o)
-    parts.push_back(fmt::format("{}: {}{}", e.design->objectives[o].text(),
-                                estimate_text(found.objectives[o]), place_of(e, found.scenarios[o])));
+    parts.push_back(fmt::format("{}: {}{}", trials.design().objectives[o].text(),
+                                estimate_text(found.objectives[o]), place_of(trials, found.scenarios[o])));
   return fmt::format("{}", fmt::join(parts, "; "));
 }
 
-std::string verification_text(const Experiment& e, const Verification& verified) {
+std::string verification_text(const Trials& trials, const Verification& verified) {
   const auto share = [&](std::size_t count) { return 100 * double(count) / double(verified.brushes); };
   std::string out = fmt::format("  of {} brushes with other deviations: {}\n", verified.brushes,
-                                objectives_text(e, verified));
+                                objectives_text(trials, verified));
   if (verified.missing > 0)
     out += fmt::format("  {:.1f} % of these brushes have no value in some scenario and are left out there\n",
                        share(verified.missing));
@@ -194,10 +195,10 @@ std::string verification_text(const Experiment& e, const Verification& verified)
 
 std::string trials_text(std::size_t count) { return fmt::format("{} trial{}", count, count == 1 ? "" : "s"); }
 
-std::string counts_text(const Experiment& e, const Findings& found) {
+std::string counts_text(const Trials& trials, const Findings& found) {
   const auto count = [&](auto is) { return std::ranges::count_if(found.trials, is); };
   std::string out = trials_text(found.trials.size());
-  if (!e.design->constraints.empty())
+  if (!trials.design().constraints.empty())
     out += fmt::format(", {} meet the constraints", count([](const Trial& t) { return t.violation == 0; }));
   const auto missing = count([](const Trial&t) { return std::isinf(t.violation); }),
              ambiguous = count([](const Trial&t) { return t.ambiguous > 0; });
@@ -207,7 +208,7 @@ std::string counts_text(const Experiment& e, const Findings& found) {
   return out;
 }
 
-std::string miss_text(const Experiment& e, const Findings& found) {
+std::string miss_text(const Trials& trials, const Findings& found) {
   const Trial& nearest = found.trials[found.nearest_miss];
   if (std::isinf(nearest.violation))
     return "every trial has points without a value (its points are all scenarios, nominal and with all "
@@ -216,10 +217,12 @@ std::string miss_text(const Experiment& e, const Findings& found) {
   std::vector<std::string> parts;
   for (std::size_t c = 0; c < nearest.constraints.size(); ++c)
     if (!std::isnan(nearest.constraints[c]))
-      parts.push_back(fmt::format("{}: {:.4g}", e.design->constraints[c].text(), nearest.constraints[c]));
+      parts.push_back(
+          fmt::format("{}: {:.4g}", trials.design().constraints[c].text(), nearest.constraints[c]));
   return fmt::format(
       "no trial meets all constraints; the nearest miss is trial {}: {}\n  constraints: {}\n  {}\n",
-      found.nearest_miss, values_text(e, nearest), fmt::join(parts, "; "), objectives_text(e, nearest));
+      found.nearest_miss, values_text(trials, nearest), fmt::join(parts, "; "),
+      objectives_text(trials, nearest));
 }
 
 std::string margins_text(const Findings& found) {
@@ -237,24 +240,24 @@ std::string margins_text(const Findings& found) {
                      none.empty() ? "" : fmt::format("; not within the range of {}", fmt::join(none, ", ")));
 }
 
-std::string indices_text(const Experiment& e, const Findings& found) {
+std::string indices_text(const Trials& trials, const Findings& found) {
   std::string out;
   for (std::size_t o = 0; o < found.indices.size(); ++o)
     out += fmt::format("  total (and first-order) Sobol indices of {} over the tolerances: {}\n",
-                       e.design->objectives[o].variable,
-                       run::indices_text(found.indices[o], inputs_of(*e.design), kIndexBlocks,
+                       trials.design().objectives[o].variable,
+                       run::indices_text(found.indices[o], inputs_of(trials.design()), kIndexBlocks,
                                          "choose bounds or tolerances with which more points have a value"));
   return out;
 }
 
 // Returns the range of each objective on the front, in words.
-std::string front_text(const Experiment& e, const Findings& found) {
+std::string front_text(const Trials& trials, const Findings& found) {
   std::vector<std::string> parts;
-  for (std::size_t o = 0; o < e.design->objectives.size(); ++o) {
+  for (std::size_t o = 0; o < trials.design().objectives.size(); ++o) {
     const auto value = [&](std::size_t i) { return found.trials[i].objectives[o].value; };
     const auto [least, most] = std::ranges::minmax(found.front, {}, value);
-    parts.push_back(
-        fmt::format("{} from {:.4g} to {:.4g}", e.design->objectives[o].variable, value(least), value(most)));
+    parts.push_back(fmt::format("{} from {:.4g} to {:.4g}", trials.design().objectives[o].variable,
+                                value(least), value(most)));
   }
   return fmt::format("the front, of which the recommended trial is nearest to the best of each: {}, {}\n",
                      trials_text(found.front.size()), fmt::join(parts, ", "));
@@ -262,48 +265,51 @@ std::string front_text(const Experiment& e, const Findings& found) {
 
 }  // namespace
 
-std::vector<Dataset> groups_of(const Experiment& e, const Trials& trials, const Findings& found) {
-  std::vector<Dataset> groups = {all_trials(e, trials, found)};
+std::vector<Dataset> groups_of(const Trials& trials, const Findings& found) {
+  std::vector<Dataset> groups = {all_trials(trials, found)};
   if (found.chosen.empty()) return groups;
   groups.push_back(
-      list_of("front", "member", "number on the front, by the first objective", e, found, found.front));
+      list_of("front", "member", "number on the front, by the first objective", trials, found, found.front));
   groups.push_back(
-      list_of("best", "solution", "0: recommended; then other local optima", e, found, found.chosen));
+      list_of("best", "solution", "0: recommended; then other local optima", trials, found, found.chosen));
   groups.push_back(margins(found));
-  for (const Profile& p : found.profiles) groups.push_back(profile_group(e, p));
-  if (found.verification) groups.push_back(verification_group(e, *found.verification));
-  if (!found.indices.empty()) groups.push_back(indices_group(e, found));
+  for (const Profile& p : found.profiles) groups.push_back(profile_group(trials, p));
+  if (found.verification) groups.push_back(verification_group(trials, *found.verification));
+  if (!found.indices.empty()) groups.push_back(indices_group(trials, found));
   if (found.second) {
     Dataset& second = groups.emplace_back(table(
-        "second", results::coordinates(
-                      e.design->second_choice, "second model of the recommended trial",
-                      {experiment::find_sweepable(e.design->second_choice)->text(e.design->second_option)})));
-    add_objectives(second, e, [&](std::size_t) { return found.second->objectives; });
+        "second",
+        results::coordinates(
+            trials.design().second_choice, "second model of the recommended trial",
+            {sweep::find_sweepable(trials.design().second_choice)->text(trials.design().second_option)})));
+    add_objectives(second, trials, [&](std::size_t) { return found.second->objectives; });
   }
   return groups;
 }
 
-std::string text_of(const Experiment& e, const Findings& found) {
-  std::string out = counts_text(e, found) + "\n";
-  if (found.chosen.empty()) return out + miss_text(e, found);
+std::string text_of(const Trials& trials, const Findings& found) {
+  std::string out = counts_text(trials, found) + "\n";
+  if (found.chosen.empty()) return out + miss_text(trials, found);
   const Trial& best = found.trials[found.chosen.front()];
-  out += fmt::format("recommended, trial {}: {}\n  {}\n", found.chosen.front(), values_text(e, best),
-                     objectives_text(e, best));
-  const experiment::Objective& first = e.design->objectives.front();
-  if (e.design->objectives.size() == 1 && first.goal == Goal::target && !meets_target(*e.design, best))
+  out += fmt::format("recommended, trial {}: {}\n  {}\n", found.chosen.front(), values_text(trials, best),
+                     objectives_text(trials, best));
+  const Objective& first = trials.design().objectives.front();
+  if (trials.design().objectives.size() == 1 && first.goal == Goal::target &&
+      !meets_target(trials.design(), best))
     out +=
         "  no trial meets the target; this one is the nearest: other bounds or a larger budget may meet it\n";
-  if (found.verification) out += verification_text(e, *found.verification);
-  out += margins_text(found) + indices_text(e, found);
+  if (found.verification) out += verification_text(trials, *found.verification);
+  out += margins_text(found) + indices_text(trials, found);
   if (found.second)
-    out += fmt::format("  with {} = {}: {}\n", e.design->second_choice,
-                       experiment::find_sweepable(e.design->second_choice)->text(e.design->second_option),
-                       objectives_text(e, *found.second));
-  if (e.design->objectives.size() > 1) out += front_text(e, found);
+    out +=
+        fmt::format("  with {} = {}: {}\n", trials.design().second_choice,
+                    sweep::find_sweepable(trials.design().second_choice)->text(trials.design().second_option),
+                    objectives_text(trials, *found.second));
+  if (trials.design().objectives.size() > 1) out += front_text(trials, found);
   for (std::size_t i = 1; i < found.chosen.size(); ++i)
     out += fmt::format("another optimum, trial {}: {}\n  {}\n", found.chosen[i],
-                       values_text(e, found.trials[found.chosen[i]]),
-                       objectives_text(e, found.trials[found.chosen[i]]));
+                       values_text(trials, found.trials[found.chosen[i]]),
+                       objectives_text(trials, found.trials[found.chosen[i]]));
   return out;
 }
 

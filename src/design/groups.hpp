@@ -21,10 +21,9 @@ struct Findings {
 };
 
 // Returns the groups /trials, /front, /best, /profiles, /verification, /indices and /second of the result.
-std::vector<results::Dataset> groups_of(const Experiment& experiment, const Trials& trials,
-                                        const Findings& found);
+std::vector<results::Dataset> groups_of(const Trials& trials, const Findings& found);
 
 // Returns the findings in words.
-std::string text_of(const Experiment& experiment, const Findings& found);
+std::string text_of(const Trials& trials, const Findings& found);
 
 }  // namespace bristle::design

@@ -2,7 +2,7 @@
 
 #include "bristle/model/elementary.hpp"
 #include "bristle/random.hpp"
-#include "util/sobol.hpp"
+#include "sampling/sobol.hpp"
 
 #include <nlopt.hpp>
 

@@ -64,7 +64,7 @@ Estimate statistic(Statistic of, const std::vector<Estimate>& all) {
   return all.front();
 }
 
-double cost(const experiment::Objective& objective, double value) {
+double cost(const Objective& objective, double value) {
   switch (objective.goal) {
     case Goal::minimise: return value;
     case Goal::maximise: return -value;
@@ -73,7 +73,7 @@ double cost(const experiment::Objective& objective, double value) {
   return std::abs(value - objective.target);
 }
 
-std::size_t worst_scenario(const experiment::Objective& objective, const std::vector<Estimate>& by_scenario) {
+std::size_t worst_scenario(const Objective& objective, const std::vector<Estimate>& by_scenario) {
   const auto of = [&](const Estimate& e) {
     return std::isnan(e.value) ? kInfinity : cost(objective, e.value);
   };

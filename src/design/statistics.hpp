@@ -1,8 +1,8 @@
 #pragma once
 
-#include "experiment/design.hpp"
+#include "design/block.hpp"
 #include "results/record.hpp"
-#include "util/sensitivity.hpp"
+#include "sampling/sensitivity.hpp"
 
 #include <limits>
 #include <string>
@@ -21,9 +21,9 @@ Estimate value_of(const results::PointRecord& record, const std::string& variabl
 Estimate statistic(Statistic of, const std::vector<Estimate>& all);
 
 // Returns the number that the search minimises, for a value of the objective.
-double cost(const experiment::Objective& objective, double value);
+double cost(const Objective& objective, double value);
 
 // Returns the scenario with the highest cost; a scenario without a value is worse than all others.
-std::size_t worst_scenario(const experiment::Objective& objective, const std::vector<Estimate>& by_scenario);
+std::size_t worst_scenario(const Objective& objective, const std::vector<Estimate>& by_scenario);
 
 }  // namespace bristle::design

@@ -1,9 +1,9 @@
 #include "design/trials.hpp"
 
-#include "experiment/sample.hpp"
+#include "sampling/quantile.hpp"
 #include "run/jumps.hpp"
 #include "run/shard.hpp"
-#include "util/sobol.hpp"
+#include "sampling/sobol.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +12,7 @@
 namespace bristle::design {
 namespace {
 
-using experiment::Axis;
-using experiment::Objective;
+using sweep::Axis;
 
 constexpr std::size_t kVerification = 256;  // least number of deviations for the recommended trial
 // Number of points on each side of the nominal value between which a reported jump margin is located.
@@ -25,7 +24,7 @@ double beyond(double value, double limit) {
 
 }  // namespace
 
-bool meets_target(const experiment::Design& design, const Trial& trial) {
+bool meets_target(const Design& design, const Trial& trial) {
   const Objective& first = design.objectives.front();
   if (first.goal != Goal::target || design.objectives.size() > 1) return false;
   if (trial.violation > 0 || trial.ambiguous > design.tolerance_samples / 2) return false;
@@ -39,13 +38,13 @@ double least_margin(const std::vector<Profile>& profiles) {
   return least;
 }
 
-Trials::Trials(const Experiment& experiment, Solve solve)
-    : experiment_(experiment), design_(*experiment.design), solve_(std::move(solve)) {
+Trials::Trials(const Experiment& experiment, const Design& design, Solve solve)
+    : experiment_(experiment), design_(design), solve_(std::move(solve)) {
   if (!design_.tolerances.empty())
     deviations_ = sobol_points(design_.tolerance_samples, design_.tolerances.size(), design_.seed);
 }
 
-std::size_t Trials::scenarios() const { return experiment_.sweep.without(experiment::kSample).size(); }
+std::size_t Trials::scenarios() const { return experiment_.sweep.without(sweep::kSample).size(); }
 
 std::vector<results::PointRecord> Trials::solve_all(const Sweep& sweep, Purpose purpose) const {
   return solve_(sweep, run::shard_points({}, sweep.size()), purpose);
@@ -64,21 +63,21 @@ Values Trials::deviated(const Values& nominal, const Point& deviations) const {
   Values out = nominal;
   for (std::size_t i = 0; i < deviations.size(); ++i) {
     const experiment::Tolerance& t = design_.tolerances[i];
-    const double standard = t.normal ? experiment::normal_quantile(deviations[i]) : 2 * deviations[i] - 1;
-    out[t.name] = experiment::rounded(nominal.at(t.name) * (1 + t.width * standard));
+    const double standard = t.normal ? normal_quantile(deviations[i]) : 2 * deviations[i] - 1;
+    out[t.name] = rounded(nominal.at(t.name) * (1 + t.width * standard));
   }
   return out;
 }
 
 // Returns the value after a relative change, within the bounds of a variable of the design.
 double Trials::neighbour(const Values& nominal, const std::string& quantity, double change) const {
-  const double value = experiment::rounded(nominal.at(quantity) * (1 + change));
-  const auto variable = std::ranges::find(design_.variables, quantity, &experiment::DesignVariable::name);
+  const double value = rounded(nominal.at(quantity) * (1 + change));
+  const auto variable = std::ranges::find(design_.variables, quantity, &experiment::Range::name);
   return variable == design_.variables.end() ? value : std::clamp(value, variable->low, variable->high);
 }
 
 std::size_t Trials::rows_of_a_trial() const {
-  return 1 + deviations_.size() + (design_.jump_margin() > 0 ? 2 * design_.quantities().size() : 0);
+  return 1 + deviations_.size() + (design_.jump_margin > 0 ? 2 * design_.quantities().size() : 0);
 }
 
 std::vector<Values> Trials::rows(const std::vector<Values>& nominal) const {
@@ -86,7 +85,7 @@ std::vector<Values> Trials::rows(const std::vector<Values>& nominal) const {
   for (const Values& trial : nominal) {
     out.push_back(trial);
     for (const Point& deviations : deviations_) out.push_back(deviated(trial, deviations));
-    if (const double margin = design_.jump_margin(); margin > 0)
+    if (const double margin = design_.jump_margin; margin > 0)
       for (const std::string& quantity : design_.quantities())
         for (const double change : {-margin, margin}) {
           out.push_back(trial);
@@ -98,7 +97,7 @@ std::vector<Values> Trials::rows(const std::vector<Values>& nominal) const {
 
 Sweep Trials::with_rows(const std::vector<Values>& rows) const {
   const Sweep& sweep = experiment_.sweep;
-  Axis sample = sweep.axes[sweep.axis_number(experiment::kSample)];
+  Axis sample = sweep.axes[sweep.axis_number(sweep::kSample)];
   sample.values.resize(rows.size());
   std::iota(sample.values.begin(), sample.values.end(), 0.0);
   for (Axis& column : sample.columns) {
@@ -119,7 +118,7 @@ std::vector<Trial> Trials::evaluate(const std::vector<Values>& nominal) const {
 
 // Returns by how much the value at a point exceeds a limit; negative within the limits, infinite without a
 // value.
-double Trials::excess(const experiment::Constraint& constraint, const results::PointRecord& record) const {
+double Trials::excess(const Constraint& constraint, const results::PointRecord& record) const {
   const double value = value_of(record, constraint.variable).value;
   return std::isnan(value) ? kInfinity : std::max(value - constraint.max, constraint.min - value);
 }
@@ -151,9 +150,9 @@ Trial Trials::judge(const Values& nominal, const results::PointRecord* records) 
     out.objectives.push_back(by_scenario[out.scenarios.back()]);
     if (std::isnan(out.objectives.back().value)) out.violation = kInfinity;
   }
-  for (const experiment::Constraint& c : design_.constraints) {
+  for (const Constraint& c : design_.constraints) {
     double value = kNone, most = -kInfinity;
-    if (c.variable == experiment::kJumpMargin) {
+    if (c.variable == kJumpMargin) {
       out.constraints.push_back(kNone);  // computed below, for trials that meet the other constraints
       continue;
     }
@@ -168,14 +167,14 @@ Trial Trials::judge(const Values& nominal, const results::PointRecord* records) 
     if (std::isnan(value)) out.violation = kInfinity;
     else if (most > 0) out.violation = std::max(out.violation, beyond(value, value > c.max ? c.max : c.min));
   }
-  if (design_.jump_margin() > 0 && out.violation == 0) set_jump_margin(out, jump_margin(nominal, records));
+  if (design_.jump_margin > 0 && out.violation == 0) set_jump_margin(out, jump_margin(nominal, records));
   return out;
 }
 
 void Trials::set_jump_margin(Trial& trial, double margin) const {
   for (std::size_t i = 0; i < design_.constraints.size(); ++i)
-    if (design_.constraints[i].variable == experiment::kJumpMargin) trial.constraints[i] = margin;
-  if (margin < design_.jump_margin()) trial.violation = beyond(margin, design_.jump_margin());
+    if (design_.constraints[i].variable == kJumpMargin) trial.constraints[i] = margin;
+  if (margin < design_.jump_margin) trial.violation = beyond(margin, design_.jump_margin);
 }
 
 // Returns the least relative change of a quantity that reaches a jump; infinite if no change up to the
@@ -212,8 +211,7 @@ std::vector<double> Trials::values_beside(const Values& nominal, const std::stri
                                           std::size_t intervals) const {
   std::vector<double> values;
   for (std::size_t i = 0; i <= 2 * intervals; ++i)
-    values.push_back(
-        neighbour(nominal, quantity, design_.jump_margin() * (double(i) / double(intervals) - 1)));
+    values.push_back(neighbour(nominal, quantity, design_.jump_margin * (double(i) / double(intervals) - 1)));
   values.erase(std::unique(values.begin(), values.end()), values.end());
   return values;
 }
@@ -238,9 +236,9 @@ Score Trials::score_of(const Trial& trial) const {
 Profile Trials::profile(const Values& nominal, const std::string& quantity,
                         const std::vector<double>& values) const {
   const Sweep single = with_rows({nominal});
-  Axis sample = single.axes[single.axis_number(experiment::kSample)];
+  Axis sample = single.axes[single.axis_number(sweep::kSample)];
   std::erase_if(sample.columns, [&](const Axis& column) { return column.name == quantity; });
-  const Sweep along = (sample.columns.empty() ? single.without(experiment::kSample) : single.with(sample))
+  const Sweep along = (sample.columns.empty() ? single.without(sweep::kSample) : single.with(sample))
                           .with({quantity, values});
   const std::vector<results::PointRecord> records = solve_all(along, Purpose::beside);
 
@@ -283,8 +281,8 @@ Verification Trials::verify(const Values& nominal) const {
       const results::PointRecord& record = records[row * scenarios() + s];
       for (const Objective& o : design_.objectives)
         missing = missing || std::isnan(value_of(record, o.variable).value);
-      for (const experiment::Constraint& c : design_.constraints) {
-        if (c.variable == experiment::kJumpMargin) continue;
+      for (const Constraint& c : design_.constraints) {
+        if (c.variable == kJumpMargin) continue;
         missing = missing || std::isinf(excess(c, record));
         violated = violated || excess(c, record) > 0;
       }

@@ -2,9 +2,8 @@
 
 #include "design/search.hpp"
 #include "design/statistics.hpp"
-#include "experiment/experiment.hpp"
 #include "results/record.hpp"
-#include "util/sensitivity.hpp"
+#include "sampling/sensitivity.hpp"
 
 #include <map>
 #include <string>
@@ -57,15 +56,18 @@ struct Verification {
 // Returns true if the only objective is a target that the trial meets within half of the value's error, or
 // within a ten-thousandth of the target. Returns false if a constraint is violated or more than half of the
 // points are ambiguous.
-bool meets_target(const experiment::Design& design, const Trial& trial);
+bool meets_target(const Design& design, const Trial& trial);
 // Returns the least relative change of any quantity that reaches a jump; infinite if none does.
 double least_margin(const std::vector<Profile>& profiles);
 
 // Turns trials of a design into points of a sweep, and judges the trials by the computed points.
 class Trials {
  public:
-  // experiment: has a design, and "sample" as its first axis
-  Trials(const Experiment& experiment, Solve solve);
+  // experiment: has "sample" as its first axis. The experiment and its design must outlive the object.
+  Trials(const Experiment& experiment, const Design& design, Solve solve);
+
+  const Design& design() const { return design_; }
+  const Sweep& sweep() const { return experiment_.sweep; }
 
   // Returns the nominal values at a point of the unit cube.
   Values at(const Point& point) const;
@@ -98,15 +100,15 @@ class Trials {
   std::vector<results::PointRecord> solve_all(const Sweep& sweep, Purpose purpose) const;
   Values deviated(const Values& nominal, const Point& deviations) const;
   double neighbour(const Values& nominal, const std::string& quantity, double change) const;
-  double excess(const experiment::Constraint& constraint, const results::PointRecord& record) const;
+  double excess(const Constraint& constraint, const results::PointRecord& record) const;
   Trial judge(const Values& nominal, const results::PointRecord* records) const;
   std::vector<double> values_beside(const Values& nominal, const std::string& quantity,
                                     std::size_t intervals) const;
-  Estimate worst_nominal(const experiment::Objective& objective, const results::PointRecord* records) const;
+  Estimate worst_nominal(const Objective& objective, const results::PointRecord* records) const;
   double jump_margin(const Values& nominal, const results::PointRecord* records) const;
 
   const Experiment& experiment_;
-  const experiment::Design& design_;
+  const Design& design_;
   Solve solve_;
   std::vector<Point> deviations_;  // points of the unit cube, by tolerance
 };

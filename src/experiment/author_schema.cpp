@@ -1,7 +1,7 @@
 
 #include "experiment/experiment.hpp"
 #include "experiment/schema.hpp"
-#include "experiment/sweepable.hpp"
+#include "sweep/sweepable.hpp"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -71,7 +71,7 @@ Json number_axis(Json value) {
 // The axes that a sweep may have, by their names.
 Json sweep(const Json& take, const Json& sample) {
   Json axes = {{"sample", sample}};
-  for (const Sweepable& s : sweepables()) {
+  for (const sweep::Sweepable& s : sweep::sweepables()) {
     Json keys = s.options.empty() ? number_axis(parameter_schema(s.name))
                                   : Json{{"values", list_of({{"enum", s.options}})}};
     keys["take"] = take;
@@ -105,7 +105,7 @@ Json inlined(const Json& schema, const Json& definitions) {
 }  // namespace
 
 Json author_schema(const std::vector<std::string>& predicates) {
-  const Json& parsed = experiment_schema();
+  const Json& parsed = experiment_schema().root();
   Json schema = inlined(parsed, parsed["definitions"]);
   schema[JsonPointer("/properties/checks/items/properties/predicate/enum")] = predicates;
   const std::vector<std::string> required = schema["required"];

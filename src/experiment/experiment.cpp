@@ -2,7 +2,6 @@
 
 #include "experiment/overrides.hpp"
 #include "experiment/point_checks.hpp"
-#include "experiment/sample.hpp"
 #include "experiment/schema.hpp"
 #include "experiment/friction_law.hpp"
 #include "experiment/si_units.hpp"
@@ -18,6 +17,9 @@
 
 namespace bristle::experiment {
 namespace {
+
+using json::Document;
+using sweep::Axis, sweep::PointInput, sweep::kSample;
 
 constexpr double kDegree = M_PI / 180;
 
@@ -172,67 +174,22 @@ std::string read_jump_axis(const Document& d, const Experiment& e) {
   return name;
 }
 
-std::vector<Check> read_all_checks(const Document& d, const Experiment& e) {
-  const Json& json = d.json();
-  std::vector<Check> checks = read_checks(json, d.path());
-  if (!json.contains("checks_for_each")) return checks;
-  const std::string name = json["checks_for_each"];
-  const std::size_t number = e.sweep.axis_number(name);
-  const Axis* axis = number < e.sweep.axes.size() ? &e.sweep.axes[number] : nullptr;
-  if (!axis || axis->quantity().options.empty())
-    d.fail("/checks_for_each",
-           fmt::format("\"{}\" is not a choice that the sweep varies; allowed: a choice in /sweep", name));
-  std::vector<std::string> words;
-  for (const double value : axis->values) words.push_back(axis->quantity().text(value));
-  return for_each_reading(checks, name, words);
-}
-
-Analysis read_analysis(const Document& d, const Experiment& e) {
-  const Json json = d.json().value("analysis", Json::object());
-  Analysis analysis = {json.value("sobol_indices", std::vector<std::string>()),
-                       json.value("quantiles", std::vector<std::string>())};
-  if (!json.empty() && e.design)
-    d.fail("/analysis",
-           "cannot be combined with /design, which computes the indices of its tolerances itself");
-  if (!json.empty() && !e.sweep.varies(kSample))
-    d.fail("/analysis", "needs a sample in the sweep (/sweep/sample)");
-  if (!json.empty() && e.sweep.base.loading.trace)
-    d.fail("/analysis", "cannot be combined with a trace of R_n(z_0)");
-  if (!analysis.sobol_indices.empty() && !d.json()["sweep"][kSample].contains("sobol"))
-    d.fail("/analysis/sobol_indices",
-           "needs a sample by sobol, of which the program makes the design for indices");
-  return analysis;
-}
-
-// Throws InputError if the second model of the design is no valid experiment, or is the first.
-void check_second_model(const Document& d, const Experiment& e) {
-  const std::string place = "/design/second_model/" + e.design->second_choice;
-  const auto fail = [&](const std::string& why) {
-    d.fail(place, fmt::format("{} {}", d.json().at(JsonPointer(place)).dump(), why));
-  };
-  try {
-    if (same_effect(e.sweep.point(0), second_model_of(e).sweep.point(0)))
-      fail("is the first model, too: give another choice, or remove the second model");
-  } catch (const InputError& error) {
-    if (std::string_view(error.what()).find(place) != std::string_view::npos) throw;
-    fail(fmt::format("needs another experiment than this one: {}", error.what()));
-  }
-}
-
 Experiment read(const Document& d) {
-  check_schema(d, experiment_schema());
+  experiment_schema().check(d);
   const Json& json = d.json();
   Experiment e;
   Json document = json;
   document.erase("tiers");
   e.document = std::make_shared<const Json>(std::move(document));
+  e.source = std::make_shared<const Document>(d);
   e.path = d.path();
   e.name = json["name"];
   e.title = json.value("title", e.name);
   e.figure = json.value("figure", "");
   e.sweep.axes = read_axes(d);
-  e.design = read_design(d);
-  if (e.design && !e.sweep.varies(kSample)) e.sweep = e.sweep.with({kSample, {0, 1}, bounds_of(*e.design)});
+  e.ranges = read_ranges(d);
+  if (!e.ranges.empty() && !e.sweep.varies(kSample))
+    e.sweep = e.sweep.with({kSample, {0, 1}, e.ranges.bounds()});
   const Json& model = json["model"];
   e.sweep.C_peaks_at_V_s = !model.contains("C") || model["C"].is_string();
   if (e.sweep.varies("C") && model.contains("C") && model["C"].is_string())
@@ -254,11 +211,8 @@ Experiment read(const Document& d) {
   apply_nominal_friction(e.sweep.base);
   e.sweep.record = read_recording(d, e.sweep.base.setup.orientation, e.sweep.base.loading);
   e.locate_jumps = read_jump_axis(d, e);
-  e.analysis = read_analysis(d, e);
-  e.checks = read_all_checks(d, e);
   check_overrides(d);
   check_points(d, e);
-  if (e.design && !e.design->second_choice.empty()) check_second_model(d, e);
   e.warnings = si_warnings(d, e);
   std::ranges::move(shaft_warnings(d, e), std::back_inserter(e.warnings));
   for (const std::string& name : axes_without_effect(e.sweep)) {
@@ -272,9 +226,9 @@ Experiment read(const Document& d) {
   return e;
 }
 
-bool is_valid(const Document& document) {
+bool is_valid(const Document& document, const ReadBlocks& read_blocks) {
   try {
-    read(document);
+    read_blocks(read(document));
     return true;
   } catch (const InputError&) {
     return false;
@@ -283,43 +237,39 @@ bool is_valid(const Document& document) {
 
 // Reads the document of a tier. Messages name the tier unless it is the one that was asked for, and tell how
 // to replace it if it is inherited and only its patch is wrong.
-Experiment read_tier(const Document& document, const std::string& tier, const std::string& asked_for) {
+Experiment read_tier(const Document& document, const std::string& tier, const std::string& asked_for,
+                     const ReadBlocks& read_blocks) {
   try {
-    return read(document);
+    Experiment experiment = read(document);
+    read_blocks(experiment);
+    return experiment;
   } catch (const InputError& e) {
     std::string message = e.what();
     if (tier != asked_for && e.tier().empty()) message += fmt::format(" (tier {})", tier);
     const std::string remedy = document.remedy_of_inherited_tier(tier);
-    if (!remedy.empty() && is_valid(document.with_tier("none"))) message += "; " + remedy;
+    if (!remedy.empty() && is_valid(document.with_tier("none"), read_blocks)) message += "; " + remedy;
     throw InputError(message, tier);
   }
 }
 
 }  // namespace
 
-Experiment load_experiment(const std::string& path, const DocumentOptions& options) {
+Experiment load_experiment(const std::string& path, const json::DocumentOptions& options,
+                           const ReadBlocks& read_blocks) {
   const Document document = Document::load(path, options);
-  Experiment experiment = read_tier(document, options.tier, options.tier);
+  Experiment experiment = read_tier(document, options.tier, options.tier, read_blocks);
   experiment.tier = options.tier;
   experiment.has_study_tier = document.has_tier("study");
   // Reports mistakes in the other tiers, too. Not with --set, as its changes are meant for this tier only.
   for (const char* tier : {"smoke", "study", "full"})
     if (tier != options.tier && options.set.empty()) try {
-        read_tier(document.with_tier(tier), tier, options.tier);
+        read_tier(document.with_tier(tier), tier, options.tier, read_blocks);
       } catch (const MissingFile&) {  // a table, which the tier that was asked for does not need
       }
   return experiment;
 }
 
-Experiment second_model_of(const Experiment& experiment) {
-  Json document = *experiment.document;
-  const Design& design = *experiment.design;
-  const Sweepable& choice = *find_sweepable(design.second_choice);
-  document["sweep"][design.second_choice]["values"] = {choice.text(design.second_option)};
-  document["design"].erase("second_model");
-  for (const char* key : {"checks", "checks_for_each", "locate_jumps"}) document.erase(key);
-  return read(Document::with_places(document, [](const std::string& pointer) { return pointer; }));
-}
+Experiment made_experiment(const Json& document) { return read(Document::made(document)); }
 
 Experiment stored_experiment(const Json& document, const std::string& tier, const std::string& source,
                              const std::vector<std::string>& set) {

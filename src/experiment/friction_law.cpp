@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kFormulaEnd = 10;  // default of /friction_law/to
 
-void check_values(const Document& d, const std::string& speeds, const FrictionValues& law) {
+void check_law(const json::Document& d, const std::string& speeds, const FrictionValues& law) {
   const std::string& at = speeds;
   const auto& [V_R, mu, linear] = law;
   if (V_R.size() != mu.size())
@@ -40,13 +40,13 @@ void check_values(const Document& d, const std::string& speeds, const FrictionVa
            fmt::format("pchip needs at least 4 values, and there are {}; use \"linear\"", V_R.size()));
 }
 
-std::shared_ptr<const ModulationTable> read_table(const Document& d, const Json& law) {
+std::shared_ptr<const ModulationTable> read_table(const json::Document& d, const Json& law) {
   if (law.contains("to"))
     d.fail("/friction_law/to", "belongs to a formula; the last value of a table holds beyond it");
   const std::string speeds = law.contains("V_R") ? "V_R" : "V_R_m_per_s", at = "/friction_law/" + speeds;
   if (speeds != "V_R" && !d.json().contains("si")) d.fail(at, "needs the block /si; use V_R, in units of V0");
   const FrictionValues values{law[speeds], law["mu"], law.value("between", "pchip") == "linear"};
-  check_values(d, at, values);
+  check_law(d, at, values);
   try {
     return modulation_table(values);
   } catch (const std::invalid_argument& e) {
@@ -54,7 +54,7 @@ std::shared_ptr<const ModulationTable> read_table(const Document& d, const Json&
   }
 }
 
-std::shared_ptr<const ModulationTable> read_formula(const Document& d, const Json& law) {
+std::shared_ptr<const ModulationTable> read_formula(const json::Document& d, const Json& law) {
   if (law.contains("between"))
     d.fail("/friction_law/between", "belongs to a table of V_R and mu, not to a formula");
   try {
@@ -65,8 +65,8 @@ std::shared_ptr<const ModulationTable> read_formula(const Document& d, const Jso
 }
 
 // Whether some point has the law: by an axis, a column of the sample, or the model.
-bool uses_custom(const Json& json, const std::vector<Axis>& axes) {
-  for (const Axis& axis : axes)
+bool uses_custom(const Json& json, const std::vector<sweep::Axis>& axes) {
+  for (const sweep::Axis& axis : axes)
     for (const auto& varied : {std::vector{axis}, axis.columns})
       if (const auto found = std::ranges::find(varied, "friction", &Axis::name); found != varied.end())
         return std::ranges::count(found->values, double(FrictionLaw::custom)) > 0;
@@ -75,7 +75,8 @@ bool uses_custom(const Json& json, const std::vector<Axis>& axes) {
 
 }  // namespace
 
-std::shared_ptr<const ModulationTable> read_friction_law(const Document& d, const std::vector<Axis>& axes) {
+std::shared_ptr<const ModulationTable> read_friction_law(const json::Document& d,
+                                                         const std::vector<sweep::Axis>& axes) {
   const Json& json = d.json();
   const bool used = uses_custom(json, axes);
   if (!json.contains("friction_law")) {

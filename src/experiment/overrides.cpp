@@ -10,11 +10,11 @@ namespace {
 
 // What varies the quantity: its axis, a column of the sample or a variable of the design. A tolerance
 // deviates from the nominal value of a block, which it does not replace.
-std::optional<JsonPointer> varied_at(const Document& document, const std::string& quantity) {
+std::optional<JsonPointer> varied_at(const json::Document& document, const std::string& quantity) {
   const Json& json = document.json();
   for (const char* block : {"/design/variables", "/sweep/sample/over", "/sweep"})
     if (const JsonPointer at = JsonPointer(block) / quantity; json.contains(at)) return at;
-  const JsonPointer columns = JsonPointer("/sweep") / kSample / "table" / "columns";
+  const JsonPointer columns = JsonPointer("/sweep") / sweep::kSample / "table" / "columns";
   if (json.contains(columns) && json.at(columns).is_array())
     for (const Json& column : json.at(columns))
       if (column == quantity) return columns.parent_pointer();
@@ -23,7 +23,7 @@ std::optional<JsonPointer> varied_at(const Document& document, const std::string
 
 }  // namespace
 
-JsonPointer place_of(const Document& document, const std::string& quantity) {
+JsonPointer place_of(const json::Document& document, const std::string& quantity) {
   for (const std::string& name : {quantity, quantity + "_m"})
     if (const auto at = varied_at(document, name)) return *at;
   for (const char* block : {"/si", "/model", "/load", "/orientation"})
@@ -32,7 +32,7 @@ JsonPointer place_of(const Document& document, const std::string& quantity) {
   return JsonPointer("/model") / quantity;
 }
 
-void check_overrides(const Document& document) {
+void check_overrides(const json::Document& document) {
   for (const char* name : {"model", "si", "load", "orientation"}) {
     const JsonPointer block = JsonPointer() / name;
     if (!document.json().contains(block)) continue;

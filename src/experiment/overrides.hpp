@@ -1,15 +1,15 @@
 #pragma once
 
-#include "experiment/document.hpp"
+#include "json/document.hpp"
 
 namespace bristle::experiment {
 
 // Throws InputError for a value that --set, or the experiment's own file, gives and that the sweep, the
 // sample or the design replaces at every point; the message names what replaces it.
-void check_overrides(const Document& document);
+void check_overrides(const json::Document& document);
 
 // The place that sets a quantity, in its unit or in metres: its axis, a column of the sample, a variable of
 // the design, or else its key in a block.
-JsonPointer place_of(const Document& document, const std::string& quantity);
+JsonPointer place_of(const json::Document& document, const std::string& quantity);
 
 }  // namespace bristle::experiment

@@ -3,7 +3,6 @@
 #include "bristle/ensemble/lattice.hpp"
 #include "bristle/ensemble/load.hpp"
 #include "experiment/overrides.hpp"
-#include "experiment/sample.hpp"
 #include "bristle/model/elementary.hpp"
 
 #include <fmt/format.h>
@@ -19,18 +18,18 @@ namespace {
 // Returns the sweep that the checks look at: a design has an axis for each of its quantities, with their
 // extremes, in place of the sample of its trials.
 Sweep sweep_of(const Experiment& experiment) {
-  if (!experiment.design || experiment.document->contains(JsonPointer("/sweep/sample")))
+  if (experiment.ranges.empty() || experiment.document->contains(JsonPointer("/sweep/sample")))
     return experiment.sweep;
-  Sweep out = experiment.sweep.without(kSample);
-  std::ranges::move(extremes_of(*experiment.design), std::back_inserter(out.axes));
+  Sweep out = experiment.sweep.without(sweep::kSample);
+  std::ranges::move(experiment.ranges.extremes(), std::back_inserter(out.axes));
   return out;
 }
 
-void check_gap(const Document& d, const Experiment& experiment) {
+void check_gap(const json::Document& d, const Experiment& experiment) {
   const Sweep sweep =
       sweep_of(experiment).first_values({"z_0", "z_0_m", "r0_m", "phi_0_deg", "lambda_z", "contact"});
   for (std::size_t i = 0; i < sweep.size(); ++i) {
-    const PointInput point = sweep.point(i);
+    const sweep::PointInput point = sweep.point(i);
     const Parameters& p = point.setup.parameters;
     const double highest = sin(p.phi_0) + kWallRangesAboveContact * contact_range(p);
     if (!point.loading.z_0) return;
@@ -68,7 +67,7 @@ const std::array kMeanings = {
 
 // Throws InputError if the experiment varies a quantity that the bristles of some point do not have, or gives
 // one that the bristles of no point have.
-void check_meaning(const Document& d, const Experiment& experiment) {
+void check_meaning(const json::Document& d, const Experiment& experiment) {
   const Sweep sweep = sweep_of(experiment).first_values({"bending", "contact", "section"});
   const Json si = d.json().value("si", Json::object());
   for (const Meaning& m : kMeanings) {
@@ -85,7 +84,7 @@ void check_meaning(const Document& d, const Experiment& experiment) {
 }
 
 // chi has a maximum at V_s for A > 1 only; near 1 it would be a step at u = 0, which no integrator resolves.
-void check_chi(const Document& d, const Experiment& experiment) {
+void check_chi(const json::Document& d, const Experiment& experiment) {
   constexpr double least = 1.001;
   const Sweep sweep = sweep_of(experiment).first_values({"A"});
   if (!sweep.C_peaks_at_V_s) return;
@@ -99,7 +98,7 @@ void check_chi(const Document& d, const Experiment& experiment) {
 
 // Checks at every point that the slab is a whole number of lattice spacings wide and that rows still enter
 // after t_1.
-void check_lattice(const Document& d, const Experiment& experiment) {
+void check_lattice(const json::Document& d, const Experiment& experiment) {
   constexpr double most = 1e7;  // bristles, which memory holds
   const Sweep sweep =
       sweep_of(experiment)
@@ -111,9 +110,9 @@ void check_lattice(const Document& d, const Experiment& experiment) {
   for (const char* key : {"seed", "rows", "t_1"})
     if (!used && (d.json()["orientation"].contains(key) || sweep.varies(key)))
       d.fail(std::string("/orientation/") + key, "is allowed with \"sampling\": \"lattice\" only");
-  if (used && experiment.design)
+  if (used)
     for (const char* quantity : {"L_y", "L_y_m", "spacing", "spacing_m", "r0_m"})
-      for (const std::string& varied : experiment.design->quantities())
+      for (const std::string& varied : experiment.ranges.quantities())
         if (varied == quantity)
           d.fail(place_of(d, varied).to_string(),
                  "cannot vary with \"sampling\": \"lattice\", as L_y is a whole number of spacings; use "
@@ -142,14 +141,14 @@ void check_lattice(const Document& d, const Experiment& experiment) {
 
 }  // namespace
 
-void check_points(const Document& d, const Experiment& e) {
+void check_points(const json::Document& d, const Experiment& e) {
   check_lattice(d, e);
   check_meaning(d, e);
   check_gap(d, e);
   check_chi(d, e);
 }
 
-std::vector<std::string> shaft_warnings(const Document& d, const Experiment& experiment) {
+std::vector<std::string> shaft_warnings(const json::Document& d, const Experiment& experiment) {
   // Shear, which the stiffnesses leave out, makes a shaft of the radius 0.1 r_0 2 % softer (S. P.
   // Timoshenko).
   const Sweep sweep = sweep_of(experiment).first_values({"R", "R_m", "r0_m", "spacing", "spacing_m"});

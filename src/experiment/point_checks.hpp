@@ -1,6 +1,6 @@
 #pragma once
 
-#include "experiment/document.hpp"
+#include "json/document.hpp"
 #include "experiment/experiment.hpp"
 
 namespace bristle::experiment {
@@ -8,10 +8,10 @@ namespace bristle::experiment {
 // Checks what depends on several values of a point, at all points of the sweep: each quantity that is given
 // or varies has a meaning, a gap is not above the reach of the contact at first contact, chi has a maximum if
 // C asks for one, and a lattice fits the slab. Throws InputError with the place of the value.
-void check_points(const Document& document, const Experiment& experiment);
+void check_points(const json::Document& document, const Experiment& experiment);
 
 // Warnings of shafts that are thicker than their spacing, or too thick for a slender rod, at a point of the
 // sweep.
-std::vector<std::string> shaft_warnings(const Document& document, const Experiment& experiment);
+std::vector<std::string> shaft_warnings(const json::Document& document, const Experiment& experiment);
 
 }  // namespace bristle::experiment

@@ -1,49 +1,20 @@
 #pragma once
 
-#include "experiment/document.hpp"
 #include "experiment/experiment.hpp"
+#include "sweep/si.hpp"
 
+#include <string>
 #include <vector>
 
 namespace bristle::experiment {
 
-// A quantity of an experiment's si block. From its row follow the key of the block, its limits, its axis in
-// sweeps, and the attributes of that axis.
-struct SiQuantity {
-  const char* name;         // JSON key, which includes the unit
-  const char* symbol;       // LaTeX
-  const char* description;  // attribute of result files
-  const char* units;
-  Bounds limits;
-  std::vector<const char*> replaces;  // the dimensionless values that are computed from it
-  // The value divided by this scale is the only value that it replaces. Null: apply_si_units() computes the
-  // values.
-  double SiScales::*scale = nullptr;
-  const char* remark = nullptr;  // after the description of the key
-};
-const std::vector<SiQuantity>& si_quantities();
-
 // Reads the document's si block into input.si. Throws InputError if a dimensionless value that the block
 // replaces is swept as well, or if the block is incomplete.
-void read_si_units(const Document& document, const std::vector<Axis>& axes, PointInput& input);
+void read_si_units(const json::Document& document, const std::vector<sweep::Axis>& axes,
+                   sweep::PointInput& input);
 
-// Replaces dimensionless values by those computed from input.si; without SI quantities does nothing. The
-// shaft of radius R and Young's modulus E bends like a cantilever: k_phi = 3 pi E R^4/(4 r0) (section 3 of
-// the paper), and k_theta, too, unless k_theta_over_k_phi is given.
-void apply_si_units(PointInput& input);
-
-// Warnings about an experiment in SI units: values that the author gives although the block replaces them,
-// and a load that is not in newtons.
-std::vector<std::string> si_warnings(const Document& document, const Experiment& experiment);
-
-// The dimensionless values that are computed from input.si, as "name = value".
-std::vector<std::string> values_from_si(const PointInput& input);
-
-// The dimensionless values, as "name = value", that no SI quantity replaces although one could: they stay
-// what they are, whatever the material.
-std::vector<std::string> values_not_in_si(const PointInput& input);
-
-// NaN without SI quantities.
-SiScales si_scales(const PointInput& input);
+// Returns warnings about an experiment in SI units: values that the author gives although the block replaces
+// them, and a load that is not in newtons.
+std::vector<std::string> si_warnings(const json::Document& document, const Experiment& experiment);
 
 }  // namespace bristle::experiment

@@ -8,15 +8,15 @@ namespace bristle::experiment {
 namespace {
 
 // The value of an axis or a column as in an experiment file: a word of a choice, or a number.
-Json json_value(const Axis& axis, std::size_t index) {
-  const Sweepable& what = axis.quantity();
+Json json_value(const sweep::Axis& axis, std::size_t index) {
+  const sweep::Sweepable& what = axis.quantity();
   return what.options.empty() ? Json(axis.values[index]) : Json(what.text(axis.values[index]));
 }
 
-Json json_of(const Axis& axis, std::size_t index) {
+Json json_of(const sweep::Axis& axis, std::size_t index) {
   if (axis.columns.empty()) return {{"values", Json::array({json_value(axis, index)})}};
   Json columns = Json::array(), row = Json::array();
-  for (const Axis& column : axis.columns) {
+  for (const sweep::Axis& column : axis.columns) {
     columns.push_back(column.name);
     row.push_back(json_value(column, index));
   }

@@ -1,7 +1,7 @@
 #include "results/annotate.hpp"
 
 #include "bristle/ensemble/lattice.hpp"
-#include "experiment/si_units.hpp"
+#include "sweep/si.hpp"
 #include "bristle/model/friction/laws.hpp"
 #include "results/digest.hpp"
 #include "results/version.hpp"
@@ -21,7 +21,7 @@ constexpr const char* kPaper =
     "Nonlinear Dynamics (2022)";
 
 // Returns a value with symbol and unit as mathtext, with powers of ten: "$m = 10^{-4}$ kg".
-std::string quantity(const experiment::SiQuantity& q, double value) {
+std::string quantity(const sweep::SiQuantity& q, double value) {
   std::string number = fmt::format("{:.4g}", value);
   if (const auto e = number.find('e'); e != std::string::npos) {
     const std::string mantissa = number.substr(0, e);
@@ -35,7 +35,7 @@ std::string quantity(const experiment::SiQuantity& q, double value) {
 
 std::vector<std::string> si_parts(const Experiment& e) {
   std::vector<std::string> parts;
-  for (const experiment::SiQuantity& q : experiment::si_quantities())
+  for (const sweep::SiQuantity& q : sweep::si_quantities())
     if (!e.sweep.varies(q.name) && e.sweep.base.si.contains(q.name))
       parts.push_back(quantity(q, e.sweep.base.si.at(q.name)));
   return parts;
@@ -47,10 +47,10 @@ void add_k_theta(const Experiment& e, std::vector<std::string>& parts) {
   const bool of_rods = p.section == Section::oval || e.sweep.varies("section");
   if (e.sweep.varies("k_theta") || (p.bending == Bending::rod && !e.sweep.varies("bending") && !of_rods))
     return;
-  const std::string symbol = experiment::find_sweepable("k_theta")->symbol;
+  const std::string symbol = sweep::find_sweepable("k_theta")->symbol;
   parts.push_back(fmt::format("${} = {:.6g}$", symbol, p.k_theta));
   if (e.sweep.varies("bending") && !of_rods)
-    parts.back() += fmt::format(" (rods: ${}$)", experiment::find_sweepable("k_phi")->symbol);
+    parts.back() += fmt::format(" (rods: ${}$)", sweep::find_sweepable("k_phi")->symbol);
 }
 
 std::vector<std::string> dimensionless_parts(const Experiment& e) {
@@ -58,7 +58,7 @@ std::vector<std::string> dimensionless_parts(const Experiment& e) {
   std::vector<std::string> parts;
   const auto add = [&](const char* name, double value) {
     if (!e.sweep.varies(name))
-      parts.push_back(fmt::format("${} = {:.6g}$", experiment::find_sweepable(name)->symbol, value));
+      parts.push_back(fmt::format("${} = {:.6g}$", sweep::find_sweepable(name)->symbol, value));
   };
   add("k_r", p.k_r);
   add_k_theta(e, parts);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "util/json.hpp"
+#include "json/json.hpp"
 
 #include <string>
 

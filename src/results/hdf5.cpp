@@ -3,7 +3,7 @@
 #include "util/error.hpp"
 #include "util/file.hpp"
 #include "util/grid.hpp"
-#include "util/json.hpp"
+#include "json/json.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>

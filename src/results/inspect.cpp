@@ -3,7 +3,7 @@
 #include "results/reader.hpp"
 #include "results/version.hpp"
 #include "util/error.hpp"
-#include "util/json.hpp"
+#include "json/json.hpp"
 #include "util/process.hpp"
 #include "util/sha.hpp"
 

@@ -79,8 +79,8 @@ h5::Handle create_scale(hid_t parent, const Array& coordinates) {
 }
 
 // Returns the coordinates of an axis, with the options of a choice as words.
-Array axis_array(const experiment::Axis& axis) {
-  const experiment::Sweepable& what = axis.quantity();
+Array axis_array(const sweep::Axis& axis) {
+  const sweep::Sweepable& what = axis.quantity();
   return coordinates({.name = axis_variable(axis.name),
                       .long_name = what.description,
                       .symbol = what.symbol,
@@ -166,7 +166,7 @@ struct ResultWriter::Open {
   std::map<std::string, TableWriter> tables;
 
   Open(const std::string& path, const Sweep& sweep, const PointLayout& layout) : file(h5::create_file(path)) {
-    for (const experiment::Axis& axis : sweep.axes) {
+    for (const sweep::Axis& axis : sweep.axes) {
       add_scale(axis_array(axis));
       if (!axis.columns.empty()) create_sample(axis);
     }
@@ -192,9 +192,9 @@ struct ResultWriter::Open {
   }
 
   // Creates the quantities that the sample varies, as variables over it.
-  void create_sample(const experiment::Axis& axis) {
+  void create_sample(const sweep::Axis& axis) {
     std::vector<std::string> columns;
-    for (const experiment::Axis& column : axis.columns) {
+    for (const sweep::Axis& column : axis.columns) {
       const Array array = axis_array(column);
       h5::attach_scale(create_array(file, array), axes.back(), 0);
       columns.push_back(array.about.name);
@@ -211,7 +211,7 @@ std::vector<Column> jump_columns(const Sweep& sweep, const std::string& along) {
       {"z_0_after", "gap after the jump; NaN: no gap carries the load", R"(\tilde{z}_0)", ""},
       {"from", "least value of the axis around the jump with an ambiguous gap, or before", "", ""},
       {"to", "greatest value of the axis around the jump with an ambiguous gap, or after", "", ""}};
-  for (const experiment::Axis& axis : sweep.axes) {
+  for (const sweep::Axis& axis : sweep.axes) {
     if (axis.name == along) continue;
     const Column column = axis_array(axis).about;
     columns.push_back(column.number == Number::code ? code_column(column) : column);

@@ -1,8 +1,7 @@
 #include "run/analysis.hpp"
 
-#include "experiment/sample.hpp"
+#include "json/node.hpp"
 #include "results/reader.hpp"
-#include "util/error.hpp"
 #include "util/grid.hpp"
 #include "util/text.hpp"
 
@@ -21,16 +20,27 @@ const std::vector<double> kShares = {0.05, 0.25, 0.5, 0.75, 0.95};
 
 using Values = std::map<std::string, std::vector<double>>;
 
-const experiment::Axis& sample_of(const Experiment& e) {
-  return e.sweep.axes[e.sweep.axis_number(experiment::kSample)];
+// Variables of the result whose values over a sample are analysed.
+struct Analysis {
+  std::vector<std::string> sobol_indices, quantiles;
+};
+
+Analysis analysis_of(const Experiment& experiment) {
+  const json::Node node(*experiment.source, "/analysis");
+  return {node.get("sobol_indices", std::vector<std::string>()),
+          node.get("quantiles", std::vector<std::string>())};
+}
+
+const sweep::Axis& sample_of(const Experiment& e) {
+  return e.sweep.axes[e.sweep.axis_number(sweep::kSample)];
 }
 
 // Returns the sweep over all axes other than the sample.
-Sweep others_of(const Experiment& e) { return e.sweep.without(experiment::kSample); }
+Sweep others_of(const Experiment& e) { return e.sweep.without(sweep::kSample); }
 
 // Returns the values over the sample at a point of the other axes.
 std::vector<double> over_sample(const Experiment& e, const std::vector<double>& values, std::size_t other) {
-  const std::size_t sample = e.sweep.axis_number(experiment::kSample);
+  const std::size_t sample = e.sweep.axis_number(sweep::kSample);
   const std::vector<std::size_t> shape = e.sweep.shape();
   auto at = unravel(other, others_of(e).shape());
   at.insert(at.begin() + long(sample), 0);
@@ -65,19 +75,19 @@ Used used_of(const Experiment& e, const Values& all, const std::string& output, 
 
 // Returns the number of points in a block of the design for indices; 1 without indices.
 std::size_t block_of(const Experiment& e) {
-  return e.analysis.sobol_indices.empty() ? 1 : sample_of(e).columns.size() + 2;
+  return analysis_of(e).sobol_indices.empty() ? 1 : sample_of(e).columns.size() + 2;
 }
 
 std::vector<std::string> inputs_of(const Experiment& e) {
   std::vector<std::string> names;
-  for (const experiment::Axis& column : sample_of(e).columns) names.push_back(column.name);
+  for (const sweep::Axis& column : sample_of(e).columns) names.push_back(column.name);
   return names;
 }
 
 // Returns a group over the axes beside the sample; other dimensions follow.
 results::Dataset over_others(const std::string& name, const Experiment& e) {
   results::Dataset out(name);
-  for (const experiment::Axis& axis : others_of(e).axes)
+  for (const sweep::Axis& axis : others_of(e).axes)
     out.add_axis(results::axis_variable(axis.name), axis.values.size());
   return out;
 }
@@ -94,7 +104,7 @@ void add_ambiguous(results::Dataset& data, const std::vector<double>& ambiguous,
 }
 
 results::Dataset indices(const Experiment& e, const Values& values) {
-  const std::vector<std::string>&outputs = e.analysis.sobol_indices, inputs = inputs_of(e);
+  const std::vector<std::string> outputs = analysis_of(e).sobol_indices, inputs = inputs_of(e);
   results::Dataset out = over_others("indices", e);
   const std::size_t points = out.size();
   out.add_dimension(results::coordinates("output", "variable whose variance is shared out", outputs));
@@ -112,7 +122,7 @@ results::Dataset indices(const Experiment& e, const Values& values) {
 }
 
 results::Dataset quantiles(const Experiment& e, const Values& values) {
-  const std::vector<std::string>& outputs = e.analysis.quantiles;
+  const std::vector<std::string> outputs = analysis_of(e).quantiles;
   results::Dataset out = over_others("quantiles", e);
   const std::size_t points = out.size(), block = block_of(e), independent = std::min<std::size_t>(block, 2);
   out.add_dimension(results::coordinates("output", "variable", outputs));
@@ -196,21 +206,32 @@ std::string quantiles_line(const results::Dataset& group, std::size_t row, std::
 
 }  // namespace
 
-void require_variable(const Experiment& experiment, const std::string& place, const std::string& name) {
+void require_variable(const Experiment& experiment, const json::Node& place, const std::string& name) {
   std::vector<std::string> known;
   for (const results::ResultVariable& variable : results::result_variables(experiment.sweep))
     known.push_back(variable.name);
   if (std::ranges::find(known, name) == known.end())
-    throw InputError(fmt::format("{}: {}: {} is not a variable of the result{}; allowed: {}", experiment.path,
-                                 place, Json(name).dump(), did_you_mean(name, known),
-                                 fmt::join(known, ", ")));
+    place.fail(fmt::format("{} is not a variable of the result{}; allowed: {}", Json(name).dump(),
+                           did_you_mean(name, known), fmt::join(known, ", ")));
+}
+
+void read_analysis(const Experiment& experiment) {
+  const json::Node block(*experiment.source, "/analysis"), design(*experiment.source, "/design"),
+      sample(*experiment.source, "/sweep/sample");
+  if (!block.exists() || block.value().empty()) return;
+  if (design.exists())
+    block.fail("cannot be combined with /design, which computes the indices of its tolerances itself");
+  if (!sample.exists()) block.fail("needs a sample in the sweep (/sweep/sample)");
+  if (experiment.sweep.base.loading.trace) block.fail("cannot be combined with a trace of R_n(z_0)");
+  if (!analysis_of(experiment).sobol_indices.empty() && !sample.has("sobol"))
+    block["sobol_indices"].fail("needs a sample by sobol, of which the program makes the design for indices");
 }
 
 void validate_analysis(const Experiment& experiment) {
-  for (const std::string& name : experiment.analysis.sobol_indices)
-    require_variable(experiment, "/analysis/sobol_indices", name);
-  for (const std::string& name : experiment.analysis.quantiles)
-    require_variable(experiment, "/analysis/quantiles", name);
+  read_analysis(experiment);
+  const json::Node block(*experiment.source, "/analysis");
+  for (const auto& [key, names] : block.members())
+    for (const std::string name : names.value()) require_variable(experiment, names, name);
 }
 
 void add_indices(results::Dataset& data, const std::vector<SobolIndices>& rows) {
@@ -245,7 +266,7 @@ std::string indices_text(const SobolIndices& indices, const std::vector<std::str
 }
 
 std::set<std::string> analysed_variables(const Experiment& experiment) {
-  const auto& [indices, quantiles] = experiment.analysis;
+  const auto [indices, quantiles] = analysis_of(experiment);
   std::set<std::string> names(indices.begin(), indices.end());
   names.insert(quantiles.begin(), quantiles.end());
   if (!names.empty()) names.insert("status");
@@ -254,8 +275,9 @@ std::set<std::string> analysed_variables(const Experiment& experiment) {
 
 std::vector<results::Dataset> analyse(const Experiment& experiment, const Values& values) {
   std::vector<results::Dataset> groups;
-  if (!experiment.analysis.sobol_indices.empty()) groups.push_back(indices(experiment, values));
-  if (!experiment.analysis.quantiles.empty()) groups.push_back(quantiles(experiment, values));
+  const Analysis analysis = analysis_of(experiment);
+  if (!analysis.sobol_indices.empty()) groups.push_back(indices(experiment, values));
+  if (!analysis.quantiles.empty()) groups.push_back(quantiles(experiment, values));
   return groups;
 }
 

@@ -1,9 +1,10 @@
 #pragma once
 
 #include "experiment/experiment.hpp"
+#include "json/node.hpp"
 #include "results/dataset.hpp"
 #include "results/variables.hpp"
-#include "util/sensitivity.hpp"
+#include "sampling/sensitivity.hpp"
 
 #include <map>
 #include <set>
@@ -12,8 +13,8 @@
 
 namespace bristle::run {
 
-// Throws InputError if the result has no variable of this name. place: JSON pointer, for the message
-void require_variable(const Experiment& experiment, const std::string& place, const std::string& name);
+// Throws InputError at the place if the result has no variable of this name.
+void require_variable(const Experiment& experiment, const json::Node& place, const std::string& name);
 
 // Adds Sobol indices, their errors, and the numbers of blocks that the indices follow from, to a dataset
 // whose last dimensions are output (or another one) and input. rows: the indices of all inputs, by the other
@@ -25,7 +26,9 @@ void add_indices(results::Dataset& data, const std::vector<SobolIndices>& rows);
 std::string indices_text(const SobolIndices& indices, const std::vector<std::string>& inputs,
                          std::size_t blocks, const std::string& remedy);
 
-// Throws InputError if /analysis names a variable that the result does not have.
+// Throws InputError if the experiment has a block "analysis" but no sample that it could analyse.
+void read_analysis(const Experiment& experiment);
+// Does so, too, if the block names a variable that the result does not have.
 void validate_analysis(const Experiment& experiment);
 
 // Returns the names of the variables that /analysis needs, and status.

@@ -1,7 +1,7 @@
 #include "run/scheduler.hpp"
 
 #include "bristle/dynamics/jobs.hpp"
-#include "experiment/si_units.hpp"
+#include "sweep/si.hpp"
 #include "bristle/model/error.hpp"
 #include "run/passage_queue.hpp"
 #include "bristle/simd/dispatch.hpp"
@@ -154,10 +154,10 @@ void Scheduler::report_slow_points() {
 // Solves a point. An error within the point becomes its status, so that other points are not lost.
 PointReport Scheduler::solve(std::size_t index, const PassageRunner& run) const {
   const auto record = [&] {
-    const experiment::PointInput input = sweep_.point(index);
+    const sweep::PointInput input = sweep_.point(index);
     const auto add_input = [&](PointResult& result) {
       result.parameters = input.setup.parameters;
-      result.si = experiment::si_scales(input);
+      result.si = sweep::si_scales(input);
     };
     if (input.loading.trace) {
       std::vector<CurveNode> curve = trace_curve(input.setup, *input.loading.trace, run);

@@ -2,6 +2,7 @@
 
 #include "claims/checks.hpp"
 #include "claims/store.hpp"
+#include "json/node.hpp"
 #include "results/annotate.hpp"
 #include "results/writer.hpp"
 #include "run/analysis.hpp"
@@ -215,7 +216,7 @@ Summary write_result(const Experiment& experiment, const std::string& path, cons
   entries["points_hosts"] = fmt::format("{}", fmt::join(hosts, ", "));
   entries["finished"] = utc_now();
   writer.close(entries);
-  if (!experiment.checks.empty()) progress.stage("evaluating the checks");
+  if (json::Node(*experiment.source, "/checks").exists()) progress.stage("evaluating the checks");
   add_checks(writer.partial());
   writer.publish();
   progress.finish();

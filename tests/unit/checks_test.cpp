@@ -167,7 +167,7 @@ TEST_CASE("linearity: the distance from the least-squares line over the line's r
 TEST_CASE("trend within the branches of a curve and across its jump") {
   Curve c = curve({1, 2, 3, 0, -1, -2, -3}, 0);  // rises, jumps down, and falls
   for (std::size_t i = 3; i < c.size(); ++i) c[i].behind_jump = true;
-  using experiment::PointPairs;
+  using claims::PointPairs;
   CHECK(trend(one(c), PointPairs::within).value == Approx((3 - 6) / 9.0));
   CHECK(trend(one(c), PointPairs::across).value == -1);
   CHECK(trend(one(c)).value == Approx((3 - 6 - 12) / 21.0));

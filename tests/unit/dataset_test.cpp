@@ -1,6 +1,6 @@
 #include "results/dataset.hpp"
 #include "util/error.hpp"
-#include "util/json.hpp"
+#include "json/json.hpp"
 
 #include "catch.hpp"
 

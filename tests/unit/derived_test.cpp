@@ -74,7 +74,7 @@ TEST_CASE("a gap above first contact that the load search finds can be given, an
   const std::string soft =
       R"(, "model": {"lambda_z": 0.005}, "orientation": {"sampling": "list", "theta_0_deg": [20, 110]})";
   const auto solved = [&](const std::string& load) {
-    const experiment::PointInput input = f.load(soft + R"(, "load": )" + load).sweep.point(0);
+    const sweep::PointInput input = f.load(soft + R"(, "load": )" + load).sweep.point(0);
     return solve_point(input.setup, input.loading, make_runner(Engine::fast));
   };
   for (const char* target : {"1e-2", "1e-3", "1e-6"}) {

@@ -148,7 +148,7 @@ TEST_CASE("the search of a target goes on with all of the budget if no trial mee
 }
 
 TEST_CASE("a trial whose load another gap carries as well does not meet a target") {
-  experiment::Design design;
+  design::Design design;
   design.objectives = {{Goal::target, "R_x", Statistic::nominal, 0.5}};
   design.tolerance_samples = 0;
   design::Trial trial{{}, {{0.5, 0.01}}, {0}, {}, 0, 0, 0};
@@ -391,7 +391,8 @@ TEST_CASE(
     }
     return out;
   };
-  const design::Verification found = design::Trials(e, solve).verify({{"k_r", 10}});
+  const design::Design design = design::read_design(e);
+  const design::Verification found = design::Trials(e, design, solve).verify({{"k_r", 10}});
   CHECK(found.brushes == 256);
   CHECK(found.missing == 11);
   CHECK(found.violated == 20);

@@ -6,7 +6,7 @@
 #include "run/task.hpp"
 #include "util/error.hpp"
 #include "util/file.hpp"
-#include "util/json.hpp"
+#include "json/json.hpp"
 #include "small_result.hpp"
 
 #include "catch.hpp"

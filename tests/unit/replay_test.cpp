@@ -1,3 +1,4 @@
+#include "claims/check.hpp"
 #include "compare/replay.hpp"
 #include "shards.hpp"
 
@@ -19,11 +20,11 @@ void require_same_points(const Experiment& all) {
     const Experiment one = experiment::stored_experiment(document, all.tier, "one point");
     REQUIRE(one.sweep.size() == 1);
     CHECK(one.sweep.key(0) == all.sweep.key(i));
-    CHECK(one.checks.empty());
+    CHECK(claims::read_checks(one).empty());
   }
 }
 
-Experiment of(const Scratch& s, const std::string& text, const experiment::DocumentOptions& options = {}) {
+Experiment of(const Scratch& s, const std::string& text, const json::DocumentOptions& options = {}) {
   s.write("paper.json", bytes_of(std::string(BRISTLE_EXPERIMENTS) + "/paper.json"));
   return load_experiment(s.write("e.json", R"({"extends": "paper.json", "name": "e",)" + text + "}"),
                          options);

@@ -1,12 +1,12 @@
 #include "experiment/experiment.hpp"
-#include "experiment/sample.hpp"
+#include "sampling/quantile.hpp"
 #include "bristle/model/friction/laws.hpp"
 #include "run/analysis.hpp"
 #include "run/task.hpp"
 #include "results/csv.hpp"
 #include "results/reader.hpp"
 #include "util/error.hpp"
-#include "util/sobol.hpp"
+#include "sampling/sobol.hpp"
 #include "scratch.hpp"
 
 #include "catch.hpp"
@@ -433,7 +433,7 @@ TEST_CASE("indices and quantiles count the points that they use, and the ambiguo
       R"({"sample": {"sobol": 20, "seed": 1, "over": {"R_n": {"uniform": [0.5, 2.5]}, "k_r": {"log": [5, 50]}}}})",
       R"(, "analysis": {"sobol_indices": ["R_x"], "quantiles": ["R_x"]})");
   std::vector<double> statuses(80, double(PointStatus::ok)), values;
-  const std::vector<experiment::Axis>& columns = e.sweep.axes.front().columns;
+  const std::vector<sweep::Axis>& columns = e.sweep.axes.front().columns;
   for (std::size_t i = 0; i < 80; ++i) values.push_back(10 * columns[0].values[i] + columns[1].values[i]);
   for (const std::size_t i : {4, 5, 10, 15}) {
     statuses[i] = double(PointStatus::unreachable);

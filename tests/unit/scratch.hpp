@@ -8,6 +8,8 @@
 #include <unistd.h>
 
 namespace bristle {
+namespace json {}
+namespace sweep {}
 namespace experiment {}
 namespace results {}
 namespace claims {}
@@ -20,6 +22,8 @@ namespace cli {}
 
 namespace bristle::testing {
 
+using namespace json;
+using namespace sweep;
 using namespace experiment;
 using namespace results;
 using namespace claims;

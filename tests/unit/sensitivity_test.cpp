@@ -1,4 +1,4 @@
-#include "util/sensitivity.hpp"
+#include "sampling/sensitivity.hpp"
 
 #include "catch.hpp"
 #include <cmath>

@@ -19,7 +19,7 @@ const std::string kPaper = std::string(BRISTLE_EXPERIMENTS) + "/paper.json";
 }  // namespace
 
 TEST_CASE("the schema has every parameter, choice and SI quantity, with limits and description") {
-  const Json& definitions = experiment::experiment_schema()["definitions"];
+  const Json& definitions = experiment::experiment_schema().root()["definitions"];
   const Json& model = definitions["model"]["properties"];
   CHECK(model.size() == kParameters.size() + choices().size());
   for (const Parameter& one : kParameters) {
@@ -31,7 +31,7 @@ TEST_CASE("the schema has every parameter, choice and SI quantity, with limits a
   CHECK(model["phi_0_deg"]["exclusiveMaximum"] == 90);
   CHECK(model["A"]["minimum"] == 1);
   CHECK(definitions["si"]["properties"]["nu"]["maximum"] == 0.5);
-  for (const SiQuantity& q : experiment::si_quantities()) {
+  for (const SiQuantity& q : sweep::si_quantities()) {
     CAPTURE(q.name);
     CHECK(definitions["si"]["properties"].contains(q.name));
     CHECK((!q.scale || q.replaces.size() == 1));
@@ -62,7 +62,7 @@ TEST_CASE("the defaults in the schema for editors are those of the program") {
       const Json standard = property["default"];
       const auto with = [&set, &standard, at = (block / key).to_string()](const Json& value) {
         // The key exists in any case, so that null removes it.
-        experiment::DocumentOptions options{set, "full"};
+        json::DocumentOptions options{set, "full"};
         for (const Json& one : {standard, value}) options.set.push_back(at + "=" + one.dump());
         return experiment::load_experiment(kPaper, options).sweep.key(0);
       };

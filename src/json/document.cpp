@@ -1,6 +1,5 @@
-#include "experiment/document.hpp"
+#include "json/document.hpp"
 
-#include "experiment/sample.hpp"
 #include "bristle/model/parameters.hpp"
 #include "util/data.hpp"
 #include "util/error.hpp"
@@ -16,7 +15,7 @@
 #include <filesystem>
 #include <iostream>
 
-namespace bristle::experiment {
+namespace bristle::json {
 namespace fs = std::filesystem;
 namespace {
 
@@ -271,9 +270,9 @@ Document Document::stored(const Json& content, const std::string& source,
   return d;
 }
 
-Document Document::with_places(const Json& content, std::function<std::string(const std::string&)> place_of) {
+Document Document::made(const Json& content) {
   Document d = stored(content, "");
-  d.place_of_ = std::move(place_of);
+  d.made_ = true;
   return d;
 }
 
@@ -318,18 +317,23 @@ std::string Document::remedy_of_inherited_tier(const std::string& tier) const {
 
 void Document::merge() {
   Json merged = Json::object();
+  table_.reset();
+  const auto add = [&](const Json& patch) {
+    if (changes_part_of_table(patch)) {
+      include_table(merged);
+      table_.reset();
+    }
+    merged.merge_patch(patch);
+  };
   for (const Source& s : files_) {
     if (s.content->contains("si") && !merged.contains("si")) {
       merged["model"]["bending"] = word(Bending::rod);
       merged["model"]["contact"] = word(Contact::hertz);
     }
-    if (changes_part_of_table(*s.content)) include_table(merged);
-    merged.merge_patch(*s.content);
+    const auto content = s.content;  // include_table() replaces the contents of all files
+    add(*content);
   }
-  for (const Json& patch : tier_patches(tier_)) {
-    if (changes_part_of_table(patch)) include_table(merged);
-    merged.merge_patch(patch);
-  }
+  for (const Json& patch : tier_patches(tier_)) add(patch);
   for (const Change& change : set_) {
     if (changes_part_of_table(change)) include_table(merged);
     apply(merged, change);
@@ -340,7 +344,9 @@ void Document::merge() {
 
 void Document::include_table(Json& merged) {
   if (!merged.contains(kTable) || !merged[kTable].is_string()) return;
-  const Json name = merged[kTable], table = read_table(name);
+  const Json name = merged[kTable];
+  table_ = read_table(name);
+  const Json& table = table_->content;
   merged[kTable] = table;
   for (Source& source : files_) {
     Json content = *source.content;
@@ -356,10 +362,18 @@ void Document::include_table(Json& merged) {
   }
 }
 
+std::string Document::place(const std::string& pointer) const {
+  if (made_) return pointer;
+  const std::string table = kTable.to_string();
+  const bool changed = std::ranges::any_of(set_, [&](const Change& change) {
+    return changes_part_of_table(change) && sets(change, JsonPointer(pointer));
+  });
+  if (table_ && pointer.starts_with(table) && !changed) return table_->place(pointer.substr(table.size()));
+  return fmt::format("{}: {}", origin(JsonPointer(pointer)), pointer);
+}
+
 void Document::fail(const std::string& pointer, const std::string& what) const {
-  const std::string place =
-      place_of_ ? place_of_(pointer) : fmt::format("{}: {}", origin(JsonPointer(pointer)), pointer);
-  throw InputError(fmt::format("{}: {}", place, what), place_of_ ? "" : tier_of(JsonPointer(pointer)));
+  throw InputError(fmt::format("{}: {}", place(pointer), what), made_ ? "" : tier_of(JsonPointer(pointer)));
 }
 
 bool Document::set_by_option(const JsonPointer& pointer) const {
@@ -397,4 +411,4 @@ std::string Document::tier_of(const JsonPointer& pointer) const {
   return source && source->content->contains(JsonPointer("/tiers/" + tier_) / pointer) ? tier_ : "";
 }
 
-}  // namespace bristle::experiment
+}  // namespace bristle::json

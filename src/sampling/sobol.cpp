@@ -1,4 +1,4 @@
-#include "util/sobol.hpp"
+#include "sampling/sobol.hpp"
 
 #include "bristle/random.hpp"
 

@@ -1,12 +1,12 @@
-#include "experiment/sweepable.hpp"
+#include "sweep/sweepable.hpp"
 
-#include "experiment/si_units.hpp"
+#include "sweep/si.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
 
-namespace bristle::experiment {
+namespace bristle::sweep {
 namespace {
 
 Sweepable of_model(const Parameter& one) {
@@ -72,4 +72,4 @@ const Sweepable* find_sweepable(const std::string& name) {
   return found == table.end() ? nullptr : &*found;
 }
 
-}  // namespace bristle::experiment
+}  // namespace bristle::sweep

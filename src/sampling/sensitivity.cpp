@@ -1,7 +1,7 @@
-#include "util/sensitivity.hpp"
+#include "sampling/sensitivity.hpp"
 
 #include "bristle/random.hpp"
-#include "util/sobol.hpp"
+#include "sampling/sobol.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "experiment/sweepable.hpp"
+#include "sweep/sweepable.hpp"
 
 #include <memory>
 #include <string>
 #include <vector>
 
-namespace bristle::experiment {
+namespace bristle::sweep {
 
 constexpr const char* kSample = "sample";  // name of the axis whose columns vary together
 
@@ -73,8 +73,8 @@ bool same_effect(const PointInput& a, const PointInput& b);
 // mu_c where no friction law reads it.
 std::vector<std::string> axes_without_effect(const Sweep& sweep);
 
-}  // namespace bristle::experiment
+}  // namespace bristle::sweep
 
 namespace bristle {
-using experiment::Sweep;
+using sweep::Sweep;
 }

@@ -1,10 +1,10 @@
-#include "experiment/sweep.hpp"
-#include "experiment/si_units.hpp"
+#include "sweep/sweep.hpp"
+#include "sweep/si.hpp"
 #include "bristle/model/equations.hpp"
 
 #include <algorithm>
 
-namespace bristle::experiment {
+namespace bristle::sweep {
 namespace {
 
 // All that a point's numbers depend on, beside what the points of an experiment have in common.
@@ -72,4 +72,4 @@ std::vector<std::string> axes_without_effect(const Sweep& sweep) {
   return out;
 }
 
-}  // namespace bristle::experiment
+}  // namespace bristle::sweep

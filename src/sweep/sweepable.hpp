@@ -8,13 +8,13 @@
 #include <string>
 #include <vector>
 
-namespace bristle::experiment {
+namespace bristle::sweep {
 
 // Input of one point of the sweep.
 struct PointInput {
   Setup setup;
   Loading loading;
-  std::map<std::string, double> si{};  // SI quantities by JSON key, see si_units.hpp
+  std::map<std::string, double> si{};  // SI quantities by JSON key, see si.hpp
   bool friction_law_in_si = false;     // the speeds of the experiment's own law are in m/s
   // R_rigid/R_n at the target load: with a value, it replaces the strength of the friction law.
   std::optional<double> nominal_friction{};
@@ -36,4 +36,4 @@ const std::vector<Sweepable>& sweepables();
 // Null for an unknown name.
 const Sweepable* find_sweepable(const std::string& name);
 
-}  // namespace bristle::experiment
+}  // namespace bristle::sweep

@@ -1,6 +1,6 @@
-#include "experiment/sweep.hpp"
+#include "sweep/sweep.hpp"
 
-#include "experiment/si_units.hpp"
+#include "sweep/si.hpp"
 #include "bristle/model/friction/laws.hpp"
 
 #include <fmt/format.h>
@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-namespace bristle::experiment {
+namespace bristle::sweep {
 namespace {
 
 // These fail when a member is added: without the member in the text, different points would be treated as
@@ -131,4 +131,4 @@ std::string Sweep::key(std::size_t index) const {
   return out.text();
 }
 
-}  // namespace bristle::experiment
+}  // namespace bristle::sweep

@@ -1,4 +1,4 @@
-#include "util/json.hpp"
+#include "json/json.hpp"
 
 #include "util/error.hpp"
 #include "util/file.hpp"

@@ -1,16 +1,15 @@
 #pragma once
 
-#include "experiment/document.hpp"
 #include "bristle/words.hpp"
+#include "experiment/experiment.hpp"
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
 namespace bristle {
 
-// Of an objective.
+// What an objective asks for.
 enum class Goal {
   minimise,
   maximise,
@@ -37,27 +36,7 @@ inline Words words<Statistic>() {
   return list;
 }
 
-namespace experiment {
-
-struct Axis;
-
-// A quantity that the design chooses between two values.
-struct DesignVariable {
-  std::string name;
-  double low, high;
-  bool log;  // searched evenly in the logarithm
-
-  // The value at this share of the range, in [0, 1], to seven digits.
-  double at(double share) const;
-};
-
-// How a quantity of the brush as made deviates from its nominal value, relative to it.
-struct Tolerance {
-  std::string name;
-  bool normal;     // otherwise uniform
-  double width;    // standard deviation, or greatest deviation
-  double nominal;  // NaN for a variable of the design
-};
+namespace design {
 
 struct Objective {
   Goal goal;
@@ -78,9 +57,7 @@ struct Constraint {
 constexpr const char* kJumpMargin = "jump_margin";
 
 // The block "design" of an experiment. The points of the sweep are its scenarios (docs/design.md).
-struct Design {
-  std::vector<DesignVariable> variables;
-  std::vector<Tolerance> tolerances;
+struct Design : experiment::Ranges {
   std::size_t tolerance_samples;  // 0 without tolerances
   std::vector<Objective> objectives;
   std::vector<Constraint> constraints;
@@ -88,23 +65,14 @@ struct Design {
   std::uint64_t seed;
   std::string second_choice;  // of the model, for another computation of the best trial; empty: none
   double second_option = 0;
-
-  // 0 without this constraint.
-  double jump_margin() const;
-  // The variables, and the quantities with a tolerance that are no variables.
-  std::vector<std::string> quantities() const;
 };
 
-// None without the block. Throws InputError.
-std::optional<Design> read_design(const Document& document);
+// Reads the block, which the experiment must have. Throws InputError for a mistake in it, and for a second
+// model that is no valid experiment or is the first model.
+Design read_design(const Experiment& experiment);
 
-// The columns of the axis "sample" of an experiment with a design that has not been computed: the least and
-// the greatest values.
-std::vector<Axis> bounds_of(const Design& design);
+// Returns the experiment of a design under its second model: the choice is an axis of one word.
+Experiment second_model_of(const Experiment& experiment, const Design& design);
 
-// An axis for each quantity of the design, from the least to the greatest value that any of its points may
-// have: trials, with their deviations, neighbours and profiles.
-std::vector<Axis> extremes_of(const Design& design);
-
-}  // namespace experiment
+}  // namespace design
 }  // namespace bristle

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "util/json.hpp"
 #include "bristle/words.hpp"
+#include "experiment/experiment.hpp"
 
 #include <array>
 #include <optional>
@@ -23,7 +23,7 @@ inline Words words<Criterion>() {
   return list;
 }
 
-namespace experiment {
+namespace claims {
 
 // Selects points by a word of a choice, a value, or a range [from, to] of values.
 using Selection = std::variant<std::string, double, std::array<double, 2>>;
@@ -74,16 +74,13 @@ struct Check {
   bool operator==(const Check&) const = default;
 };
 
-// The checks of an experiment's document, which must match the schema. source names the document in messages.
-// Throws InputError for a selection that is not a word, a number or a range of two numbers.
-std::vector<Check> read_checks(const Json& document, const std::string& source);
+// Reads the checks of an experiment; with "checks_for_each" every check once for each word of that axis,
+// limited to its points. Throws InputError for a selection that is not a word, a number or a range of two
+// numbers, and for an axis that is not a choice.
+std::vector<Check> read_checks(const Experiment& experiment);
 
-// Every check once for each word of this axis, limited to its points.
-std::vector<Check> for_each_reading(const std::vector<Check>& checks, const std::string& axis,
-                                    const std::vector<std::string>& words);
-
-// The JSON text of a selection, for messages.
+// Returns the JSON text of a selection, for messages.
 std::string selection_text(const Selection& selection);
 
-}  // namespace experiment
+}  // namespace claims
 }  // namespace bristle

@@ -1,6 +1,6 @@
-#include "experiment/sweep.hpp"
+#include "sweep/sweep.hpp"
 
-#include "experiment/si_units.hpp"
+#include "sweep/si.hpp"
 #include "bristle/model/friction/laws.hpp"
 #include "bristle/model/material.hpp"
 #include "util/grid.hpp"
@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 
-namespace bristle::experiment {
+namespace bristle::sweep {
 
 const Sweepable& Axis::quantity() const {
   static const Sweepable sample = {kSample, kSample, "number of the point in the sample", "1", {}, {}};
@@ -16,7 +16,7 @@ const Sweepable& Axis::quantity() const {
 }
 
 bool Axis::varies(const std::string& quantity) const {
-  return name == quantity || experiment::varies(columns, quantity);
+  return name == quantity || sweep::varies(columns, quantity);
 }
 
 void Axis::set(PointInput& point, std::size_t index) const {
@@ -68,7 +68,7 @@ std::string Sweep::place(std::size_t index) const {
   return out.empty() ? "the only point" : out;
 }
 
-bool Sweep::varies(const std::string& quantity) const { return experiment::varies(axes, quantity); }
+bool Sweep::varies(const std::string& quantity) const { return sweep::varies(axes, quantity); }
 
 bool Sweep::on_lattice() const {
   return base.setup.orientation.sampling == Sampling::lattice || varies("sampling");
@@ -100,4 +100,4 @@ Sweep Sweep::first_values(const std::vector<std::string>& except) const {
   return out;
 }
 
-}  // namespace bristle::experiment
+}  // namespace bristle::sweep

@@ -1,13 +1,14 @@
 #pragma once
 
-#include "util/json.hpp"
+#include "json/json.hpp"
+#include "json/table.hpp"
 
-#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
-namespace bristle::experiment {
+namespace bristle::json {
 
 // Changes to an experiment file that the command line requests.
 struct DocumentOptions {
@@ -27,9 +28,8 @@ class Document {
   // source names it in messages.
   static Document stored(const Json& content, const std::string& source,
                          const std::vector<std::string>& set = {});
-  // An experiment whose messages say place_of(JSON pointer), such as "t.csv: line 3", instead of source and
-  // pointer.
-  static Document with_places(const Json& content, std::function<std::string(const std::string&)> place_of);
+  // An experiment that the program has made: messages say only the pointer, as there is no file.
+  static Document made(const Json& content);
 
   const Json& json() const { return *merged_; }
   const std::string& path() const { return path_; }
@@ -70,12 +70,15 @@ class Document {
   // so that the experiment contains all that determines its numbers. A table that is replaced or removed is
   // not read.
   void include_table(Json& merged);
+  // Returns the place of a value for messages: its line in the file of the table, or its origin and pointer.
+  std::string place(const std::string& pointer) const;
 
   std::string path_, tier_;
-  std::function<std::string(const std::string&)> place_of_;
-  std::vector<Source> files_;  // parents first
+  bool made_ = false;
+  std::optional<Table> table_;  // the table of the sample, if a file has all of it
+  std::vector<Source> files_;   // parents first
   std::vector<Change> set_;
   std::shared_ptr<const Json> merged_;
 };
 
-}  // namespace bristle::experiment
+}  // namespace bristle::json

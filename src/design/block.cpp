@@ -1,0 +1,121 @@
+#include "design/block.hpp"
+
+#include "experiment/values.hpp"
+#include "json/node.hpp"
+#include "util/error.hpp"
+
+#include <fmt/format.h>
+#include <cmath>
+#include <limits>
+#include <string_view>
+
+namespace bristle::design {
+namespace {
+
+using json::Node;
+
+constexpr double kNoTarget = std::numeric_limits<double>::quiet_NaN(),
+                 kNoLimit = std::numeric_limits<double>::infinity();
+
+Objective read_objective(const Node& node, bool tolerances) {
+  Objective objective{Goal::minimise, "", tolerances ? Statistic::mean : Statistic::nominal,
+                      node.get("value", kNoTarget)};
+  std::size_t goals = 0;
+  for (const char* goal : words<Goal>())
+    if (node.has(goal)) {
+      ++goals;
+      objective.goal = from_word<Goal>(goal);
+      objective.variable = node[goal].as<std::string>();
+    }
+  if (goals != 1)
+    node.fail(fmt::format("{} goals are given; one is needed: minimise, maximise or target", goals));
+  if (node.has("of")) objective.of = from_word<Statistic>(node["of"].as<std::string>());
+  if (!tolerances && objective.of != Statistic::nominal)
+    node["of"].fail(fmt::format("{} is over tolerances, and there are none", word(objective.of)));
+  const bool target = objective.goal == Goal::target;
+  if (target != node.has("value"))
+    node["value"].fail(target ? "is missing; target needs it" : "is allowed with target only");
+  return objective;
+}
+
+Constraint read_constraint(const Node& node) {
+  const bool margin = node.has(kJumpMargin);
+  if (margin == node.has("variable") || (margin && node.value().size() > 1))
+    node.fail("needs either jump_margin alone, or a variable with min, max or both");
+  if (margin) return {kJumpMargin, node[kJumpMargin].as<double>(), kNoLimit};
+  const std::string variable = node["variable"].as<std::string>();
+  if (!node.has("min") && !node.has("max"))
+    node.fail(fmt::format("gives {} no limit; add min, max or both", variable));
+  const Constraint constraint{variable, node.get("min", -kNoLimit), node.get("max", kNoLimit)};
+  if (constraint.min > constraint.max)
+    node.fail(fmt::format("min {} is above max {}; swap them", constraint.min, constraint.max));
+  return constraint;
+}
+
+void read_second_model(const Node& block, Design& design) {
+  for (const auto& [name, node] : block.members()) {
+    const sweep::Sweepable& choice = experiment::require_sweepable(node, name);
+    if (choice.options.empty()) node.fail(name + " is a number; a second model differs by a choice");
+    if (!design.second_choice.empty()) node.fail("only one choice may differ");
+    if (Node(node.document(), "/sweep").has(name))
+      node.fail(name + " is varied by the sweep, too; remove one of them");
+    design.second_choice = name;
+    design.second_option = experiment::option_index(node, choice, node.value());
+  }
+}
+
+// Throws InputError if the second model of the design is no valid experiment, or is the first.
+void check_second_model(const Node& choice, const Experiment& experiment, const Design& design) {
+  try {
+    if (!same_effect(experiment.sweep.point(0), second_model_of(experiment, design).sweep.point(0))) return;
+  } catch (const InputError& error) {
+    choice.fail(
+        fmt::format("{} needs another experiment than this one: {}", choice.value().dump(), error.what()));
+  }
+  choice.fail(fmt::format("{} is the first model, too: give another choice, or remove the second model",
+                          choice.value().dump()));
+}
+
+}  // namespace
+
+std::string Objective::text() const {
+  return fmt::format("{} {}{}{}", word(goal), variable,
+                     goal == Goal::target ? fmt::format(" {:g}", target) : "",
+                     of == Statistic::nominal ? "" : fmt::format(" ({})", word(of)));
+}
+
+std::string Constraint::text() const {
+  return fmt::format("{}{}{}", std::isfinite(min) ? fmt::format("{:g} <= ", min) : "", variable,
+                     std::isfinite(max) ? fmt::format(" <= {:g}", max) : "");
+}
+
+Design read_design(const Experiment& experiment) {
+  const Node block(*experiment.source, "/design"), load(*experiment.source, "/load");
+  Design design{experiment.ranges};
+  const bool tolerances = !design.tolerances.empty();
+  design.tolerance_samples = tolerances ? block.get("tolerance_samples", std::size_t(16)) : 0;
+  for (const Node& objective : block["objectives"].elements())
+    design.objectives.push_back(read_objective(objective, tolerances));
+  for (const Node& constraint : block["constraints"].elements())
+    design.constraints.push_back(read_constraint(constraint));
+  design.budget = block["budget"].as<std::size_t>();
+  design.seed = block.get("seed", std::uint64_t(1));
+  read_second_model(block["second_model"], design);
+  if (load.has("z_0") && design.jump_margin > 0)
+    block["constraints"].fail("jump_margin needs a load R_n: at a given gap, no gap jumps");
+  if (load.has("trace")) block.fail("cannot be combined with a trace of R_n(z_0)");
+  if (!design.second_choice.empty())
+    check_second_model(block["second_model"][design.second_choice], experiment, design);
+  return design;
+}
+
+Experiment second_model_of(const Experiment& experiment, const Design& design) {
+  Json document = *experiment.document;
+  const sweep::Sweepable& choice = *sweep::find_sweepable(design.second_choice);
+  document["sweep"][design.second_choice]["values"] = {choice.text(design.second_option)};
+  document["design"].erase("second_model");
+  for (const char* key : {"checks", "checks_for_each", "locate_jumps"}) document.erase(key);
+  return experiment::made_experiment(document);
+}
+
+}  // namespace bristle::design
