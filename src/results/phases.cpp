@@ -19,6 +19,9 @@ constexpr PhaseRow kPhaseRows[] = {
     {BrushPhase::bouncing, "bouncing (tips are off the slab for more than half of the time)"},
     {BrushPhase::mixed, "between the two"}};
 
+// Local friction, R_rigid over R_n, below which a brush has the friction of rigid bristles at every load.
+constexpr double kNothingToControl = 0.5;
+
 }  // namespace
 
 void Phases::Range::add(double value) {
@@ -52,6 +55,9 @@ void Phases::add(const std::function<std::vector<double>(const std::string&)>& v
                                                    {"lift_off_speed_err", &speed_error_}};
   for (const auto& [name, range] : ranges)
     for (const double value : variable(name)) range->add(value);
+  const auto R_n = variable("R_n"), R_x = variable("R_x"), R_x_norm = variable("R_x_norm");
+  for (std::size_t i = 0; i < std::min({R_n.size(), R_x.size(), R_x_norm.size()}); ++i)
+    local_friction_.add(R_x[i] / R_x_norm[i] / R_n[i]);
 }
 
 std::string Phases::text() const {
@@ -59,7 +65,23 @@ std::string Phases::text() const {
   for (const PhaseRow& row : kPhaseRows)
     if (const auto points = points_[std::size_t(row.phase)])
       parts.push_back(fmt::format("{} {}", points, row.what));
-  return parts.empty() ? "" : fmt::format("phases: {}\n{}", fmt::join(parts, ", "), lift_off_text());
+  if (parts.empty()) return "";
+  return fmt::format("{}phases: {}\n{}", friction_text(), fmt::join(parts, ", "), lift_off_text());
+}
+
+std::string Phases::friction_text() const {
+  const auto& [from, to] = local_friction_;
+  if (!(from <= to)) return "";
+  const std::string text =
+      fmt::format("local friction coefficient (R_rigid/R_n): {}", local_friction_.text());
+  if (to < kNothingToControl)
+    return fmt::format(
+        "{}; a brush has the friction of rigid bristles then: there is nothing to control "
+        "(docs/lift-off.md)\n",
+        text);
+  return text + (from < kNothingToControl
+                     ? fmt::format("; below {} there is nothing to control\n", kNothingToControl)
+                     : "\n");
 }
 
 std::string Phases::lift_off_text() const {

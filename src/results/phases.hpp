@@ -10,15 +10,16 @@
 
 namespace bristle::results {
 
-// Counts what brushes do, contact or bouncing, and compares their loads with lift-off loads
-// (docs/lift-off.md).
+// Counts what brushes do, contact or bouncing, and compares their loads with lift-off loads, and their local
+// friction with the friction that leaves something to control (docs/lift-off.md).
 class Phases {
  public:
   // Adds points. variable returns the values of a variable at these points; empty if the result lacks the
   // variable.
   void add(const std::function<std::vector<double>(const std::string&)>& variable);
-  // Returns lines for the terminal that say how many points are in which phase, where lift-off is expected,
-  // and why the formula of lift-off says nothing at some points; empty if no point has a known phase.
+  // Returns lines for the terminal that say what there is to control, how many points are in which phase,
+  // where lift-off is expected, and why the formula of lift-off says nothing at some points; empty if no
+  // point has a known phase.
   std::string text() const;
 
  private:
@@ -28,12 +29,14 @@ class Phases {
     void add(double value);
     std::string text() const;
   };
+  std::string friction_text() const;
   std::string lift_off_text() const;
 
   static constexpr std::size_t kPhases = 4;
   std::array<std::size_t, kPhases> points_{}, tested_{};   // number by phase; tested: where lift-off is known
   std::size_t bouncing_below_ = 0, in_contact_above_ = 0;  // numbers of tested points
   std::map<LiftOffDomain, std::size_t> outside_;
+  Range local_friction_;  // R_rigid/R_n
   Range load_in_N_, lift_off_, lift_off_in_N_, speed_, speed_error_;
 };
 

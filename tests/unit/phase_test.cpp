@@ -86,4 +86,19 @@ TEST_CASE("phase: lines compare loads with the lift-off load, and say why it is 
         "at 0.6 N this brush lifts off above about 4 m/s (between 2.7 and 6)\n");
 }
 
+TEST_CASE("phase: a line says what there is to control") {
+  const auto first_line = [](std::vector<double> R_x) {
+    const std::string text =
+        text_of({{"phase", {0, 0}}, {"R_n", {2, 2}}, {"R_x", std::move(R_x)}, {"R_x_norm", {0.8, 0.8}}});
+    return text.substr(0, text.find('\n'));
+  };
+  CHECK(first_line({1.6, 4.8}) == "local friction coefficient (R_rigid/R_n): 1 to 3");
+  CHECK(first_line({0.32, 4.8}) ==
+        "local friction coefficient (R_rigid/R_n): 0.2 to 3; below 0.5 there is nothing to control");
+  CHECK(first_line({0.32, NAN}) ==
+        "local friction coefficient (R_rigid/R_n): 0.2; a brush has the friction of rigid bristles then: "
+        "there is nothing to "
+        "control (docs/lift-off.md)");
+}
+
 }  // namespace bristle::phase_test
