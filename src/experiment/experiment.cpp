@@ -123,7 +123,11 @@ Loading read_loading(const Document& d, const std::vector<Axis>& axes) {
   const auto given_by = [&](const char* name, const char* si_name) {
     return json.contains(name) || varies(axes, name) || in_si(si_name) || varies(axes, si_name);
   };
-  const bool by_load = given_by("R_n", "R_n_N"), by_gap = given_by("z_0", "z_0_m");
+  const bool by_pressure = in_si("pressure_Pa") || varies(axes, "pressure_Pa");
+  if (by_pressure && (in_si("R_n_N") || varies(axes, "R_n_N")))
+    d.fail(in_si("pressure_Pa") ? "/si/pressure_Pa" : "/sweep/pressure_Pa",
+           "and R_n_N both give the load; remove one of them (a null removes an inherited key)");
+  const bool by_load = given_by("R_n", "R_n_N") || by_pressure, by_gap = given_by("z_0", "z_0_m");
   const bool by_trace = json.contains("trace");
   if (by_load + by_gap + by_trace == 0)
     d.fail("/load", "none of R_n, z_0 and trace is given, here or in the sweep");
@@ -131,9 +135,9 @@ Loading read_loading(const Document& d, const std::vector<Axis>& axes) {
     std::vector<std::string> given;
     for (const char* name : {"R_n", "z_0", "trace"})
       if (json.contains(name)) given.push_back(fmt::format("/load/{}", name));
-    for (const char* name : {"R_n_N", "z_0_m"})
+    for (const char* name : {"R_n_N", "pressure_Pa", "z_0_m"})
       if (in_si(name)) given.push_back(fmt::format("/si/{}", name));
-    for (const char* name : {"R_n", "R_n_N", "z_0", "z_0_m"})
+    for (const char* name : {"R_n", "R_n_N", "pressure_Pa", "z_0", "z_0_m"})
       if (varies(axes, name)) given.push_back(fmt::format("/sweep/{}", name));
     d.fail("/load", fmt::format("more than one of R_n, z_0 and trace is given: {}; keep one (a null removes "
                                 "an inherited key)",

@@ -17,13 +17,22 @@ void read_si_units(const json::Document& document, const std::vector<sweep::Axis
     if (!has(q.name)) continue;
     if (!given)
       document.fail("/si/" + std::string(q.name),
-                    "is swept, but there is no si block with m_kg, r0_m and V0_m_per_s");
+                    "is swept, but there is no si block with r0_m, V0_m_per_s, and m_kg or rho_kg_per_m3");
     for (const char* name : q.replaces)
       if (swept(name))
         document.fail("/si/" + std::string(q.name),
                       fmt::format("{}, which it replaces, is swept as well; remove one of them", name));
     if (json["si"].contains(q.name)) input.si[q.name] = json["si"][q.name];
   }
+  if (!given) return;
+  if (has("m_kg") == has("rho_kg_per_m3"))
+    document.fail(has("m_kg") ? "/si/rho_kg_per_m3" : "/si/m_kg",
+                  has("m_kg")
+                      ? "and m_kg both give the mass of a bristle; remove one of them (a null removes "
+                        "an inherited key)"
+                      : "is missing; give it, or rho_kg_per_m3 and R_m, from which it follows");
+  if (has("rho_kg_per_m3") && !has("R_m"))
+    document.fail("/si/R_m", "is missing; the mass of a bristle follows from it and rho_kg_per_m3");
   if ((has("nu") || has("R_m")) != has("E_Pa"))
     document.fail(has("E_Pa") ? "/si/nu" : "/si/E_Pa",
                   has("E_Pa") ? "is missing, and so is R_m; E_Pa needs at least one of them"
@@ -64,7 +73,7 @@ std::vector<std::string> si_warnings(const json::Document& document, const Exper
       warn(pointer, what);
     }
   const bool in_load = document.json()["load"].contains("R_n");
-  if (!given("R_n_N") && (in_load || experiment.sweep.varies("R_n")))
+  if (!given("R_n_N") && !given("pressure_Pa") && (in_load || experiment.sweep.varies("R_n")))
     warn(in_load ? "/load/R_n" : "/sweep/R_n",
          fmt::format("is in units of m V_0^2/r_0, {:.3g} N at the first point; R_n_N of the si block is the "
                      "load in newtons",

@@ -63,7 +63,8 @@ void Summary::report_failures() const {
 
 std::string Summary::cause_and_remedy(PointStatus status, const Example& example) const {
   const Setup& setup = experiment_.sweep.base.setup;
-  const bool si = !experiment_.sweep.base.si.empty();
+  const auto& given_in_si = experiment_.sweep.base.si;
+  const bool si = !given_in_si.empty();
   switch (status) {
     case PointStatus::unreachable: {
       // With these starts the tip touches the slab or is in it at any gap.
@@ -77,7 +78,9 @@ std::string Summary::cause_and_remedy(PointStatus status, const Example& example
           from_zero
               ? ""
               : " or, as R_n does not rise from 0 at first contact with this initial_state, a higher one",
-          si ? "\"si\": {\"R_n_N\": null}, " : "");
+          si ? fmt::format("\"si\": {{\"{}\": null}}, ",
+                           given_in_si.contains("pressure_Pa") ? "pressure_Pa" : "R_n_N")
+             : "");
     }
     case PointStatus::incomplete:
       return fmt::format(

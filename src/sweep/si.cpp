@@ -52,6 +52,15 @@ const std::vector<SiQuantity>& si_quantities() {
   using S = SiScales;
   static const std::vector<SiQuantity> table = {
       {"m_kg", "m", "tip mass", "kg", kPositive, {}},
+      {"rho_kg_per_m3",
+       R"(\rho)",
+       "density of the shaft",
+       "kg/m^3",
+       kPositive,
+       {},
+       nullptr,
+       "with R_m, in place of m_kg: the tip mass is 0.2427 of the mass of the shaft, as in its first mode of "
+       "bending"},
       {"r0_m", "r_0", "bristle length", "m", kPositive, {}},
       {"V0_m_per_s", "V_0", "slab velocity", "m/s", kPositive, {}},
       {"E_Pa", "E", "Young's modulus", "Pa", kPositive, {}},
@@ -90,6 +99,14 @@ const std::vector<SiQuantity>& si_quantities() {
       {"alpha_J", R"(\alpha)", "strength of the pole repulsion", "J", kNotNegative, {"alpha"}, &S::energy},
       {"beta_J", R"(\beta)", "strength of the slab's wall", "J", kPositive, {"beta"}, &S::energy},
       {"R_n_N", "R_n/N_{c,0}", "normal load per bristle", "N", kPositive, {"R_n"}, &S::force},
+      {"pressure_Pa",
+       "p",
+       "mean pressure of the slab on the lattice",
+       "Pa",
+       kPositive,
+       {"R_n"},
+       nullptr,
+       "in place of R_n_N: a bristle carries the load of its area, the square of the spacing"},
       {"z_0_m", "z_0", "gap between slab and ground", "m", kPositive, {"z_0"}, &S::length},
       {"L_x_m", "L_x", "slab length", "m", kPositive, {"L_x"}, &S::length},
       {"L_y_m", "L_y", "slab width", "m", kPositive, {"L_y"}, &S::length},
@@ -106,11 +123,15 @@ void apply_si_units(PointInput& input) {
   for (const SiQuantity& q : si_quantities())
     if (const auto given = input.si.find(q.name); q.scale && given != input.si.end())
       find_sweepable(q.replaces.front())->set(input, given->second / (scales.*q.scale));
+  const double spacing = input.setup.parameters.spacing;
+  if (const auto given = input.si.find("pressure_Pa"); given != input.si.end())
+    input.loading.R_n = given->second / scales.stress * spacing * spacing;
 }
 
 std::vector<std::string> values_from_si(const PointInput& input) {
   std::vector<std::string> out = replaceable_values(input, true);
-  if (input.si.contains("R_n_N")) out.push_back(fmt::format("R_n = {:.6g}", input.loading.R_n));
+  if (input.si.contains("R_n_N") || input.si.contains("pressure_Pa"))
+    out.push_back(fmt::format("R_n = {:.6g}", input.loading.R_n));
   if (input.si.contains("z_0_m")) out.push_back(fmt::format("z_0 = {:.6g}", *input.loading.z_0));
   return out;
 }
@@ -121,7 +142,11 @@ std::vector<std::string> values_not_in_si(const PointInput& input) {
 
 SiScales si_scales(const PointInput& input) {
   if (input.si.empty()) return {};
-  return bristle::si_scales(input.si.at("m_kg"), input.si.at("r0_m"), input.si.at("V0_m_per_s"));
+  const double r0 = input.si.at("r0_m");
+  const auto density = input.si.find("rho_kg_per_m3");
+  const double m =
+      density == input.si.end() ? input.si.at("m_kg") : modal_mass(density->second, input.si.at("R_m"), r0);
+  return bristle::si_scales(m, r0, input.si.at("V0_m_per_s"));
 }
 
 }  // namespace bristle::sweep

@@ -131,13 +131,14 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
        "phi_0_deg, zeta_theta, zeta_phi, mu_c, tau_f, R_c, E_star, A, C, V_s, lambda, lambda_z, alpha, beta, "
        "s_min, "
        "L_x, L_y, spacing, R, strain_limit, stretch_limit, R_n, nominal_friction, z_0, mean_deg, "
-       "concentration, seed, rows, m_kg, r0_m, "
+       "concentration, seed, rows, m_kg, rho_kg_per_m3, r0_m, "
        "V0_m_per_s, E_Pa, nu, "
        "R_m, "
        "k_r_over_k_phi, k_theta_over_k_phi, k_r_N_per_m, k_theta_N_m, k_phi_N_m, E_star_Pa, tau_f_Pa, R_c_m, "
        "V_s_m_per_s, "
        "alpha_J, "
-       "beta_J, R_n_N, z_0_m, L_x_m, L_y_m, spacing_m, friction, bending, contact, section, initial_state, "
+       "beta_J, R_n_N, pressure_Pa, z_0_m, L_x_m, L_y_m, spacing_m, friction, bending, contact, section, "
+       "initial_state, "
        "pole_rule, "
        "path, "
        "sampling"},
@@ -211,10 +212,27 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
        "@/e.json: /checks/0/statement: is missing; allowed: a string (statement of the paper and the "
        "measured number that decides it)"},
       {with(R"("sweep": {"V0_m_per_s": {"values": [1, 2]}})"),
-       "@/e.json: /si/V0_m_per_s: is swept, but there is no si block with m_kg, r0_m and V0_m_per_s"},
+       "@/e.json: /si/V0_m_per_s: is swept, but there is no si block with r0_m, V0_m_per_s, and m_kg or "
+       "rho_kg_per_m3"},
       {with(
            R"("si": {"m_kg": 1, "r0_m": 1, "V0_m_per_s": 1, "k_r_N_per_m": 1}, "sweep": {"k_r": {"values": [1, 2]}})"),
        "@/e.json: /si/k_r_N_per_m: k_r, which it replaces, is swept as well; remove one of them"},
+      {with(R"("si": {"r0_m": 1, "V0_m_per_s": 1})"),
+       "@/e.json: /si/m_kg: is missing; give it, or rho_kg_per_m3 and R_m, from which it follows"},
+      {with(R"("si": {"m_kg": 1, "rho_kg_per_m3": 1000, "r0_m": 1, "V0_m_per_s": 1})"),
+       "@/e.json: /si/rho_kg_per_m3: and m_kg both give the mass of a bristle; remove one of them (a null "
+       "removes an inherited key)"},
+      {with(R"("si": {"rho_kg_per_m3": 1000, "r0_m": 1, "V0_m_per_s": 1})"),
+       "@/e.json: /si/R_m: is missing; the mass of a bristle follows from it and rho_kg_per_m3"},
+      {with(
+           R"("si": {"m_kg": 1, "r0_m": 1, "V0_m_per_s": 1, "R_n_N": 1, "pressure_Pa": 1}, "load": {"R_n": null})"),
+       "@/e.json: /si/pressure_Pa: and R_n_N both give the load; remove one of them (a null removes an "
+       "inherited key)"},
+      {with(
+           R"("si": {"m_kg": 1, "r0_m": 1, "V0_m_per_s": 1, "pressure_Pa": 1}, "load": {"R_n": null, "z_0": 0.9})"),
+       "@/e.json: /load: more than one of R_n, z_0 and trace is given: /load/z_0, /si/pressure_Pa; keep one "
+       "(a "
+       "null removes an inherited key)"},
       {with(R"("si": {"m_kg": 1, "r0_m": 1, "V0_m_per_s": 1, "nu": 0.4})"),
        "@/e.json: /si/E_Pa: is missing; nu and R_m need it"},
       {with(

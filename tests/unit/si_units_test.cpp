@@ -52,6 +52,25 @@ TEST_CASE("a material in SI units has the same stiffness at every velocity") {
   CHECK(fast.loading.R_n * si_scales(fast).force == Approx(0.1));
 }
 
+TEST_CASE("a density gives the mass of the first mode of bending, and a pressure the load of a bristle") {
+  const Experiment e = load_experiment(
+      kExperiments + "/ski.json",
+      {{"/si/m_kg=null", "/si/rho_kg_per_m3=1100", "/si/spacing_m=0.004", "/sweep=null",
+        R"(/sweep={"pressure_Pa": {"values": [1e4, 3e4]}, "R_m": {"values": [0.001, 0.0012]}})"},
+       "full"});
+  for (std::size_t i = 0; i < e.sweep.size(); ++i) {
+    const PointInput point = e.sweep.point(i);
+    const SiScales scales = si_scales(point);
+    const double R = point.si.at("R_m"), r0 = point.si.at("r0_m"), V0 = point.si.at("V0_m_per_s");
+    const double m = scales.energy / (V0 * V0), area = M_PI * R * R, I = M_PI * std::pow(R, 4) / 4;
+    CAPTURE(R, m);
+    // The lowest angular frequency of a clamped rod, from the root 1.8751 of its frequency equation.
+    const double of_rod = 1.8751041 * 1.8751041 * std::sqrt(1e8 * I / (1100 * area * std::pow(r0, 4)));
+    CHECK(std::sqrt(3 * 1e8 * I / (std::pow(r0, 3) * m)) == Approx(of_rod).epsilon(1e-6));
+    CHECK(point.loading.R_n * scales.force == Approx(point.si.at("pressure_Pa") * 0.004 * 0.004));
+  }
+}
+
 TEST_CASE("a measured polar stiffness replaces that of the shaft, and the ratios are to it") {
   const Experiment e = load_experiment(kExperiments + "/ski.json", {{"/si/k_phi_N_m=0.02"}, "full"});
   const PointInput point = e.sweep.point(0);

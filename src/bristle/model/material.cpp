@@ -15,6 +15,11 @@ double cantilever_stiffness(double E, double R, double r0) {
   return 3 * M_PI * E * (R * R) * (R * R) / (4 * r0);
 }
 
+double modal_mass(double rho, double R, double r0) {
+  const double square = 1.8751040687119612 * 1.8751040687119612;
+  return 3 / (square * square) * rho * M_PI * R * R * r0;
+}
+
 double contact_modulus(double E, double nu) { return E / (1 - nu * nu); }
 
 void set_nominal_friction(Parameters& p, double mu, double R_n) {

@@ -14,6 +14,12 @@ SiScales si_scales(double m, double r0, double V0);
 // paper. E: Young's modulus in Pa; R: radius in m; r0: length in m
 double cantilever_stiffness(double E, double R, double r0);
 
+// Returns the mass in kg that, at the tip of a massless shaft, vibrates in bending as fast as the shaft with
+// its own mass in its first mode: 3/beta^4 = 0.2427 of rho pi R^2 r0, where beta = 1.8751 is the first root
+// of cos(beta) cosh(beta) = -1 (S. S. Rao, Mechanical Vibrations, on the bending of beams). rho: density in
+// kg/m^3; R: radius in m; r0: length in m
+double modal_mass(double rho, double R, double r0);
+
 // Returns the contact modulus E* in Pa of a tip with Young's modulus E in Pa and Poisson's ratio nu against a
 // rigid slab: E/(1 - nu^2), Hertz.
 double contact_modulus(double E, double nu);
