@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bristle/dynamics/passage.hpp"
+#include "run/passage_memo.hpp"
 
 #include <atomic>
 #include <condition_variable>
@@ -8,6 +9,7 @@
 #include <functional>
 #include <mutex>
 #include <optional>
+#include <unordered_map>
 
 namespace bristle::run {
 
@@ -27,6 +29,8 @@ class PassageRequest {
   }
   std::vector<Passage> take() { return std::move(passages_); }
 
+  std::vector<PassageKey> keys;  // of the passages in the memo; none if they are not to be remembered
+
  private:
   std::vector<Passage> passages_;
   std::atomic<std::size_t> outstanding_ = 0;
@@ -43,11 +47,17 @@ struct PassageChunk {
 // several threads.
 class PassageQueue {
  public:
-  explicit PassageQueue(std::size_t threads) : threads_(threads) {}
+  // memo: has passages of earlier requests; null: the passages of each request are computed
+  explicit PassageQueue(std::size_t threads, PassageMemo* memo = nullptr, Engine engine = Engine::fast)
+      : threads_(threads), memo_(memo), engine_(engine) {}
 
-  // Adds passages. tasks and request must live until the request is complete or no thread takes chunks any
+  // Adds passages, except those that the memo has, and those that are being computed for another request. The
+  // request receives the former at once, and may then be complete; it receives the latter together with the
+  // other request. tasks and request must live until the request is complete or no thread takes chunks any
   // more.
   void add(const std::vector<PassageTask>& tasks, PassageRequest& request);
+  // Delivers a computed passage of a chunk to its request, and to all requests that wait for this passage.
+  void deliver(PassageRequest& request, std::size_t index, Passage&& passage);
   // Returns the next chunk for a thread that has `passages` passages; none if the thread has enough, or if it
   // has any while another thread has none.
   std::optional<PassageChunk> take(std::size_t passages);
@@ -58,11 +68,23 @@ class PassageQueue {
   void notify();
 
  private:
+  // A passage that a request expects.
+  struct Expected {
+    PassageRequest* request;
+    std::size_t index;
+  };
+
+  bool comes_without_chunk(PassageRequest& request, std::size_t index);
+
   const std::size_t threads_;
+  PassageMemo* const memo_;
+  const Engine engine_;
   std::mutex mutex_;
   std::condition_variable changed_;
   std::deque<PassageChunk> chunks_;
   std::size_t waiting_ = 0;  // threads without passages
+  // What else waits for a passage of a chunk, until the passage is delivered.
+  std::unordered_map<PassageKey, std::vector<Expected>, PassageKeyHash> in_flight_;
 };
 
 }  // namespace bristle::run
