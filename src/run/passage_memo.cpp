@@ -85,7 +85,7 @@ std::vector<std::size_t> PassageMemo::share(const Sweep& sweep, const std::vecto
   // Hash of the brush, place in points. Of brushes with one hash, the first is shared, which costs time only.
   std::vector<std::pair<std::size_t, std::size_t>> by_brush;
   for (std::size_t place = 0; place < points.size(); ++place) {
-    const experiment::PointInput point = sweep.point(points[place]);
+    const sweep::PointInput point = sweep.point(points[place]);
     std::string brush = brush_of(point.setup.parameters, sweep.engine);
     if (point.loading.z_0) brush += bytes_of(*point.loading.z_0);
     by_brush.emplace_back(std::hash<std::string>()(brush), place);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bristle/dynamics/passage.hpp"
-#include "experiment/sweep.hpp"
+#include "sweep/sweep.hpp"
 
 #include <array>
 #include <cstdint>

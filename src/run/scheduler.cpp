@@ -50,15 +50,16 @@ class Scheduler {
  public:
   using Sink = std::function<void(PointReport&&)>;
   Scheduler(const Sweep& sweep, const std::vector<std::size_t>& points, std::size_t threads, const Sink& sink,
-            const std::function<bool()>& stop, const SchedulerObserver& observer)
+            const std::function<bool()>& stop, const SchedulerObserver& observer, PassageMemo* memo)
       : sweep_(sweep),
         layout_(results::layout_of(sweep)),
-        points_(points),
+        points_(memo ? memo->share(sweep, points) : points),
         threads_(threads),
         sink_(sink),
         stop_(stop),
         observer_(observer),
-        passages_(threads) {}
+        memo_(memo),
+        passages_(threads, memo, sweep.engine) {}
 
   // Solves points on the calling thread, until all points of the sweep are solved.
   void run_thread();
@@ -84,11 +85,12 @@ class Scheduler {
 
   const Sweep& sweep_;
   const results::Layout layout_;
-  const std::vector<std::size_t>& points_;
+  const std::vector<std::size_t> points_;
   const std::size_t threads_;
   const Sink& sink_;
   const std::function<bool()>& stop_;
   const SchedulerObserver& observer_;
+  PassageMemo* const memo_;
   PassageQueue passages_;
 
   std::atomic<std::size_t> delivered_ = 0;
@@ -206,9 +208,7 @@ class Scheduler::Worker {
         scheduler_.passages_.wait([this] { return any_ready() || scheduler_.solved(); });
       for (auto it = points_->begin(); it != points_->end();) {
         const auto point = it++;
-        if (!point->request.complete()) continue;
-        point->solving.resume(point->request.take());
-        request_passages(point);
+        if (point->request.complete()) resume(point);
       }
     }
   }
@@ -230,16 +230,22 @@ class Scheduler::Worker {
     }
   }
 
-  // Puts the passages that the point waits for into the queue, or delivers the point if it is solved.
+  void resume(Points::iterator point) {
+    point->solving.resume(point->request.take());
+    request_passages(point);
+  }
+
+  // Puts the passages that the point waits for into the queue, or delivers the point if it is solved. Resumes
+  // the point as long as its passages are known.
   void request_passages(Points::iterator point) {
-    const std::vector<PassageTask>* tasks = point->solving.waiting_for();
-    if (!tasks) {
-      scheduler_.deliver(std::move(point->report));
-      points_->erase(point);
-      return;
+    while (const std::vector<PassageTask>* tasks = point->solving.waiting_for()) {
+      point->request.expect(tasks->size());
+      scheduler_.passages_.add(*tasks, point->request);
+      if (!point->request.complete()) return;
+      point->solving.resume(point->request.take());
     }
-    point->request.expect(tasks->size());
-    scheduler_.passages_.add(*tasks, point->request);
+    scheduler_.deliver(std::move(point->report));
+    points_->erase(point);
   }
 
   void submit(const PassageChunk& chunk) {
@@ -260,7 +266,7 @@ class Scheduler::Worker {
     const auto [request, index] = tickets_[ticket];
     free_.push_back(ticket);
     ++computed_;
-    if (request->deliver(index, std::move(passage))) scheduler_.passages_.notify();
+    scheduler_.passages_.deliver(*request, index, std::move(passage));
   }
 
   bool any_ready() const {
@@ -279,10 +285,13 @@ class Scheduler::Worker {
 struct Stopped {};
 
 void Scheduler::solve_sequentially() {
-  const PassageRunner run = [this, runner = make_runner(sweep_.engine)](const auto& tasks) {
+  const PassageRunner compute = [this, runner = make_runner(sweep_.engine)](const auto& tasks) {
     std::vector<Passage> passages = runner(tasks);
     if (ended(tasks.size())) throw Stopped{};
     return passages;
+  };
+  const PassageRunner run = [&](const auto& tasks) {
+    return memo_ ? memo_->run(tasks, sweep_.engine, compute) : compute(tasks);
   };
   try {
     while (const auto index = next_point()) deliver(solve(*index, run));
@@ -308,8 +317,8 @@ int all_cores() { return int(std::max(1u, std::thread::hardware_concurrency()));
 
 bool run_sweep(const Sweep& sweep, const std::vector<std::size_t>& points, int threads,
                const std::function<void(PointReport&&)>& sink, const std::function<bool()>& stop,
-               const SchedulerObserver& observer) {
-  Scheduler scheduler(sweep, points, std::size_t(threads), sink, stop, observer);
+               const SchedulerObserver& observer, PassageMemo* memo) {
+  Scheduler scheduler(sweep, points, std::size_t(threads), sink, stop, observer, memo);
   std::vector<std::thread> others;
   others.reserve(std::size_t(threads));
   try {

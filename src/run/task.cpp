@@ -56,7 +56,7 @@ std::vector<std::size_t> missing_points(const KeyedPoints& points, results::Jour
 
 // Computes the missing points and appends each to the journal when it is solved.
 void fill_journal(const Sweep& sweep, const KeyedPoints& points, const std::vector<std::size_t>& missing,
-                  int threads, results::Journal& journal, Progress& progress) {
+                  int threads, results::Journal& journal, Progress& progress, PassageMemo& memo) {
   const std::size_t all = points.points().size();
   std::size_t saved = all - missing.size();
   const auto sink = [&](PointReport&& report) {
@@ -76,7 +76,7 @@ void fill_journal(const Sweep& sweep, const KeyedPoints& points, const std::vect
   };
   bool complete = false;
   try {
-    complete = run_sweep(sweep, missing, threads, sink, interrupted, {slow, passages});
+    complete = run_sweep(sweep, missing, threads, sink, interrupted, {slow, passages}, &memo);
     journal.sync();
   } catch (const RunError& e) {
     throw RunError(e.reason(), saved_text());
@@ -86,13 +86,16 @@ void fill_journal(const Sweep& sweep, const KeyedPoints& points, const std::vect
 
 // Finds the jumps of the gap between the points, which are all in the journal.
 results::Rows find_jumps(const Experiment& experiment, const KeyedPoints& points, results::Journal& journal,
-                         const RunOptions& options) {
+                         const RunOptions& options, PassageMemo& memo) {
   if (experiment.locate_jumps.empty()) return {};
+  // The points between those of a line have its brush, also if no point of the line was computed by this run.
+  memo.share(experiment.sweep, points.points());
   const std::string name = fmt::format("{}: jumps along {}", experiment.name, experiment.locate_jumps);
   const auto solve = [&](const Sweep& between, const std::vector<std::size_t>& indices) {
     Progress progress(name, indices.size(), options.quiet);
     std::vector<Gap> gaps;
-    for (const results::PointRecord& record : solve_points(between, indices, options, journal, progress))
+    for (const results::PointRecord& record :
+         solve_points(between, indices, options, journal, progress, memo))
       gaps.push_back(gap_of(record));
     progress.finish();
     return gaps;
@@ -107,8 +110,8 @@ results::Rows find_jumps(const Experiment& experiment, const KeyedPoints& points
 // all in the journal of the result.
 Summary finish(const Experiment& experiment, const RunOptions& options, const KeyedPoints& points,
                results::Journal& journal, const std::map<std::string, std::string>& entries,
-               Progress& progress) {
-  const results::Rows jumps = find_jumps(experiment, points, journal, options);
+               Progress& progress, PassageMemo& memo) {
+  const results::Rows jumps = find_jumps(experiment, points, journal, options, memo);
   try {
     Summary summary = write_result(experiment, options.output, points, jumps, {}, journal, entries, progress);
     for (const auto& [shard, path] : shard_journals(options.output)) journal.remove_copied(path);
@@ -156,9 +159,11 @@ void compute(const Experiment& experiment, const RunOptions& options) {
   const std::size_t all = points.points().size(), found = all - missing.size();
   entries["points_computed"] = fmt::format("{} of {}", missing.size(), all);
   Progress progress(experiment.name, missing.size(), options.quiet);
-  fill_journal(experiment.sweep, points, missing, options.threads, journal, progress);
-  const Summary summary = options.shard ? summary_of(experiment, points, journal)
-                                        : finish(experiment, options, points, journal, entries, progress);
+  PassageMemo memo(options.memo_bytes);
+  fill_journal(experiment.sweep, points, missing, options.threads, journal, progress, memo);
+  const Summary summary = options.shard
+                              ? summary_of(experiment, points, journal)
+                              : finish(experiment, options, points, journal, entries, progress, memo);
   progress.finish();
   summary.report_failures();
   if (options.quiet) return;
@@ -177,12 +182,12 @@ void compute(const Experiment& experiment, const RunOptions& options) {
 
 std::vector<results::PointRecord> solve_points(const Sweep& sweep, const std::vector<std::size_t>& points,
                                                const RunOptions& options, results::Journal& journal,
-                                               Progress& progress) {
+                                               Progress& progress, PassageMemo& memo) {
   const std::set<std::size_t> ascending(points.begin(), points.end());
   const KeyedPoints keyed(sweep, {ascending.begin(), ascending.end()});
   const std::vector<std::size_t> missing = missing_points(keyed, journal, options.force);
   for (std::size_t found = missing.size(); found < ascending.size(); ++found) progress.step();
-  fill_journal(sweep, keyed, missing, options.threads, journal, progress);
+  fill_journal(sweep, keyed, missing, options.threads, journal, progress, memo);
   std::vector<results::PointRecord> records;
   for (const std::size_t point : points)
     records.push_back(journal.read(keyed.key(point), keyed.layout()).record);
