@@ -121,10 +121,11 @@ test: build-tests ## what every commit needs: minutes
 test-all: ## everything, nightly and before a release: sanitizers, fuzzers, other compiler, all figures, documents
 	@scripts/install-packages test test-all
 	@$(MAKE) --no-print-directory build-tests
-	@ninja -C $(BUILD) --quiet -j $(JOBS) bench_engine bench_quadrature scipy_slopes accuracy
+	@ninja -C $(BUILD) --quiet -j $(JOBS) bench_engine bench_quadrature bench_sharing scipy_slopes accuracy
 	@scripts/run-ctest $(BUILD)
 
 DESIGNS := target target_at_jump robust front indices
+SHARING := loads slope load speed hysteresis orientation
 bench: build ## benchmarks: ratios against peers in the same run, into docs/performance.md
 	@scripts/install-packages bench
 	@scripts/quietly cmake --preset release -G Ninja  # finds peers that have just been installed
@@ -138,17 +139,26 @@ bench: build ## benchmarks: ratios against peers in the same run, into docs/perf
 	$$($(PLOT_PYTHON)) scripts/time_experiments.py $(BUILD)/bristle $(FIGURES:%=experiments/%.json) >$(BUILD)/bench/figures.json
 	$$($(PLOT_PYTHON)) scripts/time_experiments.py $(BUILD)/bristle $(DESIGNS:%=benchmarks/designs/%.json) --threads 1 \
 	  >$(BUILD)/bench/designs.json
-	@$(MAKE) --no-print-directory measure-commands
+	@$(MAKE) --no-print-directory measure-commands measure-sharing
 	@$$($(PLOT_PYTHON)) scripts/performance.py $(BUILD)/bench
 
-# Of the benchmarks only that of the commands on finished results, and its table.
-.PHONY: measure-commands bench-commands
+# Of the benchmarks only that of the commands on finished results, or of points that share passages, and its table.
+.PHONY: measure-commands bench-commands measure-sharing bench-sharing
 measure-commands: build report-packages
 	@mkdir -p $(BUILD)/bench
 	$$($(PLOT_PYTHON) jinja2 yaml) scripts/time_commands.py $(BUILD)/bristle >$(BUILD)/bench/commands.json
 
 bench-commands: measure-commands
-	@$$($(PLOT_PYTHON)) scripts/performance.py $(BUILD)/bench --commands-only
+	@$$($(PLOT_PYTHON)) scripts/performance.py $(BUILD)/bench --only commands
+
+measure-sharing: build
+	@ninja -C $(BUILD) --quiet -j $(JOBS) bench_sharing
+	@mkdir -p $(BUILD)/bench/sharing
+	@cp experiments/*.json benchmarks/sharing/*.json $(BUILD)/bench/sharing/  # they extend each other
+	$(BUILD)/benchmarks/bench_sharing $(SHARING:%=$(BUILD)/bench/sharing/%.json) >$(BUILD)/bench/sharing.json
+
+bench-sharing: measure-sharing
+	@$$($(PLOT_PYTHON)) scripts/performance.py $(BUILD)/bench --only sharing
 
 accuracy: build ## errors of the methods, measured: docs/accuracy.md
 	@ninja -C $(BUILD) --quiet -j $(JOBS) accuracy

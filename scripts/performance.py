@@ -152,8 +152,6 @@ def design_table(designs):
                    for d in designs))
 
 
-# Around the table of commands, which is also written alone.
-COMMANDS_BEGIN, COMMANDS_END = "<!-- commands -->", "<!-- end of commands -->"
 COMMANDS = ["run, up to date", "run, all points in the journal", "run --point", "info", "check", "check --json", "export", "diff",
             "reference update", "report", "archive", "verify"]
 
@@ -171,6 +169,27 @@ def command_table(measured):
              cell("sample", counts[-1], command, "MB")] for command in COMMANDS]
     heads = [f"{kind} {points:.0e}".replace("e+0", "e") for kind in ("sweep", "sample") for points in counts]
     return table(["command", *heads, f"MB {counts[-1]:.0e}".replace("e+0", "e")], *rows)
+
+
+def sharing_table(measured):
+    """CPU time of experiments whose points share passages, over that of the same without sharing."""
+    rows = [[one["name"], one["title"], f"{one['cpu_seconds']:.1f}", f"{one['ratio']:.2f}",
+             f"{one['loads'] * one['ratio']:.1f} of {one['loads']}" if "loads" in one else "\u2013"] for one in measured]
+    return table(["experiment", "what", "CPU, s", "over that without sharing", "cost of all loads, in loads"], *rows)
+
+
+# The tables that are also written alone: each has comments around it, which name the file of its numbers.
+ALONE = {"commands": command_table, "sharing": sharing_table}
+
+
+def marked(name, measured):
+    return f"<!-- {name} -->\n\n{ALONE[name](measured)}\n\n<!-- end of {name} -->"
+
+
+def replaced(page, name, measured):
+    """The page with this table anew."""
+    before, rest = page.split(f"<!-- {name} -->")
+    return before + marked(name, measured) + rest.split(f"<!-- end of {name} -->")[1]
 
 
 def passage_table(cases):
@@ -217,7 +236,7 @@ def contact_rows(engine):
             for one in engine["contacts"]]
 
 
-def document(engine, kernels, peers, cases, purposes, figures, designs, commands):
+def document(engine, kernels, peers, cases, purposes, figures, designs, commands, sharing):
     everything = engine["all_kinds"]
     scaling = [[str(s["bristles"]), str(s["threads"]), f"{s['ms_per_bristle']:.3f}"] for s in engine["scaling"]]
     return f"""# Performance
@@ -243,11 +262,7 @@ Commands on finished results of a sweep of two quantities, and of a sample by ta
 with that of child processes, and the most memory of a process. A dash: not measured, or not possible,
 such as reading a reference of more than 64 MB.
 
-{COMMANDS_BEGIN}
-
-{command_table(commands)}
-
-{COMMANDS_END}
+{marked("commands", commands)}
 
 The rest of this page is for developers.
 
@@ -292,6 +307,13 @@ Relative error, the larger of R_n and R_x, compared with a mean of tolerance 3e-
 
 {purposes_text(purposes)}
 
+## Points that share passages
+
+Points of one brush that differ in the load, the path or the distribution of azimuths alone take common
+passages from a memo of the run (docs/numerics.md). CPU time on one thread, the median ratio of {len(sharing[0]["ratios"])} pairs.
+
+{marked("sharing", sharing)}
+
 ## Scaling
 
 {table(["bristles", "threads", "ms per bristle"], *scaling)}
@@ -304,15 +326,15 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("measured", help="directory with the JSON files of the benchmarks")
     parser.add_argument("-o", "--output", default="docs", help="directory of performance.md and images/")
-    parser.add_argument("--commands-only", action="store_true", help="replace only the table of commands in performance.md")
+    parser.add_argument("--only", choices=ALONE, help="replace only this table in performance.md")
     arguments = parser.parse_args()
     path = os.path.join(arguments.output, "performance.md")
-    commands = read_json(os.path.join(arguments.measured, "commands.json"), "`make bench-commands` writes it")
-    if arguments.commands_only:
+    alone = {name: read_json(os.path.join(arguments.measured, f"{name}.json"), f"`make bench-{name}` writes it")
+             for name in ALONE if arguments.only in (None, name)}
+    if arguments.only:
         with open(path, encoding="utf-8") as file:
-            before, rest = file.read().split(COMMANDS_BEGIN)
-        after = rest.split(COMMANDS_END)[1]
-        write_text(path, f"{before}{COMMANDS_BEGIN}\n\n{command_table(commands)}\n\n{COMMANDS_END}{after}")
+            page = file.read()
+        write_text(path, replaced(page, arguments.only, alone[arguments.only]))
         print(path)
         return
     engine, kernels, quadratures, scipy, figures, designs = (
@@ -326,7 +348,7 @@ def main():
     images = os.path.join(arguments.output, "images")
     save_figure(work_precision(peers), images, "work-precision", formats=("png",), bbox_inches="tight")
     save_figure(quadrature(cases), images, "quadrature", formats=("png",), bbox_inches="tight")
-    write_text(path, filled(document(engine, kernels, peers, cases, quadratures["purposes"], figures, designs, commands)))
+    write_text(path, filled(document(engine, kernels, peers, cases, quadratures["purposes"], figures, designs, **alone)))
     print(path)
 
 
