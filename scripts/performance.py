@@ -173,9 +173,9 @@ def command_table(measured):
 
 def sharing_table(measured):
     """CPU time of experiments whose points share passages, over that of the same without sharing."""
-    rows = [[one["name"], one["title"], f"{one['cpu_seconds']:.1f}", f"{one['ratio']:.2f}",
-             f"{one['loads'] * one['ratio']:.1f} of {one['loads']}" if "loads" in one else "\u2013"] for one in measured]
-    return table(["experiment", "what", "CPU, s", "over that without sharing", "cost of all loads, in loads"], *rows)
+    rows = [[one["name"], one["title"], f"{one['cpu_seconds']:.0f}", f"{one['ratio']:.2f}",
+             f"{one['loads'] * one['ratio']:.1f}/{one['loads']}" if "loads" in one else "\u2013"] for one in measured]
+    return table(["experiment", "what", "CPU, s", "over that without sharing", "cost in loads/loads"], *rows)
 
 
 # The tables that are also written alone: each has comments around it, which name the file of its numbers.

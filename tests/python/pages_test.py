@@ -123,7 +123,7 @@ def check_performance():
                   "| target | a design | 1 | 7 | 15 |",
                   "300 cycles with all lanes full", "The kernel of rods takes 321 cycles, 1.50 times its limit of 214", "| 10 | 0.5 | 128 | 1.0e-03 | 543 | 3.0e-04 |", "50 passages",
                   "| check | 0.12 | 0.34 | 0.56 | 0.78 | 41 |", "| diff | 0.50 | \u2013 | 0.50 | \u2013 | \u2013 |",
-                  "| loads | many loads | 12.3 | 0.75 | 15.0 of 20 |", "| paths | two paths | 4.5 | 0.90 | \u2013 |",
+                  "| loads | many loads | 12 | 0.75 | 15.0/20 |", "| paths | two paths | 4 | 0.90 | \u2013 |",
                   f"| one | 1 | {figure['passages']} | {figure['cpu_seconds']:.1f} | {figure['seconds']:.1f} |"):
         assert words in page, (words, page)
     assert {path.name for path in (folder / "images").iterdir()} >= {"work-precision.png", "quadrature.png"}
