@@ -245,6 +245,7 @@ bool run_design(const Experiment& experiment, const run::RunOptions& options) {
     throw InputError(experiment.path +
                      ": /sweep/sample: the design chooses the points of the sample; remove it");
   validate_design(experiment);
+  run::read_analysis(experiment);
   require_replaceable(options.output, results::result_file());
   if (options.shard || options.complete)
     throw InputError(experiment.path +

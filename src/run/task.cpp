@@ -243,6 +243,7 @@ void require_no_loss(const Experiment& experiment, const RunOptions& options) {
 }
 
 void run_experiment(const Experiment& experiment, const RunOptions& options) {
+  read_analysis(experiment);
   require_replaceable(options.output, results::result_file());
   if (!options.force && results::up_to_date(options.output, experiment)) {
     if (!options.shard) refresh_description(experiment, options.output);

@@ -1,4 +1,5 @@
 // The friction law of an experiment's own: a table of values, or a formula.
+#include "design/block.hpp"
 #include "experiment/experiment.hpp"
 #include "bristle/model/friction/formula.hpp"
 #include "bristle/model/friction/laws.hpp"
@@ -262,7 +263,8 @@ TEST_CASE("custom friction: what is not a law is refused with the place and the 
   const std::string design =
       R"("load": {"z_0": 0.6, "R_n": null, "path": null}, "design": {"variables": {"k_r": [5, 40]},
       "objectives": [{"minimise": "R_x"}], "budget": 1, "second_model": {"friction": "custom"}})";
-  CHECK_THROWS_WITH(files.load(design), Catch::Contains("/design/second_model/friction: \"custom\" needs"));
+  CHECK_THROWS_WITH(design::read_design(files.load(design)),
+                    Catch::Contains("/design/second_model/friction: \"custom\" needs"));
   CHECK(files.load(design + law).sweep.friction_law);
 }
 
