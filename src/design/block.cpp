@@ -91,7 +91,8 @@ std::string Constraint::text() const {
 
 Design read_design(const Experiment& experiment) {
   const Node block(*experiment.source, "/design"), load(*experiment.source, "/load");
-  Design design{experiment.ranges};
+  Design design;
+  static_cast<experiment::Ranges&>(design) = experiment.ranges;
   const bool tolerances = !design.tolerances.empty();
   design.tolerance_samples = tolerances ? block.get("tolerance_samples", std::size_t(16)) : 0;
   for (const Node& objective : block["objectives"].elements())
