@@ -23,7 +23,7 @@ double seconds(const Experiment& experiment, const std::string& output, std::siz
   const run::RunOptions options{
       .output = output, .threads = 1, .force = true, .quiet = true, .memo_bytes = memo_bytes};
   const std::clock_t start = std::clock();
-  if (experiment.design) design::run_design(experiment, options);
+  if (!experiment.ranges.empty()) design::run_design(experiment, options);
   else run::run_experiment(experiment, options);
   return double(std::clock() - start) / CLOCKS_PER_SEC;
 }

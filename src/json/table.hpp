@@ -3,6 +3,7 @@
 #include "json/json.hpp"
 
 #include <cstddef>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
