@@ -60,7 +60,9 @@ class Integration {
         stepper_(typename Controlled::error_checker_type(task.integrator.atol, task.integrator.rtol)),
         y_(y) {
     const double x_0 = y[component::X], L_x = task.parameters->L_x;
-    const auto excess = [&] { return t_new_ - (y_new_[component::X] - x_0) - L_x; };  // of the slip beyond the exit
+    const auto excess = [&] {
+      return t_new_ - (y_new_[component::X] - x_0) - L_x;
+    };  // of the slip beyond the exit
     system_(y_, slope_, 0);
     for (long attempt = 0; attempt < kMaxAttempts; ++attempt) {
       const double tried = h_;

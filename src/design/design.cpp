@@ -3,7 +3,7 @@
 #include "design/block.hpp"
 #include "design/groups.hpp"
 #include "design/trials.hpp"
-#include "sampling/quantile.hpp"
+#include "sampling/rounded.hpp"
 #include "results/digest.hpp"
 #include "results/reader.hpp"
 #include "run/analysis.hpp"

@@ -2,7 +2,7 @@
 
 #include "bristle/model/elementary.hpp"
 #include "bristle/random.hpp"
-#include "sampling/sobol.hpp"
+#include "bristle/ensemble/sobol.hpp"
 
 #include <nlopt.hpp>
 

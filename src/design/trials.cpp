@@ -1,9 +1,10 @@
 #include "design/trials.hpp"
 
-#include "sampling/quantile.hpp"
+#include "bristle/ensemble/normal_quantile.hpp"
+#include "sampling/rounded.hpp"
 #include "run/jumps.hpp"
 #include "run/shard.hpp"
-#include "sampling/sobol.hpp"
+#include "bristle/ensemble/sobol.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -90,6 +90,19 @@ IntegratorOptions read_integrator(const Document& d) {
   return options;
 }
 
+Scatter read_scatter(const Document& d) {
+  const json::Node block(d, "/scatter");
+  Scatter scatter;
+  scatter.bristles = block.get("bristles", scatter.bristles);
+  for (std::size_t i = 0; i < kScattered.size(); ++i) {
+    const json::Node property = block[kScattered[i].name];
+    if (!property.exists()) continue;
+    scatter.uniform[i] = property.has("uniform");
+    scatter.width[i] = property.value().front();
+  }
+  return scatter;
+}
+
 Trace read_trace(const Json& json) {
   Trace trace;
   trace.to = json.value("to", trace.to);
@@ -199,7 +212,7 @@ Experiment read(const Document& d) {
   if (e.sweep.varies("C") && model.contains("C") && model["C"].is_string())
     d.fail("/model/C", "is swept; its value here must be a number");
   e.sweep.engine = from_word<Engine>(json["integrator"].value("engine", "fast"));
-  e.sweep.base.setup = {read_model(d), read_orientation(d), read_integrator(d)};
+  e.sweep.base.setup = {read_model(d), read_orientation(d), read_integrator(d), read_scatter(d)};
   e.sweep.friction_law = read_friction_law(d, e.sweep.axes);
   e.sweep.base.setup.parameters.custom_friction.table = e.sweep.friction_law.get();
   if (e.sweep.friction_law) e.sweep.friction_law_text = json["friction_law"].dump();

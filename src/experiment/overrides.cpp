@@ -29,6 +29,8 @@ JsonPointer place_of(const json::Document& document, const std::string& quantity
   for (const char* block : {"/si", "/model", "/load", "/orientation"})
     for (const std::string& name : {quantity + "_m", quantity})
       if (const JsonPointer at = JsonPointer(block) / name; document.json().contains(at)) return at;
+  if (const std::string prefix = sweep::kScatterPrefix; quantity.starts_with(prefix))
+    return JsonPointer("/scatter") / quantity.substr(prefix.size());
   return JsonPointer("/model") / quantity;
 }
 

@@ -139,6 +139,30 @@ void check_lattice(const json::Document& d, const Experiment& experiment) {
   }
 }
 
+// Checks at every point that no bristle of the brush deviates to an impossible value.
+void check_scatter(const json::Document& d, const Experiment& experiment) {
+  std::vector<std::string> names;
+  for (const ScatteredProperty& one : kScattered)
+    names.push_back(sweep::kScatterPrefix + std::string(one.name));
+  std::vector<std::string> with_angle = names;
+  with_angle.push_back("phi_0_deg");
+  const Sweep sweep = sweep_of(experiment).first_values(with_angle);
+  for (std::size_t at = 0; at < sweep.size(); ++at) {
+    const auto [parameters, orientation, integrator, scatter, evaluations] = sweep.point(at).setup;
+    if (scatter.any() && sweep.record.bristles)
+      d.fail("/record", "bristles of a brush with scatter are in units of their own; remove \"bristles\"");
+    for (std::size_t i = 0; i < kScattered.size(); ++i) {
+      const bool is_angle = std::string_view(kScattered[i].name) == "phi_0_deg";
+      const double most = is_angle ? M_PI / 2 / parameters.phi_0 - 1 : 1;
+      if (reach(scatter, i) < most) continue;
+      d.fail(place_of(d, names[i]).to_string(),
+             fmt::format("{} is too wide: the {} could reach {}; allowed: less than {:.4g}", scatter.width[i],
+                         kScattered[i].description, is_angle ? "90 degrees" : "zero",
+                         most * scatter.width[i] / reach(scatter, i)));
+    }
+  }
+}
+
 }  // namespace
 
 void check_points(const json::Document& d, const Experiment& e) {
@@ -146,6 +170,7 @@ void check_points(const json::Document& d, const Experiment& e) {
   check_meaning(d, e);
   check_gap(d, e);
   check_chi(d, e);
+  check_scatter(d, e);
 }
 
 std::vector<std::string> shaft_warnings(const json::Document& d, const Experiment& experiment) {

@@ -4,7 +4,7 @@
 #include "experiment/schema.hpp"
 #include "experiment/values.hpp"
 #include "json/node.hpp"
-#include "sampling/quantile.hpp"
+#include "sampling/rounded.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>

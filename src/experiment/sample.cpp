@@ -3,9 +3,10 @@
 #include "bristle/model/elementary.hpp"
 #include "experiment/values.hpp"
 #include "json/node.hpp"
-#include "sampling/quantile.hpp"
+#include "bristle/ensemble/normal_quantile.hpp"
+#include "sampling/rounded.hpp"
 #include "sampling/sensitivity.hpp"
-#include "sampling/sobol.hpp"
+#include "bristle/ensemble/sobol.hpp"
 #include "util/text.hpp"
 
 #include <fmt/format.h>

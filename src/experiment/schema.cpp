@@ -54,6 +54,28 @@ Json si_properties() {
   return out;
 }
 
+Json scatter_properties() {
+  Json out = {{"bristles",
+               {{"enum", {16, 32, 64, 128, 256, 512}},
+                {"default", Scatter{}.bristles},
+                {"description", "different bristles that stand for the brush"}}}};
+  for (const ScatteredProperty& one : kScattered)
+    out[one.name] = {{"$ref", "#/definitions/deviation"}, {"description", one.description}};
+  return out;
+}
+
+// The widths as names of a sweep.
+Json scatter_widths() {
+  Json out = Json::object();
+  for (const ScatteredProperty& one : kScattered)
+    out[sweep::kScatterPrefix + std::string(one.name)] =
+        number_schema({.least = 0, .most = 1, .below_most = true},
+                      fmt::format("scatter of the {}, relative: standard deviation, or greatest deviation "
+                                  "if the block scatter says uniform",
+                                  one.description));
+  return out;
+}
+
 Json assemble() {
   Json schema = Json::parse(experiment_schema_text());
   const auto set_words = [&](const char* pointer, Words words) {
@@ -65,6 +87,8 @@ Json assemble() {
   set_words("/properties/integrator/properties/engine", words<Engine>());
   schema["definitions"]["model"]["properties"] = model_properties();
   schema["definitions"]["si"]["properties"] = si_properties();
+  schema["properties"]["scatter"]["properties"] = scatter_properties();
+  schema["definitions"]["scatter_widths"]["properties"] = scatter_widths();
   return schema;
 }
 
@@ -76,8 +100,9 @@ const json::Schema& experiment_schema() {
 }
 
 const Json& parameter_schema(const std::string& name) {
-  for (const char* place : {"/definitions/model/properties", "/properties/load/properties",
-                            "/properties/orientation/properties", "/definitions/si/properties"})
+  for (const char* place :
+       {"/definitions/model/properties", "/properties/load/properties", "/properties/orientation/properties",
+        "/definitions/si/properties", "/definitions/scatter_widths/properties"})
     if (const Json& properties = experiment_schema().root()[JsonPointer(place)]; properties.contains(name))
       return properties[name];
   throw std::logic_error("no schema for " + name);

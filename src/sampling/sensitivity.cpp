@@ -1,7 +1,7 @@
 #include "sampling/sensitivity.hpp"
 
 #include "bristle/random.hpp"
-#include "sampling/sobol.hpp"
+#include "bristle/ensemble/sobol.hpp"
 
 #include <algorithm>
 #include <cmath>

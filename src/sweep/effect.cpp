@@ -24,6 +24,7 @@ std::vector<double> effective_input(const PointInput& point) {
   if (o.distribution == Distribution::von_mises && o.sampling != Sampling::list)
     out.insert(out.end(), {o.mean, o.concentration});
   if (o.sampling == Sampling::lattice) out.insert(out.end(), {p.L_y, double(o.seed), double(o.rows)});
+  out.insert(out.end(), setup.scatter.width.begin(), setup.scatter.width.end());
   if (const SiScales scales = si_scales(point); !si.empty())
     out.insert(out.end(), {scales.length, scales.velocity, scales.force});
   return out;

@@ -16,8 +16,9 @@ namespace {
 // equal.
 static_assert(sizeof(Orientation) == 11 * sizeof(double));
 static_assert(sizeof(IntegratorOptions) == 4 * sizeof(double));
-static_assert(sizeof(Setup) ==
-              sizeof(Parameters) + sizeof(Orientation) + sizeof(IntegratorOptions) + sizeof(double));
+static_assert(sizeof(Scatter) == 6 * sizeof(double));
+static_assert(sizeof(Setup) == sizeof(Parameters) + sizeof(Orientation) + sizeof(IntegratorOptions) +
+                                   sizeof(Scatter) + sizeof(double));
 static_assert(sizeof(Loading) == 8 * sizeof(double));
 static_assert(sizeof(Recording) == 4 * sizeof(double));
 
@@ -82,6 +83,15 @@ void add_integrator(Text& out, const IntegratorOptions& i) {
   out.add("max_evaluations", i.max_evaluations);
 }
 
+void add_scatter(Text& out, const Scatter& scatter) {
+  for (std::size_t i = 0; i < kScattered.size(); ++i) {
+    if (scatter.width[i] == 0) continue;
+    out.add(kScattered[i].name, scatter.width[i]);
+    out.add("uniform", scatter.uniform[i]);
+  }
+  out.add("bristles", scatter.bristles);
+}
+
 void add_loading(Text& out, const Loading& l) {
   if (l.z_0) {
     out.add("z_0", *l.z_0);
@@ -117,6 +127,8 @@ std::string Sweep::key(std::size_t index) const {
   add_friction_law(out, *this, point.setup.parameters);
   out.object("orientation", [&] { add_orientation(out, point.setup.orientation, azimuths_sha256); });
   out.object("integrator", [&] { add_integrator(out, point.setup.integrator); });
+  if (const Scatter& scatter = point.setup.scatter; scatter.any())
+    out.object("scatter", [&] { add_scatter(out, scatter); });
   out.object("load", [&] { add_loading(out, point.loading); });
   out.object("record", [&] { add_recording(out, record); });
   out.add("engine", word(engine));

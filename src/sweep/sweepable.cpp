@@ -36,6 +36,13 @@ std::vector<Sweepable> all() {
          [](P& p, double v) { p.setup.orientation.seed = std::uint64_t(v); });
   number("rows", "n_\\mathrm{rows}", "rows of the lattice that enter the slab",
          [](P& p, double v) { p.setup.orientation.rows = long(v); });
+  for (std::size_t i = 0; i < kScattered.size(); ++i)
+    out.push_back({kScatterPrefix + std::string(kScattered[i].name),
+                   fmt::format(R"(\sigma({0})/{0})", kScattered[i].symbol),
+                   fmt::format("scatter of the {} within the brush, relative", kScattered[i].description),
+                   "1",
+                   [i](P& p, double v) { p.setup.scatter.width[i] = v; },
+                   {}});
 
   for (const SiQuantity& q : si_quantities())
     number(

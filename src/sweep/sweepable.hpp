@@ -20,6 +20,9 @@ struct PointInput {
   std::optional<double> nominal_friction{};
 };
 
+// The widths of the scatter have the names of kScattered behind this.
+constexpr const char* kScatterPrefix = "scatter_";
+
 // A quantity or choice that a sweep may vary, with the labels of its axis in result files.
 struct Sweepable {
   std::string name, symbol, description, units;
@@ -30,7 +33,8 @@ struct Sweepable {
   std::string text(double value) const;
 };
 
-// Numbers and choices of the model, SI quantities, the load, and numbers and sampling of the orientation.
+// Numbers and choices of the model, SI quantities, the load, numbers and sampling of the orientation, and
+// widths of the scatter within a brush.
 const std::vector<Sweepable>& sweepables();
 
 // Null for an unknown name.

@@ -56,7 +56,8 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
        "this format)"},
       {with(R"("modle": {})"),
        "@/e.json: /modle: unknown key (did you mean model?); allowed: schema, name, title, notes, figure, "
-       "institution, model, si, friction_law, load, orientation, integrator, sweep, locate_jumps, analysis, "
+       "institution, model, si, friction_law, load, orientation, scatter, integrator, sweep, locate_jumps, "
+       "analysis, "
        "design, record, "
        "trajectories, tiers, checks, "
        "checks_for_each"},
@@ -131,7 +132,8 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
        "phi_0_deg, zeta_theta, zeta_phi, mu_c, tau_f, R_c, E_star, A, C, V_s, lambda, lambda_z, alpha, beta, "
        "s_min, "
        "L_x, L_y, spacing, R, strain_limit, stretch_limit, R_n, nominal_friction, z_0, mean_deg, "
-       "concentration, seed, rows, m_kg, rho_kg_per_m3, r0_m, "
+       "concentration, seed, rows, scatter_r0, scatter_R, scatter_E, scatter_phi_0_deg, m_kg, rho_kg_per_m3, "
+       "r0_m, "
        "V0_m_per_s, E_Pa, nu, "
        "R_m, "
        "k_r_over_k_phi, k_theta_over_k_phi, k_r_N_per_m, k_theta_N_m, k_phi_N_m, E_star_Pa, tau_f_Pa, R_c_m, "
@@ -142,6 +144,26 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
        "pole_rule, "
        "path, "
        "sampling"},
+      {with(R"("scatter": {"r0": {"normal": 0.2}})"),
+       "@/e.json: /scatter/r0: 0.2 is too wide: the length of the bristles could reach zero; allowed: less "
+       "than 0.2"},
+      {with(R"("scatter": {"phi_0_deg": {"uniform": 0.13}})"),
+       "@/e.json: /scatter/phi_0_deg: 0.13 is too wide: the undeformed polar angle could reach 90 degrees; "
+       "allowed: less than 0.125"},
+      {with(R"("scatter": {"R": {"uniform": 0.5}}, "sweep": {"scatter_E": {"values": [0.1, 0.25]}})"),
+       "@/e.json: /sweep/scatter_E: 0.25 is too wide: the Young's modulus could reach zero; allowed: less "
+       "than 0.2"},
+      {with(R"("scatter": {"R": {"uniform": 0.5}}, "record": ["bristles"])"),
+       "@/e.json: /record: bristles of a brush with scatter are in units of their own; remove \"bristles\""},
+      {with(R"("scatter": {"r_0": {"normal": 0.1}})"),
+       "@/e.json: /scatter/r_0: unknown key (did you mean r0?); allowed: bristles, r0, R, E, phi_0_deg"},
+      {with(R"("scatter": {"r0": {"normal": 0.1, "uniform": 0.1}})"),
+       "@/e.json: /scatter/r0: {\"normal\":0.1,\"uniform\":0.1} is not allowed; allowed: an object that is "
+       "not "
+       "empty (one of normal, uniform)"},
+      {with(R"("scatter": {"bristles": 20})"),
+       "@/e.json: /scatter/bristles: 20 is not allowed; allowed: 16, 32, 64, 128, 256, 512 (different "
+       "bristles that stand for the brush)"},
       {with(R"("model": {"contact": "hertz", "lambda_z": 0.002})"),
        "@/e.json: /model/lambda_z: has no meaning for the contact \"hertz\", which E_star and R_c determine; "
        "remove it, or set /model/contact to \"wall\""},

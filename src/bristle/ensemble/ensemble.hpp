@@ -3,6 +3,7 @@
 #include "bristle/ensemble/observables.hpp"
 #include "bristle/ensemble/orientation.hpp"
 #include "bristle/ensemble/quadrature.hpp"
+#include "bristle/ensemble/scatter.hpp"
 #include "bristle/simd/runner.hpp"
 
 #include <optional>
@@ -15,6 +16,7 @@ struct Setup {
   Parameters parameters;
   Orientation orientation;
   IntegratorOptions integrator;
+  Scatter scatter{};  // how the bristles differ from the parameters
   // Limit on the evaluations of the equations in means and load searches of one point.
   long max_evaluations_per_point = 2'000'000'000;
 };

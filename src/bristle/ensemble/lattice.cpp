@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <numeric>
 
 namespace bristle {
@@ -22,6 +23,12 @@ Impulse& operator+=(Impulse& a, const Impulse& b) {
   a.R_y += b.R_y;
   a.time += b.time;
   return a;
+}
+
+// Returns the impulse in units of the nominal bristle.
+Impulse operator*(const Impulse& a, const SiScales& unit) {
+  const double time = unit.length / unit.velocity, force = unit.force * time;
+  return {a.R_n * force, a.R_x * force, a.R_y * force, a.time * time};
 }
 
 Impulse operator-(const Impulse& a, const Impulse& b) {
@@ -96,13 +103,15 @@ class Lattice {
     const long rows = setup_.orientation.rows, step = std::max(1L, kBatch / row_size_);
     for (long row = 0; row < rows; row += step) {
       const long first = row * row_size_, last = std::min(row + step, rows) * row_size_;
+      std::deque<DeviatingBristle> bristles;
       std::vector<PassageTask> tasks;
       for (long i = first; i < last; ++i) {
-        const double theta_0 = random_azimuth(setup_.orientation, std::uint64_t(i));
-        tasks.push_back({&p_, make_bristle(p_, z_0_, theta_0), start_, setup_.integrator, interval_});
+        bristles.push_back(bristle(std::uint64_t(i)));
+        tasks.push_back(task(bristles.back(), random_azimuth(setup_.orientation, std::uint64_t(i))));
       }
       std::vector<Passage> passages = run_(tasks);
-      for (long i = first; i < last; ++i) add_passage(i / row_size_, passages[std::size_t(i - first)]);
+      for (long i = first; i < last; ++i)
+        add_passage(i / row_size_, passages[std::size_t(i - first)], bristles[std::size_t(i - first)]);
     }
     finish();
     return std::move(out_);
@@ -111,7 +120,19 @@ class Lattice {
  private:
   double N_c0() const { return double(row_size_) * p_.L_x / p_.spacing; }
 
-  void add_passage(long row, Passage& passage) {
+  // Returns the bristle with this index in the lattice.
+  DeviatingBristle bristle(std::uint64_t index) const {
+    return deviating(p_, random_deviations(setup_.scatter, setup_.orientation.seed, index));
+  }
+
+  PassageTask task(const DeviatingBristle& bristle, double theta_0) const {
+    const double length = bristle.unit.length, z_0 = z_0_ / length;
+    const Parameters& p = bristle.parameters;
+    return {&p, make_bristle(p, z_0, theta_0), setup_.scatter.any() ? InitialStates(p).at(z_0) : start_,
+            setup_.integrator, interval_ / length};
+  }
+
+  void add_passage(long row, Passage& passage, const DeviatingBristle& bristle) {
     Impulse previous, in_window;
     std::size_t at = std::size_t(row * kIntervalsPerRow);
     const auto add_until = [&](const Impulse& now) {
@@ -121,19 +142,23 @@ class Lattice {
       ++at;
     };
     double time = 0;
+    const SiScales& unit = bristle.unit;
     for (const PathSample& s : passage.samples)
-      add_until({s.normal, s.friction_x, s.friction_y, time += interval_});
+      add_until(Impulse{s.normal, s.friction_x, s.friction_y, time += interval_ / unit.length} * unit);
     const OdeState& end = passage.end;
-    add_until({end[component::NORMAL], end[component::FRICTION_X], end[component::FRICTION_Y],
-               passage.contact_time});
+    add_until(Impulse{end[component::NORMAL], end[component::FRICTION_X], end[component::FRICTION_Y],
+                      passage.contact_time} *
+              unit);
     passage.samples.clear();
     passage.samples.shrink_to_fit();
-    add_contribution(passage, in_window);
+    add_contribution(passage, bristle, in_window);
   }
 
-  void add_contribution(const Passage& passage, const Impulse& in_window) {
+  void add_contribution(const Passage& passage, const DeviatingBristle& bristle, const Impulse& in_window) {
     if (!passage.complete() && out_.incomplete++ == 0) out_.incomplete_theta_0 = passage.theta_0;
-    ObservableArray value = observables(passage, p_);
+    ObservableArray value = observables(passage, bristle.parameters);
+    const ObservableArray unit = units_of(bristle);
+    for (Observable k = 0; k < OBSERVABLES; ++k) value[k] *= unit[k];
     value[R_N] = in_window.R_n;
     value[R_X] = in_window.R_x;
     value[R_Y] = in_window.R_y;

@@ -27,10 +27,10 @@ struct LatticeMean {
 };
 
 // Computes the means of Appendix A at the gap z_0: rows of L_y/spacing bristles enter every spacing/V0, with
-// random azimuths keyed by seed and index of the bristle. Forces and N_c are means over the time t_1..t_2;
-// the gammas and the other properties of a passage are means over the bristles. Bristles are independent, so
-// the standard errors follow from the scatter of their contributions; the instants at which one bristle acts
-// do not count as independent.
+// random azimuths and deviations keyed by seed and index of the bristle. Forces and N_c are means over the
+// time t_1..t_2; the gammas and the other properties of a passage are means over the bristles. Bristles are
+// independent, so the standard errors follow from the scatter of their contributions; the instants at which
+// one bristle acts do not count as independent.
 LatticeMean lattice_mean(const Setup& setup, double z_0, const PassageRunner& run);
 
 // Return t_1 and t_2 of Eq. (A4), in units of r0/V0. t_1 is orientation.t_1 or, if that is negative, 2 L_x.

@@ -1,6 +1,6 @@
 #include "bristle/ensemble/point.hpp"
 
-#include "bristle/model/elementary.hpp"
+#include "bristle/ensemble/brush_mean.hpp"
 #include "bristle/model/friction/laws.hpp"
 
 #include <algorithm>
@@ -68,7 +68,7 @@ class PointSolver {
       out = without_values(PointStatus::work_limit);
     }
     if (setup_.orientation.sampling == Sampling::lattice && std::isfinite(out.z_0)) out = lattice_values(out);
-    out.start = starts_.start();
+    out.start = brush_.start();
     out.passages = lattice_passages_;
     for (const auto& [z_0, mean] : means_) out.passages += mean.count();
     out.passages_for = passages_for_;
@@ -189,7 +189,7 @@ class PointSolver {
     search.rtol = setup_.orientation.rtol;
     // The mean over a few azimuths need not be smooth over the gap.
     search.by_secants = setup_.orientation.sampling != Sampling::list;
-    search.first_contact = sin(setup_.parameters.phi_0);
+    search.first_contact = brush_.first_contact();
     search.contact_range = contact_range(setup_.parameters);
     return first_crossing([this](double z_0, Accuracy accuracy) { return load_at(z_0, accuracy); }, search);
   }
@@ -197,7 +197,7 @@ class PointSolver {
   // Returns R_n at a gap. Unless the accuracy is rough, a load near the target is as accurate as the reported
   // values.
   Load load_at(double z_0, Accuracy accuracy) {
-    EnsembleMean& mean = mean_at(z_0);
+    BrushMean& mean = mean_at(z_0);
     purpose_ = accuracy == Accuracy::rough ? purpose::SCAN : purpose::CROSSING;
     const Ensemble* e = &mean.rough_load(loading_.R_n);
     const auto distance = [&] { return std::abs(e->mean[R_N] - loading_.R_n); };
@@ -215,9 +215,9 @@ class PointSolver {
     return {kNone, kNone};
   }
 
-  EnsembleMean& mean_at(double z_0) {
+  BrushMean& mean_at(double z_0) {
     if (const auto known = means_.find(z_0); known != means_.end()) return known->second;
-    return means_.try_emplace(z_0, setup_, z_0, starts_.at(z_0), limited_run_).first->second;
+    return means_.try_emplace(z_0, brush_, z_0, limited_run_).first->second;
   }
 
   std::vector<Passage> run_within_limit(const std::vector<PassageTask>& tasks) {
@@ -248,7 +248,7 @@ class PointSolver {
   }
 
   PointResult at_gap(double z_0, LoadStatus status) {
-    EnsembleMean& mean = mean_at(z_0);
+    BrushMean& mean = mean_at(z_0);
     purpose_ = purpose::VALUES;
     const Ensemble& ensemble = mean.with_integrator_error();
     integrator_error_ = ensemble.integrator_error;
@@ -286,14 +286,14 @@ class PointSolver {
       recorded_.bristles = known->second.passages();
       return;
     }
-    EnsembleMean mean(setup_, z_0, run_);
+    BrushMean mean(brush_, z_0, run_);
     mean.full();
     recorded_.bristles = mean.passages();
   }
 
   void record_trajectories(double z_0) {
     const Parameters& p = setup_.parameters;
-    const Equilibrium start = starts_.at(z_0);
+    const Equilibrium start = InitialStates(p).at(z_0);
     for (const double theta_0 : record_.trajectories)
       recorded_.trajectories.push_back(
           record_trajectory({&p, make_bristle(p, z_0, theta_0), start, setup_.integrator}));
@@ -304,13 +304,13 @@ class PointSolver {
   const PassageRunner& run_;
   const Recording& record_;
   Recorded& recorded_;
-  InitialStates starts_{setup_.parameters};
+  Brush brush_{setup_};
   const PassageRunner limited_run_ = [this](const auto& tasks) { return run_within_limit(tasks); };
   long evaluations_ = 0;
   bool limited_ = true;  // whether max_evaluations_per_point applies
   Purpose purpose_ = purpose::VALUES;
   std::array<long, purpose::PURPOSES> passages_for_{};
-  std::map<double, EnsembleMean> means_;  // by gap
+  std::map<double, BrushMean> means_;  // by gap
   long lattice_passages_ = 0;
   ObservableArray integrator_error_{};  // part of the errors of the values that the integrator causes
   double incomplete_theta_0_ = kNone;   // azimuth of a passage without an exit, rad

@@ -1,7 +1,7 @@
 #include "bristle/ensemble/trace.hpp"
 
 #include "bristle/dynamics/jobs.hpp"
-#include "bristle/model/elementary.hpp"
+#include "bristle/ensemble/brush_mean.hpp"
 
 #include <boost/math/tools/minima.hpp>
 #include <boost/math/tools/roots.hpp>
@@ -25,7 +25,7 @@ class Tracer {
       : setup_(setup), trace_(trace), run_(run) {}
 
   std::vector<CurveNode> trace() {
-    const double top = sin(setup_.parameters.phi_0);
+    const double top = brush_.first_contact();
     std::vector<double> first;
     for (int i = 0; i <= kFirstIntervals; ++i) first.push_back(top - (top - trace_.to) * i / kFirstIntervals);
     compute(first);
@@ -58,9 +58,9 @@ class Tracer {
   }
 
   PointResult solve(double z_0, const PassageRunner& run) {
-    EnsembleMean mean(setup_, z_0, starts_.at(z_0), run);
+    BrushMean mean(brush_, z_0, run);
     PointResult node = values_of(setup_.parameters, mean.with_integrator_error());
-    node.start = starts_.start();
+    node.start = brush_.start();
     node.passages = mean.count();
     node.z_0 = z_0;
     return node;
@@ -74,7 +74,7 @@ class Tracer {
   // Adds the number of computed passages to `passages`.
   double searched_load(double z_0, double near, const PassageRunner& run, long& passages) {
     if (const auto node = nodes_.find(z_0); node != nodes_.end()) return node->second.value[R_N];
-    EnsembleMean mean(setup_, z_0, starts_.at(z_0), run);
+    BrushMean mean(brush_, z_0, run);
     const Ensemble& e = mean.precise_load(near);
     passages += e.passages;
     return e.incomplete == 0 ? e.mean[R_N] : std::numeric_limits<double>::quiet_NaN();
@@ -231,7 +231,7 @@ class Tracer {
   const Setup& setup_;
   const Trace& trace_;
   const PassageRunner& run_;
-  InitialStates starts_{setup_.parameters};
+  Brush brush_{setup_};
   std::map<double, PointResult> nodes_;  // by gap
   long pending_ = 0;                     // nodes being computed by searches
 };

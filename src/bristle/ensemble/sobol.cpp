@@ -1,4 +1,4 @@
-#include "sampling/sobol.hpp"
+#include "bristle/ensemble/sobol.hpp"
 
 #include "bristle/random.hpp"
 

@@ -1,9 +1,7 @@
-#include "sampling/quantile.hpp"
+#include "bristle/ensemble/normal_quantile.hpp"
 
 #include "bristle/model/elementary.hpp"
-#include "util/text.hpp"
 
-#include <fmt/format.h>
 #include <cmath>
 
 namespace bristle {
@@ -19,8 +17,6 @@ double ratio(double r, const double (&a)[8], const double (&b)[8]) {
 }
 
 }  // namespace
-
-double rounded(double value) { return *number_in(fmt::format("{:.7g}", value)); }
 
 // M. J. Wichura, algorithm AS 241, Appl. Statist. 37, 1988. Boost.Math calls functions of the C library,
 // whose last bits differ between machines.
