@@ -71,7 +71,7 @@ images: $(IMAGES) bristles ## docs/images: the figures in the documents
 	@scripts/plot bristles results/bristles.h5 --animate -o docs/images
 
 # Studies with checks: the findings of this project, and a claim of the conclusions.
-CHECKED_STUDIES := load liftoff hysteresis chart tuning
+CHECKED_STUDIES := load liftoff hysteresis scatter chart tuning
 findings: figures $(CHECKED_STUDIES) ## all figures; docs/findings.md, each claim with its verdict and numbers; README's summary
 	@$$($(PLOT_PYTHON)) scripts/findings.py $(patsubst %,results/%$(SUFFIX).h5,$(FIGURES) $(CHECKED_STUDIES)) $(if $(SUFFIX),-o results/findings$(SUFFIX).md,--readme README.md)
 

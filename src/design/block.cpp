@@ -5,8 +5,11 @@
 #include "util/error.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <ranges>
 #include <string_view>
 
 namespace bristle::design {
@@ -76,6 +79,33 @@ void check_second_model(const Node& choice, const Experiment& experiment, const 
                           choice.value().dump()));
 }
 
+// Reads the steps of a design's variables. Throws InputError for another name, and for a step that leaves no
+// value between the bounds.
+void read_steps(const Node& block, Design& design) {
+  for (const auto& [name, node] : block.members()) {
+    const auto range = std::ranges::find(design.variables, name, &experiment::Range::name);
+    if (range == design.variables.end())
+      node.fail(
+          fmt::format("is no variable of the design; allowed: {}",
+                      fmt::join(design.variables | std::views::transform(&experiment::Range::name), ", ")));
+    const double step = design.round_to[name] = node.as<double>();
+    if (std::floor(range->high / step) * step < range->low)
+      node.fail(
+          fmt::format("{} has no multiple between the bounds, {:g} and {:g}", step, range->low, range->high));
+  }
+}
+
+// Returns the values that the blocks of the experiment give the variables.
+std::map<std::string, double> own_values(const Experiment& experiment, const Design& design) {
+  std::map<std::string, double> out;
+  for (const experiment::Range& range : design.variables)
+    for (const char* block : {"/si", "/model", "/load", "/orientation"})
+      if (const Node value = Node(*experiment.source, block)[range.name];
+          value.exists() && value.value().is_number())
+        out.emplace(range.name, value.as<double>());
+  return out;
+}
+
 }  // namespace
 
 std::string Objective::text() const {
@@ -99,8 +129,16 @@ Design read_design(const Experiment& experiment) {
     design.objectives.push_back(read_objective(objective, tolerances));
   for (const Node& constraint : block["constraints"].elements())
     design.constraints.push_back(read_constraint(constraint));
+  const auto limits_clearance = [](const Constraint& c) { return c.variable == kClearance; };
+  const bool varies_clearance = std::ranges::any_of(design.quantities(), [](const std::string& name) {
+    return name == "R" || name == "R_m" || name == "r0_m" || name == "spacing" || name == "spacing_m";
+  });
+  if (varies_clearance && std::ranges::none_of(design.constraints, limits_clearance))
+    design.constraints.push_back({kClearance, 0, kNoLimit});
   design.budget = block["budget"].as<std::size_t>();
   design.seed = block.get("seed", std::uint64_t(1));
+  read_steps(block["round_to"], design);
+  design.start = own_values(experiment, design);
   read_second_model(block["second_model"], design);
   if (load.has("z_0") && design.jump_margin > 0)
     block["constraints"].fail("jump_margin needs a load R_n: at a given gap, no gap jumps");

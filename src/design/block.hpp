@@ -4,6 +4,7 @@
 #include "experiment/experiment.hpp"
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -47,14 +48,16 @@ struct Objective {
   std::string text() const;  // "minimise friction_coefficient (q95)"
 };
 
-// Limits of a variable of the result at the nominal values and at all deviations, or of the jump margin.
+// Limits of a variable of the result at the nominal values and at all deviations, of the clearance between
+// shafts, or of the jump margin.
 struct Constraint {
-  std::string variable;  // kJumpMargin, or one of the result
+  std::string variable;  // kJumpMargin, kClearance, or one of the result
   double min, max;       // infinite: none
 
   std::string text() const;  // "root_strain <= 0.3"
 };
 constexpr const char* kJumpMargin = "jump_margin";
+constexpr const char* kClearance = "clearance";  // see clearance(); a design that varies it limits it
 
 // The block "design" of an experiment. The points of the sweep are its scenarios (docs/design.md).
 struct Design : experiment::Ranges {
@@ -63,6 +66,8 @@ struct Design : experiment::Ranges {
   std::vector<Constraint> constraints;
   std::size_t budget;  // trials
   std::uint64_t seed;
+  std::map<std::string, double> round_to;  // steps in which variables can be made; others are exact
+  std::map<std::string, double> start;     // the experiment's own values of the variables that have one
   std::string second_choice;  // of the model, for another computation of the best trial; empty: none
   double second_option = 0;
 };

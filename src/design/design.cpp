@@ -1,6 +1,7 @@
 #include "design/design.hpp"
 
 #include "design/block.hpp"
+#include "design/drawing.hpp"
 #include "design/groups.hpp"
 #include "design/trials.hpp"
 #include "sampling/rounded.hpp"
@@ -29,7 +30,7 @@ void require_variables(const Experiment& experiment, const Design& design) {
   for (std::size_t i = 0; i < design.objectives.size(); ++i)
     run::require_variable(experiment, block["objectives"][i], design.objectives[i].variable);
   for (std::size_t i = 0; i < design.constraints.size(); ++i)
-    if (const std::string& name = design.constraints[i].variable; name != kJumpMargin)
+    if (const std::string& name = design.constraints[i].variable; name != kJumpMargin && name != kClearance)
       run::require_variable(experiment, block["constraints"][i]["variable"], name);
 }
 
@@ -94,17 +95,24 @@ class Search {
                       options_.quiet);
     Findings found = search();
     searching_ = false;
+    if (design_.start.size() == design_.variables.size())
+      found.start = trials_.evaluate({trials_.with_tolerances(design_.start)}).front();
     recommend(found);
 
     std::vector<Values> nominal;
     for (const Trial& trial : found.trials) nominal.push_back(trial.nominal);
     const Experiment all = with_table(experiment_, trials_, trials_.rows(nominal));
     const std::vector<std::size_t> points = run::shard_points({}, all.sweep.size());
-    const std::string text = text_of(trials_, found);
+    std::string text = text_of(trials_, found);
+    std::vector<results::Dataset> groups = groups_of(trials_, found);
+    if (!found.chosen.empty())
+      if (const std::vector<Dimension> dimensions = drawing(trials_, found); !dimensions.empty()) {
+        text += drawing_text(dimensions);
+        groups.push_back(drawing_group(dimensions));
+      }
     entries[kFound] = text;
-    const run::Summary summary =
-        run::write_result(all, options_.output, run::KeyedPoints(all.sweep, points), {},
-                          groups_of(trials_, found), journal_, entries, *progress_);
+    const run::Summary summary = run::write_result(all, options_.output, run::KeyedPoints(all.sweep, points),
+                                                   {}, groups, journal_, entries, *progress_);
     if (!options_.quiet) fmt::print("{}: points: {}\n", options_.output, summary.text());
     return {text, !found.chosen.empty()};
   }
@@ -205,7 +213,25 @@ class Search {
     }
   }
 
-  void look_beside(Findings& found, const Values& best) {
+  // Returns the trial beside this one that can be made, meets the constraints and has the best first
+  // objective or, if none meets them, the one that comes nearest.
+  Trial made(const Values& chosen) const {
+    std::vector<Trial> all = trials_.evaluate(trials_.rounded_to_steps(chosen));
+    std::ranges::stable_sort(all, {}, [&](const Trial& trial) {
+      return std::pair(trial.violation, trials_.score_of(trial).objectives.front());
+    });
+    for (Trial& trial : all) {
+      if (design_.jump_margin > 0 && trial.violation == 0)
+        trials_.set_jump_margin(trial, trials_.located_margin(trial.nominal));
+      if (trial.violation == 0) return trial;
+    }
+    return *std::ranges::min_element(all, {}, &Trial::violation);
+  }
+
+  // Computes what the recommended brush is compared with, and verifies it as it can be made.
+  void look_beside(Findings& found, const Values& chosen) {
+    if (!design_.round_to.empty()) found.made = made(chosen);
+    const Values& best = recommended(found).nominal;
     if (!design_.tolerances.empty()) {
       found.verification = trials_.verify(best);
       found.indices = trials_.indices(best);

@@ -7,7 +7,6 @@
 #include <fmt/ranges.h>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace bristle::design {
 namespace {
@@ -21,6 +20,8 @@ Dataset table(const std::string& name, results::Array dimension) {
   out.add_dimension(std::move(dimension));
   return out;
 }
+
+std::string ordinal(std::size_t index) { return fmt::format("objective {}", index + 1); }
 
 Column integer(const std::string& name, const std::string& meaning) {
   return {name, meaning, "", "", results::Number::integer};
@@ -51,32 +52,31 @@ void add_objectives(Dataset& table, const Trials& trials, const Of& of, bool nom
   }
 }
 
-// Adds the columns that all lists of trials have.
-void add_trials(Dataset& table, const Trials& trials, const Findings& found,
-                const std::vector<std::size_t>& list) {
+// Adds the columns that all lists of trials have. trial(row) returns the trial of a row.
+template <class Of>
+void add_trials(Dataset& table, const Trials& trials, const Of& trial) {
   for (const std::string& quantity : trials.design().quantities())
-    table.add(column_of(quantity), [&](std::size_t i) { return found.trials[list[i]].nominal.at(quantity); });
-  add_objectives(table, trials, [&](std::size_t i) { return found.trials[list[i]].objectives; });
+    table.add(column_of(quantity), [&](std::size_t row) { return trial(row).nominal.at(quantity); });
+  add_objectives(table, trials, [&](std::size_t row) { return trial(row).objectives; });
   for (std::size_t c = 0; c < trials.design().constraints.size(); ++c)
     table.add({fmt::format("constraint_{}", c + 1), trials.design().constraints[c].text(), "", ""},
-              [&](std::size_t i) { return found.trials[list[i]].constraints[c]; });
+              [&](std::size_t row) { return trial(row).constraints[c]; });
 }
 
 Dataset list_of(const std::string& name, const std::string& item, const std::string& meaning,
                 const Trials& trials, const Findings& found, const std::vector<std::size_t>& list) {
   Dataset out = table(name, results::row_numbers(item, meaning, list.size()));
   out.add(integer("trial", "number of the trial"), [&](std::size_t i) { return list[i]; });
-  add_trials(out, trials, found, list);
+  add_trials(out, trials, [&](std::size_t i) -> const Trial& { return found.trials[list[i]]; });
   return out;
 }
 
 Dataset all_trials(const Trials& trials, const Findings& found) {
-  std::vector<std::size_t> all(found.trials.size());
-  std::iota(all.begin(), all.end(), 0);
   Dataset out = table(
-      "trials", results::row_numbers("trial", "number of the trial, in the order of the search", all.size()));
-  add_trials(out, trials, found, all);
+      "trials",
+      results::row_numbers("trial", "number of the trial, in the order of the search", found.trials.size()));
   const auto trial = [&](std::size_t i) -> const Trial& { return found.trials[i]; };
+  add_trials(out, trials, trial);
   out.add(
       {"violation", "greatest excess over a constraint's limit, relative; infinite without values", "", ""},
       [&](std::size_t i) { return trial(i).violation; });
@@ -90,6 +90,41 @@ Dataset all_trials(const Trials& trials, const Findings& found) {
     out.add(integer(fmt::format("scenario_{}", o + 1),
                     fmt::format("scenario in which objective_{} is worst", o + 1)),
             [&](std::size_t i) { return trial(i).scenarios[o]; });
+  return out;
+}
+
+// A trial in the comparison of the recommended one with others.
+struct Compared {
+  std::string name, heading;
+  const Trial* trial;
+};
+
+// Returns what an engineer compares: the start, the recommended trial, the same as it can be made, and the
+// best trial of the front for each of several objectives.
+std::vector<Compared> compared(const Trials& trials, const Findings& found) {
+  std::vector<Compared> out;
+  if (found.start) out.push_back({"start", "start", &*found.start});
+  out.push_back({"recommended", "recommended", &found.trials[found.chosen.front()]});
+  if (found.made) out.push_back({"as_made", "as made", &*found.made});
+  const std::vector<Objective>& objectives = trials.design().objectives;
+  for (std::size_t o = 0; o < objectives.size() && objectives.size() > 1; ++o) {
+    const auto cost_of = [&](std::size_t i) {
+      return cost(objectives[o], found.trials[i].objectives[o].value);
+    };
+    const std::size_t best = *std::ranges::min_element(found.front, {}, cost_of);
+    out.push_back({fmt::format("best_objective_{}", o + 1), "best of " + ordinal(o), &found.trials[best]});
+  }
+  return out;
+}
+
+Dataset comparison(const Trials& trials, const Findings& found) {
+  const std::vector<Compared> all = compared(trials, found);
+  std::vector<std::string> names;
+  for (const Compared& one : all) names.push_back(one.name);
+  Dataset out = table("comparison", results::coordinates("brush", "brushes to compare", names));
+  add_trials(out, trials, [&](std::size_t row) -> const Trial& { return *all[row].trial; });
+  out.add({"violation", "greatest excess over a constraint's limit, relative", "", ""},
+          [&](std::size_t row) { return all[row].trial->violation; });
   return out;
 }
 
@@ -193,6 +228,66 @@ std::string verification_text(const Trials& trials, const Verification& verified
   return out;
 }
 
+// Returns the comparison as a table, a row for each variable, objective and constraint.
+std::string comparison_text(const Trials& trials, const Findings& found) {
+  const Design& design = trials.design();
+  const std::vector<Compared> all = compared(trials, found);
+  std::string out = fmt::format("  {:<44}", "");
+  for (const Compared& one : all) out += fmt::format(" {:>20}", one.heading);
+  const auto add = [&](const std::string& title, const auto& text) {
+    out += fmt::format("\n  {:<44}", title);
+    for (const Compared& one : all) out += fmt::format(" {:>20}", text(*one.trial));
+  };
+  for (const std::string& name : design.quantities()) {
+    const std::string units = column_of(name).units;
+    add(units == "1" ? name : fmt::format("{} [{}]", name, units),
+        [&](const Trial& t) { return fmt::format("{:.5g}", t.nominal.at(name)); });
+  }
+  for (std::size_t o = 0; o < design.objectives.size(); ++o)
+    add(fmt::format("{}: {}", o + 1, design.objectives[o].text()),
+        [&](const Trial& t) { return estimate_text(t.objectives[o]); });
+  for (std::size_t c = 0; c < design.constraints.size(); ++c)
+    add(design.constraints[c].text(), [&](const Trial& t) {
+      const double value = t.constraints[c];
+      return std::isnan(value) ? "-" : std::isinf(value) ? "none near" : fmt::format("{:.3g}", value);
+    });
+  return out + "\n";
+}
+
+// Returns sentences on what the comparison means: limits that the start exceeds, differences within the
+// errors, and variables at their bounds.
+std::string remarks_text(const Trials& trials, const Findings& found) {
+  constexpr double at_bound = 0.01;  // of the range
+  const Design& design = trials.design();
+  const Trial& best = recommended(found);
+  std::string out;
+  if (found.start && found.start->violation > 0)
+    out += std::isinf(found.start->violation) ? "  the start has points without a value\n"
+                                              : "  the start violates a constraint\n";
+  if (best.violation > 0)
+    out +=
+        "  rounded to what can be made, the brush violates a constraint: give finer steps, or tighter "
+        "bounds\n";
+  if (found.start && found.start->violation == 0) {
+    bool any = false;
+    for (std::size_t o = 0; o < design.objectives.size(); ++o) {
+      const Estimate &a = found.start->objectives[o], &b = best.objectives[o];
+      any = any || std::abs(a.value - b.value) > a.error + b.error;
+    }
+    if (!any)
+      out +=
+          "  the objectives differ from the start's by less than their errors: these variables do not matter "
+          "here, and the start can be kept\n";
+  }
+  for (const experiment::Range& range : design.variables) {
+    const double value = best.nominal.at(range.name), near = at_bound * (range.high - range.low);
+    if (value - range.low <= near || range.high - value <= near)
+      out += fmt::format("  {} is at its {} bound: a wider range may be better\n", range.name,
+                         value - range.low <= near ? "lower" : "upper");
+  }
+  return out;
+}
+
 std::string trials_text(std::size_t count) { return fmt::format("{} trial{}", count, count == 1 ? "" : "s"); }
 
 std::string counts_text(const Trials& trials, const Findings& found) {
@@ -265,6 +360,10 @@ std::string front_text(const Trials& trials, const Findings& found) {
 
 }  // namespace
 
+const Trial& recommended(const Findings& found) {
+  return found.made ? *found.made : found.trials[found.chosen.front()];
+}
+
 std::vector<Dataset> groups_of(const Trials& trials, const Findings& found) {
   std::vector<Dataset> groups = {all_trials(trials, found)};
   if (found.chosen.empty()) return groups;
@@ -272,6 +371,7 @@ std::vector<Dataset> groups_of(const Trials& trials, const Findings& found) {
       list_of("front", "member", "number on the front, by the first objective", trials, found, found.front));
   groups.push_back(
       list_of("best", "solution", "0: recommended; then other local optima", trials, found, found.chosen));
+  groups.push_back(comparison(trials, found));
   groups.push_back(margins(found));
   for (const Profile& p : found.profiles) groups.push_back(profile_group(trials, p));
   if (found.verification) groups.push_back(verification_group(trials, *found.verification));
@@ -290,9 +390,11 @@ std::vector<Dataset> groups_of(const Trials& trials, const Findings& found) {
 std::string text_of(const Trials& trials, const Findings& found) {
   std::string out = counts_text(trials, found) + "\n";
   if (found.chosen.empty()) return out + miss_text(trials, found);
-  const Trial& best = found.trials[found.chosen.front()];
-  out += fmt::format("recommended, trial {}: {}\n  {}\n", found.chosen.front(), values_text(trials, best),
+  const Trial& best = recommended(found);
+  out += fmt::format("recommended, trial {}{}: {}\n  {}\n", found.chosen.front(),
+                     found.made ? ", rounded to what can be made" : "", values_text(trials, best),
                      objectives_text(trials, best));
+  out += comparison_text(trials, found) + remarks_text(trials, found);
   const Objective& first = trials.design().objectives.front();
   if (trials.design().objectives.size() == 1 && first.goal == Goal::target &&
       !meets_target(trials.design(), best))

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <set>
 
 namespace bristle::design {
 namespace {
@@ -21,6 +22,19 @@ constexpr std::size_t kMarginPoints = 8;
 
 double beyond(double value, double limit) {
   return limit == 0 ? std::abs(value) : std::abs((value - limit) / limit);
+}
+
+// Returns the value at a point that a constraint limits.
+double limited_value(const Constraint& constraint, const Computed& point) {
+  return constraint.variable == kClearance ? point.clearance
+                                           : value_of(point.record, constraint.variable).value;
+}
+
+// Returns by how much the value at a point exceeds a limit; negative within the limits, infinite without a
+// value.
+double excess(const Constraint& constraint, const Computed& point) {
+  const double value = limited_value(constraint, point);
+  return std::isnan(value) ? kInfinity : std::max(value - constraint.max, constraint.min - value);
 }
 
 }  // namespace
@@ -47,16 +61,43 @@ Trials::Trials(const Experiment& experiment, const Design& design, Solve solve)
 
 std::size_t Trials::scenarios() const { return experiment_.sweep.without(sweep::kSample).size(); }
 
-std::vector<results::PointRecord> Trials::solve_all(const Sweep& sweep, Purpose purpose) const {
-  return solve_(sweep, run::shard_points({}, sweep.size()), purpose);
+std::vector<Computed> Trials::solve_all(const Sweep& sweep, Purpose purpose) const {
+  std::vector<Computed> out;
+  for (results::PointRecord& record : solve_(sweep, run::shard_points({}, sweep.size()), purpose))
+    out.push_back({std::move(record), clearance(sweep.point(out.size()).setup.parameters)});
+  return out;
 }
 
 Values Trials::at(const Point& point) const {
   Values out;
   for (std::size_t i = 0; i < point.size(); ++i)
     out[design_.variables[i].name] = design_.variables[i].at(point[i]);
+  return with_tolerances(std::move(out));
+}
+
+Values Trials::with_tolerances(Values variables) const {
   for (const experiment::Tolerance& t : design_.tolerances)
-    if (!std::isnan(t.nominal)) out[t.name] = t.nominal;
+    if (!std::isnan(t.nominal)) variables[t.name] = t.nominal;
+  return variables;
+}
+
+std::vector<Values> Trials::rounded_to_steps(const Values& nominal) const {
+  std::vector<Values> out = {nominal};
+  for (const auto& [name, step] : design_.round_to) {
+    const auto range = std::ranges::find(design_.variables, name, &experiment::Range::name);
+    const double least = std::ceil(range->low / step), most = std::floor(range->high / step);
+    const double steps = nominal.at(name) / step;
+    std::set<double> values;
+    for (const double whole : {std::floor(steps), std::ceil(steps)})
+      values.insert(rounded(std::clamp(whole, least, most) * step));
+    std::vector<Values> all;
+    for (const Values& one : out)
+      for (const double value : values) {
+        all.push_back(one);
+        all.back()[name] = value;
+      }
+    out = std::move(all);
+  }
   return out;
 }
 
@@ -110,31 +151,24 @@ Sweep Trials::with_rows(const std::vector<Values>& rows) const {
 
 std::vector<Trial> Trials::evaluate(const std::vector<Values>& nominal) const {
   const Sweep batch = with_rows(rows(nominal));
-  const std::vector<results::PointRecord> records = solve_all(batch, Purpose::trials);
+  const std::vector<Computed> points = solve_all(batch, Purpose::trials);
   std::vector<Trial> out;
   for (std::size_t i = 0; i < nominal.size(); ++i)
-    out.push_back(judge(nominal[i], records.data() + i * rows_of_a_trial() * scenarios()));
+    out.push_back(judge(nominal[i], points.data() + i * rows_of_a_trial() * scenarios()));
   return out;
 }
 
-// Returns by how much the value at a point exceeds a limit; negative within the limits, infinite without a
-// value.
-double Trials::excess(const Constraint& constraint, const results::PointRecord& record) const {
-  const double value = value_of(record, constraint.variable).value;
-  return std::isnan(value) ? kInfinity : std::max(value - constraint.max, constraint.min - value);
-}
-
-// Judges a trial by its points. records: for each row of the trial, the points of all scenarios
-Trial Trials::judge(const Values& nominal, const results::PointRecord* records) const {
+// Judges a trial by its points: for each row of the trial, the points of all scenarios.
+Trial Trials::judge(const Values& nominal, const Computed* points) const {
   const std::size_t scenarios = this->scenarios(), samples = 1 + deviations_.size();
   Trial out{nominal, {}, {}, {}, 0, 0, 0};
   const auto record = [&](std::size_t row, std::size_t scenario) -> const results::PointRecord& {
-    return records[row * scenarios + scenario];
+    return points[row * scenarios + scenario].record;
   };
   for (std::size_t i = 0; i < samples * scenarios; ++i) {
-    out.ambiguous += run::gap_of(records[i]).undecided;
+    out.ambiguous += run::gap_of(points[i].record).undecided;
     out.missing += std::ranges::any_of(design_.objectives, [&](const Objective& o) {
-      return std::isnan(value_of(records[i], o.variable).value);
+      return std::isnan(value_of(points[i].record, o.variable).value);
     });
   }
   for (const Objective& objective : design_.objectives) {
@@ -158,17 +192,17 @@ Trial Trials::judge(const Values& nominal, const results::PointRecord* records) 
       continue;
     }
     for (std::size_t i = 0; i < samples * scenarios; ++i) {
-      const double beyond = excess(c, records[i]);
+      const double beyond = excess(c, points[i]);
       if (beyond > most) {
         most = beyond;
-        value = value_of(records[i], c.variable).value;
+        value = limited_value(c, points[i]);
       }
     }
     out.constraints.push_back(value);
     if (std::isnan(value)) out.violation = kInfinity;
     else if (most > 0) out.violation = std::max(out.violation, beyond(value, value > c.max ? c.max : c.min));
   }
-  if (design_.jump_margin > 0 && out.violation == 0) set_jump_margin(out, jump_margin(nominal, records));
+  if (design_.jump_margin > 0 && out.violation == 0) set_jump_margin(out, jump_margin(nominal, points));
   return out;
 }
 
@@ -179,9 +213,8 @@ void Trials::set_jump_margin(Trial& trial, double margin) const {
 }
 
 // Returns the least relative change of a quantity that reaches a jump; infinite if no change up to the
-// required margin does. Locates jumps only between neighbours whose gaps differ. records: the points of the
-// trial
-double Trials::jump_margin(const Values& nominal, const results::PointRecord* records) const {
+// required margin does. Locates jumps only between neighbours whose gaps differ. points: those of the trial
+double Trials::jump_margin(const Values& nominal, const Computed* points) const {
   double margin = kInfinity;
   const std::size_t scenarios = this->scenarios();
   const std::vector<std::string> quantities = design_.quantities();
@@ -189,9 +222,9 @@ double Trials::jump_margin(const Values& nominal, const results::PointRecord* re
     bool differ = false;
     for (const std::size_t neighbour : {2 * q, 2 * q + 1})
       for (std::size_t s = 0; s < scenarios; ++s)
-        differ =
-            differ || run::jumps(run::gap_of(records[s]),
-                                 run::gap_of(records[(1 + deviations_.size() + neighbour) * scenarios + s]));
+        differ = differ ||
+                 run::jumps(run::gap_of(points[s].record),
+                            run::gap_of(points[(1 + deviations_.size() + neighbour) * scenarios + s].record));
     if (!differ) continue;
     margin = std::fmin(
         margin, least_margin({profile(nominal, quantities[q], values_beside(nominal, quantities[q], 1))}));
@@ -217,12 +250,11 @@ std::vector<double> Trials::values_beside(const Values& nominal, const std::stri
   return values;
 }
 
-// Returns the value in the scenario where the objective is worst. records: the points of one row in all
-// scenarios
-Estimate Trials::worst_nominal(const Objective& objective, const results::PointRecord* records) const {
+// Returns the value in the scenario where the objective is worst. points: those of one row in all scenarios
+Estimate Trials::worst_nominal(const Objective& objective, const Computed* points) const {
   std::vector<Estimate> by_scenario;
   for (std::size_t s = 0; s < scenarios(); ++s)
-    by_scenario.push_back(value_of(records[s], objective.variable));
+    by_scenario.push_back(value_of(points[s].record, objective.variable));
   return by_scenario[worst_scenario(objective, by_scenario)];
 }
 
@@ -241,17 +273,17 @@ Profile Trials::profile(const Values& nominal, const std::string& quantity,
   std::erase_if(sample.columns, [&](const Axis& column) { return column.name == quantity; });
   const Sweep along = (sample.columns.empty() ? single.without(sweep::kSample) : single.with(sample))
                           .with({quantity, values});
-  const std::vector<results::PointRecord> records = solve_all(along, Purpose::beside);
+  const std::vector<Computed> points = solve_all(along, Purpose::beside);
 
   Profile out{quantity, values, {}, kNone, kNone};
   for (std::size_t i = 0; i < values.size(); ++i) {
     out.objectives.emplace_back();
     for (const Objective& objective : design_.objectives)
-      out.objectives.back().push_back(worst_nominal(objective, records.data() + i * scenarios()));
+      out.objectives.back().push_back(worst_nominal(objective, points.data() + i * scenarios()));
   }
   if (along.base.loading.z_0) return out;  // a given gap does not jump
   std::vector<run::Gap> gaps;
-  for (const results::PointRecord& record : records) gaps.push_back(run::gap_of(record));
+  for (const Computed& point : points) gaps.push_back(run::gap_of(point.record));
   const results::Rows jumps = run::locate_jumps(
       along, quantity, gaps, [&](const Sweep& between, const std::vector<std::size_t>& indices) {
         std::vector<run::Gap> found;
@@ -274,18 +306,18 @@ Verification Trials::verify(const Values& nominal) const {
   for (const Point& deviations : sobol_points(brushes, design_.tolerances.size(), design_.seed))
     rows.push_back(deviated(nominal, deviations));
   const Sweep batch = with_rows(rows);
-  const std::vector<results::PointRecord> records = solve_all(batch, Purpose::beside);
+  const std::vector<Computed> points = solve_all(batch, Purpose::beside);
   Verification out{{}, {}, brushes, 0, 0};
   for (std::size_t row = 0; row < brushes; ++row) {
     bool missing = false, violated = false;
     for (std::size_t s = 0; s < scenarios(); ++s) {
-      const results::PointRecord& record = records[row * scenarios() + s];
+      const Computed& point = points[row * scenarios() + s];
       for (const Objective& o : design_.objectives)
-        missing = missing || std::isnan(value_of(record, o.variable).value);
+        missing = missing || std::isnan(value_of(point.record, o.variable).value);
       for (const Constraint& c : design_.constraints) {
         if (c.variable == kJumpMargin) continue;
-        missing = missing || std::isinf(excess(c, record));
-        violated = violated || excess(c, record) > 0;
+        missing = missing || std::isinf(excess(c, point));
+        violated = violated || excess(c, point) > 0;
       }
     }
     out.missing += missing;
@@ -296,7 +328,7 @@ Verification Trials::verify(const Values& nominal) const {
     for (std::size_t s = 0; s < scenarios(); ++s) {
       std::vector<Estimate> values;
       for (std::size_t row = 0; row < brushes; ++row)
-        if (const Estimate value = value_of(records[row * scenarios() + s], objective.variable);
+        if (const Estimate value = value_of(points[row * scenarios() + s].record, objective.variable);
             !std::isnan(value.value))
           values.push_back(value);
       by_scenario.push_back(values.empty() ? Estimate{kNone, kNone} : statistic(objective.of, values));
@@ -313,12 +345,12 @@ std::vector<SobolIndices> Trials::indices(const Values& nominal) const {
   for (const Point& deviations : saltelli_design(kIndexBlocks, inputs, design_.seed))
     rows.push_back(deviated(nominal, deviations));
   const Sweep batch = with_rows(rows);
-  const std::vector<results::PointRecord> records = solve_all(batch, Purpose::beside);
+  const std::vector<Computed> points = solve_all(batch, Purpose::beside);
   std::vector<SobolIndices> out;
   for (const Objective& objective : design_.objectives) {
     std::vector<double> values;
     for (std::size_t row = 0; row < rows.size(); ++row)
-      values.push_back(worst_nominal(objective, records.data() + row * scenarios()).value);
+      values.push_back(worst_nominal(objective, points.data() + row * scenarios()).value);
     out.push_back(sobol_indices(values, inputs));
   }
   return out;

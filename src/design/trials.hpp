@@ -24,6 +24,12 @@ enum class Purpose {
 using Solve =
     std::function<std::vector<results::PointRecord>(const Sweep&, const std::vector<std::size_t>&, Purpose)>;
 
+// A computed point, and the clearance of its brush.
+struct Computed {
+  results::PointRecord record;
+  double clearance;
+};
+
 struct Trial {
   Values nominal;
   std::vector<Estimate> objectives;    // value of each objective; NaN if a point that it needs has none
@@ -71,6 +77,11 @@ class Trials {
 
   // Returns the nominal values at a point of the unit cube.
   Values at(const Point& point) const;
+  // Returns the nominal values of a trial with these values of the variables.
+  Values with_tolerances(Values variables) const;
+  // Returns the values that can be made beside these: each variable with a step rounded down and up, in all
+  // combinations, within the bounds.
+  std::vector<Values> rounded_to_steps(const Values& nominal) const;
   std::vector<Trial> evaluate(const std::vector<Values>& nominal) const;
   // Sets the value of the constraint jump_margin, and the violation if the margin is below its limit.
   void set_jump_margin(Trial& trial, double margin) const;
@@ -97,15 +108,14 @@ class Trials {
 
  private:
   std::size_t scenarios() const;
-  std::vector<results::PointRecord> solve_all(const Sweep& sweep, Purpose purpose) const;
+  std::vector<Computed> solve_all(const Sweep& sweep, Purpose purpose) const;
   Values deviated(const Values& nominal, const Point& deviations) const;
   double neighbour(const Values& nominal, const std::string& quantity, double change) const;
-  double excess(const Constraint& constraint, const results::PointRecord& record) const;
-  Trial judge(const Values& nominal, const results::PointRecord* records) const;
+  Trial judge(const Values& nominal, const Computed* points) const;
   std::vector<double> values_beside(const Values& nominal, const std::string& quantity,
                                     std::size_t intervals) const;
-  Estimate worst_nominal(const Objective& objective, const results::PointRecord* records) const;
-  double jump_margin(const Values& nominal, const results::PointRecord* records) const;
+  Estimate worst_nominal(const Objective& objective, const Computed* points) const;
+  double jump_margin(const Values& nominal, const Computed* points) const;
 
   const Experiment& experiment_;
   const Design& design_;

@@ -245,7 +245,9 @@ Experiment read(const Document& d) {
 
 bool is_valid(const Document& document, const ReadBlocks& read_blocks) {
   try {
-    read_blocks(read(document));
+    const Experiment experiment = read(document);
+    check_clearance(document, experiment);
+    read_blocks(experiment);
     return true;
   } catch (const InputError&) {
     return false;
@@ -258,6 +260,7 @@ Experiment read_tier(const Document& document, const std::string& tier, const st
                      const ReadBlocks& read_blocks) {
   try {
     Experiment experiment = read(document);
+    check_clearance(document, experiment);
     read_blocks(experiment);
     return experiment;
   } catch (const InputError& e) {

@@ -4,6 +4,7 @@
 #include "bristle/ensemble/load.hpp"
 #include "experiment/overrides.hpp"
 #include "bristle/model/elementary.hpp"
+#include "sweep/si.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -14,6 +15,9 @@
 
 namespace bristle::experiment {
 namespace {
+
+// What the geometry of a brush follows from.
+const std::vector<std::string> kGeometry = {"R", "R_m", "r0_m", "spacing", "spacing_m"};
 
 // Returns the sweep that the checks look at: a design has an axis for each of its quantities, with their
 // extremes, in place of the sample of its trials.
@@ -173,10 +177,31 @@ void check_points(const json::Document& d, const Experiment& e) {
   check_scatter(d, e);
 }
 
+void check_clearance(const json::Document& d, const Experiment& experiment) {
+  if (!experiment.ranges.empty()) return;
+  const Sweep sweep = experiment.sweep.first_values(kGeometry);
+  for (std::size_t i = 0; i < sweep.size(); ++i) {
+    const sweep::PointInput point = sweep.point(i);
+    const Parameters& p = point.setup.parameters;
+    constexpr double rounding = 1e-9;  // shafts may touch
+    if (clearance(p) >= -rounding) continue;
+    const SiScales si = sweep::si_scales(point);
+    const bool in_mm = std::isfinite(si.length);
+    const auto length = [&](double value) {
+      return in_mm ? fmt::format("{:.4g} mm", 1e3 * si.length * value) : fmt::format("{:.4g} r_0", value);
+    };
+    d.fail(
+        place_of(d, "spacing").to_string(),
+        fmt::format("shafts overlap{}: their spacing, {}, is less than their diameter 2 R, {}; give a larger "
+                    "spacing or thinner shafts",
+                    sweep.size() > 1 ? " at " + sweep.place(i) : "", length(p.spacing), length(2 * p.R)));
+  }
+}
+
 std::vector<std::string> shaft_warnings(const json::Document& d, const Experiment& experiment) {
   // Shear, which the stiffnesses leave out, makes a shaft of the radius 0.1 r_0 2 % softer (S. P.
   // Timoshenko).
-  const Sweep sweep = sweep_of(experiment).first_values({"R", "R_m", "r0_m", "spacing", "spacing_m"});
+  const Sweep sweep = sweep_of(experiment).first_values(kGeometry);
   std::vector<std::string> out;
   // Warns once, of the first point for which is_true() holds, and names the place that sets the quantity.
   const auto warn_if = [&](const std::string& quantity, const auto& is_true, const auto& text) {
@@ -187,12 +212,6 @@ std::vector<std::string> shaft_warnings(const json::Document& d, const Experimen
         return;
       }
   };
-  warn_if(
-      "spacing", [](const Parameters& p) { return p.spacing < 2 * p.R; },
-      [](const Parameters& p) {
-        return fmt::format("{:.4g} r_0 is less than the diameter of the shafts, {:.4g} r_0", p.spacing,
-                           2 * p.R);
-      });
   warn_if(
       "R", [](const Parameters& p) { return p.R > 0.1; },
       [](const Parameters& p) {

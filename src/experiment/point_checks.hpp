@@ -10,8 +10,11 @@ namespace bristle::experiment {
 // C asks for one, and a lattice fits the slab. Throws InputError with the place of the value.
 void check_points(const json::Document& document, const Experiment& experiment);
 
-// Warnings of shafts that are thicker than their spacing, or too thick for a slender rod, at a point of the
-// sweep.
+// Throws InputError if shafts overlap at a point of the sweep. A design may have such trials, which violate
+// its constraint; so does its result, whose points are no longer those of a design.
+void check_clearance(const json::Document& document, const Experiment& experiment);
+
+// Warnings of shafts that are too thick for a slender rod, at a point of the sweep.
 std::vector<std::string> shaft_warnings(const json::Document& document, const Experiment& experiment);
 
 }  // namespace bristle::experiment

@@ -35,7 +35,7 @@ WORDS = {"friction": ["nss", "coulomb", "stribeck", "custom"], "bending": ["pola
          "path": ["loading", "unloading"], "sampling": ["quadrature", "list", "lattice"], "contact": ["wall", "hertz"], "section": ["round", "oval"]}
 RANGES = {"k_r": (3, 60), "k_phi": (1.5, 4), "k_theta": (0.5, 6), "tau_f": (1e4, 5e4), "phi_0_deg": (60, 88), "mu_c": (0.2, 2),
           "zeta_phi": (0.05, 1), "zeta_theta": (0.05, 1), "V_s": (0.001, 0.1), "A": (1.01, 3), "lambda_z": (5e-4, 5e-3), "R": (0.01, 0.12),
-          "L_x": (1, 8), "spacing": (0.05, 0.3), "z_0": (0.1, 1.05), "R_n": (0.01, 6), "nominal_friction": (0.2, 2)}
+          "L_x": (1, 8), "spacing": (0.13, 0.3), "z_0": (0.1, 1.05), "R_n": (0.01, 6), "nominal_friction": (0.2, 2)}
 VARIABLES = ["R_x", "R_n", "R_x_norm", "pinned_fraction", "z_0", "gamma_1", "N_c_ratio", "R_y", "root_strain", "stuck_share", "impacts"]
 
 

@@ -330,6 +330,51 @@ TEST_CASE("design: the recommended trial keeps to the jump margin in its profile
   CHECK(std::ranges::any_of(violations, [](double v) { return v > 0 && v < 0.011; }));  // of the trial before
 }
 
+TEST_CASE("design: the recommended brush is rounded to what can be made, and compared with the start") {
+  const Folder f;
+  const auto file = f.run(f.load(R"({"variables": {"k_r": [5, 40], "k_phi": [1.5, 2.5]}, "budget": 8,
+      "objectives": [{"minimise": "R_x"}], "round_to": {"k_r": 2, "k_phi": 0.25}})",
+                                 kFew));
+  const std::vector<double> k_r = file.variable("comparison/k_r").values,
+                            k_phi = file.variable("comparison/k_phi").values,
+                            R_x = file.variable("comparison/objective_1").values;
+  REQUIRE(k_r.size() == 3);  // start, recommended, as made
+  CHECK(k_r[0] == 10);
+  CHECK(k_phi[0] == 1.9);
+  CHECK(k_r[1] == first(file, "best/k_r"));
+  CHECK(std::fmod(k_r[2], 2) == 0);
+  CHECK(std::fmod(k_phi[2], 0.25) == 0);
+  CHECK(std::abs(k_r[2] - k_r[1]) <= 2);
+  CHECK(std::abs(k_phi[2] - k_phi[1]) <= 0.25);
+  CHECK(R_x[1] < R_x[0]);
+  const std::string text = file.provenance().at("design");
+  CHECK_THAT(text, Catch::Contains("rounded to what can be made"));
+  CHECK_THAT(text, Catch::Contains("as made"));
+}
+
+TEST_CASE("design: objectives that differ from the start's by less than their errors are called so") {
+  const Folder f;
+  // The length of the slab across the motion has no effect.
+  const auto file = f.run(
+      f.load(R"({"variables": {"L_y": [4, 6]}, "budget": 4, "objectives": [{"minimise": "R_x"}]})", kFew));
+  CHECK_THAT(file.provenance().at("design"),
+             Catch::Contains("these variables do not matter here, and the start can be kept"));
+}
+
+TEST_CASE("design: trials whose shafts overlap violate a constraint that is always there") {
+  const Folder f;
+  // The spacing is 0.2, so that shafts thicker than 0.1 overlap; friction does not depend on the radius.
+  const auto file = f.run(f.load(R"({"variables": {"R": [0.05, 0.15]}, "budget": 8,
+      "objectives": [{"maximise": "root_strain"}]})",
+                                 kFew));
+  const std::vector<double> R = file.variable("trials/R").values,
+                            violation = file.variable("trials/violation").values;
+  for (std::size_t i = 0; i < R.size(); ++i) CHECK((violation[i] > 0) == (R[i] > 0.1));
+  CHECK(first(file, "best/R") <= 0.1);
+  CHECK(first(file, "best/constraint_1") == Approx(0.1 / first(file, "best/R") - 1));
+  CHECK_THAT(file.provenance().at("design"), Catch::Contains("0 <= clearance"));
+}
+
 TEST_CASE("design: a target that no trial meets is not called met") {
   const Folder f;
   const auto text = [&](double value) {
@@ -420,6 +465,10 @@ TEST_CASE("malformed designs: the message names place, value and remedy") {
   CHECK_THAT(f.error(with(R"("friction": [1, 2])")), Catch::Contains("friction is a choice, not a number"));
   CHECK_THAT(f.error(with(R"("k_r": [1, 2])", R"(, "tolerances": {"k_r": {"normal": 0.5}})")),
              Catch::Contains("/design/tolerances/k_r: 0.5 is too wide"));
+  CHECK(f.error(with(R"("k_r": [5, 9])", R"(, "round_to": {"k_phi": 1})")) ==
+        "e.json: /design/round_to/k_phi: is no variable of the design; allowed: k_r");
+  CHECK(f.error(with(R"("k_r": [5, 9])", R"(, "round_to": {"k_r": 20})")) ==
+        "e.json: /design/round_to/k_r: 20 has no multiple between the bounds, 5 and 9");
   CHECK_THAT(f.error(with(R"("k_r": [5, 9])", R"(, "constraints": [{"variable": "strain", "max": 1}])")),
              Catch::Contains("/design/constraints/0/variable: \"strain\" is not a variable of the result"));
   CHECK_THAT(f.error(with(R"("k_r": [5, 9])", R"(, "constraints": [{"variable": "R_x"}])")),

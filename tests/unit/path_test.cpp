@@ -92,6 +92,25 @@ TEST_CASE("an impact is a return to the slab") {
   CHECK(path[STRETCH_PEAK] == Approx(std::hypot(0.5, on) - 1));
 }
 
+TEST_CASE("a tip that begins at the slab is not off it while it leaves it into the slab") {
+  Parameters p;
+  p.bending = Bending::rod;
+  p.contact = Contact::hertz;
+  p.initial_state = InitialState::unstretched;
+  p.phi_0 = 66 * M_PI / 180;
+  p.k_r = 115;
+  p.E_star = 11000;
+  p.tau_f = 600;
+  p.C = chi_C_peak_at_V_s(p.A);
+  InitialStates starts(p);
+  for (const Engine engine : {Engine::fast, Engine::reference})
+    for (const double z_0 : {0.18, 0.18975489255313313, 0.2, 0.21}) {
+      const PassageTask task{&p, make_bristle(p, z_0, 169 * M_PI / 180), starts.at(z_0), {1e-4, 1e-6}};
+      CAPTURE(z_0, int(engine));
+      CHECK(make_runner(engine)({task}).front().path[OFF_SLAB_TIME] == 0);
+    }
+}
+
 TEST_CASE("the largest bending is the angle to the undeformed bristle") {
   for (const double angle : {0.0, 1e-6, 0.3, 1.0, 3.0}) {
     Parameters p;

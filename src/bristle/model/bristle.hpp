@@ -3,6 +3,7 @@
 #include "bristle/model/contact.hpp"
 #include "bristle/model/friction/laws.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -71,6 +72,9 @@ static_assert(sizeof(Bristle<double>) == sizeof(FrictionLaw) + sizeof(Bending) +
 // Distance below the slab, in multiples of contact_range(), beyond which a tip is off a wall: F_n is then
 // below 0.03 for the paper's beta.
 constexpr double kOffSlabRanges = 10;
+// Distance below the slab beyond which any tip is off it: a tip that begins at the slab is there up to
+// rounding.
+constexpr double kOffSlabRounding = 1e-12;
 
 // Returns the constants of a bristle for the gap z_0 (dimensionless) and the undeformed azimuth theta_0
 // (rad). Evaluates Eqs. (11, 12), or for a rod the damping of a unit mass at r = 1, and the derived constants
@@ -108,7 +112,7 @@ inline Bristle<double> make_bristle(const Parameters& p, double z_0, double thet
     const double root = cbrt(b.hertz_stiffness);
     b.hertz_stiffness_23 = root * root;
   }
-  b.off_slab = kOffSlabRanges * contact_range(p);
+  b.off_slab = std::max(kOffSlabRanges * contact_range(p), kOffSlabRounding);
   b.z_0 = z_0;
   b.V_s = p.V_s;
   return b;

@@ -137,6 +137,10 @@ inline double azimuthal_stiffness(const Parameters& p) {
 // Returns how far the contact force reaches below the slab, in units of r0; 0 with the Hertz contact.
 inline double contact_range(const Parameters& p) { return p.contact == Contact::wall ? p.lambda_z : 0; }
 
+// Returns the room between the shafts of neighbours, over their diameter: spacing/(2 R) - 1. They overlap if
+// it is negative.
+inline double clearance(const Parameters& p) { return p.spacing / (2 * p.R) - 1; }
+
 // Limits of the values that an experiment may give a number.
 struct Bounds {
   double least = -std::numeric_limits<double>::infinity(), most = std::numeric_limits<double>::infinity();

@@ -1,0 +1,88 @@
+#include "design/drawing.hpp"
+
+#include "sweep/si.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+
+namespace bristle::design {
+namespace {
+
+constexpr double kMillimetres = 1e3, kDegrees = 180 / M_PI;
+
+// Returns the dimension with the tolerance and the margins of the quantity that determines it.
+Dimension dimension_of(const Trials& trials, const Findings& found, const std::string& quantity,
+                       Dimension dimension) {
+  for (const experiment::Tolerance& t : trials.design().tolerances)
+    if (t.name == quantity) {
+      dimension.tolerance = t.width;
+      dimension.normal = t.normal;
+    }
+  for (const Profile& profile : found.profiles)
+    if (profile.quantity == quantity) {
+      dimension.below = profile.margin_below;
+      dimension.above = profile.margin_above;
+    }
+  return dimension;
+}
+
+}  // namespace
+
+std::vector<Dimension> drawing(const Trials& trials, const Findings& found) {
+  const sweep::PointInput point = trials.with_rows({recommended(found).nominal}).point(0);
+  const Parameters& p = point.setup.parameters;
+  if (point.si.empty()) return {};
+  const double mm = sweep::si_scales(point).length * kMillimetres;
+  const double per_metre = kMillimetres / (p.spacing * mm);
+  const auto dimension = [&](const char* quantity, const char* name, const char* meaning, const char* units,
+                             double value) {
+    return dimension_of(trials, found, quantity, {name, meaning, units, value, kNone, false, kNone, kNone});
+  };
+  return {
+      dimension("r0_m", "length", "length of a bristle", "mm", mm),
+      dimension("R_m", "diameter", "diameter of its shaft", "mm", 2 * p.R * mm),
+      dimension("phi_0_deg", "angle", "angle between bristle and base", "degree", p.phi_0 * kDegrees),
+      dimension("R_c_m", "tip_radius", "radius of its tip", "mm", p.R_c * mm),
+      dimension("spacing_m", "spacing", "distance of neighbouring bristles", "mm", p.spacing * mm),
+      {"density", "bristles per area", "m-2", per_metre * per_metre, kNone, false, kNone, kNone},
+  };
+}
+
+results::Dataset drawing_group(const std::vector<Dimension>& dimensions) {
+  std::vector<std::string> names;
+  for (const Dimension& one : dimensions) names.push_back(one.name);
+  results::Dataset out("drawing");
+  out.add_dimension(results::coordinates("dimension", "dimension of the recommended brush", names));
+  const auto add = [&](const char* name, const char* meaning, double Dimension::*member) {
+    out.add({name, meaning, "", ""}, [&](std::size_t row) { return dimensions[row].*member; });
+  };
+  add("value", "length and radius in mm, angle in degrees, bristles per m^2", &Dimension::value);
+  add("tolerance", "standard deviation or greatest deviation, relative; NaN: none", &Dimension::tolerance);
+  add("margin_below", "relative decrease that reaches a jump of the gap; NaN: none in the range",
+      &Dimension::below);
+  add("margin_above", "relative increase that reaches a jump of the gap; NaN: none in the range",
+      &Dimension::above);
+  return out;
+}
+
+std::string drawing_text(const std::vector<Dimension>& dimensions) {
+  std::string out = "drawing:\n";
+  for (const Dimension& one : dimensions) {
+    const std::string value =
+        one.value >= 1e4 ? fmt::format("{:.0f}", one.value) : fmt::format("{:.4g}", one.value);
+    out += fmt::format("  {:<36} {:>8} {}", one.meaning, value, one.units == "m-2" ? "per m^2" : one.units);
+    if (!std::isnan(one.tolerance))
+      out += fmt::format(", {} {:.2g} {}", one.normal ? "standard deviation" : "+-",
+                         one.tolerance * one.value, one.units);
+    std::string margins;
+    if (!std::isnan(one.below)) margins = fmt::format("at {:.4g}", one.value * (1 - one.below));
+    if (!std::isnan(one.above))
+      margins += fmt::format("{}at {:.4g}", margins.empty() ? "" : " and ", one.value * (1 + one.above));
+    if (!margins.empty()) out += fmt::format("; the gap jumps {} {}", margins, one.units);
+    out += "\n";
+  }
+  return out;
+}
+
+}  // namespace bristle::design
