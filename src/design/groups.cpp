@@ -228,15 +228,18 @@ std::string verification_text(const Trials& trials, const Verification& verified
   return out;
 }
 
-// Returns the comparison as a table, a row for each variable, objective and constraint.
+// Returns the comparison as a table, a row for each variable, objective and constraint, without trials that
+// have a column already.
 std::string comparison_text(const Trials& trials, const Findings& found) {
   const Design& design = trials.design();
-  const std::vector<Compared> all = compared(trials, found);
-  std::string out = fmt::format("  {:<44}", "");
-  for (const Compared& one : all) out += fmt::format(" {:>20}", one.heading);
+  std::vector<Compared> shown;
+  for (const Compared& one : compared(trials, found))
+    if (std::ranges::count(shown, one.trial, &Compared::trial) == 0) shown.push_back(one);
+  std::vector<std::vector<std::string>> rows = {{""}};
+  for (const Compared& one : shown) rows.front().push_back(one.heading);
   const auto add = [&](const std::string& title, const auto& text) {
-    out += fmt::format("\n  {:<44}", title);
-    for (const Compared& one : all) out += fmt::format(" {:>20}", text(*one.trial));
+    rows.push_back({title});
+    for (const Compared& one : shown) rows.back().push_back(text(*one.trial));
   };
   for (const std::string& name : design.quantities()) {
     const std::string units = column_of(name).units;
@@ -247,11 +250,20 @@ std::string comparison_text(const Trials& trials, const Findings& found) {
     add(fmt::format("{}: {}", o + 1, design.objectives[o].text()),
         [&](const Trial& t) { return estimate_text(t.objectives[o]); });
   for (std::size_t c = 0; c < design.constraints.size(); ++c)
-    add(design.constraints[c].text(), [&](const Trial& t) {
+    add(design.constraints[c].text(), [&](const Trial& t) -> std::string {
       const double value = t.constraints[c];
       return std::isnan(value) ? "-" : std::isinf(value) ? "none near" : fmt::format("{:.3g}", value);
     });
-  return out + "\n";
+  std::vector<std::size_t> widths(rows.front().size());
+  for (const std::vector<std::string>& row : rows)
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+  std::string out;
+  for (const std::vector<std::string>& row : rows) {
+    out += fmt::format("  {:<{}}", row.front(), widths.front());
+    for (std::size_t i = 1; i < row.size(); ++i) out += fmt::format("  {:>{}}", row[i], widths[i]);
+    out += "\n";
+  }
+  return out;
 }
 
 // Returns sentences on what the comparison means: limits that the start exceeds, differences within the
