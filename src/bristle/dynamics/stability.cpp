@@ -85,7 +85,7 @@ Mode least_stable(const Matrix& linear) {
 SteadySliding steady_sliding(const Parameters& p, double z_0) {
   constexpr double kLargestStep = 2e-3, kLeastStep = 1e-6;  // change of the gap in one step
   Bristle<double> b = make_bristle(p, z_0, 0);
-  b.z_0 = std::max(z_0, sin(p.phi_0) + 3 * b.off_slab);  // where a wall is hardly felt
+  b.z_0 = std::max(z_0, sin(p.phi_0) + 3 * kOffSlabRanges * contact_range(p));  // where a wall is hardly felt
   Rest tip = resting_place(b, {cos(p.phi_0), sin(p.phi_0)});
   for (double step = kLargestStep; b.z_0 > z_0 && !std::isnan(tip.x);) {
     const double before = b.z_0;
