@@ -55,6 +55,7 @@ def readings_of(found):
 def in_short(found):
     """The findings that a reader should know first, of the results that are there."""
     return sentences(found, [("load", two_phases), ("load", sliding_easily), ("liftoff", formula), ("hysteresis", two_frictions),
+                             ("scatter", bristles_that_differ),
                              ("chart", weak_friction)], [counts]) + sentences(found, [("fig4", limits)])
 
 
@@ -127,6 +128,20 @@ def formula(file, _):
     return (f"**A formula says which.** A brush bounces if its load per bristle is less than the lift-off load, {of_springs}, within "
             f"{percent(scatter)} (dimensionless; docs/lift-off.md). Stiffer bristles bounce under greater loads; the "
             "speed of the slab matters little.")
+
+
+def bristles_that_differ(file, _):
+    loads = axis_values(file, "R_n_target")
+    loading, unloading = (select(dataset(file, "R_x_norm"), ["sample", "R_n_target"], path=path) for path in ("loading", "unloading"))
+    factor = unloading / loading
+    widths = {text: read(file, name) for text, name in (("length", "scatter_r0"), ("modulus", "scatter_E"))}
+    two = np.flatnonzero((factor >= 2).all(axis=0))
+    if not two.size:
+        return ""
+    names = " or ".join(f"{percent(width.max())} of the {text}" for text, width in widths.items())
+    return (f"**The two frictions remain if the bristles differ.** With standard deviations of up to {names} within a brush, the larger "
+            f"friction is {in_two_digits(factor[:, two].min())} to {in_two_digits(factor[:, two].max())} times the smaller under loads "
+            f"from {loads[two[0]]:.2g} to {loads[two[-1]]:.2g}.")
 
 
 def weak_friction(file, _):
