@@ -178,8 +178,11 @@ void check_points(const json::Document& d, const Experiment& e) {
 }
 
 void check_clearance(const json::Document& d, const Experiment& experiment) {
-  if (!experiment.ranges.empty()) return;
-  const Sweep sweep = experiment.sweep.first_values(kGeometry);
+  const Sweep& all = experiment.sweep;
+  const bool has_radius = all.base.si.contains("R_m") || all.varies("R_m") || all.varies("R") ||
+                          d.chosen(JsonPointer("/model/R"));
+  if (!experiment.ranges.empty() || !has_radius) return;
+  const Sweep sweep = all.first_values(kGeometry);
   for (std::size_t i = 0; i < sweep.size(); ++i) {
     const sweep::PointInput point = sweep.point(i);
     const Parameters& p = point.setup.parameters;

@@ -10,8 +10,9 @@ namespace bristle::experiment {
 // C asks for one, and a lattice fits the slab. Throws InputError with the place of the value.
 void check_points(const json::Document& document, const Experiment& experiment);
 
-// Throws InputError if shafts overlap at a point of the sweep. A design may have such trials, which violate
-// its constraint; so does its result, whose points are no longer those of a design.
+// Throws InputError if shafts overlap at a point of the sweep of an experiment that gives their radius. A
+// design may have such trials, which violate its constraint; so does its result, whose points are no longer
+// those of a design.
 void check_clearance(const json::Document& document, const Experiment& experiment);
 
 // Warnings of shafts that are too thick for a slender rod, at a point of the sweep.
