@@ -35,6 +35,8 @@ Json patch(Json schema) {
       property = patch(property);
       if (std::ranges::count(required, key) == 0) property = or_null(property);
     }
+  if (schema.contains("additionalProperties") && schema["additionalProperties"].is_object())
+    schema["additionalProperties"] = or_null(patch(schema["additionalProperties"]));
   if (schema.contains("anyOf"))
     for (Json& option : schema["anyOf"]) option = patch(option);
   return schema;

@@ -17,7 +17,7 @@ bristle, folder = sys.argv[1], pathlib.Path(sys.argv[2])
 experiments = pathlib.Path(__file__).parents[2] / "experiments"
 MUTATIONS = 200
 VALUES = ["word", -1, 0, 2.5, 1e9, None, True, [], {}, [1, 1], ["nss", "coulomb"]]
-BLOCKS = ["model", "si", "load", "orientation", "integrator", "sweep", "design", "record", "trajectories", "tiers"]
+BLOCKS = ["model", "si", "load", "orientation", "scatter", "integrator", "sweep", "design", "record", "trajectories", "tiers"]
 
 # What the program refuses and the schema does not: its message, and the reason.
 PROGRAM_ONLY = {
@@ -28,14 +28,23 @@ PROGRAM_ONLY = {
     "cannot (start|begin) at": "what a logarithmic axis or distribution needs",
     "is missing": "what the extended file or another value requires",
     "a lattice needs a whole number|lattice\" only": "what a lattice requires of other blocks",
-    "/si/.* (need it|with R_m only)": "which quantities in SI units belong together",
+    "/si/.* (need it|needs either|with R_m only)": "which quantities in SI units belong together",
     "above first contact": "a bound that depends on other values",
     "not a number that the sweep varies": "whether the sweep has the axis of the jumps",
-    "is not below .*; swap them": "order of the ends of a distribution",
+    "is not below .*; (swap them|give a range)": "order of the ends of a distribution",
     "gives 0 distributions": "whether the extended file has this distribution",
     "has no effect on round rods": "which section the extended file gives rods",
+    r"is not a number, which \w+ needs": "which quantity a column of a table has",
+    r"/sweep/sample/table/rows/.* (is out of range for|has \d+ values)": "which columns a table has",
+    r"/sweep/sample/over/\w+: \w+ cannot be swept": "which quantities a sample can vary",
+    r"/design/variables/.* is out of range for": "which values a variable can have",
+    "needs exactly one of table and sobol": "whether the extended file has a table",
+    "needs either jump_margin alone|goals are given": "what a constraint or an objective needs together",
+    "shafts overlap": "whether radius and spacing fit",
+    r"could reach (zero|90 degrees)": "how far a distribution reaches",
+    "is no variable of the design|has no multiple between": "which variables a design has, and their bounds",
     "appears twice": "whether the words of an axis differ",
-    r"\d\.0 is not allowed; allowed: an integer": "that an integer is written without a decimal point",
+    r"\d\.0 is not allowed; (write \d+; )?allowed: an integer": "that an integer is written without a decimal point",
     r"/sweep/\w+: \d+\.\d+ is out of range for .*; allowed: an integer": "whether the steps of an axis are integers",
 }
 
