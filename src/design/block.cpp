@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <ranges>
 #include <string_view>
 
 namespace bristle::design {
@@ -82,12 +81,12 @@ void check_second_model(const Node& choice, const Experiment& experiment, const 
 // Reads the steps of a design's variables. Throws InputError for another name, and for a step that leaves no
 // value between the bounds.
 void read_steps(const Node& block, Design& design) {
+  std::vector<std::string> names;
+  for (const experiment::Range& range : design.variables) names.push_back(range.name);
   for (const auto& [name, node] : block.members()) {
     const auto range = std::ranges::find(design.variables, name, &experiment::Range::name);
     if (range == design.variables.end())
-      node.fail(
-          fmt::format("is no variable of the design; allowed: {}",
-                      fmt::join(design.variables | std::views::transform(&experiment::Range::name), ", ")));
+      node.fail(fmt::format("is no variable of the design; allowed: {}", fmt::join(names, ", ")));
     const double step = design.round_to[name] = node.as<double>();
     if (std::floor(range->high / step) * step < range->low)
       node.fail(

@@ -68,7 +68,7 @@ std::shared_ptr<const ModulationTable> read_formula(const json::Document& d, con
 bool uses_custom(const Json& json, const std::vector<sweep::Axis>& axes) {
   for (const sweep::Axis& axis : axes)
     for (const auto& varied : {std::vector{axis}, axis.columns})
-      if (const auto found = std::ranges::find(varied, "friction", &Axis::name); found != varied.end())
+      if (const auto found = std::ranges::find(varied, "friction", &sweep::Axis::name); found != varied.end())
         return std::ranges::count(found->values, double(FrictionLaw::custom)) > 0;
   return json["model"]["friction"] == Custom::name;
 }
