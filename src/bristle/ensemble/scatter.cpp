@@ -4,7 +4,6 @@
 #include "bristle/ensemble/sobol.hpp"
 #include "bristle/random.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -31,11 +30,7 @@ void project_out(std::vector<double>& vector, const std::vector<double>& unit) {
 
 }  // namespace
 
-bool Scatter::any() const { return properties() > 0; }
-
-std::size_t Scatter::properties() const {
-  return width.size() - std::size_t(std::count(width.begin(), width.end(), 0.0));
-}
+bool Scatter::any() const { return width != Deviations{}; }
 
 double reach(const Scatter& scatter, std::size_t property) {
   return scatter.width[property] * (scatter.uniform[property] ? 1 : kWidestDeviation);

@@ -34,8 +34,6 @@ struct Scatter {
 
   // Returns whether any property scatters.
   bool any() const;
-  // Returns the number of properties that scatter.
-  std::size_t properties() const;
 };
 
 // Normal deviations are within this many standard deviations.
