@@ -213,10 +213,11 @@ Experiment read(const Document& d) {
     d.fail("/model/C", "is swept; its value here must be a number");
   e.sweep.engine = from_word<Engine>(json["integrator"].value("engine", "fast"));
   e.sweep.base.setup = {read_model(d), read_orientation(d), read_integrator(d), read_scatter(d)};
-  e.sweep.friction_law = read_friction_law(d, e.sweep.axes);
+  const OwnLaw law = read_friction_law(d, e.sweep.axes);
+  e.sweep.friction_law = law.table;
   e.sweep.base.setup.parameters.custom_friction.table = e.sweep.friction_law.get();
   if (e.sweep.friction_law) e.sweep.friction_law_text = json["friction_law"].dump();
-  e.sweep.base.friction_law_in_si = e.sweep.friction_law && json["friction_law"].contains("V_R_m_per_s");
+  e.sweep.base.friction_law_in_si = law.in_si;
   e.sweep.azimuths_sha256 =
       sha256_of(fmt::format("{}", fmt::join(e.sweep.base.setup.orientation.theta_0, ",")));
   e.sweep.base.setup.max_evaluations_per_point =

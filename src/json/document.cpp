@@ -8,10 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <algorithm>
-#include <cctype>
-#include <cstring>
 #include <filesystem>
 #include <iostream>
 
@@ -19,7 +16,8 @@ namespace bristle::json {
 namespace fs = std::filesystem;
 namespace {
 
-const JsonPointer kTable("/sweep/sample/table");  // the name of a file at first, then its columns and rows
+// Where an experiment may contain a table: the name of a file at first, then its columns and rows.
+const JsonPointer kTables[] = {JsonPointer("/sweep/sample/table"), JsonPointer("/friction_law/table")};
 
 constexpr const char* kFromStandardInput =
     "-";  // in place of a file, as if it were one in the working folder
@@ -82,14 +80,14 @@ std::vector<std::string> tiers_of(const Json& content) {
   return names;
 }
 
-// Calls change with each place of the file, here and in the tiers, that names the file of a table.
-template <class Change>
-void each_table_name(Json& content, Change change) {
-  const auto visit = [&](const JsonPointer& at) {
-    if (content.contains(at) && content[at].is_string()) change(content[at]);
+// Calls visit with each value of the file, here and in the tiers, that names the file of this table.
+template <class Visit>
+void each_table_name(Json& content, const JsonPointer& table, Visit visit) {
+  const auto try_at = [&](const JsonPointer& at) {
+    if (content.contains(at) && content[at].is_string()) visit(content[at]);
   };
-  visit(kTable);
-  for (const std::string& tier : tiers_of(content)) visit(JsonPointer("/tiers") / tier / kTable);
+  try_at(table);
+  for (const std::string& tier : tiers_of(content)) try_at(JsonPointer("/tiers") / tier / table);
 }
 
 // Appends the file to out, after the files that it extends. chain: the files that led to this one.
@@ -120,127 +118,25 @@ void collect(const std::string& path, const fs::path& root, std::vector<std::str
   }
   content.erase("extends");
   content.erase("$schema");  // for editors
-  each_table_name(content, [folder = fs::path(path).parent_path()](Json& name) {
-    name = (folder / name.get<std::string>()).string();
-  });
+  for (const JsonPointer& table : kTables)
+    each_table_name(content, table, [folder = fs::path(path).parent_path()](Json& name) {
+      name = (folder / name.get<std::string>()).string();
+    });
   out.push_back({name_of(path), std::make_shared<const Json>(std::move(content))});
 }
 
-std::vector<std::string> tokens_of(JsonPointer pointer) {
-  std::vector<std::string> tokens;
-  for (; !pointer.empty(); pointer.pop_back()) tokens.insert(tokens.begin(), pointer.back());
-  return tokens;
-}
-
-Document::Change parse_set(const std::string& argument) {
-  const auto equals = argument.find('=');
-  const auto fail = [&](const std::string& why) {
-    throw InputError(fmt::format("--set {}: {}; write --set /model/k_r=20", argument, why));
-  };
-  if (equals == std::string::npos) fail("'=' is missing");
-  const std::string text = argument.substr(equals + 1);
-  if (std::count(argument.begin(), argument.begin() + long(equals), '/') > kMaxJsonDepth)
-    fail(fmt::format("the JSON pointer is more than {} levels deep", kMaxJsonDepth));
-  Json value;
-  try {
-    const bool json_intended =
-        std::isdigit(static_cast<unsigned char>(text[0])) || std::strchr("-[{\"", text[0]);
-    value = Json::accept(text) || (json_intended && !text.empty()) ? parse_json(text) : Json(text);
-    value.dump();  // throws for text that is not UTF-8
-  } catch (const InputError& e) {
-    fail(fmt::format("'{}': {}", text.substr(0, 60), e.what()));
-  } catch (const Json::exception& e) {
-    fail(json_error(e.what()));
-  }
-  try {
-    const JsonPointer pointer(argument.substr(0, equals));
-    if (pointer.empty()) fail("the JSON pointer is empty");
-    if (argument.starts_with("/tiers"))
-      fail("would have no effect, because the tier has been applied; set the value itself");
-    return {"--set " + argument, tokens_of(pointer), std::make_shared<const Json>(std::move(value))};
-  } catch (const Json::exception& e) {
-    fail(json_error(e.what()));
-  }
-  return {"", {}, nullptr};  // not reached: fail() throws
-}
-
-// The element of an array for a token of a JSON pointer; "-" appends one. Throws InputError.
-Json& element(Json& array, const std::string& token, const std::string& change) {
-  if (token == "-") return array.emplace_back();
-  const bool number =
-      !token.empty() && token.size() < 10 && token.find_first_not_of("0123456789") == token.npos;
-  if (!number || std::stoul(token) >= array.size())
-    throw InputError(
-        fmt::format("{}: \"{}\" is not an element of the array {}; allowed: 0 to {}, or - to append", change,
-                    token, shown(array), std::ptrdiff_t(array.size()) - 1));
-  return array[std::stoul(token)];
-}
-
-void remove_key(Json& object, const std::string& key, const std::string& change) {
-  std::vector<std::string> keys;
-  for (const auto& [name, value] : object.items()) keys.push_back(name);
-  if (!object.contains(key))
-    throw InputError(fmt::format("{}: there is no key {} to remove{}; here: {}", change, key,
-                                 did_you_mean(key, keys), fmt::join(keys, ", ")));
-  object.erase(key);
-}
-
-// Assigns the value at its pointer; an object is merged into the one there, and null removes a key.
-void apply(Json& document, const Document::Change& change) {
-  const std::vector<std::string>& tokens = change.tokens;
-  Json* at = &document;
-  for (std::size_t i = 0; i < tokens.size(); ++i) {
-    const std::string& token = tokens[i];
-    if (at->is_array()) {
-      at = &element(*at, token, change.name);
-    } else if (at->is_object() || at->is_null()) {
-      if (i + 1 == tokens.size() && change.value->is_null()) {
-        remove_key(*at, token, change.name);
-        return;
-      }
-      at = &(*at)[token];
-    } else {
-      throw InputError(fmt::format("{}: \"{}\" does not exist, because what should contain it is {}",
-                                   change.name, token, shown(*at)));
-    }
-  }
-  if (change.value->is_object() && at->is_object()) at->merge_patch(*change.value);
-  else *at = *change.value;
-}
-
-// Whether the change sets the value at this pointer, or a part of it.
-bool sets(const Document::Change& change, const JsonPointer& pointer) {
-  const auto &changed = change.tokens, asked = tokens_of(pointer);
-  const std::size_t common = std::min(changed.size(), asked.size());
-  if (!std::equal(changed.begin(), changed.begin() + long(common), asked.begin())) return false;
-  JsonPointer rest;
-  for (std::size_t i = common; i < asked.size(); ++i) rest.push_back(asked[i]);
-  return change.value->contains(rest);
-}
-
-// What the change sets at the pointer; null if nothing.
-Json* set_at(const Document::Change& change, Json& value, const JsonPointer& pointer) {
-  const std::vector<std::string> asked = tokens_of(pointer);
-  if (change.tokens.size() > asked.size() ||
-      !std::equal(change.tokens.begin(), change.tokens.end(), asked.begin()))
-    return nullptr;
-  JsonPointer rest;
-  for (std::size_t i = change.tokens.size(); i < asked.size(); ++i) rest.push_back(asked[i]);
-  return value.contains(rest) ? &value[rest] : nullptr;
-}
-
-// Whether the change sets a part of the table, and not all of it.
-bool changes_part_of_table(const Document::Change& change) {
-  const std::vector<std::string> table = tokens_of(kTable);
-  if (change.tokens.size() > table.size())
-    return std::equal(table.begin(), table.end(), change.tokens.begin());
+// Returns true if the change sets a part of the table, and not all of it.
+bool changes_part(const Assignment& change, const JsonPointer& table) {
+  const std::vector<std::string> tokens = tokens_of(table);
+  if (change.tokens.size() > tokens.size())
+    return std::equal(tokens.begin(), tokens.end(), change.tokens.begin());
   Json value = *change.value;
-  const Json* found = set_at(change, value, kTable);
+  const Json* found = change.find(value, table);
   return found && found->is_object();
 }
 
-bool changes_part_of_table(const Json& patch) {
-  return patch.contains(kTable) && patch.at(kTable).is_object();
+bool changes_part(const Json& patch, const JsonPointer& table) {
+  return patch.contains(table) && patch.at(table).is_object();
 }
 
 }  // namespace
@@ -254,7 +150,7 @@ Document Document::load(const std::string& path, const DocumentOptions& options)
     throw InputError(fmt::format("{}: no such file; did you mean {}?", path, meant));
   if (path != kFromStandardInput) read_json_file(path);  // reports a missing file before its missing folder
   collect(path, experiments_folder(path), chain, d.files_);
-  for (const std::string& argument : options.set) d.set_.push_back(parse_set(argument));
+  for (const std::string& argument : options.set) d.set_.push_back(parse_assignment(argument));
   d.merge();
   return d;
 }
@@ -265,7 +161,7 @@ Document Document::stored(const Json& content, const std::string& source,
   d.path_ = source;
   d.tier_ = "full";
   d.files_.push_back({source, std::make_shared<const Json>(content)});
-  for (const std::string& argument : set) d.set_.push_back(parse_set(argument));
+  for (const std::string& argument : set) d.set_.push_back(parse_assignment(argument));
   d.merge();
   return d;
 }
@@ -317,12 +213,13 @@ std::string Document::remedy_of_inherited_tier(const std::string& tier) const {
 
 void Document::merge() {
   Json merged = Json::object();
-  table_.reset();
+  tables_.clear();
   const auto add = [&](const Json& patch) {
-    if (changes_part_of_table(patch)) {
-      include_table(merged);
-      table_.reset();
-    }
+    for (const JsonPointer& table : kTables)
+      if (changes_part(patch, table)) {
+        include_table(merged, table);
+        tables_.erase(table.to_string());
+      }
     merged.merge_patch(patch);
   };
   for (const Source& s : files_) {
@@ -334,41 +231,42 @@ void Document::merge() {
     add(*content);
   }
   for (const Json& patch : tier_patches(tier_)) add(patch);
-  for (const Change& change : set_) {
-    if (changes_part_of_table(change)) include_table(merged);
+  for (const Assignment& change : set_) {
+    for (const JsonPointer& table : kTables)
+      if (changes_part(change, table)) include_table(merged, table);
     apply(merged, change);
   }
-  include_table(merged);
+  for (const JsonPointer& table : kTables) include_table(merged, table);
   merged_ = std::make_shared<const Json>(std::move(merged));
 }
 
-void Document::include_table(Json& merged) {
-  if (!merged.contains(kTable) || !merged[kTable].is_string()) return;
-  const Json name = merged[kTable];
-  table_ = read_table(name);
-  const Json& table = table_->content;
-  merged[kTable] = table;
+void Document::include_table(Json& merged, const JsonPointer& at) {
+  if (!merged.contains(at) || !merged[at].is_string()) return;
+  const Json name = merged[at];
+  const Table& table = tables_[at.to_string()] = read_table(name);
+  merged[at] = table.content;
   for (Source& source : files_) {
     Json content = *source.content;
-    each_table_name(content, [&](Json& named) {
-      if (named == name) named = table;
+    each_table_name(content, at, [&](Json& named) {
+      if (named == name) named = table.content;
     });
     source.content = std::make_shared<const Json>(std::move(content));
   }
-  for (Change& change : set_) {
+  for (Assignment& change : set_) {
     Json value = *change.value;
-    if (Json* named = set_at(change, value, kTable); named && *named == name) *named = table;
+    if (Json* named = change.find(value, at); named && *named == name) *named = table.content;
     change.value = std::make_shared<const Json>(std::move(value));
   }
 }
 
 std::string Document::place(const std::string& pointer) const {
   if (made_) return pointer;
-  const std::string table = kTable.to_string();
-  const bool changed = std::ranges::any_of(set_, [&](const Change& change) {
-    return changes_part_of_table(change) && sets(change, JsonPointer(pointer));
-  });
-  if (table_ && pointer.starts_with(table) && !changed) return table_->place(pointer.substr(table.size()));
+  for (const auto& [at, table] : tables_) {
+    const bool changed = std::ranges::any_of(set_, [&, &at = at](const Assignment& change) {
+      return changes_part(change, JsonPointer(at)) && change.sets(JsonPointer(pointer));
+    });
+    if (pointer.starts_with(at) && !changed) return table.place(pointer.substr(at.size()));
+  }
   return fmt::format("{}: {}", origin(JsonPointer(pointer)), pointer);
 }
 
@@ -377,7 +275,7 @@ void Document::fail(const std::string& pointer, const std::string& what) const {
 }
 
 bool Document::set_by_option(const JsonPointer& pointer) const {
-  return std::ranges::any_of(set_, [&](const Change& change) { return sets(change, pointer); });
+  return std::ranges::any_of(set_, [&](const Assignment& change) { return change.sets(pointer); });
 }
 
 bool Document::chosen(const JsonPointer& pointer) const {
@@ -391,7 +289,7 @@ bool Document::chosen(const JsonPointer& pointer) const {
 
 std::string Document::origin(const JsonPointer& pointer) const {
   for (auto s = set_.rbegin(); s != set_.rend(); ++s)
-    if (sets(*s, pointer)) return s->name;
+    if (s->sets(pointer)) return s->name;
   const Source* source = source_of(pointer);
   if (!source) return path_;
   const std::string tier = tier_of(pointer);

@@ -1,10 +1,11 @@
 #pragma once
 
+#include "json/assignment.hpp"
 #include "json/json.hpp"
 #include "json/table.hpp"
 
+#include <map>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,11 +54,6 @@ class Document {
     std::string name;
     std::shared_ptr<const Json> content;
   };
-  struct Change {
-    std::string name;                 // "--set ..."
-    std::vector<std::string> tokens;  // of the JSON pointer
-    std::shared_ptr<const Json> value;
-  };
 
  private:
   std::vector<Json> tier_patches(const std::string& tier) const;
@@ -66,18 +62,18 @@ class Document {
   // Returns the tier whose patch sets the value at pointer; empty if no patch does.
   std::string tier_of(const JsonPointer& pointer) const;
   void merge();
-  // Reads the table of the sample if merged has only the name of its file, and puts it in place of the name,
-  // so that the experiment contains all that determines its numbers. A table that is replaced or removed is
-  // not read.
-  void include_table(Json& merged);
+  // Reads the table at a place if `merged` has only the name of its file there, and puts it in place of the
+  // name, so that the experiment contains all that determines its numbers. A table that is replaced or
+  // removed is not read.
+  void include_table(Json& merged, const JsonPointer& at);
   // Returns the place of a value for messages: its line in the file of the table, or its origin and pointer.
   std::string place(const std::string& pointer) const;
 
   std::string path_, tier_;
   bool made_ = false;
-  std::optional<Table> table_;  // the table of the sample, if a file has all of it
-  std::vector<Source> files_;   // parents first
-  std::vector<Change> set_;
+  std::map<std::string, Table> tables_;  // by their JSON pointers; only those of which a file has all
+  std::vector<Source> files_;            // parents first
+  std::vector<Assignment> set_;
   std::shared_ptr<const Json> merged_;
 };
 

@@ -86,7 +86,7 @@ Table read_table(const std::string& path) {
   if (table.content["rows"].empty())
     throw InputError(
         fmt::format("{}: has no rows; a table needs a line with the names of its columns, such "
-                    "as k_r,tau_f, and one line for each point",
+                    "as k_r,tau_f, and lines with their values",
                     path));
   if (has_index) names.erase(names.begin());
   for (const std::string& name : names) table.content["columns"].push_back(printable(name));

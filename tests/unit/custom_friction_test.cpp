@@ -207,9 +207,11 @@ TEST_CASE("custom friction: what is not a law is refused with the place and the 
   const Files files;
   const std::vector<std::pair<std::string, std::string>> rows = {
       {R"J({})J",
-       "/friction_law: needs either mu and one of V_R and V_R_m_per_s, or a formula, but has none of them"},
+       "/friction_law: needs mu and one of V_R and V_R_m_per_s, or a table, or a formula, but has none of "
+       "them"},
       {R"J({"V_R": [0, 1], "mu": [0, 1], "formula": "V_R"})J",
        "but has V_R, mu, formula (a null removes a key"},
+      {R"J({"table": "law.csv", "formula": "V_R"})J", "but has table, formula (a null removes a key"},
       {R"J({"V_R": [0, 1, 2], "mu": [0, 1]})J", "/friction_law/mu: has 2 values, and V_R has 3"},
       {R"J({"V_R": [0.1, 1], "mu": [0.5, 1]})J",
        "/friction_law/V_R: begins with V_R = 0.1, mu = 0.5; a bristle at rest"},
@@ -266,6 +268,44 @@ TEST_CASE("custom friction: what is not a law is refused with the place and the 
   CHECK_THROWS_WITH(design::read_design(files.load(design)),
                     Catch::Contains("/design/second_model/friction: \"custom\" needs"));
   CHECK(files.load(design + law).sweep.friction_law);
+}
+
+TEST_CASE("custom friction: a law from a file of comma-separated values equals the law from lists") {
+  const Files files;
+  files.s.write("law.csv", "# from a tribometer\nmu,V_R\n0,0\n1.1,0.002\n1.3,0.02\n0.9,0.2\n0.6,3\n");
+  const Experiment lists =
+      files.with_law(R"({"V_R": [0, 0.002, 0.02, 0.2, 3], "mu": [0, 1.1, 1.3, 0.9, 0.6]})");
+  const Experiment table = files.with_law(R"({"table": "law.csv"})");
+  for (const double V_R : {0.0, 0.001, 0.002, 0.01, 0.1, 1.0, 2.0, 5.0})
+    CHECK(mu(table, V_R) == mu(lists, V_R));
+  // The experiment contains the values, and no longer depends on the file.
+  files.s.write("law.csv", "V_R,mu\n");
+  const Experiment stored = stored_experiment(*table.document, "full", "result.h5");
+  CHECK(mu(stored, 0.01) == mu(lists, 0.01));
+  CHECK_THROWS_WITH(files.with_law(R"({"table": "law.csv"})"), Catch::Contains("law.csv: has no rows"));
+}
+
+TEST_CASE("custom friction: what is not a law in a file is refused with its line") {
+  const Files files;
+  const std::vector<std::pair<std::string, std::string>> rows = {
+      {"V_R,F_f\n0,0\n1,1\n", "law.csv: line 1: the columns are V_R, F_f; a law has two"},
+      {"V_R,mu,T\n0,0,20\n1,1,20\n", "law.csv: line 1: the columns are V_R, mu, T; a law has two"},
+      {"V_R,V_R_m_per_s\n0,0\n", "law.csv: line 1: the columns are V_R, V_R_m_per_s; a law has two"},
+      {"V_R,mu\n0,0\n0.5,0.3\n0.4,0.3\n", "law.csv: line 4: the speeds must ascend, but 0.4 follows 0.5"},
+      {"V_R,mu\n0,0\n1,fast\n", "law.csv: line 3: mu = \"fast\" is not allowed; allowed: a number from 0"},
+      {"V_R,mu\n0,0\n1,-0.2\n", "law.csv: line 3: mu = -0.2 is not allowed"},
+      {"V_R,mu\n0,0\n1,0\n", "law.csv: line 3: 0 is not allowed; allowed: greater than 0 at a speed"},
+      {"V_R,mu\n0.1,0.4\n1,1\n", "law.csv: line 2: begins with V_R = 0.1, mu = 0.4; a bristle at rest"},
+      {"V_R,mu\n0,0\n1\n", "law.csv: line 3: has 1 cells"},
+      {"V_R_m_per_s,mu\n0,0\n1,0.4\n", "law.csv: line 1: needs the block /si; use V_R"},
+      {"V_R,mu\n0,0\n1,1\n", "/friction_law/between: pchip needs at least 4 values, and there are 2"},
+      {"V_R,mu\n0,0\n1e-6,1\n1,1\n1e6,1e6\n", "law.csv: line 1: changes too steeply"}};
+  for (const auto& [text, message] : rows) {
+    CAPTURE(text, message);
+    files.s.write("law.csv", text);
+    CHECK_THROWS_WITH(files.with_law(R"({"table": "law.csv"})"), Catch::Contains(message));
+  }
+  CHECK_THROWS_WITH(files.with_law(R"({"table": "none.csv"})"), Catch::Contains("none.csv"));
 }
 
 }  // namespace bristle::custom_friction_test

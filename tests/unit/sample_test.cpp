@@ -280,7 +280,7 @@ TEST_CASE("malformed samples: the message names place, value and remedy") {
       {table("none.csv"), "none.csv: cannot be read: no such file"},
       {table("empty.csv"),
        "empty.csv: has no rows; a table needs a line with the names of its columns, such as "
-       "k_r,tau_f, and one line for each point"},
+       "k_r,tau_f, and lines with their values"},
       {table("cell.csv"), "cell.csv: line 2: the cell of mu_c is empty; give it a value, or remove the row"},
       {table("semicolons.csv"),
        "semicolons.csv: line 1: the columns are not separated by commas; write k_r,tau_f and "
