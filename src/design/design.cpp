@@ -4,6 +4,7 @@
 #include "design/drawing.hpp"
 #include "design/groups.hpp"
 #include "design/trials.hpp"
+#include "design/words.hpp"
 #include "sampling/rounded.hpp"
 #include "results/digest.hpp"
 #include "results/reader.hpp"

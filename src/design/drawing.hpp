@@ -1,6 +1,6 @@
 #pragma once
 
-#include "design/groups.hpp"
+#include "design/findings.hpp"
 
 #include <string>
 #include <vector>

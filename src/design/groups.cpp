@@ -4,7 +4,6 @@
 #include "run/analysis.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <algorithm>
 #include <cmath>
 
@@ -21,17 +20,8 @@ Dataset table(const std::string& name, results::Array dimension) {
   return out;
 }
 
-std::string ordinal(std::size_t index) { return fmt::format("objective {}", index + 1); }
-
 Column integer(const std::string& name, const std::string& meaning) {
   return {name, meaning, "", "", results::Number::integer};
-}
-
-Column column_of(const std::string& quantity) {
-  const sweep::Sweepable& s = *sweep::find_sweepable(quantity);
-  Column out{s.name, s.description, s.symbol, ""};
-  out.units = s.units;
-  return out;
 }
 
 // Adds the columns objective_1, objective_1_err, ... to a table. of(row) returns the estimates of all
@@ -93,30 +83,6 @@ Dataset all_trials(const Trials& trials, const Findings& found) {
   return out;
 }
 
-// A trial in the comparison of the recommended one with others.
-struct Compared {
-  std::string name, heading;
-  const Trial* trial;
-};
-
-// Returns what an engineer compares: the start, the recommended trial, the same as it can be made, and the
-// best trial of the front for each of several objectives.
-std::vector<Compared> compared(const Trials& trials, const Findings& found) {
-  std::vector<Compared> out;
-  if (found.start) out.push_back({"start", "start", &*found.start});
-  out.push_back({"recommended", "recommended", &found.trials[found.chosen.front()]});
-  if (found.made) out.push_back({"as_made", "as made", &*found.made});
-  const std::vector<Objective>& objectives = trials.design().objectives;
-  for (std::size_t o = 0; o < objectives.size() && objectives.size() > 1; ++o) {
-    const auto cost_of = [&](std::size_t i) {
-      return cost(objectives[o], found.trials[i].objectives[o].value);
-    };
-    const std::size_t best = *std::ranges::min_element(found.front, {}, cost_of);
-    out.push_back({fmt::format("best_objective_{}", o + 1), "best of " + ordinal(o), &found.trials[best]});
-  }
-  return out;
-}
-
 Dataset comparison(const Trials& trials, const Findings& found) {
   const std::vector<Compared> all = compared(trials, found);
   std::vector<std::string> names;
@@ -161,12 +127,6 @@ Dataset profile_group(const Trials& trials, const Profile& p) {
   return out;
 }
 
-std::vector<std::string> inputs_of(const Design& design) {
-  std::vector<std::string> inputs;
-  for (const experiment::Tolerance& t : design.tolerances) inputs.push_back(t.name);
-  return inputs;
-}
-
 Dataset indices_group(const Trials& trials, const Findings& found) {
   std::vector<std::string> objectives;
   // No texts: the words of a flag are separated by spaces.
@@ -176,205 +136,12 @@ Dataset indices_group(const Trials& trials, const Findings& found) {
       table("indices",
             results::coordinates(
                 "objective", "nominal value whose variance over the tolerances is shared out", objectives));
-  out.add_dimension(results::coordinates("input", "quantity with a tolerance", inputs_of(trials.design())));
+  out.add_dimension(results::coordinates("input", "quantity with a tolerance", trials.design().tolerated()));
   run::add_indices(out, found.indices);
   return out;
 }
 
-std::string estimate_text(const Estimate& estimate) {
-  return std::isnan(estimate.value) ? "no value"
-                                    : fmt::format("{:.4g} +- {:.1g}", estimate.value, estimate.error);
-}
-
-std::string place_of(const Trials& trials, std::size_t scenario) {
-  const Sweep scenarios = trials.sweep().without(sweep::kSample);
-  return scenarios.axes.empty() ? "" : " at " + scenarios.place(scenario);
-}
-
-// Returns a text such as "R_m = 0.001 m (+- 10 %), ...".
-std::string values_text(const Trials& trials, const Trial& trial) {
-  std::vector<std::string> parts;
-  for (const std::string& quantity : trials.design().quantities()) {
-    const std::string units = column_of(quantity).units;
-    std::string part =
-        fmt::format("{} = {:.4g}{}", quantity, trial.nominal.at(quantity), units == "1" ? "" : " " + units);
-    for (const experiment::Tolerance& t : trials.design().tolerances)
-      if (t.name == quantity)
-        part += fmt::format(" ({} {:g} %)", t.normal ? "standard deviation" : "+-", 100 * t.width);
-    parts.push_back(part);
-  }
-  return fmt::format("{}", fmt::join(parts, ", "));
-}
-
-// Returns the objectives of a trial, or of its verification, in words.
-template <class Found>
-std::string objectives_text(const Trials& trials, const Found& found) {
-  std::vector<std::string> parts;
-  for (std::size_t o = 0; o < found.objectives.size(); ++o)
-    parts.push_back(fmt::format("{}: {}{}", trials.design().objectives[o].text(),
-                                estimate_text(found.objectives[o]), place_of(trials, found.scenarios[o])));
-  return fmt::format("{}", fmt::join(parts, "; "));
-}
-
-std::string verification_text(const Trials& trials, const Verification& verified) {
-  const auto share = [&](std::size_t count) { return 100 * double(count) / double(verified.brushes); };
-  std::string out = fmt::format("  of {} brushes with other deviations: {}\n", verified.brushes,
-                                objectives_text(trials, verified));
-  if (verified.missing > 0)
-    out += fmt::format("  {:.1f} % of these brushes have no value in some scenario and are left out there\n",
-                       share(verified.missing));
-  if (verified.violated > 0)
-    out += fmt::format("  {:.1f} % of these brushes violate a constraint\n", share(verified.violated));
-  return out;
-}
-
-// Returns the comparison as a table, a row for each variable, objective and constraint, without trials that
-// have a column already.
-std::string comparison_text(const Trials& trials, const Findings& found) {
-  const Design& design = trials.design();
-  std::vector<Compared> shown;
-  for (const Compared& one : compared(trials, found))
-    if (std::ranges::count(shown, one.trial, &Compared::trial) == 0) shown.push_back(one);
-  std::vector<std::vector<std::string>> rows = {{""}};
-  for (const Compared& one : shown) rows.front().push_back(one.heading);
-  const auto add = [&](const std::string& title, const auto& text) {
-    rows.push_back({title});
-    for (const Compared& one : shown) rows.back().push_back(text(*one.trial));
-  };
-  for (const std::string& name : design.quantities()) {
-    const std::string units = column_of(name).units;
-    add(units == "1" ? name : fmt::format("{} [{}]", name, units),
-        [&](const Trial& t) { return fmt::format("{:.5g}", t.nominal.at(name)); });
-  }
-  for (std::size_t o = 0; o < design.objectives.size(); ++o)
-    add(fmt::format("{}: {}", o + 1, design.objectives[o].text()),
-        [&](const Trial& t) { return estimate_text(t.objectives[o]); });
-  for (std::size_t c = 0; c < design.constraints.size(); ++c)
-    add(design.constraints[c].text(), [&](const Trial& t) -> std::string {
-      const double value = t.constraints[c];
-      return std::isnan(value) ? "-" : std::isinf(value) ? "none near" : fmt::format("{:.3g}", value);
-    });
-  std::vector<std::size_t> widths(rows.front().size());
-  for (const std::vector<std::string>& row : rows)
-    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
-  std::string out;
-  for (const std::vector<std::string>& row : rows) {
-    out += fmt::format("  {:<{}}", row.front(), widths.front());
-    for (std::size_t i = 1; i < row.size(); ++i) out += fmt::format("  {:>{}}", row[i], widths[i]);
-    out += "\n";
-  }
-  return out;
-}
-
-// Returns sentences on what the comparison means: limits that the start exceeds, differences within the
-// errors, and variables at their bounds.
-std::string remarks_text(const Trials& trials, const Findings& found) {
-  constexpr double at_bound = 0.01;  // of the range
-  const Design& design = trials.design();
-  const Trial& best = recommended(found);
-  std::string out;
-  if (found.start && found.start->violation > 0)
-    out += std::isinf(found.start->violation) ? "  the start has points without a value\n"
-                                              : "  the start violates a constraint\n";
-  if (best.violation > 0)
-    out +=
-        "  rounded to what can be made, the brush violates a constraint: give finer steps, or tighter "
-        "bounds\n";
-  if (found.start && found.start->violation == 0) {
-    bool any = false;
-    for (std::size_t o = 0; o < design.objectives.size(); ++o) {
-      const Estimate &a = found.start->objectives[o], &b = best.objectives[o];
-      any = any || std::abs(a.value - b.value) > a.error + b.error;
-    }
-    if (!any)
-      out +=
-          "  the objectives differ from the start's by less than their errors: these variables do not matter "
-          "here, and the start can be kept\n";
-  }
-  for (const experiment::Range& range : design.variables) {
-    const double value = best.nominal.at(range.name), near = at_bound * (range.high - range.low);
-    if (value - range.low <= near || range.high - value <= near)
-      out += fmt::format("  {} is at its {} bound: a wider range may be better\n", range.name,
-                         value - range.low <= near ? "lower" : "upper");
-  }
-  return out;
-}
-
-std::string trials_text(std::size_t count) { return fmt::format("{} trial{}", count, count == 1 ? "" : "s"); }
-
-std::string counts_text(const Trials& trials, const Findings& found) {
-  const auto count = [&](auto is) { return std::ranges::count_if(found.trials, is); };
-  std::string out = trials_text(found.trials.size());
-  if (!trials.design().constraints.empty())
-    out += fmt::format(", {} meet the constraints", count([](const Trial& t) { return t.violation == 0; }));
-  const auto missing = count([](const Trial&t) { return std::isinf(t.violation); }),
-             ambiguous = count([](const Trial&t) { return t.ambiguous > 0; });
-  if (missing > 0) out += fmt::format("; left out, as points have no value: {}", missing);
-  if (ambiguous > 0)
-    out += fmt::format("; with points whose load another gap carries as well: {}", ambiguous);
-  return out;
-}
-
-std::string miss_text(const Trials& trials, const Findings& found) {
-  const Trial& nearest = found.trials[found.nearest_miss];
-  if (std::isinf(nearest.violation))
-    return "every trial has points without a value (its points are all scenarios, nominal and with all "
-           "deviations); the "
-           "statuses above say why: give other bounds, scenarios or tolerances\n";
-  std::vector<std::string> parts;
-  for (std::size_t c = 0; c < nearest.constraints.size(); ++c)
-    if (!std::isnan(nearest.constraints[c]))
-      parts.push_back(
-          fmt::format("{}: {:.4g}", trials.design().constraints[c].text(), nearest.constraints[c]));
-  return fmt::format(
-      "no trial meets all constraints; the nearest miss is trial {}: {}\n  constraints: {}\n  {}\n",
-      found.nearest_miss, values_text(trials, nearest), fmt::join(parts, "; "),
-      objectives_text(trials, nearest));
-}
-
-std::string margins_text(const Findings& found) {
-  std::vector<std::string> parts, none;
-  for (const Profile& p : found.profiles) {
-    std::vector<std::string> both;
-    if (!std::isnan(p.margin_below)) both.push_back(fmt::format("-{:.0f} %", 100 * p.margin_below));
-    if (!std::isnan(p.margin_above)) both.push_back(fmt::format("+{:.0f} %", 100 * p.margin_above));
-    if (both.empty()) none.push_back(p.quantity);
-    else parts.push_back(fmt::format("{} {}", p.quantity, fmt::join(both, " or ")));
-  }
-  if (parts.empty())
-    return fmt::format("  no jump of the gap within the range of {}\n", fmt::join(none, ", "));
-  return fmt::format("  the gap jumps at a change of {}{}\n", fmt::join(parts, ", "),
-                     none.empty() ? "" : fmt::format("; not within the range of {}", fmt::join(none, ", ")));
-}
-
-std::string indices_text(const Trials& trials, const Findings& found) {
-  std::string out;
-  for (std::size_t o = 0; o < found.indices.size(); ++o)
-    out += fmt::format("  total (and first-order) Sobol indices of {} over the tolerances: {}\n",
-                       trials.design().objectives[o].variable,
-                       run::indices_text(found.indices[o], inputs_of(trials.design()), kIndexBlocks,
-                                         "choose bounds or tolerances with which more points have a value"));
-  return out;
-}
-
-// Returns the range of each objective on the front, in words.
-std::string front_text(const Trials& trials, const Findings& found) {
-  std::vector<std::string> parts;
-  for (std::size_t o = 0; o < trials.design().objectives.size(); ++o) {
-    const auto value = [&](std::size_t i) { return found.trials[i].objectives[o].value; };
-    const auto [least, most] = std::ranges::minmax(found.front, {}, value);
-    parts.push_back(fmt::format("{} from {:.4g} to {:.4g}", trials.design().objectives[o].variable,
-                                value(least), value(most)));
-  }
-  return fmt::format("the front, of which the recommended trial is nearest to the best of each: {}, {}\n",
-                     trials_text(found.front.size()), fmt::join(parts, ", "));
-}
-
 }  // namespace
-
-const Trial& recommended(const Findings& found) {
-  return found.made ? *found.made : found.trials[found.chosen.front()];
-}
 
 std::vector<Dataset> groups_of(const Trials& trials, const Findings& found) {
   std::vector<Dataset> groups = {all_trials(trials, found)};
@@ -397,34 +164,6 @@ std::vector<Dataset> groups_of(const Trials& trials, const Findings& found) {
     add_objectives(second, trials, [&](std::size_t) { return found.second->objectives; });
   }
   return groups;
-}
-
-std::string text_of(const Trials& trials, const Findings& found) {
-  std::string out = counts_text(trials, found) + "\n";
-  if (found.chosen.empty()) return out + miss_text(trials, found);
-  const Trial& best = recommended(found);
-  out += fmt::format("recommended, trial {}{}: {}\n  {}\n", found.chosen.front(),
-                     found.made ? ", rounded to what can be made" : "", values_text(trials, best),
-                     objectives_text(trials, best));
-  out += comparison_text(trials, found) + remarks_text(trials, found);
-  const Objective& first = trials.design().objectives.front();
-  if (trials.design().objectives.size() == 1 && first.goal == Goal::target &&
-      !meets_target(trials.design(), best))
-    out +=
-        "  no trial meets the target; this one is the nearest: other bounds or a larger budget may meet it\n";
-  if (found.verification) out += verification_text(trials, *found.verification);
-  out += margins_text(found) + indices_text(trials, found);
-  if (found.second)
-    out +=
-        fmt::format("  with {} = {}: {}\n", trials.design().second_choice,
-                    sweep::find_sweepable(trials.design().second_choice)->text(trials.design().second_option),
-                    objectives_text(trials, *found.second));
-  if (trials.design().objectives.size() > 1) out += front_text(trials, found);
-  for (std::size_t i = 1; i < found.chosen.size(); ++i)
-    out += fmt::format("another optimum, trial {}: {}\n  {}\n", found.chosen[i],
-                       values_text(trials, found.trials[found.chosen[i]]),
-                       objectives_text(trials, found.trials[found.chosen[i]]));
-  return out;
 }
 
 }  // namespace bristle::design

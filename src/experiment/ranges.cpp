@@ -90,6 +90,12 @@ std::vector<std::string> Ranges::quantities() const {
   return names;
 }
 
+std::vector<std::string> Ranges::tolerated() const {
+  std::vector<std::string> names;
+  for (const Tolerance& tolerance : tolerances) names.push_back(tolerance.name);
+  return names;
+}
+
 std::vector<Axis> Ranges::bounds() const {
   std::vector<Axis> columns;
   for (const Range& range : variables) columns.push_back({range.name, {range.low, range.high}});

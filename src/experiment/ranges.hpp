@@ -35,6 +35,8 @@ struct Ranges {
   bool empty() const { return variables.empty(); }
   // Returns the names of the variables, and of the quantities with a tolerance that are no variables.
   std::vector<std::string> quantities() const;
+  // Returns the names of the quantities that have a tolerance.
+  std::vector<std::string> tolerated() const;
   // Returns the columns of the axis "sample" before trials are known: the least and the greatest values.
   std::vector<sweep::Axis> bounds() const;
   // Returns an axis for each quantity, from the least to the greatest value that any trial may have with its

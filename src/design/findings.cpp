@@ -1,0 +1,45 @@
+#include "design/findings.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+
+namespace bristle::design {
+
+const Trial& recommended(const Findings& found) {
+  return found.made ? *found.made : found.trials[found.chosen.front()];
+}
+
+std::vector<Compared> compared(const Trials& trials, const Findings& found) {
+  std::vector<Compared> out;
+  if (found.start) out.push_back({"start", "start", &*found.start});
+  out.push_back({"recommended", "recommended", &found.trials[found.chosen.front()]});
+  if (found.made) out.push_back({"as_made", "as made", &*found.made});
+  const std::vector<Objective>& objectives = trials.design().objectives;
+  for (std::size_t o = 0; o < objectives.size() && objectives.size() > 1; ++o) {
+    const auto cost_of = [&](std::size_t i) {
+      return cost(objectives[o], found.trials[i].objectives[o].value);
+    };
+    const std::size_t best = *std::ranges::min_element(found.front, {}, cost_of);
+    out.push_back({fmt::format("best_objective_{}", o + 1), fmt::format("best of objective {}", o + 1),
+                   &found.trials[best]});
+  }
+  return out;
+}
+
+bool differ(const Trial& a, const Trial& b) {
+  for (std::size_t o = 0; o < a.objectives.size(); ++o)
+    if (std::abs(a.objectives[o].value - b.objectives[o].value) >
+        a.objectives[o].error + b.objectives[o].error)
+      return true;
+  return false;
+}
+
+results::Column column_of(const std::string& quantity) {
+  const sweep::Sweepable& s = *sweep::find_sweepable(quantity);
+  results::Column out{s.name, s.description, s.symbol, ""};
+  out.units = s.units;
+  return out;
+}
+
+}  // namespace bristle::design
