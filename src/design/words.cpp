@@ -95,6 +95,19 @@ std::string comparison_text(const Trials& trials, const Findings& found) {
   return out;
 }
 
+// Returns a sentence if the start, which meets the constraints, is as good as the recommended trial within
+// the errors.
+std::string gain_text(const Findings& found) {
+  if (differ(*found.start, recommended(found))) return "";
+  const bool matter = std::ranges::any_of(
+      found.trials, [&](const Trial& trial) { return trial.violation == 0 && differ(*found.start, trial); });
+  if (!matter)
+    return "  no trial differs from the start by more than the errors: these variables do not matter here, "
+           "and "
+           "the start can be kept\n";
+  return "  the start is as good within the errors, and can be kept\n";
+}
+
 // Returns sentences on what the comparison means: limits that the start exceeds, whether it can be kept, and
 // variables at their bounds.
 std::string remarks_text(const Trials& trials, const Findings& found) {
@@ -109,10 +122,7 @@ std::string remarks_text(const Trials& trials, const Findings& found) {
     out +=
         "  rounded to what can be made, the brush violates a constraint: give finer steps, or tighter "
         "bounds\n";
-  if (found.start && found.start->violation == 0 && !differ(*found.start, best))
-    out +=
-        "  the objectives differ from the start's by less than their errors: these variables do not matter "
-        "here, and the start can be kept\n";
+  if (found.start && found.start->violation == 0) out += gain_text(found);
   for (const experiment::Range& range : design.variables) {
     const double value = best.nominal.at(range.name), near = at_bound * (range.high - range.low);
     if (value - range.low <= near || range.high - value <= near)

@@ -361,6 +361,16 @@ TEST_CASE("design: objectives that differ from the start's by less than their er
              Catch::Contains("these variables do not matter here, and the start can be kept"));
 }
 
+TEST_CASE("design: a start that is the best trial can be kept, although the variables matter") {
+  const Folder f;
+  const auto file = f.run(f.load(R"({"variables": {"mu_c": [0.05, 0.2]}, "budget": 8,
+      "objectives": [{"minimise": "R_x"}]}, "model": {"friction": "coulomb", "mu_c": 0.05})",
+                                 kFew));
+  const std::string text = file.provenance().at("design");
+  CHECK_THAT(text, Catch::Contains("the start is as good within the errors, and can be kept"));
+  CHECK_THAT(text, !Catch::Contains("do not matter"));
+}
+
 TEST_CASE("design: trials whose shafts overlap violate a constraint that is always there") {
   const Folder f;
   // The spacing is 0.2, so that shafts thicker than 0.1 overlap; friction does not depend on the radius.
