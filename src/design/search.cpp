@@ -14,6 +14,17 @@
 namespace bristle::design {
 namespace {
 
+constexpr std::size_t kLeastStage = 8;  // trials
+
+// Returns the budgets of the searches of which one with this budget is the continuation, in ascending order:
+// a half of it, a quarter, ..., none less than `least`, and the budget itself. So a search with twice the
+// budget begins with the trials of this one, and finds nothing worse.
+std::vector<std::size_t> stages(std::size_t budget, std::size_t least) {
+  std::vector<std::size_t> out = {budget};
+  while (out.front() / 2 >= least) out.insert(out.begin(), out.front() / 2);
+  return out;
+}
+
 bool dominates(const std::vector<double>& a, const std::vector<double>& b) {
   bool less = false;
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -143,7 +154,8 @@ class LocalSearch {
   void end() { ended_ = true; }
   bool is_active() const { return !ended_; }
 
-  std::size_t best;  // best trial of this search, in the caller's numbering
+  std::size_t best;       // best trial of this search, in the caller's numbering
+  bool given_up = false;  // whether it ended for the sake of a better start
 
   // Returns the trial that the search needs next; none once the search has ended.
   std::optional<Point> next() {
@@ -200,36 +212,49 @@ std::vector<std::size_t> front_of(const std::vector<Score>& scores) {
 }
 
 void search_front(std::size_t dimensions, std::size_t budget, std::uint64_t seed, const Evaluate& evaluate) {
-  const std::size_t size = std::min(budget, std::clamp<std::size_t>(budget / 10, 8, 64));
   Random random(seed);
-  std::vector<Individual> population;
-  const auto add = [&](const std::vector<Point>& points) {
-    const std::vector<Score> scores = evaluate(points);
-    for (std::size_t i = 0; i < points.size(); ++i) population.push_back({points[i], scores[i]});
+  std::vector<Individual> all, population;
+  std::size_t sampled = 0;  // points of the Sobol sequence
+  const auto keep_best = [&](std::size_t size) {
     rank(population);
     std::ranges::stable_sort(population, preferred);
     population.resize(std::min(population.size(), size));
-    budget -= points.size();
   };
-  add(sobol_points(size, dimensions, seed));
+  const auto add = [&](const std::vector<Point>& points) {
+    const std::vector<Score> scores = evaluate(points);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      all.push_back({points[i], scores[i]});
+      population.push_back(all.back());
+    }
+  };
   const auto winner = [&]() -> const Point& {
     const Individual &a = population[random.below(population.size())],
                      &b = population[random.below(population.size())];
     return preferred(a, b) ? a.point : b.point;
   };
-  while (budget > 0) {
-    std::vector<Point> children;
-    while (children.size() < std::min(size, budget)) {
-      Point child;
-      // A child that equals its parent would be a wasted trial.
-      for (int attempt = 0; attempt < 10; ++attempt) {
-        const Point &a = winner(), &b = winner();
-        child = child_of(a, b, random);
-        if (child != a) break;
-      }
-      children.push_back(child);
+  const auto child = [&] {
+    Point out;
+    // A child that equals its parent would be a wasted trial.
+    for (int attempt = 0; attempt < 10; ++attempt) {
+      const Point &a = winner(), &b = winner();
+      out = child_of(a, b, random);
+      if (out != a) break;
     }
-    add(children);
+    return out;
+  };
+  for (const std::size_t trials : stages(budget, kLeastStage)) {
+    const std::size_t size = std::min(trials, std::clamp<std::size_t>(trials / 10, 8, 64));
+    const std::vector<Point> sample = sobol_points(size, dimensions, seed);
+    population = all;
+    add({sample.begin() + std::ptrdiff_t(sampled), sample.end()});
+    sampled = size;
+    keep_best(size);
+    while (all.size() < trials) {
+      std::vector<Point> children;
+      while (children.size() < std::min(size, trials - all.size())) children.push_back(child());
+      add(children);
+      keep_best(size);
+    }
   }
 }
 
@@ -264,7 +289,8 @@ class MinimumSearch {
   // cube's edge to a better one.
   std::vector<std::size_t> distinct_ends() const {
     std::vector<std::size_t> ends, distinct;
-    for (const LocalSearch& search : searches_) ends.push_back(search.best);
+    for (const LocalSearch& search : searches_)
+      if (!search.given_up) ends.push_back(search.best);
     std::ranges::stable_sort(ends,
                              [&](std::size_t a, std::size_t b) { return better(scores_[a], scores_[b]); });
     for (const std::size_t end : ends)
@@ -290,13 +316,30 @@ class MinimumSearch {
                                           : HUGE_VAL;
   }
 
-  // Starts local searches until `most` of them are active.
+  // Gives up the active local search with the worst best trial if this trial is better. Returns false if it
+  // is not.
+  bool give_up_for(std::size_t trial) {
+    LocalSearch* worst = nullptr;
+    for (LocalSearch& search : searches_)
+      if (search.is_active() && (!worst || better(scores_[worst->best], scores_[search.best])))
+        worst = &search;
+    if (!worst || !better(scores_[trial], scores_[worst->best])) return false;
+    worst->end();
+    worst->given_up = true;
+    return true;
+  }
+
+  // Starts local searches until `most` of them are active, also in place of those that have found less than
+  // where the new ones start.
   void start_searches(std::size_t most) {
     auto active = std::size_t(std::ranges::count_if(searches_, &LocalSearch::is_active));
     const double edge = 1 / pow(double(sampled_), 1 / double(dimensions_));
     for (const std::size_t start : local_minima(points_, scores_)) {
-      if (active >= most) break;
       if (searched_[start]) continue;
+      if (active >= most) {
+        if (!give_up_for(start)) break;
+        --active;
+      }
       searched_[start] = true;
       searches_.emplace_back(points_[start], value(start), std::min(edge, 0.25) / 2, start);
       if (scores_[start].is_met) searches_.back().end();
@@ -343,11 +386,12 @@ class MinimumSearch {
 std::vector<std::size_t> search_minima(std::size_t dimensions, std::size_t budget, std::uint64_t seed,
                                        const Evaluate& evaluate, bool target) {
   MinimumSearch search(dimensions, seed, evaluate);
-  const std::size_t whole = 10 * (dimensions + 1);  // trials of a local search that finds its minimum
-  if (target)
-    for (const std::size_t trials : {budget / 4, budget / 2})
-      if (trials / 2 >= whole && !search.is_met()) search.run(trials, whole / 2);
-  if (!search.is_met()) search.run(budget, whole);
+  // Trials of a local search that finds its minimum; a target is met in half of them.
+  const std::size_t of_a_search = 10 * (dimensions + 1) / (target ? 2 : 1);
+  for (const std::size_t trials : stages(budget, kLeastStage)) {
+    search.run(trials, of_a_search);
+    if (target && search.is_met() && trials >= budget / 4) break;
+  }
   return search.distinct_ends();
 }
 

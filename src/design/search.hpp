@@ -31,15 +31,17 @@ using Evaluate = std::function<std::vector<Score>(const std::vector<Point>&)>;
 std::vector<std::size_t> front_of(const std::vector<Score>& scores);
 
 // Approaches the front of several objectives with the genetic algorithm NSGA-II (K. Deb et al., see
-// better()).
+// better()). The search continues that of half its budget with a larger population, so that twice the budget
+// never gives a worse front.
 void search_front(std::size_t dimensions, std::size_t budget, std::uint64_t seed, const Evaluate& evaluate);
 
 // Minimises one objective. Half of the budget is a Sobol sequence; each of its trials that is a minimum among
-// its neighbours starts a local search by Subplex (T. H. Rowan, 1990; NLopt), which needs no derivatives.
+// its neighbours starts a local search by Subplex (T. H. Rowan, 1990; NLopt), which needs no derivatives. The
+// search continues that of half its budget, so that twice the budget never gives a worse minimum.
 // target: the objective is the distance from a target; a local search then ends at a trial that meets the
-// target, and the whole search begins with a quarter of the budget and continues with half and all of it as
-// long as no trial meets the target. Returns the trials at which the local searches ended, best first,
-// without trials closer than 1 % of the cube's edge to a better one.
+// target, and the whole search ends with a quarter or a half of its budget if a trial meets the target by
+// then. Returns the trials at which the local searches ended, best first, without trials closer than 1 % of
+// the cube's edge to a better one.
 std::vector<std::size_t> search_minima(std::size_t dimensions, std::size_t budget, std::uint64_t seed,
                                        const Evaluate& evaluate, bool target = false);
 

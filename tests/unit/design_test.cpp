@@ -16,6 +16,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 namespace bristle::design_test {
@@ -93,6 +94,73 @@ TEST_CASE("a front of two objectives: ZDT1") {
     before = f[0];
   }
   CHECK(std::max(largest_gap, 1 - before) < 0.15);
+}
+
+TEST_CASE("a search with twice the budget finds nothing worse") {
+  // Bent like a banana, with many minima, and with a jump.
+  const std::vector<std::function<double(const Point&)>> functions = {
+      [](const Point& x) {
+        const double a = 4 * x[0] - 2, b = 4 * x[1] - 1;
+        return std::pow(1 - a, 2) + 100 * std::pow(b - a * a, 2);
+      },
+      [](const Point& x) {
+        const double a = x[0] - 0.7, b = x[1] - 0.3;
+        return a * a + b * b + 0.05 * (2 - std::cos(20 * a) - std::cos(20 * b));
+      },
+      [](const Point& x) {
+        return x[0] + x[1] < 0.6 ? 0.5 + std::pow(x[0] - 0.2, 2) : 0.2 + std::pow(x[0] - 0.8, 2) + x[1];
+      }};
+  for (const auto& function : functions)
+    for (const std::uint64_t seed : {1, 2, 3, 4, 5}) {
+      double before = HUGE_VAL;
+      for (const std::size_t budget : {15, 30, 60, 120, 240}) {
+        Searched trials([&](const Point& x) { return Score{{function(x)}, 0}; });
+        const auto minima = design::search_minima(2, budget, seed, std::ref(trials));
+        const double least = trials.scores[minima.front()].objectives[0];
+        CAPTURE(seed, budget);
+        CHECK(least <= before);
+        before = least;
+      }
+    }
+}
+
+namespace {
+
+// The area that the front of ZDT1 in two variables dominates, up to 1.2 in both objectives.
+double area_of_front(std::size_t budget, std::uint64_t seed) {
+  Searched zdt1([](const Point& x) {
+    const double g = 1 + 9 * x[1];
+    return Score{{x[0], g * (1 - std::sqrt(x[0] / g))}, 0};
+  });
+  design::search_front(2, budget, seed, std::ref(zdt1));
+  const auto front = design::front_of(zdt1.scores);
+  double area = 0;
+  for (std::size_t i = 0; i < front.size(); ++i) {
+    const double next = i + 1 < front.size() ? zdt1.scores[front[i + 1]].objectives[0] : 1.2;
+    area += (next - zdt1.scores[front[i]].objectives[0]) *
+            std::max(0.0, 1.2 - zdt1.scores[front[i]].objectives[1]);
+  }
+  return area;
+}
+
+}  // namespace
+
+TEST_CASE("a front of two objectives misses less than 5 % of the whole, and less with a larger budget") {
+  const double whole = 0.2 + 2.0 / 3 + 0.2 * 1.2;  // the integral of 1.2 - (1 - sqrt(x)), and beyond 1
+  constexpr int seeds = 10;
+  double sum = 0;
+  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+    double before = 0;
+    for (const std::size_t budget : {100, 200, 400}) {
+      const double area = area_of_front(budget, seed);
+      CAPTURE(seed, budget, area);
+      CHECK(area >= before);
+      CHECK(area < whole);
+      before = area;
+    }
+    sum += before;
+  }
+  CHECK(sum / seeds > 0.95 * whole);
 }
 
 TEST_CASE("the search of a front keeps to constraints and does without values") {
