@@ -40,7 +40,7 @@ constexpr const char* kStartInSi = R"({
  "name": "NAME",
  "title": "Friction of a brush over velocity",
  "notes": [
-  "si: the material of the paper's section 3 in SI units, as round rods with Hertz contact (bending, section and contact of model). docs/own-material.md tells how to find each value; `bristle validate` prints the dimensionless ones.",
+  "si: the material of the paper's section 3 in SI units, as round rods with Hertz contact (bending, section and contact of model). docs/your-own-brush.md tells how to find each value; `bristle validate` prints the dimensionless ones.",
   "model: what has no unit, and the friction law, nss (nominal shear stress tau_f_Pa) or coulomb (mu_c).",
   "orientation: rtol is the requested relative error of each mean over theta_0; the figures of the paper have 0.001.",
   "sweep: the axes of the result. An axis has values, or linspace or logspace with from, to and count."

@@ -59,7 +59,7 @@ struct Constraint {
 constexpr const char* kJumpMargin = "jump_margin";
 constexpr const char* kClearance = "clearance";  // see clearance(); a design that varies it limits it
 
-// The block "design" of an experiment. The points of the sweep are its scenarios (docs/design.md).
+// The block "design" of an experiment. The points of the sweep are its scenarios (docs/your-own-brush.md).
 struct Design : experiment::Ranges {
   std::size_t tolerance_samples;  // 0 without tolerances
   std::vector<Objective> objectives;

@@ -112,7 +112,7 @@ void Summary::report_pinned_bristles() const {
   write_message(fmt::format(
       "{}: at {} of {} points bristles that stay pinned at the pole carry more than {:.0f} % of R_x, up to "
       "{:.0f} "
-      "%: that friction is a property of the polar coordinates; compare with {} (docs/own-material.md)\n",
+      "%: that friction is a property of the polar coordinates; compare with {} (docs/model.md)\n",
       path_, pinned_, points_, 100 * kPinnedShare, 100 * largest_pinned_share_,
       experiment_.sweep.varies("bending") ? "the bending \"rod\"" : "--set /model/bending=rod"));
 }

@@ -3,7 +3,7 @@
 docs_test.py SOURCE BUILD [DOCUMENT.md...]
 
 Commands are the lines of ```sh blocks (a backslash continues a line). They run in order, in a separate copy of the source
-for each document, and after them its ```python blocks as one script.
+for each document, and after them its ```python blocks as one script. The lines of ```printed blocks are among what they print.
 """
 import json
 import os
@@ -169,8 +169,16 @@ def commands(path):
 
 
 def written_files(path):
-    """Files that the reader is to write: blocks of ```json PATH."""
-    return re.findall(r"^```json (\S+)\n(.*?)^```$", path.read_text(encoding="utf-8"), re.M | re.S)
+    """Files that the reader is to write: blocks of ```json PATH and ```csv PATH."""
+    return re.findall(r"^```(?:json|csv) (\S+)\n(.*?)^```$", path.read_text(encoding="utf-8"), re.M | re.S)
+
+
+def check_printed(path, printed):
+    """Every line of a ```printed block is among what the page's commands have printed; ... stands for any text."""
+    for block in re.findall(r"^```printed\n(.*?)^```$", path.read_text(encoding="utf-8"), re.M | re.S):
+        for line in block.splitlines():
+            pattern = ".*".join(re.escape(part.strip()) for part in line.split("..."))
+            assert re.search(pattern, printed), f"{path.name}: no command of the page prints\n{line}"
 
 
 def run(path, folder):
@@ -186,12 +194,15 @@ def run(path, folder):
     (copy / "build").symlink_to(build, target_is_directory=True)
     for name, text in written_files(path):
         (copy / name).write_text(text, encoding="utf-8")
+    printed = ""
     for command in commands(path):
         for pattern, instead in INSTEAD:
             command = re.sub(f"^{pattern}", instead, command)
         done = subprocess.run(command, shell=True, cwd=copy, capture_output=True, text=True)
         assert done.returncode == 0, f"{path.name}: {command}: exit {done.returncode}\n{done.stdout}{done.stderr}"
+        printed += done.stdout
         print(f"{path.name}: {command}")
+    check_printed(path, printed)
     if code := "".join(re.findall(r"^```python\n(.*?)^```$", path.read_text(encoding="utf-8"), re.M | re.S)):
         code = re.sub(rf"results/({FIGURES})\.h5", r"results/\1-smoke.h5", code)
         done = subprocess.run([sys.executable, "-c", code], cwd=copy, env={**os.environ, "PYTHONPATH": "scripts"},
