@@ -1,5 +1,5 @@
 #!/bin/bash
-# Computes an experiment as a Slurm job array and completes the result; see docs/cluster.md. Called again after a failure,
+# Computes an experiment as a Slurm job array and completes the result; see docs/running.md. Called again after a failure,
 # it computes only what is missing.
 set -eu
 
@@ -50,7 +50,7 @@ program=$here/../../build/bristle
 [ -x "$program" ] || program=$here/../../../bin/bristle  # installed: this file is in share/bristle/slurm
 program=${BRISTLE:-$(realpath -m "$program")}
 command -v "$program" >/dev/null || die "$program: no such program; \`make build\` makes it, BRISTLE=... names another"
-command -v sbatch >/dev/null || die "sbatch: not found; this needs a machine that submits to Slurm (docs/cluster.md has other ways)"
+command -v sbatch >/dev/null || die "sbatch: not found; this needs a machine that submits to Slurm (docs/running.md has other ways)"
 
 name=$(basename "$experiment" .json)
 output=${output:-results/$name.h5}
