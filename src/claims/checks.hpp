@@ -50,9 +50,9 @@ std::vector<CheckResult> evaluate_checks(
     const std::vector<std::pair<std::string, std::array<double, 2>>>& within = {},
     const std::string& checks_file = "");
 
-// Returns a human-readable table with one line per check of the experiment, and a column of verdicts for each
-// reading.
-std::string checks_table(const std::vector<CheckResult>& checks);
+// Returns the checks for people, in lines of at most `columns` characters: what each states, and below it the
+// verdict and the measured number for each reading. Leaves out further checks unless `all` is set.
+std::string checks_table(const std::vector<CheckResult>& checks, bool all, std::size_t columns);
 
 // Finds mistakes in checks before anything is computed: throws InputError if a check lacks a key that its
 // predicate needs, or names a variable, an axis or a value that the result of the experiment will not have.

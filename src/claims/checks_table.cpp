@@ -3,6 +3,7 @@
 #include "util/text.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <algorithm>
 
 namespace bristle::claims {
@@ -18,31 +19,52 @@ std::string claimed(const Check& check) {
 }
 
 std::string measured(const CheckResult& c) {
-  return fmt::format("{:<10} {:>18}", word(c.verdict),
-                     fmt::format("{:.3f} +- {:.3f}", c.measured.value, c.measured.uncertainty));
+  return fmt::format("{:<9} {:.3f} +- {:.3f}", word(c.verdict), c.measured.value, c.measured.uncertainty);
 }
 
 std::string missing(const CheckResult& c) {
   return c.measured.missing ? fmt::format(" [{} points without a value]", c.measured.missing) : "";
 }
 
-}  // namespace
+constexpr std::size_t kIndent = 9, kGap = 2;
+constexpr std::size_t kCell = 27;  // of a verdict and its number, such as "undecided -10.399 +- 0.137"
 
-std::string checks_table(const std::vector<CheckResult>& checks) {
+// Returns the readings in the order of their first checks.
+std::vector<std::string> readings_of(const std::vector<CheckResult>& checks) {
   std::vector<std::string> readings;
   for (const CheckResult& c : checks)
     if (std::ranges::find(readings, c.check.reading) == readings.end()) readings.push_back(c.check.reading);
-  std::string text = fmt::format("{:<9}", "claim");
-  for (const std::string& reading : readings)
-    text += fmt::format("  {:<29}", reading.empty() ? "verdict, measured" : reading);
-  text += fmt::format("  {:<14}  {}\n", "claimed", "statement");
+  return readings;
+}
+
+}  // namespace
+
+std::string checks_table(const std::vector<CheckResult>& checks, bool all, std::size_t columns) {
+  const std::vector<std::string> readings = readings_of(checks);
+  // Side by side below a heading, or else below each other, each with its reading.
+  const bool side_by_side = kIndent + readings.size() * (kCell + kGap) <= columns + kGap;
+  std::string text;
+  if (side_by_side && readings.size() > 1) {
+    text += fmt::format("{:<{}}", "claim", kIndent);
+    for (const std::string& reading : readings) text += fmt::format("{:<{}}", reading, kCell + kGap);
+    text = text.substr(0, text.find_last_not_of(' ') + 1) + "\n";
+  }
   for (auto first = checks.begin(); first != checks.end();) {
     const auto next = std::find_if(
         first, checks.end(), [&](const CheckResult& c) { return c.check.number != first->check.number; });
-    text += fmt::format("{:<9}", first->check.main ? printable(first->check.claim) : " further");
-    for (auto c = first; c != next; ++c) text += "  " + measured(*c);
-    text += fmt::format("  {:<14}  {}{}\n", claimed(first->check), printable(first->check.statement),
-                        missing(*first));
+    if (first->check.main || all) {
+      const std::string statement =
+          fmt::format("{}: {}{}", printable(first->check.statement), claimed(first->check), missing(*first));
+      text += fmt::format("{:<{}}{}\n", first->check.main ? printable(first->check.claim) : " further",
+                          kIndent, wrapped(statement, columns, kIndent));
+      std::vector<std::string> cells;
+      for (auto c = first; c != next; ++c)
+        cells.push_back(side_by_side ? fmt::format("{:<{}}", measured(*c), c + 1 == next ? 0 : kCell)
+                                     : fmt::format("{} {}", c->check.reading, measured(*c)));
+      const std::string indent(kIndent, ' ');
+      const std::string between = side_by_side ? std::string(kGap, ' ') : "\n" + indent;
+      text += fmt::format("{}{}\n", indent, fmt::join(cells, between));
+    }
     first = next;
   }
   return text;

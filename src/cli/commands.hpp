@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 // The commands of the program. Each returns the exit code and throws InputError or RunError.
 namespace bristle::cli {
@@ -59,6 +60,7 @@ struct CheckOptions {
   std::string file, reference;  // folder of the references; empty: ./reference, or else that of the program
   bool report_only = false;     // claims that are not supported are no failure
   bool claims_only = false;     // no comparison with the reference
+  bool all = false;             // print further checks, too, which decide nothing
   bool json = false;            // print JSON: deviations, and the command that computes each point again
 };
 int check_command(const CheckOptions& options);
@@ -72,11 +74,20 @@ int diff_command(const DiffOptions& options);
 int reference_update_command(compare::ReferenceUpdate update);
 
 struct ExportOptions {
-  std::string file, output;  // empty output: the name of the result with .csv
-  std::string group;         // empty: the variables
-  std::string checks;        // of the group checks: a file with others; empty: those of the result
+  std::string file, output;       // empty output: the name of the result with .csv
+  std::string group;              // empty: the variables
+  std::string checks;             // of the group checks: a file with others; empty: those of the result
+  std::vector<std::string> only;  // variables that the table has beside coordinates and status; empty: all
 };
 int export_command(const ExportOptions& options);
+
+struct ValueOptions {
+  std::string file;
+  std::vector<std::string> names;  // variables
+  std::vector<std::string> at;     // "axis=value"; the nearest value of the axis counts
+};
+// Prints variables with their errors, and the status, of the points at a place: of all if `at` is empty.
+int value_command(const ValueOptions& options);
 
 struct InfoOptions {
   std::string file;

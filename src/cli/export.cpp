@@ -4,8 +4,10 @@
 #include "results/csv.hpp"
 #include "util/error.hpp"
 #include "util/file.hpp"
+#include "util/text.hpp"
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <filesystem>
 
 namespace bristle::cli {
@@ -15,6 +17,28 @@ namespace {
 std::string default_output(const ExportOptions& options) {
   std::filesystem::path path = options.file;
   return path.replace_extension(options.group.empty() ? ".csv" : "." + options.group + ".csv").string();
+}
+
+// Returns the table with these variables alone, their errors, the coordinates and the status. Throws
+// InputError for a name that the table does not have.
+results::Dataset reduced(const results::Dataset& table, const std::vector<std::string>& only,
+                         const results::ResultReader& result) {
+  std::vector<std::string> known, kept = result.axes();
+  for (const results::Array& array : table.arrays()) known.push_back(array.about.name);
+  std::ranges::copy(result.sample_columns(), std::back_inserter(kept));
+  kept.emplace_back("status");
+  for (const std::string& name : only) {
+    if (std::ranges::find(known, name) == known.end())
+      throw InputError(fmt::format("{}: --only {}: there is no such variable{}; `bristle info` lists all",
+                                   result.path(), printable(name), did_you_mean(name, known)));
+    kept.push_back(name);
+    kept.push_back(name + "_err");
+  }
+  results::Dataset out;
+  out.add_dimension(table.dimensions().front());
+  for (const results::Array& array : table.arrays())
+    if (array.coordinate || std::ranges::find(kept, array.about.name) != kept.end()) out.add(array);
+  return out;
 }
 
 }  // namespace
@@ -28,9 +52,10 @@ int export_command(const ExportOptions& options) {
   const results::ResultReader result(options.file);
   result.require_intact();
   // Stored verdicts are not trusted: the checks are evaluated again.
-  const results::Dataset table = options.group == "checks"
-                                     ? claims::dataset_of(claims::evaluate_checks(result, {}, options.checks))
-                                     : results::table_of(result, options.group);
+  results::Dataset table = options.group == "checks"
+                               ? claims::dataset_of(claims::evaluate_checks(result, {}, options.checks))
+                               : results::table_of(result, options.group);
+  if (!options.only.empty()) table = reduced(table, options.only, result);
   if (to_standard_output) {
     fmt::print("{}", results::csv_text(result, table));
     return kSuccess;

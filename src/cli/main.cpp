@@ -41,8 +41,11 @@ CLI::App* add_experiment(CLI::App& app, const char* name, const char* descriptio
   auto* command = app.add_subcommand(name, description);
   command->add_option("EXPERIMENT", options.file, "experiment file (JSON), or - for standard input")
       ->required();
-  command->add_option("--set", options.load.set, "change a value: /json/pointer=value (repeatable)")
-      ->type_name("PTR=VALUE")
+  command
+      ->add_option(
+          "--set", options.load.set,
+          "change a value: KEY=VALUE, or /json/pointer=VALUE where several blocks have the key (repeatable)")
+      ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
   add_tier(*command, options.load.tier,
            "smoke: a small subset of the points; study: the subset for `assumptions`; full: all");
@@ -58,6 +61,7 @@ CLI::App* add_new(CLI::App& app, std::string& name, bool& in_si, bool& repositor
   command->add_flag("--si", in_si, "of a material in SI units: friction over velocity");
   command->add_flag("--repository", repository,
                     "in a folder NAME, with a script and a workflow that check its numbers at every commit");
+  command->footer("Examples:\n  bristle new mine\n  bristle new brush --si");
   return command;
 }
 
@@ -87,6 +91,11 @@ CLI::App* add_run(CLI::App& app, ExperimentOptions& experiment, run::RunOptions&
                  "write the result of what shards have computed; name what is missing, and compute nothing")
       ->excludes(shard, force, point);
   command->add_flag("--quiet", run.quiet, "no progress, no summary");
+  command->footer(
+      "Examples:\n"
+      "  bristle run experiments/fig4.json --tier smoke\n"
+      "  bristle run experiments/brush.json --set tau_f_Pa=5e7 -o results/strong.h5\n"
+      "  bristle run results/fig4.h5 --point 1200");
   return command;
 }
 
@@ -111,6 +120,7 @@ CLI::App* add_info(CLI::App& app, InfoOptions& info) {
   auto* command = app.add_subcommand("info", "print the contents and the provenance of a result file");
   command->add_option("FILE", info.file, "result file")->required();
   command->add_flag("--json", info.json, "print JSON");
+  command->footer("Example: bristle info results/fig4.h5");
   return command;
 }
 
@@ -122,10 +132,29 @@ CLI::App* add_export(CLI::App& app, ExportOptions& options) {
   command->add_option("--group", options.group,
                       "checks, indices, jumps, load_error, quantiles or a recorded table in place of the "
                       "variables");
+  command->add_option("--only", options.only, "names of variables, separated by commas [all]")
+      ->delimiter(',');
   command->add_option(
       "--checks", options.checks,
       "with --group checks: evaluate the checks of this file, such as an experiment, in place "
       "of the result's");
+  command->footer(
+      "Examples:\n"
+      "  bristle export results/brush.h5 --only friction_coefficient,R_x_in_N\n"
+      "  bristle export results/design.h5 --group drawing -o -");
+  return command;
+}
+
+CLI::App* add_value(CLI::App& app, ValueOptions& options) {
+  auto* command = app.add_subcommand("value", "print variables of a result with their errors");
+  command->add_option("FILE", options.file, "result file")->required();
+  command->add_option("NAME", options.names, "names of variables")->required();
+  command
+      ->add_option("--at", options.at, "the value of an axis nearest to this one (repeatable) [all points]")
+      ->type_name("AXIS=VALUE")
+      ->allow_extra_args(false);
+  command->footer(
+      "Example: bristle value results/fig4.h5 R_x_norm --at k_r=20 --at k_theta=1 --at bending=rod");
   return command;
 }
 
@@ -137,8 +166,10 @@ CLI::App* add_check(CLI::App& app, CheckOptions& check) {
                       "folder of the references (default: reference, or that of the program)");
   command->add_flag("--report-only", check.report_only, "do not fail if a claim is not supported");
   command->add_flag("--claims-only", check.claims_only, "do not compare with the reference");
+  command->add_flag("--all", check.all, "print further checks, too, which decide nothing");
   command->add_flag("--json", check.json,
                     "print JSON: the comparison, and for each point the command that computes it again");
+  command->footer("Example: bristle check results/fig4.h5 --report-only");
   return command;
 }
 
@@ -148,6 +179,7 @@ CLI::App* add_diff(CLI::App& app, DiffOptions& diff) {
   command->add_option("B", diff.b, "result file")->required();
   command->add_option("--rtol", diff.tolerances.rtol, "relative tolerance [none: any difference counts]");
   command->add_option("--atol", diff.tolerances.atol, "absolute tolerance");
+  command->footer("Example: bristle diff results/fig4.h5 results/half.h5 --rtol 1e-3");
   return command;
 }
 
@@ -237,6 +269,7 @@ class CommandLine {
                [] { return cli::schema_command(); });
     set_action(add_info(app_, info_), [this] { return cli::info_command(info_); });
     set_action(add_export(app_, export_), [this] { return cli::export_command(export_); });
+    set_action(add_value(app_, value_), [this] { return cli::value_command(value_); });
     set_action(add_check(app_, check_), computing([this] { return cli::check_command(check_); }));
     set_action(add_diff(app_, diff_), computing([this] { return cli::diff_command(diff_); }));
     set_action(add_merge(app_, experiment_, run_), computing([this] {
@@ -294,6 +327,7 @@ class CommandLine {
   run::RunOptions run_;
   InfoOptions info_;
   ExportOptions export_;
+  ValueOptions value_;
   CheckOptions check_;
   DiffOptions diff_;
   archive::ArchiveOptions archive_;

@@ -1,6 +1,7 @@
 #include "experiment/experiment.hpp"
 
 #include "experiment/overrides.hpp"
+#include "experiment/pointer.hpp"
 #include "experiment/point_checks.hpp"
 #include "experiment/schema.hpp"
 #include "experiment/friction_law.hpp"
@@ -277,7 +278,7 @@ Experiment read_tier(const Document& document, const std::string& tier, const st
 
 Experiment load_experiment(const std::string& path, const json::DocumentOptions& options,
                            const ReadBlocks& read_blocks) {
-  const Document document = Document::load(path, options);
+  const Document document = Document::load(path, {with_pointers(options.set), options.tier});
   Experiment experiment = read_tier(document, options.tier, options.tier, read_blocks);
   experiment.tier = options.tier;
   experiment.has_study_tier = document.has_tier("study");
@@ -294,7 +295,7 @@ Experiment made_experiment(const Json& document) { return read(Document::made(do
 
 Experiment stored_experiment(const Json& document, const std::string& tier, const std::string& source,
                              const std::vector<std::string>& set) {
-  Experiment experiment = read(Document::stored(document, source, set));
+  Experiment experiment = read(Document::stored(document, source, with_pointers(set)));
   experiment.tier = tier;
   return experiment;
 }

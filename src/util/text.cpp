@@ -9,6 +9,9 @@
 #include <cstdlib>
 #include <cstring>
 #include <numeric>
+#include <sstream>
+#include <sys/ioctl.h>
+#include <unistd.h>
 #include <utility>
 
 namespace bristle {
@@ -95,6 +98,32 @@ void write_message(const std::string& text) { write_stderr(printable(text, "\n")
 void write_stderr(const std::string& text) {
   std::fwrite(text.data(), 1, text.size(), stderr);
   std::fflush(stderr);
+}
+
+std::string wrapped(const std::string& text, std::size_t columns, std::size_t indent) {
+  std::string out;
+  std::size_t in_line = indent;
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    const bool first = in_line == indent;
+    if (!first && in_line + 1 + word.size() > columns) {
+      out += "\n" + std::string(indent, ' ');
+      in_line = indent;
+    } else if (!first) {
+      out += ' ';
+      ++in_line;
+    }
+    out += word;
+    in_line += word.size();
+  }
+  return out;
+}
+
+std::size_t terminal_columns() {
+  constexpr std::size_t least = 40, otherwise = 100;
+  winsize size{};
+  if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return otherwise;
+  return std::max<std::size_t>(least, size.ws_col);
 }
 
 std::vector<std::string> split_list(const std::string& text) {

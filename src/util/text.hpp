@@ -30,6 +30,13 @@ void write_stderr(const std::string& text);
 // feeds, replaced by escapes.
 void write_message(const std::string& text);
 
+// Returns the text in lines of at most `columns` characters, broken at spaces. The first line is to follow
+// `indent` characters; the others begin with as many spaces. A longer word has a line of its own.
+std::string wrapped(const std::string& text, std::size_t columns, std::size_t indent);
+
+// Returns the width of the terminal that standard output is, at least 40; 100 if it is none.
+std::size_t terminal_columns();
+
 // Splits "a, b, c", the format of lists of commits in /provenance, into {a, b, c}.
 std::vector<std::string> split_list(const std::string& text);
 

@@ -117,7 +117,7 @@ void read(const Original& original, const std::string& path, Reader reader) {
       break;
     }
     case Reader::reference: {
-      checks_table(evaluate_checks(result));
+      checks_table(evaluate_checks(result), true, 80);
       reference_of(path);
       break;
     }

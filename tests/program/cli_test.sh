@@ -42,6 +42,22 @@ digest=$("$bristle" info --json "$result" | sed -n 's/.*"payload_sha256": "\([0-
 expect 0 "SHA-256 of the numbers $digest;" "$bristle" cite "$result"
 expect 2 "nowhere.h5: no such file" "$bristle" cite nowhere.h5
 
+# One number with its error, a table of a few variables, and keys without their blocks.
+expect 0 " +- " "$bristle" value "$result" R_x_norm z_0 --at k_r=20 --at k_theta=1 --at bending=rod
+[ "$("$bristle" value "$result" R_x_norm --at k_r=20 --at k_theta=1 --at bending=rod | wc -l)" = 1 ] || failed "value: not one line"
+expect 0 " at bending = rod, k_r = " "$bristle" value "$result" R_x_norm --at k_r=20 --at k_theta=1 --at bending=rod
+expect 2 "there is no variable R_x_nrm (did you mean R_x_norm?)" "$bristle" value "$result" R_x_nrm
+expect 2 "there is no axis k_rr (did you mean k_r?)" "$bristle" value "$result" R_x_norm --at k_rr=20
+expect 2 "bending has the words polar, polar_as_printed, rod" "$bristle" value "$result" R_x_norm --at bending=rode
+expect 2 "--at k_r=soft: is not a number" "$bristle" value "$result" R_x_norm --at k_r=soft
+expect 2 "--at k_r: write --at k_r=20" "$bristle" value "$result" R_x_norm --at k_r
+expect 0 "bending,k_r,k_theta,R_x_norm,R_x_norm_err,status" "$bristle" export "$result" --only R_x_norm -o -
+expect 2 "--only R_x_nrm: there is no such variable (did you mean R_x_norm?)" "$bristle" export "$result" --only R_x_nrm
+expect 2 "/model/k_r: -1 is not allowed" "$bristle" validate experiments/paper.json --set k_r=-1
+expect 2 "rtol may be /orientation/rtol or /integrator/rtol; write --set /orientation/rtol=" \
+  "$bristle" validate experiments/paper.json --set rtol=0.1
+expect 2 "no block of an experiment has the key k_rr (did you mean k_r?)" "$bristle" validate experiments/paper.json --set k_rr=1
+
 # A repository that checks its own numbers, and its values, which change.
 own() (cd "$folder" && PATH=$(dirname "$bristle"):$PATH "$@")
 expect 0 "own/: written, with an experiment, check.sh and a workflow" own bristle new own --repository

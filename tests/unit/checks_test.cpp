@@ -289,9 +289,11 @@ TEST_CASE("with checks_for_each, every check has a verdict at each value of the 
   CHECK(results[1].measured.value == Approx(15));
   CHECK(results[1].claim_verdict == Verdict::refuted);
   CHECK(results[1].check.number == 0);
-  const std::string table = checks_table(results);
+  const std::string table = checks_table(results, false, 100);
   CHECK(table.find("polar") < table.find("polar_as_printed"));
-  CHECK(std::count(table.begin(), table.end(), '\n') == 2);  // one line for both verdicts
+  CHECK(std::count(table.begin(), table.end(), '\n') == 3);  // the readings, the statement, both verdicts
+  const std::string narrow = checks_table(results, false, 50);
+  CHECK(narrow.find("\n         polar_as_printed refuted") != std::string::npos);
   CHECK_THROWS_WITH(evaluated(s, {}, 0, both + R"("k_r")"), Catch::Contains("is not a choice"));
   CHECK_THROWS_WITH(evaluated(s, {}, 0, both + R"("friction")"), Catch::Contains("is not a choice"));
 }
@@ -341,7 +343,7 @@ TEST_CASE("checks are stored beside the numbers without changing their digest") 
   CHECK(payload_sha256(h5::open_file(s.path("c.h5"), false)) == before);
   CHECK(h5::scale_name(h5::open_dataset(h5::open_file(s.path("c.h5"), false), "checks/verdict"), 0) ==
         "check");
-  CHECK(checks_table(checks).find("supported") != std::string::npos);
+  CHECK(checks_table(checks, false, 100).find("supported") != std::string::npos);
 }
 
 }  // namespace bristle::checks_test

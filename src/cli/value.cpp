@@ -1,0 +1,101 @@
+#include "cli/commands.hpp"
+
+#include "results/csv.hpp"
+#include "util/error.hpp"
+#include "util/text.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <algorithm>
+#include <cmath>
+
+namespace bristle::cli {
+namespace {
+
+using results::Array;
+using results::Dataset;
+
+// Returns the names of the columns that place a row: axes, and what varies along a sample.
+std::vector<std::string> coordinates_of(const results::ResultReader& result) {
+  std::vector<std::string> names = result.axes();
+  std::ranges::copy(result.sample_columns(), std::back_inserter(names));
+  return names;
+}
+
+// Returns the column of a table. Throws InputError with the names that are allowed.
+const Array& column_of(const Dataset& table, const std::string& name, const std::vector<std::string>& allowed,
+                       const std::string& what) {
+  if (std::ranges::find(allowed, name) != allowed.end()) return table.array(name);
+  throw InputError(fmt::format("there is no {} {}{}; {}", what, printable(name), did_you_mean(name, allowed),
+                               allowed.size() > 12 ? "`bristle info` lists all"
+                                                   : fmt::format("it has: {}", fmt::join(allowed, ", "))));
+}
+
+// Returns the value of an axis that is nearest to the wanted one: a number, or the code of a word.
+double nearest(const Array& axis, const std::string& wanted) {
+  if (!axis.about.words.empty()) {
+    const auto& words = axis.about.words;
+    if (const auto found = std::ranges::find(words, wanted); found != words.end())
+      return double(found - words.begin());
+    throw InputError(fmt::format("--at {}={}: {} has the words {}", axis.about.name, printable(wanted),
+                                 axis.about.name, fmt::join(words, ", ")));
+  }
+  const auto number = number_in(wanted);
+  if (!number)
+    throw InputError(fmt::format("--at {}={}: is not a number", axis.about.name, printable(wanted)));
+  return *std::ranges::min_element(axis.values, {}, [&](double value) { return std::abs(value - *number); });
+}
+
+// Returns for each row whether it is at the wanted place. at: "axis=value"
+std::vector<bool> selected(const Dataset& table, const std::vector<std::string>& at,
+                           const std::vector<std::string>& coordinates) {
+  std::vector<bool> rows(table.size(), true);
+  for (const std::string& one : at) {
+    const std::size_t equals = one.find('=');
+    if (equals == one.npos) throw InputError(fmt::format("--at {}: write --at k_r=20", printable(one)));
+    const Array& axis = column_of(table, one.substr(0, equals), coordinates, "axis");
+    const double value = nearest(axis, one.substr(equals + 1));
+    for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = rows[i] && axis.values[i] == value;
+  }
+  return rows;
+}
+
+std::string value_text(const Dataset& table, const Array& array, std::size_t row) {
+  if (!array.about.words.empty()) return array.cell(row);
+  const double value = array.values[row];
+  if (std::isnan(value)) return "no value";
+  const auto error = std::ranges::find(table.arrays(), array.about.name + "_err",
+                                       [](const Array& one) { return one.about.name; });
+  const std::string units =
+      array.about.units.empty() || array.about.units == "1" ? "" : " " + array.about.units;
+  if (error == table.arrays().end() || std::isnan(error->values[row]))
+    return fmt::format("{:.6g}{}", value, units);
+  return fmt::format("{:.6g} +- {:.2g}{}", value, error->values[row], units);
+}
+
+}  // namespace
+
+int value_command(const ValueOptions& options) {
+  const results::ResultReader result(options.file);
+  result.require_intact();
+  const Dataset table = results::table_of(result, "");
+  const std::vector<std::string> coordinates = coordinates_of(result);
+  std::vector<std::string> all;
+  for (const Array& array : table.arrays()) all.push_back(array.about.name);
+  const std::vector<bool> rows = selected(table, options.at, coordinates);
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    if (!rows[row]) continue;
+    std::vector<std::string> values, place;
+    for (const std::string& name : options.names)
+      values.push_back(
+          fmt::format("{} = {}", name, value_text(table, column_of(table, name, all, "variable"), row)));
+    for (const std::string& name : coordinates)
+      if (name != "sample")
+        place.push_back(fmt::format("{} = {}", name, value_text(table, table.array(name), row)));
+    fmt::print("{}{}{}: {}\n", fmt::join(values, ", "), place.empty() ? "" : " at ", fmt::join(place, ", "),
+               table.array("status").cell(row));
+  }
+  return kSuccess;
+}
+
+}  // namespace bristle::cli
