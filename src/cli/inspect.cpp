@@ -38,6 +38,13 @@ std::vector<std::string> words_along(const results::Array& array) {
   return words;
 }
 
+// Returns the greatest error of a variable in words; empty if it has none.
+std::string error_text(const results::ResultReader& result, const std::string& name) {
+  if (!result.has(name + "_err")) return "";
+  const Range range = range_of(result.variable(name + "_err"));
+  return range.values == 0 || range.high == 0 ? "" : fmt::format(" +- {:.2g} or less", range.high);
+}
+
 void print_variable(const results::ResultReader& result, const std::string& name) {
   const results::Array& array = result.variable(name);
   const Range range = range_of(array);
@@ -48,8 +55,55 @@ void print_variable(const results::ResultReader& result, const std::string& name
   if (!words.empty()) fmt::print("  {:<22} {:<20} {}\n", name, where, fmt::join(words, ", "));
   else if (range.values == 0) fmt::print("  {:<22} {:<20} no values\n", name, where);
   else
-    fmt::print("  {:<22} {:<20} {:>12.6g} .. {:<12.6g}{}\n", name, where, range.low, range.high,
-               missing > 0 ? fmt::format(" {} without a value", missing) : "");
+    fmt::print("  {:<22} {:<20} {:>12.6g} .. {:<12.6g}{}{}\n", name, where, range.low, range.high,
+               error_text(result, name), missing > 0 ? fmt::format(", {} without a value", missing) : "");
+}
+
+// What most people look for, in this order, after the axes.
+constexpr const char* kImportant[] = {"friction_coefficient",
+                                      "R_x_norm",
+                                      "R_n_in_N",
+                                      "R_x_in_N",
+                                      "pressure_in_Pa",
+                                      "friction_in_Pa",
+                                      "phase",
+                                      "R_n",
+                                      "R_x",
+                                      "z_0",
+                                      "gamma_1",
+                                      "gamma_2",
+                                      "gamma_3",
+                                      "N_c_ratio",
+                                      "off_slab_share",
+                                      "load_over_lift_off",
+                                      "lift_off_load",
+                                      "growth_rate",
+                                      "lift_off_load_in_N",
+                                      "lift_off_speed",
+                                      "F_n_peak_in_N",
+                                      "tip_travel_in_m",
+                                      "root_strain",
+                                      "wear_power_in_W_per_m2"};
+
+// Prints the variables: axes, what most people look for, and the others. Errors stand beside their variables.
+// intact: whether the experiment of the result can be read, which names the axes
+void print_variables(const results::ResultReader& result, bool intact) {
+  std::vector<std::string> names;
+  if (intact) names = result.axes();
+  if (intact) std::ranges::copy(result.sample_columns(), std::back_inserter(names));
+  const auto add = [&](const std::string& name) {
+    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+  };
+  for (const char* name : kImportant)
+    if (result.has(name)) add(name);
+  const std::size_t important = names.size();
+  for (const std::string& name : result.variables())
+    if (!name.ends_with("_err")) add(name);
+  fmt::print("variables (smallest .. largest; the greatest error):\n");
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (i == important) fmt::print("further variables:\n");
+    print_variable(result, names[i]);
+  }
 }
 
 // Number of points with each status that occurs.
@@ -148,8 +202,7 @@ int info_command(const InfoOptions& options) {
   });
   fmt::print("{}", phases.text());
   print_failures(result);
-  fmt::print("variables (smallest .. largest):\n");
-  for (const std::string& name : result.variables()) print_variable(result, name);
+  print_variables(result, intact);
   print_provenance(result);
   return intact ? kSuccess : kCheckFailed;
 }
