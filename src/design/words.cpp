@@ -95,6 +95,23 @@ std::string comparison_text(const Trials& trials, const Findings& found) {
   return out;
 }
 
+// Returns a sentence on a start that does not meet the constraints, with the trial nearest to it that does:
+// by the changes of the variables, relative to their ranges.
+std::string infeasible_text(const Trials& trials, const Findings& found) {
+  const auto distance = [&](const Trial& trial) {
+    double sum = 0;
+    for (const experiment::Range& range : trials.design().variables)
+      sum += std::pow(
+          (trial.nominal.at(range.name) - found.start->nominal.at(range.name)) / (range.high - range.low), 2);
+    return trial.violation > 0 ? kInfinity : sum;
+  };
+  const Trial& nearest = *std::ranges::min_element(found.trials, {}, distance);
+  return fmt::format(
+      "  the start {}; the nearest trial that meets the constraints: {}\n",
+      std::isinf(found.start->violation) ? "has points without a value" : "violates a constraint",
+      values_text(trials, nearest));
+}
+
 // Returns a sentence if the start, which meets the constraints, is as good as the recommended trial within
 // the errors.
 std::string gain_text(const Findings& found) {
@@ -115,9 +132,7 @@ std::string remarks_text(const Trials& trials, const Findings& found) {
   const Design& design = trials.design();
   const Trial& best = recommended(found);
   std::string out;
-  if (found.start && found.start->violation > 0)
-    out += std::isinf(found.start->violation) ? "  the start has points without a value\n"
-                                              : "  the start violates a constraint\n";
+  if (found.start && found.start->violation > 0) out += infeasible_text(trials, found);
   if (best.violation > 0)
     out +=
         "  rounded to what can be made, the brush violates a constraint: give finer steps, or tighter "
@@ -182,7 +197,7 @@ std::string margins_text(const Findings& found) {
 std::string indices_text(const Trials& trials, const Findings& found) {
   std::string out;
   for (std::size_t o = 0; o < found.indices.size(); ++o)
-    out += fmt::format("  total (and first-order) Sobol indices of {} over the tolerances: {}\n",
+    out += fmt::format("  shares of the tolerances in the variance of {} (Sobol indices)\n{}",
                        trials.design().objectives[o].variable,
                        run::indices_text(found.indices[o], trials.design().tolerated(), kIndexBlocks,
                                          "choose bounds or tolerances with which more points have a value"));

@@ -257,12 +257,14 @@ std::string indices_text(const SobolIndices& indices, const std::vector<std::str
   // Replaces NaN by -1.
   const auto total = [&](std::size_t i) { return std::fmax(indices.total[i].value, -1); };
   std::ranges::stable_sort(order, std::greater<>(), total);
-  std::vector<std::string> parts;
+  std::size_t width = 0;
+  for (const std::string& input : inputs) width = std::max(width, input.size());
+  std::string text = fmt::format("    {:<{}}  {:>14}  {:>14}\n", "", width, "total", "first order");
   for (const std::size_t i : order)
-    parts.push_back(
-        fmt::format("{} {} ({})", inputs[i], index_text(indices.total[i]), index_text(indices.first[i])));
+    text += fmt::format("    {:<{}}  {:>14}  {:>14}\n", inputs[i], width, index_text(indices.total[i]),
+                        index_text(indices.first[i]));
   const std::string origin = origin_text(indices, blocks, remedy);
-  return fmt::format("{}{}{}", fmt::join(parts, ", "), origin.empty() ? "" : "; ", origin);
+  return origin.empty() ? text : text + "    " + origin + "\n";
 }
 
 std::set<std::string> analysed_variables(const Experiment& experiment) {
@@ -289,16 +291,18 @@ std::string analysis_text(const Experiment& experiment, const std::vector<result
     const Sweep others = others_of(experiment);
     const std::size_t points = sample_of(experiment).values.size(), block = block_of(experiment);
     for (std::size_t row = 0; row < others.size() * outputs.size(); ++row) {
-      text += fmt::format(
-          "{} of {}{}: {}", of_indices ? "total (and first-order) Sobol indices" : "quantiles",
-          outputs[row % outputs.size()],
-          others.axes.empty() ? "" : " at " + others.place(row / outputs.size()),
-          of_indices ? indices_text(indices_of(group, row), inputs_of(experiment), points / block, kRemedy)
-                     : quantiles_line(group, row, block == 1 ? points : 2 * points / block));
-      const std::size_t width = group.shape().back();
-      if (const double count = group.array("ambiguous").values[row * width]; count > 0)
-        text += fmt::format("; ambiguous points among those used: {}", count);
-      text += "\n";
+      const std::string what = outputs[row % outputs.size()] +
+                               (others.axes.empty() ? "" : " at " + others.place(row / outputs.size()));
+      const double ambiguous = group.array("ambiguous").values[row * group.shape().back()];
+      const std::string note =
+          ambiguous > 0 ? fmt::format("; ambiguous points among those used: {}", ambiguous) : "";
+      if (of_indices)
+        text +=
+            fmt::format("shares in the variance of {} (Sobol indices){}\n{}", what, note,
+                        indices_text(indices_of(group, row), inputs_of(experiment), points / block, kRemedy));
+      else
+        text += fmt::format("quantiles of {}: {}{}\n", what,
+                            quantiles_line(group, row, block == 1 ? points : 2 * points / block), note);
     }
   }
   return text;

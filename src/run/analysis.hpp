@@ -21,8 +21,9 @@ void require_variable(const Experiment& experiment, const json::Node& place, con
 // dimensions
 void add_indices(results::Dataset& data, const std::vector<SobolIndices>& rows);
 
-// Returns "k_r 0.40 +- 0.02 (0.31 +- 0.03), ...", by descending total index. Adds what the indices follow
-// from, unless they follow from all blocks of the design. remedy: what to do if too few points have a value
+// Returns a table for people: a line for each input with its total and its first-order index, by descending
+// total index. Adds what the indices follow from, unless they follow from all blocks of the design. remedy:
+// what to do if too few points have a value
 std::string indices_text(const SobolIndices& indices, const std::vector<std::string>& inputs,
                          std::size_t blocks, const std::string& remedy);
 

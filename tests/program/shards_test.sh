@@ -66,7 +66,7 @@ expect 2 "EXPERIMENT" "$bristle" merge
 run=("$bristle" run experiments/paper.json --set '/orientation={"sampling":"list","theta_0_deg":[10,100]}')
 sample=(--set '/sweep/sample={"sobol":8,"seed":1,"over":{"k_r":{"log":[5,50]},"k_theta":{"uniform":[0.5,4]}}}'
   --set '/analysis={"sobol_indices":["R_x"],"quantiles":["R_x"]}')
-expect 0 "total (and first-order) Sobol indices of R_x" "${run[@]}" "${sample[@]}" -o "$folder/whole/sample.h5"
+expect 0 "shares in the variance of R_x (Sobol indices)" "${run[@]}" "${sample[@]}" -o "$folder/whole/sample.h5"
 for i in 2 1; do expect 0 "points: " "${run[@]}" "${sample[@]}" --shard $i/2 -o "$folder/sample.h5"; done
 expect 0 "32 computed before" "${run[@]}" "${sample[@]}" --complete -o "$folder/sample.h5"
 expect 0 "the same, bit for bit" "$bristle" diff "$folder/sample.h5" "$folder/whole/sample.h5"

@@ -453,7 +453,7 @@ TEST_CASE("indices and quantiles count the points that they use, and the ambiguo
   const std::string text = run::analysis_text(e, groups);
   CHECK_THAT(
       text,
-      Catch::Contains("; from 18 of 20 pairs, as the others have points without a value") &&
+      Catch::Contains("  from 18 of 20 pairs, as the others have points without a value") &&
           Catch::Contains("; 2 points have no value and are left out; ambiguous points among those used: 1"));
 }
 
