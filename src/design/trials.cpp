@@ -16,7 +16,10 @@ namespace {
 
 using sweep::Axis;
 
-constexpr std::size_t kVerification = 256;  // least number of deviations for the recommended trial
+// Deviations of the recommended trial: at least so many, and twice as many as long as the relative error of
+// an objective exceeds kVerificationError and doubling has reduced it by a twentieth.
+constexpr std::size_t kVerification = 256, kMostVerification = 1024;
+constexpr double kVerificationError = 0.01, kLeastGain = 0.95;
 // Number of points on each side of the nominal value between which a reported jump margin is located.
 constexpr std::size_t kMarginPoints = 8;
 
@@ -35,6 +38,14 @@ double limited_value(const Constraint& constraint, const Computed& point) {
 double excess(const Constraint& constraint, const Computed& point) {
   const double value = limited_value(constraint, point);
   return std::isnan(value) ? kInfinity : std::max(value - constraint.max, constraint.min - value);
+}
+
+// Returns the greatest error of these estimates relative to their values; 0 if none has a value.
+double greatest_error(const std::vector<Estimate>& estimates) {
+  double out = 0;
+  for (const Estimate& estimate : estimates)
+    if (estimate.value != 0) out = std::fmax(out, estimate.error / std::abs(estimate.value));
+  return out;
 }
 
 }  // namespace
@@ -301,12 +312,28 @@ Profile Trials::profile(const Values& nominal, const std::string& quantity,
 }
 
 Verification Trials::verify(const Values& nominal) const {
-  const std::size_t brushes = std::max(kVerification, design_.tolerance_samples);
-  std::vector<Values> rows;
-  for (const Point& deviations : sobol_points(brushes, design_.tolerances.size(), design_.seed))
-    rows.push_back(deviated(nominal, deviations));
-  const Sweep batch = with_rows(rows);
-  const std::vector<Computed> points = solve_all(batch, Purpose::beside);
+  std::vector<Computed> points;
+  const auto compute = [&](std::size_t brushes) {
+    const std::vector<Point> deviations = sobol_points(brushes, design_.tolerances.size(), design_.seed);
+    std::vector<Values> rows;
+    for (std::size_t row = points.size() / scenarios(); row < brushes; ++row)
+      rows.push_back(deviated(nominal, deviations[row]));
+    std::ranges::move(solve_all(with_rows(rows), Purpose::beside), std::back_inserter(points));
+    return verification_of(points);
+  };
+  Verification out = compute(std::max(kVerification, design_.tolerance_samples));
+  double before = kInfinity;
+  for (double error = greatest_error(out.objectives);
+       error > kVerificationError && error < kLeastGain * before && out.brushes < kMostVerification;
+       error = greatest_error(out.objectives)) {
+    before = error;
+    out = compute(2 * out.brushes);
+  }
+  return out;
+}
+
+Verification Trials::verification_of(const std::vector<Computed>& points) const {
+  const std::size_t brushes = points.size() / scenarios();
   Verification out{{}, {}, brushes, 0, 0};
   for (std::size_t row = 0; row < brushes; ++row) {
     bool missing = false, violated = false;

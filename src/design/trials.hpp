@@ -93,7 +93,7 @@ class Trials {
 
   Profile profile(const Values& nominal, const std::string& quantity,
                   const std::vector<double>& values) const;
-  // Computes the trial with 256 or more deviations, enough to show the tails of its statistics. Requires
+  // Computes the trial with 256 to 1024 deviations, enough to show the tails of its statistics. Requires
   // tolerances.
   Verification verify(const Values& nominal) const;
   // Returns total and first-order indices of each nominal objective over the tolerances.
@@ -112,6 +112,8 @@ class Trials {
   Values deviated(const Values& nominal, const Point& deviations) const;
   double neighbour(const Values& nominal, const std::string& quantity, double change) const;
   Trial judge(const Values& nominal, const Computed* points) const;
+  // Returns what these points show: those of each brush in all scenarios, brush after brush.
+  Verification verification_of(const std::vector<Computed>& points) const;
   std::vector<double> values_beside(const Values& nominal, const std::string& quantity,
                                     std::size_t intervals) const;
   Estimate worst_nominal(const Objective& objective, const Computed* points) const;

@@ -439,6 +439,24 @@ TEST_CASE("design: a start that is the best trial can be kept, although the vari
   CHECK_THAT(text, !Catch::Contains("do not matter"));
 }
 
+TEST_CASE("design: a start beyond a constraint is said, with the nearest trial that meets it") {
+  const Folder f;
+  const auto file = f.run(f.load(R"({"variables": {"mu_c": [0.05, 0.2]}, "budget": 8,
+      "objectives": [{"minimise": "R_x"}], "constraints": [{"variable": "R_x", "min": 0.2}]},
+      "model": {"friction": "coulomb", "mu_c": 0.05})",
+                                 kFew));
+  const std::vector<double> mu_c = file.variable("trials/mu_c").values,
+                            violation = file.variable("trials/violation").values;
+  double nearest = HUGE_VAL;
+  for (std::size_t i = 0; i < mu_c.size(); ++i)
+    if (violation[i] == 0) nearest = std::min(nearest, mu_c[i]);
+  CHECK(nearest > 0.09);
+  CHECK_THAT(file.provenance().at("design"),
+             Catch::Contains(fmt::format("the start violates a constraint; the nearest trial that meets the "
+                                         "constraints: mu_c = {:.4g}",
+                                         nearest)));
+}
+
 TEST_CASE("design: trials whose shafts overlap violate a constraint that is always there") {
   const Folder f;
   // The spacing is 0.2, so that shafts thicker than 0.1 overlap; friction does not depend on the radius.
@@ -501,15 +519,16 @@ TEST_CASE(
       f.load(R"({"variables": {"k_r": [5, 40]}, "budget": 1, "tolerances": {"k_r": {"uniform": 0.1}},
       "objectives": [{"minimise": "R_x", "of": "mean"}], "constraints": [{"variable": "R_n", "max": 1}]})",
              std::string(R"(, "sweep": {"V_s": {"values": [0.01, 0.02]}})") + kFew);
-  // Of 256 brushes in two scenarios: R_x is the brush's number; 10 brushes have no R_x in the second
+  // Of 256 brushes in two scenarios: R_x grows with the brush's number; 10 brushes have no R_x in the second
   // scenario, one has no R_n in the first, and 30, among them the 10, have an R_n beyond the constraint.
-  const auto solve = [](const Sweep& sweep, const std::vector<std::size_t>& points, design::Purpose) {
+  double spread = 0.01;
+  const auto solve = [&](const Sweep& sweep, const std::vector<std::size_t>& points, design::Purpose) {
     const auto empty = results::record_of(results::layout_of(sweep), PointResult{}, {});
     std::vector<results::PointRecord> out(points.size(), empty);
     const std::size_t R_x = empty.layout->number("R_x"), R_n = empty.layout->number("R_n");
     for (std::size_t i = 0; i < points.size(); ++i) {
       const std::size_t brush = i / 2, scenario = i % 2;
-      out[i].values[R_x] = brush < 10 && scenario == 1 ? NAN : double(brush);
+      out[i].values[R_x] = brush < 10 && scenario == 1 ? NAN : 1000 + spread * double(brush);
       out[i].values[R_n] = brush == 40 && scenario == 0 ? NAN : brush < 30 ? 2 : 0.5;
     }
     return out;
@@ -520,7 +539,9 @@ TEST_CASE(
   CHECK(found.missing == 11);
   CHECK(found.violated == 20);
   CHECK(found.scenarios.front() == 1);
-  CHECK(found.objectives.front().value == Approx((10 + 255) / 2.0));
+  CHECK(found.objectives.front().value == Approx(1000 + 0.01 * (10 + 255) / 2.0).epsilon(1e-9));
+  spread = 20;  // the mean of 256 brushes has an error above 1 %
+  CHECK(design::Trials(e, design, solve).verify({{"k_r", 10}}).brushes > 256);
 }
 
 TEST_CASE("malformed designs: the message names place, value and remedy") {
