@@ -1,5 +1,5 @@
 # cmake --install: the program, its experiments, schema and references, the library with its headers, the Python package
-# of the figures, the manual page and the completion for bash. cpack makes a Debian package of the same.
+# of the figures, the manual page and completion for bash and zsh. cpack makes a Debian package of the same.
 set(data ${CMAKE_INSTALL_DATADIR}/bristle)  # src/util/data.cpp finds it from the program
 
 install(TARGETS bristle RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
@@ -31,6 +31,7 @@ install(DIRECTORY scripts/slurm DESTINATION ${data} USE_SOURCE_PERMISSIONS)
 install(PROGRAMS scripts/find-python DESTINATION ${data})
 install(FILES ${PROJECT_BINARY_DIR}/bristle.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(FILES cmake/completion.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME bristle)
+install(FILES cmake/completion.zsh DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions RENAME _bristle)
 install(FILES README.md LICENSE CITATION.cff CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 set(CPACK_GENERATOR DEB)

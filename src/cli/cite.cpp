@@ -76,6 +76,11 @@ int cite_command(const std::string& result) {
          {"number", field(reference, "issue")},
          {"pages", field(reference, "start") + "--" + field(reference, "end")},
          {"doi", field(reference, "doi")}});
+  for (const Json& reference : software.value("references", Json::array()))
+    if (!reference.contains("volume") || !reference.contains("doi"))
+      write_message(
+          "The volume and the DOI of the paper are not among the sources of this program: take them from its "
+          "title page.\n");
   if (!file) return kSuccess;
   const auto provenance = file->provenance();
   for (const char* key : {"commit", "finished"})

@@ -67,8 +67,17 @@ complete() {  # WORD...: what completes the last word
   PATH=$prefix/bin:$PATH bash -c '. "$0"; COMP_WORDS=(bristle "$@"); COMP_CWORD=$#; _bristle; echo "${COMPREPLY[*]}"' \
     "$prefix/share/bash-completion/completions/bristle" "$@"
 }
-[ "$(complete val)" = validate ] || failed "completion of val: $(complete val)"
+[ "$(complete vali)" = validate ] || failed "completion of vali: $(complete vali)"
 [ "$(complete run --ti)" = --tier ] || failed "completion of run --ti: $(complete run --ti)"
 [ "$(complete reference up)" = update ] || failed "completion of reference up: $(complete reference up)"
 [ "$(complete run mine.json --thr)" = --threads ] || failed "completion after an argument: $(complete run mine.json --thr)"
+complete_in_zsh() {  # WORD...: the words among which zsh completes the last one
+  PATH=$prefix/bin:$PATH zsh -c 'compadd() { print -r -- "$@" }; words=(bristle "$@"); CURRENT=${#words}; source "$0"' \
+    "$prefix/share/zsh/site-functions/_bristle" "$@"
+}
+if command -v zsh >/dev/null; then
+  [[ $(complete_in_zsh "") == *" validate "* ]] || failed "completion in zsh: $(complete_in_zsh "")"
+  [[ $(complete_in_zsh run --ti) == *" --tier "* ]] || failed "completion in zsh of run --ti: $(complete_in_zsh run --ti)"
+  [[ $(complete_in_zsh reference "") == *update* ]] || failed "completion in zsh of reference: $(complete_in_zsh reference "")"
+fi
 exit $((failures > 0))
