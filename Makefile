@@ -14,6 +14,9 @@ TIER ?= full
 SUFFIX := $(if $(filter full,$(TIER)),,-$(TIER))
 # The figures are drawn into files, whatever the shell has set.
 export MPLBACKEND := agg
+# A terminal shows how far the build is, on one line; a log has only what fails.
+export NINJA_STATUS := [%f/%t] 
+NINJA := ninja -C $(BUILD) -j $(JOBS) $(shell test -t 2 || echo --quiet)
 PLOT_PYTHON := scripts/find-python numpy h5py matplotlib xarray h5netcdf
 
 help: ## list the targets
@@ -30,12 +33,12 @@ $(BUILD)/build.ninja: CMakeLists.txt CMakePresets.json | packages
 	@scripts/quietly cmake --preset release -G Ninja
 
 build: packages $(BUILD)/build.ninja ## build the program: build/bristle
-	@test -x $(BUILD)/bristle || echo "Building the program, about a minute on two cores ..."
-	@ninja -C $(BUILD) --quiet -j $(JOBS) bristle
+	@test -x $(BUILD)/bristle || echo "Building the program, one to two minutes on two cores ..."
+	@$(NINJA) bristle
 
 PREFIX ?= /usr/local
 .PHONY: install package
-install: build ## the program with all that it needs into PREFIX=/usr/local (docs/installing.md)
+install: build ## the program with all that it needs into PREFIX=/usr/local (docs/running.md)
 	@scripts/quietly cmake --install $(BUILD) --prefix $(PREFIX) --strip
 	@echo "Installed $(PREFIX)/bin/bristle"
 
@@ -107,8 +110,8 @@ test-packages:
 	@scripts/install-packages test
 
 build-tests: test-packages $(BUILD)/tests/CTestTestfile.cmake
-	@test -x $(BUILD)/tests/unit_tests || echo "Building program and tests, about two minutes on two cores ..."
-	@ninja -C $(BUILD) --quiet -j $(JOBS) bristle unit_tests
+	@test -x $(BUILD)/tests/unit_tests || echo "Building program and tests, three to five minutes on two cores ..."
+	@$(NINJA) bristle unit_tests
 
 .PHONY: report-packages
 report-packages:
@@ -121,7 +124,7 @@ test: build-tests ## what every commit needs: minutes
 test-all: ## everything, nightly and before a release: sanitizers, fuzzers, other compiler, all figures, documents
 	@scripts/install-packages test test-all
 	@$(MAKE) --no-print-directory build-tests
-	@ninja -C $(BUILD) --quiet -j $(JOBS) bench_engine bench_quadrature bench_sharing scipy_slopes accuracy
+	@$(NINJA) bench_engine bench_quadrature bench_sharing scipy_slopes accuracy
 	@scripts/run-ctest $(BUILD)
 
 DESIGNS := target target_at_jump robust front indices
@@ -129,7 +132,7 @@ SHARING := loads slope load speed hysteresis orientation
 bench: build ## benchmarks: ratios against peers in the same run, into docs/performance.md
 	@scripts/install-packages bench
 	@scripts/quietly cmake --preset release -G Ninja  # finds peers that have just been installed
-	@ninja -C $(BUILD) --quiet -j $(JOBS) bench_engine bench_quadrature scipy_slopes
+	@$(NINJA) bench_engine bench_quadrature scipy_slopes
 	@mkdir -p $(BUILD)/bench
 	$(BUILD)/benchmarks/bench_engine >$(BUILD)/bench/engine.json
 	$$($(PLOT_PYTHON)) benchmarks/port_limit.py $(BUILD)/benchmarks/bench_engine $(BUILD)/bench/engine.json \
@@ -152,7 +155,7 @@ bench-commands: measure-commands
 	@$$($(PLOT_PYTHON)) scripts/performance.py $(BUILD)/bench --only commands
 
 measure-sharing: build
-	@ninja -C $(BUILD) --quiet -j $(JOBS) bench_sharing
+	@$(NINJA) bench_sharing
 	@mkdir -p $(BUILD)/bench/sharing
 	@cp experiments/*.json benchmarks/sharing/*.json $(BUILD)/bench/sharing/  # they extend each other
 	$(BUILD)/benchmarks/bench_sharing $(SHARING:%=$(BUILD)/bench/sharing/%.json) >$(BUILD)/bench/sharing.json
@@ -161,7 +164,7 @@ bench-sharing: measure-sharing
 	@$$($(PLOT_PYTHON)) scripts/performance.py $(BUILD)/bench --only sharing
 
 accuracy: build ## errors of the methods, measured: docs/accuracy.md
-	@ninja -C $(BUILD) --quiet -j $(JOBS) accuracy
+	@$(NINJA) accuracy
 	@mkdir -p $(BUILD)/bench
 	$(BUILD)/benchmarks/accuracy >$(BUILD)/bench/accuracy.json
 	@$$($(PLOT_PYTHON)) scripts/accuracy.py $(BUILD)/bench/accuracy.json
@@ -191,7 +194,7 @@ deposit: packages report-packages ## what Zenodo asks about the archive: dist/br
 release: packages report-packages ## VERSION=x.y.z [DOI=10.x/y]: write the new version and its DOI everywhere, commit nothing
 	@scripts/release '$(VERSION)' '$(DOI)'
 
-# These have build folders of their own; docs/hardening.md describes what they look for.
+# These have build folders of their own; CONTRIBUTING.md describes what they look for.
 SANITIZER ?= address
 CHECKED := $(if $(filter thread,$(SANITIZER)),thread,sanitize)
 # Sanitizers look at the code and not at the physics, so property tests draw 5 random cases.
@@ -205,7 +208,7 @@ fuzz: packages ## the readers of files on random changes of tests/fuzz/corpus, S
 	@scripts/install-packages test-all
 	tests/fuzz/run.sh . build-fuzz $(SECONDS)
 
-# docs/hardening.md describes the parts of the campaign.
+# CONTRIBUTING.md describes the parts of the campaign.
 .PHONY: stress
 stress: SECONDS ?= 600
 stress: build test-packages report-packages ## random physics, damaged files, archives and pages, kills, failing calls, Slurm: SECONDS=600
