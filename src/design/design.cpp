@@ -265,9 +265,9 @@ void validate_design(const Experiment& experiment) {
 
 bool run_design(const Experiment& experiment, const run::RunOptions& options) {
   if (experiment.ranges.empty())
-    throw InputError(
-        fmt::format("{}: /design: is missing; it says what to vary and what to look for (docs/design.md)",
-                    experiment.path));
+    throw InputError(fmt::format(
+        "{}: /design: is missing; it says what to vary and what to look for (docs/your-own-brush.md)",
+        experiment.path));
   if (experiment.document->contains(JsonPointer("/sweep/sample")))
     throw InputError(experiment.path +
                      ": /sweep/sample: the design chooses the points of the sample; remove it");
