@@ -2,7 +2,7 @@
 .DEFAULT_GOAL := help
 
 # A figure is a module that draws it and an experiment of the same name: the paper's, then research of one's own.
-DRAWN := $(filter $(basename $(notdir $(wildcard experiments/*.json))),$(basename $(notdir $(wildcard scripts/bristle_plots/figures/*.py))))
+DRAWN := $(filter $(basename $(notdir $(wildcard experiments/*.json))),$(basename $(notdir $(wildcard python/bristle/figures/*.py))))
 FIGURES := $(sort $(filter fig%,$(DRAWN)))
 STUDIES := $(sort $(filter-out fig%,$(DRAWN)))
 .PHONY: help packages build test bench accuracy clean figures findings assumptions inference report archive verify citation deposit release \
@@ -17,6 +17,7 @@ export MPLBACKEND := agg
 # A terminal shows how far the build is, on one line; a log has only what fails.
 export NINJA_STATUS := [%f/%t] 
 NINJA := ninja -C $(BUILD) -j $(JOBS) $(shell test -t 2 || echo --quiet)
+export PYTHONPATH := $(CURDIR)/python$(if $(PYTHONPATH),:$(PYTHONPATH))
 PLOT_PYTHON := scripts/find-python numpy h5py matplotlib xarray h5netcdf
 
 help: ## list the targets
@@ -57,7 +58,7 @@ $(addprefix compute-,$(FIGURES) $(STUDIES)): compute-%:
 	$(BUILD)/bristle run experiments/$*.json --tier $(TIER) -o results/$*$(SUFFIX).h5
 
 $(addprefix draw-,$(FIGURES) $(STUDIES)): draw-%:
-	@$$($(PLOT_PYTHON)) scripts/bristle_plots/current.py $* results/$*$(SUFFIX).h5 figures$(SUFFIX) || \
+	@$$($(PLOT_PYTHON)) -m bristle.current $* results/$*$(SUFFIX).h5 figures$(SUFFIX) || \
 	  scripts/plot $* results/$*$(SUFFIX).h5 -o figures$(SUFFIX)
 	@echo "The paper's claims (docs/claims.md), and deviations from the reference (CONTRIBUTING.md):"
 	@$(BUILD)/bristle check --report-only results/$*$(SUFFIX).h5
@@ -76,7 +77,7 @@ images: $(IMAGES) bristles ## docs/images: the figures in the documents
 # Studies with checks: the findings of this project, and a claim of the conclusions.
 CHECKED_STUDIES := load liftoff hysteresis scatter chart tuning
 findings: figures $(CHECKED_STUDIES) ## all figures; docs/findings.md, each claim with its verdict and numbers; README's summary
-	@$$($(PLOT_PYTHON)) scripts/findings.py $(patsubst %,results/%$(SUFFIX).h5,$(FIGURES) $(CHECKED_STUDIES)) $(if $(SUFFIX),-o results/findings$(SUFFIX).md,--readme README.md)
+	@$$($(PLOT_PYTHON)) -m bristle.pages.findings $(patsubst %,results/%$(SUFFIX).h5,$(FIGURES) $(CHECKED_STUDIES)) $(if $(SUFFIX),-o results/findings$(SUFFIX).md,--readme README.md)
 
 # The matrices, of which the next two targets draw the pages.
 .PHONY: assumptions-matrix inference-matrix
@@ -90,15 +91,15 @@ inference-matrix: build
 	$(BUILD)/bristle assumptions experiments/inference/*.json --only fig3,fig3a,fig4,fig5,fig6,fig7,fig8,fig8c -o results/inference.json
 
 assumptions: assumptions-matrix ## every claim under every alternative to what the paper leaves open: docs/assumptions.md, reference/assumptions.json
-	@$$($(PLOT_PYTHON)) scripts/assumptions.py results/assumptions.json -o figures --text docs/assumptions.md
+	@$$($(PLOT_PYTHON)) -m bristle.pages.assumptions results/assumptions.json -o figures --text docs/assumptions.md
 	@cp figures/assumptions.png docs/images/
 	@cp results/assumptions.json reference/
 
 inference: inference-matrix ## joint sets of choices ranked by the claims they support: docs/inference.md
-	@$$($(PLOT_PYTHON)) scripts/inference.py results/inference.json
+	@$$($(PLOT_PYTHON)) -m bristle.pages.inference results/inference.json
 
 report: figures $(STUDIES) report-packages ## one page of all figures, claims, points and sources: report/index.html
-	@$$($(PLOT_PYTHON) jinja2 yaml) scripts/report/report.py $(patsubst %,results/%$(SUFFIX).h5,$(FIGURES) $(STUDIES)) -o report$(SUFFIX)/index.html
+	@$$($(PLOT_PYTHON) jinja2 yaml) -m bristle.report $(patsubst %,results/%$(SUFFIX).h5,$(FIGURES) $(STUDIES)) -o report$(SUFFIX)/index.html
 
 # The tests are configured into the same build folder; the program is not compiled again.
 $(BUILD)/tests/CTestTestfile.cmake: tests/CMakeLists.txt benchmarks/CMakeLists.txt | test-packages
@@ -143,7 +144,7 @@ bench: build ## benchmarks: ratios against peers in the same run, into docs/perf
 	$$($(PLOT_PYTHON)) scripts/time_experiments.py $(BUILD)/bristle $(DESIGNS:%=benchmarks/designs/%.json) --threads 1 \
 	  >$(BUILD)/bench/designs.json
 	@$(MAKE) --no-print-directory measure-commands measure-sharing
-	@$$($(PLOT_PYTHON)) scripts/performance.py $(BUILD)/bench
+	@$$($(PLOT_PYTHON)) -m bristle.pages.performance $(BUILD)/bench
 
 # Of the benchmarks only that of the commands on finished results, or of points that share passages, and its table.
 .PHONY: measure-commands bench-commands measure-sharing bench-sharing
@@ -152,7 +153,7 @@ measure-commands: build report-packages
 	$$($(PLOT_PYTHON) jinja2 yaml) scripts/time_commands.py $(BUILD)/bristle >$(BUILD)/bench/commands.json
 
 bench-commands: measure-commands
-	@$$($(PLOT_PYTHON)) scripts/performance.py $(BUILD)/bench --only commands
+	@$$($(PLOT_PYTHON)) -m bristle.pages.performance $(BUILD)/bench --only commands
 
 measure-sharing: build
 	@$(NINJA) bench_sharing
@@ -161,13 +162,13 @@ measure-sharing: build
 	$(BUILD)/benchmarks/bench_sharing $(SHARING:%=$(BUILD)/bench/sharing/%.json) >$(BUILD)/bench/sharing.json
 
 bench-sharing: measure-sharing
-	@$$($(PLOT_PYTHON)) scripts/performance.py $(BUILD)/bench --only sharing
+	@$$($(PLOT_PYTHON)) -m bristle.pages.performance $(BUILD)/bench --only sharing
 
 accuracy: build ## errors of the methods, measured: docs/accuracy.md
 	@$(NINJA) accuracy
 	@mkdir -p $(BUILD)/bench
 	$(BUILD)/benchmarks/accuracy >$(BUILD)/bench/accuracy.json
-	@$$($(PLOT_PYTHON)) scripts/accuracy.py $(BUILD)/bench/accuracy.json
+	@$$($(PLOT_PYTHON)) -m bristle.pages.accuracy $(BUILD)/bench/accuracy.json
 
 # The report shows the matrix of assumptions, so it comes last.
 .PHONY: archive-check
@@ -185,10 +186,10 @@ verify: build ## check the archive; RERUN=N also computes N points again and com
 
 # Zenodo reads .zenodo.json.
 citation: packages report-packages ## write .zenodo.json from CITATION.cff, after every change of that file
-	@$$(scripts/find-python yaml matplotlib) scripts/zenodo.py
+	@$$($(PLOT_PYTHON) yaml) -m bristle.pages.zenodo
 
 deposit: packages report-packages ## what Zenodo asks about the archive: dist/bristle-<version>.tar.zenodo.json
-	@$$(scripts/find-python yaml matplotlib) scripts/zenodo.py --archive $(ARCHIVE)
+	@$$($(PLOT_PYTHON) yaml) -m bristle.pages.zenodo --archive $(ARCHIVE)
 	@echo "$(ARCHIVE).zenodo.json: written"
 
 release: packages report-packages ## VERSION=x.y.z [DOI=10.x/y]: write the new version and its DOI everywhere, commit nothing

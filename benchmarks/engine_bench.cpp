@@ -1,7 +1,7 @@
 // Compares the speed of the SIMD engine with other solvers at equal measured error. Writes JSON to standard
-// output, from which scripts/performance.py generates the document. --quick is a test: it measures only the
-// ratio to the reference engine, which is based on Boost.Odeint, and fails if the ratio is below --per-lane
-// times the number of SIMD lanes.
+// output, from which python/bristle/pages/performance.py generates the document. --quick is a test: it
+// measures only the ratio to the reference engine, which is based on Boost.Odeint, and fails if the ratio is
+// below --per-lane times the number of SIMD lanes.
 #include "bristle/dynamics/ode.hpp"
 #include "kernel_speed.hpp"
 #include "odeint_peers.hpp"

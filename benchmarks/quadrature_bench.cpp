@@ -1,6 +1,6 @@
 // Error of the mean over theta_0 as a function of the number of passages, for the adaptive quadrature, an
 // equidistant grid and random azimuths as in the paper's lattice. Writes JSON to standard output, from which
-// scripts/performance.py draws the figure.
+// python/bristle/pages/performance.py draws the figure.
 #include "bristle/ensemble/point.hpp"
 #include "bristle/model/friction/chi.hpp"
 

@@ -1,5 +1,5 @@
-# cmake --install: the program, its experiments, schema and references, the library with its headers, the Python package
-# of the figures, the manual page and completion for bash and zsh. cpack makes a Debian package of the same.
+# cmake --install: the program, its experiments, schema and references, the library with its headers, the Python package,
+# the manual page and completion for bash and zsh. cpack makes a Debian package of the same.
 set(data ${CMAKE_INSTALL_DATADIR}/bristle)  # src/util/data.cpp finds it from the program
 
 install(TARGETS bristle RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
@@ -25,7 +25,7 @@ install(DIRECTORY experiments/assumptions experiments/inference DESTINATION ${da
 install(DIRECTORY reference DESTINATION ${data} FILES_MATCHING PATTERN "*.json")
 install(FILES ${PROJECT_BINARY_DIR}/experiment.schema.json DESTINATION ${data})
 # The path that Debian's Python searches below /usr. Below another prefix, PYTHONPATH has to name it.
-install(DIRECTORY scripts/bristle_plots DESTINATION lib/python3/dist-packages FILES_MATCHING PATTERN "*.py")
+install(DIRECTORY python/bristle DESTINATION lib/python3/dist-packages PATTERN __pycache__ EXCLUDE)
 install(PROGRAMS scripts/plot DESTINATION ${CMAKE_INSTALL_BINDIR} RENAME bristle-plot)
 install(DIRECTORY scripts/slurm DESTINATION ${data} USE_SOURCE_PERMISSIONS)
 install(PROGRAMS scripts/find-python DESTINATION ${data})

@@ -44,5 +44,5 @@ The paper's parameters and all its experiments, beside the program in share/bris
 .I reference/
 The stored numbers with which \\fBbristle check\\fR compares, beside the program in share/bristle.
 .SH SEE ALSO
-The Python package \\fBbristle_plots\\fR draws figures: \\fBpython3 \\-m bristle_plots \\-\\-help\\fR.
+The Python package \\fBbristle\\fR computes and draws figures: \\fBpython3 \\-m bristle \\-\\-help\\fR.
 END

@@ -16,6 +16,7 @@ import numpy as np
 
 PYTHON = sys.executable
 HERE = os.path.dirname(os.path.abspath(__file__))
+os.environ["PYTHONPATH"] = os.path.join(os.path.dirname(HERE), "python")
 # One azimuth at a gap near first contact: a point takes a fraction of a millisecond.
 QUICK = {"extends": "paper.json", "figure": "0", "load": {"z_0": 0.97, "R_n": None, "path": None},
          "orientation": {"sampling": "list", "theta_0_deg": [160], "rtol": None},
@@ -106,7 +107,7 @@ def measure(kind, document, table):
         rows["archive"] = timed([BRISTLE, "archive", "--allow-dirty"])
         rows["verify"] = timed([BRISTLE, "verify", *glob.glob("dist/*.tar")])
         rows["run --point"] = timed([BRISTLE, "run", result, "--quiet", "--point", "7", "-o", "results/replay.h5"])
-        rows["report"] = timed([PYTHON, f"{HERE}/report/report.py", result, "--program", BRISTLE,
+        rows["report"] = timed([PYTHON, "-m", "bristle.report", result, "--program", BRISTLE,
                                 "--citation", "CITATION.cff"])
         os.chdir("/")
     return rows

@@ -138,7 +138,7 @@ class Gatherer {
 
   // Studies are no figures of the paper, but have a module that draws them.
   bool is_study(const Experiment& e) const {
-    return !repository_.files(fmt::format("scripts/bristle_plots/figures/{}.py", e.name)).empty();
+    return !repository_.files(fmt::format("python/bristle/figures/{}.py", e.name)).empty();
   }
 
   std::string result_path(const Experiment& e) const {
@@ -247,9 +247,9 @@ class Gatherer {
     if (name == "assumptions") drawn_from_[path] = facts["payload_sha256"];
   }
 
-  // The page that scripts/report writes from results, matrix and citation.
+  // The page that bristle.report writes from results, matrix and citation.
   void add_report(Files& payload) {
-    if (repository_.files("scripts/report").empty()) return;
+    if (repository_.files("python/bristle/report").empty()) return;
     add_drawn(options_.report, "report/index.html", drawn_from_,
               fmt::format("`{}` writes it", make("report")), payload);
   }

@@ -178,7 +178,7 @@ Json run_action(const ArchivedResult& result, const Contents& contents) {
 }
 
 std::string script_id(const ArchivedResult& result) {
-  return fmt::format("#scripts/bristle_plots/figures/{}.py", result.facts["name"].get<std::string>());
+  return fmt::format("#python/bristle/figures/{}.py", result.facts["name"].get<std::string>());
 }
 
 Json script(const ArchivedResult& result, const Contents& contents) {

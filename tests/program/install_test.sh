@@ -38,13 +38,13 @@ expect 1 "z_0" in_empty bristle diff results/mine.h5 supplied.h5
 rm "$empty/paper.json"
 
 # The figures, from the installed package.
-expect 0 "" in_empty env PYTHONPATH="$prefix/lib/python3/dist-packages" "$python" -m bristle_plots fig4 results/fig4-smoke.h5 -o plots
+expect 0 "" in_empty env PYTHONPATH="$prefix/lib/python3/dist-packages" "$python" -m bristle fig4 results/fig4-smoke.h5 -o plots
 [ -s "$empty/plots/fig4.pdf" ] || failed "no plots/fig4.pdf"
 expect 0 "" in_empty bristle-plot curve results/fig4-smoke.h5 --format png -o command
 [ -s "$empty/command/curve.png" ] || failed "bristle-plot: no command/curve.png"
 expect 2 "bristle-plot: error: results/none.h5: no such file" in_empty bristle-plot fig4 results/none.h5
 expect 0 "('mu_c',)" in_empty env PYTHONPATH="$prefix/lib/python3/dist-packages" "$python" -c \
-  'from bristle_plots import run; print(run("paper.json", quiet=True, mu_c=[1], orientation={"rtol": 0.1})["R_x"].dims)'
+  'from bristle import run; print(run("paper.json", quiet=True, mu_c=[1], orientation={"rtol": 0.1})["R_x"].dims)'
 
 # The Slurm scripts find the installed program. This sbatch accepts every job.
 printf '#!/bin/sh\necho 7\n' >"$prefix/bin/sbatch"

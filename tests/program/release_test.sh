@@ -4,7 +4,7 @@ set -u
 source=$1
 . "$(dirname "$0")/shell.sh"
 
-cd "$folder" && git init -q . && mkdir scripts && cp -r "$source"/scripts/{release,zenodo.py,find-python,bristle_plots} scripts/
+cd "$folder" && git init -q . && mkdir scripts && cp "$source"/scripts/{release,find-python} scripts/ && cp -r "$source/python" .
 cp "$source"/CMakeLists.txt . && echo __pycache__ >.gitignore
 cat >CITATION.cff <<END
 version: $(sed -n 's/^version: //p' "$source/CITATION.cff")

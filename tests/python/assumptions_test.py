@@ -3,14 +3,15 @@
 assumptions_test.py SOURCE BRISTLE FOLDER
 """
 import json
+import os
 import pathlib
 import shutil
 import subprocess
 import sys
 
 source, program, folder = pathlib.Path(sys.argv[1]), sys.argv[2], pathlib.Path(sys.argv[3])
-sys.path.append(str(source / "scripts"))
-from bristle_plots.assumptions import read_matrix  # noqa: E402
+sys.path.append(str(source / "python"))
+from bristle.pages.matrix import read_matrix  # noqa: E402
 
 recorded = read_matrix(source / "reference/assumptions.json")
 declared, pairs = [], []
@@ -29,11 +30,18 @@ for path in sorted((source / "experiments").glob("*.json")):
 assert [(c["experiment"], c["claim"], c["statement"]) for c in recorded["checks"]] == checks, "reference/assumptions.json has different checks: make assumptions"
 assert len(recorded["cells"]) == len(names) * len(checks)
 
+
+
+def drawn(*words):
+    """The finished process of bristle.pages.assumptions."""
+    return subprocess.run([sys.executable, "-m", "bristle.pages.assumptions", *words], capture_output=True, text=True,
+                          env={**os.environ, "PYTHONPATH": str(source / "python")})
+
+
 shutil.rmtree(folder, ignore_errors=True)
 made = []
 for run in ("first", "second"):
-    done = subprocess.run([sys.executable, source / "scripts/assumptions.py", source / "reference/assumptions.json", "-o", folder / run,
-                           "--text", folder / f"{run}.md"], capture_output=True, text=True)
+    done = drawn(source / "reference/assumptions.json", "-o", folder / run, "--text", folder / f"{run}.md")
     assert done.returncode == 0, done.stderr
     made.append([(folder / run / f"assumptions.{kind}").read_bytes() for kind in ("pdf", "png")])
 assert made[0] == made[1], "two runs gave different bytes"
@@ -41,15 +49,14 @@ assert (folder / "first.md").read_text() == (source / "docs/assumptions.md").rea
 # The page names the matrix if the matrix has a digest.
 document = json.loads((source / "reference/assumptions.json").read_text())
 (folder / "digest.json").write_text(json.dumps({**document, "payload_sha256": "0123456789abcdef0123"}))
-subprocess.run([sys.executable, source / "scripts/assumptions.py", folder / "digest.json", "-o", folder / "digest",
-                "--text", folder / "digest.md"], capture_output=True, text=True, check=True)
+assert drawn(folder / "digest.json", "-o", folder / "digest", "--text", folder / "digest.md").returncode == 0
 assert "\nPayload digest of the matrix: 0123456789abcdef.\n" in (folder / "digest.md").read_text()
 # Compares width and height only, because the bytes depend on the version of the fonts.
 size = [png[16:24] for png in (made[0][1], (source / "docs/images/assumptions.png").read_bytes())]
 assert size[0] == size[1], "docs/images/assumptions.png differs from the figure drawn now: make assumptions"
 (folder / "wrong.json").write_text("{}")
 for wrong in ("none.json", "wrong.json"):
-    done = subprocess.run([sys.executable, source / "scripts/assumptions.py", folder / wrong], capture_output=True, text=True)
+    done = drawn(folder / wrong)
     assert done.returncode == 2 and "Traceback" not in done.stderr, done.stderr
 
 # Computes Figure 8 under the other rules for the pole again.

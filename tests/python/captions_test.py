@@ -14,8 +14,8 @@ import matplotlib.colors
 from PIL import Image
 
 from in_process import called
-import bristle_plots
-from bristle_plots import FIGURES, open_result
+from bristle import open_result
+from bristle.figures import FIGURES, module_of
 
 folder, results = map(pathlib.Path, sys.argv[1:3])
 LEAST_LIGHTNESS = 0.2  # of 1, between two lines that are alike else
@@ -41,10 +41,10 @@ def check_grey(figure):
 
 def check_captions(name, result):
     """A caption for each page of each figure of the module, which says what its marks mean."""
-    module = getattr(bristle_plots, name)
+    module = module_of(name)
     assert module.MARKS, name
     endings = ["", *getattr(module, "FURTHER", {})]
-    done = called("plot", name, result, "--caption")
+    done = called("bristle", name, result, "--caption")
     assert done.code == 0, done.messages
     found = re.findall(r"\\caption\{.*\}", done.out)
     assert len(found) >= len(endings) and all(f"% {ending}\n" in done.out for ending in endings[1:]), done.out
@@ -53,18 +53,18 @@ def check_captions(name, result):
 
 def check_first_panel(name, result):
     """Its caption for each page, where the figure has panels; it is then drawn alone, without a letter."""
-    done = called("plot", name, result, "--caption", "--panels", "a")
+    done = called("bristle", name, result, "--caption", "--panels", "a")
     if done.code == 2 and "has no panels with letters" in done.messages:
         return []
     assert done.code == 0, done.messages
     with open_result(result) as ds:
-        figure = getattr(bristle_plots, name).draw(ds, panels="a")
+        figure = module_of(name).draw(ds, panels="a")
     assert [axes.panel[0] for axes in figure.axes if hasattr(axes, "panel")] == [""], name
     return re.findall(r"\\caption\{.*\}", done.out)
 
 
 def check_metadata(name, result):
-    done = called("plot", name, result, "-o", folder, "--dpi", "30")
+    done = called("bristle", name, result, "-o", folder, "--dpi", "30")
     assert done.code == 0, done.messages
     with h5py.File(result) as file:
         told = [file.attrs["payload_sha256"], file["provenance"].attrs["commit"]]
@@ -76,7 +76,7 @@ def check_metadata(name, result):
 
 
 def animate(result, *options):
-    return called("plot", "fig2", result, "--animate", "-o", *options)
+    return called("bristle", "fig2", result, "--animate", "-o", *options)
 
 
 def check_animation(result):
@@ -105,14 +105,14 @@ def check_animation(result):
 
 shutil.rmtree(folder, ignore_errors=True)
 folder.mkdir(parents=True)
-assert all(hasattr(getattr(bristle_plots, name), "MARKS") for name in FIGURES)
+assert all(hasattr(module_of(name), "MARKS") for name in FIGURES)
 check_animation(results / "fig2_smoke.h5")
 captions = []
 for name in sys.argv[3:]:
     result = results / f"{name}_smoke.h5"
     captions += check_captions(name, result) + check_first_panel(name, result)
     with open_result(result) as ds:
-        check_grey(getattr(bristle_plots, name).draw(ds))
+        check_grey(module_of(name).draw(ds))
     check_metadata(name, result)
 if not shutil.which("pdflatex"):
     print("no pdflatex: captions are not compiled")

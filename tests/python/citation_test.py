@@ -9,7 +9,7 @@ import tempfile
 import yaml
 
 from in_process import called
-import sources
+from bristle.report import sources
 
 source = pathlib.Path(sys.argv[1])
 folder = pathlib.Path(tempfile.mkdtemp())
@@ -18,10 +18,10 @@ cff = yaml.load((source / "CITATION.cff").read_text(encoding="utf-8"), Loader=ya
 
 
 def zenodo(citation, *options):
-    """The exit code, the message and the metadata of scripts/zenodo.py for a citation."""
+    """The exit code, the message and the metadata of bristle.pages.zenodo for a citation."""
     path, output = folder / "CITATION.cff", folder / "zenodo.json"
     path.write_text(citation if isinstance(citation, str) else json.dumps(citation), encoding="utf-8")
-    done = called("zenodo.py", path, "-o", output, *options)
+    done = called("bristle.pages.zenodo", path, "-o", output, *options)
     return done.code, done.messages, json.loads(output.read_text()) if output.exists() else None
 
 
@@ -29,7 +29,7 @@ def article(**changes):
     return {**cff, "references": [{**cff["references"][0], **changes}]}
 
 
-done = called("zenodo.py", source / "CITATION.cff", "-o", source / ".zenodo.json", "--check")
+done = called("bristle.pages.zenodo", source / "CITATION.cff", "-o", source / ".zenodo.json", "--check")
 assert done.code == 0, done.messages
 
 code, message, found = zenodo(article(doi="10.1000/1", volume="7"))
@@ -68,7 +68,7 @@ def deposit(authors):
                                                    "references": [program, *cff["references"]]}))
     with tarfile.open(folder / "bristle-1.tar", "w") as archive:
         archive.add(folder / "bristle-1", "bristle-1")
-    done = called("zenodo.py", "--archive", folder / "bristle-1.tar")
+    done = called("bristle.pages.zenodo", "--archive", folder / "bristle-1.tar")
     output = folder / "bristle-1.tar.zenodo.json"
     return done.code, done.messages, json.loads(output.read_text()) if output.exists() else None
 
@@ -80,7 +80,7 @@ assert code == 0 and found["upload_type"] == "dataset" and found["license"] == "
 assert relation(found) == [("10.5281/zenodo.99", "isSupplementTo")]
 assert found["title"] == "Data of t" and found["creators"][1] == {"name": "A group", "affiliation": "C"}
 assert hashlib.sha512((folder / "bristle-1.tar").read_bytes()).hexdigest() in found["description"]
-done = called("zenodo.py", "--archive", source / "CITATION.cff")
+done = called("bristle.pages.zenodo", "--archive", source / "CITATION.cff")
 assert done.code == 2 and "not an archive of `make archive`" in done.messages, done.messages
 
 paper = sources.citation(source / "CITATION.cff")[1]

@@ -1,4 +1,4 @@
-"""bristle_plots.run: results as Datasets, changes by name, errors of the program as exceptions.
+"""bristle.run: results as Datasets, changes by name, errors of the program as exceptions.
 
 computing_test.py BRISTLE FOLDER
 """
@@ -12,8 +12,8 @@ import sys
 
 import numpy as np
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
-from bristle_plots import BristleError, run  # noqa: E402
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "python"))
+from bristle import BristleError, run  # noqa: E402
 
 bristle, folder = os.path.abspath(sys.argv[1]), pathlib.Path(sys.argv[2])
 shutil.rmtree(folder, ignore_errors=True)

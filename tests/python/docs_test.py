@@ -67,7 +67,7 @@ def check_mentions(path):
     page = path.read_text(encoding="utf-8")
     text = re.sub(r"^```.*?^```$", "", page, flags=re.M | re.S)
     written = {f"experiments/{name}.json" for name in re.findall(r"^build/bristle new ([\w-]+)", page, re.M)}
-    for name in re.findall(r"(?<![\w/.])(?:docs|src|tests|scripts|experiments|reference)/[\w./-]+\.\w+", text):
+    for name in re.findall(r"(?<![\w/.])(?:docs|src|tests|scripts|python|experiments|reference)/[\w./-]+\.\w+", text):
         name = name.rstrip(".")
         known = (source / name).exists() or name in written or re.search("mine|NAME|figN", name)
         assert known, f"{path.name} names {name}, which does not exist"
@@ -110,6 +110,9 @@ def check_architecture(path):
     for folder, (_, _, files) in zip(listed, rows):
         for name in names_in(files):
             assert (source / "src" / folder / name).exists(), f"{path.name}: there is no src/{folder}/{name}"
+    for folder, _, files in table_cells(path, "The Python package"):
+        for name in names_in(files):
+            assert (source / "python/bristle" / names_in(folder)[0] / name).exists(), f"{path.name}: {folder} has no {name}"
     rows = table_cells(path, "Where to find")
     assert len(rows) > 10, f"{path.name}: the table has too few rows"
     for what, file, names in rows:
@@ -184,7 +187,7 @@ def check_printed(path, printed):
 def run(path, folder):
     copy = folder / path.stem
     subprocess.run(["git", "clone", "-q", "--shared", str(source), str(copy)], check=True)
-    for name in ("experiments", "scripts", "reference", "Makefile"):  # including uncommitted changes
+    for name in ("experiments", "scripts", "python", "reference", "Makefile"):  # including uncommitted changes
         if (source / name).is_dir():
             shutil.copytree(source / name, copy / name, dirs_exist_ok=True)
         else:
@@ -205,7 +208,7 @@ def run(path, folder):
     check_printed(path, printed)
     if code := "".join(re.findall(r"^```python\n(.*?)^```$", path.read_text(encoding="utf-8"), re.M | re.S)):
         code = re.sub(rf"results/({FIGURES})\.h5", r"results/\1-smoke.h5", code)
-        done = subprocess.run([sys.executable, "-c", code], cwd=copy, env={**os.environ, "PYTHONPATH": "scripts"},
+        done = subprocess.run([sys.executable, "-c", code], cwd=copy, env={**os.environ, "PYTHONPATH": "python"},
                               capture_output=True, text=True)
         assert done.returncode == 0, f"{path.name}: python: {done.stderr}"
         print(f"{path.name}: the blocks of Python")

@@ -16,7 +16,7 @@ import h5py
 source, *builds = map(pathlib.Path, sys.argv[1:])
 LAW = "stribeck"
 PART_OF_SOURCE = ["A figure", "A friction law"]
-PLACES = ["src", "tests", "experiments", "scripts", "cmake", "benchmarks", "Makefile", "CMakeLists.txt", "packages.txt",
+PLACES = ["src", "tests", "experiments", "scripts", "python", "cmake", "benchmarks", "Makefile", "CMakeLists.txt", "packages.txt",
           "CMakePresets.json", "README.md", "LICENSE", "CITATION.cff", "CHANGELOG.md"]
 # The first contains the name of the law to search for it, the others use all laws.
 EXCEPTIONS = {"tests/python/extending_test.py", "tests/program/arm_test.sh", "tests/stress/physics.py",

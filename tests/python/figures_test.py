@@ -18,12 +18,13 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.text import Text
 
 from in_process import called
-import bristle_plots
-from bristle_plots import BristleError, open_result
-from bristle_plots.integrity import read_group
-from bristle_plots.layout import HEADER
-from bristle_plots.page import LEAST_POINTS
-from bristle_plots.verdicts import STRIP
+from bristle import BristleError, open_result
+from bristle.figures import fig4, module_of
+from bristle.integrity import read_group
+from bristle.plotting.layout import HEADER
+from bristle.plotting.page import LEAST_POINTS
+from bristle.plotting.readings import pages
+from bristle.plotting.verdicts import STRIP
 
 folder, results = map(pathlib.Path, sys.argv[1:3])
 EVERY_COMMIT = ["fig2", "fig4", "fig7", "fig8", "figA1", "figA2"]
@@ -33,7 +34,7 @@ BY_COMMAND = ["fig8"]  # of every commit's: all pages, twice
 
 def plot(name, source, target, *options):
     """Exit code and messages of the command."""
-    done = called("plot", name, source, "-o", target, *options)
+    done = called("bristle", name, source, "-o", target, *options)
     return done.code, done.messages
 
 
@@ -61,7 +62,7 @@ def check_draws(name, result):
 
 
 def drawings(name):
-    module = getattr(bristle_plots, name)
+    module = module_of(name)
     return [module.draw, *getattr(module, "FURTHER", {}).values()]
 
 
@@ -91,7 +92,7 @@ def lacks(source, target, needed):
 def check_refusals(name, result):
     """A file that lacks a dataset that the figure needs."""
     refused = []
-    for needed in named_in(getattr(bristle_plots, name), result):
+    for needed in named_in(module_of(name), result):
         lacks(result, folder / "lacking.h5", needed)
         code, message = plot(name, folder / "lacking.h5", folder / "lacking", "--format", "png", "--dpi", "30")
         refused += [needed] if code == 2 and needed in message else []
@@ -115,7 +116,7 @@ def check_other_files(name, result):
 
 def check_dataset(name, result):
     """draw() takes a Dataset that is not from a file, and leaves matplotlib's parameters as they are."""
-    module = getattr(bristle_plots, name)
+    module = module_of(name)
     before = dict(matplotlib.rcParams)
     with xarray.open_dataset(result) as ds:
         ds.encoding = {}
@@ -172,14 +173,14 @@ def check_page(figure, inches):
 
 
 def check_paper(name, result):
-    module = getattr(bristle_plots, name)
+    module = module_of(name)
     with open_result(result) as ds:
         for draw in drawings(name):
             standard = draw(ds)
             assert not bare(standard) and bare(draw(ds, plain=True))
             check_edges(standard)
             for width, inches in (("3.5in", 3.5), ("17.78cm", 7)):
-                for _, _, figure in bristle_plots.pages(draw, ds, width=width):
+                for _, _, figure in pages(draw, ds, width=width):
                     check_page(figure, inches)
         # A part of a map: its short axes have ticks that do not touch.
         if "k_theta" in ds.sizes and "gamma_1" in getattr(module, "VARIABLES", []):
@@ -206,4 +207,4 @@ for name in FULL or EVERY_COMMIT:
         check_paper(name, result)
 if not FULL:
     with open_result(results / "fig4_smoke.h5") as ds:
-        check_page(bristle_plots.fig4.draw(ds, width="3.5in"), 3.5)
+        check_page(fig4.draw(ds, width="3.5in"), 3.5)

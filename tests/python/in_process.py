@@ -1,4 +1,4 @@
-"""Commands of scripts/ called in this process: a process for each would import matplotlib and xarray for each."""
+"""Modules of the package called in this process: a process for each would import matplotlib and xarray for each."""
 import contextlib
 import io
 import pathlib
@@ -6,23 +6,21 @@ import runpy
 import sys
 from collections import namedtuple
 
-SCRIPTS = pathlib.Path(__file__).parents[2] / "scripts"
-sys.path[:0] = map(str, (SCRIPTS, SCRIPTS / "report"))
+SOURCE = pathlib.Path(__file__).resolve().parents[2]
+PACKAGE = SOURCE / "python"  # the folder in which Python finds the package
+sys.path.insert(0, str(PACKAGE))
 
 Done = namedtuple("Done", "code out messages")
 
 
-def called(script, *words):
-    """The exit code, standard output and standard error of SCRIPTS/script; "plot" is scripts/plot, which a shell starts."""
+def called(module, *words):
+    """The exit code, standard output and standard error of `python3 -m MODULE WORDS`."""
     out, messages, code = io.StringIO(), io.StringIO(), 0
     before = sys.argv
-    sys.argv = [script, *map(str, words)]
+    sys.argv = [module, *map(str, words)]
     try:
         with contextlib.redirect_stdout(out), contextlib.redirect_stderr(messages):
-            if script == "plot":
-                runpy.run_module("bristle_plots", run_name="__main__")
-            else:
-                runpy.run_path(str(SCRIPTS / script), run_name="__main__")
+            runpy.run_module(module, run_name="__main__")
     except SystemExit as end:
         code = end.code or 0
     finally:

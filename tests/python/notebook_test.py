@@ -14,8 +14,8 @@ import matplotlib
 
 matplotlib.use("Agg")
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(SOURCE / "scripts"))
-from bristle_plots import computing  # noqa: E402
+sys.path.insert(0, str(SOURCE / "python"))
+from bristle import computing  # noqa: E402
 
 bristle, folder = os.path.abspath(sys.argv[1]), pathlib.Path(sys.argv[2])
 shutil.rmtree(folder, ignore_errors=True)

@@ -1,4 +1,4 @@
-"""Scripts that no other test runs write their pages, with the numbers of what they read.
+"""The modules of bristle.pages that no other test runs write their pages, with the numbers of what they read.
 
 pages_test.py BRISTLE FOLDER RESULT...: results of the smoke tier, fig7 first. The matrix and the benchmarks are invented.
 """
@@ -11,17 +11,17 @@ from xml.etree import ElementTree
 
 import h5py
 
-from in_process import SCRIPTS, called
-from bristle_plots import BristleError
-from bristle_plots.program import measure
+from in_process import SOURCE, called
+from bristle import BristleError
+from bristle.program import measure
 
 bristle, folder, *results = [pathlib.Path(word).absolute() for word in sys.argv[1:]]
 SUMMARY = "<!-- summary: written by `make findings` -->", "<!-- end of summary -->"
 
 
-def written(script, page, *words):
-    """What the script writes to the page, in one line."""
-    done = called(script, *words)
+def written(module, page, *words):
+    """What the module of bristle.pages writes to the page, in one line."""
+    done = called(f"bristle.pages.{module}", *words)
     assert done.code == 0, done.messages
     return " ".join((folder / page).read_text(encoding="utf-8").split())
 
@@ -34,7 +34,7 @@ def write(name, document):
 def check_findings():
     """Each measured number and each digest are in the page, and its summary is in README.md."""
     (folder / "README.md").write_text("\n".join(["before", *SUMMARY, "after"]))
-    page = written("findings.py", "findings.md", *results, "-o", folder / "findings.md", "--readme", folder / "README.md",
+    page = written("findings", "findings.md", *results, "-o", folder / "findings.md", "--readme", folder / "README.md",
                    "--program", bristle)
     for path in results:
         with h5py.File(path) as file:
@@ -45,7 +45,7 @@ def check_findings():
     summary = readme[readme.index(SUMMARY[0]):readme.index(SUMMARY[1])]
     assert "Of the paper's" in summary and summary in page and readme.startswith("before") and readme.endswith("after")
     (folder / "README.md").write_text("no place")
-    done = called("findings.py", *results[:1], "-o", folder / "findings.md", "--readme", folder / "README.md")
+    done = called("bristle.pages.findings", *results[:1], "-o", folder / "findings.md", "--readme", folder / "README.md")
     assert done.code == 2 and "has no summary to replace" in done.messages, done.messages
 
 
@@ -76,7 +76,7 @@ def check_inference():
                                  "conclusions": [], "checks": checks,
                                  "alternatives": [{"name": name, "members": []} for name in ("baseline", "printed")],
                                  "windows": ["wide", "narrow"], "cell_keys": ["claim_verdict", "verdict"], "cells": cells})
-    page = written("inference.py", "inference.md", path, "-o", folder)
+    page = written("inference", "inference.md", path, "-o", folder)
     assert "| 1 | printed | narrow | 2, 1 | none | none | | 2 | baseline | wide | 0, 0 | 1 2 | none |" in page, page
     assert "corrected 0 claims and 0 further checks, as printed 2 claims and 1 further checks. The" in page, page
     assert "0123456789abcdef." in page and (folder / "images/inference.png").stat().st_size > 5_000
@@ -87,9 +87,9 @@ def check_performance():
     experiments = folder / "experiments"
     shutil.rmtree(experiments, ignore_errors=True)
     experiments.mkdir()
-    shutil.copy(SCRIPTS.parent / "experiments/paper.json", experiments)
+    shutil.copy(SOURCE / "experiments/paper.json", experiments)
     (experiments / "one.json").write_text('{"extends": "paper.json", "name": "one", "orientation": {"rtol": 0.1}}')
-    done = subprocess.run([sys.executable, SCRIPTS / "time_experiments.py", bristle, "experiments/one.json", "--threads", "1"], cwd=folder,
+    done = subprocess.run([sys.executable, SOURCE / "scripts/time_experiments.py", bristle, "experiments/one.json", "--threads", "1"], cwd=folder,
                           capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
     (folder / "figures.json").write_text(done.stdout)
@@ -117,7 +117,7 @@ def check_performance():
     write("commands.json", {"seconds": 1, "results": commands})
     write("sharing.json", [{"name": "loads", "title": "many loads", "cpu_seconds": 12.3, "ratio": 0.75, "ratios": [0.7, 0.75, 0.8], "loads": 20},
                            {"name": "paths", "title": "two paths", "cpu_seconds": 4.5, "ratio": 0.9, "ratios": [0.9, 0.9, 0.9]}])
-    page = written("performance.py", "performance.md", folder, "-o", folder)
+    page = written("performance", "performance.md", folder, "-o", folder)
     for words in ("| Odeint | 1.4 | 7 |", "| SciPy | 10 | 50 |", "321 of all kinds", "takes 0.456 ms per bristle", "9.8 times as long",
                   "| 64 | 2 | 0.123 |", "| rod | 123 | 98 | 0.76 |", "a factor of 2.0 is missing",
                   "| target | a design | 1 | 7 | 15 |",
@@ -129,13 +129,13 @@ def check_performance():
     assert {path.name for path in (folder / "images").iterdir()} >= {"work-precision.png", "quadrature.png"}
     commands[0]["commands"]["check"]["seconds"] = 9.87
     write("commands.json", {"seconds": 1, "results": commands})
-    only = written("performance.py", "performance.md", folder, "-o", folder, "--only", "commands")
+    only = written("performance", "performance.md", folder, "-o", folder, "--only", "commands")
     assert only == page.replace("| check | 0.12 |", "| check | 9.87 |"), only
 
 
 def check_drawings():
     for drawing in ("bristle", "rod"):
-        done = called("drawing.py", drawing, "-o", folder / f"{drawing}.svg")
+        done = called("bristle.pages.schematics", drawing, "-o", folder / f"{drawing}.svg")
         assert done.code == 0, done.messages
         assert len(list(ElementTree.parse(folder / f"{drawing}.svg").iter())) > 100
 

@@ -22,14 +22,17 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.collections import PolyCollection
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
-from in_process import SCRIPTS, called
-import bristle_plots
-from bristle_plots import BristleError, captions, curve, fig4, open_result, pages, ski
-from bristle_plots.files import read_json, write_text, write_whole
-from bristle_plots.integrity import read_group
-from bristle_plots.jumps import jumps_between_neighbours, located_jumps, read_jumps
-from bristle_plots.maps import Grid, cells_at, draw_jumps, read_grid, torn_faces
-from bristle_plots.verdicts import STRIP, by_check, by_claim, declared_checks, draw_strip, in_symbols, read_claims, symbols
+from in_process import PACKAGE, SOURCE, called
+from bristle import BristleError, draw, open_result
+from bristle.figures import curve, fig4, law, ski
+from bristle.figures import map as map_figure
+from bristle.files import read_json, write_text, write_whole
+from bristle.integrity import read_group
+from bristle.plotting import captions
+from bristle.plotting.jumps import jumps_between_neighbours, located_jumps, read_jumps
+from bristle.plotting.maps import Grid, cells_at, draw_jumps, read_grid, torn_faces
+from bristle.plotting.readings import pages
+from bristle.plotting.verdicts import STRIP, by_check, by_claim, declared_checks, draw_strip, in_symbols, read_claims, symbols
 
 result, folder = sys.argv[1], pathlib.Path(sys.argv[2])
 fig4.VARIABLES = fig4.VARIABLES[:2]  # two maps show what is tested here; figures_test.py draws all
@@ -91,7 +94,7 @@ assert not list(folder.rglob("*.part"))
 
 # The command line: the result as its own output.
 before = pathlib.Path(result).read_bytes()
-done = subprocess.run([SCRIPTS / "plot", "curve", result, "-o", result, "--dpi", "30"], capture_output=True, text=True)
+done = subprocess.run([SOURCE / "scripts/plot", "curve", result, "-o", result, "--dpi", "30"], capture_output=True, text=True)
 assert done.returncode != 0 and "Traceback" not in done.stderr, done.stderr
 assert pathlib.Path(result).read_bytes() == before
 
@@ -99,10 +102,10 @@ assert pathlib.Path(result).read_bytes() == before
 own = {"V_R": [0, 0.01, 0.1, 1], "mu": [0, 1.2, 0.8, 0.7], "between": "linear"}
 with open_result(result) as file:
     document = json.loads(file.attrs["experiment"])
-    axes, = bristle_plots.law.draw(file).axes
+    axes, = law.draw(file).axes
     assert abs(axes.lines[0].get_ydata()[-1] - 1) < 1e-3 and len(axes.lines) == 1  # chi, far above V_s
     document["model"]["friction"], document["friction_law"] = "custom", own
-    axes, = bristle_plots.law.draw(file.assign_attrs(experiment=json.dumps(document))).axes
+    axes, = law.draw(file.assign_attrs(experiment=json.dumps(document))).axes
     mu, points = (line.get_xydata() for line in axes.lines)
     assert points.tolist() == [[0.01, 1.2], [0.1, 0.8], [1, 0.7]] and abs(mu[-1, 1] - 0.7) < 1e-12
     assert numpy.allclose(numpy.interp(points[:, 0], *mu.T), points[:, 1], atol=0.02)
@@ -112,7 +115,7 @@ with open_result(result) as file:
     si = {"m_kg": 1e-4, "r0_m": 0.017, "V0_m_per_s": 10}
     document |= {"si": si, "sweep": {"V0_m_per_s": {"values": [3, 30]}},
                  "friction_law": {"V_R_m_per_s": own["V_R"], "mu": own["mu"], "between": "linear"}}
-    axes, = bristle_plots.law.draw(file.assign_attrs(experiment=json.dumps(document))).axes
+    axes, = law.draw(file.assign_attrs(experiment=json.dumps(document))).axes
     mu, points = (line.get_xydata() for line in axes.lines)
     assert points.tolist() == [[0.01, 1.2], [0.1, 0.8], [1, 0.7]] and "m/s" in axes.get_xlabel()
     assert numpy.allclose(numpy.interp(points[:, 0], *mu.T), points[:, 1], atol=0.02)
@@ -246,6 +249,13 @@ with xarray.open_dataset(result) as ds:
     with xarray.open_dataset(folder / "copy.nc") as copy:
         assert not has_verdicts(drawn := fig4.draw(copy)) and len(texts(drawn)) > 50
 
+    # A figure by its name, or that of the result's experiment; wrong names of figures, options and variables.
+    assert texts(draw(ds)) == expected and texts(draw(ds, "fig4", plain=True)) == texts(fig4.draw(ds, plain=True))
+    assert texts(draw(ds.assign_attrs(name="mine"))) == texts(curve.draw(ds))
+    assert "there is no figure fg4; did you mean fig4?; known: bristles, " in refusal(draw, ds, "fg4")
+    assert "widht is not an option of this figure; did you mean width?; known: reading, " in refusal(lambda: draw(ds, widht=3))
+    assert "not from a str" in refusal(draw, result)
+
     # A result without the axes that a figure needs.
     assert "figure ski needs the axes friction, R_n_N, V0_m_per_s; this result has bending, k_r" in refusal(ski.draw, ds)
     table = symbols(ds)
@@ -254,7 +264,7 @@ assert in_symbols("R_n(z_0), N_c/N_c0", table) == r"$\tilde{R}_n$($\tilde{z}_0$)
 
 # Options of the command line.
 def plot(*options):
-    return called("plot", "fig4", result, "-o", folder / "paper", *options)
+    return called("bristle", "fig4", result, "-o", folder / "paper", *options)
 
 
 done = plot("--width", "89mm", "--format", "svg,png", "--dpi", "100")
@@ -271,7 +281,7 @@ for options, words in ((["--width", "3"], "a number with its unit"), (["--width"
                        (["--format", "jpg"], "allowed are pdf, png, svg")):
     done = plot(*options)
     assert done.code == 2 and words in done.messages and options[-1] in done.messages, done.messages
-done = called("plot", "fig4", result, "-o", folder / "one", "--reading", "rod", "--format", "png", "--dpi", "60", "--width", "7in")
+done = called("bristle", "fig4", result, "-o", folder / "one", "--reading", "rod", "--format", "png", "--dpi", "60", "--width", "7in")
 assert done.code == 0 and {path.name for path in (folder / "one").iterdir()} == {"fig4.png", "fig4-energy.png"}, done.messages
 done = plot("--caption", "--reading", "rod")
 assert done.out.count("\\caption{") == 2 and "Model of bending: rod." in done.out and "as printed" not in done.out, done.out
@@ -296,7 +306,7 @@ with xarray.open_dataset(result) as ds:
     assert second[0] == "" and "gamma" in second[1][0], second
     assert not any(axes.name == "3d" for axes in fig4.draw(ds, maps_only=True).axes)
     assert "no surfaces" in refusal(lambda: curve.draw(ds, maps_only=True))
-    assert len([axes for axes in bristle_plots.map.draw(ds, "gamma_1").axes if hasattr(axes, "panel")]) == ds.sizes["bending"]
+    assert len([axes for axes in map_figure.draw(ds, "gamma_1").axes if hasattr(axes, "panel")]) == ds.sizes["bending"]
 done = plot("--caption")
 assert done.code == 0 and done.out.count("\\caption{") == 4 and done.out.count("{") == done.out.count("}"), done.out
 corrected, printed = done.out.split("% page 2")
@@ -304,7 +314,7 @@ assert r"$\check{R}_x$; (b) " in corrected and r"$\tilde{k}_r =$ 5, " in correct
 assert "as printed" in printed and "corrected" not in printed
 done = plot("--caption", "--panels", "b")
 assert done.code == 0 and done.out.count("\\caption{") == 3 and r"\tilde{\gamma}_1$. Over" in done.out and "check{R}" not in done.out, done.out
-done = called("plot", "map", result, "--caption", "--panels", "b")
+done = called("bristle", "map", result, "--caption", "--panels", "b")
 assert done.code == 0 and r"$\check{R}_x$, as printed. Over" in done.out and "corrected" not in done.out, done.out
 told = captions.in_latex(captions.plain(r"50 % of \input{x} & $ # x_y"))  # a stranger's title
 assert told == r"50 \% of \textbackslash{}input\{x\} \& \$ \# x\_y", told
@@ -326,16 +336,35 @@ for more in range(5):
     finally:
         resource.setrlimit(resource.RLIMIT_NOFILE, limits)
 
+# What is missing for an import, with the remedy: libraries, a newer Python, the program.
+def imported(code, **environment):
+    return subprocess.run([sys.executable, *code], capture_output=True, text=True, check=False, cwd=folder,
+                          env={**os.environ, "PYTHONPATH": str(PACKAGE), **environment})
+
+
+bare = ["-S", "-c"]  # without the folders of libraries
+done = imported([*bare, "import bristle"])
+assert done.returncode != 0 and "has no numpy, h5py, matplotlib, xarray, h5netcdf, which bristle needs; " in done.stderr, done.stderr
+assert sys.executable in done.stderr and "install python3-numpy python3-h5py" in done.stderr, done.stderr
+done = imported([*bare, "import sys; sys.version_info = (3, 10, 1); import bristle"])
+assert "(Python 3.10.1) is too old: bristle needs Python 3.11 or newer" in done.stderr, done.stderr
+installed = folder / "installed"  # away from the source tree and its program
+shutil.copytree(PACKAGE, installed)
+done = imported(["-c", "import bristle; bristle.run('paper.json')"], PYTHONPATH=str(installed), PATH="/nowhere")
+assert "the program bristle is neither built in this source tree nor on PATH: `make build` builds it" in done.stderr, done.stderr
+done = imported(["-c", "import bristle; bristle.opn_result"])
+assert "module bristle has no opn_result; did you mean open_result?" in done.stderr, done.stderr
+
 # Modules that cannot be imported, and a backend of matplotlib that does not exist: a message, or no difference.
 broken = folder / "broken"
 broken.mkdir()
 for module in ("numpy", "h5py", "matplotlib", "xarray"):
     (broken / f"{module}.py").write_text("raise ImportError('it is broken')")
-    done = subprocess.run([sys.executable, "-m", "bristle_plots", "fig4", result, "-o", broken], capture_output=True, text=True, check=False,
-                          env={**os.environ, "PYTHONPATH": os.pathsep.join(map(str, (broken, SCRIPTS)))})
+    done = subprocess.run([sys.executable, "-m", "bristle", "fig4", result, "-o", broken], capture_output=True, text=True, check=False,
+                          env={**os.environ, "PYTHONPATH": os.pathsep.join(map(str, (broken, PACKAGE)))})
     assert done.returncode == 2 and "cannot import what the figures need (it is broken)" in done.stderr, done
     assert "Traceback" not in done.stderr, done.stderr
     (broken / f"{module}.py").unlink()
-done = subprocess.run([sys.executable, "-m", "bristle_plots", "fig4", result, "--caption"], capture_output=True, text=True, check=False,
-                      env={**os.environ, "PYTHONPATH": str(SCRIPTS), "MPLBACKEND": "nonsense"})
+done = subprocess.run([sys.executable, "-m", "bristle", "fig4", result, "--caption"], capture_output=True, text=True, check=False,
+                      env={**os.environ, "PYTHONPATH": str(PACKAGE), "MPLBACKEND": "nonsense"})
 assert done.returncode == 0, done.stderr

@@ -5,6 +5,7 @@ has invented numbers. Exits with 77 (skipped) without Chromium, its driver or Se
 """
 import base64
 import json
+import os
 import pathlib
 import re
 import shutil
@@ -29,8 +30,8 @@ def report(*files, **options):
     """Writes a report; options override the defaults."""
     options = {"o": page, "program": program, "assumptions": root / "tests/python/assumptions.json", **options}
     words = [str(word) for key, value in options.items() for word in ("-o" if key == "o" else f"--{key}", value)]
-    command = [sys.executable, root / "scripts/report/report.py", *files, *words]
-    return subprocess.run(command, capture_output=True, text=True, cwd=root)
+    command = [sys.executable, "-m", "bristle.report", *files, *words]
+    return subprocess.run(command, capture_output=True, text=True, cwd=root, env={**os.environ, "PYTHONPATH": str(root / "python")})
 
 
 def check_output():

@@ -4,6 +4,7 @@ pages.py BRISTLE SECONDS SEED FOLDER
 """
 import html.parser
 import json
+import os
 import pathlib
 import random
 import subprocess
@@ -37,7 +38,8 @@ class Tags(html.parser.HTMLParser):
 
 def python(*command):
     """Runs a script, which must end with 0, or with 2 or 3 and a message; returns exit code and both outputs."""
-    done = subprocess.run(list(map(str, command)), cwd=source, capture_output=True, timeout=SECONDS)
+    done = subprocess.run(list(map(str, command)), cwd=source, capture_output=True, timeout=SECONDS,
+                          env={**os.environ, "PYTHONPATH": str(source / "python")})
     out, error = done.stdout.decode(errors="replace"), done.stderr.decode(errors="replace")
     if done.returncode not in (0, 2, 3) or "Traceback" in error:
         raise Failure(f"{command}: exit code {done.returncode}: {error[-1500:]}")
@@ -74,7 +76,7 @@ def step():
     if "\\input{" in done[1][1] or "\x1b" in done[1][1]:
         raise Failure(f"a text became a command of LaTeX or of the terminal: {done[1][1]}")
     page.unlink(missing_ok=True)
-    done.append(python(sys.executable, source / "scripts/report/report.py", result, "-o", page, "--program", bristle.path))
+    done.append(python(sys.executable, "-m", "bristle.report", result, "-o", page, "--program", bristle.path))
     if page.exists():
         Tags().feed(page.read_text(encoding="utf-8"))
     if not broken and any(code for code, _, _ in done):

@@ -21,8 +21,8 @@ from common import Campaign, Failure, Program
 
 bristle, seconds, seed, folder = Program(sys.argv[1]), float(sys.argv[2]), sys.argv[3], pathlib.Path(sys.argv[4]).resolve()
 source = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(source / "scripts"))
-import bristle_plots  # noqa: E402
+sys.path.insert(0, str(source / "python"))
+from bristle import BristleError, run  # noqa: E402
 
 r = random.Random(f"studies {seed}")
 (folder / "experiments").mkdir(parents=True)
@@ -215,8 +215,8 @@ def override(path, document, result):
     from_python.unlink(missing_ok=True)
     typed = r.choice([float, numpy.float64, numpy.array])(number)
     try:
-        bristle_plots.run(str(path), output=str(from_python), program=bristle.path, quiet=True, **{name: typed}).close()
-    except bristle_plots.BristleError as message:
+        run(str(path), output=str(from_python), program=bristle.path, quiet=True, **{name: typed}).close()
+    except BristleError as message:
         said(2, "", str(message), f"run({name}={number})")
         return "refused overrides in Python"
     if attributes(result)["inputs_sha256"] == attributes(from_python)["inputs_sha256"]:

@@ -15,8 +15,8 @@ namespace {
 
 // A repository with a study, one file of assumptions and the scripts of the report.
 void add_studies(const Scratch& s) {
-  s.write("scripts/bristle_plots/figures/study.py", "");
-  s.write("scripts/report/report.py", "");
+  s.write("python/bristle/figures/study.py", "");
+  s.write("python/bristle/report/__main__.py", "");
   s.write("experiments/study.json", R"({"extends": "small.json", "name": "study", "figure": ""})");
   s.write("experiments/assumptions/one.json", R"({"schema": "bristle-assumption/1", "choice": "V_s",
       "question": "how large", "alternatives": [{"name": "slow", "description": "twice",

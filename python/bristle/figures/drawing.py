@@ -1,0 +1,87 @@
+"""The recommended brush of a design to scale, with its dimensions for a workshop."""
+
+import numpy as np
+from matplotlib import patches
+
+from ..errors import BristleError
+from ..plotting.layout import Cell, across, heading, place_cell, sheet
+from ..plotting.page import points
+from ..plotting.readings import one_page
+from ..plotting.style import BLACK
+from ..results import place_of, table, table_with
+
+AXES = []
+BRISTLES = 4
+ARROW = dict(arrowstyle="<->", color=BLACK, linewidth=0.8, shrinkA=0, shrinkB=0)
+NOTE = ("To scale, undeformed, lengths in millimetres. Bristles lean in all directions; here all lean to the right. The slab is drawn "
+        "where it first touches them. Tolerances and margins are relative; beyond a margin the gap jumps.")
+WORDS = {"length": "length", "diameter": "diameter of the shaft", "angle": "angle to the base", "tip_radius": "radius of the tip",
+         "spacing": "spacing", "density": "bristles"}
+UNITS = {"angle": "degrees", "density": "per m$^2$"}
+MARKS = NOTE
+
+
+@one_page
+def draw(file):
+    if table(file, "drawing") is None:
+        raise BristleError(f"{place_of(file)}: has no drawing; `bristle design` writes it for an experiment in SI units in which a "
+                           "trial meets the constraints")
+    group = table_with(file, "drawing", "value", "tolerance", "margin_below", "margin_above")
+    sizes = {str(name): float(value) for name, value in zip(group["dimension"].values, group["value"].values)}
+    cell, _ = across(1, Cell(9.4, 4.6, 0.4, 0.2, 8.8, 4.0))
+    figure, bottom = sheet(file, cell.width, cell.height, NOTE, verdicts=False)
+    axes = place_cell(figure, (0, bottom), cell)
+    right = draw_brush(axes, **sizes)
+    rows = group.to_dataframe().reset_index().itertuples()
+    axes.text(right + 0.4 * sizes["length"], 0.5 * sizes["length"], "\n".join(line_of(row) for row in rows), fontsize=points(10),
+              va="center", linespacing=1.7)
+    heading(axes, "", labels=["the recommended brush"])
+    return figure
+
+
+def line_of(row):
+    """A dimension with its tolerance and margins."""
+    number = f"{row.value:,.0f}" if row.dimension == "density" else f"{row.value:.4g}"
+    parts = [f"{WORDS[row.dimension]}: {number} {UNITS.get(row.dimension, 'mm')}"]
+    if np.isfinite(row.tolerance):
+        parts.append(f"tolerance {100 * row.tolerance:.2g} %")
+    margins = [f"{sign}{100 * margin:.0f} %" for sign, margin in (("-", row.margin_below), ("+", row.margin_above)) if np.isfinite(margin)]
+    return ", ".join(parts + ([f"margin {' and '.join(margins)}"] if margins else []))
+
+
+def draw_brush(axes, length, diameter, angle, tip_radius, spacing, density):
+    """A row of bristles on their base under the slab, with the dimensions; returns its right end."""
+    lean = np.radians(angle)
+    along, across_shaft = np.array([np.cos(lean), np.sin(lean)]), np.array([np.sin(lean), -np.cos(lean)])
+    roots = [np.array([i * spacing, 0]) for i in range(BRISTLES)]
+    height, right = length * np.sin(lean), roots[-1][0] + length * np.cos(lean)
+    left, thick = -0.7 * spacing, 0.12 * length
+    for low, name in ((-thick, "base"), (height, "slab")):
+        axes.add_patch(patches.Rectangle((left, low), right - left + 0.7 * spacing, thick, facecolor="0.9", edgecolor=BLACK, hatch="///",
+                                         linewidth=0.8))
+        axes.annotate(name, (left, low + thick / 2), (-4, 0), textcoords="offset points", ha="right", va="center", fontsize=points(9))
+    for root in roots:
+        axes.add_patch(patches.Circle(root + (length - tip_radius) * along, tip_radius, facecolor="0.75", edgecolor=BLACK, linewidth=0.8))
+        corners = [root + side * diameter / 2 * across_shaft + end * (length - tip_radius) * along for side, end in ((-1, 0), (1, 0), (1, 1), (-1, 1))]
+        axes.add_patch(patches.Polygon(corners, facecolor="0.75", edgecolor=BLACK, linewidth=0.8))
+    middle = roots[0] + 0.5 * length * along
+    measure(axes, roots[-1] + 1.4 * diameter * across_shaft, roots[-1] + length * along + 1.4 * diameter * across_shaft, f"{length:.4g}",
+            (6, -2), "left")
+    measure(axes, middle - diameter / 2 * across_shaft, middle + diameter / 2 * across_shaft, f"{diameter:.3g} diameter", (-18, 6), "right")
+    low = np.array([0, -thick * 1.35])
+    measure(axes, roots[0] + low, roots[1] + low, f"{spacing:.4g}", (0, -11), "center")
+    foot = roots[-1] + np.array([0.7 * spacing, 0])
+    axes.add_patch(patches.Arc(roots[-1], length, length, theta1=0, theta2=angle, linewidth=0.8))
+    axes.text(*(foot + [0.55 * length - 0.7 * spacing, 0.15 * length]), f"{angle:.3g} degrees", fontsize=points(9), va="center")
+    axes.plot([roots[-1][0], roots[-1][0] + 0.6 * length], [0, 0], color=BLACK, linewidth=0.8)
+    axes.set_aspect("equal")
+    axes.set_xlim(left - 1.5 * spacing, right + 2.2 * length)
+    axes.set_ylim(-thick * 2.2, height + 1.2 * thick)
+    axes.axis("off")
+    return right
+
+
+def measure(axes, start, end, string, offset, align):
+    """An arrow between two points, with its length."""
+    axes.annotate("", end, start, arrowprops=ARROW)
+    axes.annotate(string, (np.array(start) + end) / 2, offset, textcoords="offset points", ha=align, va="center", fontsize=points(9))

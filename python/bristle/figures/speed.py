@@ -1,0 +1,87 @@
+"""Friction coefficient and gap over the speed in SI units, after loading and after unloading, with the lift-off speeds."""
+
+import numpy as np
+from matplotlib.lines import Line2D
+
+from ..plotting.curves import BANDS, JUMPS, draw_curve, log_axis, read_curve, title_axis
+from ..plotting.jumps import Jump
+from ..plotting.layout import Cell, across, corners, heading, legend_at_foot, place_cell, sheet
+from ..plotting.page import lettered, paper_width
+from ..plotting.readings import one_page, reading_name, readings
+from ..plotting.style import BLACK, Look, described, looks, symbol, value_ticks
+from ..results import attribute, axis_values, dataset, select
+
+AXES = ["path", "R_n_N", "V0_m_per_s"]
+VARIABLES = ["friction_coefficient", "z_0_in_m"]
+TITLES_OF = {"friction_coefficient": "friction coefficient", "z_0_in_m": "gap between slab and ground"}
+LIFT_OFF_SPEED = "lift_off_speed"
+DASHES = {"loading": "-", "unloading": "--"}
+LEGEND_INCHES = 0.35
+NOTE = ("Loads are those of a bristle. Solid, after loading; dashed, after unloading; where both are the same, solid. Marks at the foot "
+        "with a black rim: the speed by the formula above which the bristles bounce under this load, with its uncertainty as a pale "
+        "bar. Loads without a mark: the formula was not tested at their lift-off speed.")
+DOTTED = "Dotted lines join both sides, halfway between the points."
+MARKS = f"Colours and markers tell the loads apart, as in the legend. {NOTE} {BANDS} {JUMPS} {DOTTED}"
+
+
+@one_page
+def draw(file):
+    panels = lettered([(reading, name) for reading in readings(file) for name in VARIABLES])
+    cell, columns = across(min(len(panels), 2), Cell(5.2, 4.25, 0.8, 0.75, 4.15, 3.2), 0.7)
+    below = LEGEND_INCHES if paper_width() is None else 0
+    figure, bottom = sheet(file, cell.width * columns, cell.height * -(-len(panels) // columns) + below,
+                           f"{NOTE}\n{BANDS} {JUMPS} {DOTTED}")
+    lines, statuses = {}, {}
+    for (letter, (reading, name)), corner in zip(panels, corners(len(panels), columns, cell, bottom + below)):
+        axes = place_cell(figure, corner, cell)
+        statuses |= draw_panel(axes, file, name, reading)
+        lines |= dict(zip(*axes.get_legend_handles_labels()[::-1]))
+        title = ": ".join(filter(None, [reading_name(reading), TITLES_OF[name]]))
+        heading(axes, letter, title, [described(dataset(file, name)), reading_name(reading)])
+    for path in axis_values(file, "path"):
+        lines[f"after {path}"] = Line2D([], [], color=BLACK, linestyle=DASHES[path], linewidth=1.4)
+    legend_at_foot(figure, lines | statuses, bottom + LEGEND_INCHES / 2)
+    return figure
+
+
+def draw_panel(axes, file, name, reading):
+    """Lines of each load, and at the foot its lift-off speed; returns legend entries of the statuses."""
+    entries, speed, unit = {}, dataset(file, "V0_m_per_s"), attribute(dataset(file, "R_n_N"), "units")
+    for row, (load, look) in enumerate(looks(axis_values(file, "R_n_N"))):
+        for path in axis_values(file, "path"):
+            curve = joined(read_curve(file, name, "V0_m_per_s", path=path, R_n_N=load, **reading))
+            if name == "z_0_in_m":
+                curve = curve._replace(y=1000 * curve.y, error=1000 * curve.error)
+            first = path == axis_values(file, "path")[0]
+            entries |= draw_curve(axes, curve, Look(look.colour, DASHES[path], look.marker if first else ""),
+                                  f"load {load:g} {unit}" if first else None, 1.3)
+        draw_lift_off(axes, file, look, row, R_n_N=load, **reading)
+    log_axis(axes, "x", speed)
+    title_axis(axes, "x", speed, "speed of the slab")
+    top = axes.get_ylim()[1]
+    axes.set_yticks(value_ticks().tick_values(0, top))
+    axes.set_ylim(-0.2 * top, top)
+    if name == "z_0_in_m":
+        axes.set_ylabel(f"gap {symbol(dataset(file, name))} [mm]")
+    else:
+        title_axis(axes, "y", dataset(file, name), "friction over load")
+    return entries
+
+
+def joined(curve):
+    """The curve with its jumps halfway between the points, so that both sides are joined."""
+    places = np.sqrt(curve.x[1:] * curve.x[:-1])
+    return curve._replace(located=[Jump((int(i),), *[places[i]] * 3) for i in np.flatnonzero(curve.jumps)])
+
+
+def draw_lift_off(axes, file, look, row, **chosen):
+    """The lift-off speed of a load, if it has one, in a row of its own."""
+    speed, error = (select(dataset(file, f"{LIFT_OFF_SPEED}{end}"), ["path", "V0_m_per_s"], **chosen) for end in ("", "_err"))
+    there = np.isfinite(speed)
+    if not there.any():
+        return
+    place, width, height = np.median(speed[there]), np.median(error[there]), 0.025 + 0.035 * row
+    transform = axes.get_xaxis_transform()
+    axes.plot([place - width, place + width], [height, height], color=look.colour, alpha=0.35, linewidth=4,
+              solid_capstyle="butt", transform=transform)
+    axes.plot(place, height, look.marker, color=look.colour, markeredgecolor=BLACK, markersize=7, transform=transform)

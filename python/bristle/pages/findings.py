@@ -1,0 +1,168 @@
+"""docs/findings.md from result files: every claim with its verdict and the numbers behind it; the summary in README.md."""
+
+import argparse
+import os
+import re
+
+import numpy as np
+
+from ..command_line import run
+from ..errors import BristleError
+from ..files import write_text
+from ..plotting.remarks import pinned_note, start_note, validity_note
+from ..plotting.verdicts import number, p_text, quantity, threshold_text
+from ..results import as_text, experiment, open_result, read, status_counts
+from .explanations import explain_claim, explain_further
+from .markdown import filled, table
+from .matrix import DEFAULT
+from .quantities import MATRIX, PROGRAM, READINGS
+from .summary import all_verdicts, claims_of, further, in_short, own_verdicts, readings_of, verdicts_of
+
+INTRODUCTION = """\
+The claims of the paper in the order of its figures, and the verdicts of the computations:
+supported, **refuted**, or undecided within the uncertainty. A claim is named after the figure
+beside which it stands; those of Appendix A begin with A, those of the abstract with B, those of the
+conclusions with C. Findings of this project, which the paper does not claim, begin with F. Every
+claim is checked with three models of bending. Two are readings of the paper, whose Eq. (17) has
+another denominator than the kinematics of the azimuth theta:
+
+- **corrected**: theta' = (x v_y - y v_x)/s^2, with the distance s of the tip from the pole, the
+  vertical through the bristle's root;
+- **as printed**: theta' = (x v_y - y v_x)/r^2, with the distance r from the root;
+- **rod**: bending without polar coordinates and so without a pole. What holds for the rod, too, is
+  the bristle's; what does not may be the coordinates'.
+
+docs/claims.md describes how claims are checked, docs/model.md the equations and the baseline: the
+choices for what the paper leaves open. `make findings` writes this page and the summary in
+README.md from the result files; no number in them is typed.
+"""
+
+BEGIN, END = "<!-- summary: written by `make findings` -->", "<!-- end of summary -->"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("results", metavar="RESULT.h5", nargs="+", help="result files in the figures' order")
+    parser.add_argument("-o", dest="output", metavar="FILE", default="docs/findings.md")
+    parser.add_argument("--readme", metavar="FILE", help="document whose summary is replaced")
+    parser.add_argument("--program", default=PROGRAM.get(), help="what measures on the results (default: %(default)s)")
+    parser.add_argument("--assumptions", metavar="FILE", nargs="+", help="matrices, of which the first that exists is read",
+                        default=DEFAULT)
+    arguments = parser.parse_args()
+    PROGRAM.set(arguments.program)
+    MATRIX.set(next(filter(os.path.exists, arguments.assumptions), None))
+    files = [open_result(path) for path in arguments.results]
+    images = os.path.join(os.path.dirname(arguments.output), "images")
+    found = [(file, claims_of(file)) for file in files]
+    summary = f"{BEGIN}\n\n{filled(chr(10).join(f'- {line}' for line in in_short(found)))}\n{END}"
+    sections = [section(file, claims, images) for file, claims in found]
+    more = "\n".join(f"- {line}" for line in further(found))
+    page = filled("\n".join(["# Findings\n\n@summary@\n", INTRODUCTION, overview(found), "## On single claims\n", more + "\n", *sections]))
+    write_text(arguments.output, page.replace("@summary@", summary))
+    if arguments.readme:
+        replace_summary(arguments.readme, summary)
+    checks = sum(len(checks) for _, claims in found for checks in claims.values())
+    print(f"{arguments.output}: {checks} checks of {len(files)} results")
+
+
+def overview(found):
+    """A row for each claim: what the paper states in short, and the verdict under each reading."""
+    readings = readings_of(found)
+    shorts = {check["claim"]: check["short"] for _, claims in found for checks in claims.values() for check, _ in checks
+              if "short" in check}
+    rows = [[claim, shorts.get(claim, ""), *(emphasised(verdicts.get(reading, "")) for reading in readings)]
+            for claim, verdicts in all_verdicts(found).items()]
+    own = [[claim, shorts.get(claim, ""), in_words(verdicts)] for claim, verdicts in own_verdicts(found).items()]
+    return "\n".join([table(["claim", "the paper, in short", *(READINGS.get(one, one or "verdict") for one in readings)], *rows), "",
+                      *([table(["finding", "what we found, in short", "verdict"], *own), ""] if own else [])])
+
+
+def in_words(verdicts):
+    """The verdict by reading in words."""
+    if len(verdicts) > 1 and len(set(verdicts.values())) == 1:
+        return f"{next(iter(verdicts.values()))} with every model"
+    return ", ".join(f"{READINGS.get(reading, reading)} {verdict}".strip() for reading, verdict in verdicts.items())
+
+
+def emphasised(verdict):
+    return f"**{verdict}**" if verdict == "refuted" else verdict
+
+
+def section(file, claims, images):
+    name, figure = (as_text(file.attrs[key]) for key in ("name", "figure"))
+    lines = [f"## {as_text(file.attrs['title'])}", "", provenance(file), ""]
+    if os.path.exists(os.path.join(images, f"{name}.png")):
+        lines += [f"![{figure and 'Figure '}{figure or name}](images/{name}.png)", ""]
+    for claim, checks in claims.items():
+        lines += claim_lines(file, claim, checks)
+    left_open = {}
+    for check, _ in (pair for checks in claims.values() for pair in checks):
+        if "leaves_open" in check:
+            left_open.setdefault(check["leaves_open"], []).append(check["claim"])
+    if left_open:
+        lines += ["The paper leaves open, and it matters here:", ""]
+        lines += [f"- {what} ({', '.join(dict.fromkeys(claims))})" for what, claims in left_open.items()]
+        lines.append("")
+    for note in [*filter(None, [start_note(file), pinned_note(file), validity_note(file)]), *experiment(file).get("notes", [])]:
+        lines += [note, ""]
+    return "\n".join(lines)
+
+
+def provenance(file):
+    """Caption, points by status, passages, the longest ensemble mean of the contact time, digest."""
+    points = ", ".join(f"{n} {status}" for status, n in status_counts(file))
+    passages = int(np.sum(read(file, "passages")))
+    contact = np.nanmax(read(file, "N_c_ratio"))
+    caption, digest = (as_text(file.attrs[name]) for name in ("caption", "payload_sha256"))
+    return (f"{caption}. Points: {points}; {passages} passages, ensemble mean of the contact time at most "
+            f"{contact:.2f} L_x/V_0. Payload SHA-256 `{digest[:16]}`.")
+
+
+def claim_lines(file, claim, checks):
+    """Heading with the verdicts, the paper's sentence, main and further checks, and why a verdict is not "supported"."""
+    verdicts = verdicts_of(checks)
+    lines = [f"### {claim}: {in_words(verdicts)}", ""]
+    for check, _ in checks:
+        if "quote" in check:
+            lines += [f"The paper: \u201c{check['quote']}\u201d", ""]
+    main = [pair for pair in checks if pair[1][0].role == "main"]
+    further = [pair for pair in checks if pair[1][0].role != "main"]
+    for meaning in dict.fromkeys(check.get("interpretation") for check, _ in main):
+        if meaning:
+            lines += [f"If {meaning}:", ""]
+        lines += [item(file, *pair) for pair in main if pair[0].get("interpretation") == meaning]
+        lines.append("")
+    if further:
+        lines += ["Further checks, which do not decide the verdict:", "", *(item(file, *pair) for pair in further), ""]
+    for reading, verdict in verdicts.items():
+        if verdict != "supported":
+            rows = [(check, row) for check, rows in checks for row in rows if row.reading == reading]
+            lines += [f"Why {verdict} {READINGS.get(reading, reading)}: {explain_claim(file, rows)}", ""]
+    return lines
+
+
+def item(file, check, rows):
+    """An item of a list: the statement, and below it the verdict of each reading with its numbers."""
+    what = f"{quantity(check)} {threshold_text(rows[0].relation, rows[0].threshold, rows[0].band).strip()}"
+    lines = [f"- {check['statement']} ({what})"]
+    for row in rows:
+        reading = f"{READINGS.get(row.reading, row.reading)}: " if row.reading else ""
+        measured = f"{number(row.measured, '.3f')} ± {number(row.uncertainty, '.3f')}{p_text(row)}"
+        why = explain_further(file, check, row) if row.role != "main" and row.verdict == "refuted" else ""
+        if check["predicate"] == "rise" and "resolution" in check and not np.isfinite(row.uncertainty):
+            why = f"ln changes by less than {check['resolution']:g} under a law"
+        lines.append(f"  - {reading}{emphasised(row.verdict)}, {measured}{why and '; '}{why}")
+    return "\n".join(lines)
+
+
+def replace_summary(path, summary):
+    with open(path, encoding="utf-8") as file:
+        text = file.read()
+    pattern = re.escape(BEGIN) + ".*?" + re.escape(END)
+    if not re.search(pattern, text, re.S):
+        raise BristleError(f"{path}: has no summary to replace; it begins with {BEGIN}")
+    write_text(path, re.sub(pattern, lambda _: summary, text, flags=re.S))
+
+
+if __name__ == "__main__":
+    run(main)

@@ -1,0 +1,196 @@
+"""docs/inference.md and its figure: which joint set of choices agrees best with the paper's sentences."""
+
+import argparse
+
+import numpy as np
+from matplotlib.colors import BoundaryNorm, ListedColormap
+from matplotlib.figure import Figure
+
+from ..command_line import run
+from ..files import save_figure, write_text
+from ..plotting.style import BLUE, GREEN, VERMILION, apply_look
+from .markdown import filled, table
+from .matrix import digest_line, read_matrix
+
+VERDICTS = ("refuted", "undecided", "supported")
+MODELS = {"corrected": "corrected", "printed": "as printed", "rod": "rods"}  # of bending; "corrected" has no name in a set
+BEST = 15  # sets in the table
+
+
+def short(name):
+    for text, instead in (("40 random azimuths", "40 random"), ("18 azimuths", "18 fixed"), ("phi_0 = ", ""), (" deg", "\u00b0")):
+        name = name.replace(text, instead)
+    return name
+
+
+class Scores:
+    """verdicts[set, window, claim] as indices into VERDICTS; further[set, window]: supported further checks."""
+
+    def __init__(self, matrix):
+        checks = matrix["checks"]
+        self.sets = [short(alternative["name"]) for alternative in matrix["alternatives"]]
+        self.members = [alternative["members"] or [alternative["name"]] for alternative in matrix["alternatives"]]
+        self.digest = digest_line(matrix)
+        self.windows = list(dict.fromkeys(cell["window"] for cell in matrix["cells"]))
+        self.claims = list(dict.fromkeys(check["claim"] for check in checks))
+        self.further_checks = sum(check["role"] == "further" for check in checks)
+        shape = len(self.sets), len(self.windows)
+        self.verdicts = np.zeros((*shape, len(self.claims)), int)
+        self.further = np.zeros(shape, int)
+        for cell in matrix["cells"]:
+            place, check = (cell["alternative"], self.windows.index(cell["window"])), checks[cell["check"]]
+            self.verdicts[*place, self.claims.index(check["claim"])] = VERDICTS.index(cell["claim_verdict"])
+            self.further[place] += check["role"] == "further" and cell["verdict"] == "supported"
+
+    def supported(self, claims=slice(None)):
+        return (self.verdicts[..., claims] == VERDICTS.index("supported")).sum(axis=-1)
+
+    def best_windows(self, claims=slice(None)):
+        """For each set the window with most supported claims; of equals that with most further checks."""
+        return (1000 * self.supported(claims) + self.further).argmax(axis=1)
+
+    def ranking(self, claims=slice(None)):
+        """The sets, best first, and the score of each set: supported claims, supported further checks."""
+        windows, rows = self.best_windows(claims), np.arange(len(self.sets))
+        score = np.stack([self.supported(claims)[rows, windows], self.further[rows, windows]], axis=1)
+        return sorted(rows, key=lambda i: tuple(-score[i])), score
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("matrix", metavar="MATRIX.json", help="output of `bristle assumptions`, see `make inference`")
+    parser.add_argument("-o", dest="output", metavar="DIRECTORY", default="docs", help="of inference.md and images/")
+    arguments = parser.parse_args()
+    scores = Scores(read_matrix(arguments.matrix))
+    apply_look()
+    save_figure(draw(scores), f"{arguments.output}/images", "inference", formats=("png",))
+    path = f"{arguments.output}/inference.md"
+    write_text(path, filled(page(scores)))
+    print(path)
+
+
+def draw(scores):
+    """Sets, best first, times claims, each set in its best window."""
+    order, score = scores.ranking()
+    windows = scores.best_windows()
+    field = scores.verdicts[np.arange(len(order)), windows][order]
+    figure = Figure(figsize=(9.5, 1.6 + 0.17 * len(order)), layout="constrained")
+    axes = figure.subplots()
+    axes.pcolormesh(field, cmap=ListedColormap([VERMILION, BLUE, GREEN]), norm=BoundaryNorm([0, 1, 2, 3], 3),
+                    edgecolors="white", linewidth=1)
+    axes.set_xticks(np.arange(len(scores.claims)) + 0.5, scores.claims, fontsize=8)
+    axes.set_yticks(np.arange(len(order)) + 0.5, [f"{scores.sets[i]}  {score[i][0]}/{score[i][1]}" for i in order],
+                    fontsize=7)
+    axes.tick_params(length=0, top=True, labeltop=True)
+    axes.invert_yaxis()
+    axes.set_title("Joint sets of choices, best first, with the numbers of supported claims and further checks\n"
+                   "green: supported, blue: undecided, red: refuted; each set in its best window", fontsize=9)
+    return figure
+
+
+def page(scores):
+    order, score = scores.ranking()
+    windows = scores.best_windows()
+    rows = []
+    for rank, i in enumerate(order[:BEST], 1):
+        verdicts = scores.verdicts[i, windows[i]]
+        window = scores.windows[windows[i]].replace("k_r ", "").replace("k_theta ", "")
+        refuted, undecided = (claims_with(scores, verdicts, word).replace(",", "") for word in ("refuted", "undecided"))
+        rows.append([str(rank), scores.sets[i], window, f"{score[i][0]}, {score[i][1]}", refuted, undecided])
+    return f"""# Inference: what the authors may have computed
+
+Written by `make inference`. **This is an inference and no test.** The paper leaves choices open, and
+this page ranks joint sets of them by how many of the paper's sentences they support. The sentences
+are the same that led to the checks, and the best window of the swept ranges is chosen for each set
+after the fact, so a high score shows what is compatible with the paper, not that it is true.
+
+{len(scores.sets)} joint sets of choices were tried (`experiments/inference/`): polar coordinates with Eq. (17)
+corrected or as printed, or rods;
+the start in static equilibrium or unstretched, r = 1 and phi = asin(z_0 - 5 lambda_z); azimuths continuous,
+18 fixed or 40 random; phi_0 of 80, 85 or 89 degrees; and for the corrected equation a tip that is reflected
+at the pole or crosses it. Each was checked in {len(scores.windows)} windows of the ranges of k_r and k_theta,
+{len(scores.sets) * len(scores.windows)} scores in all, on the {len(scores.claims)} claims of Figures 3 to 8 and
+{scores.further_checks} further checks. The sweeps are coarse (12 values of k_r, 4 of k_theta), of the
+experiments' `study` tier. `baseline` is the choice of this project: corrected, static equilibrium, continuous azimuths, 80
+degrees, reflection. A mean over a list of azimuths has no error of quadrature, so fewer of its checks are
+undecided than those of a continuous distribution: this favours the sets with 18 or 40 azimuths.
+
+{scores.digest}## Ranking
+
+The best {BEST} sets, each in its best window of k_r and k_theta, with the numbers of claims and of further checks
+that are supported.
+
+{table(["", "set", "window", "supported", "refuted", "undecided"], *rows)}
+
+![All sets and claims](images/inference.png)
+
+{best_of_models(scores, score)}
+
+## If one claim is left out
+
+The sets with the highest score (claims, then further checks) if one claim does not count.
+
+{table(["without", "best sets"], *leave_one_out(scores))}
+
+## Which claims separate the models of bending
+
+For each claim, how many sets support it with each model, of {len(shared(scores))} choices of everything else that were tried
+with all of them, in the window of the baseline.
+
+{table(["claim", *models(scores)], *separating(scores))}
+"""
+
+
+def claims_with(scores, verdicts, word):
+    found = [claim for claim, verdict in zip(scores.claims, verdicts) if VERDICTS[verdict] == word]
+    return ", ".join(found) or "none"
+
+
+def model_of(members):
+    return next((member for member in members if member in MODELS), "corrected")
+
+
+def models(scores):
+    """The models of bending of the sets, in the order of MODELS."""
+    there = set(map(model_of, scores.members))
+    return [model for model in MODELS if model in there]
+
+
+def best_of_models(scores, score):
+    parts = []
+    for model in models(scores):
+        claims, further = max(tuple(s) for s, members in zip(score, scores.members) if model_of(members) == model)
+        parts.append(f"{MODELS[model]} {claims} claims and {further} further checks")
+    return f"The best sets support: {', '.join(parts)}. The baseline supports {score[0][0]} and {score[0][1]}."
+
+
+def shared(scores):
+    """By what a set chooses beside the model of bending, the number of the set for each model; those with all models."""
+    sets = {}
+    for i, members in enumerate(scores.members):
+        model = model_of(members)
+        sets.setdefault(frozenset(members) - {"baseline", model}, {})[model] = i
+    return [found for found in sets.values() if len(found) == len(models(scores))]
+
+
+def leave_one_out(scores):
+    rows = []
+    for left_out in range(len(scores.claims)):
+        claims = [c for c in range(len(scores.claims)) if c != left_out]
+        order, score = scores.ranking(claims)
+        best = [scores.sets[i] for i in order if tuple(score[i]) == tuple(score[order[0]])]
+        rows.append([scores.claims[left_out], "; ".join(best[:2]) + (f" and {len(best) - 2} more" if len(best) > 2 else "")])
+    return rows
+
+
+def separating(scores):
+    rows = []
+    for c, claim in enumerate(scores.claims):
+        counts = [sum(scores.verdicts[found[model], 0, c] == VERDICTS.index("supported") for found in shared(scores))
+                  for model in models(scores)]
+        rows.append((claim, counts))
+    return [[claim, *map(str, counts)] for claim, counts in sorted(rows, key=lambda row: min(row[1]) - max(row[1]))]
+
+
+if __name__ == "__main__":
+    run(main)

@@ -1,0 +1,66 @@
+"""The matrix of claims and alternative assumptions that `bristle assumptions` writes (JSON)."""
+
+from ..errors import BristleError
+from ..files import read_json
+
+SCHEMA = "bristle-assumptions/3"
+REMEDY = "`make assumptions` writes it"
+DEFAULT = ["results/assumptions.json", "reference/assumptions.json"]  # of these the first that exists
+TOGETHER = "together"  # the choice of alternatives that combine others
+
+
+def read_matrix(path):
+    """The document; cells: those of all windows, with their place and the names of their values; grid[check][alternative]:
+    those of the last window, or of the only one. The first alternative is the baseline."""
+    document = read_json(path, REMEDY)
+    schema = document.get("schema") if isinstance(document, dict) else None
+    if schema != SCHEMA:
+        raise BristleError(f"{path}: schema {schema or 'none'}; this script reads {SCHEMA}; {REMEDY}")
+    try:
+        cells = list(cells_of(document))
+        width = len(document["alternatives"])
+        last = [cell for cell in cells if cell["window"] == document["windows"][-1]]
+        grid = [last[i:i + width] for i in range(0, len(last), width)]
+        return {**document, "cells": cells, "grid": grid, "conclusions": document["conclusions"], "tier": document["tier"]}
+    except (KeyError, TypeError, ValueError, IndexError) as error:
+        raise BristleError(f"{path}: not valid as {schema} ({type(error).__name__}: {error})") from error
+
+
+def cells_of(document):
+    windows, size = document["windows"], len(document["alternatives"]) * len(document["windows"])
+    if missing := {"claim_verdict", "verdict"} - set(document["cell_keys"]):
+        raise ValueError(f"the cells have no {' and no '.join(sorted(missing))}")
+    if [row["check"] for row in document["cells"]] != list(range(len(document["checks"]))):
+        raise ValueError("the rows of cells are not those of the checks")
+    for row in document["cells"]:
+        if len(row["under"]) != size:
+            raise ValueError(f"check {row['check']} has {len(row['under'])} cells, not {size}")
+        for i, cell in enumerate(row["under"]):
+            alternative, window = divmod(i, len(windows))
+            # null: the alternative does not change the experiment, so the cell is that of the baseline.
+            values = zip(document["cell_keys"], row["under"][window] if cell is None else cell, strict=True)
+            yield {"check": row["check"], "alternative": alternative, "window": windows[window], **dict(values),
+                   "affected": cell is not None}
+
+
+def digest_line(document):
+    """The paragraph by which `bristle archive` knows which matrix a page describes."""
+    return f"Payload digest of the matrix: {document['payload_sha256'][:16]}.\n\n"
+
+
+def reversed_verdict(cell, baseline):
+    return {cell["verdict"], baseline["verdict"]} == {"supported", "refuted"}
+
+
+def verdicts_by_value(path, claim, choice, baseline):
+    """The verdicts on a claim by the values of a parameter, those of the alternatives "NAME = VALUE" of this choice and the
+    baseline's, in their order; the matrix is of one reading."""
+    document = read_matrix(path)
+    row = next((cells for check, cells in zip(document["checks"], document["grid"]) if check["claim"] == claim), [])
+    found = {}
+    for alternative, cell in zip(document["alternatives"], row):
+        if alternative["name"] == "baseline":
+            found[float(baseline)] = cell["claim_verdict"]
+        elif alternative["name"].startswith(f"{choice} = "):
+            found[float(alternative["name"].rpartition("=")[2])] = cell["claim_verdict"]
+    return dict(sorted(found.items()))

@@ -1,0 +1,1 @@
+"""What figures share: panels, curves, maps, the look, captions, and the verdicts below them."""
