@@ -93,7 +93,7 @@ def with_values(words):
 
 def figure_parser():
     parser = argparse.ArgumentParser(prog=PROGRAM, description="Draws a figure from a result file.")
-    parser.add_argument("figure", metavar="FIGURE", choices=FIGURES, help=", ".join(FIGURES))
+    parser.add_argument("figure", metavar="FIGURE", type=figure, help=", ".join(FIGURES))
     parser.add_argument("result", metavar="RESULT.h5", help="result file of `bristle run`")
     parser.add_argument("-o", dest="directory", metavar="DIRECTORY",
                         help="where to write FIGURE.pdf and FIGURE.png, and a PNG for each further page (default: "
@@ -116,6 +116,14 @@ def figure_parser():
                         help=f"of {', '.join(METADATA)} (default: pdf,png)")
     parser.add_argument("--dpi", type=dpi, default=300, help="pixels per inch of a PNG (default: %(default)s)")
     return parser
+
+
+def figure(name):
+    try:
+        module_of(name)
+    except BristleError as error:
+        raise argparse.ArgumentTypeError(str(error)) from error
+    return name
 
 
 def width(text):

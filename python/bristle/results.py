@@ -13,7 +13,7 @@ import numpy as np
 import xarray
 
 from .current import origin
-from .errors import BristleError, is_of_the_system, system_reason
+from .errors import BristleError, did_you_mean, is_of_the_system, system_reason
 from .integrity import CopiedResult, require_intact
 
 SCHEMA = "bristle-result/2"
@@ -153,8 +153,9 @@ def dataset(file, name):
         raise BristleError(f"{place_of(file)}: no dataset '/{name}'; the table {group} is read from the result file, so "
                            "the Dataset must be from open_result(PATH) or xarray.open_dataset(PATH)")
     if column not in holder.variables:
-        present = ", ".join(key for key in map(str, holder.variables) if not key.endswith("_err"))
-        raise BristleError(f"{place_of(file)}: no dataset '/{name}'; /{group} has: {present or 'none'}")
+        present = [key for key in map(str, holder.variables) if not key.endswith("_err")]
+        raise BristleError(f"{place_of(file)}: no dataset '/{name}'{did_you_mean(column, present)}; "
+                           f"/{group} has: {', '.join(present) or 'none'}")
     return holder[column]
 
 

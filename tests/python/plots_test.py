@@ -254,6 +254,8 @@ with xarray.open_dataset(result) as ds:
     assert texts(draw(ds.assign_attrs(name="mine"))) == texts(curve.draw(ds))
     assert "there is no figure fg4; did you mean fig4?; known: bristles, " in refusal(draw, ds, "fg4")
     assert "widht is not an option of this figure; did you mean width?; known: reading, " in refusal(lambda: draw(ds, widht=3))
+    assert "no dataset '/gama_1'; did you mean gamma_1?; / has: " in refusal(lambda: draw(ds, "curve", y="gama_1"))
+    assert "no reading 'polr'; did you mean polar?; it has: " in refusal(lambda: draw(ds, reading="polr"))
     assert "not from a str" in refusal(draw, result)
 
     # A result without the axes that a figure needs.
@@ -286,7 +288,7 @@ assert done.code == 0 and {path.name for path in (folder / "one").iterdir()} == 
 done = plot("--caption", "--reading", "rod")
 assert done.out.count("\\caption{") == 2 and "Model of bending: rod." in done.out and "as printed" not in done.out, done.out
 done = plot("--reading", "rodd")
-assert done.code == 2 and "no reading 'rodd'; it has: polar, polar_as_printed, rod" in done.messages, done.messages
+assert done.code == 2 and "no reading 'rodd'; did you mean rod?; it has: polar, polar_as_printed, rod" in done.messages, done.messages
 done = plot("--y", "gamma_1")
 assert done.code == 2 and "only the figures curve and map" in done.messages, done.messages
 with xarray.open_dataset(result) as ds:
@@ -354,6 +356,8 @@ done = imported(["-c", "import bristle; bristle.run('paper.json')"], PYTHONPATH=
 assert "the program bristle is neither built in this source tree nor on PATH: `make build` builds it" in done.stderr, done.stderr
 done = imported(["-c", "import bristle; bristle.opn_result"])
 assert "module bristle has no opn_result; did you mean open_result?" in done.stderr, done.stderr
+done = called("bristle", "fg4", result)
+assert done.code == 2 and "argument FIGURE: there is no figure fg4; did you mean fig4?" in done.messages, done.messages
 
 # Modules that cannot be imported, and a backend of matplotlib that does not exist: a message, or no difference.
 broken = folder / "broken"

@@ -4,7 +4,7 @@ pages of a figure."""
 import sys
 from functools import wraps
 
-from ..errors import BristleError
+from ..errors import BristleError, did_you_mean
 from ..results import CHOICE_NAMES, as_result, axis_names, axis_values, dataset, place_of, readable, require_axes
 from .page import drawn_on
 
@@ -44,8 +44,9 @@ def chosen_reading(file, reading):
     """The choice of `readings` for a user's word or choice."""
     found = [choice for choice in readings(file) if reading in (choice, *choice.values())]
     if not found:
-        words = ", ".join(word for choice in readings(file) for word in choice.values())
-        raise BristleError(f"{place_of(file)}: no reading {reading!r}; it has: {words or 'one, without a name'}")
+        words = [word for choice in readings(file) for word in choice.values()]
+        raise BristleError(f"{place_of(file)}: no reading {reading!r}{did_you_mean(str(reading), words)}; "
+                           f"it has: {', '.join(words) or 'one, without a name'}")
     return found[0]
 
 
