@@ -46,6 +46,18 @@ expect 2 "bristle-plot: error: results/none.h5: no such file" in_empty bristle-p
 expect 0 "('mu_c',)" in_empty env PYTHONPATH="$prefix/lib/python3/dist-packages" "$python" -c \
   'from bristle import run; print(run("paper.json", quiet=True, mu_c=[1], orientation={"rtol": 0.1})["R_x"].dims)'
 
+# pip installs the same package from a checkout, without a network.
+checkout=$folder/checkout packages=$prefix/lib/python3/dist-packages
+mkdir "$checkout" && cp -r pyproject.toml setup.py CMakeLists.txt README.md python "$checkout"
+expect 0 "Successfully installed bristle-" \
+  "$python" -m pip install --no-build-isolation --no-index --target "$folder/pip" "$checkout"
+modules() { (cd "$1" && find bristle -type f ! -name '*.pyc' | sort); }
+[ "$(modules "$packages" | wc -l)" -gt 100 ] && diff <(modules "$packages") <(modules "$folder/pip") >"$folder/log" ||
+  failed "pip and make install differ: $(cat "$folder/log")"
+expect 0 "RESULT.h5" in_empty env PYTHONPATH="$folder/pip" "$python" -m bristle.report --help
+expect 0 "('mu_c',)" in_empty env PYTHONPATH="$folder/pip" "$python" -c \
+  'from bristle import run; print(run("paper.json", quiet=True, mu_c=[1], orientation={"rtol": 0.1})["R_x"].dims)'
+
 # The Slurm scripts find the installed program. This sbatch accepts every job.
 printf '#!/bin/sh\necho 7\n' >"$prefix/bin/sbatch"
 chmod +x "$prefix/bin/sbatch"
