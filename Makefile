@@ -68,11 +68,14 @@ figures: build ## make all figures
 
 # The images of the documents have fewer pixels than those in figures/.
 IMAGES := $(filter $(FIGURES) $(STUDIES),$(basename $(notdir $(wildcard docs/images/*.png))))
-.PHONY: images
+.PHONY: images tutorial
 images: $(IMAGES) bristles ## docs/images: the figures in the documents
 	@for name in $(IMAGES); do scripts/plot $$name results/$$name.h5 --format png --dpi 160 -o $(BUILD)/images && \
 	  cp $(BUILD)/images/$$name.png docs/images/ || exit; done
 	@scripts/plot bristles results/bristles.h5 --animate -o docs/images
+
+tutorial: build ## docs/tutorial.ipynb: executes the cells, stores what they print and draw
+	@$$($(PLOT_PYTHON)) -m bristle.pages.tutorial
 
 # Studies with checks: the findings of this project, and a claim of the conclusions.
 CHECKED_STUDIES := load liftoff hysteresis scatter chart tuning
