@@ -10,8 +10,8 @@ from ..plotting.contour_labels import label_region
 from ..plotting.curves import in_words
 from ..plotting.layout import Cell, across, corners, heading, legend_at_foot, place_cell, sheet
 from ..plotting.lift_off import LIFT_OFF, in_percent, scatter
-from ..plotting.maps import (LEGEND_INCHES, cell_edges, cells_at, colour_bar, corners_of, draw_jumps, draw_map, draw_status, jump_marks,
-                    label_map, read_grid)
+from ..plotting.maps import (LEGEND_INCHES, cell_edges, cells_at, colour_bar, corners_of, draw_jumps, draw_map,
+                             draw_status, jump_marks, label_map, read_grid)
 from ..plotting.page import lettered, paper_width
 from ..plotting.readings import one_page, readings
 from ..plotting.style import BLACK, bar_ticks, described, label

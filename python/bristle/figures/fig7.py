@@ -4,7 +4,7 @@ friction of the other."""
 import numpy as np
 
 from ..plotting.curves import (BANDS, curve_marks, draw_curve, draw_panels, jump_note, legend_below, log_axis,
-                      read_curve, without_remarks)
+                               read_curve, without_remarks)
 from ..plotting.layout import Cell, across, corners, heading, place_cell, sheet
 from ..plotting.page import lettered, paper_width
 from ..plotting.readings import one_page, page_for_each_reading

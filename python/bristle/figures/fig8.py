@@ -3,7 +3,7 @@
 import numpy as np
 
 from ..plotting.curves import (BANDS, JUMPS, LINES, draw_curve, label_line, legend, log_axis, log_range,
-                      panels_by_reading, positive, read_curve, title_axis, with_symbol, without_remarks)
+                               panels_by_reading, positive, read_curve, title_axis, with_symbol, without_remarks)
 from ..plotting.readings import one_page
 from ..plotting.style import GREY, looks
 from ..results import axis_values, dataset, experiment

@@ -3,8 +3,7 @@
 import numpy as np
 from matplotlib import ticker
 
-from ..plotting.curves import (BARS, draw_statuses, keep, legend, panels_by_reading, read_curve, title_axis,
-                      with_symbol)
+from ..plotting.curves import BARS, draw_statuses, keep, legend, panels_by_reading, read_curve, title_axis, with_symbol
 from ..plotting.readings import one_page
 from ..plotting.style import GREY, looks
 from ..results import axis_values, dataset

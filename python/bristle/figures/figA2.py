@@ -3,14 +3,12 @@
 import numpy as np
 
 from ..errors import BristleError
-from ..plotting.curves import (draw_points, label_line, legend, log_range, positive, read_curve, title_axis,
-                      with_symbol)
+from ..plotting.curves import draw_points, label_line, legend, log_range, positive, read_curve, title_axis, with_symbol
 from ..plotting.layout import Cell, across, corners, heading, place, sheet
 from ..plotting.page import lettered, paper_width
 from ..plotting.readings import page_for_each_reading
 from ..plotting.style import BLUE, COLOURS, GREY, ORANGE, VERMILION, label
-from ..results import (attribute, axis_values, constant, dataset, place_of, point_numbers, read, select,
-                       select_errors)
+from ..results import attribute, axis_values, constant, dataset, place_of, point_numbers, read, select, select_errors
 
 AXES = ["sampling", "L_y", "seed"]
 FORCE = "slab_force"

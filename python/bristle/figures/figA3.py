@@ -1,7 +1,7 @@
 """Fig. A3: bristles in contact over the radial stiffness, lattice and quadrature, both friction laws."""
 
 from ..plotting.curves import (BANDS, BARS, draw_curve, draw_points, label_line, legend, legend_below, log_axis,
-                      panels_by_reading, read_curve, title_axis)
+                               panels_by_reading, read_curve, title_axis)
 from ..plotting.page import paper_width
 from ..plotting.readings import one_page
 from ..plotting.style import GREY, looks

@@ -3,7 +3,8 @@
 import numpy as np
 from matplotlib.lines import Line2D
 
-from ..plotting.curves import BANDS, Curve, draw_curve, draw_points, in_words, log_range, read_curve, title_axis, with_symbol
+from ..plotting.curves import (BANDS, Curve, draw_curve, draw_points, in_words, log_range, read_curve, title_axis,
+                               with_symbol)
 from ..plotting.layout import Cell, across, corners, heading, legend_at_foot, place_cell, sheet
 from ..plotting.lift_off import LIFT_OFF, in_percent, scatter
 from ..plotting.page import lettered, paper_width

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from ..plotting.curves import (curve_marks, draw_curve, jump_note, legend_below, over, read_curve, title_axis, up_to_last_value,
-                      with_symbol)
+from ..plotting.curves import (curve_marks, draw_curve, jump_note, legend_below, over, read_curve, title_axis,
+                               up_to_last_value, with_symbol)
 from ..plotting.layout import Cell, across, corners, heading, place_cell, sheet
 from ..plotting.lift_off import LIFT_OFF, in_percent, scatter
 from ..plotting.page import lettered, paper_width, points

@@ -7,8 +7,8 @@ import numpy as np
 from ..errors import BristleError
 from ..plotting.curves import in_words
 from ..plotting.layout import Cell, across, corners, heading, legend_at_foot, place, sheet
-from ..plotting.maps import (LEGEND_INCHES, colour_bar, colour_range, draw_jumps, draw_map, draw_status, label_map, marks,
-                    read_grid)
+from ..plotting.maps import (LEGEND_INCHES, colour_bar, colour_range, draw_jumps, draw_map, draw_status, label_map,
+                             marks, read_grid)
 from ..plotting.page import drawn_on, lettered
 from ..plotting.readings import OPTIONS
 from ..plotting.style import bar_ticks, described, label

@@ -7,8 +7,8 @@ from matplotlib import ticker
 from matplotlib.lines import Line2D
 
 from ..errors import BristleError
-from ..results import (CHOICE_NAMES, attribute, axis_values, dataset, place_of, readable, select, select_errors, select_flags,
-                      values)
+from ..results import (CHOICE_NAMES, attribute, axis_values, dataset, place_of, readable, select, select_errors,
+                       select_flags, values)
 from .jumps import LEAST_CHANGE, WIDEST_STEP, Jump, located_axis, located_jumps, read_jumps
 from .layout import NO_VALUE, Cell, across, corners, heading, legend_at_foot, place_cell, row_title, sheet
 from .page import lettered, paper_width, points

@@ -6,8 +6,7 @@ import numpy as np
 
 from ..errors import BristleError
 from ..figures.fig2 import read_passages
-from ..results import (as_text, axis_names, axis_values, dataset, experiment, place_of, point_numbers,
-                                   read, setting)
+from ..results import as_text, axis_names, axis_values, dataset, experiment, place_of, point_numbers, read, setting
 
 NAME, GRID = "bristles", "fig4"
 PARAMETERS = ["model", "si", "friction_law", "load", "orientation", "integrator"]  # of an experiment

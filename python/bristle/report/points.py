@@ -6,8 +6,8 @@ import numpy as np
 from markupsafe import Markup
 
 from ..errors import BristleError
-from ..results import (CHOICE_NAMES, as_text, attribute, axis_names, axis_values, dataset, flags,
-                                   place_of, readable, values)
+from ..results import (CHOICE_NAMES, as_text, attribute, axis_names, axis_values, dataset, flags, place_of, readable,
+                       values)
 from . import symbols
 
 # Ending of the datasets with a variable's errors.
