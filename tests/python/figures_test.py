@@ -21,7 +21,7 @@ from in_process import called
 from bristle import BristleError, open_result
 from bristle.figures import fig4, module_of
 from bristle.integrity import read_group
-from bristle.plotting.layout import HEADER
+from bristle.plotting.layout import HEADER, WIDEST
 from bristle.plotting.page import LEAST_POINTS
 from bristle.plotting.readings import pages
 from bristle.plotting.verdicts import STRIP
@@ -57,8 +57,10 @@ def check_draws(name, result):
     """A page of each of the figure's drawings."""
     with open_result(result) as ds:
         for draw in drawings(name):
-            draw(ds).savefig(png := io.BytesIO(), format="png", dpi=40)
+            figure = draw(ds)
+            figure.savefig(png := io.BytesIO(), format="png", dpi=40)
             assert len(png.getvalue()) > 5_000
+            assert figure.get_figwidth() < WIDEST + 0.3, f"{name}: letters are small where the figure is 1000 pixels wide"
 
 
 def drawings(name):

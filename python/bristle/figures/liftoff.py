@@ -51,19 +51,19 @@ def draw(file):
     below = LEGEND_INCHES if paper_width() is None else 0
     figure, bottom = sheet(file, cell.width * columns, cell.height * -(-len(panels) // columns) + below,
                            f"{panel_notes(file)} {BANDS}")
-    marks, lines, statuses = {}, {}, {}
+    marks, marked, lines, statuses = {}, None, {}, {}
     for (letter, name), corner in zip(panels, corners(len(panels), columns, cell, bottom + below)):
         axes = place_cell(figure, corner, cell)
         title, y_name = TITLES_OF[name]
         if name == LIFT_OFF:
-            marks = draw_maxima(axes, file)
+            marks, marked = draw_maxima(axes, file), axes
         else:
             statuses |= draw_over_gap(axes, file, name)
             lines = dict(zip(*axes.get_legend_handles_labels()[::-1])) | lines
         title_axis(axes, "y", dataset(file, "R_n" if name == LIFT_OFF else name), y_name)
         heading(axes, letter, title, [described(dataset(file, name))])
     if marks and paper_width() is None:
-        figure.axes[0].legend(marks.values(), marks.keys(), loc="upper left")
+        marked.legend(marks.values(), marks.keys(), loc="upper left")
         marks = {}
     legend_at_foot(figure, marks | lines | statuses, bottom + LEGEND_INCHES / 2)
     return figure

@@ -46,7 +46,7 @@ def draw(file):
         axes = place_cell(figure, corner, cell)
         what, at = draw_panel(axes, file, output, indices.sel(output=output).isel(place), place), place_text(file, place)
         heading(axes, letter, at[2:] if draw_panel is draw_dots else what + at, [what + at])
-    handles, texts = figure.axes[0].get_legend_handles_labels()
+    handles, texts = next(axes for axes in figure.axes if hasattr(axes, "panel")).get_legend_handles_labels()
     legend_at_foot(figure, dict(zip(texts, handles)), bottom + below / 3)
     return figure
 

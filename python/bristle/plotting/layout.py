@@ -21,14 +21,19 @@ TITLE_INCHES, CAPTION_INCHES, NOTE_INCHES = 0.32, 0.22, 0.18  # line heights
 # The room of one panel in inches: its size, and within it the corner and the size of the axes.
 Cell = namedtuple("Cell", "width height left low inner_width inner_height")
 PLAIN_INCHES = 0.05  # above the plots of a figure without header
+WIDEST = 13.8  # inches of a standard figure's panels: letters of 9 points have 9 pixels if it is shown 1000 pixels wide
+LEAST_AXES = 2.8  # inches of the axes of a standard figure's panel
 LEAST_CELL = 2.9  # inches of a paper's width that a panel needs
 
 
 def across(count, standard, flat=0.5):
-    """The cell of a panel and the number of panels side by side: of the standard figure, all of `count`; in a paper as
-    many as there is room for. flat: height of the axes there over their width."""
+    """The cell of a panel and the number of panels side by side: as many of `count` as there is room for, in the standard
+    figure with narrower axes if one more has room then. flat: height of the axes over their width in a paper."""
     if paper_width() is None:
-        return standard, count
+        beside = standard.width - standard.inner_width
+        columns = max(1, min(count, int(WIDEST / min(standard.width, LEAST_AXES + beside))))
+        width = min(standard.width, WIDEST / columns)
+        return standard._replace(width=width, inner_width=width - beside), columns
     columns = max(1, min(count, int(paper_width() / LEAST_CELL)))
     width = paper_width() / columns
     left, low = 0.73, 0.47
@@ -121,24 +126,30 @@ def lines_of(string, width):
 
 
 def legend_at_foot(figure, entries, y):
-    """One legend for the figure, its entries by text, centred at the height y (inches).
+    """One legend for the figure, its entries by text, centred at the height y (inches); in a paper at the foot.
 
-    In a paper it has as many rows as its entries need, and the figure grows by them.
+    It has as many rows as its entries need. The figure grows by them, in the standard figure by those behind the first.
     """
     if not entries:
         return
-    entries = with_one_cross(entries)
-    if paper_width() is None:
-        wide = legend_size(figure, entries, len(entries))[0] > figure.get_figwidth() - 0.2
-        draw_legend_at(figure, entries, y, len(entries), columnspacing=0.8 if wide else None)
-        return
-    entries = {lines_of(text, paper_width() - 0.6): entry for text, entry in entries.items()}
+    entries, paper = with_one_cross(entries), paper_width()
+    if paper is not None:
+        entries = {lines_of(text, paper - 0.6): entry for text, entry in entries.items()}
+    columns, height = rows_of_legend(figure, entries)
+    if paper is not None:
+        make_room(figure, height + 0.05)
+    elif columns < len(entries):
+        make_room(figure, height - legend_size(figure, entries, len(entries))[1], y)
+    draw_legend_at(figure, entries, y if paper is None else 0.03, columns)
+
+
+def rows_of_legend(figure, entries):
+    """The largest number of columns that the figure has room for, and the height of such a legend (inches)."""
     for columns in range(len(entries), 0, -1):
         width, height = legend_size(figure, entries, columns)
-        if width < paper_width() - 0.1:
+        if width < figure.get_figwidth() - 0.1:
             break
-    make_room_below(figure, height + 0.05)
-    draw_legend_at(figure, entries, 0.03, columns)
+    return columns, height
 
 
 def with_one_cross(entries):
@@ -157,17 +168,21 @@ def legend_size(figure, entries, columns):
     return box.width / figure.dpi, box.height / figure.dpi
 
 
-def draw_legend_at(figure, entries, y, columns, **options):
+def draw_legend_at(figure, entries, y, columns):
     return figure.legend(entries.values(), entries.keys(), loc="lower center", ncol=columns, borderaxespad=0,
-                         bbox_to_anchor=(0.5, y / figure.get_figheight()), **options)
+                         bbox_to_anchor=(0.5, y / figure.get_figheight()), columnspacing=1.2)
 
 
-def make_room_below(figure, room):
-    """Makes the figure taller at its foot, by inches; what is there keeps its size."""
+def make_room(figure, room, at=0):
+    """Makes the figure taller at this height, by inches; what is there keeps its size, and what is above it moves up."""
     width, height = figure.get_size_inches()
     figure.set_size_inches(width, height + room)
+
+    def moved(y):
+        return (y * height + room * (y * height >= at)) / (height + room)
+
     for axes in figure.axes:
         x, y, w, h = axes.get_position(original=True).bounds
-        axes.set_position((x, (y * height + room) / (height + room), w, h * height / (height + room)))
+        axes.set_position((x, moved(y), w, h * height / (height + room)))
     for text in figure.texts:
-        text.set_y((text.get_position()[1] * height + room) / (height + room))
+        text.set_y(moved(text.get_position()[1]))
