@@ -8,6 +8,7 @@ from ..errors import BristleError
 from ..plotting.curves import BANDS, LINES, draw_panels, in_words, log_axis, title_axis
 from ..plotting.page import drawn_on
 from ..plotting.readings import AXIS, OPTIONS, with_panels
+from ..plotting.style import with_displayed
 from ..results import as_result, axis_names, axis_values, dataset, place_of, values
 
 AXES = []
@@ -37,4 +38,4 @@ def draw_variable(file, name):
     curves = {in_words(file, choices[i]): choices[i] for i in shown}
     line = np.asarray(axes[along], dtype=float)
     log = (line > 0).all() and line.max() >= 10 * line.min()
-    return draw_panels(file, [name], along, curves, x_axis=log_axis if log else title_axis)
+    return draw_panels(with_displayed(file, name), [name], along, curves, x_axis=log_axis if log else title_axis)

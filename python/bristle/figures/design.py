@@ -9,7 +9,7 @@ from ..plotting.curves import title_axis
 from ..plotting.layout import Cell, across, corners, heading, place_cell, sheet
 from ..plotting.page import lettered
 from ..plotting.readings import one_page
-from ..plotting.style import COLOURS, bar_looks, label, value_ticks
+from ..plotting.style import COLOURS, bar_looks, displayed, label, value_ticks
 from ..results import attribute, place_of, table, table_with
 
 AXES = ["sample"]
@@ -26,28 +26,32 @@ MARKS = f"{NOTE} Vermilion lines: the recommended value"
 @one_page
 def draw(file):
     values = ("objective_1", "objective_1_err")
-    trials = table_with(file, "trials", "violation", *values)
+    trials = in_units(table_with(file, "trials", "violation", *values))
     if table(file, "best") is None:
         raise BristleError(f"{place_of(file)}: has no recommended trial; `bristle design` writes it if a trial meets the constraints")
-    front, best = (table_with(file, name, "trial", *values) for name in ("front", "best"))
+    front, best = (in_units(table_with(file, name, "trial", *values)) for name in ("front", "best"))
     margins = table_with(file, "margins", "margin_below", "margin_above")
     indices = None if table(file, "indices") is None else table_with(file, "indices", "ST", "ST_err")
     quantities = [str(name) for name in margins["quantity"].values]
     panels = [partial(draw_trials, trials=trials, front=front, best=best)]
     for name, margin in zip(quantities, margins.transpose("quantity").to_dataframe().itertuples()):
-        profile = table_with(file, f"profile_{name}", name, *values)
+        profile = in_units(table_with(file, f"profile_{name}", name, *values))
         panels.append(partial(draw_profile, profile=profile, name=name, best=best, margin=margin))
     if indices is not None:
         panels.append(partial(draw_indices, indices=indices, trials=trials))
     panels = lettered(panels)
     cell, columns = across(len(panels), Cell(5.6, 4.0, 1.2, 0.8, 4.1, 2.8), 0.3)
-    columns = min(columns, 3)
     figure, bottom = sheet(file, cell.width * columns, cell.height * -(-len(panels) // columns), NOTE)
     for (letter, draw_panel), corner in zip(panels, corners(len(panels), columns, cell, bottom)):
         axes = place_cell(figure, corner, cell)
         draw_panel(axes)
         heading(axes, letter, labels=[f"{axes.get_ylabel()} over {axes.get_xlabel()}" if axes.get_xlabel() else axes.get_ylabel()])
     return figure
+
+
+def in_units(group):
+    """The variables of the group by their names, in the units of figures."""
+    return {name: displayed(group[name]) for name in group.variables}
 
 
 def draw_trials(axes, trials, front, best):

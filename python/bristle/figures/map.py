@@ -11,7 +11,7 @@ from ..plotting.maps import (LEGEND_INCHES, colour_bar, colour_range, draw_jumps
                              marks, read_grid)
 from ..plotting.page import drawn_on, lettered
 from ..plotting.readings import OPTIONS
-from ..plotting.style import bar_ticks, described, label
+from ..plotting.style import bar_ticks, described, displayed, label
 from ..results import as_result, axis_names, axis_values, dataset, place_of, select, values
 
 AXES = []
@@ -30,7 +30,7 @@ draw.__doc__ = f"{__doc__}\n\n{draw.__doc__}\ny: the variable, for example \"gam
 
 
 def draw_variable(file, name):
-    data = dataset(file, name)
+    data = displayed(dataset(file, name))
     axes = {axis: axis_values(file, axis) for axis in axis_names(data)}
     numeric = [axis for axis, line in axes.items() if len(line) > 1 and not isinstance(line[0], str)]
     if len(numeric) < 2 or values(data).dtype.kind != "f":

@@ -14,7 +14,7 @@ from matplotlib.font_manager import FontProperties
 from matplotlib.textpath import text_to_path
 
 from ..errors import BristleError
-from ..results import attribute, place_of
+from ..results import as_text, attribute, place_of
 
 COLORMAP = "viridis"  # perceptually uniform, readable with any colour vision
 
@@ -29,6 +29,9 @@ DASHES = ["-", (0, (5, 1.6)), (0, (5, 1.6, 1, 1.6)), (0, (9, 2)), (0, (2.4, 1.4)
           (0, (7, 1.4, 2.4, 1.4)), (0, (4, 4))]
 LOOKS = [Look(*look) for look in zip(COLOURS, DASHES, "os^Dv<Ph")]
 BAR_HATCHES = ["", "////", "....", "xxxx"]
+
+# What figures show in place of SI units in which their numbers would be large or small: the unit, and how many there are.
+UNITS = {"m": ("mm", 1e3), "Pa": ("MPa", 1e-6), "W m-2": ("MW m-2", 1e-6)}
 
 MARKERS = " o^sDvP"  # by index of the status; 0 is a point without remark
 
@@ -88,8 +91,25 @@ def status_marker(status):
 
 def label(data):
     """Axis label of a dataset: its symbol, and its unit unless dimensionless."""
-    units = re.sub(r"(?<=[A-Za-z])-(\d)", r"$^{-\1}$", attribute(data, "units"))  # "W m-2"
-    return symbol(data) if units == "1" else f"{symbol(data)} [{units}]"
+    units = attribute(data, "units")
+    return symbol(data) if units == "1" else f"{symbol(data)} [{unit_text(units)}]"
+
+
+def unit_text(units):
+    """Units such as "W m-2" for a reader: W/m^2, with the exponent set as such."""
+    units = re.sub(r"(?<=\w) ([A-Za-z]+)-(\d)", lambda found: f"/{found[1]}" + (found[2] != "1") * f"$^{found[2]}$", units)
+    return re.sub(r"(?<=[A-Za-z])-(\d)", r"$^{-\1}$", units)
+
+
+def displayed(data):
+    """The DataArray in the unit of UNITS, if there is one for it."""
+    units, factor = UNITS.get(as_text(data.attrs.get("units", "")), (None, 1))
+    return data if units is None else (data * factor).assign_attrs({**data.attrs, "units": units})
+
+
+def with_displayed(file, name):
+    """The Dataset with the variable and its error in the unit of UNITS."""
+    return file.assign({one: displayed(file[one]) for one in (name, f"{name}_err") if one in file})
 
 
 def symbol(data):
