@@ -70,7 +70,8 @@ figures: build ## make all figures
 IMAGES := $(filter $(FIGURES) $(STUDIES),$(basename $(notdir $(wildcard docs/images/*.png))))
 .PHONY: images tutorial
 images: $(IMAGES) bristles ## docs/images: the figures in the documents
-	@for name in $(IMAGES); do scripts/plot $$name results/$$name.h5 --format png --dpi 160 -o $(BUILD)/images && \
+	@for name in $(IMAGES); do scripts/plot $$name results/$$name.h5 $$([ $$name != fig4 ] || echo --maps-only) \
+	    --format png --dpi 160 -o $(BUILD)/images && \
 	  cp $(BUILD)/images/$$name.png docs/images/ || exit; done
 	@scripts/plot bristles results/bristles.h5 --animate -o docs/images
 

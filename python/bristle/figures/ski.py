@@ -32,8 +32,8 @@ def draw(file):
         axes = place_cell(figure, corner, cell)
         found = draw_panel(axes, file, law, name, along, other)
         if paper_width() is None:
-            loc, columns = ("upper left", 1) if along == "R_n_N" else ("best", 2)
-            legend(axes, found, loc=loc, fontsize=8, ncol=columns)
+            loc, columns = ("upper left", 1) if along == "R_n_N" else ("upper center", 2)
+            legend(axes, found, loc=loc, ncol=columns)
         else:  # no room in the panels
             lines, texts = axes.get_legend_handles_labels()
             entries |= dict(zip(texts, lines))
@@ -70,7 +70,7 @@ def draw_panel(axes, file, law, name, along, other):
         log_axis(axes, "x", dataset(file, along))
         low, high = axes.get_ylim()
         if paper_width() is None:
-            low -= 0.35 * (high - low)  # room for the legend
+            high += 0.38 * (high - low)  # room for the legend
         axes.set_ylim(max(0, low), high)
     else:
         title_axis(axes, "x", dataset(file, along))

@@ -8,7 +8,7 @@ from matplotlib import patheffects
 
 from .page import points
 
-FONT_SIZE = 8
+FONT_SIZE = 9
 MARKER_INCHES = 0.06
 HALO = [patheffects.withStroke(linewidth=1.5, foreground="white")]
 

@@ -47,7 +47,7 @@ def label_surface(space, grid, norm, titles, z_title):
     space.set_zlim(norm.vmin, norm.vmax)
     space.zaxis.set_major_locator(value_ticks(5 if paper_width() is None else 4))
     space.text2D(0.97, 0.83, z_title, transform=space.transAxes, ha="center", fontsize=points(11))
-    space.tick_params(pad=-3, labelsize=points(8))
+    space.tick_params(pad=-3, labelsize=points(8.5))
     space.tick_params(axis="z", pad=0)
     for axis in (space.xaxis, space.yaxis, space.zaxis):
         axis.set_pane_color((0.97, 0.97, 0.97, 1))

@@ -39,7 +39,7 @@ def label_axes(space, titles):
         axis.set_rotate_label(False)
         axis.set_label_text(title)
         axis.labelpad = pad
-    space.tick_params(pad=-3, labelsize=points(8))
+    space.tick_params(pad=-3, labelsize=points(8.5))
     if paper_width() is not None:  # too small for numbers and names, which the view from above has
         space.tick_params(labelbottom=False, labelleft=False, labelright=False)
         for axis in (space.xaxis, space.yaxis, space.zaxis):
