@@ -27,6 +27,13 @@ NUMBERS = "iuf"  # kinds of data; other variables are texts
 CHOICE_NAMES = {"nss": "NSS", "coulomb": "Amontons\u2013Coulomb", "hertz": "Hertz"}
 CHOICE_NAMES |= {"polar": "corrected", "polar_as_printed": "as printed", "rod": "rod"}
 
+# What a status says of a point, in figures.
+STATUS_WORDS = {
+    "load jump": "the load jumps here: values behind the jump", "unreachable": "no gap carries this load",
+    "incomplete": "a passage did not end", "not converged": "error above its tolerance", "failed": "the computation failed",
+    "work limit": "more evaluations than allowed", "ambiguous": "two gaps carry this load",
+    "inaccurate": "the energy budget is open by more than 1 %", "undefined": "a ratio to a load or friction of zero"}
+
 
 def open_result(path):
     """The Dataset of a result file: one that could be read and whose digests match."""
@@ -273,6 +280,11 @@ def select_errors(file, name, along, **chosen):
 def readable(flag):
     """A flag's word as the documents print it."""
     return flag.replace("_", " ")
+
+
+def status_words(status):
+    """What a status says of a point, for a legend or a caption."""
+    return STATUS_WORDS.get(readable(status), readable(status))
 
 
 def status_counts(file):

@@ -29,9 +29,11 @@ from bristle.figures import map as map_figure
 from bristle.files import read_json, write_text, write_whole
 from bristle.integrity import read_group
 from bristle.plotting import captions
+from bristle.plotting.curves import jump_note
 from bristle.plotting.jumps import jumps_between_neighbours, located_jumps, read_jumps
 from bristle.plotting.maps import Grid, cells_at, draw_jumps, read_grid, torn_faces
 from bristle.plotting.readings import pages
+from bristle.plotting.style import displayed, unit_text
 from bristle.plotting.verdicts import STRIP, by_check, by_claim, declared_checks, draw_strip, in_symbols, read_claims, symbols
 
 result, folder = sys.argv[1], pathlib.Path(sys.argv[2])
@@ -318,6 +320,27 @@ done = plot("--caption", "--panels", "b")
 assert done.code == 0 and done.out.count("\\caption{") == 3 and r"\tilde{\gamma}_1$. Over" in done.out and "check{R}" not in done.out, done.out
 done = called("bristle", "map", result, "--caption", "--panels", "b")
 assert done.code == 0 and r"$\check{R}_x$, as printed. Over" in done.out and "corrected" not in done.out, done.out
+assert "Contact: exponential wall, Eq. (3). " in corrected and "two gaps carry this load (" in corrected, corrected
+with xarray.open_dataset(result) as ds:
+    assert "two gaps carry this load" in texts(fig4.draw(ds, "polar_as_printed")) + texts(fig4.draw(ds))
+    # A result of one model names it; a caption does not say the variable twice, nor explain breaks where nothing jumps.
+    alone = ds.sel(bending="rod", drop=True).isel(k_theta=[1])
+    said = captions.captions(curve, alone, "gamma_1")[0]
+    assert said.count("odulation of friction by the sliding speed") == 1 and "Model of bending: corrected. " in said, said
+    assert jump_note(alone, "k_r") == ""  # the grid is coarse
+    finer = 5 * 1.1 ** numpy.arange(alone.sizes["k_r"])
+    gaps = numpy.where(finer > 6, 0.6, 0.1)
+    jumping = alone.assign_coords(k_r=("k_r", finer, alone["k_r"].attrs))
+    jumping = jumping.assign(z_0=jumping["z_0"].copy(data=numpy.resize(gaps, alone["z_0"].shape[::-1]).T))
+    jumping.encoding = {}  # without the jumps that the run located
+    assert "Lines are broken where" in jump_note(jumping, "k_r")
+    # Units that a reader of figures expects.
+    power = ds["gamma_1"].copy(data=2.5e6 + 0 * ds["gamma_1"].values).assign_attrs(units="W m-2", symbol="P")
+    drawn = curve.draw(ds.assign(gamma_1=power, gamma_1_err=power), "gamma_1")
+    assert "$P$ [MW/m$^2$]" in texts(drawn) and drawn.axes[0].lines[0].get_ydata()[0] == 2.5, texts(drawn)
+    assert unit_text("m s-1") == "m/s" and unit_text("m-2") == "m$^{-2}$" and unit_text("J m-1") == "J/m"
+    (length,) = displayed(xarray.DataArray([0.0015], attrs={"units": "m"})).values
+    assert abs(length - 1.5) < 1e-12
 told = captions.in_latex(captions.plain(r"50 % of \input{x} & $ # x_y"))  # a stranger's title
 assert told == r"50 \% of \textbackslash{}input\{x\} \& \$ \# x\_y", told
 told = captions.in_latex(captions.plain("a\x1b[2J\u2028b\nc"))  # control characters reach neither LaTeX nor a terminal

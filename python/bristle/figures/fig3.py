@@ -12,7 +12,7 @@ from ..plotting.layout import LEAST_CELL, heading, legend_at_foot, place, sheet
 from ..plotting.page import lettered, paper_width, points
 from ..plotting.readings import page_for_each_reading
 from ..plotting.style import BLACK, GREY, label, status_marker
-from ..results import axis_values, dataset, read, readable, select, select_errors, select_flags, setting
+from ..results import axis_values, dataset, read, select, select_errors, select_flags, setting, status_words
 
 AXES = ["k_phi", "k_r", "node"]
 SIDE_PANELS = 2
@@ -120,7 +120,7 @@ def draw_panel(axes, file, traces, small):
             look = dict(linestyle="", marker=status_marker(status), markersize=7, color=BLACK,
                         markerfacecolor="none", zorder=5)
             axes.plot(trace.load[here], trace.gap[here], **look)
-            entries[f"status: {readable(trace.meanings[status])}"] = Line2D([], [], **look)
+            entries[status_words(trace.meanings[status])] = Line2D([], [], **look)
     if not small:
         draw_letters(axes, traces)
     return entries

@@ -2,30 +2,39 @@
 
 import numpy as np
 
-from ..plotting.curves import (BANDS, JUMPS, LINES, draw_curve, label_line, legend, log_axis, log_range,
+from ..plotting.curves import (BANDS, LINES, draw_curve, jump_note, label_line, legend, log_axis, log_range,
                                panels_by_reading, positive, read_curve, title_axis, with_symbol, without_remarks)
-from ..plotting.readings import one_page
+from ..plotting.readings import one_page, readings
 from ..plotting.style import GREY, looks
 from ..results import axis_values, dataset, experiment
 
 AXES = ["k_r", "mu_c"]
 VARIABLES = ["R_x_norm"]
 PASSING = "R_x_norm_unpinned"
-NOTE = f"{BANDS} {JUMPS}"
-NOTE_PASSING = " Thin: friction of the bristles that pass, without those that stay pinned at the pole."
-LIMITS = ("Grey: the friction of rigid bristles, and from the $\\mu_c$ on where the check of claim 8b begins, a constant friction force of the "
-          "stiffer bristles.")
+PINNED = "pinned_share_R_x"
+NOTE_PASSING = "Thin: friction of the bristles that pass, without those that stay pinned at the pole."
+RIGID = "Grey: the friction of rigid bristles{}."
+TESTED = ", and from the $\\mu_c$ on where the check of claim 8b begins, a constant friction force of the stiffer bristles"
 HIGHEST = 1.5  # upper end of the plot
 
 
 def MARKS(file):
-    return f"{LINES} {NOTE}{NOTE_PASSING * (PASSING in file)} {LIMITS}"
+    return f"{LINES} {note(file)} {RIGID.format('' if where_tested(file) is None else TESTED)}"
+
+
+def note(file):
+    return f"{BANDS} {jump_note(file, 'mu_c')} {NOTE_PASSING * any(some_pinned(file, reading) for reading in readings(file))}"
+
+
+def some_pinned(file, reading):
+    """Whether bristles stay pinned at the pole, so that the friction of those that pass is another."""
+    return PASSING in file and PINNED in file and bool((dataset(file, PINNED).sel(reading) > 0).any())
 
 
 @one_page
 def draw(file):
-    data, passing = dataset(file, VARIABLES[0]), PASSING in file
-    figure, panels = panels_by_reading(file, (4.7, 4.1), (5.9, 4.1), NOTE + NOTE_PASSING * passing)
+    data = dataset(file, VARIABLES[0])
+    figure, panels = panels_by_reading(file, (4.7, 4.1), (5.9, 4.1), note(file))
     stiffnesses, least = axis_values(file, "k_r"), []
     for axes, reading in panels:
         curves, entries = [], {}
@@ -33,7 +42,7 @@ def draw(file):
             chosen = dict(k_r=stiffness, **reading)
             curves.append(read_curve(file, VARIABLES[0], "mu_c", **chosen))
             entries |= draw_curve(axes, curves[-1], look, with_symbol(dataset(file, "k_r"), stiffness))
-            if passing:
+            if some_pinned(file, reading):
                 thin = read_curve(file, PASSING, "mu_c", **chosen)
                 draw_curve(axes, without_remarks(thin), look._replace(marker=""), width=0.8)
         log_axis(axes, "x", dataset(file, "mu_c"), room=0)

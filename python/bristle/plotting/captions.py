@@ -5,7 +5,8 @@ import unicodedata
 from functools import partial
 from types import SimpleNamespace
 
-from ..results import CHOICE_NAMES, as_text, attribute, axis_names, axis_values, dataset, readable, status_counts
+from ..results import (CHOICE_NAMES, as_text, attribute, axis_names, axis_values, dataset, experiment, readable,
+                       status_counts, status_words)
 from .curves import with_symbol
 from .page import drawn_on
 from .readings import AXIS, reading_name, readings
@@ -19,6 +20,7 @@ HELD = {sign: chr(0xE000 + ord(sign)) for sign in SPECIAL}
 SYMBOL = re.compile(r"(\\(tilde|check|mathrm|langle|rangle|angle|min|times|Delta|alpha|beta|gamma|epsilon|zeta|theta|kappa|"
                     r"lambda|mu|nu|sigma|tau|varphi)(?![A-Za-z])|[^\\$%#&~])*")
 CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f\u2028\u2029]")
+CONTACTS = {"wall": "exponential wall, Eq. (3)", "hertz": "Hertz"}
 LATEX = {"%": r"\%", "\u2013": "--", "\u00b0": r"$^\circ$", "theta_0 ": r"$\theta_0$ "}
 
 
@@ -65,12 +67,28 @@ def caption(module, file, reading, page, ending="", chosen=()):
     part = of_labels(file.sel({axis: [value] for axis, value in {**getattr(module, "CHOSEN", {}), **reading}.items()}), labels)
     axes = [name for name in axis_names(dataset(part, "status")) if name not in (AXIS, "node")]
     over, fixed = ([axis_range(part, name) for name in axes if (part.sizes[name] > 1) == several] for several in (True, False))
-    models = [name for name in map(reading_name, readings(part)) if name and name not in labels]
+    models = [name for name in model_names(part) if name not in labels]
+    if shown and shown[0].startswith(f"{title},"):
+        title = ""
     sentences = [title, "; ".join(shown), f"Over {'; '.join(over)}" if over else "",
                  f"Fixed: {'; '.join([*fixed, with_symbols(file.attrs.get('caption', ''))])}",
-                 f"Model{'s' * (len(models) > 1)} of bending: {', '.join(models)}" if models else "", marks(module, file, ending), statuses(part)]
+                 f"Model{'s' * (len(models) > 1)} of bending: {', '.join(models)}" if models else "", contact(part),
+             marks(module, file, ending), statuses(part)]
     text = in_latex(". ".join(sentence[0].upper() + sentence[1:] for sentence in sentences if sentence))
     return f"% page {page}\n" * bool(page) + f"\\caption{{{text}.}}"
+
+
+def model_names(file):
+    """The models of bending, also the one of a result that has no axis of them."""
+    names = list(filter(None, map(reading_name, readings(file))))
+    own = experiment(file).get("model", {}).get("bending")
+    return names or ([CHOICE_NAMES.get(own, readable(own))] if own else [])
+
+
+def contact(file):
+    """The contact with the slab, in words; empty if it is an axis of the result."""
+    own = experiment(file).get("model", {}).get("contact")
+    return f"Contact: {CONTACTS.get(own, readable(own))}" if own and "contact" not in file.dims else ""
 
 
 def of_labels(file, labels):
@@ -95,12 +113,13 @@ def axis_range(file, name):
 def marks(module, file, ending):
     """What the figure's marks mean: MARKS of its module, a text or a function of the result, or of several by ending."""
     found = module.MARKS[ending] if isinstance(module.MARKS, dict) else module.MARKS
-    text = " ".join((found(file) if callable(found) else found).split("\n"))
+    text = " ".join((found(file) if callable(found) else found).split())
     return with_symbols(text.removesuffix("."))
 
 
 def statuses(file):
-    found = [f"{status} ({count} point{'s' * (count > 1)})" for status, count in status_counts(file) if status != "ok"]
+    found = [f"{status_words(status)} ({count} point{'s' * (count > 1)})" for status, count in status_counts(file)
+             if status != "ok"]
     return f"Markers, or hatches without a value: {', '.join(found)}" if found else ""
 
 

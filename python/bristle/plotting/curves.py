@@ -8,8 +8,8 @@ from matplotlib.lines import Line2D
 
 from ..errors import BristleError
 from ..results import (CHOICE_NAMES, attribute, axis_values, dataset, place_of, readable, select, select_errors,
-                       select_flags, values)
-from .jumps import LEAST_CHANGE, WIDEST_STEP, Jump, located_axis, located_jumps, read_jumps
+                       select_flags, status_words, values)
+from .jumps import LEAST_CHANGE, WIDEST_STEP, Jump, has_jumps, located_axis, located_jumps, read_jumps
 from .layout import NO_VALUE, Cell, across, corners, heading, legend_at_foot, place_cell, row_title, sheet
 from .page import lettered, paper_width, points
 from .readings import reading_name, readings
@@ -60,7 +60,9 @@ def kept(axes):
 
 
 def jump_note(file, along):
-    """What breaks the lines, for the figure's foot."""
+    """What breaks the lines, for the figure's foot; empty if nothing does."""
+    if not has_jumps(file, along):
+        return ""
     return LOCATED_JUMPS if located_axis(file) == along else JUMPS
 
 
@@ -133,7 +135,7 @@ def draw_statuses(axes, curve, colour):
     """Marks points with a remark, and at the foot those without a value; returns legend entries by text."""
     entries = {}
     for status in np.unique(curve.status):
-        here, meaning = curve.status == status, readable(curve.meanings[status])
+        here, meaning = curve.status == status, status_words(curve.meanings[status])
         empty, remarked = here & ~np.isfinite(curve.y), here & np.isfinite(curve.y) & (status > 0)
         if empty.any():
             look = dict(linestyle="", marker="x", markersize=5, markeredgewidth=1.2)
@@ -144,7 +146,7 @@ def draw_statuses(axes, curve, colour):
             look = dict(linestyle="", marker=status_marker(status), markersize=9,
                         markerfacecolor="none", markeredgecolor="black", markeredgewidth=0.9, zorder=5)
             axes.plot(curve.x[remarked], curve.y[remarked], **look)
-            entries[f"status: {meaning}"] = Line2D([], [], **look)
+            entries[meaning] = Line2D([], [], **look)
     return entries
 
 

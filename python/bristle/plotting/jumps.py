@@ -55,6 +55,16 @@ def located_jumps(file, along, **chosen):
     return found
 
 
+def has_jumps(file, along):
+    """Whether z_0 jumps along this axis at any values of the others."""
+    if located_axis(file) == along:
+        return bool(located_jumps(file, [along]))
+    if "z_0" not in file or along not in axis_names(dataset(file, "z_0")):
+        return False
+    axis = axis_names(dataset(file, "z_0")).index(along)
+    return bool(jumps_between_neighbours(read(file, "z_0"), axis_values(file, along), axis).any())
+
+
 def read_jumps(file, along, **chosen):
     """For each of the axes `along`, whether z_0 jumps between neighbours; never in a file without z_0 over them."""
     axes = [axis_values(file, name) for name in along]

@@ -8,7 +8,7 @@ from matplotlib.collections import PatchCollection, PolyCollection
 from matplotlib.lines import Line2D
 
 from ..errors import BristleError
-from ..results import attribute, dataset, place_of, readable, select, select_flags, values
+from ..results import attribute, dataset, place_of, select, select_flags, status_words, values
 from .contour_labels import label_contours
 from .jumps import LEAST_CHANGE, located_axis, located_jumps, read_jumps
 from .layout import NO_VALUE, Cell, across, corners, heading, legend_at_foot, place, sheet
@@ -298,7 +298,7 @@ def draw_status(flat, grid, field):
     empty = np.ma.getmaskarray(field)
     for status in np.unique(grid.status):
         here = grid.status == status
-        meaning = readable(grid.meanings[status])
+        meaning = status_words(grid.meanings[status])
         cells = [patches.Polygon(corners_of(cell)) for cell in cells_at(grid, np.argwhere(here & empty))]
         if cells:
             look = dict(facecolor="#dddddd", edgecolor="#555555", linewidth=0,
@@ -312,5 +312,5 @@ def draw_status(flat, grid, field):
                         clip_on=False)
             j, i = np.nonzero(marked)
             flat.plot(grid.x[i], grid.y[j], **look)
-            entries[f"status: {meaning}"] = Line2D([], [], **look)
+            entries[meaning] = Line2D([], [], **look)
     return entries
