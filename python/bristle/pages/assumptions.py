@@ -1,6 +1,8 @@
-"""How the verdicts depend on what the paper leaves open: the matrix as a figure, and docs/assumptions.md."""
+"""How the verdicts depend on what the paper leaves open: docs/assumptions.md, and the whole matrix as a figure and in
+docs/generated/assumptions.md."""
 
 import argparse
+import os
 from itertools import groupby
 
 from matplotlib import patches
@@ -10,7 +12,7 @@ from ..command_line import run
 from ..files import save_figure, write_text
 from ..plotting.style import BLUE, GREEN, GREY, VERMILION, apply_look, wrapped
 from ..plotting.verdicts import number, threshold_text, with_uncertainty
-from .markdown import filled
+from .markdown import filled, table
 from .matrix import TOGETHER, digest_line, read_matrix, reversed_verdict
 
 SIGNS = {"supported": ("+", GREEN), "refuted": ("\u2212", VERMILION), "undecided": ("?", BLUE)}
@@ -26,13 +28,18 @@ def main():
     parser.add_argument("matrix", metavar="MATRIX.json", help="output of `bristle assumptions`")
     parser.add_argument("-o", dest="directory", metavar="DIRECTORY", default="figures",
                         help="where to write assumptions.pdf and .png (default: %(default)s)")
-    parser.add_argument("--text", metavar="FILE", help="where to write the account in words (Markdown)")
+    parser.add_argument("--text", metavar="FILE", help="where to write what matters in words (Markdown)")
+    parser.add_argument("--details", metavar="FILE", help="where to write the verdicts on every check (Markdown)")
     arguments = parser.parse_args()
     matrix = read_matrix(arguments.matrix)
     apply_look()
     save_figure(draw(matrix), arguments.directory, "assumptions")
     if arguments.text:
-        write_text(arguments.text, account(matrix))
+        write_text(arguments.text, filled(TEXT.format(tier=matrix["tier"], digest=digest_line(matrix).strip(),
+                                                      counts=counts(matrix)) + influence(matrix)))
+    if arguments.details:
+        os.makedirs(os.path.dirname(arguments.details) or ".", exist_ok=True)
+        write_text(arguments.details, details(matrix))
 
 
 def draw(matrix):
@@ -112,14 +119,26 @@ def draw_legend(axes, y):
 TEXT = """\
 # How the verdicts depend on what the paper leaves open
 
-The paper does not state everything that its numbers depend on. The baseline, described in
-docs/model.md, makes a choice for each point that it leaves open; here each choice is replaced by
+For readers who doubt a verdict. The paper does not state everything that its numbers depend on. The baseline, described in
+[model.md](model.md), makes a choice for each point that it leaves open; here each choice is replaced by
 alternatives, singly and some together (experiments/assumptions/), and every claim is checked again.
 `make assumptions` computes the matrix and writes this page; no number in it is typed. The runs are of
 the experiments' `{tier}` tier, which is coarser than the figures: a baseline verdict may differ from that in
-docs/findings.md, and alternatives are compared with the baseline of the same tier.
+[findings.md](findings.md), and alternatives are compared with the baseline of the same tier.
 
-![The matrix of claims and alternatives](images/assumptions.png)
+{digest} {counts} [generated/assumptions.md](generated/assumptions.md) has every check with the numbers under its
+alternatives, and a picture of the matrix.
+
+## The choices that matter
+
+"""
+
+DETAILS = """\
+# Every check under every alternative
+
+For readers of [assumptions.md](../assumptions.md) who look for one check. `make assumptions` writes this page.
+
+![The matrix of claims and alternatives](../images/assumptions.png)
 
 A check is **robust** if its verdict is the same under every alternative, **weakened** if some
 alternatives leave it undecided, and **assumption-dependent** if an alternative reverses it; **open** is
@@ -128,8 +147,8 @@ gives, the threshold, and the range of the numbers over the alternatives that af
 """
 
 
-def account(matrix):
-    parts = [TEXT.format(tier=matrix["tier"]), digest_line(matrix) + influence(matrix)]
+def details(matrix):
+    parts = [DETAILS]
     for name in CONCLUSIONS:
         found = [c for c in matrix["conclusions"] if c["conclusion"] == name]
         parts.append(f"## {name.capitalize()}: {len(found)} of {len(matrix['conclusions'])}\n")
@@ -140,17 +159,24 @@ def account(matrix):
     return filled("\n".join(parts))
 
 
+def counts(matrix):
+    """How many checks keep their verdict under every alternative, and how many do not."""
+    of = {name: sum(c["conclusion"] == name for c in matrix["conclusions"]) for name in CONCLUSIONS}
+    return (f"Of {len(matrix['conclusions'])} checks, {of['robust']} have the same verdict under every alternative; some alternative "
+            f"leaves {of['weakened']} undecided and reverses {of['assumption-dependent']}; the baseline leaves {of['open']} open.")
+
+
 def influence(matrix):
-    """The open choices, by the largest number of verdicts that one of their alternatives reverses."""
-    most = {}
+    """A row for each open choice: its alternatives, and how many verdicts one of them reverses at most."""
+    by_choice = {}
     for index, alternative in enumerate(matrix["alternatives"][1:], 1):
-        reversals = sum(reversed_verdict(cells[index], cells[0]) for cells in matrix["grid"])
-        most[alternative["choice"]] = max(most.get(alternative["choice"], 0), reversals)
-    ranked = sorted((choice for choice in most if most[choice] and choice != TOGETHER), key=lambda c: -most[c])
-    harmless = [choice for choice in most if not most[choice]]
-    return (f"The choices that matter, with the largest number of verdicts that one alternative reverses: "
-            f"{', '.join(f'{choice} ({most[choice]})' for choice in ranked)}. "
-            f"No verdict is reversed by {', '.join(harmless)}.\n")
+        reversed_by = [check["claim"] for check, cells in zip(matrix["checks"], matrix["grid"]) if reversed_verdict(cells[index], cells[0])]
+        by_choice.setdefault(alternative["choice"], []).append((alternative["name"], reversed_by))
+    most = {choice: max(found, key=lambda one: len(one[1])) for choice, found in by_choice.items()}
+    ranked = sorted((choice for choice in most if choice != TOGETHER), key=lambda choice: -len(most[choice][1]))
+    rows = [[choice, str(len(by_choice[choice])), str(len(most[choice][1])), most[choice][0] if most[choice][1] else "",
+             " ".join(dict.fromkeys(most[choice][1]))] for choice in ranked]
+    return table(["choice", "alternatives", "verdicts that one reverses", "the one that reverses most", "claims"], *rows) + "\n"
 
 
 def check_item(matrix, conclusion):
