@@ -1,6 +1,7 @@
-"""docs/inference.md and its figure: which joint set of choices agrees best with the paper's sentences."""
+"""docs/inference.md, docs/generated/inference.md and their figure: which joint set of choices agrees best with the paper's sentences."""
 
 import argparse
+import os
 
 import numpy as np
 from matplotlib.colors import BoundaryNorm, ListedColormap
@@ -14,7 +15,7 @@ from .matrix import digest_line, read_matrix
 
 VERDICTS = ("refuted", "undecided", "supported")
 MODELS = {"corrected": "corrected", "printed": "as printed", "rod": "rods"}  # of bending; "corrected" has no name in a set
-BEST = 15  # sets in the table
+BEST, RANKED = 5, 15  # sets in the tables of the page, and of the page with all
 
 
 def short(name):
@@ -59,11 +60,13 @@ class Scores:
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("matrix", metavar="MATRIX.json", help="output of `bristle assumptions`, see `make inference`")
-    parser.add_argument("-o", dest="output", metavar="DIRECTORY", default="docs", help="of inference.md and images/")
+    parser.add_argument("-o", dest="output", metavar="DIRECTORY", default="docs", help="of inference.md, generated/ and images/")
     arguments = parser.parse_args()
     scores = Scores(read_matrix(arguments.matrix))
     apply_look()
     save_figure(draw(scores), f"{arguments.output}/images", "inference", formats=("png",))
+    os.makedirs(f"{arguments.output}/generated", exist_ok=True)
+    write_text(f"{arguments.output}/generated/inference.md", filled(details(scores)))
     path = f"{arguments.output}/inference.md"
     write_text(path, filled(page(scores)))
     print(path)
@@ -88,43 +91,59 @@ def draw(scores):
     return figure
 
 
-def page(scores):
+def ranking_table(scores, count):
     order, score = scores.ranking()
     windows = scores.best_windows()
     rows = []
-    for rank, i in enumerate(order[:BEST], 1):
+    for rank, i in enumerate(order[:count], 1):
         verdicts = scores.verdicts[i, windows[i]]
         window = scores.windows[windows[i]].replace("k_r ", "").replace("k_theta ", "")
         refuted, undecided = (claims_with(scores, verdicts, word).replace(",", "") for word in ("refuted", "undecided"))
         rows.append([str(rank), scores.sets[i], window, f"{score[i][0]}, {score[i][1]}", refuted, undecided])
+    return table(["", "set", "window", "supported", "refuted", "undecided"], *rows)
+
+
+def page(scores):
     return f"""# Inference: what the authors may have computed
 
-Written by `make inference`. **This is an inference and no test.** The paper leaves choices open, and
+For readers of the paper. **This is an inference and no test.** The paper leaves choices open, and
 this page ranks joint sets of them by how many of the paper's sentences they support. The sentences
 are the same that led to the checks, and the best window of the swept ranges is chosen for each set
 after the fact, so a high score shows what is compatible with the paper, not that it is true.
 
 {len(scores.sets)} joint sets of choices were tried (`experiments/inference/`): polar coordinates with Eq. (17)
-corrected or as printed, or rods;
-the start in static equilibrium or unstretched, r = 1 and phi = asin(z_0 - 5 lambda_z); azimuths continuous,
-18 fixed or 40 random; phi_0 of 80, 85 or 89 degrees; and for the corrected equation a tip that is reflected
-at the pole or crosses it. Each was checked in {len(scores.windows)} windows of the ranges of k_r and k_theta,
+corrected or as printed, or rods; the start in static equilibrium or unstretched; azimuths continuous,
+18 fixed or 40 random; phi_0 of 80, 85 or 89 degrees; a tip that is reflected at the pole or crosses it. Each was
+checked in {len(scores.windows)} windows of the ranges of k_r and k_theta,
 {len(scores.sets) * len(scores.windows)} scores in all, on the {len(scores.claims)} claims of Figures 3 to 8 and
-{scores.further_checks} further checks. The sweeps are coarse (12 values of k_r, 4 of k_theta), of the
-experiments' `study` tier. `baseline` is the choice of this project: corrected, static equilibrium, continuous azimuths, 80
-degrees, reflection. A mean over a list of azimuths has no error of quadrature, so fewer of its checks are
+{scores.further_checks} further checks. The sweeps are coarse. `baseline` is the choice of this project. A mean over a list
+of azimuths has no error of quadrature, so fewer of its checks are
 undecided than those of a continuous distribution: this favours the sets with 18 or 40 azimuths.
 
-{scores.digest}## Ranking
-
 The best {BEST} sets, each in its best window of k_r and k_theta, with the numbers of claims and of further checks
-that are supported.
+that are supported:
 
-{table(["", "set", "window", "supported", "refuted", "undecided"], *rows)}
+{ranking_table(scores, BEST)}
 
-![All sets and claims](images/inference.png)
+{best_of_models(scores)}
+[generated/inference.md](generated/inference.md) has more of the ranking, what it is without each claim, and the claims that
+separate the models. `make inference` computes the scores and writes both pages.
 
-{best_of_models(scores, score)}
+{scores.digest}"""
+
+
+def details(scores):
+    return f"""# All joint sets of choices
+
+For readers of [inference.md](../inference.md). `make inference` writes this page.
+
+## Ranking
+
+The best {RANKED} sets, as on that page.
+
+{ranking_table(scores, RANKED)}
+
+![All sets and claims](../images/inference.png)
 
 ## If one claim is left out
 
@@ -156,7 +175,8 @@ def models(scores):
     return [model for model in MODELS if model in there]
 
 
-def best_of_models(scores, score):
+def best_of_models(scores):
+    _, score = scores.ranking()
     parts = []
     for model in models(scores):
         claims, further = max(tuple(s) for s, members in zip(score, scores.members) if model_of(members) == model)
