@@ -81,7 +81,7 @@ tutorial: build ## docs/tutorial.ipynb: executes the cells, stores what they pri
 # Studies with checks: the findings of this project, and a claim of the conclusions.
 CHECKED_STUDIES := load liftoff hysteresis scatter chart tuning
 findings: figures $(CHECKED_STUDIES) ## all figures; docs/findings.md, each claim with its verdict and numbers; README's summary
-	@$$($(PLOT_PYTHON)) -m bristle.pages.findings $(patsubst %,results/%$(SUFFIX).h5,$(FIGURES) $(CHECKED_STUDIES)) $(if $(SUFFIX),-o results/findings$(SUFFIX).md,--readme README.md)
+	@$$($(PLOT_PYTHON)) -m bristle.pages.findings $(patsubst %,results/%$(SUFFIX).h5,$(FIGURES) $(CHECKED_STUDIES)) $(if $(SUFFIX),-o results/findings$(SUFFIX).md --checks results/checks$(SUFFIX).md,--readme README.md)
 
 # The matrices, of which the next two targets draw the pages.
 .PHONY: assumptions-matrix inference-matrix
@@ -95,7 +95,7 @@ inference-matrix: build
 	$(BUILD)/bristle assumptions experiments/inference/*.json --only fig3,fig3a,fig4,fig5,fig6,fig7,fig8,fig8c -o results/inference.json
 
 assumptions: assumptions-matrix ## every claim under every alternative to what the paper leaves open: docs/assumptions.md, reference/assumptions.json
-	@$$($(PLOT_PYTHON)) -m bristle.pages.assumptions results/assumptions.json -o figures --text docs/assumptions.md
+	@$$($(PLOT_PYTHON)) -m bristle.pages.assumptions results/assumptions.json -o figures --text docs/assumptions.md --details docs/generated/assumptions.md
 	@cp figures/assumptions.png docs/images/
 	@cp results/assumptions.json reference/
 

@@ -1,18 +1,18 @@
-"""docs/findings.md has an item for every check of the experiments with a verdict under every reading, README.md has the
-page's summary, and other documents repeat the numbers correctly."""
+"""docs/generated/checks.md has an item for every check of the experiments with a verdict under every reading, docs/findings.md
+every claim with the paper's sentence, README.md has the page's summary, and other documents repeat the numbers correctly."""
 import json
 import pathlib
 import re
 import sys
 
 root = pathlib.Path(sys.argv[1])
-page = (root / "docs" / "findings.md").read_text(encoding="utf-8")
+page, of_checks = ((root / "docs" / name).read_text(encoding="utf-8") for name in ("findings.md", "generated/checks.md"))
 READINGS = {"polar": "corrected", "polar_as_printed": "as printed", "rod": "rod"}
 VERDICT = r"\**(supported|refuted|undecided)\**"
 
 # (claim, statement with what is measured, readings below it)
 checks = []
-for line in re.sub(r"\n +(?! |- )", " ", page).splitlines():  # list items are wrapped
+for line in re.sub(r"\n +(?! |- )", " ", of_checks).splitlines():  # list items are wrapped
     if heading := re.match(r"### (\w+): ", line):
         claim = heading.group(1)
     elif line.startswith("#"):
@@ -28,7 +28,7 @@ for path in sorted((root / "experiments").glob("*.json")):
     readings = [READINGS.get(word, word) for word in axis["values"]]
     for check in experiment.get("checks", []):
         found = [of for claim, text, of in checks if claim == check["claim"] and text.startswith(f"{check['statement']} (")]
-        assert found == [readings], f"{path.name}: claim {check['claim']}: docs/findings.md lacks a check: `make findings`"
+        assert found == [readings], f"{path.name}: claim {check['claim']}: docs/generated/checks.md lacks a check: `make findings`"
         if check["claim"] not in claims:
             assert "short" in check, f"{path.name}: claim {check['claim']} needs the key \"short\" in its first check"
         claims.add(check["claim"])
@@ -40,11 +40,12 @@ own = {row.group(1) for row in re.finditer(r"^\| (F\d) \| .+ \| (?:supported|ref
 assert set(rows) | own == claims, f"the tables of docs/findings.md lack {sorted(claims - set(rows) - own)}: `make findings`"
 assert not own & set(rows), "findings of this project are not the paper's claims"
 # A finding of this project has a heading in each result that has checks of it.
-headings = re.findall(r"^### F\d: (.+)$", page, re.M)
+headings = re.findall(r"^### F\d: (.+)$", of_checks, re.M)
+assert re.findall(r"^### (\w+): ", page, re.M) == re.findall(r"^### (\w+): ", of_checks, re.M), "the pages have other claims"
 unsupported = sum(verdict != "supported" for verdicts in rows.values() for verdict in verdicts)
 unsupported += sum(3 * ("with every model" in heading) or len(re.findall("refuted|undecided", heading))
                    for heading in headings if not heading.startswith("supported"))
-explained = len(re.findall(r"^Why (?:refuted|undecided) ", page, re.M))
+explained = len(re.findall(r"^Why (?:refuted|undecided) ", of_checks, re.M))
 assert explained == unsupported, f"{unsupported} verdicts are not \"supported\", {explained} are explained"
 
 # The summary in README.md.

@@ -1,4 +1,5 @@
-"""docs/findings.md from result files: every claim with its verdict and the numbers behind it; the summary in README.md."""
+"""docs/findings.md from result files: every claim with its verdict and a paragraph; docs/generated/checks.md: all checks
+with their numbers; the summary in README.md."""
 
 import argparse
 import os
@@ -32,9 +33,18 @@ another denominator than the kinematics of the azimuth theta:
 - **rod**: bending without polar coordinates and so without a pole. What holds for the rod, too, is
   the bristle's; what does not may be the coordinates'.
 
-docs/claims.md describes how claims are checked, docs/model.md the equations and the baseline: the
-choices for what the paper leaves open. `make findings` writes this page and the summary in
-README.md from the result files; no number in them is typed.
+[claims.md](claims.md) describes how claims are checked, [model.md](model.md) the equations and the
+baseline: the choices for what the paper leaves open. A paragraph has the checks that decide;
+[generated/checks.md](generated/checks.md) has all of them, and why each fails under each model.
+`make findings` writes both pages and the summary in README.md from the result files; no number in
+them is typed.
+"""
+
+ALL_CHECKS = """\
+# All checks
+
+For those who doubt a verdict of [findings.md](../findings.md): every check of every claim with its
+numbers under each model of bending, and why it fails. `make findings` writes this page.
 """
 
 BEGIN, END = "<!-- summary: written by `make findings` -->", "<!-- end of summary -->"
@@ -44,6 +54,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("results", metavar="RESULT.h5", nargs="+", help="result files in the figures' order")
     parser.add_argument("-o", dest="output", metavar="FILE", default="docs/findings.md")
+    parser.add_argument("--checks", metavar="FILE", default="docs/generated/checks.md", help="page of all checks")
     parser.add_argument("--readme", metavar="FILE", help="document whose summary is replaced")
     parser.add_argument("--program", default=PROGRAM.get(), help="what measures on the results (default: %(default)s)")
     parser.add_argument("--assumptions", metavar="FILE", nargs="+", help="matrices, of which the first that exists is read",
@@ -55,10 +66,13 @@ def main():
     images = os.path.join(os.path.dirname(arguments.output), "images")
     found = [(file, claims_of(file)) for file in files]
     summary = f"{BEGIN}\n\n{filled(chr(10).join(f'- {line}' for line in in_short(found)))}\n{END}"
-    sections = [section(file, claims, images) for file, claims in found]
+    sections = [section(file, claims, images, paragraph) for file, claims in found]
     more = "\n".join(f"- {line}" for line in further(found))
-    page = filled("\n".join(["# Findings\n\n@summary@\n", INTRODUCTION, overview(found), "## On single claims\n", more + "\n", *sections]))
+    page = filled("\n".join(["# Findings\n\nFor everyone who wants to know what holds.\n\n@summary@\n", INTRODUCTION, overview(found),
+                             "## On single claims\n", more + "\n", *sections]))
     write_text(arguments.output, page.replace("@summary@", summary))
+    os.makedirs(os.path.dirname(arguments.checks) or ".", exist_ok=True)
+    write_text(arguments.checks, filled("\n".join([ALL_CHECKS, *(section(file, claims, None, claim_lines) for file, claims in found)])))
     if arguments.readme:
         replace_summary(arguments.readme, summary)
     checks = sum(len(checks) for _, claims in found for checks in claims.values())
@@ -88,13 +102,17 @@ def emphasised(verdict):
     return f"**{verdict}**" if verdict == "refuted" else verdict
 
 
-def section(file, claims, images):
+def section(file, claims, images, lines_of):
+    """The claims of a figure. images: the folder of its picture, or None to leave out the picture and what belongs to it."""
     name, figure = (as_text(file.attrs[key]) for key in ("name", "figure"))
-    lines = [f"## {as_text(file.attrs['title'])}", "", provenance(file), ""]
+    lines = [f"## {as_text(file.attrs['title'])}", ""]
+    if images is None:
+        return "\n".join(lines + [line for claim, checks in claims.items() for line in lines_of(file, claim, checks)])
+    lines += [provenance(file), ""]
     if os.path.exists(os.path.join(images, f"{name}.png")):
         lines += [f"![{figure and 'Figure '}{figure or name}](images/{name}.png)", ""]
     for claim, checks in claims.items():
-        lines += claim_lines(file, claim, checks)
+        lines += lines_of(file, claim, checks)
     left_open = {}
     for check, _ in (pair for checks in claims.values() for pair in checks):
         if "leaves_open" in check:
@@ -121,10 +139,7 @@ def provenance(file):
 def claim_lines(file, claim, checks):
     """Heading with the verdicts, the paper's sentence, main and further checks, and why a verdict is not "supported"."""
     verdicts = verdicts_of(checks)
-    lines = [f"### {claim}: {in_words(verdicts)}", ""]
-    for check, _ in checks:
-        if "quote" in check:
-            lines += [f"The paper: \u201c{check['quote']}\u201d", ""]
+    lines = [f"### {claim}: {in_words(verdicts)}", "", *quotes(checks)]
     main = [pair for pair in checks if pair[1][0].role == "main"]
     further = [pair for pair in checks if pair[1][0].role != "main"]
     for meaning in dict.fromkeys(check.get("interpretation") for check, _ in main):
@@ -139,6 +154,33 @@ def claim_lines(file, claim, checks):
             rows = [(check, row) for check, rows in checks for row in rows if row.reading == reading]
             lines += [f"Why {verdict} {READINGS.get(reading, reading)}: {explain_claim(file, rows)}", ""]
     return lines
+
+
+def paragraph(file, claim, checks):
+    """Heading with the verdicts, the paper's sentence, and what decides, with the reason under the last model that does not
+    support the claim."""
+    verdicts = verdicts_of(checks)
+    lines = [f"### {claim}: {in_words(verdicts)}", "", *quotes(checks)]
+    main = [pair for pair in checks if pair[1][0].role == "main"]
+    text = " ".join(sentence(*pair) for pair in main)
+    if unsupported := [reading for reading, verdict in verdicts.items() if verdict != "supported"]:
+        reading = unsupported[-1]
+        rows = [(check, row) for check, rows in checks for row in rows if row.reading == reading]
+        text += f" Why {verdicts[reading]} {READINGS.get(reading, reading)}: {explain_claim(file, rows)}"
+    return [*lines, text, ""]
+
+
+def sentence(check, rows):
+    """What a check states and requires, and what was measured under each reading."""
+    found = [f"{READINGS.get(row.reading, row.reading)} {number(row.measured, '.3f')} ± {number(row.uncertainty, '.3f')}".strip()
+             for row in rows]
+    wanted = threshold_text(rows[0].relation, rows[0].threshold, rows[0].band).strip()
+    given = f" (if {check['interpretation']})" if check.get("interpretation") else ""
+    return f"{check['statement'][0].upper()}{check['statement'][1:]}{given}: {quantity(check)} {wanted}; measured {', '.join(found)}."
+
+
+def quotes(checks):
+    return [line for check, _ in checks if "quote" in check for line in (f"The paper: \u201c{check['quote']}\u201d", "")]
 
 
 def item(file, check, rows):
