@@ -5,7 +5,7 @@
 DRAWN := $(filter $(basename $(notdir $(wildcard experiments/*.json))),$(basename $(notdir $(wildcard python/bristle/figures/*.py))))
 FIGURES := $(sort $(filter fig%,$(DRAWN)))
 STUDIES := $(sort $(filter-out fig%,$(DRAWN)))
-.PHONY: help packages build test bench accuracy clean figures findings assumptions inference report archive verify citation deposit release \
+.PHONY: help packages build test bench accuracy clean figures findings guide assumptions inference report archive verify citation deposit release \
   sanitize fuzz format tidy coverage $(FIGURES) $(STUDIES)
 JOBS ?= $(shell nproc 2>/dev/null || echo 1)
 BUILD := build
@@ -101,6 +101,9 @@ assumptions: assumptions-matrix ## every claim under every alternative to what t
 
 inference: inference-matrix ## joint sets of choices ranked by the claims they support: docs/inference.md
 	@$$($(PLOT_PYTHON)) -m bristle.pages.inference results/inference.json
+
+guide: design ## docs/your-own-brush.md: what `make design` finds
+	@$$($(PLOT_PYTHON)) -m bristle.pages.guide results/design$(SUFFIX).h5
 
 report: figures $(STUDIES) report-packages ## one page of all figures, claims, points and sources: report/index.html
 	@$$($(PLOT_PYTHON) jinja2 yaml) -m bristle.report $(patsubst %,results/%$(SUFFIX).h5,$(FIGURES) $(STUDIES)) -o report$(SUFFIX)/index.html

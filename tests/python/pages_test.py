@@ -47,7 +47,21 @@ def check_findings():
     assert "Of the paper's" in summary and summary in page and readme.startswith("before") and readme.endswith("after")
     (folder / "README.md").write_text("no place")
     done = called("bristle.pages.findings", *results[:1], "-o", folder / "findings.md", "--checks", folder / "checks.md", "--readme", folder / "README.md")
-    assert done.code == 2 and "has no summary to replace" in done.messages, done.messages
+    assert done.code == 2 and "README.md: has no place to write to" in done.messages, done.messages
+
+
+def check_guide():
+    """The guide has what a design found, word for word, and refuses another result."""
+    begin, end = "<!-- design: written by `make guide` -->", "<!-- end of design -->"
+    (folder / "guide.md").write_text("\n".join(["before", begin, "old", end, "after"]))
+    done = called("bristle.pages.guide", results[0], "-o", folder / "guide.md")
+    assert done.code == 2 and "is no result of a design" in done.messages, done.messages
+    design = shutil.copy(results[0], folder / "design.h5")
+    with h5py.File(design, "r+") as file:
+        file["provenance"].attrs["design"] = "recommended: R_m = 0.001 m\n  friction 1.28 +- 0.02\n"
+    page = written("guide", "guide.md", design, "-o", folder / "guide.md")
+    assert "recommended: R_m = 0.001 m friction 1.28 +- 0.02" in page
+    assert page.startswith("before") and page.endswith("after") and "old" not in page
 
 
 def check_measure():
@@ -143,6 +157,7 @@ def check_drawings():
 
 folder.mkdir(parents=True, exist_ok=True)
 check_findings()
+check_guide()
 check_measure()
 check_inference()
 check_performance()

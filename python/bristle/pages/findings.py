@@ -3,18 +3,16 @@ with their numbers; the summary in README.md."""
 
 import argparse
 import os
-import re
 
 import numpy as np
 
 from ..command_line import run
-from ..errors import BristleError
 from ..files import write_text
 from ..plotting.remarks import pinned_note, start_note, validity_note
 from ..plotting.verdicts import number, p_text, quantity, threshold_text
 from ..results import as_text, experiment, open_result, read, status_counts
 from .explanations import explain_claim, explain_further
-from .markdown import filled, table
+from .markdown import filled, replace_between, table
 from .matrix import DEFAULT
 from .quantities import MATRIX, PROGRAM, READINGS
 from .summary import all_verdicts, claims_of, further, in_short, own_verdicts, readings_of, verdicts_of
@@ -65,7 +63,8 @@ def main():
     files = [open_result(path) for path in arguments.results]
     images = os.path.join(os.path.dirname(arguments.output), "images")
     found = [(file, claims_of(file)) for file in files]
-    summary = f"{BEGIN}\n\n{filled(chr(10).join(f'- {line}' for line in in_short(found)))}\n{END}"
+    lines = "\n" + filled("\n".join(f"- {line}" for line in in_short(found))) + "\n"
+    summary = f"{BEGIN}\n{lines}{END}"
     sections = [section(file, claims, images, paragraph) for file, claims in found]
     more = "\n".join(f"- {line}" for line in further(found))
     page = filled("\n".join(["# Findings\n\nFor everyone who wants to know what holds.\n\n@summary@\n", INTRODUCTION, overview(found),
@@ -74,7 +73,7 @@ def main():
     os.makedirs(os.path.dirname(arguments.checks) or ".", exist_ok=True)
     write_text(arguments.checks, filled("\n".join([ALL_CHECKS, *(section(file, claims, None, claim_lines) for file, claims in found)])))
     if arguments.readme:
-        replace_summary(arguments.readme, summary)
+        replace_between(arguments.readme, BEGIN, END, lines)
     checks = sum(len(checks) for _, claims in found for checks in claims.values())
     print(f"{arguments.output}: {checks} checks of {len(files)} results")
 
@@ -195,15 +194,6 @@ def item(file, check, rows):
             why = f"ln changes by less than {check['resolution']:g} under a law"
         lines.append(f"  - {reading}{emphasised(row.verdict)}, {measured}{why and '; '}{why}")
     return "\n".join(lines)
-
-
-def replace_summary(path, summary):
-    with open(path, encoding="utf-8") as file:
-        text = file.read()
-    pattern = re.escape(BEGIN) + ".*?" + re.escape(END)
-    if not re.search(pattern, text, re.S):
-        raise BristleError(f"{path}: has no summary to replace; it begins with {BEGIN}")
-    write_text(path, re.sub(pattern, lambda _: summary, text, flags=re.S))
 
 
 if __name__ == "__main__":

@@ -3,6 +3,9 @@
 import re
 import textwrap
 
+from ..errors import BristleError
+from ..files import write_text
+
 COLUMNS = 100
 
 
@@ -16,6 +19,16 @@ def table(head, *rows):
 def filled(text):
     """The text with its paragraphs and list items (of two levels) wrapped; headings, tables and images stay as they are."""
     return "\n\n".join(fill_block(block) for block in text.rstrip("\n").split("\n\n")) + "\n"
+
+
+def replace_between(path, begin, end, text):
+    """Replaces what stands between two marks in a document; the marks stay."""
+    with open(path, encoding="utf-8") as file:
+        page = file.read()
+    pattern = f"({re.escape(begin)}\n).*?({re.escape(end)})"
+    if not re.search(pattern, page, re.S):
+        raise BristleError(f"{path}: has no place to write to; it begins with {begin} and ends with {end}")
+    write_text(path, re.sub(pattern, lambda marks: marks[1] + text + marks[2], page, flags=re.S))
 
 
 def fill_block(block):
