@@ -8,7 +8,6 @@
 #include "experiment/si_units.hpp"
 #include "util/error.hpp"
 #include "bristle/random.hpp"
-#include "util/sha.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -219,8 +218,6 @@ Experiment read(const Document& d) {
   e.sweep.base.setup.parameters.custom_friction.table = e.sweep.friction_law.get();
   if (e.sweep.friction_law) e.sweep.friction_law_text = json["friction_law"].dump();
   e.sweep.base.friction_law_in_si = law.in_si;
-  e.sweep.azimuths_sha256 =
-      sha256_of(fmt::format("{}", fmt::join(e.sweep.base.setup.orientation.theta_0, ",")));
   e.sweep.base.setup.max_evaluations_per_point =
       json["integrator"].value("max_evaluations_per_point", e.sweep.base.setup.max_evaluations_per_point);
   e.sweep.base.loading = read_loading(d, e.sweep.axes);

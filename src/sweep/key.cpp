@@ -2,6 +2,7 @@
 
 #include "sweep/si.hpp"
 #include "bristle/model/friction/laws.hpp"
+#include "util/sha.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -63,14 +64,15 @@ void add_friction_law(Text& out, const Sweep& sweep, const Parameters& p) {
   if (sweep.base.friction_law_in_si) out.add("friction_law_V0", p.custom_friction.V_0);
 }
 
-void add_orientation(Text& out, const Orientation& o, const std::string& azimuths_sha256) {
+void add_orientation(Text& out, const Orientation& o) {
   out.add("distribution", word(o.distribution));
   out.add("mean", o.mean);
   out.add("concentration", o.concentration);
   out.add("sampling", word(o.sampling));
   out.add("full_circle", o.full_circle);
   out.add("rtol", o.rtol);
-  out.add("theta_0_sha256", azimuths_sha256.c_str());
+  // A list may have many values.
+  out.add("theta_0_sha256", sha256_of(fmt::format("{}", fmt::join(o.theta_0, ","))).c_str());
   out.add("seed", o.seed);
   out.add("rows", o.rows);
   out.add("t_1", o.t_1);
@@ -125,7 +127,7 @@ std::string Sweep::key(std::size_t index) const {
   Text out;
   out.object("model", [&] { add_parameters(out, point.setup.parameters); });
   add_friction_law(out, *this, point.setup.parameters);
-  out.object("orientation", [&] { add_orientation(out, point.setup.orientation, azimuths_sha256); });
+  out.object("orientation", [&] { add_orientation(out, point.setup.orientation); });
   out.object("integrator", [&] { add_integrator(out, point.setup.integrator); });
   if (const Scatter& scatter = point.setup.scatter; scatter.any())
     out.object("scatter", [&] { add_scatter(out, scatter); });

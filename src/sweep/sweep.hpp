@@ -38,7 +38,6 @@ struct Sweep {
   Engine engine = Engine::fast;
   std::shared_ptr<const ModulationTable> friction_law;  // of the word "custom"; null: no point has it
   std::string friction_law_text;                        // what the experiment says of it, for keys
-  std::string azimuths_sha256;  // of base.setup.orientation.theta_0, which may have many values
 
   std::size_t size() const;  // number of points
   std::vector<std::size_t> shape() const;
