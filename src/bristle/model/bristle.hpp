@@ -66,7 +66,8 @@ constexpr auto constants_of(B& b) {
 constexpr std::size_t kConstants =
     std::tuple_size_v<decltype(constants_of(std::declval<Bristle<double>&>()))>;
 static_assert(sizeof(Bristle<double>) == sizeof(FrictionLaw) + sizeof(Bending) + sizeof(Contact) +
-                                             sizeof(int) + kConstants * sizeof(double) + sizeof(void*),
+                                             sizeof(int) + kConstants * sizeof(double) +
+                                             sizeof(double),  // of a pointer, with what fills it up
               "constants_of() must list every number of Bristle");
 
 // Distance below the slab, in multiples of contact_range(), beyond which a tip is off a wall: F_n is then
