@@ -20,6 +20,7 @@ async function addPoints(drawing, signal) {
   let current = null;
   function show(found) {
     current = found;
+    drawing.dispatchEvent(new CustomEvent("pointed", { detail: found }));
     drawing.classList.toggle("pointed", found !== null);
     if (!found) return;
     const [x, y] = found.point;
@@ -39,7 +40,7 @@ async function addPoints(drawing, signal) {
   drawing.addEventListener("pointerleave", () => show(null), { signal });
   drawing.addEventListener("blur", () => show(null), { signal });
   drawing.addEventListener("keydown", (event) => {
-    if (event.key === "Enter" && !drawing.closest("dialog")) enlarge(drawing);
+    if (event.key === "Enter" && drawing.dataset.points && !drawing.closest("dialog")) enlarge(drawing);
     if (!(event.key in STEPS)) return;
     const [down, right] = STEPS[event.key];
     const c = current ? (current.c + down + curves.length) % curves.length : 0;

@@ -1,17 +1,5 @@
 // Numbers in the page: gzip files in base64, decompressed when they are needed.
 
-async function inflate(base64) {
-  const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
-  return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"))).text();
-}
-
-function save(name, text, type) {
-  const url = URL.createObjectURL(new Blob([text], { type }));
-  element("a", { href: url, download: name }).click();
-  setTimeout(() => URL.revokeObjectURL(url), 10000);
-  say(`${name} is saved.`);
-}
-
 const csvOf = (link) => inflate(link.href.split(",")[1]);
 
 document.addEventListener("click", async (event) => {

@@ -22,16 +22,6 @@ function positionOf(data, point) {
   return at;
 }
 
-// Two digits of the uncertainty, and the value to the same place.
-function withError(value, error) {
-  if (value === null) return ["–", ""];
-  const minus = (words) => words.replace("-", "−");
-  if (!(error > 0)) return [minus(`${Number(value.toPrecision(6))}`), error === 0 ? "0" : ""];
-  const digits = Math.max(0, 1 - Math.floor(Math.log10(error)));
-  if (digits > 8) return [minus(value.toPrecision(6)), minus(error.toPrecision(2))];
-  return [minus(value.toFixed(digits)), minus(error.toFixed(digits))];
-}
-
 function statusOf(data, point) {
   return data.status.words[data.status.codes[point]];
 }

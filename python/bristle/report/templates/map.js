@@ -7,12 +7,6 @@ function colour(share) {
   return COLOURS[Math.round(Math.min(1, Math.max(0, share)) * (COLOURS.length - 1))];
 }
 
-// To four digits; flags as words.
-function shortly(value) {
-  return typeof value === "string" ? value : value === null ? "no value"
-    : `${Number(value.toPrecision(4))}`.replace("-", "−");
-}
-
 // The label of a tick.
 function tick(value) {
   return typeof value === "string" ? value : `${Number(value.toPrecision(3))}`;

@@ -1,40 +1,4 @@
-"use strict";
-
-// element("p", { class: "x", text: "..." }, children...): `text` and `html` are content, the rest are
-// attributes.
-function element(name, attributes = {}, ...children) {
-  const svg = ["svg", "g", "rect", "text", "line", "circle", "path", "pattern", "defs"].includes(name);
-  const made = svg ? document.createElementNS("http://www.w3.org/2000/svg", name)
-    : document.createElement(name);
-  for (const [key, value] of Object.entries(attributes)) {
-    if (key === "text") made.textContent = value;
-    else if (key === "html") made.innerHTML = value;  // of symbols, which the report's templates made
-    else made.setAttribute(key, value);
-  }
-  made.append(...children);
-  return made;
-}
-
-function say(words) {
-  document.getElementById("said").textContent = words;
-}
-
-// A page opened from disk may have no access to the clipboard: then the selection is copied.
-async function copy(source, what) {
-  try {
-    await navigator.clipboard.writeText(source.textContent);
-  } catch {
-    const selection = getSelection();
-    selection.removeAllRanges();
-    const range = document.createRange();
-    range.selectNodeContents(source);
-    selection.addRange(range);
-    if (!document.execCommand("copy")) return say("It could not be copied; it is selected.");
-    selection.removeAllRanges();
-  }
-  say(`${what}: copied.`);
-  return true;
-}
+// The report's page: copying, printing, links to parts behind a click, and the assumptions matrix.
 
 document.addEventListener("click", async (event) => {
   const button = event.target.closest("button.copy");
@@ -70,9 +34,6 @@ addEventListener("DOMContentLoaded", openTarget);
 document.querySelector(".contents").addEventListener("click", (event) => {
   if (event.target.closest("a")) for (const list of document.querySelectorAll(".contents details")) list.open = false;
 });
-
-// Steps of the arrow keys in a grid: [rows, columns].
-const STEPS = { ArrowUp: [-1, 0], ArrowDown: [1, 0], ArrowLeft: [0, -1], ArrowRight: [0, 1] };
 
 // The assumptions matrix: one tab stop, arrow keys within, the chosen cell's numbers below.
 function startMatrix(table) {

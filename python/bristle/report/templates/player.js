@@ -10,12 +10,13 @@ const BEGIN = { bristle: 1.2, recorded: 2.4 };  // time of a player that has not
 function drawScenes(box, passages, only, scales) {
   const scenes = box.querySelector(".scenes"), lanes = [], hero = Boolean(only);
   scenes.replaceChildren();
-  const made = Object.keys(MODELS).filter((model) => (only ? model === only : true)).map((model) => {
-    const panel = element("div", { class: "model" });
-    if (!hero) panel.append(element("h3", { text: MODELS[model] }));
-    scenes.append(panel);
-    return { panel, mine: passages.filter((passage) => passage.model === model) };
-  }).filter(({ mine }) => mine.length);
+  const made = Object.keys(MODELS).filter((model) => (only ? model === only : true))
+    .map((model) => ({ model, mine: passages.filter((passage) => passage.model === model) })).filter(({ mine }) => mine.length);
+  for (const found of made) {
+    found.panel = element("div", { class: "model" });
+    if (!hero && made.length > 1) found.panel.append(element("h3", { text: MODELS[found.model] }));
+    scenes.append(found.panel);
+  }
   for (const { panel, mine } of made) {
     const width = panel.clientWidth, unit = width / scales.wide, tall = hero ? 0 : 34;
     const shown = hero ? mine.slice(1, 2) : mine, height = 1.3 * unit, step = height + 0.2 * unit + tall + 14;
@@ -44,17 +45,18 @@ const heroWords = (_, state) => `tip: ${phaseOf(state)}`;
 const laneWords = ({ theta_0 }, state) => `θ₀ ${Math.round(theta_0 * 180 / Math.PI)}°: ${phaseOf(state)}` +
   (state.left ? "" : `, Fₙ ${state.F_n.toFixed(1)}, F_f ${Math.hypot(state.F_fx, state.F_fy).toFixed(1)}`);
 
-// Plays some of the passages: those of choose(passage), a function that the returned one replaces.
+// Plays some of the passages: those of choose(passage). The returned function replaces choose, and the passages if it is given
+// others.
 function startPlayer(box, passages, choose = () => true) {
-  const only = box.dataset.models, scales = scalesOf(passages), { end } = scales;
-  let move, time = BEGIN[box.id] ?? 0, playing = false, before = 0, seen = true;
+  const only = box.dataset.models;
+  let scales = scalesOf(passages), move, time = BEGIN[box.id] ?? 0, playing = false, before = 0, seen = true;
   const button = box.querySelector(".start"), slider = box.querySelector("input"), output = box.querySelector("output");
   function show(next) {
     time = next;
     move(time);
-    slider.value = Math.round(1000 * time / end);
+    slider.value = Math.round(1000 * time / scales.end);
     output.textContent = `t = ${time.toFixed(2)} r₀/V₀`;
-    slider.setAttribute("aria-valuetext", `time ${time.toFixed(2)} of ${end.toFixed(2)}, in r0/V0`);
+    slider.setAttribute("aria-valuetext", `time ${time.toFixed(2)} of ${scales.end.toFixed(2)}, in r0/V0`);
   }
   function draw() {
     move = drawScenes(box, passages.filter(choose), only, scales);
@@ -64,7 +66,7 @@ function startPlayer(box, passages, choose = () => true) {
     if (!playing) return;
     const next = time + SPEED * Math.min(0.1, (now - before) / 1000);
     before = now;
-    if (seen) show(next > end + 0.4 ? 0 : next);
+    if (seen) show(next > scales.end + 0.4 ? 0 : next);
     requestAnimationFrame(frame);
   }
   function play(on) {
@@ -75,7 +77,7 @@ function startPlayer(box, passages, choose = () => true) {
     if (on) requestAnimationFrame(frame);
   }
   button.addEventListener("click", () => play(!playing));
-  slider.addEventListener("input", () => { play(false); show(end * slider.value / 1000); });
+  slider.addEventListener("input", () => { play(false); show(scales.end * slider.value / 1000); });
   new IntersectionObserver(([entry]) => { seen = entry.isIntersecting; }).observe(box);
   let width = box.clientWidth;
   new ResizeObserver(() => {
@@ -90,10 +92,9 @@ function startPlayer(box, passages, choose = () => true) {
   draw();
   if (!calm.matches) play(true);
   box.dataset.ready = "true";
-  return (next) => { choose = next; draw(); };
+  return (next, others = passages) => {
+    [choose, passages] = [next, others];
+    scales = scalesOf(passages);
+    draw();
+  };
 }
-
-if (document.querySelector('a.data[download="fig2-trajectories.csv.gz"]'))
-  readPassages("fig2").then((passages) => {
-    for (const box of document.querySelectorAll("#bristle, #passages")) startPlayer(box, passages);
-  });

@@ -67,7 +67,7 @@ function makeLane(passage, { width, height, bottom, strip, length, words, wide }
   const plate = (left, right, z) => `${path([left, -0.35, z], [right, -0.35, z], [right, 1.05, z], [left, 1.05, z])}z`;
   const group = element("g"), line = (name) => group.appendChild(element("path", { class: name }));
   group.append(element("path", { class: "ground", d: plate(-1.1, edge, 0) }));
-  const [s, up] = [Math.cos(1.396), Math.sin(1.396)];  // of the undeformed bristle, 80 degrees
+  const { phi_0 = 1.396 } = passage, [s, up] = [Math.cos(phi_0), Math.sin(phi_0)];  // of the undeformed bristle; the paper's 80 degrees
   group.append(element("path", { class: "ghost", d: path([0, 0, 0], [s * Math.cos(passage.theta_0), s * Math.sin(passage.theta_0), up]) }));
   const slab = line("slab"), marks = line("marks");
   for (let from = passage.first; from < passage.last;) {

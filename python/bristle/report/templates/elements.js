@@ -1,0 +1,71 @@
+"use strict";
+
+// What pages need: elements, announcements, numbers in words, compressed data, files to be saved.
+
+// element("p", { class: "x", text: "..." }, children...): `text` and `html` are content, the rest are
+// attributes.
+function element(name, attributes = {}, ...children) {
+  const svg = ["svg", "g", "rect", "text", "line", "circle", "path", "pattern", "defs"].includes(name);
+  const made = svg ? document.createElementNS("http://www.w3.org/2000/svg", name)
+    : document.createElement(name);
+  for (const [key, value] of Object.entries(attributes)) {
+    if (key === "text") made.textContent = value;
+    else if (key === "html") made.innerHTML = value;  // of symbols, which the report's templates made
+    else made.setAttribute(key, value);
+  }
+  made.append(...children);
+  return made;
+}
+
+function say(words) {
+  document.getElementById("said").textContent = words;
+}
+
+// A page opened from disk may have no access to the clipboard: then the selection is copied.
+async function copy(source, what) {
+  try {
+    await navigator.clipboard.writeText(source.textContent);
+  } catch {
+    const selection = getSelection();
+    selection.removeAllRanges();
+    const range = document.createRange();
+    range.selectNodeContents(source);
+    selection.addRange(range);
+    if (!document.execCommand("copy")) return say("It could not be copied; it is selected.");
+    selection.removeAllRanges();
+  }
+  say(`${what}: copied.`);
+  return true;
+}
+
+// Steps of the arrow keys in a grid: [rows, columns].
+const STEPS = { ArrowUp: [-1, 0], ArrowDown: [1, 0], ArrowLeft: [0, -1], ArrowRight: [0, 1] };
+
+// To four digits; flags as words.
+function shortly(value) {
+  return typeof value === "string" ? value : value === null ? "no value"
+    : `${Number(value.toPrecision(4))}`.replace("-", "−");
+}
+
+// Two digits of the uncertainty, and the value to the same place.
+function withError(value, error) {
+  if (value === null) return ["–", ""];
+  const minus = (words) => words.replace("-", "−");
+  if (!(error > 0)) return [minus(`${Number(value.toPrecision(6))}`), error === 0 ? "0" : ""];
+  const digits = Math.max(0, 1 - Math.floor(Math.log10(error)));
+  if (digits > 8) return [minus(value.toPrecision(6)), minus(error.toPrecision(2))];
+  return [minus(value.toFixed(digits)), minus(error.toFixed(digits))];
+}
+
+// Text that is in the page as gzip in base64.
+async function inflate(base64) {
+  const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+  return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"))).text();
+}
+
+function save(name, text, type) {
+  const url = URL.createObjectURL(new Blob([text], { type }));
+  element("a", { href: url, download: name }).click();
+  setTimeout(() => URL.revokeObjectURL(url), 10000);
+  say(`${name} is saved.`);
+}
