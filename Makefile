@@ -108,6 +108,32 @@ guide: design ## docs/your-own-brush.md: what `make design` finds
 report: figures $(STUDIES) report-packages ## one page of all figures, claims, points and sources: report/index.html
 	@$$($(PLOT_PYTHON) jinja2 yaml) -m bristle.report $(patsubst %,results/%$(SUFFIX).h5,$(FIGURES) $(STUDIES)) -o report$(SUFFIX)/index.html
 
+# The page's engine is compiled by Emscripten, in a folder of its own (docs/browser.md).
+PAGE := build-page
+PRESETS := ski seal paper
+.PHONY: page page-engine page-points page-agreement
+page-engine:
+	@scripts/install-packages page
+	@scripts/quietly cmake -S page -B $(PAGE) -G Ninja -DCMAKE_BUILD_TYPE=Release \
+	  -DCMAKE_TOOLCHAIN_FILE=$$(em-config EMSCRIPTEN_ROOT)/cmake/Modules/Platform/Emscripten.cmake
+	@test -e $(PAGE)/engine.wasm || echo "Compiling the page's engine, some minutes on two cores ..."
+	@ninja -C $(PAGE) --quiet -j $(JOBS) engine
+
+# Points that the page has: its presets, and those of Figure 4.
+page-points: build
+	@for name in $(PRESETS); do file=page/presets/$$name.json; test -e $$file || file=experiments/$$name.json; \
+	  $(BUILD)/bristle run $$file -o $(PAGE)/$$name.h5 --quiet 2>/dev/null || exit; done
+	@$(BUILD)/bristle run experiments/fig4.json --tier smoke -o $(PAGE)/fig4.h5 --quiet
+
+page: report-packages page-engine page-points ## a brush in the browser: page/brush.html, one file (docs/browser.md)
+	@$$($(PLOT_PYTHON) jinja2) page/page.py $(PAGE) --program $(BUILD)/bristle
+
+# What docs/accuracy.md says of the page.
+AGREEING := fig4 fig7 fig8 load ski
+page-agreement: report-packages page-engine page-points
+	@for name in $(AGREEING); do $(BUILD)/bristle run experiments/$$name.json --tier smoke -o $(PAGE)/$$name-smoke.h5 --quiet 2>/dev/null || exit; done
+	@$$($(PLOT_PYTHON)) page/agreement.py $(PAGE)/engine.wasm $(AGREEING:%=$(PAGE)/%-smoke.h5) $(PRESETS:%=$(PAGE)/%.h5)
+
 # The tests are configured into the same build folder; the program is not compiled again.
 $(BUILD)/tests/CTestTestfile.cmake: tests/CMakeLists.txt benchmarks/CMakeLists.txt | test-packages
 	@scripts/quietly cmake --preset release -G Ninja -DBRISTLE_TESTS=ON
@@ -130,7 +156,7 @@ test: build-tests ## what every commit needs: minutes
 	@RC_PARAMS="max_success=25" scripts/run-ctest $(BUILD) -L '^(unit|commit)$$'
 
 test-all: ## everything, nightly and before a release: sanitizers, fuzzers, other compiler, all figures, documents
-	@scripts/install-packages test test-all
+	@scripts/install-packages test test-all page
 	@$(MAKE) --no-print-directory build-tests
 	@$(NINJA) bench_engine bench_quadrature bench_sharing scipy_slopes accuracy
 	@scripts/run-ctest $(BUILD)

@@ -1,0 +1,233 @@
+// The page: the brush at once, its curve, the bristles of the chosen point, and the buttons.
+
+const STATUSES = {
+  load_jump: "The gap jumps across this load; the numbers hold behind the jump.", unreachable: "No gap carries this load.",
+  incomplete: "A bristle did not reach the trailing edge; there are no numbers.", not_converged: "The error is above the requested one.",
+  work_limit: "The point needs more steps than its limit allows; there are no numbers.", failed: "The model has no numbers here.",
+  ambiguous: "Within the errors, another gap may carry this load first.", inaccurate: "The energy budget does not close.",
+  undefined: "Some numbers are ratios to a load or friction of zero.",
+};
+const THREE = { record: ["observables", "trajectories"], trajectories: { theta_0_deg: [60, 110, 150] } };
+const part = (id) => document.getElementById(id);
+const state = { asked: 0, curve: null, curveNumber: 0, player: null, chosen: null, brush: null };
+let first, others;
+
+const units = (about) => (about.units && about.units !== "1" ? ` (${about.units.replaceAll(" ", "·").replace(/-(\d)/g, "⁻$1").replace(/⁻1/g, "⁻¹").replace(/⁻2/g, "⁻²")})` : "");
+const number = ([value, error] = [null, null], unit = "") => {
+  const [words, uncertain] = withError(value, error);
+  return value === null ? "–" : `${words}${uncertain && uncertain !== "0" ? ` ± ${uncertain}` : ""}${unit && ` ${unit}`}`;
+};
+
+// A small or large quantity with a prefix of its unit: 2.5 mN.
+function prefixed([value, error], unit) {
+  const power = value ? Math.max(-3, Math.min(3, Math.floor(Math.log10(Math.abs(value)) / 3))) : 0, scale = 1000 ** power;
+  return number(value === null ? undefined : [value / scale, error / scale], `${["n", "µ", "m", "", "k", "M", "G"][power + 3]}${unit}`);
+}
+
+function row(label, value, remark = "") {
+  return element("div", { class: "fact" }, element("dt", { text: label }), element("dd", {}, element("b", { text: value }),
+    ...(remark ? [element("small", { text: remark })] : [])));
+}
+
+// The numbers of one point: phase, friction, lift-off, limits.
+function showFacts(answer) {
+  const { values, phase, status } = answer, si = "R_x_in_N" in (values ?? {});
+  const box = part("facts");
+  if (!values) {
+    box.replaceChildren(element("p", { class: "phase unknown", text: "no numbers" }), element("p", { text: `${STATUSES[status] ?? status} ${answer.failure ?? ""}` }));
+    return;
+  }
+  const off = values.off_slab_share[0], unknown = answer.lift_off_unknown;
+  const words = { contact: "in contact", bouncing: "bouncing", mixed: "mixed", unknown: "no numbers" }[phase];
+  const rigid = values.R_x[0] / values.R_x_norm[0] / values.R_n[0];
+  const facts = [row("Friction coefficient", number(values.friction_coefficient), `rigid bristles: ${shortly(rigid)}`)];
+  if (si) facts.push(row("Friction per bristle", prefixed(values.R_x_in_N, "N")));
+  if (unknown) facts.push(row("Lift-off load and speed", "unknown", answer.lift_off_unknown));
+  else facts.push(row("Lift-off load", si ? prefixed(values.lift_off_load_in_N, "N") : number(values.lift_off_load), "above it tips stay on the slab"));
+  if (si && !unknown) facts.push(row("Lift-off speed", number(values.lift_off_speed, "m/s"), "below it tips stay on the slab"));
+  facts.push(row("Gap under the slab", number(values.z_0, "r₀")));
+  box.replaceChildren(element("p", { class: `phase ${phase}`, text: words }),
+    element("p", { class: "what", text: off === null ? STATUSES[status] ?? "" : `Tips are off the slab for ${Math.round(100 * off)} % of the time.` }),
+    element("dl", {}, ...facts));
+  if (status !== "ok") box.append(element("p", { class: "remark", text: STATUSES[status] ?? status }));
+  if (answer.exceeded.length) box.append(element("div", { class: "remark limits" }, element("b", { text: "Limits of the model exceeded" }),
+    element("ul", {}, ...answer.exceeded.map((words) => element("li", { text: words })))));
+}
+
+function showPassages(passages, words) {
+  if (!passages?.length) return;
+  const box = part("three");
+  box.dataset.length = passages[0].L_x;
+  const ready = passages.map((passage) => ({ ...passage, first: 0, last: passage.xi.length - 1, end: passage.xi.at(-1) }));
+  if (state.player) state.player(() => true, ready);
+  else state.player = startPlayer(box, ready);
+  part("three-at").textContent = words;
+}
+
+// Checks and computes the brush of the form; newer input replaces what waits. The curve is then that of another brush.
+let pending = 0;
+function changed() {
+  clearTimeout(pending);
+  part("results").classList.toggle("stale", Boolean(state.curve));
+  pending = setTimeout(computeBrush, 120);
+}
+
+async function computeBrush() {
+  const asked = ++state.asked, experiment = experimentOf(false);
+  if (first.busy() && performance.now() - (state.since ?? 0) > 2000) first.stop();
+  first.forget();
+  part("now").setAttribute("aria-busy", "true");
+  const about = await first.ask({ experiment });
+  if (asked !== state.asked || !about) return;
+  if (about.error) {
+    showError(about.error);
+    part("now").setAttribute("aria-busy", "false");
+    part("now").classList.add("stale");
+    if (!state.brush) part("facts").replaceChildren(element("p", { text: "The form has a mistake: see the message beside its field." }));
+    return;
+  }
+  showError("");
+  showQuantities(about.variables);
+  part("warnings").textContent = about.warnings.join(" ");
+  state.since = performance.now();
+  const answer = await first.ask({ experiment: { ...experiment, ...THREE }, point: 0 });
+  if (asked !== state.asked || !answer) return;
+  part("now").setAttribute("aria-busy", "false");
+  part("now").classList.remove("stale");
+  if (answer.error) return showError(answer.error);
+  state.brush = answer;
+  part("took").textContent = `Computed in ${((performance.now() - state.since) / 1000).toFixed(2)} s.`;
+  showFacts(answer);
+  if (state.chosen === null) showPassages(answer.passages, "of the brush");
+}
+
+function showQuantities(variables) {
+  const select = form.elements.quantity, before = select.value, wanted = JSON.parse(select.dataset.first);
+  const found = [...wanted.map((name) => variables.find((one) => one.name === name)).filter(Boolean), ...variables.filter(({ name }) => !wanted.includes(name))];
+  if (select.dataset.shown !== (select.dataset.shown = found.map(({ name }) => name).join()))
+    select.replaceChildren(...found.map((one) => element("option", { value: one.name, text: `${one.meaning}${units(one)}` })));
+  select.value = [before, select.dataset.shared, found[0].name].find((name) => found.some((one) => one.name === name));
+}
+
+// Both ends, the middle, and then the middle of each gap, so that the curve is seen before it is complete.
+function coarseFirst(count) {
+  const order = [0, count - 1].slice(0, count);
+  for (let step = count - 1; step > 1;) {
+    step = Math.ceil(step / 2);
+    for (let i = 0; i < count; i += step) if (!order.includes(i)) order.push(i);
+  }
+  return order;
+}
+
+async function computeCurve() {
+  stopCurve();
+  const experiment = experimentOf(true), about = await first.ask({ experiment }), mine = ++state.curveNumber;
+  if (!about) return;
+  showError(about.error ?? "");
+  if (about.error) return;
+  const [axis] = about.axes, over = form.elements.over;
+  state.chosen = null;
+  state.curve = { experiment, about, values: axis.values, answers: [], axis: over.selectedOptions[0].textContent, name: axis.name, begun: performance.now() };
+  part("results").classList.remove("stale");
+  part("stop").disabled = false;
+  showCurve();
+  await Promise.all(coarseFirst(axis.values.length).map(async (index) => {
+    const answer = await others.ask({ experiment: { ...experiment, ...THREE }, point: index });
+    if (mine !== state.curveNumber || !answer) return;
+    state.curve.answers[index] = answer;
+    showCurve();
+  }));
+  if (mine !== state.curveNumber) return;
+  part("stop").disabled = true;
+  say("The curve is complete.");
+}
+
+function stopCurve() {
+  if (!others.busy()) return;
+  ++state.curveNumber;
+  others.stop();
+  part("stop").disabled = true;
+  if (state.curve) showCurve("stopped");
+}
+
+// The lift-off load or speed of the brush, if it is on the axis.
+function markOf(curve) {
+  const name = { R_n_N: "lift_off_load_in_N", R_n: "lift_off_load", V0_m_per_s: "lift_off_speed" }[curve.name];
+  const found = curve.answers.find((answer) => answer?.values?.[name]?.[0] != null)?.values[name];
+  return found && { x: found[0], error: found[1], text: "lift-off" };
+}
+
+function showCurve(words) {
+  const { curve } = state;
+  if (!curve) return;
+  const name = form.elements.quantity.value, about = curve.about.variables.find((one) => one.name === name);
+  if (!about) return;
+  const points = curve.values.map((x, index) => ({ x, index, answer: curve.answers[index] })).filter(({ answer }) => answer)
+    .map(({ x, index, answer }) => ({ x, index, y: answer.values?.[name]?.[0] ?? null, error: answer.values?.[name]?.[1] ?? 0, phase: answer.phase ?? "unknown", status: answer.error ?? answer.status }));
+  const span = [curve.values[0], curve.values.at(-1)];
+  drawChart(part("chart"), { points, axis: curve.axis, quantity: `${about.meaning}${units(about)}`, log: span[0] > 0 && form.elements.spacing.value === "logspace", xs: span, mark: markOf(curve), chosen: state.chosen });
+  const lost = points.filter(({ y }) => y === null).length;
+  part("progress").textContent = words ?? `${points.length} of ${curve.values.length} points in ${((performance.now() - curve.begun) / 1000).toFixed(1)} s` + (lost ? `, ${lost} without this number` : "");
+}
+
+function csvOfCurve({ about, answers, values, name }) {
+  const quoted = (words) => `"${String(words).replaceAll('"', '""')}"`;
+  const lines = ["# computed in a browser: the numbers agree with those of `bristle run` within their errors, and not in every bit",
+    ...about.variables.map((one) => `# ${one.name}: ${one.meaning}${units(one)}`),
+    [name, "status", "phase", ...about.variables.flatMap((one) => [one.name, `${one.name}_err`])].join(",")];
+  values.forEach((x, i) => {
+    if (answers[i]) lines.push([x, answers[i].status ?? quoted(answers[i].error), answers[i].phase ?? "", ...about.variables.flatMap((one) => (answers[i].values?.[one.name] ?? [null, null]).map((value) => value ?? ""))].join(","));
+  });
+  return `${lines.join("\n")}\n`;
+}
+
+async function share() {
+  history.replaceState(null, "", fragmentOf());
+  part("address").textContent = location.href;
+  part("address").hidden = false;
+  await copy(part("address"), "The address");
+}
+
+const BUTTONS = {
+  curve: computeCurve, stop: stopCurve, share,
+  experiment: () => save(`${presetName()}.json`, `${JSON.stringify({ ...experimentOf(true), name: presetName() }, null, 1)}\n`, "application/json"),
+  numbers: () => (state.curve ? save(`${presetName()}.csv`, csvOfCurve(state.curve), "text/csv") : say("Compute a curve first.")),
+};
+
+async function start() {
+  const bytes = Uint8Array.from(atob(part("engine").textContent), (letter) => letter.charCodeAt(0));
+  const engine = await new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
+  const source = part("worker").textContent;
+  first = makePool(1, source, engine);
+  others = makePool(Math.max(1, Math.min(4, (navigator.hardwareConcurrency ?? 2) - 1)), source, engine);
+  form.elements.preset.addEventListener("change", async () => { showPreset(presetName()); await computeBrush(); await computeCurve(); });
+  form.elements.over.addEventListener("change", showRange);
+  form.elements.quantity.addEventListener("change", () => showCurve());
+  form.addEventListener("input", ({ target }) => {
+    if (target.name === "/model/friction") showLaw();
+    if (target.closest("[data-kind]")) changed();
+  });
+  form.addEventListener("submit", (event) => { event.preventDefault(); computeCurve(); });
+  for (const [name, act] of Object.entries(BUTTONS)) if (name !== "curve") part(name).addEventListener("click", act);
+  const chart = part("chart");
+  for (const name of ["pointerenter", "focus"]) chart.addEventListener(name, () => chart.shown && startPoints(chart));
+  chart.addEventListener("pointed", ({ detail }) => {
+    if (!detail) return;
+    const index = chart.shown.indices[detail.i], { curve } = state;
+    if (state.chosen === index) return;
+    state.chosen = index;
+    for (const circle of chart.querySelectorAll("circle[data-index]")) circle.classList.toggle("chosen", Number(circle.dataset.index) === index);
+    showPassages(curve.answers[index].passages, `at ${curve.axis} = ${shortly(curve.values[index])}`);
+  });
+  new ResizeObserver(() => state.curve && showCurve(part("progress").textContent)).observe(chart);
+  addEventListener("hashchange", () => { showFragment(location.hash); changed(); });
+  if (matchMedia("(max-width: 40rem)").matches) for (const group of form.querySelectorAll(".group")) group.open = false;
+  showFragment(location.hash);
+  form.elements.quantity.dataset.shared = new URLSearchParams(location.hash.slice(1)).get("quantity") ?? "";
+  startAgain(others);
+  form.dataset.ready = "true";
+  await computeBrush();
+  await computeCurve();
+}
+
+start();
