@@ -252,6 +252,9 @@ class Gatherer {
     if (repository_.files("python/bristle/report").empty()) return;
     add_drawn(options_.report, "report/index.html", drawn_from_,
               fmt::format("`{}` writes it", make("report")), payload);
+    // The page of a brush, to which the report links if it was built.
+    const fs::path brush = fs::path(options_.report).replace_filename("brush.html");
+    if (fs::exists(brush)) payload["report/brush.html"] = read_file(brush.string());
   }
 
   // Adds a file that a script made from others, which states their payload digests: a time of writing says

@@ -112,6 +112,7 @@ std::string description_of(const std::string& name, const Contents& contents) {
   if (name == "LICENSE") return "The licence of the program";
   if (name == "LICENSE-DATA") return "The licence of everything else";
   if (name == "README.md") return "Contents of this archive and how to use it";
+  if (name == "report/brush.html") return "The friction of a brush, computed in a browser";
   const std::string folder = name.substr(0, name.rfind('/'));
   if (folder == "results") return "The verdicts on the paper's claims under other assumptions";
   if (folder == "report") return "All figures, claims, points and sources on one page";

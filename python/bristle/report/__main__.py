@@ -24,8 +24,9 @@ from . import bristles, claims, diagnostics, matrix, plots, points, sources, sto
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ASSETS = {"css": ["base.css", "parts.css", "story.css", "print.css"],
-          "js": ["page.js", "tables.js", "data.js", "figures.js", "curves.js", "map.js", "explorer.js", "readings.js",
-                 "scene.js", "player.js", "hand.js"]}
+          "js": ["elements.js", "page.js", "tables.js", "data.js", "figures.js", "curves.js", "map.js", "explorer.js",
+                 "readings.js", "scene.js", "player.js", "moving.js", "hand.js"]}
+BRUSH = "brush.html"  # beside the report
 # The parts behind a click: the template and the title of each.
 REST = [("explorer", "Single points"), ("assumptions", "Assumptions"), ("deviations", "Deviations from the references"),
         ("diagnostics", "Diagnostics"), ("provenance", "Provenance"), ("citing", "Verify and cite")]
@@ -43,6 +44,8 @@ def main():
     parser.add_argument("--assumptions", metavar="FILE", nargs="+", help="the first that exists is shown",
                         default=DEFAULT)
     parser.add_argument("--citation", default="CITATION.cff", help="(default: %(default)s)")
+    parser.add_argument("--brush", metavar="FILE", default="page/brush.html",
+                        help="the page of a brush, copied beside the report if it was built (default: %(default)s)")
     arguments = parser.parse_args()
     apply_look()
     PROGRAM.set(arguments.program)
@@ -58,6 +61,8 @@ def main():
     figures = [figure(path, files[path], arguments) if path in files else missing(path) for path in arguments.results]
     page = render(figures, findings(files.values(), figures), bristles.recorded(files.values()), origin, arguments)
     write_text(arguments.output, page)
+    if os.path.isfile(arguments.brush):
+        write_text(os.path.join(os.path.dirname(arguments.output), BRUSH), read_text(arguments.brush))
     print(f"{arguments.output}: {len(present)} of {len(figures)} figures, {len(page.encode()) / 1e6:.1f} MB")
 
 
@@ -67,7 +72,7 @@ def origin_of(arguments):
     matrix_file = MATRIX.get()
     references = [os.path.join(arguments.reference, name) for name in sorted(os.listdir(arguments.reference))] \
         if os.path.isdir(arguments.reference) else []
-    for path in [*arguments.results, arguments.program, matrix_file, arguments.citation, *references]:
+    for path in [*arguments.results, arguments.program, matrix_file, arguments.citation, arguments.brush, *references]:
         digest.update(f"{path} {sources.sha256(path) if path and os.path.isfile(path) else 'none'}\n".encode())
     numbers = "none" if matrix_file is None else read_json(matrix_file, REMEDY).get("payload_sha256", "none")
     return f"drawing {digest.hexdigest()[:32]}; matrix {numbers}"
@@ -148,6 +153,7 @@ def render(figures, story_found, recorded, origin, arguments):
         claims=sorted(all_claims, key=lambda claim: claim["claim"]), count=claims.count(all_claims),
         tiers=sorted({figure["tier"] for figure in shown}),
         matrix=matrix.read(arguments.assumptions, names), citation=citation, bibtex=program.cite(arguments.program),
+        brush=BRUSH if os.path.isfile(arguments.brush) else "",
         paper=next((entry["link"] for entry in citation if entry["kind"] == "article"), ""),
         provenance=provenance, slab_length=slab_length(arguments.results), recorded=recorded, phases=points.embedded(PHASES),
         colours=points.embedded([colors.to_hex(colormaps[COLORMAP](i / 32)) for i in range(33)]),
