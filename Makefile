@@ -126,7 +126,7 @@ page-points: build
 	@$(BUILD)/bristle run experiments/fig4.json --tier smoke -o $(PAGE)/fig4.h5 --quiet
 
 page: report-packages page-engine page-points ## a brush in the browser: page/brush.html, one file (docs/browser.md)
-	@$$($(PLOT_PYTHON) jinja2) page/page.py $(PAGE) --program $(BUILD)/bristle
+	@$$($(PLOT_PYTHON) jinja2) page/page.py $(PAGE) --program $(BUILD)/bristle -o page/brush.html
 
 # What docs/accuracy.md says of the page.
 AGREEING := fig4 fig7 fig8 load ski

@@ -44,7 +44,7 @@ function showFacts(answer) {
   if (si) facts.push(row("Friction per bristle", prefixed(values.R_x_in_N, "N")));
   if (unknown) facts.push(row("Lift-off load and speed", "unknown", answer.lift_off_unknown));
   else facts.push(row("Lift-off load", si ? prefixed(values.lift_off_load_in_N, "N") : number(values.lift_off_load), "above it tips stay on the slab"));
-  if (si && !unknown) facts.push(row("Lift-off speed", number(values.lift_off_speed, "m/s"), "below it tips stay on the slab"));
+  if (si && values.lift_off_speed[0] !== null) facts.push(row("Lift-off speed", number(values.lift_off_speed, "m/s"), "below it tips stay on the slab"));
   facts.push(row("Gap under the slab", number(values.z_0, "r₀")));
   box.replaceChildren(element("p", { class: `phase ${phase}`, text: words }),
     element("p", { class: "what", text: off === null ? STATUSES[status] ?? "" : `Tips are off the slab for ${Math.round(100 * off)} % of the time.` }),
@@ -127,7 +127,7 @@ async function computeCurve() {
   if (about.error) return;
   const [axis] = about.axes, over = form.elements.over;
   state.chosen = null;
-  state.curve = { experiment, about, values: axis.values, answers: [], axis: over.selectedOptions[0].textContent, name: axis.name, begun: performance.now() };
+  state.curve = { experiment, about, values: axis.values, answers: [], axis: over.selectedOptions[0].textContent, unit: fieldOf(over.value).dataset.unit, name: axis.name, begun: performance.now() };
   part("results").classList.remove("stale");
   part("stop").disabled = false;
   showCurve();
@@ -166,8 +166,8 @@ function showCurve(words) {
     .map(({ x, index, answer }) => ({ x, index, y: answer.values?.[name]?.[0] ?? null, error: answer.values?.[name]?.[1] ?? 0, phase: answer.phase ?? "unknown", status: answer.error ?? answer.status }));
   const span = [curve.values[0], curve.values.at(-1)];
   drawChart(part("chart"), { points, axis: curve.axis, quantity: `${about.meaning}${units(about)}`, log: span[0] > 0 && form.elements.spacing.value === "logspace", xs: span, mark: markOf(curve), chosen: state.chosen });
-  const lost = points.filter(({ y }) => y === null).length;
-  part("progress").textContent = words ?? `${points.length} of ${curve.values.length} points in ${((performance.now() - curve.begun) / 1000).toFixed(1)} s` + (lost ? `, ${lost} without this number` : "");
+  const lost = points.filter(({ y }) => y === null), why = [...new Set(lost.map(({ status }) => STATUSES[status] ?? ""))].join(" ");
+  part("progress").textContent = words ?? `${points.length} of ${curve.values.length} points in ${((performance.now() - curve.begun) / 1000).toFixed(1)} s` + (lost.length ? `; ${lost.length} without this number. ${why}` : "");
 }
 
 function csvOfCurve({ about, answers, values, name }) {
@@ -217,7 +217,7 @@ async function start() {
     if (state.chosen === index) return;
     state.chosen = index;
     for (const circle of chart.querySelectorAll("circle[data-index]")) circle.classList.toggle("chosen", Number(circle.dataset.index) === index);
-    showPassages(curve.answers[index].passages, `at ${curve.axis} = ${shortly(curve.values[index])}`);
+    showPassages(curve.answers[index].passages, `at ${shortly(curve.values[index])} ${curve.unit}`);
   });
   new ResizeObserver(() => state.curve && showCurve(part("progress").textContent)).observe(chart);
   addEventListener("hashchange", () => { showFragment(location.hash); changed(); });
