@@ -1,11 +1,13 @@
 """docs/accuracy.md from the output of build/benchmarks/accuracy."""
 
 import argparse
+import os
 
 from ..command_line import run
 from ..files import read_json, write_text
 from .markdown import filled, table
 
+HERE = os.path.dirname(os.path.abspath(__file__))
 QUANTITIES = ("N_c_ratio", "R_n", "R_x", "gamma_1", "gamma_2", "gamma_3")
 
 
@@ -46,7 +48,23 @@ def random_means(sets):
                  *cells)
 
 
-def document(m):
+def another_processor(agreement):
+    cells = [[row["name"], *(str(row[key]) for key in ("points", "same_status", "values")),
+              *(f"{100 * row[key] / row['values']:.1f} %" for key in ("within", "within_two")), str(row["beyond_eight"])]
+             for row in agreement["results"]]
+    return f"""
+## Another processor, compiler and library
+
+The engine of the page ([browser.md](browser.md)) is the library compiled for WebAssembly by Emscripten
+{agreement["compiler"]}, with the C library's elementary functions and without fused multiply-add. Deviation
+of its values from the program's, in units of the program's estimated error, for every variable with an
+error at all points of the smoke tiers and of the page's presets; `make page-agreement` measures it.
+
+{table(["result", "points", "same status", "values", "within 1 x", "within 2 x", "beyond 8 x"], *cells)}
+"""
+
+
+def document(m, agreement):
     bristles, head_on, lattice = m["bristles"], m["head_on"], m["lattice"]
     explicit, implicit = (one_digit(bristles[f"{kind}_error"]) for kind in ("explicit", "implicit"))
     scatter = {engine: one_digit(value) for engine, value in head_on["scatter"].items()}
@@ -112,16 +130,18 @@ give 1 ± {(2 * lattice["seeds"]) ** -0.5:.2f}.
 R_y is odd in theta_0. The sum of sin(theta_0) alone deviates, in its own standard error, by
 {azimuths["seeds"]:.2f} with the azimuths of these seeds and by {azimuths["all"]:.3f} with those of
 {azimuths["draws"]}.
-"""
+{another_processor(agreement)}"""
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("measured", metavar="ACCURACY.json")
+    parser.add_argument("--page", metavar="AGREEMENT.json", default=os.path.join(os.path.dirname(HERE), "page/agreement.json"))
     parser.add_argument("-o", dest="output", metavar="FILE", default="docs/accuracy.md")
     arguments = parser.parse_args()
     measured = read_json(arguments.measured, "`make accuracy` writes it")
-    write_text(arguments.output, filled(document(measured)))
+    agreement = read_json(arguments.page, "`make page-agreement` writes it")
+    write_text(arguments.output, filled(document(measured, agreement)))
     print(arguments.output)
 
 
