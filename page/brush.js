@@ -230,4 +230,6 @@ async function start() {
   await computeCurve();
 }
 
-start();
+start().catch((error) => {  // a browser without what the page needs
+  part("facts").replaceChildren(element("p", { class: "wrong", text: `This browser cannot compute a brush: ${error.message}` }));
+});

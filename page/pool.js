@@ -21,10 +21,6 @@ function makePool(count, source, bytes) {
         free.push(worker);
         next();
       };
-      worker.onerror = (event) => {  // a defect of the engine, or no memory: the other workers go on
-        worker.job?.done({ error: event.message || "the engine ended" });
-        worker.job = null;
-      };
       worker.postMessage(bytes);
       return worker;
     });

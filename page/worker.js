@@ -1,7 +1,13 @@
 // A worker: the first message has the engine's bytes, each further one a question.
-let engine;
+let bytes, engine;
 onmessage = async ({ data }) => {
-  if (engine) return postMessage(engine(data));
-  engine = await makeEngine(data);
-  postMessage({});
+  const begins = !bytes;
+  bytes ??= data;
+  try {
+    engine ??= await makeEngine(bytes);
+    postMessage(begins ? {} : engine(data));
+  } catch (error) {  // a browser without what the engine needs, or no memory
+    engine = undefined;
+    postMessage({ error: `The engine ended: ${error.message}` });
+  }
 };

@@ -166,6 +166,7 @@ TEST_CASE("studies, matrices and the report are archived, and refused with the c
   CHECK_THAT(refusal(r),
              Contains("report/index.html: was not made from ") && Contains("`make report` writes it again"));
   r.write_report({"small", "study"});
+  r.s.write("report/brush.html", "a brush");
 
   const Verification v = verify_bytes(r.s, r.build());
   CHECK(v.problems == Problems{});
@@ -173,6 +174,7 @@ TEST_CASE("studies, matrices and the report are archived, and refused with the c
   Files files = read_tar(bytes_of(r.options.output));
   strip_folder(files);
   CHECK(files.contains("data/report/index.html"));
+  CHECK(files["data/report/brush.html"] == "a brush");
   CHECK(files["data/results/assumptions.json"] == bytes_of(r.s.path(matrix)));
 
   const auto with_page = [&](const std::string& digest) {
