@@ -1,7 +1,6 @@
 // The curve: points over the axis, with errors, coloured by phase. The values of a point are read as in the report (curves.js).
 
 const ROOM = { left: 62, right: 14, top: 14, bottom: 44 };
-const COLOURS_OF_PHASE = ["contact", "bouncing", "mixed", "unknown"];
 
 // About `count` round numbers from low to high, as a scale of logarithms or an even one has them.
 function roundNumbers(low, high, log, count) {
@@ -21,7 +20,8 @@ function scaleOf(low, high, log, from, to) {
   return (x) => from + (to - from) * (f(x) - f(low)) / (f(high) - f(low));
 }
 
-// Draws { points: [{ x, y, error, phase, status, index }], axis, quantity, log, xs: range, mark: { x, error, text }, here: x }.
+// Draws points, [{ x, y, error, phase, status, index }], whose y is null without a number, over the range xs of the axis, which
+// may be logarithmic; a mark, { x, error, text }, across; and the chosen point larger.
 function drawChart(box, { points, axis, quantity, log, xs, mark, chosen }) {
   const width = Math.max(280, box.clientWidth), height = Math.min(420, Math.max(260, 0.62 * width));
   const good = points.filter(({ y }) => y !== null), lows = good.map(({ y, error }) => y - (error ?? 0)), highs = good.map(({ y, error }) => y + (error ?? 0));

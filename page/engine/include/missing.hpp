@@ -2,10 +2,9 @@
 
 // What the program needs of C++20 and Emscripten's library of 2022 lacks: algorithms over ranges, and numbers
 // to and from text. The compiler includes it before every file of the page's engine. Only the forms that the
-// program has; a library that has them, too, needs no such header.
+// program has, and only what the library lacks.
 #include <version>
 
-#ifndef __cpp_lib_ranges
 #include <algorithm>
 #include <cctype>
 #include <charconv>
@@ -20,6 +19,7 @@
 
 namespace std {
 
+#if _LIBCPP_VERSION < 14000
 // Writes a number with this many digits, as the format general does.
 inline to_chars_result to_chars(char* first, char* last, double value, chars_format, int digits) {
   const int length = std::snprintf(first, std::size_t(last - first), "%.*g", digits, value);
@@ -34,7 +34,9 @@ inline to_chars_result to_chars(char* first, char* last, double value) {
     if (digits == 17 || std::strtod(first, nullptr) == value) return written;
   }
 }
+#endif
 
+#if _LIBCPP_VERSION < 200000
 // Reads a number as strtod() does, but without spaces and a sign plus before it.
 inline from_chars_result from_chars(const char* first, const char* last, double& value) {
   if (first == last || *first == '+' || std::isspace(static_cast<unsigned char>(*first)))
@@ -48,7 +50,9 @@ inline from_chars_result from_chars(const char* first, const char* last, double&
   if (result.ec == errc()) value = read;
   return result;
 }
+#endif
 
+#ifndef __cpp_lib_ranges
 namespace ranges {
 
 struct as_it_is {
@@ -151,5 +155,6 @@ constexpr void replace(Range&& range, const Value& before, const Value& after) {
 }
 
 }  // namespace ranges
-}  // namespace std
 #endif
+
+}  // namespace std
