@@ -11,11 +11,11 @@ import tempfile
 import numpy as np
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-sys.path.append(os.path.join(os.path.dirname(HERE), "scripts"))
+sys.path.append(os.path.join(os.path.dirname(HERE), "python"))
 
-from bristle_plots.command_line import run  # noqa: E402
-from bristle_plots.files import write_text  # noqa: E402
-from bristle_plots.results import as_text, experiment, flags, open_result, point_numbers, read  # noqa: E402
+from bristle.command_line import run  # noqa: E402
+from bristle.files import write_text  # noqa: E402
+from bristle.results import as_text, experiment, flags, open_result, point_numbers, read  # noqa: E402
 
 WITHIN, MOST = 2, 8  # of a value's error
 

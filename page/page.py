@@ -15,15 +15,15 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from markupsafe import Markup
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-SCRIPTS = os.path.join(os.path.dirname(HERE), "scripts")
-REPORT = os.path.join(SCRIPTS, "report")
-sys.path += [SCRIPTS, REPORT]
+PYTHON = os.path.join(os.path.dirname(HERE), "python")
+REPORT = os.path.join(PYTHON, "bristle", "report")
+sys.path.append(PYTHON)
 
-import points  # noqa: E402
-from bristle_plots.command_line import run  # noqa: E402
-from bristle_plots.figures.fig2 import PHASES  # noqa: E402
-from bristle_plots.files import write_text  # noqa: E402
-from bristle_plots.results import as_text, axis_names, axis_values, dataset, experiment, open_result, read  # noqa: E402
+from bristle.command_line import run  # noqa: E402
+from bristle.figures.fig2 import PHASES  # noqa: E402
+from bristle.files import write_text  # noqa: E402
+from bristle.report import points  # noqa: E402
+from bristle.results import as_text, axis_names, axis_values, dataset, experiment, open_result, read  # noqa: E402
 
 OF_REPORT = {"css": ["base.css", "parts.css", "story.css"], "js": ["elements.js", "curves.js", "scene.js", "player.js"]}
 OWN = {"css": ["brush.css"], "js": ["pool.js", "form.js", "chart.js", "again.js", "brush.js"]}
