@@ -19,7 +19,7 @@ def main():
     if provenance is None or "design" not in provenance.attrs:
         raise BristleError(f"{arguments.result}: is no result of a design; `make design` computes one")
     text = as_text(provenance.attrs["design"]).rstrip()
-    replace_between(arguments.output, BEGIN, END, f"\n```text\n{text}\n```\n")
+    replace_between(arguments.output, BEGIN, END, f"\n```text {arguments.result}\n{text}\n```\n")
     print(f"{arguments.output}: has what {arguments.result} found")
 
 
