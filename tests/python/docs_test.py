@@ -67,6 +67,7 @@ def check_mentions(path):
     page = path.read_text(encoding="utf-8")
     text = re.sub(r"^```.*?^```$", "", page, flags=re.M | re.S)
     written = {f"experiments/{name}.json" for name in re.findall(r"^build/bristle new ([\w-]+)", page, re.M)}
+    written |= {name for name, _ in written_files(path)}
     for name in re.findall(r"(?<![\w/.])(?:docs|src|tests|scripts|python|experiments|reference)/[\w./-]+\.\w+", text):
         name = name.rstrip(".")
         known = (source / name).exists() or name in written or re.search("mine|NAME|figN", name)
