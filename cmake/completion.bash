@@ -8,7 +8,7 @@ _bristle() {
   help=$("${COMP_WORDS[0]}" "${command[@]}" --help 2>/dev/null) ||
     help=$("${COMP_WORDS[0]}" "${command[@]:0:1}" --help 2>/dev/null)
   if [[ $current == -* ]]; then
-    mapfile -t COMPREPLY < <(compgen -W "$(grep -oE -- '(^|[ ,])--[a-z-]+' <<<"$help" | tr -d ' ,')" -- "$current")
+    mapfile -t COMPREPLY < <(compgen -W "$(grep -oE -- '^  (-.,)?--[a-z-]+' <<<"$help" | grep -oE -- '--[a-z-]+')" -- "$current")
   elif [[ $help == *Subcommands:* ]]; then
     mapfile -t COMPREPLY < <(compgen -W "$(sed '1,/^Subcommands:/d; s/^  \([a-z]*\) .*/\1/; /^ /d; /^$/,$d' <<<"$help")" -- "$current")
   else

@@ -8,7 +8,7 @@ done
 help=$("${words[1]}" "${command[@]}" --help 2>/dev/null) ||
   help=$("${words[1]}" "${command[@]:0:1}" --help 2>/dev/null)
 if [[ ${words[CURRENT]} == -* ]]; then
-  found=(${(f)"$(grep -oE -- '(^|[ ,])--[a-z-]+' <<<"$help" | tr -d ' ,')"})
+  found=(${(f)"$(grep -oE -- '^  (-.,)?--[a-z-]+' <<<"$help" | grep -oE -- '--[a-z-]+')"})
   compadd -- "${found[@]}"
 elif [[ $help == *Subcommands:* ]]; then
   found=(${(f)"$(sed '1,/^Subcommands:/d; s/^  \([a-z]*\) .*/\1/; /^ /d; /^$/,$d' <<<"$help")"})
