@@ -72,7 +72,10 @@ Json number_axis(Json value) {
 
 // The axes that a sweep may have, by their names.
 Json sweep(const Json& take, const Json& sample) {
-  Json axes = {{"sample", sample}};
+  Json axes = {{"sample", sample}}, names = Json::array();
+  for (const sweep::Sweepable& s : sweep::sweepables()) names.push_back(s.name);
+  // A table in the experiment itself, in place of the name of its file.
+  axes[JsonPointer("/sample/properties/table/anyOf/1/properties/columns/items")] = {{"enum", names}};
   for (const sweep::Sweepable& s : sweep::sweepables()) {
     Json keys = s.options.empty() ? number_axis(parameter_schema(s.name))
                                   : Json{{"values", list_of({{"enum", s.options}})}};
