@@ -15,6 +15,9 @@ namespace bristle::design {
 namespace {
 
 constexpr std::size_t kLeastStage = 8;  // trials
+// Of this many trials of a front one comes from the Sobol sequence. Between two jumps of a brush lie islands
+// of good trials, which children of trials elsewhere do not reach.
+constexpr std::size_t kSampledPart = 4;
 
 // Returns the budgets of the searches of which one with this budget is the continuation, in ascending order:
 // a half of it, a quarter, ..., none less than `least`, and the budget itself. So a search with twice the
@@ -244,10 +247,11 @@ void search_front(std::size_t dimensions, std::size_t budget, std::uint64_t seed
   };
   for (const std::size_t trials : stages(budget, kLeastStage)) {
     const std::size_t size = std::min(trials, std::clamp<std::size_t>(trials / 10, 8, 64));
-    const std::vector<Point> sample = sobol_points(size, dimensions, seed);
+    const std::size_t samples = std::max(size, trials / kSampledPart);
+    const std::vector<Point> sample = sobol_points(samples, dimensions, seed);
     population = all;
     add({sample.begin() + std::ptrdiff_t(sampled), sample.end()});
-    sampled = size;
+    sampled = samples;
     keep_best(size);
     while (all.size() < trials) {
       std::vector<Point> children;
