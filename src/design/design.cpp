@@ -108,7 +108,10 @@ class Search {
     std::vector<results::Dataset> groups = groups_of(trials_, found);
     if (!found.chosen.empty())
       if (const std::vector<Dimension> dimensions = drawing(trials_, found); !dimensions.empty()) {
-        text += drawing_text(dimensions);
+        const Sweep brush = trials_.with_rows({recommended(found).nominal});
+        text +=
+            drawing_text(dimensions) +
+            working_range_text(brush, solver()(brush, run::shard_points({}, brush.size()), Purpose::beside));
         groups.push_back(drawing_group(dimensions));
       }
     entries[kFound] = text;

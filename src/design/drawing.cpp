@@ -1,5 +1,6 @@
 #include "design/drawing.hpp"
 
+#include "bristle/ensemble/phase.hpp"
 #include "sweep/si.hpp"
 
 #include <fmt/format.h>
@@ -63,6 +64,21 @@ results::Dataset drawing_group(const std::vector<Dimension>& dimensions) {
       &Dimension::below);
   add("margin_above", "relative increase that reaches a jump of the gap; NaN: none in the range",
       &Dimension::above);
+  return out;
+}
+
+std::string working_range_text(const Sweep& sweep, const std::vector<results::PointRecord>& points) {
+  std::string out;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto value = [&](const char* name) { return points[i].at(name).front(); };
+    const auto phase = BrushPhase(std::lround(value("phase")));
+    out += fmt::format("  at {:.3g} m/s under {:.3g} N: {}", sweep::si_scales(sweep.point(i)).velocity,
+                       value("R_n_in_N"), word(phase));
+    if (const double speed = value("lift_off_speed"); !std::isnan(speed))
+      out += fmt::format("; by the formula its tips bounce above {:.2g} +- {:.1g} m/s", speed,
+                         value("lift_off_speed_err"));
+    out += "\n";
+  }
   return out;
 }
 

@@ -22,6 +22,10 @@ std::vector<Dimension> drawing(const Trials& trials, const Findings& found);
 // Returns the group /drawing of the result. The dimensions must not be empty.
 results::Dataset drawing_group(const std::vector<Dimension>& dimensions);
 
+// Returns what the recommended brush does in its working range, a line for each scenario: its phase, and the
+// speed above which it bounces. sweep: the recommended brush in SI units. points: its points, as computed.
+std::string working_range_text(const Sweep& sweep, const std::vector<results::PointRecord>& points);
+
 // Returns the drawing in words, a line for each dimension.
 std::string drawing_text(const std::vector<Dimension>& dimensions);
 
