@@ -15,7 +15,7 @@ from .explanations import explain_claim, explain_further
 from .markdown import filled, replace_between, table
 from .matrix import DEFAULT
 from .quantities import MATRIX, PROGRAM, READINGS
-from .summary import all_verdicts, claims_of, further, in_short, own_verdicts, readings_of, verdicts_of
+from .summary import all_verdicts, claims_of, further, in_context, in_short, own_verdicts, readings_of, verdicts_of
 
 INTRODUCTION = """\
 The claims of the paper in the order of its figures, and the verdicts of the computations:
@@ -63,7 +63,8 @@ def main():
     files = [open_result(path) for path in arguments.results]
     images = os.path.join(os.path.dirname(arguments.output), "images")
     found = [(file, claims_of(file)) for file in files]
-    lines = "\n" + filled("\n".join(f"- {line}" for line in in_short(found))) + "\n"
+    findings = "\n".join(f"- {line}" for line in in_short(found))
+    lines = "\n" + filled("\n\n".join([findings, *in_context(found)])) + "\n"
     summary = f"{BEGIN}\n{lines}{END}"
     sections = [section(file, claims, images, paragraph) for file, claims in found]
     more = "\n".join(f"- {line}" for line in further(found))

@@ -51,12 +51,16 @@ def readings_of(found):
     return list(dict.fromkeys(reading for verdicts in all_verdicts(found).values() for reading in verdicts))
 
 
-# By name of a result, the sentences of the first screen and those that follow them on the page of findings.
 def in_short(found):
-    """The findings that a reader should know first, of the results that are there."""
-    return sentences(found, [("load", two_phases), ("load", sliding_easily), ("liftoff", formula), ("hysteresis", two_frictions),
-                             ("scatter", bristles_that_differ),
-                             ("chart", weak_friction)], [counts]) + sentences(found, [("fig4", limits)])
+    """What a reader should know first, of the results that are there, each finding as a sentence or several."""
+    findings = [[("load", two_phases)], [("load", sliding_easily)], [("liftoff", formula)],
+                [("hysteresis", two_frictions), ("scatter", bristles_that_differ)], [("chart", weak_friction)]]
+    return [" ".join(leading + sentences(found, more)) for first, *more in findings if (leading := sentences(found, [first]))]
+
+
+def in_context(found):
+    """What belongs to the findings: the paper's claims in numbers, and what a reader must not take from its figures."""
+    return sentences(found, [], [counts]) + sentences(found, [("fig4", limits)])
 
 
 def further(found):
@@ -139,8 +143,8 @@ def bristles_that_differ(file, _):
     if not two.size:
         return ""
     names = " or ".join(f"{percent(width.max())} of the {text}" for text, width in widths.items())
-    return (f"**The two frictions remain if the bristles differ.** With standard deviations of up to {names} within a brush, the larger "
-            f"friction is {in_two_digits(factor[:, two].min())} to {in_two_digits(factor[:, two].max())} times the smaller under loads "
+    return (f"The two remain if the bristles of a brush differ: with standard deviations of up to {names} the larger friction is "
+            f"{in_two_digits(factor[:, two].min())} to {in_two_digits(factor[:, two].max())} times the smaller under loads "
             f"from {loads[two[0]]:.2g} to {loads[two[-1]]:.2g}.")
 
 
