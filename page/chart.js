@@ -65,7 +65,7 @@ function drawChart(box, { points, axis, quantity, log, xs, mark, chosen }) {
   box.querySelector("svg.plot")?.remove();
   box.prepend(svg);
   const shown = points.filter(({ y }) => y !== null);
-  box.shown = { svg, points: [{ along: axis, title: quantity, points: shown.map((p) => [X(p.x), Y(p.y), p.x, p.y, p.error, p.status === "ok" ? "" : p.status.replaceAll("_", " ")]) }], indices: shown.map(({ index }) => index) };
+  box.shown = { plot: svg, points: [{ along: axis, title: quantity, points: shown.map((p) => [X(p.x), Y(p.y), p.x, p.y, p.error, p.status === "ok" ? "" : p.status.replaceAll("_", " ")]) }], indices: shown.map(({ index }) => index) };
   if (!box.stop) return;
   removePoints(box);
   startPoints(box);

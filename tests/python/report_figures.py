@@ -18,7 +18,7 @@ LAYOUT = """const box = arguments[0].querySelector('svg.plot').viewBox.baseVal;
   return [box.width, height / width, Math.min(...sizes) * width / box.width]"""
 # Scrolls to the next drawing that is visible and has not its narrow layout yet; true if there is none.
 NEXT_WIDE = """const next = [...document.querySelectorAll('.drawing')]
-    .find(e => e.checkVisibility() && e.querySelector('svg.plot').viewBox.baseVal.width > 300);
+    .find(e => e.checkVisibility() && !(e.querySelector('svg.plot')?.viewBox.baseVal.width < 300));
   next?.scrollIntoView();
   return !next"""
 
@@ -132,22 +132,27 @@ def check_narrow_points(driver, keys, drawing, values):
 
 
 def check_saved(driver, saved, fig4):
-    """The CSV has the numbers of the file, bit for bit; the SVG is a drawing by itself."""
+    """The CSV has the numbers of the file within a twentieth of their errors; the SVG is a drawing by itself."""
     driver.execute_cdp_cmd("Browser.setDownloadBehavior", {"behavior": "allow", "downloadPath": str(saved)})
-    for selector in ("#fig4 a.data", "#fig2 a.data:nth-of-type(2)", "#fig4 button.save"):
+    for selector in ("#fig4 button.data", "#fig4 button.save"):
         driver.execute_script("document.querySelector(arguments[0]).click()", selector)
-    wanted = [saved / name for name in ("fig4.csv", "fig2-trajectories.csv", "fig4-polar.svg")]
+    wanted = [saved / name for name in ("fig4.csv", "fig4-polar.svg")]
     for _ in range(100):
         if all(path.exists() for path in wanted):
             break
         time.sleep(0.1)
     rows = [line.split(",") for line in wanted[0].read_text().splitlines() if not line.startswith("#")]
     with h5py.File(fig4) as file:
-        for name in ("R_x_norm", "R_x_norm_err", "gamma_3"):
-            column = [float(row[rows[0].index(name)] or "nan") for row in rows[1:]]
-            assert np.array_equal(column, np.ravel(file[name][()]), equal_nan=True), name
-    assert "# theta_0 [rad]: " in wanted[1].read_text()
-    image = ElementTree.parse(wanted[2]).getroot()
+        for name, error in (("R_x_norm", "R_x_norm_err"), ("R_x_norm_err", "R_x_norm_err"), ("gamma_3", "gamma_3_err"), ("k_r", None)):
+            column = np.array([float(row[rows[0].index(name)] or "nan") for row in rows[1:]])
+            if error is None:
+                assert set(column) == set(file[name][()])
+                continue
+            values, errors = np.ravel(file[name][()]), np.ravel(file[error][()])
+            assert np.array_equal(np.isnan(column), np.isnan(values)), name
+            assert np.nanmax(np.abs(column - values) / errors) <= 0.06, name
+    assert "# k_r [1]: " in wanted[0].read_text()
+    image = ElementTree.parse(wanted[1]).getroot()
     assert image.tag.endswith("svg") and image.get("width").endswith("pt")
 
 

@@ -4,7 +4,8 @@ import numpy as np
 
 from browser import one, press, view
 
-HIGHEST, LEAST_LETTER = 30_000, 9  # pixels
+HIGHEST, LEAST_LETTER = 20_000, 9  # pixels
+MOST_NODES = 60_000
 # The least size of a letter (pixels) of text in HTML and in drawings of the page's own, with the text.
 LETTERS = """let least = [99, ''];
   for (const e of document.querySelectorAll('body *:not(script, style, svg.plot *, .hidden, .hidden *)')) {
@@ -38,12 +39,21 @@ def check_story(driver, page):
         least = driver.execute_script(LETTERS)
         assert least[0] >= LEAST_LETTER, (width, least)
     assert (tall := driver.execute_script("return document.documentElement.scrollHeight")) <= HIGHEST, tall
+    nodes = driver.execute_script("return document.querySelectorAll('*').length")
+    assert nodes <= MOST_NODES, nodes
+    view(driver, page, 360, 740)
+    beside = """return [...document.querySelectorAll('.models [data-model]')].filter(e => {
+      const box = e.getBoundingClientRect(); return box.left < 0 || box.right > innerWidth || !e.checkVisibility(); }).length"""
+    assert driver.execute_script(beside) == 0, "a model's numbers are cut off on a phone"
+    view(driver, page, 1280, 900)
     cut = "return [...document.querySelectorAll('.overview, table.claims')].filter(e => e.getBoundingClientRect().right > innerWidth).length"
     assert driver.execute_script(cut) == 0, "a table of claims is cut off"
 
 
 def check_tables(driver, named):
     """A row for each check with a column for each model, and the reason of every verdict that is not "supported"."""
+    folded = "for (const part of document.querySelectorAll('#figures details.part')) part.open = arguments[0]"
+    driver.execute_script(folded, True)
     for name, path in named.items():
         with h5py.File(path) as file:
             if "checks" not in file:
@@ -57,6 +67,7 @@ def check_tables(driver, named):
           e.checkVisibility() && e.textContent.length > 40).map(e => e.dataset.claim + ' ' + e.dataset.model)""")
         wanted = {f"{a} {b}" for a, b, c in zip(claim, reading, verdict) if c != "supported"}
         assert sorted(why) == sorted(wanted), (name, set(why) ^ wanted)
+    driver.execute_script(folded, False)
 
 
 def check_player(driver, keys):

@@ -19,7 +19,7 @@ from ..pages.matrix import DEFAULT, REMEDY
 from ..pages.quantities import MATRIX, PROGRAM, READINGS
 from ..plotting import verdicts
 from ..plotting.style import COLORMAP, apply_look
-from ..results import as_text, experiment, open_result, readable, setting
+from ..results import as_text, experiment, open_result, readable
 from . import bristles, claims, diagnostics, matrix, plots, points, sources, story, symbols, tables
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -59,7 +59,7 @@ def main():
         return
     files = {path: open_result(path) for path in present}
     figures = [figure(path, files[path], arguments) if path in files else missing(path) for path in arguments.results]
-    page = render(figures, findings(files.values(), figures), bristles.recorded(files.values()), origin, arguments)
+    page = render(figures, findings(files.values(), figures), passages(files.values()), origin, arguments)
     write_text(arguments.output, page)
     if os.path.isfile(arguments.brush):
         write_text(os.path.join(os.path.dirname(arguments.output), BRUSH), read_text(arguments.brush))
@@ -88,10 +88,11 @@ def findings(files, figures):
     judged = [file for file in files if verdicts.read_claims(file) or not experiment(file).get("checks")]
     found = [(file, summary.claims_of(file)) for file in judged]
     names = {name: text for figure in figures if figure["present"] for name, text in figure["symbols"].items()}
-    lines = [symbols.emphasised(line.replace("`", ""), names) for line in summary.in_short(found)]
+    lines, context = ([symbols.emphasised(line.replace("`", ""), names) for line in part]
+                      for part in (summary.in_short(found), summary.in_context(found)))
     there = {as_text(file.attrs["name"]) for file in files}
     first = {"jump": lines[0]} if "load" in there and lines else {}  # two phases; without this result, the jump of Figure 7
-    return {**story.read(found), **first, "findings": lines}
+    return {**story.read(found), **first, "findings": lines, "context": context}
 
 
 def figure(path, file, arguments):
@@ -109,7 +110,7 @@ def figure(path, file, arguments):
         "notes": [symbols.prose(note, names) for note in experiment(file).get("notes", [])],
         "drawings": drawings, "claims": found,
         "points": points.collect(file, replay),
-        "tables": tables.read(arguments.program, path, file, [] if name == bristles.NAME else tables.RECORDED),
+        "columns": tables.read(arguments.program, path, file),
         "deviation": deviation, "outcome": program.outcome(deviation),
         "diagnostics": diagnostics.read(file), "provenance": sources.provenance(file, path),
     }
@@ -136,7 +137,12 @@ def missing(path):
             "command": f"make {name}{tier}"}
 
 
-def render(figures, story_found, recorded, origin, arguments):
+def passages(files):
+    """What the page's players show."""
+    return {"played": bristles.played(files), "recorded": bristles.recorded(files)}
+
+
+def render(figures, story_found, moving, origin, arguments):
     environment = Environment(loader=FileSystemLoader(os.path.join(HERE, "templates")), autoescape=True,
                               undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True)
     all_claims = [claim for figure in figures for claim in figure["claims"]]
@@ -145,7 +151,7 @@ def render(figures, story_found, recorded, origin, arguments):
     citation = sources.citation(arguments.citation, provenance["same"].get("commit", ""))
     names = {figure["name"]: figure["symbols"] for figure in shown}
     words = [drawing["reading"] for figure in shown for drawing in figure["drawings"] if drawing["reading"]]
-    parts = [*["findings"] * bool(story_found["findings"]), *["player"] * ("fig2" in names), *["jump"] * ("fig4" in names),
+    parts = [*["findings"] * bool(story_found["findings"]), *["player"] * bool(moving["played"]), *["jump"] * ("fig4" in names),
              *["claims"] * bool(all_claims)]
     return environment.get_template("page.html.j2").render(
         origin=origin, figures=figures, shown=shown, missing=[figure for figure in figures if not figure["present"]], names=names,
@@ -155,18 +161,9 @@ def render(figures, story_found, recorded, origin, arguments):
         matrix=matrix.read(arguments.assumptions, names), citation=citation, bibtex=program.cite(arguments.program),
         brush=BRUSH if os.path.isfile(arguments.brush) else "",
         paper=next((entry["link"] for entry in citation if entry["kind"] == "article"), ""),
-        provenance=provenance, slab_length=slab_length(arguments.results), recorded=recorded, phases=points.embedded(PHASES),
+        provenance=provenance, played=moving["played"], recorded=moving["recorded"], phases=points.embedded(PHASES),
         colours=points.embedded([colors.to_hex(colormaps[COLORMAP](i / 32)) for i in range(33)]),
         packed=lambda data: tables.packed(points.embedded(data)), **{kind: asset(names) for kind, names in ASSETS.items()})
-
-
-def slab_length(paths):
-    """L_x of Figure 2, in lengths of a bristle; nothing without its result."""
-    path = next((path for path in paths if os.path.basename(path).startswith("fig2") and os.path.exists(path)), None)
-    if path is None:
-        return ""
-    with open_result(path) as file:
-        return setting(file, "model", "L_x")
 
 
 def asset(names):

@@ -8,11 +8,30 @@ from ..errors import BristleError
 from ..figures.fig2 import read_passages
 from ..results import as_text, axis_names, axis_values, dataset, experiment, place_of, point_numbers, read, setting
 
-NAME, GRID = "bristles", "fig4"
+NAME, GRID, PLAYED = "bristles", "fig4", "fig2"
 PARAMETERS = ["model", "si", "friction_law", "load", "orientation", "integrator"]  # of an experiment
 ROWS = 100  # of a passage
 FORCE = 0.3  # of a length of the bristle: what the largest force counts as, where lines deviate
 DIGITS = {"xi": 4, "x": 3, "y": 3, "z": 3, "F_n": 3, "F_fx": 3, "F_fy": 3}
+
+
+def played(results):
+    """The length of the slab and the passages of Figure 2 for the page's players; None without its result."""
+    file = next((file for file in results if as_text(file.attrs["name"]) == PLAYED), None)
+    if file is None:
+        return None
+    passages = []
+    for at, point, gap in points_of(file):
+        passages += [{"model": at["bending"], "z_0": gap, **thinned(passage)} for passage in read_passages(file, [point])[0]]
+    return {"slab": setting(file, "model", "L_x"), "passages": passages}
+
+
+def points_of(file):
+    """Of each point of a result: the values of its axes by name, its number and its gap."""
+    axes = axis_names(dataset(file, "status"))
+    places = product(*(axis_values(file, name) for name in axes))
+    return [(dict(zip(axes, values)), point, gap)
+            for values, point, gap in zip(places, np.ravel(point_numbers(file)), np.ravel(read(file, "z_0")))]
 
 
 def recorded(results):
@@ -22,12 +41,9 @@ def recorded(results):
         return None
     file, grid = files[NAME], files[GRID]
     require_same_points(file, grid)
-    axes = axis_names(dataset(file, "status"))
-    lines = [axis_values(file, name) for name in axes]
     columns = {name: list(axis_values(grid, name)) for name in ("k_r", "k_theta")}
     passages = []
-    for values, point, gap in zip(product(*lines), np.ravel(point_numbers(file)), np.ravel(read(file, "z_0"))):
-        at = dict(zip(axes, values))
+    for at, point, gap in points_of(file):
         place = {"model": at["bending"], "z_0": gap, **{name: line.index(at[name]) for name, line in columns.items()}}
         passages += [{**place, **thinned(passage)} for passage in read_passages(file, [point])[0]]
     return {"slab": setting(file, "model", "L_x"), "passages": passages}

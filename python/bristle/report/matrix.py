@@ -24,7 +24,8 @@ def read(paths, names):
 
 
 def matrix(path, document, names):
-    """Rows grouped by claim, columns grouped by choice, a sentence for each claim."""
+    """Rows grouped by claim, columns grouped by choice, a sentence for each claim; the details of all cells, row by row."""
+    claims = [claim_rows(claim, rows, document, names) for claim, rows in by_claim(document["checks"])]
     return {
         "path": os.path.basename(path),
         "tier": document["tier"],
@@ -32,7 +33,9 @@ def matrix(path, document, names):
         "choices": [(choice or "baseline", len(list(group)))
                     for choice, group in groupby(document["alternatives"], lambda alternative: alternative["choice"])],
         "alternatives": document["alternatives"],
-        "claims": [claim_rows(claim, rows, document, names) for claim, rows in by_claim(document["checks"])],
+        "claims": claims,
+        "details": [f"{claim['claim']}, {cell['alternative']}: {cell['details']}"
+                    for claim in claims for check in claim["checks"] for cell in check["cells"]],
     }
 
 

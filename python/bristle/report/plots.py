@@ -1,12 +1,17 @@
 """The figures as inline SVG, without header and verdicts: the page has these as text."""
 
+import base64
 import io
 import math
 import re
 
 import numpy as np
+from PIL import Image
 from markupsafe import Markup, escape
+from matplotlib import rc_context
+from matplotlib.collections import PolyCollection, QuadMesh
 from matplotlib.transforms import Bbox
+from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
 from ..figures import module_of, own_figure
 from ..plotting.curves import kept
@@ -15,23 +20,32 @@ from ..plotting.readings import reading_name, readings
 from ..plotting.style import METADATA
 from ..plotting.verdicts import STRIP, read_claims, strip_height
 from ..results import as_text, axis_names, axis_values, dataset, read, readable, require_axes
+from .points import embedded
 from .symbols import plain, prose
+from .tables import packed
 
+# Maps and surfaces of more cells become images within the SVG, as elements for each cell are slow to show.
+MANY, MAP_DPI, COLOURS_OF_MAP = 50, 120, 64
+SIMPLIFIED = {"path.simplify_threshold": 0.5}  # of a pixel: how far lines may be from what they show
 NARROW = "3.5in"  # page of the drawings for phones, whose letters have at least 9 pixels there
 LEAST_LETTER = 9  # pixels on the screen
 LETTERS = re.compile(r"scale\(0?(\.\d+) -")  # of glyphs, in hundredths of their size in an SVG's units
 LONG_NUMBER = re.compile(r"-?\d+\.\d{3,}")  # of an SVG's units, 1/72 inch
+IMAGE = re.compile(r"data:image/png;base64,([^\"]*)")
+PATH = re.compile(r' d="([^"]*)"')
+LINES = re.compile(r"(?:\s*[ML] [-\d.]+ [-\d.]+|\s*z)*\s*")
 EQUAL_LINES = re.compile(r'<path d="[^"]*"( clip-path="[^"]*" style="fill: none;[^"]*"/>)(?:\s*<path d="[^"]*"\1)+')
 
 # Of the modules' further figures.
 FURTHER_NAMES = {"energy": "energy budget", "parts": "factors of the friction"}
 
 
+@rc_context(SIMPLIFIED)
 def draw(name, file, verdicts):
     """The figure's drawings, one for each reading: what it shows besides the figure's heading, and two layouts of it.
 
-    wide: panels side by side, `width` pixels wide; narrow: where the wide one's letters would be too small, panels below each
-    other, without its note. Both have the same ids: a page has one of them at a time.
+    Wide: panels side by side, `width` pixels wide; narrow: where the wide one's letters would be too small, panels below each other,
+    without its note. Both have the same ids: a page has one of them at a time.
     verdicts: for each reading the claims with their verdicts, for the description.
     """
     module = module_of(own_figure(name))
@@ -47,20 +61,26 @@ def draw(name, file, verdicts):
             shown = ", ".join(filter(None, [FURTHER_NAMES.get(ending, ending), reading_name(reading)]))
             identity = "-".join(filter(None, [name, ending, *reading.values()])).replace("_", "-")
             words = identity, f"{title}{shown and f' ({shown})'}", description
-            out.append({"name": identity, "shown": shown, "reading": "".join(reading.values()),
+            out.append({"name": identity, "further": bool(ending), "shown": shown, "reading": "".join(reading.values()),
                         "width": round(100 * figures[0].get_figwidth()), "note": note_of(figures[0]),
-                        **{kind: layout(figure, part, words) for kind, figure in zip(("wide", "narrow"), figures)}})
+                        **layouts(*figures, part, words)})
     return out
 
 
-def layout(figure, file, words):
-    """The SVG element, its width over its height, the least width (pixels) at which its letters can be read, and the points of
-    its curves; words: those of `inline`."""
-    foot, top = trim(figure, file)
-    svg = as_svg(figure, foot, top)
-    least = 100 * min(map(float, LETTERS.findall(svg)))
-    return {"shape": f"{figure.get_figwidth() / (top - foot):.3f}", "points": points_of(figure, top),
-            "least": math.ceil(72 * figure.get_figwidth() * LEAST_LETTER / least), "svg": inline(svg, *words)}
+def layouts(wide, narrow, file, words):
+    """Both layouts, compressed, with the points of the curves; the shapes (width over height), whether there are curves, and the least
+    width (pixels) at which the letters of the wide one can be read; words: those of `inline`."""
+    found = {}
+    for kind, figure in (("wide", wide), ("narrow", narrow)):
+        foot, top = trim(figure, file)
+        found[kind] = {"svg": as_svg(figure, foot, top), "places": places_of(figure, top),
+                       "shape": f"{figure.get_figwidth() / (top - foot):.3f}"}
+    least = 100 * min(map(float, LETTERS.findall(found["wide"]["svg"])))
+    curves = curves_of(wide)
+    content = {kind: {"svg": str(inline(one["svg"], *words)), "places": one["places"]} for kind, one in found.items()}
+    return {"shapes": {kind: one["shape"] for kind, one in found.items()}, "curves": bool(curves),
+            "least": math.ceil(72 * wide.get_figwidth() * LEAST_LETTER / least),
+            "layouts": packed(embedded({**content, "curves": curves}))}
 
 
 def note_of(figure):
@@ -94,13 +114,49 @@ def trim(figure, file):
     return foot, top
 
 
+def has_many_cells(artist):
+    """Whether it is a map or a surface."""
+    return isinstance(artist, (QuadMesh, Poly3DCollection)) or (isinstance(artist, PolyCollection) and len(artist.get_paths()) > MANY)
+
+
 def as_svg(figure, foot, top):
+    for artist in figure.findobj(has_many_cells):
+        artist.set_rasterized(True)
     buffer = io.StringIO()
-    figure.savefig(buffer, format="svg", metadata=METADATA["svg"],
+    figure.savefig(buffer, format="svg", metadata=METADATA["svg"], dpi=MAP_DPI,
                    bbox_inches=Bbox([[0, foot], [figure.get_figwidth(), top]]))
     svg = re.sub(r' d="[^"]*"', lambda path: LONG_NUMBER.sub(lambda found: f"{float(found.group()):.1f}", path.group()),
                  buffer.getvalue())
-    return EQUAL_LINES.sub(joined, svg)
+    return IMAGE.sub(small, PATH.sub(relative, EQUAL_LINES.sub(joined, svg)))
+
+
+def relative(path):
+    """A path of lines with each point, in tenths, relative to the one before, which needs fewer digits; another path as it is."""
+    if not LINES.fullmatch(path[1]):
+        return path[0]
+    words, before = [], (0, 0)
+    for command, *point in re.findall(r"z|([ML]) (\S+) (\S+)", path[1]):
+        if not command:
+            words.append("z")
+            continue
+        point = [round(10 * float(number)) for number in point]
+        words.append(f"M{tenths(*point)}" if command == "M" else f"l{tenths(point[0] - before[0], point[1] - before[1])}")
+        before = point
+    return f' d="{"".join(words)}"'
+
+
+def tenths(x, y):
+    """Two numbers of tenths, as a path has them."""
+    x, y = (re.sub(r"\b0\.", ".", f"{number / 10:g}") for number in (x, y))
+    return f"{x}{'' if y.startswith('-') else ' '}{y}"
+
+
+def small(image):
+    """The image with few colours, a sixth of the bytes."""
+    buffer = io.BytesIO()
+    picture = Image.open(io.BytesIO(base64.b64decode(image[1])))
+    picture.quantize(COLOURS_OF_MAP, method=Image.Quantize.FASTOCTREE).save(buffer, "png", optimize=True)
+    return f"data:image/png;base64,{base64.b64encode(buffer.getvalue()).decode()}"
 
 
 def joined(lines):
@@ -109,25 +165,28 @@ def joined(lines):
     return f'<path d="{places}"{lines.group(1)}'
 
 
-def points_of(figure, top):
-    """The curves of a drawing: what they show, and their points with place in the SVG, x, y, error of y and status."""
+def curves_of(figure):
+    """The curves of a drawing: what they show, and of each point x, y, the error of y and the status."""
+    return [{"along": str(prose(curve.along)), "title": str(prose(curve.title)), "chosen": str(prose(curve.chosen)),
+             "points": [[*numbers([curve.x[i], curve.y[i], curve.error[i]]),
+                         readable(curve.meanings[curve.status[i]]) if curve.status[i] else ""] for i in range(len(curve.x))]}
+            for axes in figure.axes for curve, _ in kept(axes)]
+
+
+def places_of(figure, top):
+    """The places in the SVG of the points of each curve; null for a point that is not within its panel."""
     out = []
     for axes in figure.axes:
-        for curve, drawn in kept(axes):
-            places = axes.transData.transform(drawn) / figure.dpi
+        for _, drawn in kept(axes):
             box = axes.bbox.padded(2)
-            rows = [[round(72 * x, 1), round(72 * (top - y), 1), *numbers([curve.x[i], curve.y[i], curve.error[i]]),
-                     readable(curve.meanings[curve.status[i]]) if curve.status[i] else ""]
-                    for i, (x, y) in enumerate(places) if box.contains(x * figure.dpi, y * figure.dpi)]
-            if rows:
-                out.append({"along": str(prose(curve.along)), "title": str(prose(curve.title)),
-                            "chosen": str(prose(curve.chosen)), "points": rows})
+            out.append([[round(72 * x / figure.dpi, 1), round(72 * (top - y / figure.dpi), 1)] if box.contains(x, y) else None
+                        for x, y in axes.transData.transform(drawn)])
     return out
 
 
 def numbers(values):
-    """Numbers for JSON: null where there is no value."""
-    return [float(value) if np.isfinite(value) else None for value in values]
+    """Numbers for JSON, with the digits that are shown: null where there is no value."""
+    return [float(f"{value:.6g}") if np.isfinite(value) else None for value in values]
 
 
 def inline(svg, name, title, description):

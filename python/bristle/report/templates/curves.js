@@ -10,10 +10,9 @@ function valuesOf(curve, [, , x, y, error, status]) {
 
 // A layer over a drawing: the point nearest to the pointer, or chosen by the arrow keys, with its values.
 async function addPoints(drawing, signal) {
-  const { svg, points } = drawing.shown;
-  const curves = points ?? JSON.parse(await inflate(drawing.dataset.points));
+  await drawing.ready?.();
   if (signal.aborted) return;
-  const { width, height } = svg.viewBox.baseVal;
+  const { plot, points: curves } = drawing.shown, { width, height } = plot.viewBox.baseVal;
   const mark = element("circle", { r: 6, class: "mark" }), tip = element("div", { class: "tip" });
   const layer = element("svg", { viewBox: `0 0 ${width} ${height}`, "aria-hidden": "true" }, mark);
   const all = curves.flatMap((curve, c) => curve.points.map((point, i) => ({ curve, point, c, i })));
@@ -40,7 +39,7 @@ async function addPoints(drawing, signal) {
   drawing.addEventListener("pointerleave", () => show(null), { signal });
   drawing.addEventListener("blur", () => show(null), { signal });
   drawing.addEventListener("keydown", (event) => {
-    if (event.key === "Enter" && drawing.dataset.points && !drawing.closest("dialog")) enlarge(drawing);
+    if (event.key === "Enter" && "points" in drawing.dataset && !drawing.closest("dialog")) enlarge(drawing);
     if (!(event.key in STEPS)) return;
     const [down, right] = STEPS[event.key];
     const c = current ? (current.c + down + curves.length) % curves.length : 0;
@@ -63,7 +62,7 @@ function startPoints(drawing) {
 function removePoints(drawing) {
   drawing.stop?.abort();
   drawing.stop = null;
-  if (drawing.dataset.points && drawing.matches(":focus, :hover")) startPoints(drawing);
+  if ("points" in drawing.dataset && drawing.matches(":focus, :hover")) startPoints(drawing);
 }
 
 for (const drawing of document.querySelectorAll(".drawing[data-points]")) {

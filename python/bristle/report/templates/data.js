@@ -1,20 +1,21 @@
-// Numbers in the page: gzip files in base64, decompressed when they are needed.
+// The numbers of the figures: columns, compressed, read when they are needed.
 
-const csvOf = (link) => inflate(link.href.split(",")[1]);
+// The lines before the columns, and the columns by name, as words; an empty cell is null.
+async function columnsOf(name) {
+  const [head, columns] = (await inflate(JSON.parse(document.getElementById(`columns-${name}`).textContent))).split("\n\n");
+  return { head, columns: Object.fromEntries(columns.split("\n").map((line) => {
+    const [title, ...words] = line.split(",");
+    return [title, words.map((word) => word || null)];
+  })) };
+}
 
 document.addEventListener("click", async (event) => {
-  const link = event.target.closest("a.data");
-  if (!link) return;
-  event.preventDefault();  // without JavaScript the link saves the gzip file
-  save(link.textContent, await csvOf(link), "text/csv");
+  const { name } = event.target.closest("button.data")?.dataset ?? {};
+  if (!name) return;
+  const { head, columns } = await columnsOf(name), titles = Object.keys(columns);
+  const rows = columns[titles[0]].map((_, row) => titles.map((title) => columns[title][row] ?? "").join(","));
+  save(`${name}.csv`, `${[head, titles.join(","), ...rows].join("\n")}\n`, "text/csv");
 });
-
-// Columns of a CSV by name, as words; an empty cell is null.
-function columnsOf(csv) {
-  const rows = csv.split("\n").filter((line) => line && !line.startsWith("#")).map((line) => line.split(","));
-  const cells = rows.slice(1);
-  return Object.fromEntries(rows[0].map((name, i) => [name, cells.map((row) => row[i] || null)]));
-}
 
 const numbersOf = (words) => words.map((word) => (word === null ? null : Number(word)));
 
@@ -38,7 +39,7 @@ const results = {};
 async function read(name) {
   if (results[name]) return results[name];
   const data = JSON.parse(await inflate(JSON.parse(document.getElementById(`points-${name}`).textContent)));
-  const columns = columnsOf(await csvOf(document.querySelector(`a.data[download="${name}.csv.gz"]`)));
+  const { columns } = await columnsOf(name);
   const key = (values) => values.join(" ");
   const rows = new Map(columns.status.map((_, row) => [key(data.axes.map((axis) => (
     axis.words ? columns[axis.name][row] : Number(columns[axis.name][row])))), row]));

@@ -1,47 +1,53 @@
 // The figures: laid out for the page's width, enlarged in a dialog, saved as SVG.
 
 const dialog = document.getElementById("enlarged"), drawings = document.querySelectorAll(".drawing");
-const frame = document.querySelector("main");
+const frame = document.querySelector("main"), WIDEST = 1008;  // pixels of a drawing that is not enlarged, in parts.css 63rem
 
-// Shows one of a drawing's two layouts: they have the same ids, so the other one is not in the document.
-function put(drawing, layout) {
-  if (drawing.shown === layout) return;
-  drawing.shown.svg.replaceWith(layout.svg);
+// A drawing's two layouts, wide and narrow, with the points of their curves. They are decompressed when the drawing is first
+// shown. Both have the same ids, so the document has one of them at a time.
+async function unpack(drawing) {
+  const { wide, narrow, curves } = JSON.parse(await inflate(drawing.dataset.layouts));
+  const points = (places) => curves.map((curve, c) => ({ ...curve, points: curve.points.flatMap((values, i) => (
+    places[c][i] ? [[...places[c][i], ...values]] : [])) })).filter((curve) => curve.points.length);
+  drawing.layouts = { wide: { svg: wide.svg, points: points(wide.places) }, narrow: { svg: narrow.svg, points: points(narrow.places) } };
+  put(drawing);
+}
+
+function put(drawing) {
+  const layout = drawing.layouts?.[drawing.matches(".narrow") ? "narrow" : "wide"];
+  if (!layout || drawing.shown === layout) return;
+  layout.plot ??= element("template", { html: layout.svg }).content.firstElementChild;
+  drawing.shown?.plot.remove();
+  drawing.prepend(layout.plot);
   drawing.shown = layout;
   removePoints(drawing);
 }
 
-// The narrow layout is decompressed when the drawing comes near the window.
-async function unpack(drawing) {
-  const { svg, points } = JSON.parse(await inflate(drawing.dataset.narrow));
-  drawing.narrow ??= { svg: element("template", { html: svg }).content.firstElementChild, points };
-  if (drawing.classList.contains("narrow")) put(drawing, drawing.narrow);
-}
-
-const near = new IntersectionObserver((seen) => {
+// However far away it is: a page is printed without being scrolled. A drawing within a closed part is not on the page yet.
+const onPage = new IntersectionObserver((seen) => {
   for (const { target, isIntersecting } of seen) {
     if (!isIntersecting) continue;
-    near.unobserve(target);
-    unpack(target);
+    onPage.unobserve(target);
+    target.ready();
   }
-}, { rootMargin: "100%" });
+}, { rootMargin: "9999999px" });
 
 function fit(drawing, narrow) {
   drawing.classList.toggle("narrow", narrow);  // makes room for it
-  near.unobserve(drawing);
-  if (!narrow) put(drawing, drawing.wide);
-  else if (drawing.narrow) put(drawing, drawing.narrow);
-  else near.observe(drawing);
+  put(drawing);
 }
 
 // The wide layout where its letters can be read there.
-const isNarrow = (drawing) => frame.clientWidth - 66 < Number(drawing.dataset.least);
+const isNarrow = (drawing) => Math.min(frame.clientWidth - 66, WIDEST) < Number(drawing.dataset.least);
 
 function fitAll(printed) {
   for (const drawing of drawings) if (!drawing.closest("dialog")) fit(drawing, !printed && isNarrow(drawing));
 }
 
-for (const drawing of drawings) drawing.wide = drawing.shown = { svg: drawing.querySelector("svg.plot") };
+for (const drawing of drawings) {
+  drawing.ready = () => (drawing.unpacking ??= unpack(drawing));
+  onPage.observe(drawing);
+}
 addEventListener("resize", () => fitAll(false));
 addEventListener("beforeprint", () => fitAll(true));
 addEventListener("afterprint", () => fitAll(false));
@@ -63,12 +69,12 @@ function enlarge(drawing) {
 }
 
 function saveSvg(drawing) {
-  const svg = drawing.shown.svg.cloneNode(true);
+  const svg = drawing.shown.plot.cloneNode(true);
   const [, , width, height] = svg.getAttribute("viewBox").split(" ");
   for (const [name, value] of Object.entries({ width: `${width}pt`, height: `${height}pt` })) svg.setAttribute(name, value);
   for (const name of ["class", "role"]) svg.removeAttribute(name);
   svg.querySelector("desc").after(element("rect", { width: "100%", height: "100%", fill: "#fff" }));
-  const ending = drawing.shown === drawing.narrow ? "-narrow" : "";
+  const ending = drawing.shown === drawing.layouts.narrow ? "-narrow" : "";
   save(`${drawing.dataset.name}${ending}.svg`, new XMLSerializer().serializeToString(svg), "image/svg+xml");
 }
 

@@ -72,7 +72,7 @@ function handBristles(passages, axes) {
 
 async function startHand(section) {
   const data = await read("fig4"), box = document.getElementById("jump-models");
-  const passages = document.getElementById("recorded") ? await readRecorded() : [];
+  const passages = document.getElementById("recorded") ? await readPassages("recorded") : [];
   const sliders = [...section.querySelectorAll(".hand input")], axes = sliders.map(({ name }) => data.axes.find((axis) => axis.name === name));
   const follow = passages.length ? handBristles(passages, axes) : () => {};
   let at = Object.fromEntries(axes.map((axis) => [axis.name, Math.floor(axis.values.length / 2)])), marks = [];

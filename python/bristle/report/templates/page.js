@@ -8,19 +8,6 @@ document.addEventListener("click", async (event) => {
   setTimeout(() => { button.textContent = "Copy"; }, 1500);
 });
 
-// Printing opens everything; afterwards the previous state is restored.
-const opened = [];
-addEventListener("beforeprint", () => {
-  for (const details of document.querySelectorAll("details:not([open])")) {
-    if (details.closest("#explorer, .contents")) continue;
-    details.open = true;
-    opened.push(details);
-  }
-});
-addEventListener("afterprint", () => {
-  for (const details of opened.splice(0)) details.open = false;
-});
-
 // A link to a part behind a click opens it; the lists of the contents close.
 function openTarget() {
   const target = location.hash && document.getElementById(decodeURIComponent(location.hash.slice(1)));
@@ -39,18 +26,19 @@ document.querySelector(".contents").addEventListener("click", (event) => {
 function startMatrix(table) {
   const rows = [...table.querySelectorAll("tbody tr")].map((row) => [...row.querySelectorAll("td")]);
   const details = document.getElementById("matrix-details");
+  const numbers = inflate(JSON.parse(document.getElementById("matrix-numbers").textContent)).then(JSON.parse);
   let current = rows[0][0];
   table.setAttribute("role", "grid");
   for (const cell of rows.flat()) {
     cell.setAttribute("role", "gridcell");
     cell.tabIndex = cell === current ? 0 : -1;
   }
-  function choose(cell) {
+  async function choose(cell) {
     current.tabIndex = -1;
     current = cell;
     current.tabIndex = 0;
     current.focus({ preventScroll: false });
-    details.textContent = cell.dataset.details;
+    details.textContent = (await numbers)[rows.flat().indexOf(cell)];
   }
   table.addEventListener("click", (event) => {
     const cell = event.target.closest("td");

@@ -1,7 +1,7 @@
 // The players: play, pause and a slider over recorded passages. They start by themselves only if the reader's system allows
 // motion, and pause while they are out of sight.
 
-const MODELS = { polar: "exact", polar_as_printed: "as printed", rod: "rod" };
+const MODELS = { polar: "corrected", polar_as_printed: "as printed", rod: "rod" };
 const calm = matchMedia("(prefers-reduced-motion: reduce)");
 const SPEED = 0.7;  // units of time in a second
 const BEGIN = { bristle: 1.2, recorded: 2.4 };  // time of a player that has not started

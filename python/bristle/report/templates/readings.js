@@ -1,4 +1,4 @@
-// The switch between the models of bending: figures and the explorer's map show one of them, or figures all. Printed are all.
+// The switch between the models of bending: figures and the explorer's map show one of them, or figures all.
 
 function showReading(word) {
   const sections = [...document.querySelectorAll("main article, main section")].reverse();
@@ -21,5 +21,3 @@ function readingShown() {
 
 document.querySelector("form.readings")?.addEventListener("change", () => showReading(readingShown()));
 if (readingShown()) showReading(readingShown());  // kept by the browser when the page is loaded again
-addEventListener("beforeprint", () => showReading(""));
-addEventListener("afterprint", () => showReading(readingShown()));

@@ -6,25 +6,9 @@ const LEFT = 1.15;  // from the left edge of a scene to the root
 const FORCES = ["F_n", "F_fx", "F_fy"];
 const RECENT = 0.04;  // time over which the arrows show the largest force
 
-// The passages of a result: for each point of its sweep those of all azimuths, and the gap.
+// The passages that the page has under this name, each with its model and gap; those at points of Figure 4 with places on its axes.
 async function readPassages(name) {
-  const link = document.querySelector(`a.data[download="${name}-trajectories.csv.gz"]`);
-  const [data, columns] = [await read(name), columnsOf(await csvOf(link))];
-  const gap = data.variables.find((variable) => variable.name === "z_0");
-  const numbers = Object.fromEntries(["xi", "x", "y", "z", "F_n", "F_fx", "F_fy", "theta_0"].map((key) => [key, numbersOf(columns[key])]));
-  const found = new Map();
-  columns.point.forEach((point, row) => {
-    const key = `${point} ${columns.theta_0[row]}`;
-    if (!found.has(key)) found.set(key, { point: Number(point), theta_0: numbers.theta_0[row], z_0: gap.values[point],
-      model: columns.bending[row], first: row, phase: columns.phase });
-    found.get(key).last = row;
-  });
-  return [...found.values()].map((passage) => ({ ...numbers, ...passage, end: numbers.xi[passage.last] }));
-}
-
-// The passages at points of Figure 4, with the places of the points on its axes.
-async function readRecorded() {
-  const found = JSON.parse(await inflate(JSON.parse(document.getElementById("recorded-passages").textContent)));
+  const found = JSON.parse(await inflate(JSON.parse(document.getElementById(`${name}-passages`).textContent)));
   return found.map((passage) => ({ ...passage, first: 0, last: passage.xi.length - 1, end: passage.xi.at(-1) }));
 }
 
