@@ -29,7 +29,7 @@ CONTRAST = (root / "tests/python/contrast.js").read_text()
 
 def report(*files, **options):
     """Writes a report; options override the defaults."""
-    options = {"o": page, "program": program, "assumptions": root / "tests/python/assumptions.json", **options}
+    options = {"o": page, "program": program, "assumptions": root / "tests/python/assumptions.json", "parts": folder / "parts", **options}
     words = [str(word) for key, value in options.items() for word in ("-o" if key == "o" else f"--{key}", value)]
     command = [sys.executable, "-m", "bristle.report", *files, *words]
     return subprocess.run(command, capture_output=True, text=True, cwd=root, env={**os.environ, "PYTHONPATH": str(root / "python")})
@@ -38,12 +38,12 @@ def report(*files, **options):
 def check_output():
     """Equal inputs give equal pages, ids are unique, and links have targets."""
     digests = []
-    for _ in range(2):
+    for parts in ("parts", "parts", "others"):  # drawn, as drawn before, drawn again
         page.unlink(missing_ok=True)
-        done = report(*results)
+        done = report(*results, parts=folder / parts)
         assert done.returncode == 0, done.stderr
         digests.append(page.read_bytes())
-    assert len(set(digests)) == 1, "two runs gave different pages"
+    assert len(set(digests)) == 1, "three runs gave different pages"
     assert len(digests[0]) < LARGEST, len(digests[0])
     content = re.sub(r"<script.*?</script>", "", digests[0].decode(), flags=re.DOTALL)
     ids = re.findall(r'\bid="([^"]*)"', content)
@@ -60,6 +60,25 @@ def check_output():
     for name in named:
         assert re.search(rf'<button type="button" class="data" data-name="{name}"', content), name
         assert f'<script type="application/json" id="columns-{name}">"' in digests[0].decode(), name
+
+
+def check_parts():
+    """Of two figures only the one whose result changed is drawn again, also if what is kept of the other one is damaged later."""
+    copies = [shutil.copy(named[name], folder / named[name].name) for name in ("fig4", "fig5")]
+    parts = {name: folder / "few" / f"{named[name].stem}.pickle" for name in ("fig4", "fig5")}
+    few = {"o": folder / "few.html", "parts": folder / "few"}
+    assert report(*copies, **few).returncode == 0
+    kept = {name: part.stat().st_mtime_ns for name, part in parts.items()}
+    with h5py.File(copies[1], "r+") as file:
+        file.attrs["caption"] = "another caption"
+    assert report(*copies, **few).returncode == 0
+    assert parts["fig4"].stat().st_mtime_ns == kept["fig4"] and parts["fig5"].stat().st_mtime_ns > kept["fig5"]
+    made = (folder / "few.html").read_text()
+    assert "another caption" in made
+    parts["fig4"].write_bytes(parts["fig4"].read_bytes()[:1000])
+    (folder / "few.html").unlink()
+    assert report(*copies, **few).returncode == 0
+    assert (folder / "few.html").read_text() == made
 
 
 def check_errors():
@@ -276,6 +295,7 @@ def check_requests(driver):
 shutil.rmtree(folder, ignore_errors=True)
 folder.mkdir(parents=True)
 check_output()
+check_parts()
 check_errors()
 with browser() as chromium:
     from selenium.webdriver.common.keys import Keys

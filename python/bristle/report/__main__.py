@@ -21,11 +21,13 @@ from ..plotting import verdicts
 from ..plotting.style import COLORMAP, apply_look
 from ..results import as_text, experiment, open_result, readable
 from . import bristles, claims, diagnostics, matrix, plots, points, sources, story, symbols, tables
+from .remembered import remembered
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ASSETS = {"css": ["base.css", "parts.css", "story.css", "print.css"],
           "js": ["elements.js", "page.js", "tables.js", "data.js", "figures.js", "curves.js", "map.js", "explorer.js",
                  "readings.js", "scene.js", "player.js", "moving.js", "hand.js"]}
+ENDINGS = (".py", ".js", ".css", ".j2")  # of the files that make the page; the figures need only the first
 BRUSH = "brush.html"  # beside the report
 # The parts behind a click: the template and the title of each.
 REST = [("explorer", "Single points"), ("assumptions", "Assumptions"), ("deviations", "Deviations from the references"),
@@ -44,6 +46,8 @@ def main():
     parser.add_argument("--assumptions", metavar="FILE", nargs="+", help="the first that exists is shown",
                         default=DEFAULT)
     parser.add_argument("--citation", default="CITATION.cff", help="(default: %(default)s)")
+    parser.add_argument("--parts", metavar="FOLDER", default="build/report",
+                        help="keeps what was drawn, so that the next page draws only what changed (default: %(default)s)")
     parser.add_argument("--brush", metavar="FILE", default="page/brush.html",
                         help="the page of a brush, copied beside the report if it was built (default: %(default)s)")
     arguments = parser.parse_args()
@@ -58,7 +62,7 @@ def main():
         print(f"{arguments.output}: is up to date")
         return
     files = {path: open_result(path) for path in present}
-    figures = [figure(path, files[path], arguments) if path in files else missing(path) for path in arguments.results]
+    figures = [drawn(path, files[path], arguments) if path in files else missing(path) for path in arguments.results]
     page = render(figures, findings(files.values(), figures), passages(files.values()), origin, arguments)
     write_text(arguments.output, page)
     if os.path.isfile(arguments.brush):
@@ -68,14 +72,27 @@ def main():
 
 def origin_of(arguments):
     """What the page is made from, as a text that it contains: a digest of all files, and that of the matrix's numbers."""
-    digest = hashlib.sha256(current.code_digest(os.path.dirname(HERE), (".py", ".js", ".css", ".j2")).encode())
     matrix_file = MATRIX.get()
+    others = [*arguments.results, matrix_file, arguments.citation, arguments.brush]
+    numbers = "none" if matrix_file is None else read_json(matrix_file, REMEDY).get("payload_sha256", "none")
+    return f"drawing {digest_of(others, arguments, ENDINGS)}; matrix {numbers}"
+
+
+def drawn(path, file, arguments):
+    """The figure of a result: of an earlier page if nothing changed on which it depends."""
+    stem = os.path.splitext(os.path.basename(path))[0]
+    return remembered(arguments.parts, stem, digest_of([path, MATRIX.get()], arguments, ENDINGS[:1]), lambda: figure(path, file, arguments))
+
+
+def digest_of(paths, arguments, endings):
+    """A digest of the code in files with these endings, the program, the references and the files at these paths, of which some
+    may be None or missing."""
+    digest = hashlib.sha256(current.code_digest(os.path.dirname(HERE), endings).encode())
     references = [os.path.join(arguments.reference, name) for name in sorted(os.listdir(arguments.reference))] \
         if os.path.isdir(arguments.reference) else []
-    for path in [*arguments.results, arguments.program, matrix_file, arguments.citation, arguments.brush, *references]:
+    for path in [*paths, arguments.program, *references]:
         digest.update(f"{path} {sources.sha256(path) if path and os.path.isfile(path) else 'none'}\n".encode())
-    numbers = "none" if matrix_file is None else read_json(matrix_file, REMEDY).get("payload_sha256", "none")
-    return f"drawing {digest.hexdigest()[:32]}; matrix {numbers}"
+    return digest.hexdigest()[:32]
 
 
 def read_text(path):
