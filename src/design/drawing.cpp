@@ -74,6 +74,8 @@ std::string working_range_text(const Sweep& sweep, const std::vector<results::Po
     const auto phase = BrushPhase(std::lround(value("phase")));
     out += fmt::format("  at {:.3g} m/s under {:.3g} N: {}", sweep::si_scales(sweep.point(i)).velocity,
                        value("R_n_in_N"), word(phase));
+    if (const double ratio = value("load_over_lift_off"); !std::isnan(ratio))
+      out += fmt::format(", {:.0f} % of its lift-off load", 100 * ratio);
     if (const double speed = value("lift_off_speed"); !std::isnan(speed))
       out += fmt::format("; by the formula its tips bounce above {:.2g} +- {:.1g} m/s", speed,
                          value("lift_off_speed_err"));
