@@ -62,6 +62,17 @@ def check_output():
         assert f'<script type="application/json" id="columns-{name}">"' in digests[0].decode(), name
 
 
+def check_shortened():
+    """Lines of the drawings keep their points, other paths stay, and numbers keep the digits that their errors leave."""
+    sys.path.insert(0, str(root / "python"))
+    from bristle.report import plots, tables
+    lines = ' d="M 678 2906 \nL 684.4 2906.2 \nL 684.4 -0.3 \nz\nM 1 2 \nL 0.5 2.5 "'
+    curved = ' d="M 1 2 \nQ 3 4 5 6 "'
+    assert plots.PATH.sub(plots.relative, lines + curved) == ' d="M678 2906l6.4 .2l0-2906.5zM1 2l-.5 .5"' + curved
+    assert tables.by_column("# a\nk_r,x,x_err,y,phase\n5.1234567,1.234567,0.0123,9.87654321,contact\n6.1234567,,,,unknown\n", ["k_r"]) == (
+        "# a\n\nk_r,5.1234567,6.1234567\nx,1.235,\nx_err,0.012,\ny,9.8765,\nphase,contact,unknown")
+
+
 def check_parts():
     """Of two figures only the one whose result changed is drawn again, also if what is kept of the other one is damaged later."""
     copies = [shutil.copy(named[name], folder / named[name].name) for name in ("fig4", "fig5")]
@@ -294,6 +305,7 @@ def check_requests(driver):
 
 shutil.rmtree(folder, ignore_errors=True)
 folder.mkdir(parents=True)
+check_shortened()
 check_output()
 check_parts()
 check_errors()
