@@ -51,7 +51,7 @@ std::string with_pointer(const std::string& change) {
 
 std::vector<std::string> with_pointers(const std::vector<std::string>& changes) {
   std::vector<std::string> out;
-  std::ranges::transform(changes, std::back_inserter(out), with_pointer);
+  for (const std::string& change : changes) out.push_back(with_pointer(change));
   return out;
 }
 
