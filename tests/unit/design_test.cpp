@@ -1,10 +1,8 @@
 #include "compare/comparison.hpp"
 #include "compare/reference.hpp"
 #include "design/design.hpp"
-#include "design/search.hpp"
 #include "design/trials.hpp"
 #include "experiment/experiment.hpp"
-#include "bristle/model/friction/laws.hpp"
 #include "results/csv.hpp"
 #include "results/reader.hpp"
 #include "run/task.hpp"
@@ -16,7 +14,6 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <nlohmann/json.hpp>
 
 namespace bristle::design_test {
