@@ -15,8 +15,8 @@ namespace bristle::design {
 namespace {
 
 constexpr std::size_t kLeastStage = 8;  // trials
-// Of this many trials of a front one comes from the Sobol sequence. Between two jumps of a brush lie islands
-// of good trials, which children of trials elsewhere do not reach.
+// One in this many trials of a front comes from the Sobol sequence. Between two jumps of a brush lie small
+// regions of good trials, which children of trials elsewhere do not reach.
 constexpr std::size_t kSampledPart = 4;
 
 // Returns the budgets of the searches of which one with this budget is the continuation, in ascending order:
