@@ -125,6 +125,7 @@ def check_errors():
     assert "@article{menga2022," in made
     assert done.returncode == 0 and "make fig5 TIER=smoke" in made and "make assumptions" in made, done.stderr
     assert report(fig4, o="/proc/none/index.html").returncode == 3
+    assert report(fig4, parts="/proc/none", **other).returncode == 0
 
 
 def check_table(driver, keys):

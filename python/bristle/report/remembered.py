@@ -4,6 +4,7 @@ import contextlib
 import os
 import pickle
 
+from ..errors import BristleError
 from ..files import write_whole
 
 FIRST_LINE = b"bristle report part\n"
@@ -12,7 +13,8 @@ FIRST_LINE = b"bristle report part\n"
 def remembered(folder, name, origin, make):
     """Returns what make() returned for the same origin before, from a file of this name in the folder; else make()'s result, kept there.
 
-    origin: a text that changes with everything on which the result depends. A damaged file is written anew.
+    origin: a text that changes with everything on which the result depends. A damaged file is written anew; where no file can be
+    written, nothing is kept.
     """
     path = os.path.join(folder, f"{name}.pickle")
     with contextlib.suppress(Exception):  # whatever is wrong with the file
@@ -20,5 +22,6 @@ def remembered(folder, name, origin, make):
             if file.readline() == FIRST_LINE and pickle.load(file) == origin:
                 return pickle.load(file)
     made = make()
-    write_whole(path, FIRST_LINE + pickle.dumps(origin) + pickle.dumps(made))
+    with contextlib.suppress(BristleError):
+        write_whole(path, FIRST_LINE + pickle.dumps(origin) + pickle.dumps(made))
     return made
