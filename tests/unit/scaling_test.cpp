@@ -22,8 +22,8 @@ void* counted_or_thrown(std::size_t bytes) {
 }
 }  // namespace
 
-// In place of those of the library, for the whole program. All that a delete below can meet: sanitizers
-// watch.
+// In place of those of the library, for the whole program: every new whose memory a delete below may free.
+// The address sanitizer ends the program where a delete of the test frees the memory of a new of the library.
 void* operator new(std::size_t bytes) { return counted_or_thrown(bytes); }
 void* operator new[](std::size_t bytes) { return counted_or_thrown(bytes); }
 void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept { return counted(bytes); }
