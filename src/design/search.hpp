@@ -30,6 +30,11 @@ using Evaluate = std::function<std::vector<Score>(const std::vector<Point>&)>;
 // objective.
 std::vector<std::size_t> front_of(const std::vector<Score>& scores);
 
+// Returns the budgets of the searches of which the search with this budget is the continuation, in ascending
+// order: a half of it, a quarter, ..., and the budget itself. So a search with twice the budget begins with
+// the trials of this one, and finds nothing worse.
+std::vector<std::size_t> stages(std::size_t budget);
+
 // Approaches the front of several objectives with the genetic algorithm NSGA-II (K. Deb et al., see
 // better()). The search continues that of half its budget with a larger population, so that twice the budget
 // never gives a worse front.
