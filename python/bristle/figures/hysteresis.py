@@ -27,13 +27,13 @@ def windows(file, reading, k_r_text="$k_r$"):
         factor = unloading / loading
     apart = np.flatnonzero(factor >= APART)
     windows = [at for at in np.split(apart, np.flatnonzero(np.diff(apart) > 1) + 1) if at.size]
-    return [f"{factor[at].min():.2g} to {factor[at].max():.2g} times from {k_r_text} = {k_r[at[0]]:.3g} to {k_r[at[-1]]:.3g}"
-            if at.size > 1 else f"{factor[at[0]]:.2g} times at {k_r_text} = {k_r[at[0]]:.3g}" for at in windows]
+    return [f"by a factor of {factor[at].min():.2g} to {factor[at].max():.2g} from {k_r_text} = {k_r[at[0]]:.3g} to {k_r[at[-1]]:.3g}"
+            if at.size > 1 else f"by a factor of {factor[at[0]]:.2g} at {k_r_text} = {k_r[at[0]]:.3g}" for at in windows]
 
 
 def window(file, reading):
     """A sentence on the windows."""
     name = f"{reading_name(reading)}: " if reading else ""
     if found := windows(file, reading):
-        return f"{name}the friction after unloading is that after loading {' and '.join(found)}."
+        return f"{name}the friction after unloading is larger than after loading {' and '.join(found)}."
     return f"{name}the friction is the same after loading and after unloading, within a factor of {APART}."

@@ -260,10 +260,39 @@ def end_of_transient(file, pairs):
             "of their ensemble means.")
 
 
+def same_fall_without_area(file, pairs):
+    """Claim 4b: bouncing bristles have the same friction under the law without contact area."""
+    ratio = next(row for check, row in pairs if check["variable"] == "R_x" and check["predicate"] == "level")
+    return ("R_x of bouncing bristles under nominal shear stress is "
+            f"{with_uncertainty(ratio.measured, ratio.uncertainty)} times that under Coulomb friction of the same magnitude: a tip that "
+            "strikes the slab is soon as fast as the slab, under either law, and its friction is what that takes (docs/lift-off.md).")
+
+
+def order_along_k_phi(file, pairs):
+    """Claim 5d: what gap and friction do along k_phi before the jump and behind it."""
+    reading, k_r, k_phi = pairs[0][1].reading, axis_values(file, "k_r"), axis_values(file, "k_phi")
+    friction = select(dataset(file, "R_x_norm"), ["k_r", "k_phi"], bending=reading)
+    at_both_ends = np.flatnonzero(np.isfinite(friction[:, [0, -1]]).all(axis=1))
+    parts = []
+    for i in at_both_ends[[0, -1]]:
+        gap, force = (measured(file, reading, {"predicate": "end_ratio", "variable": name, "along": "k_phi", "where": {"k_r": k_r[i]}})[0]
+                      for name in ("z_0", "R_x_norm"))
+        parts.append(f"at k_r = {chosen_at(k_r[i])} z_0 changes by a factor of {short(gap)} and R_x_norm by a factor of {short(force)}")
+    return f"From k_phi = {chosen_at(k_phi[0])} to {chosen_at(k_phi[-1])}, {', and '.join(parts)}."
+
+
+def transverse_damping(file, pairs):
+    """Claim C3: the rates of transverse disturbances of bouncing bristles."""
+    row, rates = pairs[0][1], dataset(file, "transverse_growth_rate").sel(bending=pairs[0][1].reading).values
+    bouncing = (dataset(file, "off_slab_share").sel(bending=row.reading).values >= 0.5) & np.isfinite(rates)
+    return (f"The growth rate of transverse disturbances is between {short(rates[bouncing].min())} and {short(rates[bouncing].max())} "
+            "where tips bounce: friction, which opposes the velocity of the tip over the slab, damps every motion across it.")
+
+
 # By claim; and of further checks by claim and predicate, a sentence.
-CLAIMS = {"3a": stiff_first_contact, "3d": order_of_gaps, "3e": linear_ends, "4g": shares_of_k_theta, "5c": by_branch,
-          "5d": by_branch, "6a": directions, "7b": by_branch, "8b": pinned_bristles, "8c": largest_friction,
-          "C1": polar_stiffness, "A2": row_period, "A4": end_of_transient}
+CLAIMS = {"3a": stiff_first_contact, "3d": order_of_gaps, "3e": linear_ends, "4b": same_fall_without_area, "4g": shares_of_k_theta,
+          "5c": by_branch, "5d": order_along_k_phi, "6a": directions, "7b": by_branch, "8b": pinned_bristles, "8c": largest_friction,
+          "C1": polar_stiffness, "C3": transverse_damping, "A2": row_period, "A4": end_of_transient}
 FURTHER = {("3a", "slope"): slope_at_contact, ("3e", "slope"): slopes_of_ends, ("4c", "end_ratio"): sticking_at_low_stiffness,
            ("4d", "trend"): alignment_over_stiffness, ("5c", "slope"): estimate_of_friction,
            ("5c", "plateau"): product_of_gammas, ("6a", "concordance"): jump_of_one_law, ("7a", "steepness"): magnitude_or_law,

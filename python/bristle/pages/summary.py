@@ -4,7 +4,7 @@ import numpy as np
 
 from ..figures.hysteresis import windows
 from ..plotting.verdicts import declared_checks, number, with_uncertainty
-from ..results import as_text, attribute, axis_values, dataset, flags, read, select
+from ..results import as_text, attribute, axis_values, dataset, flags, read, select, setting
 from .quantities import (at_most, chosen_at, falls_of_laws, jump_of, listed, measured, on_k_theta, percent,
                          periodic_part, READINGS, short, span, where_saturated)
 
@@ -110,28 +110,38 @@ def two_phases(file, _):
     words, phases = flags(dataset(file, "phase"))
     number_of = {word: int(np.sum(np.asarray(phases) == i)) for i, word in enumerate(words)}
     off = over_models(file, predicate="level", variable="off_slab_share", along="R_n_target", where=BOUNCING)
-    brushes = sum(number_of[word] for word in ("contact", "bouncing", "mixed"))
-    return ("**A brush is in contact or bounces.** In contact the tips stay on the slab and drag along it. Bouncing, they are off the "
-            f"slab for {of_rods(off, percent)} of the time. Of {brushes} brushes under given loads "
+    points = sum(number_of[word] for word in ("contact", "bouncing", "mixed"))
+    local = read(file, "R_x") / read(file, "R_x_norm") / read(file, "R_n")
+    return ("**Under strong local friction a brush is in contact or bounces.** In contact the tips stay on the slab and drag along it. "
+            f"Bouncing, they are off the slab for {of_rods(off, percent)} of the time. Of {points} points, at which rigid bristles "
+            f"would have a friction coefficient of {span([np.nanmin(local), np.nanmax(local)], in_two_digits)}, "
             f"{number_of['mixed'] or 'none'} {'is' if number_of['mixed'] < 2 else 'are'} in between.")
 
 
 def sliding_easily(file, _):
-    easily = over_models(file, predicate="level", variable="R_x_norm", along="R_n_target",
-                         where={**BOUNCING, "load_over_lift_off": [0.5, 2]})
-    dragging = over_models(file, predicate="level", variable="R_x_norm", along="R_n_target", where=CONTACT)
-    return (f"**Bouncing brushes slide easily.** Under strong local friction they rub {of_rods(easily)} times as much as rigid "
-            f"bristles would. In contact it is {of_rods(dragging)} times. The stiffness decides in which of the two states a brush "
-            "is, and matters little within either.")
+    words, phases = flags(dataset(file, "phase"))
+    friction, over_lift_off = read(file, "R_x_norm"), read(file, "load_over_lift_off")
+    rods = axis_values(file, "bending").index("rod")
+    def span_of(phase, chosen=True):
+        there = (np.asarray(phases) == list(words).index(phase)) & chosen & np.isfinite(friction)
+        return span([friction[rods][there[rods]].min(), friction[rods][there[rods]].max()], in_two_digits)
+    means = {"predicate": "level", "variable": "R_x_norm", "along": "R_n_target"}
+    easily, dragging = (dict(zip(READINGS, over_models(file, **means, where=where)))
+                        for where in ({**BOUNCING, "load_over_lift_off": [0.5, 2]}, CONTACT))
+    return ("**Bouncing brushes slide easily.** Under loads of at least half the lift-off load, bouncing rods have "
+            f"{in_two_digits(easily['rod'])} times the friction of rigid bristles ({span_of('bouncing', over_lift_off >= 0.5)} over "
+            f"stiffness and load; the three models have means of {span(list(easily.values()), in_two_digits)}). In contact they have "
+            f"{in_two_digits(dragging['rod'])} times ({span_of('contact')}). The stiffness decides in which of the two states a brush is, "
+            "and matters less within either.")
 
 
 def formula(file, _):
     load = dataset(file, "lift_off_load")
     of_springs = attribute(load, "long_name").partition(": ")[2]
     scatter = float(np.nanmax(read(file, "lift_off_load_err") / read(file, "lift_off_load")))
-    return (f"**A formula says which.** A brush bounces if its load per bristle is less than the lift-off load, {of_springs}, within "
-            f"{percent(scatter)} (dimensionless; docs/lift-off.md). Stiffer bristles bounce under greater loads; the "
-            "speed of the slab matters little.")
+    return (f"**A formula says which.** A brush bounces if its load per bristle is less than the lift-off load, {of_springs} "
+            f"(dimensionless; computed lift-off loads are {percent(scatter)} off, root mean square: docs/lift-off.md). Stiffer bristles "
+            "bounce under greater loads. In newtons the speed of the slab changes the lift-off load only by its logarithm.")
 
 
 def bristles_that_differ(file, _):
@@ -150,12 +160,14 @@ def bristles_that_differ(file, _):
 
 def weak_friction(file, _):
     friction, local = select(dataset(file, "R_x_norm"), ["nominal_friction", "contact", "R_n_target"]), axis_values(file, "nominal_friction")
+    loads, k_r = axis_values(file, "R_n_target"), setting(file, "model", "k_r")
     least = np.nanmin(friction, axis=(1, 2))
     uncontrolled = np.flatnonzero(np.minimum.accumulate(least) >= 0.9)
     if not uncontrolled.size:
         return ""
-    return (f"**Weak local friction cannot be controlled.** Up to a local friction coefficient of {in_two_digits(local[uncontrolled[-1]])} a "
-            f"brush has at least {percent(least[uncontrolled[-1]])} of the friction of rigid bristles, under any load.")
+    return (f"**Weak local friction cannot be controlled.** Up to a local friction coefficient of {in_two_digits(local[uncontrolled[-1]])} "
+            f"rods (k_r = {k_r:g}) have at least {percent(least[uncontrolled[-1]])} of the friction of rigid bristles under all loads from "
+            f"{loads[0]:g} to {loads[-1]:g} that they carry, in contact or bouncing.")
 
 
 def limits(file, _):
@@ -201,8 +213,8 @@ def one_jump(file, _):
 def two_frictions(file, _):
     def found(reading):
         return " and ".join(windows(file, {"bending": reading}, "k_r")) or "nowhere"
-    return ("**Near the lift-off load a brush has two frictions.** After a slab that came up from the ground, and not down from above, it "
-            f"is larger: for rods {found('rod')}.")
+    return ("**Near the lift-off load a brush has two frictions.** If the slab was raised from the ground, friction is higher than if it "
+            f"was lowered from above: for rods under a load of {setting(file, 'load', 'R_n'):g}, {found('rod')}.")
 
 
 def magnitude(file, verdicts):
@@ -259,7 +271,7 @@ def order_of_gaps(file, verdicts):
         return ""
     trends = {}
     for check, row in declared_checks(file):
-        if row.claim == "3d":
+        if row.claim == "3d" and row.role == "main":
             trends.setdefault(row.reading, {})[check["at"]["R_n"]] = number(row.measured, ".2f")
     loads = listed(next(iter(trends.values())), chosen_at)
     return (f"{on_claim('The reversed order of z_0 over k_r between low and high load', '3d', verdicts)}: Kendall's tau is"
