@@ -19,6 +19,12 @@ constexpr PhaseRow kPhaseRows[] = {
     {BrushPhase::bouncing, "bouncing (tips are off the slab for more than half of the time)"},
     {BrushPhase::mixed, "between the two"}};
 
+// Returns a number with two digits that count, without an exponent below 1e5.
+std::string in_two_digits(double value) {
+  const std::string text = fmt::format("{:.2g}", value);
+  return text.find('e') == text.npos || std::abs(value) < 1 ? text : fmt::format("{:g}", std::stod(text));
+}
+
 // Local friction, R_rigid over R_n, below which a brush has the friction of rigid bristles at every load.
 constexpr double kNothingToControl = 0.5;
 
@@ -31,7 +37,7 @@ void Phases::Range::add(double value) {
 }
 
 std::string Phases::Range::text() const {
-  const auto low = fmt::format("{:.2g}", from), high = fmt::format("{:.2g}", to);
+  const auto low = in_two_digits(from), high = in_two_digits(to);
   return low == high ? low : low + " to " + high;
 }
 
@@ -48,8 +54,10 @@ void Phases::add(const std::function<std::vector<double>(const std::string&)>& v
     bouncing_below_ += phase == BrushPhase::bouncing && ratios[i] < 1;
     in_contact_above_ += phase == BrushPhase::contact && ratios[i] >= 1;
   }
-  const std::pair<const char*, Range*> ranges[] = {{"R_n_in_N", &load_in_N_},
-                                                   {"lift_off_load", &lift_off_},
+  const auto loads = variable("R_n_in_N"), speeds = variable("lift_off_speed");
+  for (std::size_t i = 0; i < std::min(loads.size(), speeds.size()); ++i)
+    if (!std::isnan(speeds[i])) load_of_speed_.add(loads[i]);
+  const std::pair<const char*, Range*> ranges[] = {{"lift_off_load", &lift_off_},
                                                    {"lift_off_load_in_N", &lift_off_in_N_},
                                                    {"lift_off_speed", &speed_},
                                                    {"lift_off_speed_err", &speed_error_}};
@@ -87,7 +95,7 @@ std::string Phases::friction_text() const {
 std::string Phases::lift_off_text() const {
   const auto bouncing = tested_[std::size_t(BrushPhase::bouncing)],
              contact = tested_[std::size_t(BrushPhase::contact)];
-  const bool si = load_in_N_.from <= load_in_N_.to;
+  const bool si = lift_off_in_N_.from <= lift_off_in_N_.to;
   std::string text;
   if (lift_off_.from <= lift_off_.to) {
     text += fmt::format("lift-off load: {}{} (docs/lift-off.md)", (si ? lift_off_in_N_ : lift_off_).text(),
@@ -102,8 +110,9 @@ std::string Phases::lift_off_text() const {
   // A brush has the same lift-off speed at all speeds of the slab, except for rounding.
   if (speed_.from <= speed_.to && speed_.to < speed_.from * (1 + 1e-3)) {
     const double factor = 1 + speed_error_.to / speed_.to;
-    text += fmt::format("at {} N this brush lifts off above about {:.2g} m/s (between {:.2g} and {:.2g})\n",
-                        load_in_N_.text(), speed_.to, speed_.to / factor, speed_.to * factor);
+    text += fmt::format("at {} N this brush lifts off above about {} m/s (between {} and {})\n",
+                        load_of_speed_.text(), in_two_digits(speed_.to), in_two_digits(speed_.to / factor),
+                        in_two_digits(speed_.to * factor));
   }
   for (const auto& [domain, points] : outside_)
     text += fmt::format("lift-off load unknown at {} point{}: {}\n", points, points == 1 ? "" : "s",

@@ -37,7 +37,8 @@ class Phases {
   std::size_t bouncing_below_ = 0, in_contact_above_ = 0;  // numbers of tested points
   std::map<LiftOffDomain, std::size_t> outside_;
   Range local_friction_;  // R_rigid/R_n
-  Range load_in_N_, lift_off_, lift_off_in_N_, speed_, speed_error_;
+  Range lift_off_, lift_off_in_N_, speed_, speed_error_;
+  Range load_of_speed_;  // loads in N at which the lift-off speed is known
 };
 
 }  // namespace bristle::results

@@ -86,6 +86,20 @@ TEST_CASE("phase: lines compare loads with the lift-off load, and say why it is 
         "at 0.6 N this brush lifts off above about 4 m/s (between 2.7 and 6)\n");
 }
 
+TEST_CASE("phase: the load of a lift-off speed is that of the points at which the speed is known") {
+  const double nan = NAN;
+  CHECK_THAT(text_of({{"phase", {1, 1}},
+                      {"R_n", {0.03, 0.5}},
+                      {"R_n_in_N", {0.028, 0.85}},
+                      {"lift_off_load", {nan, 1}},
+                      {"lift_off_load_in_N", {nan, 1.2}},
+                      {"load_over_lift_off", {nan, 0.5}},
+                      {"lift_off_speed", {nan, 72}},
+                      {"lift_off_speed_err", {nan, 29}},
+                      {"lift_off_domain", {double(LiftOffDomain::L_x), 0}}}),
+             Catch::Contains("at 0.85 N this brush lifts off above about 72 m/s (between 51 and 100)\n"));
+}
+
 TEST_CASE("phase: a line says what there is to control") {
   const auto first_line = [](std::vector<double> R_x) {
     const std::string text =
