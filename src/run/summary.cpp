@@ -66,22 +66,14 @@ std::string Summary::cause_and_remedy(PointStatus status, const Example& example
   const auto& given_in_si = experiment_.sweep.base.si;
   const bool si = !given_in_si.empty();
   switch (status) {
-    case PointStatus::unreachable: {
-      // With these starts the tip touches the slab or is in it at any gap.
-      const InitialState start = setup.parameters.initial_state;
-      const bool from_zero =
-          start == InitialState::static_equilibrium && !experiment_.sweep.varies("initial_state");
+    case PointStatus::unreachable:
       return fmt::format(
-          "no gap carries the load; use a lower one{} ({}\"load\": {{\"R_n\": null, \"path\": null, "
-          "\"trace\": "
-          "{{}}}} computes R_n over the gap, with its maximum)",
-          from_zero
-              ? ""
-              : " or, as R_n does not rise from 0 at first contact with this initial_state, a higher one",
+          "no gap carries the load; use a lower one, or a higher one if R_n does not rise from 0 at first "
+          "contact, as where friction catches the tips of stiff bristles ({}\"load\": {{\"R_n\": null, "
+          "\"path\": null, \"trace\": {{}}}} computes R_n over the gap, with the loads that are carried)",
           si ? fmt::format("\"si\": {{\"{}\": null}}, ",
                            given_in_si.contains("pressure_Pa") ? "pressure_Pa" : "R_n_N")
              : "");
-    }
     case PointStatus::incomplete:
       return fmt::format(
           "the bristle with theta_0 = {:.4g} deg did not leave the slab within {} evaluations of the "

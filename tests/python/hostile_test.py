@@ -113,11 +113,11 @@ def test_the_remedy_of_a_load_that_no_gap_carries():
     experiment |= {"load": {"R_n": 0.1, "path": "loading"}, "model": {"initial_state": "at_slab"}}
     pathlib.Path("unreachable.json").write_text(json.dumps(experiment), encoding="utf-8")
     message = bristle("run", "unreachable.json", "-o", "u.h5")
-    assert "use a lower one or, as R_n does not rise from 0" in message and "a higher one" in message, message
+    assert "use a lower one, or a higher one if R_n does not rise from 0" in message, message
     bristle("new", "heavy", "--si")
     heavy = ["run", "heavy.json", "-o", "h.h5", "--force", "--set", "/sweep=null", "--set", "/orientation/rtol=0.1"]
     message = bristle(*heavy, "--set", "/si/R_n_N=1000")
-    assert 'use a lower one ("si": {"R_n_N": null}, "load": {"R_n": null, "path": null, "trace": {}}' in message, message
+    assert '("si": {"R_n_N": null}, "load": {"R_n": null, "path": null, "trace": {}}' in message, message
     # The remedy, as it is written, is a valid experiment.
     bristle(*heavy, "--set", '/si={"R_n_N":null}', "--set", '/load={"R_n":null,"path":null,"trace":{}}')
 
