@@ -195,7 +195,14 @@ int run_command(const ExperimentOptions& input, const run::RunOptions& options,
   run::RunOptions with_output = options;
   std::string suffix = experiment.tier == "full" ? "" : "-" + experiment.tier;
   if (input.point) suffix += fmt::format("-point-{}", *input.point);
-  if (options.output.empty()) with_output.output = fmt::format("results/{}{}.h5", experiment.name, suffix);
+  if (options.output.empty()) {
+    if (experiment.source->inherits(JsonPointer("/name")))
+      throw InputError(fmt::format(
+          "{}: /name: is missing; with the inherited name {} the result would replace another experiment's; "
+          "give a name, or the file of the result with -o",
+          experiment.path, experiment.name));
+    with_output.output = fmt::format("results/{}{}.h5", experiment.name, suffix);
+  }
   if (input.point) {
     with_output.force = true;
     require_one_point(with_output.output);

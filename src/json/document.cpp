@@ -90,6 +90,18 @@ void each_table_name(Json& content, const JsonPointer& table, Visit visit) {
   for (const std::string& tier : tiers_of(content)) try_at(JsonPointer("/tiers") / tier / table);
 }
 
+// Returns the names of the experiments that a file can extend: those beside it and those of the program.
+std::vector<std::string> files_beside(const std::string& path) {
+  std::vector<std::string> names;
+  for (const fs::path& folder :
+       {fs::path(path).parent_path(), fs::path(data_path("experiments").value_or(""))}) {
+    std::error_code error;  // a folder that cannot be read has no names
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder.empty() ? "." : folder, error))
+      if (entry.path().extension() == ".json") names.push_back(entry.path().filename().string());
+  }
+  return names;
+}
+
 // Appends the file to out, after the files that it extends. chain: the files that led to this one.
 void collect(const std::string& path, const fs::path& root, std::vector<std::string>& chain,
              std::vector<Document::Source>& out) {
@@ -109,7 +121,8 @@ void collect(const std::string& path, const fs::path& root, std::vector<std::str
       fail(fmt::format("lies outside the experiments folder {}; copy it there", root.string()));
     const std::string found = parent_of(path, extends.get<std::string>());
     if (!fs::is_regular_file(found, error))
-      fail(fmt::format("does not exist (looked for {})", parent.string()));
+      fail(fmt::format("does not exist{} (looked for {})",
+                       did_you_mean(extends.get<std::string>(), files_beside(path)), parent.string()));
     if (std::count(chain.begin(), chain.end(), fs::canonical(found).string()))
       fail("extends this file in turn; remove one of the two");
     const bool supplied = !inside(fs::canonical(found), root);
@@ -285,6 +298,10 @@ bool Document::chosen(const JsonPointer& pointer) const {
   if (set_by_option(pointer)) return has(*merged_, pointer);
   const Json& own = *files_.back().content;
   return files_.size() > 1 && (has(own, pointer) || has(own, JsonPointer("/tiers/" + tier_) / pointer));
+}
+
+bool Document::inherits(const JsonPointer& pointer) const {
+  return files_.size() > 1 && merged_->contains(pointer) && !chosen(pointer);
 }
 
 std::string Document::origin(const JsonPointer& pointer) const {

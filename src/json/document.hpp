@@ -39,6 +39,8 @@ class Document {
   // Whether the experiment's own file or --set gives the value at pointer. False for a file without parents,
   // which states every value.
   bool chosen(const JsonPointer& pointer) const;
+  // Whether a file that this one extends gives the value at pointer, and neither this file nor --set.
+  bool inherits(const JsonPointer& pointer) const;
   // Whether --set gives the value at pointer.
   bool set_by_option(const JsonPointer& pointer) const;
   // Throws InputError with origin(pointer), the JSON pointer and the description of the mistake.
