@@ -138,8 +138,9 @@ Loading read_loading(const Document& d, const std::vector<Axis>& axes) {
   };
   const bool by_pressure = in_si("pressure_Pa") || varies(axes, "pressure_Pa");
   if (by_pressure && (in_si("R_n_N") || varies(axes, "R_n_N")))
-    d.fail(in_si("pressure_Pa") ? "/si/pressure_Pa" : "/sweep/pressure_Pa",
-           "and R_n_N both give the load; remove one of them (a null removes an inherited key)");
+    d.fail(
+        in_si("pressure_Pa") ? "/si/pressure_Pa" : "/sweep/pressure_Pa",
+        "is given, and so is R_n_N; both are the load: remove one of them (a null removes an inherited key)");
   const bool by_load = given_by("R_n", "R_n_N") || by_pressure, by_gap = given_by("z_0", "z_0_m");
   const bool by_trace = json.contains("trace");
   if (by_load + by_gap + by_trace == 0)
@@ -173,7 +174,9 @@ std::optional<double> read_nominal_friction(const Document& d, const std::vector
   if (input.loading.z_0 || input.loading.trace) d.fail(place, "needs a target load R_n, which it multiplies");
   for (const char* name : {"mu_c", "tau_f", "tau_f_Pa"})
     if (varies(axes, name) || input.si.contains(name) || d.chosen(JsonPointer("/model") / name))
-      d.fail(place, fmt::format("and {} both give the strength of friction; remove one of them", name));
+      d.fail(
+          place,
+          fmt::format("is given, and so is {}; both are the strength of friction: remove one of them", name));
   return load.value("nominal_friction", 1.0);
 }
 
@@ -231,6 +234,7 @@ Experiment read(const Document& d) {
   check_points(d, e);
   e.warnings = si_warnings(d, e);
   std::ranges::move(shaft_warnings(d, e), std::back_inserter(e.warnings));
+  std::ranges::move(idle_changes(d, e.sweep), std::back_inserter(e.warnings));
   for (const std::string& name : axes_without_effect(e.sweep)) {
     const bool is_axis = e.sweep.axis_number(name) < e.sweep.axes.size();
     const JsonPointer at = JsonPointer("/sweep") / (is_axis ? name : kSample);

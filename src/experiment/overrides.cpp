@@ -3,6 +3,7 @@
 #include "experiment/sample.hpp"
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace bristle::experiment {
@@ -41,13 +42,36 @@ void check_overrides(const json::Document& document) {
     for (const auto& [key, value] : document.json().at(block).items()) {
       const JsonPointer at = block / key;
       const auto varied = varied_at(document, key);
-      if (!varied || !document.chosen(at) || (!document.set_by_option(at) && document.chosen(*varied)))
+      // Beside a variable of a design the value is the start of the search.
+      if (!varied || varied->parent_pointer() == JsonPointer("/design/variables") || !document.chosen(at) ||
+          (!document.set_by_option(at) && document.chosen(*varied)))
         continue;
       document.fail(at.to_string(),
                     fmt::format("has no effect, because {} varies {}; set {} instead, or remove it by null",
                                 varied->to_string(), key, varied->to_string()));
     }
   }
+}
+
+std::vector<std::string> idle_changes(const json::Document& document, const sweep::Sweep& sweep) {
+  std::vector<std::string> out;
+  for (const char* name : {"model", "si", "load", "orientation"}) {
+    const JsonPointer block = JsonPointer() / name;
+    if (!document.json().contains(block)) continue;
+    for (const auto& [key, value] : document.json().at(block).items()) {
+      const JsonPointer at = block / key;
+      if (!document.set_by_option(at) || !value.is_number() || !sweep::find_sweepable(key) ||
+          sweep.varies(key))
+        continue;
+      const auto x = value.get<double>();
+      const auto idle = axes_without_effect(sweep.with({key, {x, x == 0 ? 1 : 1.1 * x}}));
+      if (std::ranges::find(idle, key) != idle.end())
+        out.push_back(
+            fmt::format("{}: {}: has no effect with these choices of friction, load and orientation",
+                        document.origin(at), at.to_string()));
+    }
+  }
+  return out;
 }
 
 }  // namespace bristle::experiment

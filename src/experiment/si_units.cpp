@@ -2,10 +2,37 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <algorithm>
+#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 
 namespace bristle::experiment {
+namespace {
+
+// Values outside of which one suspects a value in millimetres, gigapascals or grams.
+struct Usual {
+  const char* key;
+  double from, to;
+};
+constexpr Usual kUsual[] = {{"r0_m", 1e-6, 1},     {"R_m", 1e-8, 0.05},          {"R_c_m", 1e-8, 0.05},
+                            {"E_Pa", 1e4, 2e12},   {"rho_kg_per_m3", 50, 25000}, {"V0_m_per_s", 1e-6, 1000},
+                            {"spacing_m", 1e-7, 1}};
+
+// Returns warnings of values that look as if they were in another unit than that of their key.
+std::vector<std::string> unusual_values(const json::Document& document, const sweep::PointInput& input) {
+  std::vector<std::string> out;
+  for (const auto& [key, from, to] : kUsual) {
+    const auto given = input.si.find(key);
+    if (given == input.si.end() || (from <= given->second && given->second <= to)) continue;
+    const JsonPointer at = JsonPointer("/si") / key;
+    out.push_back(fmt::format("{}: {}: {:g} is unusual, outside {:g} to {:g}; is it in the unit of the key?",
+                              document.origin(at), at.to_string(), given->second, from, to));
+  }
+  return out;
+}
+
+}  // namespace
 
 void read_si_units(const json::Document& document, const std::vector<sweep::Axis>& axes,
                    sweep::PointInput& input) {
@@ -26,11 +53,11 @@ void read_si_units(const json::Document& document, const std::vector<sweep::Axis
   }
   if (!given) return;
   if (has("m_kg") == has("rho_kg_per_m3"))
-    document.fail(has("m_kg") ? "/si/rho_kg_per_m3" : "/si/m_kg",
-                  has("m_kg")
-                      ? "and m_kg both give the mass of a bristle; remove one of them (a null removes "
-                        "an inherited key)"
-                      : "is missing; give it, or rho_kg_per_m3 and R_m, from which it follows");
+    document.fail(
+        has("m_kg") ? "/si/rho_kg_per_m3" : "/si/m_kg",
+        has("m_kg") ? "is given, and so is m_kg; both are the mass of a bristle: remove one of them (a null "
+                      "removes an inherited key)"
+                    : "is missing; give it, or rho_kg_per_m3 and R_m, from which it follows");
   if (has("rho_kg_per_m3") && !has("R_m"))
     document.fail("/si/R_m", "is missing; the mass of a bristle follows from it and rho_kg_per_m3");
   if ((has("nu") || has("R_m")) != has("E_Pa"))
@@ -72,6 +99,7 @@ std::vector<std::string> si_warnings(const json::Document& document, const Exper
       if (document.set_by_option(JsonPointer(pointer))) document.fail(pointer, what + "; set that instead");
       warn(pointer, what);
     }
+  std::ranges::move(unusual_values(document, experiment.sweep.base), std::back_inserter(out));
   const bool in_load = document.json()["load"].contains("R_n");
   if (!given("R_n_N") && !given("pressure_Pa") && (in_load || experiment.sweep.varies("R_n")))
     warn(in_load ? "/load/R_n" : "/sweep/R_n",

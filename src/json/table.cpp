@@ -68,7 +68,9 @@ Table read_table(const std::string& path) {
       table.line_of_names = number;
       has_index = names.size() > 1 && (names[0].empty() || names[0] == "Unnamed: 0");
       if (names.size() == 1 && names[0].find_first_of("; \t") != std::string::npos)
-        fail(number, "the columns are not separated by commas; write k_r,tau_f and numbers such as 0.5,3e4");
+        fail(number,
+             "the columns are not separated by commas; write commas between names, and numbers such as "
+             "0.5,3e4");
       continue;
     }
     if (cells.size() != names.size())

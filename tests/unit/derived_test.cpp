@@ -148,8 +148,9 @@ TEST_CASE("a value that something else replaces is an error that names it") {
   CHECK_THAT(f.error(design(R"("k_r": [5, 40])"), {k_r}),
              Catch::Contains("because /design/variables/k_r varies k_r"));
   CHECK(f.valid(design(R"("k_phi": [1, 4])", R"(, "tolerances": {"k_r": {"normal": 0.05}})"), {k_r}));
-  CHECK_THAT(f.error(R"(, "model": {"mu_c": 2, "friction": "coulomb"}, "load": {"nominal_friction": 3})"),
-             Catch::Contains("/load/nominal_friction: and mu_c both give the strength of friction"));
+  CHECK_THAT(
+      f.error(R"(, "model": {"mu_c": 2, "friction": "coulomb"}, "load": {"nominal_friction": 3})"),
+      Catch::Contains("/load/nominal_friction: is given, and so is mu_c; both are the strength of friction"));
 }
 
 TEST_CASE("the error of a quantile of few values contains the tail that they do not show") {

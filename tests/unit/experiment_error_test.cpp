@@ -242,14 +242,15 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
       {with(R"("si": {"r0_m": 1, "V0_m_per_s": 1})"),
        "@/e.json: /si/m_kg: is missing; give it, or rho_kg_per_m3 and R_m, from which it follows"},
       {with(R"("si": {"m_kg": 1, "rho_kg_per_m3": 1000, "r0_m": 1, "V0_m_per_s": 1})"),
-       "@/e.json: /si/rho_kg_per_m3: and m_kg both give the mass of a bristle; remove one of them (a null "
-       "removes an inherited key)"},
+       "@/e.json: /si/rho_kg_per_m3: is given, and so is m_kg; both are the mass of a bristle: remove one of "
+       "them "
+       "(a null removes an inherited key)"},
       {with(R"("si": {"rho_kg_per_m3": 1000, "r0_m": 1, "V0_m_per_s": 1})"),
        "@/e.json: /si/R_m: is missing; the mass of a bristle follows from it and rho_kg_per_m3"},
       {with(
            R"("si": {"m_kg": 1, "r0_m": 1, "V0_m_per_s": 1, "R_n_N": 1, "pressure_Pa": 1}, "load": {"R_n": null})"),
-       "@/e.json: /si/pressure_Pa: and R_n_N both give the load; remove one of them (a null removes an "
-       "inherited key)"},
+       "@/e.json: /si/pressure_Pa: is given, and so is R_n_N; both are the load: remove one of them (a null "
+       "removes an inherited key)"},
       {with(
            R"("si": {"m_kg": 1, "r0_m": 1, "V0_m_per_s": 1, "pressure_Pa": 1}, "load": {"R_n": null, "z_0": 0.9})"),
        "@/e.json: /load: more than one of R_n, z_0 and trace is given: /load/z_0, /si/pressure_Pa; keep one "
@@ -298,7 +299,9 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
       {with(R"("load": {"R_n": null, "z_0": 0.9, "nominal_friction": 2})"),
        "@/e.json: /load/nominal_friction: needs a target load R_n, which it multiplies"},
       {with(R"("sweep": {"nominal_friction": {"values": [1]}, "tau_f": {"values": [1]}})"),
-       "@/e.json: /sweep/nominal_friction: and tau_f both give the strength of friction; remove one of them"},
+       "@/e.json: /sweep/nominal_friction: is given, and so is tau_f; both are the strength of friction: "
+       "remove one "
+       "of them"},
       {with(R"("integrator": {"max_evaluations_per_point": 2e7})"),
        "@/e.json: /integrator/max_evaluations_per_point: 20000000.0 is not allowed; write 20000000; allowed: "
        "an integer "

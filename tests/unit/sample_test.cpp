@@ -283,7 +283,7 @@ TEST_CASE("malformed samples: the message names place, value and remedy") {
        "k_r,tau_f, and lines with their values"},
       {table("cell.csv"), "cell.csv: line 2: the cell of mu_c is empty; give it a value, or remove the row"},
       {table("semicolons.csv"),
-       "semicolons.csv: line 1: the columns are not separated by commas; write k_r,tau_f and "
+       "semicolons.csv: line 1: the columns are not separated by commas; write commas between names, and "
        "numbers such as 0.5,3e4"},
       {table("short.csv"), "short.csv: line 2: has 1 cells, and the first line names 2 columns"},
       {table("word.csv"),

@@ -3,8 +3,10 @@
 #include "scratch.hpp"
 
 #include "catch.hpp"
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
 
 namespace bristle::si_units_test {
 using namespace testing;
@@ -124,6 +126,36 @@ TEST_CASE("an SI block warns of values that it replaces, and of a load that is n
   const Experiment stored =
       stored_experiment(*load_experiment(s.path("e.json"), {}).document, "full", "stored");
   CHECK(stored.warnings.size() == 1);  // of the load; a stored experiment states every value
+}
+
+TEST_CASE("values that look as if they were in another unit are warned of") {
+  const auto warnings = [](const std::string& set) {
+    return load_experiment(kExperiments + "/ski.json", {{set}, "full"}).warnings;
+  };
+  for (const auto& [set, found] : std::map<std::string, std::string>{
+           {"/si/E_Pa=210", "/si/E_Pa: 210 is unusual, outside 10000 to 2e+12"},
+           {"/si/r0_m=17", "/si/r0_m: 17 is unusual, outside 1e-06 to 1"}}) {
+    CAPTURE(set);
+    const auto all = warnings(set);
+    CHECK(std::ranges::any_of(all, [&](const std::string& one) {
+      return one.find(found + "; is it in the unit of the key?") != one.npos;
+    }));
+  }
+  CHECK(warnings("/si/E_Pa=2.1e11").empty());
+}
+
+TEST_CASE("a number that --set gives and that no point depends on is warned of") {
+  const auto warnings = [](const std::string& friction, const std::string& set) {
+    return load_experiment(kExperiments + "/paper.json", {{"/model/friction=" + friction, set}, "full"})
+        .warnings;
+  };
+  const auto idle = warnings("nss", "/model/mu_c=0.5");
+  REQUIRE(idle.size() == 1);
+  CHECK_THAT(idle[0],
+             Catch::Contains("--set /model/mu_c=0.5: /model/mu_c: has no effect with these choices"));
+  CHECK(warnings("coulomb", "/model/mu_c=0.5").empty());
+  CHECK(warnings("nss", "/model/tau_f=7").empty());
+  CHECK(warnings("nss", "/orientation/rtol=0.1").empty());
 }
 
 TEST_CASE(
