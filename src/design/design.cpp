@@ -95,9 +95,6 @@ class Search {
     progress_.emplace(experiment_.name, design_.budget * trials_.rows_of_a_trial() * scenarios,
                       options_.quiet);
     Findings found = search();
-    searching_ = false;
-    if (design_.start.size() == design_.variables.size())
-      found.start = trials_.evaluate({trials_.with_tolerances(design_.start)}).front();
     recommend(found);
 
     std::vector<Values> nominal;
@@ -110,7 +107,7 @@ class Search {
       if (const std::vector<Dimension> dimensions = drawing(trials_, found); !dimensions.empty()) {
         const Sweep brush = trials_.with_rows({recommended(found).nominal});
         text +=
-            drawing_text(dimensions) +
+            drawing_text(dimensions, brush.base.setup.orientation) +
             working_range_text(brush, solver()(brush, run::shard_points({}, brush.size()), Purpose::beside));
         groups.push_back(drawing_group(dimensions));
       }
@@ -149,8 +146,30 @@ class Search {
     else
       out.optima =
           search_minima(dimensions, design_.budget, design_.seed, evaluate, first.goal == Goal::target);
+    searching_ = false;
+    if (design_.start.size() == design_.variables.size()) add_start(out);
     choose(out);
     return out;
+  }
+
+  // Adds the trial of the experiment's own values, so that no worse one is recommended. Values outside the
+  // bounds of the variables are only compared with.
+  void add_start(Findings& found) {
+    Trial trial = trials_.evaluate({trials_.with_tolerances(design_.start)}).front();
+    const auto is_inside = [&](const experiment::Range& range) {
+      const double value = design_.start.at(range.name);
+      return range.low <= value && value <= range.high;
+    };
+    if (!std::ranges::all_of(design_.variables, is_inside)) {
+      found.start_outside = std::move(trial);
+      return;
+    }
+    found.start_trial = found.trials.size();
+    const Score score = trials_.score_of(trial);
+    const auto worse = [&](std::size_t i) { return better(score, trials_.score_of(found.trials[i])); };
+    if (design_.objectives.size() == 1)
+      found.optima.insert(std::ranges::find_if(found.optima, worse), found.trials.size());
+    found.trials.push_back(std::move(trial));
   }
 
   void choose(Findings& found) const {

@@ -1,6 +1,7 @@
 #include "design/drawing.hpp"
 
 #include "bristle/ensemble/phase.hpp"
+#include "sampling/rounded.hpp"
 #include "sweep/si.hpp"
 
 #include <fmt/format.h>
@@ -25,7 +26,20 @@ Dimension dimension_of(const Trials& trials, const Findings& found, const std::s
       dimension.below = profile.margin_below;
       dimension.above = profile.margin_above;
     }
+  dimension.value = rounded(dimension.value);
   return dimension;
+}
+
+// What the tolerance of a dimension can be, in the order of the codes in the result.
+const std::vector<std::string> kTolerances = {"none", "standard_deviation", "greatest_deviation"};
+std::size_t tolerance_code(const Dimension& dimension) {
+  return std::isnan(dimension.tolerance) ? 0 : dimension.normal ? 1 : 2;
+}
+
+std::string orientation_text(const Orientation& o) {
+  if (o.distribution == Distribution::uniform) return "in all directions";
+  return fmt::format("about {:.4g} degrees from the velocity of the slab (concentration {:.3g})",
+                     o.mean * kDegrees, o.concentration);
 }
 
 }  // namespace
@@ -46,7 +60,7 @@ std::vector<Dimension> drawing(const Trials& trials, const Findings& found) {
       dimension("phi_0_deg", "angle", "angle between bristle and base", "degree", p.phi_0 * kDegrees),
       dimension("R_c_m", "tip_radius", "radius of its tip", "mm", p.R_c * mm),
       dimension("spacing_m", "spacing", "distance of neighbouring bristles", "mm", p.spacing * mm),
-      {"density", "bristles per area", "m-2", per_metre * per_metre, kNone, false, kNone, kNone},
+      {"density", "bristles per area", "m-2", rounded(per_metre * per_metre), kNone, false, kNone, kNone},
   };
 }
 
@@ -58,8 +72,15 @@ results::Dataset drawing_group(const std::vector<Dimension>& dimensions) {
   const auto add = [&](const char* name, const char* meaning, double Dimension::*member) {
     out.add({name, meaning, "", ""}, [&](std::size_t row) { return dimensions[row].*member; });
   };
-  add("value", "length and radius in mm, angle in degrees, bristles per m^2", &Dimension::value);
-  add("tolerance", "standard deviation or greatest deviation, relative; NaN: none", &Dimension::tolerance);
+  add("value", "value in the unit beside it", &Dimension::value);
+  std::vector<std::string> units;
+  for (const Dimension& one : dimensions)
+    if (std::ranges::find(units, one.units) == units.end()) units.push_back(one.units);
+  out.add({"unit", "unit of the value", "", "", results::Number::code, units, ""},
+          [&](std::size_t row) { return std::ranges::find(units, dimensions[row].units) - units.begin(); });
+  add("tolerance", "tolerance, relative; NaN: none", &Dimension::tolerance);
+  out.add({"tolerance_is", "what the tolerance is", "", "", results::Number::code, kTolerances, ""},
+          [&](std::size_t row) { return tolerance_code(dimensions[row]); });
   add("margin_below", "relative decrease that reaches a jump of the gap; NaN: none in the range",
       &Dimension::below);
   add("margin_above", "relative increase that reaches a jump of the gap; NaN: none in the range",
@@ -84,7 +105,7 @@ std::string working_range_text(const Sweep& sweep, const std::vector<results::Po
   return out;
 }
 
-std::string drawing_text(const std::vector<Dimension>& dimensions) {
+std::string drawing_text(const std::vector<Dimension>& dimensions, const Orientation& orientation) {
   std::string out = "drawing:\n";
   for (const Dimension& one : dimensions) {
     const std::string value =
@@ -100,7 +121,7 @@ std::string drawing_text(const std::vector<Dimension>& dimensions) {
     if (!margins.empty()) out += fmt::format("; the gap jumps {} {}", margins, one.units);
     out += "\n";
   }
-  return out;
+  return out + fmt::format("  on a square lattice; bristles lean {}\n", orientation_text(orientation));
 }
 
 }  // namespace bristle::design

@@ -26,7 +26,7 @@ results::Dataset drawing_group(const std::vector<Dimension>& dimensions);
 // speed above which it bounces. sweep: the recommended brush in SI units. points: its points, as computed.
 std::string working_range_text(const Sweep& sweep, const std::vector<results::PointRecord>& points);
 
-// Returns the drawing in words, a line for each dimension.
-std::string drawing_text(const std::vector<Dimension>& dimensions);
+// Returns the drawing in words: a line for each dimension, and how the bristles stand and lean.
+std::string drawing_text(const std::vector<Dimension>& dimensions, const Orientation& orientation);
 
 }  // namespace bristle::design

@@ -10,9 +10,14 @@ const Trial& recommended(const Findings& found) {
   return found.made ? *found.made : found.trials[found.chosen.front()];
 }
 
+const Trial* start_of(const Findings& found) {
+  if (found.start_trial) return &found.trials[*found.start_trial];
+  return found.start_outside ? &*found.start_outside : nullptr;
+}
+
 std::vector<Compared> compared(const Trials& trials, const Findings& found) {
   std::vector<Compared> out;
-  if (found.start) out.push_back({"start", "start", &*found.start});
+  if (const Trial* start = start_of(found)) out.push_back({"start", "start", start});
   out.push_back({"recommended", "recommended", &found.trials[found.chosen.front()]});
   if (found.made) out.push_back({"as_made", "as made", &*found.made});
   const std::vector<Objective>& objectives = trials.design().objectives;

@@ -16,9 +16,12 @@ struct Findings {
   std::vector<std::size_t> chosen;  // trials: the recommended one first, then other local optima
   std::vector<std::size_t> front;   // trials that no other surpasses
   std::size_t nearest_miss = 0;     // trial with the least violation, if none meets the constraints
-  std::optional<Trial> start;       // the experiment's own values, if it has one of each variable
-  std::optional<Trial> made;        // the recommended trial, rounded to what can be made; none without steps
-  std::vector<Profile> profiles;    // profiles of the recommended trial, by quantity
+  // The experiment's own values, if it has one of each variable: the last trial if they are within the bounds
+  // of the variables, and otherwise computed only for the comparison.
+  std::optional<std::size_t> start_trial;
+  std::optional<Trial> start_outside;
+  std::optional<Trial> made;      // the recommended trial, rounded to what can be made; none without steps
+  std::vector<Profile> profiles;  // profiles of the recommended trial, by quantity
   std::optional<Verification> verification;  // verification of the recommended trial; none without tolerances
   std::vector<SobolIndices> indices;         // indices of each objective; empty without tolerances
   std::optional<Trial> second;               // the recommended trial with the second model
@@ -26,6 +29,9 @@ struct Findings {
 
 // Returns the trial that is recommended: the rounded one, if there is one.
 const Trial& recommended(const Findings& found);
+
+// Returns the experiment's own values as computed; null if it lacks one of a variable.
+const Trial* start_of(const Findings& found);
 
 // A trial in the comparison of the recommended one with others.
 struct Compared {

@@ -81,7 +81,10 @@ std::string comparison_text(const Trials& trials, const Findings& found) {
   for (std::size_t c = 0; c < design.constraints.size(); ++c)
     add(design.constraints[c].text(), [&](const Trial& t) -> std::string {
       const double value = t.constraints[c];
-      return std::isnan(value) ? "-" : std::isinf(value) ? "none near" : fmt::format("{:.3g}", value);
+      // Jumps are looked for within the required margin.
+      return std::isnan(value) ? "-"
+                               : fmt::format("{}{:.3g}", std::isinf(value) ? "> " : "",
+                                             std::isinf(value) ? design.jump_margin : value);
     });
   std::vector<std::size_t> widths(rows.front().size());
   for (const std::vector<std::string>& row : rows)
@@ -98,30 +101,33 @@ std::string comparison_text(const Trials& trials, const Findings& found) {
 // Returns a sentence on a start that does not meet the constraints, with the trial nearest to it that does:
 // by the changes of the variables, relative to their ranges.
 std::string infeasible_text(const Trials& trials, const Findings& found) {
+  const Trial& start = *start_of(found);
   const auto distance = [&](const Trial& trial) {
     double sum = 0;
     for (const experiment::Range& range : trials.design().variables)
       sum += std::pow(
-          (trial.nominal.at(range.name) - found.start->nominal.at(range.name)) / (range.high - range.low), 2);
+          (trial.nominal.at(range.name) - start.nominal.at(range.name)) / (range.high - range.low), 2);
     return trial.violation > 0 ? kInfinity : sum;
   };
   const Trial& nearest = *std::ranges::min_element(found.trials, {}, distance);
-  return fmt::format(
-      "  the start {}; the nearest trial that meets the constraints: {}\n",
-      std::isinf(found.start->violation) ? "has points without a value" : "violates a constraint",
-      values_text(trials, nearest));
+  return fmt::format("  the start {}; the nearest trial that meets the constraints: {}\n",
+                     std::isinf(start.violation) ? "has points without a value" : "violates a constraint",
+                     values_text(trials, nearest));
 }
 
-// Returns a sentence if the start, which meets the constraints, is as good as the recommended trial within
-// the errors.
+// Returns a sentence if the start, which meets the constraints, is the recommended trial or as good as it
+// within the errors.
 std::string gain_text(const Findings& found) {
-  if (differ(*found.start, recommended(found))) return "";
+  const Trial& start = *start_of(found);
+  const bool is_best = found.chosen.front() == found.start_trial;
+  if (!is_best && differ(start, recommended(found))) return "";
   const bool matter = std::ranges::any_of(
-      found.trials, [&](const Trial& trial) { return trial.violation == 0 && differ(*found.start, trial); });
+      found.trials, [&](const Trial& trial) { return trial.violation == 0 && differ(start, trial); });
   if (!matter)
     return "  no trial differs from the start by more than the errors: these variables do not matter here, "
            "and "
            "the start can be kept\n";
+  if (is_best) return "  no trial is better than the start, which can be kept\n";
   return "  the start is as good within the errors, and can be kept\n";
 }
 
@@ -132,12 +138,13 @@ std::string remarks_text(const Trials& trials, const Findings& found) {
   const Design& design = trials.design();
   const Trial& best = recommended(found);
   std::string out;
-  if (found.start && found.start->violation > 0) out += infeasible_text(trials, found);
+  const Trial* start = start_of(found);
+  if (start && start->violation > 0) out += infeasible_text(trials, found);
   if (best.violation > 0)
     out +=
         "  rounded to what can be made, the brush violates a constraint: give finer steps, or tighter "
         "bounds\n";
-  if (found.start && found.start->violation == 0) out += gain_text(found);
+  if (start && start->violation == 0) out += gain_text(found);
   for (const experiment::Range& range : design.variables) {
     const double value = best.nominal.at(range.name), near = at_bound * (range.high - range.low);
     if (value - range.low <= near || range.high - value <= near)
@@ -151,7 +158,8 @@ std::string trials_text(std::size_t count) { return fmt::format("{} trial{}", co
 
 std::string counts_text(const Trials& trials, const Findings& found) {
   const auto count = [&](auto is) { return std::ranges::count_if(found.trials, is); };
-  std::string out = trials_text(found.trials.size());
+  std::string out = trials_text(found.trials.size() - (found.start_trial ? 1 : 0));
+  if (found.start_trial) out += " and the start";
   if (!trials.design().constraints.empty())
     out += fmt::format(", {} meet the constraints", count([](const Trial& t) { return t.violation == 0; }));
   const auto missing = count([](const Trial&t) { return std::isinf(t.violation); }),
@@ -223,7 +231,9 @@ std::string text_of(const Trials& trials, const Findings& found) {
   std::string out = counts_text(trials, found) + "\n";
   if (found.chosen.empty()) return out + miss_text(trials, found);
   const Trial& best = recommended(found);
-  out += fmt::format("recommended, trial {}{}: {}\n  {}\n", found.chosen.front(),
+  const std::size_t chosen = found.chosen.front();
+  out += fmt::format("recommended, {}{}: {}\n  {}\n",
+                     chosen == found.start_trial ? "the start" : fmt::format("trial {}", chosen),
                      found.made ? ", rounded to what can be made" : "", values_text(trials, best),
                      objectives_text(trials, best));
   out += comparison_text(trials, found) + remarks_text(trials, found);

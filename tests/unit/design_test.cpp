@@ -37,13 +37,13 @@ TEST_CASE(
   f.s.write("e.h5.journal", journal.substr(0, journal.size() * 2 / 3));
   CHECK(f.run(e, 2).text("payload_sha256") == digest);
   const results::ResultReader file(f.s.path("e.h5"));
-  CHECK(file.variable("trials/k_r").values.size() == 16);
-  CHECK(file.variable("sample").values.size() == 16 * 3);
+  CHECK(file.variable("trials/k_r").values.size() == 16 + 1);  // and the start
+  CHECK(file.variable("sample").values.size() == 17 * 3);
   CHECK(file.variable("indices/ST").values.size() == 4);
   CHECK(results::table_of(file, "indices").array("objective").cell(3) == "objective_2");
   // The result has all that its points need.
   const Experiment stored = experiment::stored_experiment(file.experiment(), "full", "stored");
-  CHECK(stored.sweep.size() == 48);
+  CHECK(stored.sweep.size() == 17 * 3);
 }
 
 TEST_CASE("design: only a result with the inputs of the reference is compared with it") {
@@ -54,11 +54,11 @@ TEST_CASE("design: only a result with the inputs of the reference is compared wi
     return f.run(f.load(design + std::to_string(budget) + "}", kFew));
   };
   const auto reference = compare::make_reference(with_budget(6), {});
-  CHECK(compare::compare_with_reference(with_budget(6), {}, reference, "reference").points == 6);
+  CHECK(compare::compare_with_reference(with_budget(6), {}, reference, "reference").points == 6 + 1);
   const compare::Comparison other =
       compare::compare_with_reference(with_budget(8), {}, reference, "reference");
   CHECK(other.agree());
-  CHECK_THAT(compare::comparison_text(other), Catch::Contains("0 of 8 points: not compared"));
+  CHECK_THAT(compare::comparison_text(other), Catch::Contains("0 of 9 points: not compared"));
 }
 
 TEST_CASE("design: the margin is the distance to the located jump, on both sides of it") {
@@ -146,6 +146,20 @@ TEST_CASE("design: a start that is the best trial can be kept, although the vari
   CHECK_THAT(text, !Catch::Contains("do not matter"));
 }
 
+TEST_CASE("design: a start that is better than every trial is recommended") {
+  const Folder f;
+  // The friction of a brush in contact grows with mu_c, and the start has the least in the range.
+  const auto file = f.run(f.load(R"({"variables": {"mu_c": [0.05, 0.2]}, "budget": 2,
+      "objectives": [{"minimise": "R_x"}]}, "model": {"friction": "coulomb", "mu_c": 0.05})",
+                                 kFew));
+  CHECK(first(file, "best/mu_c") == 0.05);
+  CHECK(first(file, "comparison/mu_c") == 0.05);
+  const std::string text = file.provenance().at("design");
+  CHECK_THAT(text, Catch::Contains("2 trials and the start"));
+  CHECK_THAT(text, Catch::Contains("recommended, the start: mu_c = 0.05"));
+  CHECK_THAT(text, Catch::Contains("no trial is better than the start, which can be kept"));
+}
+
 TEST_CASE("design: a start beyond a constraint is said, with the nearest trial that meets it") {
   const Folder f;
   const auto file = f.run(f.load(R"({"variables": {"mu_c": [0.05, 0.2]}, "budget": 8,
@@ -201,7 +215,7 @@ TEST_CASE("design: a trial at which a constraint fails is the nearest miss") {
   CHECK_FALSE(design::run_design(e, {.output = f.s.path("e.h5"), .quiet = true}));
   const results::ResultReader file(f.s.path("e.h5"));
   CHECK_FALSE(file.has("best"));
-  CHECK(file.variable("trials/violation").values.size() == 4);
+  CHECK(file.variable("trials/violation").values.size() == 4 + 1);
   CHECK_THAT(file.provenance().at("design"), Catch::Contains("the nearest miss is trial"));
 }
 

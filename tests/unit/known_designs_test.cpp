@@ -149,7 +149,7 @@ TEST_CASE("design: with vanishing friction the bristles are rigid") {
   for (const char* objective : {"trials/objective_1", "trials/objective_2"}) {
     const auto &R_x_norm = file.variable(objective).values,
                &error = file.variable(std::string(objective) + "_err").values;
-    REQUIRE(R_x_norm.size() == 12);
+    REQUIRE(R_x_norm.size() == 12);  // the start is outside of the range
     for (std::size_t i = 0; i < R_x_norm.size(); ++i) {
       CHECK(R_x_norm[i] == Approx(chi).margin(error[i]));
       CHECK(error[i] < 1e-3);  // a tenth of rtol: the deviation of the load from its target is part of it

@@ -3,6 +3,7 @@
 from functools import partial
 
 import numpy as np
+from matplotlib.colors import to_rgba
 
 from ..errors import BristleError
 from ..plotting.curves import title_axis
@@ -15,7 +16,8 @@ from ..results import attribute, place_of, table, table_with
 AXES = ["sample"]
 ALL, FRONT, BEST, JUMP = "0.75", COLOURS[0], COLOURS[1], "0.35"
 NOTE = ("Grey: trials that meet the constraints; blue: the front, of trials that no other surpasses; diamond: the recommended "
-        "trial. Error bars: errors of the computation and of the few deviations.\n"
+        "trial. q95: the value that 95 % of the brushes with deviations stay below. Error bars: errors of the computation and of the few "
+        "deviations.\n"
         "Curves: the first objective at nominal values over each quantity, the others as recommended, in the scenario where it "
         "is worst; band: its error; dashed: a jump of the gap in any scenario.")
 
@@ -65,7 +67,7 @@ def draw_trials(axes, trials, front, best):
         return
     axes.plot(trials["objective_1"].values[valid], trials["objective_2"].values[valid], ".", color=ALL, markersize=3)
     axes.errorbar(front["objective_1"], front["objective_2"], front["objective_2_err"], front["objective_1_err"], fmt="o",
-                  color=FRONT, markersize=3, linewidth=0.7)
+                  color=FRONT, ecolor=to_rgba(FRONT, 0.3), markersize=3, linewidth=0.7)
     axes.plot(best["objective_1"], best["objective_2"], "d", color=BEST, zorder=4)
     axes.set_xlabel(objective_label(trials, 1))
     axes.set_ylabel(objective_label(trials, 2))

@@ -8,13 +8,13 @@ from ..plotting.layout import Cell, across, heading, place_cell, sheet
 from ..plotting.page import points
 from ..plotting.readings import one_page
 from ..plotting.style import BLACK
-from ..results import place_of, table, table_with
+from ..results import flags, place_of, table, table_with
 
 AXES = []
 BRISTLES = 4
 ARROW = dict(arrowstyle="<->", color=BLACK, linewidth=0.8, shrinkA=0, shrinkB=0)
 NOTE = ("To scale, undeformed, lengths in millimetres. Bristles lean in all directions; here all lean to the right. The slab is drawn "
-        "where it first touches them. Tolerances and margins are relative; beyond a margin the gap jumps.")
+        "where it first touches them. Deviations and margins are relative; beyond a margin the gap jumps.")
 WORDS = {"length": "length", "diameter": "diameter of the shaft", "angle": "angle to the base", "tip_radius": "radius of the tip",
          "spacing": "spacing", "density": "bristles"}
 UNITS = {"angle": "degrees", "density": "per m$^2$"}
@@ -26,13 +26,14 @@ def draw(file):
     if table(file, "drawing") is None:
         raise BristleError(f"{place_of(file)}: has no drawing; `bristle design` writes it for an experiment in SI units in which a "
                            "trial meets the constraints")
-    group = table_with(file, "drawing", "value", "tolerance", "margin_below", "margin_above")
+    group = table_with(file, "drawing", "value", "tolerance", "tolerance_is", "margin_below", "margin_above")
     sizes = {str(name): float(value) for name, value in zip(group["dimension"].values, group["value"].values)}
     cell, _ = across(1, Cell(9.4, 4.6, 0.4, 0.2, 8.8, 4.0))
     figure, bottom = sheet(file, cell.width, cell.height, NOTE, verdicts=False)
     axes = place_cell(figure, (0, bottom), cell)
     right = draw_brush(axes, **sizes)
-    rows = group.to_dataframe().reset_index().itertuples()
+    words, codes = flags(group["tolerance_is"])
+    rows = group.assign(tolerance_is=("dimension", [words[code].replace("_", " ") for code in codes])).to_dataframe().reset_index().itertuples()
     axes.text(right + 0.4 * sizes["length"], 0.5 * sizes["length"], "\n".join(line_of(row) for row in rows), fontsize=points(10),
               va="center", linespacing=1.7)
     heading(axes, "", labels=["the recommended brush"])
@@ -44,7 +45,7 @@ def line_of(row):
     number = f"{row.value:,.0f}" if row.dimension == "density" else f"{row.value:.4g}"
     parts = [f"{WORDS[row.dimension]}: {number} {UNITS.get(row.dimension, 'mm')}"]
     if np.isfinite(row.tolerance):
-        parts.append(f"tolerance {100 * row.tolerance:.2g} %")
+        parts.append(f"{row.tolerance_is} {100 * row.tolerance:.2g} %")
     margins = [f"{sign}{100 * margin:.0f} %" for sign, margin in (("-", row.margin_below), ("+", row.margin_above)) if np.isfinite(margin)]
     return ", ".join(parts + ([f"margin {' and '.join(margins)}"] if margins else []))
 
