@@ -87,7 +87,7 @@ bool report_deviations(const CheckOptions& options, const results::ResultReader&
 }
 
 // Prints deviations and replay commands as JSON; "deviation" is
-// null if there is no reference. Returns whether no check failed.
+// null if there is no reference, and "error" says so. Returns whether no check failed.
 bool print_json(const CheckOptions& options, const results::ResultReader& result,
                 const std::vector<claims::CheckResult>& checks) {
   const std::string path = reference_of(options, result);
@@ -97,6 +97,8 @@ bool print_json(const CheckOptions& options, const results::ResultReader& result
   if (std::filesystem::exists(path))
     out["deviation"] = compare::comparison_json(
         compare::compare_with_reference(result, checks, compare::read_reference(path), path));
+  else if (!options.claims_only)
+    out["error"] = path + ": no such reference; --claims-only skips the comparison";
   fmt::print("{}\n", out.dump(1));
   const bool reference_failed = out["deviation"].is_null() || out["deviation"]["failed"].get<bool>();
   return (all_supported(checks) || options.report_only) && (!reference_failed || options.claims_only);
@@ -118,7 +120,9 @@ int check_command(const CheckOptions& options) {
   result.require_intact();
   const auto checks = claims::evaluate_checks(result);
   if (options.json) return print_json(options, result, checks) ? kSuccess : kCheckFailed;
-  const bool claims = report_claims(options, checks) || options.report_only;
+  const bool supported = report_claims(options, checks), claims = supported || options.report_only;
+  if (!claims)
+    fmt::print("not every claim is supported: exit code 1; --report-only leaves verdicts out of it\n");
   const bool reference = options.claims_only || report_deviations(options, result, checks);
   return claims && reference ? kSuccess : kCheckFailed;
 }

@@ -23,9 +23,8 @@ std::string default_output(const ExportOptions& options) {
 // InputError for a name that the table does not have.
 results::Dataset reduced(const results::Dataset& table, const std::vector<std::string>& only,
                          const results::ResultReader& result) {
-  std::vector<std::string> known, kept = result.axes();
+  std::vector<std::string> known, kept = result.coordinates();
   for (const results::Array& array : table.arrays()) known.push_back(array.about.name);
-  std::ranges::copy(result.sample_columns(), std::back_inserter(kept));
   kept.emplace_back("status");
   for (const std::string& name : only) {
     if (std::ranges::find(known, name) == known.end())

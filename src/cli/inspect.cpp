@@ -38,6 +38,15 @@ std::vector<std::string> words_along(const results::Array& array) {
   return words;
 }
 
+// Returns how often an array of codes has each of its words: "12 contact", ...
+std::vector<std::string> counts_of_words(const results::Array& array) {
+  std::vector<std::string> out;
+  for (std::size_t code = 0; code < array.about.words.size(); ++code)
+    if (const auto n = std::ranges::count(array.values, double(code)))
+      out.push_back(fmt::format("{} {}", n, array.about.words[code]));
+  return out;
+}
+
 // Returns the greatest error of a variable in words; empty if it has none.
 std::string error_text(const results::ResultReader& result, const std::string& name) {
   if (!result.has(name + "_err")) return "";
@@ -53,6 +62,8 @@ void print_variable(const results::ResultReader& result, const std::string& name
       array.dimensions.empty() ? "" : fmt::format("({})", fmt::join(array.dimensions, ", "));
   const std::size_t missing = array.values.size() - range.values;
   if (!words.empty()) fmt::print("  {:<22} {:<20} {}\n", name, where, fmt::join(words, ", "));
+  else if (!array.about.words.empty())
+    fmt::print("  {:<22} {:<20} {}\n", name, where, fmt::join(counts_of_words(array), ", "));
   else if (range.values == 0) fmt::print("  {:<22} {:<20} no values\n", name, where);
   else
     fmt::print("  {:<22} {:<20} {:>12.6g} .. {:<12.6g}{}{}\n", name, where, range.low, range.high,
@@ -89,8 +100,7 @@ constexpr const char* kImportant[] = {"friction_coefficient",
 // intact: whether the experiment of the result can be read, which names the axes
 void print_variables(const results::ResultReader& result, bool intact) {
   std::vector<std::string> names;
-  if (intact) names = result.axes();
-  if (intact) std::ranges::copy(result.sample_columns(), std::back_inserter(names));
+  if (intact) names = result.coordinates();
   const auto add = [&](const std::string& name) {
     if (std::ranges::find(names, name) == names.end()) names.push_back(name);
   };

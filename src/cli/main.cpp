@@ -85,7 +85,9 @@ CLI::App* add_run(CLI::App& app, ExperimentOptions& experiment, run::RunOptions&
   auto* force = command->add_flag("--force", run.force, "compute even if the result is up to date");
   auto* point = command->add_option("--point", experiment.point,
                                     "compute only the point of this number, from 0, the last axis fastest");
-  point->type_name("N")->excludes(shard);
+  point->type_name("N")->excludes(shard)->check([](const std::string& text) {
+    return std::string(text.starts_with('-') ? "the number of a point is 0 or more" : "");
+  });
   command
       ->add_flag("--complete", run.complete,
                  "write the result of what shards have computed; name what is missing, and compute nothing")

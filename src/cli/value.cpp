@@ -15,17 +15,12 @@ namespace {
 using results::Array;
 using results::Dataset;
 
-// Returns the names of the columns that place a row: axes, and what varies along a sample.
-std::vector<std::string> coordinates_of(const results::ResultReader& result) {
-  std::vector<std::string> names = result.axes();
-  std::ranges::copy(result.sample_columns(), std::back_inserter(names));
-  return names;
-}
-
 // Returns the column of a table. Throws InputError with the names that are allowed.
 const Array& column_of(const Dataset& table, const std::string& name, const std::vector<std::string>& allowed,
                        const std::string& what) {
   if (std::ranges::find(allowed, name) != allowed.end()) return table.array(name);
+  if (name.find('=') != name.npos)
+    throw InputError(fmt::format("there is no {} {}; write --at {}", what, printable(name), printable(name)));
   throw InputError(fmt::format("there is no {} {}{}; {}", what, printable(name), did_you_mean(name, allowed),
                                allowed.size() > 12 ? "`bristle info` lists all"
                                                    : fmt::format("it has: {}", fmt::join(allowed, ", "))));
@@ -43,6 +38,11 @@ double nearest(const Array& axis, const std::string& wanted) {
   const auto number = number_in(wanted);
   if (!number)
     throw InputError(fmt::format("--at {}={}: is not a number", axis.about.name, printable(wanted)));
+  const auto [least, greatest] = std::ranges::minmax(axis.values);
+  const double margin = 1e-6 * std::max(std::abs(least), std::abs(greatest));
+  if (!(least - margin <= *number && *number <= greatest + margin))
+    throw InputError(fmt::format("--at {}={}: {} is from {:.6g} to {:.6g}", axis.about.name,
+                                 printable(wanted), axis.about.name, least, greatest));
   return *std::ranges::min_element(axis.values, {}, [&](double value) { return std::abs(value - *number); });
 }
 
@@ -53,7 +53,10 @@ std::vector<bool> selected(const Dataset& table, const std::vector<std::string>&
   for (const std::string& one : at) {
     const std::size_t equals = one.find('=');
     if (equals == one.npos) throw InputError(fmt::format("--at {}: write --at k_r=20", printable(one)));
-    const Array& axis = column_of(table, one.substr(0, equals), coordinates, "axis");
+    std::string name = one.substr(0, equals);
+    // A load that the sweep sets is an axis beside the load that was reached.
+    if (std::ranges::find(coordinates, name + "_target") != coordinates.end()) name += "_target";
+    const Array& axis = column_of(table, name, coordinates, "axis");
     const double value = nearest(axis, one.substr(equals + 1));
     for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = rows[i] && axis.values[i] == value;
   }
@@ -79,7 +82,7 @@ int value_command(const ValueOptions& options) {
   const results::ResultReader result(options.file);
   result.require_intact();
   const Dataset table = results::table_of(result, "");
-  const std::vector<std::string> coordinates = coordinates_of(result);
+  const std::vector<std::string> coordinates = result.coordinates();
   std::vector<std::string> all;
   for (const Array& array : table.arrays()) all.push_back(array.about.name);
   const std::vector<bool> rows = selected(table, options.at, coordinates);

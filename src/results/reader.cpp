@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -73,8 +74,8 @@ ResultReader::ResultReader(const std::string& path) : path_(path) {
   if (const std::string what = not_a_file(path); !what.empty())
     throw InputError(fmt::format("{}: {}", path, what));
   if (!std::filesystem::is_regular_file(path))
-    throw InputError(
-        fmt::format("{}: no such file; create it with `bristle run EXPERIMENT.json -o {}`", path, path));
+    throw InputError(fmt::format("{}: no such file; create it with `bristle run EXPERIMENT.json -o {}`", path,
+                                 path.ends_with(".h5") ? path : path + ".h5"));
   open_input(path);  // throws the reason if it cannot be read
   if (H5Fis_hdf5(path.c_str()) <= 0) throw InputError(fmt::format("{}: not an HDF5 file", path));
   const auto open = [&] { return h5::open_file(path, false); };
@@ -229,6 +230,12 @@ std::vector<std::string> ResultReader::sample_columns() const {
   else if (document.contains(distributions))
     for (const auto& [name, distribution] : document[distributions].items())
       names.push_back(axis_variable(name));
+  return names;
+}
+
+std::vector<std::string> ResultReader::coordinates() const {
+  std::vector<std::string> names = axes();
+  std::ranges::copy(sample_columns(), std::back_inserter(names));
   return names;
 }
 

@@ -55,6 +55,7 @@ class ResultReader {
   std::map<std::string, std::string> failures() const { return text_attributes(kFailures); }
   std::vector<std::string> axes() const;            // names of the variables of the sweep's axes
   std::vector<std::string> sample_columns() const;  // variables over the axis "sample"; empty without it
+  std::vector<std::string> coordinates() const;     // the names that place a point: axes and sample columns
   std::vector<std::size_t> sweep_shape() const;     // shape without the nodes of traced curves
 
  private:

@@ -53,6 +53,11 @@ std::string did_you_mean(const std::string& word, const std::vector<std::string>
       least = distance;
       best = candidate;
     }
+  if (best.empty() && !word.empty())
+    for (const std::string& candidate : known)
+      if (small_letters(candidate).starts_with(small_letters(word) + "_") &&
+          (best.empty() || candidate.size() < best.size()))
+        best = candidate;
   return best.empty() ? "" : fmt::format(" (did you mean {}?)", best);
 }
 

@@ -41,6 +41,9 @@ expect 0 "@misc{bristle-" "$bristle" cite "$result"
 digest=$("$bristle" info --json "$result" | sed -n 's/.*"payload_sha256": "\([0-9a-f]*\)".*/\1/p' | head -n 1)
 expect 0 "SHA-256 of the numbers $digest;" "$bristle" cite "$result"
 expect 2 "nowhere.h5: no such file" "$bristle" cite nowhere.h5
+expect 2 'create it with `bristle run EXPERIMENT.json -o nowhere.h5`' "$bristle" info nowhere
+expect 0 " contact, " "$bristle" info "$result"
+expect 2 "--point: the number of a point is 0 or more" "$bristle" run experiments/fig4.json --point -1
 
 # One number with its error, a table of a few variables, and keys without their blocks.
 expect 0 " +- " "$bristle" value "$result" R_x_norm z_0 --at k_r=20 --at k_theta=1 --at bending=rod
@@ -51,6 +54,8 @@ expect 2 "there is no axis k_rr (did you mean k_r?)" "$bristle" value "$result" 
 expect 2 "bending has the words polar, polar_as_printed, rod" "$bristle" value "$result" R_x_norm --at bending=rode
 expect 2 "--at k_r=soft: is not a number" "$bristle" value "$result" R_x_norm --at k_r=soft
 expect 2 "--at k_r: write --at k_r=20" "$bristle" value "$result" R_x_norm --at k_r
+expect 2 "--at k_r=1000: k_r is from" "$bristle" value "$result" R_x_norm --at k_r=1000
+expect 2 "there is no variable k_theta=1; write --at k_theta=1" "$bristle" value "$result" R_x_norm --at k_r=20 k_theta=1
 expect 0 "bending,k_r,k_theta,R_x_norm,R_x_norm_err,status" "$bristle" export "$result" --only R_x_norm -o -
 expect 2 "--only R_x_nrm: there is no such variable (did you mean R_x_norm?)" "$bristle" export "$result" --only R_x_nrm
 expect 2 "/model/k_r: -1 is not allowed" "$bristle" validate experiments/paper.json --set k_r=-1
@@ -91,6 +96,7 @@ expect 2 "not an HDF5 file" "$bristle" check CMakeLists.txt
 expect 0 "(verified)" "$bristle" info "$result"
 expect 0 "R_x_norm" "$bristle" info "$result"
 expect 1 "claims, polar: 5 supported, 0 refuted, 1 undecided" "$bristle" check --claims-only "$result"
+expect 1 "not every claim is supported: exit code 1; --report-only" "$bristle" check --claims-only "$result"
 expect 0 "refuted" "$bristle" check --claims-only --report-only "$result"
 
 # A new experiment is valid at once, runs in seconds, with and without paper.json beside it, and replaces nothing.
@@ -105,6 +111,11 @@ expect 0 "points, V0_m_per_s" in_folder "$folder/project" sh -c "'$program' new 
 expect 0 "dimensionless at V0_m_per_s = 30: k_r = 2.09515" in_folder "$folder/project" "$program" validate experiments/brush.json
 brush=(in_folder "$folder/project" "$program" run experiments/brush.json --force --set /sweep=null --set /orientation/rtol=0.05)
 expect 0 "brush.h5: unreachable at the only point: no gap carries the load; use a lower one" "${brush[@]}" --set /si/R_n_N=1000
+# A file without a name of its own does not replace the result of the file that it extends.
+echo '{"extends": "brush.json", "si": {"R_n_N": 0.5}}' >"$folder/project/experiments/child.json"
+expect 2 "child.json: /name: is missing; with the inherited name brush the result would replace another experiment's" \
+  in_folder "$folder/project" "$program" run experiments/child.json
+expect 0 "child.json: valid" in_folder "$folder/project" "$program" validate experiments/child.json
 expect 0 "did not leave the slab within 1000 evaluations of the equations; raise /integrator/max_evaluations" \
   "${brush[@]}" --set /integrator/max_evaluations=1000
 expect 0 "raise /integrator/max_evaluations_per_point" "${brush[@]}" --set /integrator/max_evaluations_per_point=1000
@@ -280,6 +291,7 @@ expect 0 "unchanged" "$bristle" reference update "$folder/clean.h5" --reference 
 expect 0 "45 points: the same, bit for bit" "$bristle" check --report-only "$result" --reference "$reference"
 expect 1 "45 points: the same, bit for bit" "$bristle" check "$result" --reference "$reference"
 expect 0 '"failed": false' "$bristle" check --json --report-only "$result" --reference "$reference"
+expect 1 ': no such reference; --claims-only skips the comparison"' "$bristle" check --json --report-only "$result" --reference "$folder/none"
 expect 1 '"deviation": null' "$bristle" check --json --report-only "$result" --reference "$folder/none"
 sed -i '0,/"verdict":"refuted"/s//"verdict":"supported"/' "$reference/fig4.json"
 expect 1 "refuted, was supported" "$bristle" check --report-only "$result" --reference "$reference"
