@@ -20,6 +20,7 @@ from .results import open_result
 
 NO_TRIAL = 1  # exit code of a design of which no trial meets the constraints: the result is complete
 BLOCKS = ("model", "si", "load", "orientation", "integrator")
+ARGUMENTS = ("output", "tier", "threads", "quiet", "program")  # of run()
 AXIS = ("values", "linspace", "logspace", "take")  # keys of an axis in a sweep
 
 FOLDER = tempfile.TemporaryDirectory(prefix="bristle-")  # of results without a name; removed when Python ends
@@ -43,9 +44,10 @@ def run(experiment, *, output=None, tier="full", threads=None, quiet=False, prog
     document = merged(document, changes_by_block(program, changes))
     path = os.path.abspath(output or os.path.join(FOLDER.name, f"{next(NUMBER)}.h5"))
     command = [program, "run", "-", "-o", path, "--tier", tier, *(["--threads", str(threads)] if threads else [])]
-    code, message = followed(command, json.dumps(document, default=plain), folder, quiet)
+    code, message = followed(command, as_json(document), folder, quiet)
     if code not in (0, NO_TRIAL):
-        raise BristleError(message, exit_code=code if code > 0 else NOT_WRITTEN)
+        message = message.removeprefix("standard input: ")
+        raise BristleError(message if output else message.replace(path, "the result"), exit_code=code if code > 0 else NOT_WRITTEN)
     return open_result(path)
 
 
@@ -62,8 +64,11 @@ def document_of(experiment):
     """The document to compute, and the folder in which the files that it names are looked for."""
     if isinstance(experiment, dict):
         return experiment, None
-    folder, name = os.path.split(os.path.abspath(experiment)) if os.path.isfile(experiment) else (None, os.fspath(experiment))
-    return {"extends": name}, folder
+    if os.path.isfile(experiment):
+        folder, name = os.path.split(os.path.abspath(experiment))
+        return {"extends": name}, folder
+    name = os.fspath(experiment)
+    return {"extends": name if name.endswith(".json") else name + ".json"}, None
 
 
 def changes_by_block(program, changes):
@@ -73,7 +78,7 @@ def changes_by_block(program, changes):
         if name in blocks:
             patch[name] = value
         elif not owners:
-            known = sorted({*blocks, *(key for block in BLOCKS for key in blocks[block])})
+            known = sorted({*blocks, *(key for block in BLOCKS for key in blocks[block]), *ARGUMENTS})
             raise BristleError(f"{name} is not a key of an experiment{did_you_mean(name, known)}; known: {', '.join(known)}")
         elif len(owners) > 1:
             raise BristleError(f"{name} is a key of {' and of '.join(owners)}; write {owners[0]}={{'{name}': ...}}")
@@ -103,6 +108,13 @@ def merged(document, patch):
     both = {key: merged(document[key], patch[key]) for key in document.keys() & patch.keys()
             if isinstance(document[key], dict) and isinstance(patch[key], dict)}
     return {**document, **patch, **both}
+
+
+def as_json(document):
+    try:
+        return json.dumps(document, default=plain, allow_nan=False)
+    except ValueError:
+        raise BristleError("NaN and infinity are no values of an experiment") from None
 
 
 def plain(value):

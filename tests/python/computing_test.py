@@ -61,16 +61,19 @@ _, printed = computed(POINT, output=kept, k_r=[10, 20, 30])
 assert "2 computed before" in printed and kept.exists(), printed
 
 # One that comes with the program, by name; a gap instead of a load; the tier.
-gap, _ = computed("paper.json", z_0=0.5, R_n=None, path=None, orientation=POINT["orientation"])
+gap, _ = computed("paper", z_0=0.5, R_n=None, path=None, orientation=POINT["orientation"])
 assert gap["z_0"] == 0.5
 tier, _ = computed({**POINT, "sweep": {"k_r": {"values": [5, 10]}}, "tiers": {"smoke": {"sweep": {"k_r": {"take": [1]}}}}}, tier="smoke")
 assert tier.sizes["k_r"] == 1
 
-for wanted, call in (("standard input: /model/k_r: -1 is not allowed", lambda: refused(POINT, k_r=-1)),
+for wanted, call in (("/model/k_r: -1 is not allowed", lambda: refused(POINT, k_r=-1)),
                      ("k_rr is not a key of an experiment; did you mean k_r?; known: ", lambda: refused(POINT, k_rr=1)),
                      ("rtol is a key of orientation and of integrator; write orientation={'rtol': ...}", lambda: refused(POINT, rtol=1)),
                      ("{1} is neither a number, a word, a list nor a dict", lambda: refused(POINT, k_r={1})),
-                     ('"none.json" does not exist', lambda: refused("none.json"))):
+                     ('"none.json" does not exist', lambda: refused("none")),
+                     ('"papr.json" does not exist (did you mean paper.json?)', lambda: refused("papr.json")),
+                     ("outptu is not a key of an experiment; did you mean output?", lambda: refused(POINT, outptu=1)),
+                     ("NaN and infinity are no values of an experiment", lambda: refused(POINT, k_r=float("nan")))):
     assert wanted in call(), (wanted, call())
 try:
     run(POINT, program=folder / "none")
