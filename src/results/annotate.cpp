@@ -20,8 +20,28 @@ constexpr const char* kPaper =
     "N. Menga, F. Bottiglione, G. Carbone: Exploiting surface textures dynamics for dry friction control, "
     "Nonlinear Dynamics (2022)";
 
+// A unit in which values between two limits are read more easily.
+struct Prefixed {
+  const char* units;
+  double from, to, size;
+  const char* name;
+};
+constexpr Prefixed kPrefixed[] = {{"Pa", 1e3, 1e6, 1e3, "kPa"},
+                                  {"Pa", 1e6, 1e9, 1e6, "MPa"},
+                                  {"Pa", 1e9, 1e13, 1e9, "GPa"},
+                                  {"m", 1e-5, 0.1, 1e-3, "mm"}};
+
 // Returns a value with symbol and unit as mathtext, with powers of ten: "$m = 10^{-4}$ kg".
 std::string quantity(const sweep::SiQuantity& q, double value) {
+  std::string units = q.units;
+  for (const Prefixed& p : kPrefixed)
+    if (q.units == std::string(p.units) && p.from <= value && value < p.to) {
+      value /= p.size;
+      units = p.name;
+      break;
+    }
+  if (const auto power = units.find('^'); power != units.npos)
+    units = fmt::format("{}$^{}$", units.substr(0, power), units.substr(power + 1));
   std::string number = fmt::format("{:.4g}", value);
   if (const auto e = number.find('e'); e != std::string::npos) {
     const std::string mantissa = number.substr(0, e);
@@ -29,8 +49,7 @@ std::string quantity(const sweep::SiQuantity& q, double value) {
                          std::stoi(number.substr(e + 1)));
   }
   const bool dimensionless = std::string(q.units) == "1";
-  return fmt::format("${} = {}${}{}", q.symbol, number, dimensionless ? "" : " ",
-                     dimensionless ? "" : q.units);
+  return fmt::format("${} = {}${}{}", q.symbol, number, dimensionless ? "" : " ", dimensionless ? "" : units);
 }
 
 std::vector<std::string> si_parts(const Experiment& e) {
@@ -76,6 +95,8 @@ std::string caption(const Experiment& e) {
   std::vector<std::string> parts;
   if (!e.sweep.varies("friction"))
     parts.emplace_back(with_law(e.sweep.base.setup.parameters.friction, [](auto law) { return law.title; }));
+  if (!e.sweep.varies("bending") && e.sweep.base.setup.parameters.bending == Bending::rod)
+    parts.emplace_back("rods");
   for (std::string& part : e.sweep.base.si.empty() ? dimensionless_parts(e) : si_parts(e))
     parts.push_back(std::move(part));
   if (e.tier != "full") parts.push_back(e.tier + " tier: a subset of the points");

@@ -26,10 +26,10 @@ MARKERS = "os^D"
 HOLLOW = "hertz"  # the contact of open marks
 LIMITS = {"growth_rate": 0, "off_slab_share": 0.5}  # grey lines
 LEGEND_INCHES = 0.35
-NOTES = ["All brushes of which the formula was tested. Black: equality; grey band: the scatter of the formula, {}. {}",
+NOTES = ["All brushes on which the formula was tested. Black: equality; grey band: the scatter of the formula, {}. {}",
          "Above the grey line disturbances grow.",
          "Above the grey line bristles count as bouncing.",
-         "Dashed, where they bounce: the load by statics; triangles at the right: the lift-off load by the formula. Only brushes of "
+         "Dashed, where they bounce: the load by statics; triangles at the right: the lift-off load by the formula. Only brushes on "
          "which the formula was tested."]
 
 
@@ -150,7 +150,7 @@ def draw_over_gap(axes, file, name):
             words, phase = select_flags(file, "phase", along, **chosen)
             statics = np.where(phase == words.index("bouncing"), select(dataset(file, STATICS), along, **chosen), np.nan)
             axes.plot(curve.x, statics, "--", color=colour, linewidth=1)
-            axes.plot(1, np.nanmax(load), "<", color=colour, markersize=7, transform=axes.get_yaxis_transform(), clip_on=False)
+            axes.plot(1.02, np.nanmax(load), "<", color=colour, markersize=7, transform=axes.get_yaxis_transform(), clip_on=False)
         entries |= draw_curve(axes, curve, Look(colour, "-", marker), text, 1.2)
     if name in LIMITS:
         axes.axhline(LIMITS[name], color=GREY, linewidth=0.8, zorder=0)
