@@ -8,17 +8,21 @@ from ..plotting.layout import Cell, across, heading, place_cell, sheet
 from ..plotting.page import points
 from ..plotting.readings import one_page
 from ..plotting.style import BLACK
-from ..results import flags, place_of, table, table_with
+from ..results import experiment, flags, place_of, table, table_with
 
 AXES = []
 BRISTLES = 4
 ARROW = dict(arrowstyle="<->", color=BLACK, linewidth=0.8, shrinkA=0, shrinkB=0)
-NOTE = ("To scale, undeformed, lengths in millimetres. Bristles lean in all directions; here all lean to the right. The slab is drawn "
-        "where it first touches them. Deviations and margins are relative; beyond a margin the gap jumps.")
+NOTE = ("To scale, undeformed, lengths in millimetres. {} The slab is drawn where it first touches them. Deviations and margins are "
+        "relative; beyond a margin the gap jumps.")
 WORDS = {"length": "length", "diameter": "diameter of the shaft", "angle": "angle to the base", "tip_radius": "radius of the tip",
          "spacing": "spacing", "density": "bristles"}
 UNITS = {"angle": "degrees", "density": "per m$^2$"}
-MARKS = NOTE
+
+
+def MARKS(file):
+    one_way = experiment(file).get("orientation", {}).get("distribution") == "von_mises"
+    return NOTE.format("" if one_way else "Bristles lean in all directions; here all lean to the right.").replace("  ", " ")
 
 
 @one_page
@@ -29,13 +33,13 @@ def draw(file):
     group = table_with(file, "drawing", "value", "tolerance", "tolerance_is", "margin_below", "margin_above")
     sizes = {str(name): float(value) for name, value in zip(group["dimension"].values, group["value"].values)}
     cell, _ = across(1, Cell(9.4, 4.6, 0.4, 0.2, 8.8, 4.0))
-    figure, bottom = sheet(file, cell.width, cell.height, NOTE, verdicts=False)
+    figure, bottom = sheet(file, cell.width, cell.height, MARKS(file), verdicts=False)
     axes = place_cell(figure, (0, bottom), cell)
     right = draw_brush(axes, **sizes)
     words, codes = flags(group["tolerance_is"])
     rows = group.assign(tolerance_is=("dimension", [words[code].replace("_", " ") for code in codes])).to_dataframe().reset_index().itertuples()
-    axes.text(right + 0.4 * sizes["length"], 0.5 * sizes["length"], "\n".join(line_of(row) for row in rows), fontsize=points(10),
-              va="center", linespacing=1.7)
+    axes.text(right + 0.4 * sizes["length"], 1.2 * sizes["length"], "\n".join(line_of(row) for row in rows), fontsize=points(10), va="top",
+              linespacing=1.5)
     heading(axes, "", labels=["the recommended brush"])
     return figure
 
@@ -43,11 +47,13 @@ def draw(file):
 def line_of(row):
     """A dimension with its tolerance and margins."""
     number = f"{row.value:,.0f}" if row.dimension == "density" else f"{row.value:.4g}"
-    parts = [f"{WORDS[row.dimension]}: {number} {UNITS.get(row.dimension, 'mm')}"]
+    size, parts = f"{WORDS[row.dimension]}: {number} {UNITS.get(row.dimension, 'mm')}", []
     if np.isfinite(row.tolerance):
         parts.append(f"{row.tolerance_is} {100 * row.tolerance:.2g} %")
     margins = [f"{sign}{100 * margin:.0f} %" for sign, margin in (("-", row.margin_below), ("+", row.margin_above)) if np.isfinite(margin)]
-    return ", ".join(parts + ([f"margin {' and '.join(margins)}"] if margins else []))
+    if margins:
+        parts.append(f"margin {' and '.join(margins)}")
+    return size + ("\n    " + ", ".join(parts) if parts else "")
 
 
 def draw_brush(axes, length, diameter, angle, tip_radius, spacing, density):
@@ -68,7 +74,7 @@ def draw_brush(axes, length, diameter, angle, tip_radius, spacing, density):
     middle = roots[0] + 0.5 * length * along
     measure(axes, roots[-1] + 1.4 * diameter * across_shaft, roots[-1] + length * along + 1.4 * diameter * across_shaft, f"{length:.4g}",
             (6, -2), "left")
-    measure(axes, middle - diameter / 2 * across_shaft, middle + diameter / 2 * across_shaft, f"{diameter:.3g} diameter", (-18, 6), "right")
+    measure(axes, middle - diameter / 2 * across_shaft, middle + diameter / 2 * across_shaft, f"\u2300 {diameter:.3g}", (-18, 6), "right")
     low = np.array([0, -thick * 1.35])
     measure(axes, roots[0] + low, roots[1] + low, f"{spacing:.4g}", (0, -11), "center")
     foot = roots[-1] + np.array([0.7 * spacing, 0])
