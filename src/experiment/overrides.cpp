@@ -55,7 +55,8 @@ void check_overrides(const json::Document& document) {
 
 std::vector<std::string> idle_changes(const json::Document& document, const sweep::Sweep& sweep) {
   std::vector<std::string> out;
-  for (const char* name : {"model", "si", "load", "orientation"}) {
+  if (document.json().contains(JsonPointer("/design/second_model"))) return out;
+  for (const char* name : {"model", "si", "load"}) {
     const JsonPointer block = JsonPointer() / name;
     if (!document.json().contains(block)) continue;
     for (const auto& [key, value] : document.json().at(block).items()) {

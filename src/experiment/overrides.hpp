@@ -5,11 +5,12 @@
 
 namespace bristle::experiment {
 
-// Throws InputError for a value that --set, or the experiment's own file, gives and that the sweep, the
-// sample or the design replaces at every point; the message names what replaces it.
+// Throws InputError for a value that --set, or the experiment's own file, gives and that the sweep or the
+// sample replaces at every point; the message names what replaces it.
 void check_overrides(const json::Document& document);
 
-// Returns a warning for each number that --set gives and that no point of the sweep depends on.
+// Returns a warning for each number of model, si and load that --set gives and that no point of the sweep
+// depends on; none for an experiment with a second model, which may depend on others.
 std::vector<std::string> idle_changes(const json::Document& document, const sweep::Sweep& sweep);
 
 // The place that sets a quantity, in its unit or in metres: its axis, a column of the sample, a variable of

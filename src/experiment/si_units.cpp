@@ -1,5 +1,7 @@
 #include "experiment/si_units.hpp"
 
+#include "experiment/overrides.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <algorithm>
@@ -20,14 +22,21 @@ constexpr Usual kUsual[] = {{"r0_m", 1e-6, 1},     {"R_m", 1e-8, 0.05},         
                             {"spacing_m", 1e-7, 1}};
 
 // Returns warnings of values that look as if they were in another unit than that of their key.
-std::vector<std::string> unusual_values(const json::Document& document, const sweep::PointInput& input) {
+std::vector<std::string> unusual_values(const json::Document& document, const sweep::Sweep& sweep) {
   std::vector<std::string> out;
   for (const auto& [key, from, to] : kUsual) {
-    const auto given = input.si.find(key);
-    if (given == input.si.end() || (from <= given->second && given->second <= to)) continue;
-    const JsonPointer at = JsonPointer("/si") / key;
+    std::vector<double> given;
+    if (const auto own = sweep.base.si.find(key); own != sweep.base.si.end()) given.push_back(own->second);
+    for (const sweep::Axis& axis : sweep.axes)
+      if (axis.name == key) given = axis.values;
+      else
+        for (const sweep::Axis& column : axis.columns)
+          if (column.name == key) given = column.values;
+    const auto unusual = std::ranges::find_if(given, [&](double x) { return x < from || x > to; });
+    if (unusual == given.end()) continue;
+    const JsonPointer at = place_of(document, key);
     out.push_back(fmt::format("{}: {}: {:g} is unusual, outside {:g} to {:g}; is it in the unit of the key?",
-                              document.origin(at), at.to_string(), given->second, from, to));
+                              document.origin(at), at.to_string(), *unusual, from, to));
   }
   return out;
 }
@@ -99,7 +108,7 @@ std::vector<std::string> si_warnings(const json::Document& document, const Exper
       if (document.set_by_option(JsonPointer(pointer))) document.fail(pointer, what + "; set that instead");
       warn(pointer, what);
     }
-  std::ranges::move(unusual_values(document, experiment.sweep.base), std::back_inserter(out));
+  std::ranges::move(unusual_values(document, experiment.sweep), std::back_inserter(out));
   const bool in_load = document.json()["load"].contains("R_n");
   if (!given("R_n_N") && !given("pressure_Pa") && (in_load || experiment.sweep.varies("R_n")))
     warn(in_load ? "/load/R_n" : "/sweep/R_n",

@@ -58,8 +58,9 @@ Assignment parse_assignment(const std::string& argument) {
     value = Json::accept(text) || (json_intended && !text.empty()) ? parse_json(text) : Json(text);
     value.dump();  // throws for text that is not UTF-8
   } catch (const InputError& e) {
-    if (std::isdigit(static_cast<unsigned char>(text[0])))
-      fail(fmt::format("'{}' is not a number; units belong to the key and not to the value",
+    if (const auto letters = text.find_first_not_of("0123456789.eE+-");
+        letters != text.npos && std::isalpha(static_cast<unsigned char>(text[letters])))
+      fail(fmt::format("'{}' is neither a number (the unit is part of the key) nor text in quotes",
                        text.substr(0, 60)));
     fail(fmt::format("'{}': {}", text.substr(0, 60), e.what()));
   } catch (const Json::exception& e) {

@@ -93,10 +93,10 @@ void each_table_name(Json& content, const JsonPointer& table, Visit visit) {
 // Returns the names of the experiments that a file can extend: those beside it and those of the program.
 std::vector<std::string> files_beside(const std::string& path) {
   std::vector<std::string> names;
-  for (const fs::path& folder :
-       {fs::path(path).parent_path(), fs::path(data_path("experiments").value_or(""))}) {
+  const fs::path beside = fs::absolute(path).parent_path();
+  for (const fs::path& folder : {beside, fs::path(data_path("experiments").value_or(beside.string()))}) {
     std::error_code error;  // a folder that cannot be read has no names
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder.empty() ? "." : folder, error))
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
       if (entry.path().extension() == ".json") names.push_back(entry.path().filename().string());
   }
   return names;

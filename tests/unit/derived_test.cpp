@@ -145,8 +145,7 @@ TEST_CASE("a value that something else replaces is an error that names it") {
       Catch::Contains("/load/R_n: has no effect, because /sweep/sample/over/R_n varies R_n"));
   CHECK_THAT(f.error(R"(, "sweep": {"bending": {"values": ["polar", "rod"]}})", {"/model/bending=rod"}),
              Catch::Contains("/model/bending: has no effect, because /sweep/bending varies bending"));
-  CHECK_THAT(f.error(design(R"("k_r": [5, 40])"), {k_r}),
-             Catch::Contains("because /design/variables/k_r varies k_r"));
+  CHECK(f.valid(design(R"("k_r": [5, 40])"), {k_r}));  // the start of the search
   CHECK(f.valid(design(R"("k_phi": [1, 4])", R"(, "tolerances": {"k_r": {"normal": 0.05}})"), {k_r}));
   CHECK_THAT(
       f.error(R"(, "model": {"mu_c": 2, "friction": "coulomb"}, "load": {"nominal_friction": 3})"),

@@ -356,7 +356,8 @@ TEST_CASE("the option --set changes a value, is named in errors, and refuses inv
   CHECK_THROWS_WITH(load_experiment(file, {{"/model/k_r"}, "full"}), Catch::Contains("'=' is missing"));
   CHECK_THROWS_WITH(load_experiment(file, {{"bristle/model/k_r=1"}, "full"}),
                     Catch::Contains("must be empty or begin with '/'"));
-  CHECK_THROWS_WITH(load_experiment(file, {{"/model/k_r=1x"}, "full"}), Catch::Contains("not JSON"));
+  CHECK_THROWS_WITH(load_experiment(file, {{"/model/k_r=1x"}, "full"}),
+                    Catch::Contains("'1x' is neither a number"));
   CHECK_THROWS_WITH(load_experiment(file, {{"/name=\xff"}, "full"}), Catch::Contains("invalid UTF-8"));
   std::string deep;
   for (int i = 0; i < 30000; ++i) deep += "/a";

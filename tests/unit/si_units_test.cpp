@@ -142,6 +142,9 @@ TEST_CASE("values that look as if they were in another unit are warned of") {
     }));
   }
   CHECK(warnings("/si/E_Pa=2.1e11").empty());
+  const auto swept = warnings(R"(/sweep/V0_m_per_s={"values":[1,5000],"logspace":null})");
+  REQUIRE(swept.size() == 1);
+  CHECK_THAT(swept[0], Catch::Contains("/sweep/V0_m_per_s: 5000 is unusual"));
 }
 
 TEST_CASE("a number that --set gives and that no point depends on is warned of") {
