@@ -107,7 +107,7 @@ class Search {
       if (const std::vector<Dimension> dimensions = drawing(trials_, found); !dimensions.empty()) {
         const Sweep brush = trials_.with_rows({recommended(found).nominal});
         text +=
-            drawing_text(dimensions, brush.base.setup.orientation) +
+            drawing_text(dimensions, brush.point(0).setup.orientation) +
             working_range_text(brush, solver()(brush, run::shard_points({}, brush.size()), Purpose::beside));
         groups.push_back(drawing_group(dimensions));
       }
@@ -165,10 +165,6 @@ class Search {
       return;
     }
     found.start_trial = found.trials.size();
-    const Score score = trials_.score_of(trial);
-    const auto worse = [&](std::size_t i) { return better(score, trials_.score_of(found.trials[i])); };
-    if (design_.objectives.size() == 1)
-      found.optima.insert(std::ranges::find_if(found.optima, worse), found.trials.size());
     found.trials.push_back(std::move(trial));
   }
 
@@ -180,6 +176,10 @@ class Search {
     found.nearest_miss = std::size_t(std::ranges::min_element(scores, better) - scores.begin());
     std::erase_if(found.chosen, [&](std::size_t i) { return scores[i].violation > 0; });
     if (found.chosen.empty() && !found.front.empty()) found.chosen = {found.front.front()};
+    if (const auto start = found.start_trial; start && design_.objectives.size() == 1 &&
+                                              !found.chosen.empty() &&
+                                              better(scores[*start], scores[found.chosen.front()]))
+      found.chosen.insert(found.chosen.begin(), *start);
     // If a local minimum of the distance from a target meets the target, only such minima are solutions.
     if (std::ranges::any_of(found.chosen, [&](std::size_t i) { return scores[i].is_met; }))
       std::erase_if(found.chosen, [&](std::size_t i) { return !scores[i].is_met; });
@@ -253,7 +253,8 @@ class Search {
 
   // Computes what the recommended brush is compared with, and verifies it as it can be made.
   void look_beside(Findings& found, const Values& chosen) {
-    if (!design_.round_to.empty()) found.made = made(chosen);
+    // The start is a brush that there is.
+    if (!design_.round_to.empty() && found.chosen.front() != found.start_trial) found.made = made(chosen);
     const Values& best = recommended(found).nominal;
     if (!design_.tolerances.empty()) {
       found.verification = trials_.verify(best);

@@ -91,7 +91,10 @@ results::Dataset drawing_group(const std::vector<Dimension>& dimensions) {
 std::string working_range_text(const Sweep& sweep, const std::vector<results::PointRecord>& points) {
   std::string out;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto value = [&](const char* name) { return points[i].at(name).front(); };
+    // Bristles that lean one way have no lift-off load.
+    const auto value = [&](const char* name) {
+      return points[i].layout->has(name) ? points[i].at(name).front() : kNone;
+    };
     const auto phase = BrushPhase(std::lround(value("phase")));
     out += fmt::format("  at {:.3g} m/s under {:.3g} N: {}", sweep::si_scales(sweep.point(i)).velocity,
                        value("R_n_in_N"), word(phase));

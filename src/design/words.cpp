@@ -115,11 +115,14 @@ std::string infeasible_text(const Trials& trials, const Findings& found) {
                      values_text(trials, nearest));
 }
 
-// Returns a sentence if the start, which meets the constraints, is the recommended trial or as good as it
-// within the errors.
-std::string gain_text(const Findings& found) {
+// Returns a sentence if the start, which meets the constraints, is the recommended trial, better than it or
+// as good within the errors.
+std::string gain_text(const Trials& trials, const Findings& found) {
   const Trial& start = *start_of(found);
   const bool is_best = found.chosen.front() == found.start_trial;
+  if (!is_best && better(trials.score_of(start), trials.score_of(recommended(found))))
+    return "  rounded to what can be made, the brush is worse than the start: give finer steps, or keep the "
+           "start\n";
   if (!is_best && differ(start, recommended(found))) return "";
   const bool matter = std::ranges::any_of(
       found.trials, [&](const Trial& trial) { return trial.violation == 0 && differ(start, trial); });
@@ -144,7 +147,7 @@ std::string remarks_text(const Trials& trials, const Findings& found) {
     out +=
         "  rounded to what can be made, the brush violates a constraint: give finer steps, or tighter "
         "bounds\n";
-  if (start && start->violation == 0) out += gain_text(found);
+  if (start && start->violation == 0) out += gain_text(trials, found);
   for (const experiment::Range& range : design.variables) {
     const double value = best.nominal.at(range.name), near = at_bound * (range.high - range.low);
     if (value - range.low <= near || range.high - value <= near)
@@ -152,6 +155,11 @@ std::string remarks_text(const Trials& trials, const Findings& found) {
                          value - range.low <= near ? "lower" : "upper");
   }
   return out;
+}
+
+// Returns what the text calls a trial.
+std::string name_of(const Findings& found, std::size_t trial) {
+  return trial == found.start_trial ? "the start" : fmt::format("trial {}", trial);
 }
 
 std::string trials_text(std::size_t count) { return fmt::format("{} trial{}", count, count == 1 ? "" : "s"); }
@@ -181,10 +189,9 @@ std::string miss_text(const Trials& trials, const Findings& found) {
     if (!std::isnan(nearest.constraints[c]))
       parts.push_back(
           fmt::format("{}: {:.4g}", trials.design().constraints[c].text(), nearest.constraints[c]));
-  return fmt::format(
-      "no trial meets all constraints; the nearest miss is trial {}: {}\n  constraints: {}\n  {}\n",
-      found.nearest_miss, values_text(trials, nearest), fmt::join(parts, "; "),
-      objectives_text(trials, nearest));
+  return fmt::format("no trial meets all constraints; the nearest miss is {}: {}\n  constraints: {}\n  {}\n",
+                     name_of(found, found.nearest_miss), values_text(trials, nearest), fmt::join(parts, "; "),
+                     objectives_text(trials, nearest));
 }
 
 std::string margins_text(const Findings& found) {
@@ -231,9 +238,7 @@ std::string text_of(const Trials& trials, const Findings& found) {
   std::string out = counts_text(trials, found) + "\n";
   if (found.chosen.empty()) return out + miss_text(trials, found);
   const Trial& best = recommended(found);
-  const std::size_t chosen = found.chosen.front();
-  out += fmt::format("recommended, {}{}: {}\n  {}\n",
-                     chosen == found.start_trial ? "the start" : fmt::format("trial {}", chosen),
+  out += fmt::format("recommended, {}{}: {}\n  {}\n", name_of(found, found.chosen.front()),
                      found.made ? ", rounded to what can be made" : "", values_text(trials, best),
                      objectives_text(trials, best));
   out += comparison_text(trials, found) + remarks_text(trials, found);
@@ -251,7 +256,7 @@ std::string text_of(const Trials& trials, const Findings& found) {
                     objectives_text(trials, *found.second));
   if (trials.design().objectives.size() > 1) out += front_text(trials, found);
   for (std::size_t i = 1; i < found.chosen.size(); ++i)
-    out += fmt::format("another optimum, trial {}: {}\n  {}\n", found.chosen[i],
+    out += fmt::format("another optimum, {}: {}\n  {}\n", name_of(found, found.chosen[i]),
                        values_text(trials, found.trials[found.chosen[i]]),
                        objectives_text(trials, found.trials[found.chosen[i]]));
   return out;

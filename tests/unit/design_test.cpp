@@ -160,6 +160,41 @@ TEST_CASE("design: a start that is better than every trial is recommended") {
   CHECK_THAT(text, Catch::Contains("no trial is better than the start, which can be kept"));
 }
 
+TEST_CASE("design: a start that is worse than the recommended trial is no optimum") {
+  const Folder f;
+  const auto file = f.run(f.load(R"({"variables": {"mu_c": [0.05, 0.2]}, "budget": 4,
+      "objectives": [{"minimise": "R_x"}]}, "model": {"friction": "coulomb", "mu_c": 0.15})",
+                                 kFew));
+  CHECK(first(file, "best/mu_c") < 0.15);
+  for (const double mu_c : file.variable("best/mu_c").values) CHECK(mu_c != 0.15);
+}
+
+TEST_CASE("design: the best start is recommended as it is, whatever can be made") {
+  const Folder f;
+  const auto file =
+      f.run(f.load(R"({"variables": {"mu_c": [0.05, 0.2]}, "budget": 2, "round_to": {"mu_c": 0.04},
+      "objectives": [{"minimise": "R_x"}]}, "model": {"friction": "coulomb", "mu_c": 0.05})",
+                   kFew));
+  CHECK_THAT(file.provenance().at("design"), Catch::Contains("recommended, the start: mu_c = 0.05"));
+}
+
+TEST_CASE("design: the drawing of bristles that lean one way says which, and has no lift-off load") {
+  const Folder f;
+  const auto file =
+      f.run(f.load(R"({"variables": {"R_m": [0.001, 0.0012]}, "budget": 1,
+      "objectives": [{"minimise": "R_x"}]})",
+                   R"(, "load": {"R_n": null}, "si": {"m_kg": 1e-4, "r0_m": 0.017, "V0_m_per_s": 10,
+      "E_Pa": 1e8, "nu": 0.4, "R_m": 0.00108, "k_r_over_k_phi": 10, "R_c_m": 0.001, "tau_f_Pa": 1e7,
+      "V_s_m_per_s": 0.1, "R_n_N": 0.6},
+      "orientation": {"distribution": "von_mises", "mean_deg": 30, "concentration": 50, "rtol": 0.1})"));
+  const std::string text = file.provenance().at("design");
+  CHECK_THAT(text, Catch::Contains(
+                       "bristles lean about 30 degrees from the velocity of the slab (concentration 50)"));
+  CHECK_THAT(text, Catch::Contains("at 10 m/s under 0.6") && !Catch::Contains("of its lift-off load"));
+  const auto& unit = file.variable("drawing/unit");
+  CHECK(unit.cell(0) == "mm");
+}
+
 TEST_CASE("design: a start beyond a constraint is said, with the nearest trial that meets it") {
   const Folder f;
   const auto file = f.run(f.load(R"({"variables": {"mu_c": [0.05, 0.2]}, "budget": 8,
