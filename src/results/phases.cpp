@@ -19,7 +19,7 @@ constexpr PhaseRow kPhaseRows[] = {
     {BrushPhase::bouncing, "bouncing (tips are off the slab for more than half of the time)"},
     {BrushPhase::mixed, "between the two"}};
 
-// Returns a number with two digits that count, without an exponent below 1e5.
+// Returns a number with two digits that count, without an exponent below 1e6.
 std::string in_two_digits(double value) {
   const std::string text = fmt::format("{:.2g}", value);
   return text.find('e') == text.npos || std::abs(value) < 1 ? text : fmt::format("{:g}", std::stod(text));

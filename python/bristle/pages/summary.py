@@ -124,14 +124,17 @@ def sliding_easily(file, _):
     rods = axis_values(file, "bending").index("rod")
     def span_of(phase, chosen=True):
         there = (np.asarray(phases) == list(words).index(phase)) & chosen & np.isfinite(friction)
-        return span([friction[rods][there[rods]].min(), friction[rods][there[rods]].max()], in_two_digits)
+        return span(friction[rods][there[rods]], in_two_digits) if there[rods].any() else ""
+    spans = span_of("bouncing", over_lift_off >= 0.5), span_of("contact")
+    if not all(spans):
+        return ""
     means = {"predicate": "level", "variable": "R_x_norm", "along": "R_n_target"}
     easily, dragging = (dict(zip(READINGS, over_models(file, **means, where=where)))
                         for where in ({**BOUNCING, "load_over_lift_off": [0.5, 2]}, CONTACT))
     return ("**Bouncing brushes slide easily.** Under loads of at least half the lift-off load, bouncing rods have "
-            f"{in_two_digits(easily['rod'])} times the friction of rigid bristles ({span_of('bouncing', over_lift_off >= 0.5)} over "
+            f"{in_two_digits(easily['rod'])} times the friction of rigid bristles ({spans[0]} over "
             f"stiffness and load; the three models have means of {span(list(easily.values()), in_two_digits)}). In contact they have "
-            f"{in_two_digits(dragging['rod'])} times ({span_of('contact')}). The stiffness decides in which of the two states a brush is, "
+            f"{in_two_digits(dragging['rod'])} times ({spans[1]}). The stiffness decides in which of the two states a brush is, "
             "and matters less within either.")
 
 
@@ -141,7 +144,7 @@ def formula(file, _):
     scatter = float(np.nanmax(read(file, "lift_off_load_err") / read(file, "lift_off_load")))
     return (f"**A formula says which.** A brush bounces if its load per bristle is less than the lift-off load, {of_springs} "
             f"(dimensionless; computed lift-off loads are {percent(scatter)} off, root mean square: docs/lift-off.md). Stiffer bristles "
-            "bounce under greater loads. In newtons the speed of the slab changes the lift-off load only by its logarithm.")
+            "bounce under greater loads. In newtons the speed of the slab changes the lift-off load only through its logarithm.")
 
 
 def bristles_that_differ(file, _):
