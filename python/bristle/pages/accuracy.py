@@ -136,7 +136,7 @@ R_y is odd in theta_0. The sum of sin(theta_0) alone deviates, in its own standa
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("measured", metavar="ACCURACY.json")
-    parser.add_argument("--page", metavar="AGREEMENT.json", default=os.path.join(os.path.dirname(HERE), "page/agreement.json"))
+    parser.add_argument("--page", metavar="AGREEMENT.json", default=os.path.join(HERE, "../../../page/agreement.json"))
     parser.add_argument("-o", dest="output", metavar="FILE", default="docs/accuracy.md")
     arguments = parser.parse_args()
     measured = read_json(arguments.measured, "`make accuracy` writes it")
