@@ -24,19 +24,20 @@ constexpr Usual kUsual[] = {{"r0_m", 1e-6, 1},     {"R_m", 1e-8, 0.05},         
 // Returns warnings of values that look as if they were in another unit than that of their key.
 std::vector<std::string> unusual_values(const json::Document& document, const sweep::Sweep& sweep) {
   std::vector<std::string> out;
-  for (const auto& [key, from, to] : kUsual) {
+  for (const Usual& usual : kUsual) {
     std::vector<double> given;
-    if (const auto own = sweep.base.si.find(key); own != sweep.base.si.end()) given.push_back(own->second);
+    if (const auto own = sweep.base.si.find(usual.key); own != sweep.base.si.end())
+      given.push_back(own->second);
     for (const sweep::Axis& axis : sweep.axes)
-      if (axis.name == key) given = axis.values;
+      if (axis.name == usual.key) given = axis.values;
       else
         for (const sweep::Axis& column : axis.columns)
-          if (column.name == key) given = column.values;
-    const auto unusual = std::ranges::find_if(given, [&](double x) { return x < from || x > to; });
-    if (unusual == given.end()) continue;
-    const JsonPointer at = place_of(document, key);
+          if (column.name == usual.key) given = column.values;
+    const auto found = std::ranges::find_if(given, [&](double x) { return x < usual.from || x > usual.to; });
+    if (found == given.end()) continue;
+    const JsonPointer at = place_of(document, usual.key);
     out.push_back(fmt::format("{}: {}: {:g} is unusual, outside {:g} to {:g}; is it in the unit of the key?",
-                              document.origin(at), at.to_string(), *unusual, from, to));
+                              document.origin(at), at.to_string(), *found, usual.from, usual.to));
   }
   return out;
 }

@@ -137,9 +137,8 @@ TEST_CASE("values that look as if they were in another unit are warned of") {
            {"/si/r0_m=17", "/si/r0_m: 17 is unusual, outside 1e-06 to 1"}}) {
     CAPTURE(set);
     const auto all = warnings(set);
-    CHECK(std::ranges::any_of(all, [&](const std::string& one) {
-      return one.find(found + "; is it in the unit of the key?") != one.npos;
-    }));
+    const std::string whole = found + "; is it in the unit of the key?";
+    CHECK(std::ranges::any_of(all, [&](const std::string& one) { return one.find(whole) != one.npos; }));
   }
   CHECK(warnings("/si/E_Pa=2.1e11").empty());
   const auto swept = warnings(R"(/sweep/V0_m_per_s={"values":[1,5000],"logspace":null})");
