@@ -35,12 +35,13 @@ function showFacts(answer) {
   const box = part("facts");
   if (!values) {
     box.replaceChildren(element("p", { class: "phase unknown", text: "no numbers" }), element("p", { text: `${STATUSES[status] ?? status} ${answer.failure ?? ""}` }));
+    part("three").hidden = true;  // it shows another brush
     return;
   }
   const off = values.off_slab_share[0], unknown = answer.lift_off_unknown;
   const words = { contact: "in contact", bouncing: "bouncing", mixed: "mixed", unknown: "no numbers" }[phase];
   const rigid = values.R_x[0] / values.R_x_norm[0] / values.R_n[0];
-  const facts = [row("Friction coefficient", number(values.friction_coefficient), `rigid bristles: ${shortly(rigid)}`)];
+  const facts = [row("Friction coefficient", number(values.friction_coefficient), Number.isFinite(rigid) ? `rigid bristles: ${shortly(rigid)}` : "")];
   if (si) facts.push(row("Friction per bristle", prefixed(values.R_x_in_N, "N")));
   if (unknown) facts.push(row("Lift-off load and speed", "unknown", answer.lift_off_unknown));
   else facts.push(row("Lift-off load", si ? prefixed(values.lift_off_load_in_N, "N") : number(values.lift_off_load), "above it tips stay on the slab"));
@@ -56,6 +57,7 @@ function showFacts(answer) {
 
 function showPassages(passages, words) {
   if (!passages?.length) return;
+  part("three").hidden = false;
   const box = part("three");
   box.dataset.length = passages[0].L_x;
   const ready = passages.map((passage) => ({ ...passage, first: 0, last: passage.xi.length - 1, end: passage.xi.at(-1) }));
@@ -119,6 +121,9 @@ function coarseFirst(count) {
   return order;
 }
 
+// More points take hours in a browser.
+const MOST_POINTS = 500;
+
 async function computeCurve() {
   stopCurve();
   const experiment = experimentOf(true), about = await first.ask({ experiment }), mine = ++state.curveNumber;
@@ -126,6 +131,7 @@ async function computeCurve() {
   showError(about.error ?? "");
   if (about.error) return;
   const [axis] = about.axes, over = form.elements.over;
+  if (axis.values.length > MOST_POINTS) return showError(`A curve has at most ${MOST_POINTS} points; save the experiment and run it by the program.`);
   state.chosen = null;
   state.curve = { experiment, about, values: axis.values, answers: [], axis: over.selectedOptions[0].textContent, unit: fieldOf(over.value).dataset.unit, name: axis.name, begun: performance.now() };
   part("results").classList.remove("stale");
@@ -147,7 +153,7 @@ function stopCurve() {
   ++state.curveNumber;
   others.stop();
   part("stop").disabled = true;
-  if (state.curve) showCurve("stopped");
+  if (state.curve) showCurve(`stopped at ${state.curve.answers.filter(Boolean).length} of ${state.curve.values.length} points`);
 }
 
 // The lift-off load or speed of the brush, if it is on the axis.
@@ -181,7 +187,26 @@ function csvOfCurve({ about, answers, values, name }) {
   return `${lines.join("\n")}\n`;
 }
 
+// Whether the program takes the experiment of the fields; what it refuses is shown.
+async function isValid() {
+  const about = await first.ask({ experiment: experimentOf(true) });
+  if (about?.error) say("Correct the fields first.");
+  showError(about?.error ?? "");
+  return !about?.error;
+}
+
+async function saveExperiment() {
+  if (!(await isValid())) return;
+  save(`${presetName()}.json`, `${JSON.stringify({ ...experimentOf(true), name: presetName() }, null, 1)}\n`, "application/json");
+}
+
+function saveNumbers() {
+  if (!state.curve || part("results").classList.contains("stale")) say("Compute the curve of this brush first.");
+  else save(`${presetName()}.csv`, csvOfCurve(state.curve), "text/csv");
+}
+
 async function share() {
+  if (!(await isValid())) return;
   history.replaceState(null, "", fragmentOf());
   part("address").textContent = location.href;
   part("address").hidden = false;
@@ -190,8 +215,7 @@ async function share() {
 
 const BUTTONS = {
   curve: computeCurve, stop: stopCurve, share,
-  experiment: () => save(`${presetName()}.json`, `${JSON.stringify({ ...experimentOf(true), name: presetName() }, null, 1)}\n`, "application/json"),
-  numbers: () => (state.curve ? save(`${presetName()}.csv`, csvOfCurve(state.curve), "text/csv") : say("Compute a curve first.")),
+  experiment: saveExperiment, numbers: saveNumbers,
 };
 
 async function start() {

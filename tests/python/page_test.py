@@ -114,6 +114,12 @@ def check_mistakes(driver):
     enter(driver, "/si/rho_kg_per_m3", "900")
     said = driver.execute_script("return [...document.querySelectorAll('.wrong')].map(e => e.textContent).join('')")
     assert "m_kg" in said, said
+    # Nothing is saved of a brush that the program refuses, nor the numbers of the brush before.
+    driver.execute_script("window.save = () => { window.savedWrong = true; }")
+    for button in ("#experiment", "#numbers"):
+        one(driver, button).click()
+        time.sleep(1)
+        assert not driver.execute_script("return window.savedWrong"), button
 
 
 def check_curve(driver, keys):
@@ -144,7 +150,7 @@ def check_curve(driver, keys):
     computed = driver.execute_script("return state.curve.answers.filter(Boolean).length")
     time.sleep(2)
     assert computed == driver.execute_script("return state.curve.answers.filter(Boolean).length") < 60
-    assert one(driver, "#progress").text == "stopped"
+    assert one(driver, "#progress").text.startswith("stopped at "), one(driver, "#progress").text
     enter(driver, "/si/R_n_N", "0.5")  # the workers are there again
 
 
@@ -171,7 +177,7 @@ def check_saved(driver):
         one(driver, "#experiment").click()
         with tempfile.TemporaryDirectory() as there:
             experiment, result = pathlib.Path(there) / "saved.json", pathlib.Path(there) / "saved.h5"
-            experiment.write_text(driver.execute_script("return window.saved"))
+            experiment.write_text(wait(driver, "return window.saved"))
             done = subprocess.run([program, "run", experiment, "-o", result, "--quiet"], capture_output=True, text=True, check=False)
             assert done.returncode == 0, done.stderr
             answers = driver.execute_script("return state.curve.answers")
