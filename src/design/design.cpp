@@ -253,7 +253,7 @@ class Search {
 
   // Computes what the recommended brush is compared with, and verifies it as it can be made.
   void look_beside(Findings& found, const Values& chosen) {
-    // The start is a brush that there is.
+    // The start needs no rounding, because it is a brush that exists.
     if (!design_.round_to.empty() && found.chosen.front() != found.start_trial) found.made = made(chosen);
     const Values& best = recommended(found).nominal;
     if (!design_.tolerances.empty()) {
