@@ -29,11 +29,13 @@ std::vector<double> listed_numbers(const Node& list) {
 std::vector<double> values_of_range(const Node& range, bool logarithmic) {
   const double from = range[0].as<double>(), to = range[1].as<double>(), count = range[2].as<double>();
   if (count != std::floor(count) || count < 1)
-    range.fail(fmt::format("the count {} is not a positive integer", count));
+    range[2].fail(fmt::format("the count {} is not a positive integer", count));
   if (count > kMaxPoints)
-    range.fail(fmt::format("{} points; allowed: at most {:.0e} in the sweep", count, kMaxPoints));
+    range[2].fail(fmt::format("{} points; allowed: at most {:.0e} in the sweep", count, kMaxPoints));
   if (logarithmic && !(from > 0))
-    range.fail(fmt::format("a logarithmic axis cannot start at {}; allowed: greater than 0", from));
+    range[0].fail(fmt::format("a logarithmic axis cannot start at {}; allowed: greater than 0", from));
+  if (count > 1 && !(to > from))
+    range[1].fail(fmt::format("a range must end above its start, {}, but {} does not", from, to));
   const auto n = std::size_t(count);
   std::vector<double> values(n, from);
   for (std::size_t i = 1; i < n; ++i) {

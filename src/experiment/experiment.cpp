@@ -143,8 +143,12 @@ Loading read_loading(const Document& d, const std::vector<Axis>& axes) {
         "is given, and so is R_n_N; both are the load: remove one of them (a null removes an inherited key)");
   const bool by_load = given_by("R_n", "R_n_N") || by_pressure, by_gap = given_by("z_0", "z_0_m");
   const bool by_trace = json.contains("trace");
-  if (by_load + by_gap + by_trace == 0)
+  if (by_load + by_gap + by_trace == 0) {
+    if (d.json().contains("si"))
+      d.fail("/si",
+             "the load is missing: none of R_n_N, pressure_Pa and z_0_m is given, here or in the sweep");
     d.fail("/load", "none of R_n, z_0 and trace is given, here or in the sweep");
+  }
   if (by_load + by_gap + by_trace > 1) {
     std::vector<std::string> given;
     for (const char* name : {"R_n", "z_0", "trace"})

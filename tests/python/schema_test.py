@@ -24,7 +24,7 @@ PROGRAM_ONLY = {
     "one of R_n, z_0 and trace is given": "whether the extended file gives a load",
     "found (none|.* and )|needs \"values\" alone": "whether the extended file has this axis",
     "ascending indices": "order of the indices, and number of the axis's values",
-    "the values must ascend": "order of the values",
+    "the values must ascend|must end above its start": "order of the values",
     "cannot (start|begin) at": "what a logarithmic axis or distribution needs",
     "is missing": "what the extended file or another value requires",
     "a lattice needs a whole number|lattice\" only": "what a lattice requires of other blocks",

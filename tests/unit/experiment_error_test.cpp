@@ -104,6 +104,9 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
        "inherited key)"},
       {with(R"("load": {"R_n": null})"),
        "@/e.json: /load: none of R_n, z_0 and trace is given, here or in the sweep"},
+      {with(R"("load": {"R_n": null}, "si": {"m_kg": 1e-4, "r0_m": 0.017, "V0_m_per_s": 10})"),
+       "@/e.json: /si: the load is missing: none of R_n_N, pressure_Pa and z_0_m is given, here or in the "
+       "sweep"},
       {with(R"("load": {"R_n": null, "z_0": 1.085})"),
        "@/e.json: /load/z_0: 1.085 is above first contact, beyond the wall; allowed: at most sin(phi_0) + "
        "100 lambda_z = "
@@ -121,9 +124,13 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
       {with(R"("sweep": {"k_r": {}})"),
        "@/e.json: /sweep/k_r: an axis needs exactly one of values, linspace, logspace; found none"},
       {with(R"("sweep": {"k_r": {"logspace": [0, 10, 5]}})"),
-       "@/e.json: /sweep/k_r/logspace: a logarithmic axis cannot start at 0; allowed: greater than 0"},
+       "@/e.json: /sweep/k_r/logspace/0: a logarithmic axis cannot start at 0; allowed: greater than 0"},
+      {with(R"("sweep": {"k_r": {"logspace": [1, -10, 5]}})"),
+       "@/e.json: /sweep/k_r/logspace/1: a range must end above its start, 1, but -10 does not"},
+      {with(R"("sweep": {"k_r": {"linspace": [10, 10, 5]}})"),
+       "@/e.json: /sweep/k_r/linspace/1: a range must end above its start, 10, but 10 does not"},
       {with(R"("sweep": {"k_r": {"linspace": [1, 10, 2.5]}})"),
-       "@/e.json: /sweep/k_r/linspace: the count 2.5 is not a positive integer"},
+       "@/e.json: /sweep/k_r/linspace/2: the count 2.5 is not a positive integer"},
       {with(R"("sweep": {"A": {"linspace": [0.5, 1.5, 3]}})"),
        "@/e.json: /sweep/A: 0.5 is out of range for A; allowed: a number at least 1 (maximum of chi, Eq. "
        "(7))"},
@@ -213,7 +220,7 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
       {with(R"("record": ["bristles"], "load": {"R_n": null, "trace": {}})"),
        "@/e.json: /record: a trace of R_n(z_0) records observables only"},
       {with(R"("sweep": {"k_r": {"linspace": [1, 2, 1e12]}})"),
-       "@/e.json: /sweep/k_r/linspace: 1000000000000 points; allowed: at most 1e+07 in the sweep"},
+       "@/e.json: /sweep/k_r/linspace/2: 1000000000000 points; allowed: at most 1e+07 in the sweep"},
       {with(R"("sweep": {"k_r": {"linspace": [1, 2, 1e6]}, "k_phi": {"linspace": [1, 2, 1e6]}})"),
        "@/e.json: /sweep: 1e+12 points or more; allowed: at most 1e+07"},
       {with(R"("sweep": {"k_r": {"values": [1, 2], "take": [2]}})"),
