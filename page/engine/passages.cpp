@@ -40,6 +40,9 @@ Json passages_of(const Recorded& recorded, const PointResult& point) {
                     {"phi_0", point.parameters.phi_0},
                     {"L_x", point.parameters.L_x},
                     {"z_0", point.z_0}};
+    if (std::isfinite(point.si.force))
+      passage["units"] = {{"force", {point.si.force, "N"}},
+                          {"time", {point.si.length / point.si.velocity, "s"}}};
     for (const TrajectoryPoint* row : rows_of(trajectory)) {
       const auto add = [&](const char* name, double value, double unit) {
         passage[name].push_back(rounded(value, unit));

@@ -47,6 +47,12 @@ function shortly(value) {
     : `${Number(value.toPrecision(4))}`.replace("-", "−");
 }
 
+// The factor and the letter of the prefix with which a number is read: [0.001, "m"] of 0.0025.
+function prefixOf(value) {
+  const power = value ? Math.max(-3, Math.min(3, Math.floor(Math.log10(Math.abs(value)) / 3))) : 0;
+  return [1000 ** power, ["n", "µ", "m", "", "k", "M", "G"][power + 3]];
+}
+
 // Two digits of the uncertainty, and the value to the same place.
 function withError(value, error) {
   if (value === null) return ["–", ""];

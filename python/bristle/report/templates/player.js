@@ -23,7 +23,7 @@ function drawScenes(box, passages, only, scales) {
     const svg = element("svg", { class: "scene", role: "img", width, height: step * shown.length, viewBox: `0 0 ${width} ${step * shown.length}`,
       "aria-label": `${shown.length} recorded bristles under the slab` });
     shown.forEach((passage, i) => {
-      const lane = makeLane(passage, { width, height, bottom: i * step + height, length: Number(box.dataset.length), words: hero ? heroWords : laneWords,
+      const lane = makeLane(passage, { width, height, bottom: i * step + height, length: Number(box.dataset.length), words: hero ? heroWords : laneWords(wordsOf(mine[0].units?.force, scales.most, 1)),
         wide: scales.wide,
         strip: hero ? null : { tall, ...scales } });
       svg.append(lane.group);
@@ -42,11 +42,19 @@ function addLabels(svg, width, height) {
 
 const phaseOf = ({ left, phase }) => (left ? "has left the slab" : PHASES[phase][0]);
 const heroWords = (_, state) => `tip: ${phaseOf(state)}`;
-const laneWords = ({ theta_0 }, state) => `θ₀ ${Math.round(theta_0 * 180 / Math.PI)}°: ${phaseOf(state)}` +
-  (state.left ? "" : `, Fₙ ${state.F_n.toFixed(1)}, F_f ${Math.hypot(state.F_fx, state.F_fy).toFixed(1)}`);
+const laneWords = (forces) => ({ theta_0 }, state) => `θ₀ ${Math.round(theta_0 * 180 / Math.PI)}°: ${phaseOf(state)}` +
+  (state.left ? "" : `, Fₙ ${forces(state.F_n)}, F_f ${forces(Math.hypot(state.F_fx, state.F_fy))}`);
 
-// Plays some of the passages: those of choose(passage). The returned function replaces choose, and the passages if it is given
-// others.
+// Returns words(value): a dimensionless number with that many places, or, if [the unit's size, its name] is given, in the unit
+// with the prefix and places that the largest value needs: 2.5 mN.
+function wordsOf(unit, largest, places) {
+  if (!unit) return (value) => value.toFixed(places);
+  const [size, name] = unit, [factor, letter] = prefixOf(largest * size), whole = Math.floor(Math.log10(largest * size / factor));
+  return (value) => `${(value * size / factor).toFixed(Math.max(0, 2 - whole))} ${letter}${name}`;
+}
+
+// Plays some of the passages: those of choose(passage). Numbers are dimensionless, or in the passage's `units` of force and time,
+// each [size, name]. The returned function replaces choose, and the passages if it is given others.
 function startPlayer(box, passages, choose = () => true) {
   const only = box.dataset.models;
   let scales = scalesOf(passages), move, time = BEGIN[box.id] ?? 0, playing = false, before = 0, seen = true;
@@ -55,10 +63,18 @@ function startPlayer(box, passages, choose = () => true) {
     time = next;
     move(time);
     slider.value = Math.round(1000 * time / scales.end);
-    output.textContent = `t = ${time.toFixed(2)} r₀/V₀`;
-    slider.setAttribute("aria-valuetext", `time ${time.toFixed(2)} of ${scales.end.toFixed(2)}, in r0/V0`);
+    const unit = passages[0]?.units?.time, words = wordsOf(unit, scales.end, 2), after = unit ? "" : " r₀/V₀";
+    output.textContent = `t = ${words(time)}${after}`;
+    slider.setAttribute("aria-valuetext", `time ${words(time)} of ${words(scales.end)}${after}`);
+  }
+  function showKey() {
+    const unit = only || passages[0]?.units ? "" : ", in m V₀²/r₀";
+    box.querySelector(".key").replaceChildren(
+      ...Object.values(PHASES).map(([text, colour]) => element("span", { style: `--phase:${colour}`, text })),
+      element("span", { class: "of-normal", text: `load Fₙ${unit}` }), element("span", { class: "of-friction", text: `friction F_f${unit}` }));
   }
   function draw() {
+    showKey();
     move = drawScenes(box, passages.filter(choose), only, scales);
     show(time);
   }
@@ -85,9 +101,6 @@ function startPlayer(box, passages, choose = () => true) {
     width = box.clientWidth;
     draw();
   }).observe(box);
-  box.querySelector(".key").replaceChildren(...Object.values(PHASES).map(([text, colour]) =>
-    element("span", { style: `--phase:${colour}`, text })), element("span", { class: "of-normal", text: "load Fₙ" }),
-  element("span", { class: "of-friction", text: "friction F_f" }));
   box.querySelector(".play").hidden = false;
   draw();
   if (!calm.matches) play(true);
