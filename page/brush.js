@@ -8,6 +8,7 @@ const STATUSES = {
   undefined: "Some numbers are ratios to a load or friction of zero.",
 };
 const THREE = { record: ["observables", "trajectories"], trajectories: { theta_0_deg: [60, 110, 150] } };
+const LIMITS = JSON.parse(document.getElementById("limits").textContent);  // by flag, in words
 const part = (id) => document.getElementById(id);
 const state = { asked: 0, curve: null, curveNumber: 0, player: null, chosen: null, brush: null };
 let first, others;
@@ -20,8 +21,8 @@ const number = ([value, error] = [null, null], unit = "") => {
 
 // A small or large quantity with a prefix of its unit: 2.5 mN.
 function prefixed([value, error], unit) {
-  const power = value ? Math.max(-3, Math.min(3, Math.floor(Math.log10(Math.abs(value)) / 3))) : 0, scale = 1000 ** power;
-  return number(value === null ? undefined : [value / scale, error / scale], `${["n", "µ", "m", "", "k", "M", "G"][power + 3]}${unit}`);
+  const [factor, letter] = prefixOf(value);
+  return number(value === null ? undefined : [value / factor, error / factor], `${letter}${unit}`);
 }
 
 function row(label, value, remark = "") {
@@ -52,7 +53,7 @@ function showFacts(answer) {
     element("dl", {}, ...facts));
   if (status !== "ok") box.append(element("p", { class: "remark", text: STATUSES[status] ?? status }));
   if (answer.exceeded.length) box.append(element("div", { class: "remark limits" }, element("b", { text: "Limits of the model exceeded" }),
-    element("ul", {}, ...answer.exceeded.map((words) => element("li", { text: words })))));
+    element("ul", {}, ...answer.exceeded.map((flag) => element("li", { text: LIMITS[flag] ?? flag })))));
 }
 
 function showPassages(passages, words) {
@@ -131,7 +132,7 @@ async function computeCurve() {
   showError(about.error ?? "");
   if (about.error) return;
   const [axis] = about.axes, over = form.elements.over;
-  if (axis.values.length > MOST_POINTS) return showError(`A curve has at most ${MOST_POINTS} points; save the experiment and run it by the program.`);
+  if (axis.values.length > MOST_POINTS) return showError(`/sweep/${axis.name}/points/2: a curve has at most ${MOST_POINTS} points; save the experiment and run it by the program`);
   state.chosen = null;
   state.curve = { experiment, about, values: axis.values, answers: [], axis: over.selectedOptions[0].textContent, unit: fieldOf(over.value).dataset.unit, name: axis.name, begun: performance.now() };
   part("results").classList.remove("stale");
@@ -226,9 +227,12 @@ async function start() {
   others = makePool(Math.max(1, Math.min(4, (navigator.hardwareConcurrency ?? 2) - 1)), source, engine);
   form.elements.preset.addEventListener("change", async () => { showPreset(presetName()); await computeBrush(); await computeCurve(); });
   form.elements.over.addEventListener("change", showRange);
+  for (const name of ["from", "to"]) form.elements[name].addEventListener("input", () => { form.dataset.range = "typed"; });
   form.elements.quantity.addEventListener("change", () => showCurve());
   form.addEventListener("input", ({ target }) => {
-    if (target.name === "/model/friction") showLaw();
+    const { name } = target.closest(".field").querySelector("[name]");  // also of a slider beside it
+    if (name === "/model/friction") showLaw();
+    if (name === form.elements.over.value && form.dataset.range === "follows") showRange();
     if (target.closest("[data-kind]")) changed();
   });
   form.addEventListener("submit", (event) => { event.preventDefault(); computeCurve(); });

@@ -26,7 +26,7 @@ function valueOf(field) {
   return Number.isNaN(number) ? text : number;
 }
 
-const axisOf = (pointer) => pointer.split("/")[2];
+const keyOf = (pointer) => pointer.split("/")[2];
 const presetName = () => form.elements.preset.value;
 
 // The brush as an experiment of one point; with the curve's axis if it is asked for.
@@ -36,7 +36,7 @@ function experimentOf(withCurve) {
   if (experiment.model.bending === "rod") experiment.model.section ??= "round";
   if (withCurve) {
     const [from, to, count] = ["from", "to", "count"].map((name) => valueOf(form.elements[name]));
-    experiment.sweep = { [axisOf(form.elements.over.value)]: { [form.elements.spacing.value]: [from, to, count] } };
+    experiment.sweep = { [keyOf(form.elements.over.value)]: { [form.elements.spacing.value]: [from, to, count] } };
   }
   return experiment;
 }
@@ -81,8 +81,9 @@ function showLaw() {
   for (const box of form.querySelectorAll("[data-law]")) box.hidden = box.dataset.law !== law;
 }
 
-// The curve begins with a range around the brush's value.
+// Shows a range around the brush's value, which it follows until a range is typed.
 function showRange() {
+  form.dataset.range = "follows";
   const value = Number(valueOf(fieldOf(form.elements.over.value)) ?? 1);
   form.elements.from.value = written(Number((value / 5).toPrecision(2)));
   form.elements.to.value = written(Number((value * 2.5).toPrecision(2)));
@@ -95,7 +96,8 @@ function fragmentOf() {
     const value = valueOf(field);
     if (value !== at(PRESETS[presetName()].experiment, field.name)) words.set(field.name, field.value.trim());
   }
-  for (const name of ["over", "from", "to", "count", "spacing", "quantity"]) words.set(name, form.elements[name].value);
+  for (const name of ["over", ...(form.dataset.range === "typed" ? ["from", "to"] : []), "count", "spacing", "quantity"])
+    words.set(name, form.elements[name].value);
   return `#${words}`;
 }
 
@@ -105,16 +107,26 @@ function showFragment(fragment) {
   showPreset(name in PRESETS ? name : Object.keys(PRESETS)[0], changes);
   for (const key of ["over", "from", "to", "count", "spacing", "quantity"])
     if (words.has(key)) form.elements[key].value = words.get(key);
+  if (words.has("over") && !words.has("from")) showRange();
+  if (words.has("from") || words.has("to")) form.dataset.range = "typed";
+}
+
+// The field beside which a message stands whose pointer, at its start, is given: that of the pointer, or of a part of the
+// curve's range; but a field that the reader has emptied, if the message names it.
+function fieldOfMessage(message, pointer) {
+  const { experiment } = PRESETS[presetName()], [, block, key, , part] = pointer.split("/");
+  const emptied = fields().filter((field) => field.value.trim() === "" && at(experiment, field.name) !== undefined);
+  if (block === "sweep" && key === keyOf(form.elements.over.value)) return form.elements[["from", "to", "count"][part ?? 0]];
+  return emptied.find((field) => field.name === pointer) ?? emptied.find((field) => message.split(/\W+/).includes(keyOf(field.name))) ?? fieldOf(pointer);
 }
 
 // Shows a message of the program beside its field, or where messages without a field are.
 function showError(message) {
-  for (const field of form.querySelectorAll("[aria-invalid]")) field.removeAttribute("aria-invalid");
-  for (const place of form.querySelectorAll(".wrong")) place.textContent = "";
+  for (const field of document.querySelectorAll("[aria-invalid]")) field.removeAttribute("aria-invalid");
+  for (const place of document.querySelectorAll(".wrong")) place.textContent = "";
   if (!message) return;
   const pointer = /^(\/[\w/]+)/.exec(message)?.[1] ?? "", words = message.slice(pointer.length).replace(/^:? /, "");
-  const swept = pointer.startsWith("/sweep/") && form.elements.from;
-  const field = fieldOf(pointer) ?? swept ?? null;
+  const field = fieldOfMessage(message, pointer);
   if (field && !field.closest("[hidden]")) {
     const group = field.closest("details");
     if (group) group.open = true;

@@ -46,7 +46,7 @@ Json solved(const Sweep& sweep, std::size_t index) {
   for (const results::ResultVariable& variable : variables_of(sweep))
     values[variable.name] = value_and_error(variable.of(result));
   for (const ValidityRow& row : kValidity)
-    if (exceeds(row, result) == Exceeds::yes) exceeded.push_back(row.meaning);
+    if (exceeds(row, result) == Exceeds::yes) exceeded.push_back(row.name);
   return {{"status", word(result.status)},
           {"phase", word(phase_of(result))},
           {"lift_off_unknown", outside_of(lift_off_domain(result.parameters))},

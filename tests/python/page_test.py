@@ -5,6 +5,7 @@ its driver or Selenium, or axe-core, which npm fetches.
 """
 import json
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -114,6 +115,21 @@ def check_mistakes(driver):
     enter(driver, "/si/rho_kg_per_m3", "900")
     said = driver.execute_script("return [...document.querySelectorAll('.wrong')].map(e => e.textContent).join('')")
     assert "m_kg" in said, said
+    # A message is beside the field that was emptied, or beside the end of the range or the number of points that is wrong.
+    for preset, pointer in (("ski", "/si/R_n_N"), ("ski", "/si/R_m"), ("ski", "/si/nu"), ("paper", "/load/R_n")):
+        show(driver, f"#preset={preset}&count=3")
+        enter(driver, pointer, "")
+        assert driver.execute_script("return fieldOf(arguments[0]).closest('.field').querySelector('.wrong').textContent", pointer), pointer
+    for name, text, words in (("from", "-1", "greater than 0"), ("to", "0.01", "above its start"), ("count", "2.5", "positive integer"),
+                              ("count", "501", "at most 500")):
+        show(driver, "#preset=ski&count=3")
+        complete(driver)
+        driver.execute_script("form.elements[arguments[0]].value = arguments[1]", name, text)
+        one(driver, "button.main").click()
+        said = wait(driver, "return document.getElementById(`${arguments[0]}-wrong`).textContent", name)
+        assert words in said and len(driver.find_elements("css selector", "[aria-invalid]")) == 1, (name, said)
+    show(driver, "#preset=ski&count=3")
+    enter(driver, "/si/rho_kg_per_m3", "900")
     # Nothing is saved of a brush that the program refuses, nor the numbers of the brush before.
     driver.execute_script("window.save = () => { window.savedWrong = true; }")
     for button in ("#experiment", "#numbers"):
@@ -140,11 +156,13 @@ def check_curve(driver, keys):
     driver.execute_script("document.querySelector('#three input').focus()")
     press(driver, *[keys.ARROW_RIGHT] * 40)
     assert driver.execute_script(poses) != before
+    words = driver.execute_script("return document.getElementById('three').textContent")
+    assert re.search(r"Fₙ [\d.]+ m?N, F_f [\d.]+ m?N", words) and re.search(r"t = [\d.]+ ms", words) and "₀/" not in words, words
     choose(driver, "quantity", "off_slab_share")
     assert "off the slab" in one(driver, "#chart svg.plot").get_attribute("aria-label")
     for name, value in (("count", "60"),):
         driver.execute_script("form.elements[arguments[0]].value = arguments[1]", name, value)
-    one(driver, "#form button.main").click()
+    one(driver, "button.main").click()
     wait(driver, "return state.curve.values.length === 60 && state.curve.answers.filter(Boolean).length > 1")
     one(driver, "#stop").click()
     computed = driver.execute_script("return state.curve.answers.filter(Boolean).length")
@@ -152,6 +170,23 @@ def check_curve(driver, keys):
     assert computed == driver.execute_script("return state.curve.answers.filter(Boolean).length") < 60
     assert one(driver, "#progress").text.startswith("stopped at "), one(driver, "#progress").text
     enter(driver, "/si/R_n_N", "0.5")  # the workers are there again
+
+
+def check_range(driver):
+    """The range of the curve follows the brush until a range is typed."""
+    ends = "return ['from', 'to'].map(name => form.elements[name].value)"
+    show(driver, "#preset=ski&over=/si/V0_m_per_s&count=3")
+    assert driver.execute_script(ends) == ["2", "25"]
+    enter(driver, "/si/V0_m_per_s", "20")
+    assert driver.execute_script(ends) == ["4", "50"]
+    driver.execute_script("""form.elements.to.value = '30';
+      form.elements.to.dispatchEvent(new Event('input', { bubbles: true }));""")
+    enter(driver, "/si/V0_m_per_s", "10")
+    assert driver.execute_script(ends) == ["4", "30"]
+    one(driver, "#share").click()
+    address = wait(driver, "return document.getElementById('address').textContent")
+    show(driver, "#" + address.split("#")[1])
+    assert driver.execute_script(ends) == ["4", "30"]
 
 
 def check_shared(driver):
@@ -235,7 +270,7 @@ def check_requests(driver):
 assert page.stat().st_size <= SIZE, page.stat().st_size
 with browser() as chromium:
     from selenium.webdriver.common.keys import Keys
-    for check in (check_presets, check_fields, check_mistakes, check_shared, check_saved, check_again):
+    for check in (check_presets, check_fields, check_mistakes, check_range, check_shared, check_saved, check_again):
         check(chromium)
         print(check.__name__)
     check_curve(chromium, Keys)
