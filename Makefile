@@ -95,8 +95,7 @@ inference-matrix: build
 	$(BUILD)/bristle assumptions experiments/inference/*.json --only fig3,fig3a,fig4,fig5,fig6,fig7,fig8,fig8c -o results/inference.json
 
 assumptions: assumptions-matrix ## every claim under every alternative to what the paper leaves open: docs/assumptions.md, reference/assumptions.json
-	@$$($(PLOT_PYTHON)) -m bristle.pages.assumptions results/assumptions.json -o figures --text docs/assumptions.md --details docs/generated/assumptions.md
-	@cp figures/assumptions.png docs/images/
+	@$$($(PLOT_PYTHON)) -m bristle.pages.assumptions results/assumptions.json --text docs/assumptions.md --details docs/generated/assumptions.md
 	@cp results/assumptions.json reference/
 
 inference: inference-matrix ## joint sets of choices ranked by the claims they support: docs/inference.md

@@ -1,19 +1,17 @@
-"""docs/inference.md, docs/generated/inference.md and their figure: which joint set of choices agrees best with the paper's sentences."""
+"""docs/inference.md and docs/generated/inference.md: which joint set of choices agrees best with the paper's sentences."""
 
 import argparse
 import os
 
 import numpy as np
-from matplotlib.colors import BoundaryNorm, ListedColormap
-from matplotlib.figure import Figure
 
 from ..command_line import run
-from ..files import save_figure, write_text
-from ..plotting.style import BLUE, GREEN, VERMILION, apply_look
-from .markdown import filled, table
+from ..files import write_text
+from .markdown import filled, signs, table
 from .matrix import digest_line, read_matrix
 
 VERDICTS = ("refuted", "undecided", "supported")
+SIGNS = "-?+"  # of these
 MODELS = {"corrected": "corrected", "printed": "as printed", "rod": "rods"}  # of bending; "corrected" has no name in a set
 BEST, RANKED = 5, 15  # sets in the tables of the page, and of the page with all
 
@@ -60,11 +58,9 @@ class Scores:
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("matrix", metavar="MATRIX.json", help="output of `bristle assumptions`, see `make inference`")
-    parser.add_argument("-o", dest="output", metavar="DIRECTORY", default="docs", help="of inference.md, generated/ and images/")
+    parser.add_argument("-o", dest="output", metavar="DIRECTORY", default="docs", help="of inference.md and generated/inference.md")
     arguments = parser.parse_args()
     scores = Scores(read_matrix(arguments.matrix))
-    apply_look()
-    save_figure(draw(scores), f"{arguments.output}/images", "inference", formats=("png",))
     os.makedirs(f"{arguments.output}/generated", exist_ok=True)
     write_text(f"{arguments.output}/generated/inference.md", filled(details(scores)))
     path = f"{arguments.output}/inference.md"
@@ -72,23 +68,13 @@ def main():
     print(path)
 
 
-def draw(scores):
-    """Sets, best first, times claims, each set in its best window."""
+def all_verdicts(scores):
+    """The sets, best first, and their verdicts on the claims as signs, each set in its best window."""
     order, score = scores.ranking()
     windows = scores.best_windows()
-    field = scores.verdicts[np.arange(len(order)), windows][order]
-    figure = Figure(figsize=(9.5, 1.6 + 0.17 * len(order)), layout="constrained")
-    axes = figure.subplots()
-    axes.pcolormesh(field, cmap=ListedColormap([VERMILION, BLUE, GREEN]), norm=BoundaryNorm([0, 1, 2, 3], 3),
-                    edgecolors="white", linewidth=1)
-    axes.set_xticks(np.arange(len(scores.claims)) + 0.5, scores.claims, fontsize=8)
-    axes.set_yticks(np.arange(len(order)) + 0.5, [f"{scores.sets[i]}  {score[i][0]}/{score[i][1]}" for i in order],
-                    fontsize=7)
-    axes.tick_params(length=0, top=True, labeltop=True)
-    axes.invert_yaxis()
-    axes.set_title("Joint sets of choices, best first, with the numbers of supported claims and further checks\n"
-                   "green: supported, blue: undecided, red: refuted; each set in its best window", fontsize=9)
-    return figure
+    rows = [("".join(SIGNS[verdict] for verdict in scores.verdicts[i, windows[i]]), f"{score[i][0]}, {score[i][1]}  {scores.sets[i]}")
+            for i in order]
+    return signs(scores.claims, rows)
 
 
 def ranking_table(scores, count):
@@ -143,7 +129,12 @@ The best {RANKED} sets, as on that page.
 
 {ranking_table(scores, RANKED)}
 
-![All sets and claims](../images/inference.png)
+## All sets and claims
+
+A row is a set in its best window, best first, with the numbers of claims and of further checks that are supported; a column
+is a claim. Signs: `+` supported, `-` refuted, `?` undecided.
+
+{all_verdicts(scores)}
 
 ## If one claim is left out
 
