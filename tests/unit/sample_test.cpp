@@ -1,14 +1,9 @@
-#include "experiment/experiment.hpp"
 #include "bristle/ensemble/normal_quantile.hpp"
-#include "sampling/rounded.hpp"
-#include "bristle/model/friction/laws.hpp"
-#include "run/analysis.hpp"
-#include "run/task.hpp"
-#include "results/csv.hpp"
-#include "results/reader.hpp"
-#include "util/error.hpp"
 #include "bristle/ensemble/sobol.hpp"
-#include "scratch.hpp"
+#include "bristle/model/friction/laws.hpp"
+#include "results/reader.hpp"
+#include "run/task.hpp"
+#include "sample_folder.hpp"
 
 #include "catch.hpp"
 #include <fmt/format.h>
@@ -16,45 +11,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <string_view>
 
 namespace bristle::sample_test {
 using namespace testing;
-
-namespace {
-
-// An experiment with this sweep in a folder with these tables.
-struct Folder {
-  Folder() {
-    std::filesystem::copy_file(std::string(BRISTLE_EXPERIMENTS) + "/paper.json", s.path("paper.json"));
-  }
-  Experiment load(const std::string& sweep, const std::string& more = "") const {
-    // A gap, unless the sample has loads.
-    const char* load =
-        sweep.find("R_n") == sweep.npos ? R"({"R_n": null, "path": null, "z_0": 0.7})" : R"({"R_n": null})";
-    return load_experiment(
-        s.write("e.json", fmt::format(R"({{"extends": "paper.json", "name": "e", "load": {},
-              "orientation": {{"sampling": "list", "theta_0_deg": [20, 80]}}, "sweep": {}{}}})",
-                                      load, sweep, more)),
-        {});
-  }
-  std::string error(const std::string& sweep) const {
-    return input_error(s, [&] { load(sweep); });
-  }
-  Scratch s;
-};
-
-std::string sobol(const std::string& over, int points = 8, int seed = 1) {
-  return fmt::format(R"({{"sample": {{"sobol": {}, "seed": {}, "over": {{{}}}}}}})", points, seed, over);
-}
-
-const std::vector<double>& column(const Experiment& e, std::string_view name) {
-  return std::ranges::find(e.sweep.axes.front().columns, name, &Axis::name)->values;
-}
-
-}  // namespace
 
 TEST_CASE("a scrambled Sobol sequence fills every interval once and begins with the shorter one") {
   constexpr std::size_t n = 256, dimensions = 20;
@@ -86,7 +48,7 @@ TEST_CASE("pairs of a scrambled Sobol sequence integrate better than random poin
 }
 
 TEST_CASE("distributions of a sample: ranges, moments and words") {
-  const Folder f;
+  const SampleFolder f;
   const Experiment e = f.load(sobol(R"("k_r": {"log": [3, 100]}, "tau_f": {"normal": [3e4, 3e3]},
       "phi_0_deg": {"uniform": [70, 85]}, "friction": {"values": ["nss", "coulomb"]},
       "k_phi": {"values": [1, 2, 4]})",
@@ -113,7 +75,7 @@ TEST_CASE("distributions of a sample: ranges, moments and words") {
 }
 
 TEST_CASE("a normal distribution has its share below each value, in the tails as well") {
-  const Folder f;
+  const SampleFolder f;
   constexpr std::size_t n = 16384;
   const Experiment e = f.load(sobol(R"("tau_f": {"normal": [30000, 1000]})", n));
   const auto points = sobol_points(n, 1, 1);
@@ -129,139 +91,15 @@ TEST_CASE("a normal distribution has its share below each value, in the tails as
 }
 
 TEST_CASE("a longer sample begins with the shorter one, and each seed has its own points") {
-  const Folder f;
+  const SampleFolder f;
   const std::string over = R"("k_r": {"log": [3, 100]}, "mu_c": {"normal": [0.3, 0.05]})";
   const Experiment few = f.load(sobol(over, 8)), more = f.load(sobol(over, 100));
   for (std::size_t i = 0; i < few.sweep.size(); ++i) CHECK(few.sweep.key(i) == more.sweep.key(i));
   CHECK(column(few, "k_r") != column(f.load(sobol(over, 8, 2)), "k_r"));
 }
 
-TEST_CASE("a row of a table is the same point as the same values on axes") {
-  const Folder f;
-  f.s.write("t.csv",
-            "\xef\xbb\xbf# a remark\n\"k_r\", mu_c "
-            ",friction,phi_0_deg\r\n\r\n5,0.2,coulomb,80\n2e1,0.3,nss,75.5\n");
-  const Experiment e = f.load(R"({"sample": {"table": "t.csv"}, "bending": {"values": ["polar", "rod"]}})");
-  REQUIRE(e.sweep.shape() == std::vector<std::size_t>{2, 2});
-  const Experiment axes =
-      f.load(R"({"friction": {"values": ["nss"]}, "k_r": {"values": [20]}, "mu_c": {"values": [0.3]},
-      "phi_0_deg": {"values": [75.5]}, "bending": {"values": ["polar", "rod"]}})");
-  CHECK(e.sweep.key(2) == axes.sweep.key(0));
-  CHECK(e.sweep.key(3) == axes.sweep.key(1));
-  CHECK(e.sweep.place(3) == "sample = 1, bending = rod");
-  f.s.write("one.csv", "k_r,mu_c\n5,0.2\n");
-  CHECK(f.load(R"({"sample": {"table": "one.csv"}})")
-            .warnings.empty());  // one value shows no effect, and is no mistake
-  // The document has all that the points need: the file may change or be lost.
-  std::filesystem::remove(f.s.path("t.csv"));
-  const Experiment stored = stored_experiment(*e.document, "full", "stored");
-  for (std::size_t i = 0; i < e.sweep.size(); ++i) CHECK(stored.sweep.key(i) == e.sweep.key(i));
-}
-
-TEST_CASE("a tier takes rows of a table, and --set names another table") {
-  const Folder f;
-  f.s.write("t.csv", "k_r\n5\n10\n20\n");
-  f.s.write("other.csv", "k_r\n7\n");
-  f.load(R"({"sample": {"table": "t.csv"}})",
-         R"(, "tiers": {"smoke": {"sweep": {"sample": {"take": [0, 2]}}}})");
-  CHECK(column(load_experiment(f.s.path("e.json"), {{}, "smoke"}), "k_r") == std::vector<double>{5, 20});
-  CHECK(
-      column(load_experiment(f.s.path("e.json"), {{"/sweep/sample/table=" + f.s.path("other.csv")}, "full"}),
-             "k_r") == std::vector<double>{7});
-}
-
-TEST_CASE("a table that is replaced or removed is not read") {
-  const Folder f;
-  f.s.write("t.csv", "k_r\n5\n10\n");
-  const std::string with_table = R"({"sample": {"table": ")", missing = with_table + R"(none.csv"}})";
-  const auto k_r = [&](const DocumentOptions& options) {
-    return column(load_experiment(f.s.path("e.json"), options), "k_r");
-  };
-  const std::string named = f.s.path("t.csv");
-  CHECK(f.error(missing) == "none.csv: cannot be read: no such file");
-  CHECK(k_r({{"/sweep/sample/table=" + named}, "full"}) == std::vector<double>{5, 10});
-  CHECK(k_r({{"/sweep/sample={\"table\":\"" + named + "\"}"}, "full"}) == std::vector<double>{5, 10});
-  CHECK(k_r({{"/sweep/sample/table=null", "/sweep/sample/table=" + named}, "full"}) ==
-        std::vector<double>{5, 10});
-  CHECK(k_r({{"/sweep/sample/table=" + named, "/sweep/sample/table/rows/1/0=7"}, "full"}) ==
-        std::vector<double>{5, 7});
-  CHECK(load_experiment(f.s.path("e.json"), {{"/sweep/sample=null"}, "full"}).sweep.size() == 1);
-
-  // By a tier, and by an experiment that extends another one.
-  f.error(missing.substr(0, missing.size()) + R"(, "tiers": {"smoke": {"sweep": )" + with_table +
-          R"(t.csv"}}}})");
-  CHECK(k_r({{}, "smoke"}) == std::vector<double>{5, 10});
-  f.error(with_table + R"(t.csv"}}, "tiers": {"smoke": {"sweep": )" + missing + "}}");
-  CHECK(k_r({{}, "full"}) == std::vector<double>{5, 10});
-  f.error(missing);
-  const auto child = [&](const std::string& sweep) {
-    return load_experiment(
-        f.s.write("child.json", fmt::format(R"({{"extends": "e.json", "sweep": {}}})", sweep)), {});
-  };
-  CHECK(column(child(with_table + R"(t.csv"}})"), "k_r") == std::vector<double>{5, 10});
-  CHECK(child(R"({"sample": null})").sweep.size() == 1);
-  f.load(with_table + R"(t.csv"}})");
-  CHECK(column(child(R"({"sample": {"table": {"rows": [[3]]}}})"), "k_r") == std::vector<double>{3});
-}
-
-TEST_CASE("tables of other programs: line ends, and an index without a name") {
-  const Folder f;
-  const std::vector<double> expected = {5, 10};
-  for (const char* text :
-       {"k_r,mu_c\r5,1\r10,2\r", "k_r,mu_c\r\n5,1\r\n10,2\r\n", ",k_r,mu_c\n0,5,1\n1,10,2\n",
-        "\"\",k_r,mu_c\na,5,1\n,10,2\n", "Unnamed: 0,k_r,mu_c\n0,5,1\n1,10,2\n"}) {
-    f.s.write("t.csv", text);
-    CHECK(column(f.load(R"({"sample": {"table": "t.csv"}})"), "k_r") == expected);
-  }
-}
-
-TEST_CASE("rows of a table and values of a distribution that have another type are explained") {
-  const Folder f;
-  const auto table = [&](const std::string& rows) {
-    return f.error(R"({"sample": {"table": {"columns": ["k_r"], "rows": )" + rows + "}}}");
-  };
-  CHECK_THAT(table("[[1], true]"),
-             Catch::Contains("/sweep/sample/table/rows/1: true is not allowed; allowed: an "
-                             "array, each a number or a string"));
-  CHECK_THAT(table("[[1], [null]]"),
-             Catch::Contains("/sweep/sample/table/rows/1/0: null is not allowed; allowed: "
-                             "a number or a string"));
-  CHECK_THAT(table("7"),
-             Catch::Contains("/sweep/sample/table/rows: 7 is not allowed; allowed: an array of at "
-                             "least 1, each an array, each a number or a string"));
-  CHECK_THAT(f.error(sobol(R"("k_r": {"values": true})")), Catch::Contains("allowed: an array"));
-}
-
-TEST_CASE("numbers at the edge of double: no text of a library") {
-  const Folder f;
-  const auto table = [&](const std::string& number) {
-    f.s.write("t.csv", "k_r\n" + number + "\n");
-    return f.error(R"({"sample": {"table": "t.csv"}})");
-  };
-  CHECK(table("1e400") == "t.csv: line 2: 1e400 is beyond the largest number, 1.8e308");
-  CHECK(table("-1e400") == "t.csv: line 2: -1e400 is beyond the largest number, 1.8e308");
-  CHECK(table("1e-400") ==
-        "t.csv: line 2: 0 is out of range for k_r; allowed: a number greater than 0 (radial "
-        "stiffness, dimensionless)");
-  for (const char* over : {R"("k_r": {"uniform": [1e-320, 1e-310]})", R"("k_r": {"log": [1e-310, 1e-300]})",
-                           R"("mu_c": {"uniform": [1e-320, 1e-310]})",
-                           R"("tau_f": {"uniform": [1e307, 1.797693134862315e308]})"})
-    CHECK_NOTHROW(f.load(sobol(over)));
-  const std::string beyond = "or the width or ratio of their range, are beyond the largest number, 1.8e308";
-  CHECK_THAT(f.error(sobol(R"("k_r": {"uniform": [-1e308, 1.7e308]})")), Catch::Contains(beyond));
-  CHECK_THAT(f.error(sobol(R"("k_r": {"log": [1e-320, 1e300]})")), Catch::Contains(beyond));
-  CHECK_THAT(f.error(R"({"k_r": {"logspace": [1e-300, 1e300, 5]}})"),
-             Catch::Contains("beyond the largest number"));
-  CHECK_THAT(f.error(R"({"k_r": {"linspace": [-1.7e308, 1.7e308, 5]}})"),
-             Catch::Contains("beyond the largest number"));
-  CHECK_THAT(f.error(R"({"k_r": {"values": [1, 1e400]}})"),
-             Catch::Contains("e.json: 1e400 is beyond the largest number, 1.8e308"));
-  CHECK(rounded(2.2250738585072014e-308) == 2.225074e-308);
-  CHECK(rounded(1.7976931348623157e308) == 1.797693e308);
-}
-
 TEST_CASE("malformed samples: the message names place, value and remedy") {
-  const Folder f;
+  const SampleFolder f;
   f.s.write("empty.csv", "k_r,mu_c\n");
   f.s.write("cell.csv", "k_r,mu_c\n1,\n");
   f.s.write("short.csv", "k_r,mu_c\n1\n");
@@ -322,7 +160,7 @@ TEST_CASE("malformed samples: the message names place, value and remedy") {
 }
 
 TEST_CASE("a quantity cannot be given by the sample and by an axis or the load") {
-  const Folder f;
+  const SampleFolder f;
   CHECK(f.error(R"({"k_r": {"values": [1]}, "sample": {"table": {"columns": ["k_r"], "rows": [[1]]}}})") ==
         "e.json: /sweep/sample: k_r is varied by another axis, too; remove one of them");
   CHECK(f.error(R"({"sample": {"table": {"columns": ["z_0", "R_n"], "rows": [[0.5, 1]]}}})")
@@ -333,7 +171,7 @@ TEST_CASE(
     "two sets of SI quantities with equal dimensionless groups give equal bits: the model has no scale") {
   // The second row is the first in other units of length (2), mass (4) and speed (8); these powers of two are
   // exact, and so are the groups. The third row has a greater shaft: the comparison can fail.
-  Folder f;
+  SampleFolder f;
   std::filesystem::copy_file(std::string(BRISTLE_EXPERIMENTS) + "/ski.json", f.s.path("ski.json"));
   constexpr double length = 2, mass = 4, speed = 8, energy = mass * speed * speed,
                    stress = energy / (length * length * length);
@@ -376,144 +214,6 @@ TEST_CASE(
   }
   const auto [small, large, other] = rows_of("z_0_in_m");
   for (std::size_t i = 0; i < small.size(); ++i) CHECK(length * small[i] == large[i]);
-}
-
-TEST_CASE("the result of a sample: its quantities are variables over it, first in the exported table") {
-  const Folder f;
-  const Experiment e = f.load(R"({"sample": {"table": {"columns": ["k_r", "friction", "R_n"],
-      "rows": [[20, "nss", 1], [5, "coulomb", 2]]}}, "k_phi": {"values": [2, 3]}})");
-  run_experiment(e, {.output = f.s.path("e.h5"), .threads = 1, .quiet = true});
-  const ResultReader result(f.s.path("e.h5"));
-  CHECK(result.damage().empty());
-  CHECK(result.variable("k_r").values == std::vector<double>{20, 5});
-  CHECK(result.variable("k_r").dimensions == std::vector<std::string>{"sample"});
-  CHECK(result.variable("friction").about.words.at(1) == "coulomb");
-  CHECK(result.variable("R_x").dimensions == std::vector<std::string>{"sample", "k_phi"});
-  CHECK(result.text("coordinates") == "k_r friction R_n_target");
-  const Dataset table = table_of(result, "");
-  const auto& columns = table.arrays();
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < 5; ++i) names.push_back(columns[i].about.name);
-  CHECK(names == std::vector<std::string>{"sample", "k_r", "friction", "R_n_target", "k_phi"});
-  for (const std::size_t row : {0, 1, 2, 3}) CHECK(columns[2].cell(row) == (row < 2 ? "nss" : "coulomb"));
-}
-
-TEST_CASE("Sobol indices and quantiles are stored with the result of a sample") {
-  const Folder f;
-  const Experiment e = f.load(R"({"bending": {"values": ["polar", "rod"]}, "sample": {"sobol": 16, "seed": 1,
-                 "over": {"k_r": {"log": [5, 50]}, "zeta_phi": {"uniform": [0.1, 0.1001]}}}})",
-                              R"(, "analysis": {"sobol_indices": ["R_x", "R_n"], "quantiles": ["R_x"]})");
-  REQUIRE(e.sweep.size() == 2 * 16 * 4);
-  run_experiment(e, {.output = f.s.path("e.h5"), .threads = 2, .quiet = true});
-  const ResultReader result(f.s.path("e.h5"));
-  CHECK(result.damage().empty());
-  const Array& total = result.variable("indices/ST");
-  CHECK(total.dimensions == std::vector<std::string>{"bending", "output", "input"});
-  CHECK(result.variable("indices/S1_err").shape == std::vector<std::size_t>{2, 2, 2});
-  CHECK(total.values[0] > 0.9);  // k_r
-  CHECK(total.values[1] < 0.01);
-  const Array& quantiles = result.variable("quantiles/quantile");
-  CHECK(quantiles.shape == std::vector<std::size_t>{2, 1, 5});
-  CHECK(std::is_sorted(quantiles.values.begin(), quantiles.values.begin() + 5));
-  CHECK(result.variable("quantiles/points").values.front() == 32);
-  const Dataset table = table_of(result, "indices");
-  const auto& columns = table.arrays();
-  CHECK(columns[1].about.name == "output");
-  CHECK(columns[1].cell(2) == "R_n");
-  CHECK(columns[2].cell(1) == "zeta_phi");
-  // Another analysis of the same points computes no point again.
-  const Experiment more =
-      f.load(e.document->at("sweep").dump(), R"(, "analysis": {"sobol_indices": ["R_x"]})");
-  for (std::size_t i = 0; i < e.sweep.size(); ++i) CHECK(more.sweep.key(i) == e.sweep.key(i));
-}
-
-TEST_CASE("indices and quantiles count the points that they use, and the ambiguous ones of these") {
-  const Folder f;
-  // Points of the design a, b, a with the first coordinate of b, and with the second.
-  const Experiment e = f.load(
-      R"({"sample": {"sobol": 20, "seed": 1, "over": {"R_n": {"uniform": [0.5, 2.5]}, "k_r": {"log": [5, 50]}}}})",
-      R"(, "analysis": {"sobol_indices": ["R_x"], "quantiles": ["R_x"]})");
-  std::vector<double> statuses(80, double(PointStatus::ok)), values;
-  const std::vector<sweep::Axis>& columns = e.sweep.axes.front().columns;
-  for (std::size_t i = 0; i < 80; ++i) values.push_back(10 * columns[0].values[i] + columns[1].values[i]);
-  for (const std::size_t i : {4, 5, 10, 15}) {
-    statuses[i] = double(PointStatus::unreachable);
-    values[i] = NAN;
-  }
-  for (const std::size_t i : {20, 22, 23}) statuses[i] = double(PointStatus::ambiguous);
-  // These points have values, which count.
-  statuses[24] = double(PointStatus::not_converged);
-  statuses[25] = double(PointStatus::load_jump);
-  const auto groups = run::analyse(e, {{"R_x", values}, {"status", statuses}});
-  CHECK(groups[0].array("blocks").values == std::vector<double>{18, 18});
-  CHECK(groups[0].array("S1_blocks").values == std::vector<double>{18, 18});
-  CHECK(groups[0].array("ambiguous").values == std::vector<double>{3, 3});
-  CHECK(groups[1].array("points").values == std::vector<double>(5, 38));
-  CHECK(groups[1].array("ambiguous").values == std::vector<double>(5, 1));
-  const std::string text = run::analysis_text(e, groups);
-  CHECK_THAT(
-      text,
-      Catch::Contains("  from 18 of 20 pairs, as the others have points without a value") &&
-          Catch::Contains("; 2 points have no value and are left out; ambiguous points among those used: 1"));
-}
-
-TEST_CASE("an index of too few points is missing, and the text says what to do") {
-  const Folder f;
-  // The load is beyond what many of the bristles carry.
-  const Experiment e = f.load(
-      R"({"sample": {"sobol": 16, "seed": 1, "over": {"R_n": {"uniform": [0.5, 2.5]}, "k_r": {"log": [5, 50]}}}})",
-      R"(, "analysis": {"sobol_indices": ["R_x"], "quantiles": ["R_x"]})");
-  run_experiment(e, {.output = f.s.path("e.h5"), .threads = 2, .quiet = true});
-  const ResultReader result(f.s.path("e.h5"));
-  const std::vector<double>& values = result.variable("R_x").values;
-  std::size_t present = 0;
-  std::vector<double> pairs(2), triples(2);
-  for (std::size_t block = 0; block < 16; ++block) {
-    const auto has = [&](std::size_t i) { return std::isfinite(values[4 * block + i]); };
-    present += std::size_t(has(0)) + std::size_t(has(1));
-    for (std::size_t i = 0; i < 2; ++i) {
-      pairs[i] += has(0) && has(2 + i);
-      triples[i] += has(0) && has(1) && has(2 + i);
-    }
-  }
-  REQUIRE(std::max(pairs[0], pairs[1]) < 16);
-  CHECK(result.variable("indices/blocks").values == pairs);
-  CHECK(result.variable("indices/S1_blocks").values == triples);
-  for (const char* name : {"S1", "S1_err", "ST", "ST_err"})
-    for (const double value : result.variable(std::string("indices/") + name).values)
-      CHECK(std::isnan(value));
-  CHECK(result.variable("quantiles/points").values.front() == double(present));
-  const auto groups = run::analyse(e, {{"R_x", values}, {"status", std::vector<double>(values.size(), 0)}});
-  CHECK_THAT(run::analysis_text(e, groups),
-             Catch::Contains(" of 16 pairs; an index needs 16: raise sobol, or choose ranges in which more "
-                             "points have a value") &&
-                 Catch::Contains("too few of the points have a value: "));
-  const auto none =
-      run::analyse(e, {{"R_x", std::vector<double>(64, NAN)}, {"status", std::vector<double>(64, 0)}});
-  CHECK_THAT(
-      run::analysis_text(e, none),
-      Catch::Contains("quantiles of R_x: none, as none of 32 points has a value") && !Catch::Contains("nan"));
-}
-
-TEST_CASE("an analysis needs a sample, and variables of the result") {
-  const Folder f;
-  const auto message = [&](const std::string& sweep, const std::string& analysis) {
-    try {
-      validate_analysis(f.load(sweep, ", \"analysis\": " + analysis));
-    } catch (const InputError& e) {
-      return std::string(e.what()).substr(f.s.path("").size());
-    }
-    return std::string("(no error)");
-  };
-  CHECK(message(R"({"k_r": {"values": [1, 2]}})", R"({"quantiles": ["R_x"]})") ==
-        "e.json: /analysis: needs a sample in the sweep (/sweep/sample)");
-  CHECK(message(R"({"sample": {"table": {"columns": ["k_r"], "rows": [[1]]}}})",
-                R"({"sobol_indices": ["R_x"]})") ==
-        "e.json: /analysis/sobol_indices: needs a sample by sobol, of which the program makes the design for "
-        "indices");
-  CHECK(message(sobol(R"("k_r": {"log": [1, 2]})"), R"({"quantiles": ["R_xx"]})")
-            .starts_with(
-                "e.json: /analysis/quantiles: \"R_xx\" is not a variable of the result (did you mean R_x?)"));
 }
 
 }  // namespace bristle::sample_test
