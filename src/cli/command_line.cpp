@@ -140,6 +140,7 @@ CLI::App* add_value(CLI::App& app, ValueOptions& options) {
       ->add_option("--at", options.at, "the value of an axis nearest to this one (repeatable) [all points]")
       ->type_name("AXIS=VALUE")
       ->allow_extra_args(false);
+  command->add_flag("--json", options.json, "print JSON: a list of the points with their coordinates");
   command->footer(
       "Example: bristle value results/fig4.h5 R_x_norm --at k_r=20 --at k_theta=1 --at bending=rod");
   return command;

@@ -85,6 +85,7 @@ struct ValueOptions {
   std::string file;
   std::vector<std::string> names;  // variables
   std::vector<std::string> at;     // "axis=value"; the nearest value of the axis counts
+  bool json = false;
 };
 // Prints variables with their errors, and the status, of the points at a place: of all if `at` is empty.
 int value_command(const ValueOptions& options);

@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 namespace bristle::cli {
 namespace {
@@ -63,17 +64,29 @@ std::vector<bool> selected(const Dataset& table, const std::vector<std::string>&
   return rows;
 }
 
-std::string value_text(const Dataset& table, const Array& array, std::size_t row) {
-  if (!array.about.words.empty()) return array.cell(row);
-  const double value = array.values[row];
-  if (std::isnan(value)) return "no value";
+// Returns the error of a variable in a row; NaN if it has none.
+double error_of(const Dataset& table, const Array& array, std::size_t row) {
   const auto error = std::ranges::find(table.arrays(), array.about.name + "_err",
                                        [](const Array& one) { return one.about.name; });
+  return error == table.arrays().end() ? std::nan("") : error->values[row];
+}
+
+std::string value_text(const Dataset& table, const Array& array, std::size_t row) {
+  if (!array.about.words.empty()) return array.cell(row);
+  const double value = array.values[row], error = error_of(table, array, row);
+  if (std::isnan(value)) return "no value";
   const std::string units =
       array.about.units.empty() || array.about.units == "1" ? "" : " " + array.about.units;
-  if (error == table.arrays().end() || std::isnan(error->values[row]))
-    return fmt::format("{:.6g}{}", value, units);
-  return fmt::format("{:.6g} +- {:.2g}{}", value, error->values[row], units);
+  if (std::isnan(error)) return fmt::format("{:.6g}{}", value, units);
+  return fmt::format("{:.6g} +- {:.2g}{}", value, error, units);
+}
+
+// Returns a word, or {"value", "error", "units"}, of which a value or an error that is missing is null.
+Json value_json(const Dataset& table, const Array& array, std::size_t row) {
+  if (!array.about.words.empty()) return array.cell(row);
+  return {{"value", array.values[row]},
+          {"error", error_of(table, array, row)},
+          {"units", array.about.units.empty() ? "1" : array.about.units}};
 }
 
 }  // namespace
@@ -86,8 +99,17 @@ int value_command(const ValueOptions& options) {
   std::vector<std::string> all;
   for (const Array& array : table.arrays()) all.push_back(array.about.name);
   const std::vector<bool> rows = selected(table, options.at, coordinates);
+  Json out = Json::array();
   for (std::size_t row = 0; row < rows.size(); ++row) {
     if (!rows[row]) continue;
+    if (options.json) {
+      Json one = {{"status", table.array("status").cell(row)}};
+      for (const std::string& name : coordinates) one[name] = value_json(table, table.array(name), row);
+      for (const std::string& name : options.names)
+        one[name] = value_json(table, column_of(table, name, all, "variable"), row);
+      out.push_back(std::move(one));
+      continue;
+    }
     std::vector<std::string> values, place;
     for (const std::string& name : options.names)
       values.push_back(
@@ -98,6 +120,7 @@ int value_command(const ValueOptions& options) {
     fmt::print("{}{}{}: {}\n", fmt::join(values, ", "), place.empty() ? "" : " at ", fmt::join(place, ", "),
                table.array("status").cell(row));
   }
+  if (options.json) fmt::print("{}\n", out.dump(2));
   return kSuccess;
 }
 

@@ -49,6 +49,10 @@ expect 2 "--point: the number of a point is 0 or more" "$bristle" run experiment
 expect 0 " +- " "$bristle" value "$result" R_x_norm z_0 --at k_r=20 --at k_theta=1 --at bending=rod
 [ "$("$bristle" value "$result" R_x_norm --at k_r=20 --at k_theta=1 --at bending=rod | wc -l)" = 1 ] || failed "value: not one line"
 expect 0 " at bending = rod, k_r = " "$bristle" value "$result" R_x_norm --at k_r=20 --at k_theta=1 --at bending=rod
+expect 0 '"bending": "rod"' "$bristle" value "$result" R_x_norm phase --at k_r=20 --json
+"$bristle" value "$result" R_x_norm --at k_r=20 --at k_theta=1 --at bending=rod --json |
+  python3 -c 'import json, sys; [one] = json.load(sys.stdin); assert one["R_x_norm"]["error"] > 0 and 20 < one["k_r"]["value"] < 22 and one["status"] == "ok"' ||
+  failed "value --json: not one point with its error"
 expect 2 "there is no variable R_x_nrm (did you mean R_x_norm?)" "$bristle" value "$result" R_x_nrm
 expect 2 "there is no axis k_rr (did you mean k_r?)" "$bristle" value "$result" R_x_norm --at k_rr=20
 expect 2 "bending has the words polar, polar_as_printed, rod" "$bristle" value "$result" R_x_norm --at bending=rode
