@@ -254,13 +254,18 @@ class Search {
   // Computes what the recommended brush is compared with, and verifies it as it can be made.
   void look_beside(Findings& found, const Values& chosen) {
     // The start needs no rounding, because it is a brush that exists.
-    if (!design_.round_to.empty() && found.chosen.front() != found.start_trial) found.made = made(chosen);
+    if (!design_.round_to.empty() && found.chosen.front() != found.start_trial) {
+      progress_->stage("computing what can be made beside the recommended trial");
+      found.made = made(chosen);
+    }
     const Values& best = recommended(found).nominal;
     if (!design_.tolerances.empty()) {
+      progress_->stage("verifying the recommended brush by many deviations");
       found.verification = trials_.verify(best);
       found.indices = trials_.indices(best);
     }
     if (design_.second_choice.empty()) return;
+    progress_->stage("computing the recommended brush by the second model");
     const Experiment second = second_model_of(experiment_, design_);
     found.second = Trials(second, design_, solver()).evaluate({best}).front();
   }
