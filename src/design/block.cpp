@@ -88,7 +88,7 @@ void read_steps(const Node& block, Design& design) {
     if (range == design.variables.end())
       node.fail(fmt::format("is no variable of the design; allowed: {}", fmt::join(names, ", ")));
     const double step = design.round_to[name] = node.as<double>();
-    if (std::floor(range->high / step) * step < range->low)
+    if (const auto [least, most] = multiples_within(*range, step); least > most)
       node.fail(
           fmt::format("{} has no multiple between the bounds, {:g} and {:g}", step, range->low, range->high));
   }
@@ -106,6 +106,12 @@ std::map<std::string, double> own_values(const Experiment& experiment, const Des
 }
 
 }  // namespace
+
+std::pair<double, double> multiples_within(const experiment::Range& range, double step) {
+  constexpr double kRounding = 1e-9;  // 0.6/0.2 is less than 3
+  const double low = range.low / step, high = range.high / step;
+  return {std::ceil(low - kRounding * std::abs(low)), std::floor(high + kRounding * std::abs(high))};
+}
 
 std::string Objective::text() const {
   return fmt::format("{} {}{}{}", word(goal), variable,

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace bristle {
@@ -71,6 +72,10 @@ struct Design : experiment::Ranges {
   std::string second_choice;  // of the model, for another computation of the best trial; empty: none
   double second_option = 0;
 };
+
+// Returns the least and the greatest n for which n times the step lies within the bounds of the range, up to
+// rounding; the least is greater if there is none.
+std::pair<double, double> multiples_within(const experiment::Range& range, double step);
 
 // Reads the block, which the experiment must have. Throws InputError for a mistake in it, and for a second
 // model that is no valid experiment or is the first model.

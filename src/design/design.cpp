@@ -219,6 +219,15 @@ class Search {
     return any_nearer;
   }
 
+  // Returns the profiles of all quantities through these values.
+  std::vector<Profile> profiles_at(const Values& nominal) const {
+    std::vector<Profile> out;
+    for (const std::string& quantity : design_.quantities())
+      out.push_back(
+          trials_.profile(nominal, quantity, profile_values(design_, quantity, nominal.at(quantity))));
+    return out;
+  }
+
   // Looks beside the recommended trial. Its profiles have more values than the search for its margin; if they
   // show a jump that is nearer than required, the next trial is recommended.
   void recommend(Findings& found) {
@@ -226,10 +235,7 @@ class Search {
       progress_->stage("computing what is beside the recommended trial");
       if (design_.jump_margin > 0 && locate_margins(found)) continue;
       Trial& best = found.trials[found.chosen.front()];
-      found.profiles.clear();
-      for (const std::string& quantity : design_.quantities())
-        found.profiles.push_back(trials_.profile(
-            best.nominal, quantity, profile_values(design_, quantity, best.nominal.at(quantity))));
+      found.profiles = profiles_at(best.nominal);
       const double margin = least_margin(found.profiles);
       if (design_.jump_margin > 0) trials_.set_jump_margin(best, margin);
       if (margin >= design_.jump_margin) return look_beside(found, best.nominal);
@@ -257,6 +263,7 @@ class Search {
     if (!design_.round_to.empty() && found.chosen.front() != found.start_trial) {
       progress_->stage("computing what can be made beside the recommended trial");
       found.made = made(chosen);
+      found.profiles = profiles_at(found.made->nominal);  // the margins are those of the brush that is made
     }
     const Values& best = recommended(found).nominal;
     if (!design_.tolerances.empty()) {

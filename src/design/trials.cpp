@@ -96,7 +96,7 @@ std::vector<Values> Trials::rounded_to_steps(const Values& nominal) const {
   std::vector<Values> out = {nominal};
   for (const auto& [name, step] : design_.round_to) {
     const auto range = std::ranges::find(design_.variables, name, &experiment::Range::name);
-    const double least = std::ceil(range->low / step), most = std::floor(range->high / step);
+    const auto [least, most] = multiples_within(*range, step);
     const double steps = nominal.at(name) / step;
     std::set<double> values;
     for (const double whole : {std::floor(steps), std::ceil(steps)})
@@ -257,6 +257,7 @@ std::vector<double> Trials::values_beside(const Values& nominal, const std::stri
   std::vector<double> values;
   for (std::size_t i = 0; i <= 2 * intervals; ++i)
     values.push_back(neighbour(nominal, quantity, design_.jump_margin * (double(i) / double(intervals) - 1)));
+  std::ranges::sort(values);  // those of a negative quantity descend
   values.erase(std::unique(values.begin(), values.end()), values.end());
   return values;
 }

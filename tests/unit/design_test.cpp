@@ -324,6 +324,13 @@ TEST_CASE("malformed designs: the message names place, value and remedy") {
         "e.json: /design/round_to/k_phi: is no variable of the design; allowed: k_r");
   CHECK(f.error(with(R"("k_r": [5, 9])", R"(, "round_to": {"k_r": 20})")) ==
         "e.json: /design/round_to/k_r: 20 has no multiple between the bounds, 5 and 9");
+  // 0.6/0.2 and 3e-4/5e-5 are less than 3 and 6 in floating point.
+  using Pair = std::pair<double, double>;
+  CHECK(design::multiples_within({"mu_c", 0.2, 0.6, false}, 0.2) == Pair(1, 3));
+  CHECK(design::multiples_within({"R_m", 1e-4, 3e-4, false}, 5e-5) == Pair(2, 6));
+  CHECK(design::multiples_within({"mu_c", 0.55, 0.6, false}, 0.2) == Pair(3, 3));
+  CHECK(design::multiples_within({"mean_deg", -60, -10, false}, 20) == Pair(-3, -1));
+  CHECK(design::multiples_within({"k_r", 5, 9, false}, 20) == Pair(1, 0));
   CHECK_THAT(f.error(with(R"("k_r": [5, 9])", R"(, "constraints": [{"variable": "strain", "max": 1}])")),
              Catch::Contains("/design/constraints/0/variable: \"strain\" is not a variable of the result"));
   CHECK_THAT(f.error(with(R"("k_r": [5, 9])", R"(, "constraints": [{"variable": "R_x"}])")),
