@@ -36,9 +36,13 @@ void check_gap(const json::Document& d, const Experiment& experiment) {
     const sweep::PointInput point = sweep.point(i);
     const Parameters& p = point.setup.parameters;
     const double highest = sin(p.phi_0) + kWallRangesAboveContact * contact_range(p);
-    if (!point.loading.z_0) return;
-    if (*point.loading.z_0 <= highest) continue;
     const std::string where = sweep.size() > 1 ? fmt::format(" at {}", sweep.place(i)) : "";
+    if (const auto& trace = point.loading.trace; trace && !(trace->to < sin(p.phi_0)))
+      d.fail("/load/trace/to",
+             fmt::format("{} is not below first contact{}; allowed: less than sin(phi_0) = {:.6f}", trace->to,
+                         where, sin(p.phi_0)));
+    if (!point.loading.z_0 && !point.loading.trace) return;
+    if (!point.loading.z_0 || *point.loading.z_0 <= highest) continue;
     const bool wall = p.contact == Contact::wall;
     const std::string reach = wall ? fmt::format(" + {:g} lambda_z", kWallRangesAboveContact) : "";
     const char* beyond = wall ? ", beyond the wall" : "";

@@ -236,7 +236,8 @@ void Document::merge() {
     merged.merge_patch(patch);
   };
   for (const Source& s : files_) {
-    if (s.content->contains("si") && !merged.contains("si")) {
+    const auto si = s.content->find("si");  // a null removes the block, and begins none
+    if (si != s.content->end() && si->is_object() && !merged.contains("si")) {
       merged["model"]["bending"] = word(Bending::rod);
       merged["model"]["contact"] = word(Contact::hertz);
     }

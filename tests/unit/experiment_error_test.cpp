@@ -111,6 +111,8 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
        "@/e.json: /load/z_0: 1.085 is above first contact, beyond the wall; allowed: at most sin(phi_0) + "
        "100 lambda_z = "
        "1.084808"},
+      {with(R"("model": {"phi_0_deg": 20}, "load": {"R_n": null, "path": null, "trace": {"to": 0.5}})"),
+       "@/e.json: /load/trace/to: 0.5 is not below first contact; allowed: less than sin(phi_0) = 0.342020"},
       {with(R"("sweep": {"lambda_z": {"values": [0.0005, 0.001]}}, "load": {"R_n": null, "z_0": 1.08})"),
        "@/e.json: /load/z_0: 1.08 is above first contact at lambda_z = 0.0005, beyond the wall; allowed: at "
        "most "

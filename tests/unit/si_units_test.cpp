@@ -30,6 +30,18 @@ TEST_CASE("an SI block gives the dimensionless values of the paper") {
   CHECK(p.k_r == Approx(10));
 }
 
+TEST_CASE("an si block that is null, or that a file removes, leaves the bending and the contact") {
+  const Scratch s;
+  std::filesystem::copy_file(kExperiments + "/paper.json", s.path("paper.json"));
+  const auto setup = [&](const std::string& more) {
+    const std::string file = s.write("e.json", R"({"extends": "paper.json", "name": "e")" + more + "}");
+    return load_experiment(file, {}).sweep.base.setup;
+  };
+  const Parameters without = setup("").parameters, null = setup(R"(, "si": null)").parameters;
+  CHECK(null.bending == without.bending);
+  CHECK(null.contact == without.contact);
+}
+
 TEST_CASE("a material in SI units has the same stiffness at every velocity") {
   const Experiment e = load_experiment(kExperiments + "/ski.json", {});
   // V0_m_per_s is the last axis: 13 values from 2 to 32.
