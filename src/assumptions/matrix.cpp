@@ -2,6 +2,7 @@
 
 #include "results/version.hpp"
 #include "run/provenance.hpp"
+#include "util/error.hpp"
 #include "util/sha.hpp"
 
 #include <algorithm>
@@ -45,8 +46,9 @@ Json named_cells(const Json& document) {
   const Json &windows = document.at("windows"), &keys = document.at("cell_keys");
   for (const Json& row : document.at("cells")) {
     const Json& under = row.at("under");
+    if (windows.empty()) throw MalformedError("the matrix has cells, but no windows");
     for (std::size_t i = 0; i < under.size(); ++i) {
-      const std::size_t window = i % std::max<std::size_t>(windows.size(), 1);
+      const std::size_t window = i % windows.size();
       Json one = {
           {"check", row.at("check")}, {"alternative", i / windows.size()}, {"window", windows.at(window)}};
       const Json& cell = under[i].is_null() ? under.at(window) : under[i];

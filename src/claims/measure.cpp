@@ -1,5 +1,8 @@
 #include "claims/measure.hpp"
 
+#include "util/error.hpp"
+
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -116,7 +119,14 @@ Measurement measure(const results::ResultReader& result, const Check& check) {
   }
   if (check.compare.empty()) return predicate.on_curves(all, check);
   const CheckedCurves first(result, check, 0), second(result, check, 1);
-  if (predicate.on_pairs) return predicate.on_pairs(first.points(), second.points(), check);
+  if (predicate.on_pairs) {
+    const Curve a = first.points(), b = second.points();
+    if (a.size() != b.size())
+      throw InputError(
+          fmt::format("{}: the check \"{}\" compares {} points with {}; give ranges with as many points",
+                      result.path(), check.statement, a.size(), b.size()));
+    return predicate.on_pairs(a, b, check);
+  }
   const Measurement a = predicate.on_curves(first, check), b = predicate.on_curves(second, check);
   return check.difference ? difference(a, b) : ratio(a, b);
 }

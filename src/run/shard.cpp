@@ -21,6 +21,9 @@ std::optional<std::size_t> whole_number(const std::string& text) {
 
 }  // namespace
 
+// The names of journals of shards have at most nine digits.
+constexpr std::size_t kMostShards = 999999999;
+
 Shard parse_shard(const std::string& text) {
   const auto slash = text.find('/');
   const auto number = whole_number(text.substr(0, slash));
@@ -29,6 +32,9 @@ Shard parse_shard(const std::string& text) {
     throw InputError(fmt::format(
         "--shard {}: not a shard; give i/N, the i-th of N shards, as two positive integers such as 2/8",
         text));
+  if (*count > kMostShards)
+    throw InputError(
+        fmt::format("--shard {}: more than {} shards; a shard has one point at least", text, kMostShards));
   if (*number == 0 || *number > *count)
     throw InputError(fmt::format("--shard {}: there is no shard {} of {}; shards are numbered 1/{} to {}/{}",
                                  text, *number, *count, *count, *count, *count));

@@ -275,6 +275,18 @@ TEST_CASE("the main checks of one interpretation decide the verdict on a claim, 
                     Catch::Contains("/checks/0/role: every check of claim x is \"further\""));
 }
 
+TEST_CASE("a check on pairs compares as many points with as many") {
+  const Scratch s;
+  const auto concordance = [&](const std::string& ranges) {
+    return evaluated(s, {1, 2, 3, 4}, 0.1,
+                     R"("sweep": {"k_r": {"linspace": [1, 10, 4]}}, "checks": [
+      {"claim": "x", "statement": "y", "variable": "R_x_norm", "predicate": "concordance", "is": "at_least",
+       "threshold": 0, "compare": {"k_r": )" +
+                         ranges + "}}]");
+  };
+  CHECK_THROWS_WITH(concordance("[[1, 10], [1, 4]]"), Catch::Contains("compares 4 points with 2"));
+}
+
 TEST_CASE("with checks_for_each, every check has a verdict at each value of the choice") {
   const Scratch s;
   const std::string both = R"("sweep": {"bending": {"values": ["polar", "polar_as_printed"]},

@@ -52,6 +52,8 @@ TEST_CASE("an invalid shard is refused with what is allowed") {
   CHECK(shard_text(parse_shard("3/3")) == "3/3");
   for (const char* text : {"", "/", "3", "a/b", "1/", "/2", "1/0", "-1/2", "1.0/2", " 1/2", "1/2/3", "1/2 "})
     CHECK_THROWS_WITH(parse_shard(text), Contains("such as 2/8"));
+  for (const char* text : {"1/1000000000", "5/18446744073709551614"})
+    CHECK_THROWS_WITH(parse_shard(text), Contains("more than 999999999 shards"));
   for (const char* text : {"0/3", "4/3"})
     CHECK_THROWS_WITH(parse_shard(text), Contains("shards are numbered 1/3 to 3/3"));
 }
