@@ -8,7 +8,9 @@
 #include <fmt/ranges.h>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <nlohmann/json.hpp>
+#include <set>
 
 namespace bristle::cli {
 namespace {
@@ -30,9 +32,11 @@ const Array& column_of(const Dataset& table, const std::string& name, const std:
 // Returns the value of an axis that is nearest to the wanted one: a number, or the code of a word.
 double nearest(const Array& axis, const std::string& wanted) {
   if (!axis.about.words.empty()) {
-    const auto& words = axis.about.words;
-    if (const auto found = std::ranges::find(words, wanted); found != words.end())
-      return double(found - words.begin());
+    std::vector<std::string> words;  // of the axis, which need not have all words of its quantity
+    for (const double code : std::set(axis.values.begin(), axis.values.end())) {
+      words.push_back(axis.about.words.at(std::size_t(code)));
+      if (words.back() == wanted) return code;
+    }
     throw InputError(fmt::format("--at {}={}: {} has the words {}", axis.about.name, printable(wanted),
                                  axis.about.name, fmt::join(words, ", ")));
   }
@@ -99,21 +103,23 @@ int value_command(const ValueOptions& options) {
   std::vector<std::string> all;
   for (const Array& array : table.arrays()) all.push_back(array.about.name);
   const std::vector<bool> rows = selected(table, options.at, coordinates);
+  if (std::ranges::none_of(rows, std::identity()))
+    throw InputError(fmt::format("{}: no point is at {}; `bristle value` without --at prints all points",
+                                 options.file, fmt::join(options.at, ", ")));
+  for (const std::string& name : options.names) column_of(table, name, all, "variable");
   Json out = Json::array();
   for (std::size_t row = 0; row < rows.size(); ++row) {
     if (!rows[row]) continue;
     if (options.json) {
       Json one = {{"status", table.array("status").cell(row)}};
       for (const std::string& name : coordinates) one[name] = value_json(table, table.array(name), row);
-      for (const std::string& name : options.names)
-        one[name] = value_json(table, column_of(table, name, all, "variable"), row);
+      for (const std::string& name : options.names) one[name] = value_json(table, table.array(name), row);
       out.push_back(std::move(one));
       continue;
     }
     std::vector<std::string> values, place;
     for (const std::string& name : options.names)
-      values.push_back(
-          fmt::format("{} = {}", name, value_text(table, column_of(table, name, all, "variable"), row)));
+      values.push_back(fmt::format("{} = {}", name, value_text(table, table.array(name), row)));
     for (const std::string& name : coordinates)
       if (name != "sample")
         place.push_back(fmt::format("{} = {}", name, value_text(table, table.array(name), row)));

@@ -72,12 +72,14 @@ void add_coordinates(const ResultReader& result, const std::string& group, const
   }
 }
 
-// Adds the coordinates of the point to which each row of a recorded table belongs.
+// Adds the coordinates of the point to which each row of a recorded table belongs, but those that the table
+// has.
 void add_points(const ResultReader& result, const std::string& table, std::vector<Array>& columns) {
   const std::vector<std::size_t> shape = result.sweep_shape();
   const std::vector<double>& points = result.variable(table + "/point").values;
   const auto axes = result.axes();
   for (std::size_t d = 0; d < axes.size(); ++d) {
+    if (result.has(table + "/" + axes[d])) continue;
     std::vector<std::size_t> indices;
     for (const double point : points) indices.push_back(unravel(std::size_t(point), shape).at(d));
     columns.push_back(at(result.variable(axes[d]), indices));

@@ -28,6 +28,14 @@ std::string in_two_digits(double value) {
 // Local friction, R_rigid over R_n, below which a brush has the friction of rigid bristles at every load.
 constexpr double kNothingToControl = 0.5;
 
+// Returns the enumerator with this code, or `otherwise` of a number that is no code, as a damaged file may
+// have.
+template <class Enum>
+Enum meaning_of(double code, Enum otherwise) {
+  const bool known = code >= 0 && code < double(words<Enum>().size()) && code == std::floor(code);
+  return known ? Enum(int(code)) : otherwise;
+}
+
 }  // namespace
 
 void Phases::Range::add(double value) {
@@ -45,11 +53,14 @@ void Phases::add(const std::function<std::vector<double>(const std::string&)>& v
   const auto phases = variable("phase"), ratios = variable("load_over_lift_off"),
              domains = variable("lift_off_domain");
   for (std::size_t i = 0; i < phases.size(); ++i) {
-    const auto phase = BrushPhase(std::lround(phases[i]));
+    const auto phase = meaning_of(phases[i], BrushPhase::unknown);
     ++points_[std::size_t(phase)];
-    if (phase == BrushPhase::unknown || ratios.empty()) continue;
-    if (std::isnan(ratios[i])) ++outside_[LiftOffDomain(std::lround(domains.at(i)))];
-    if (std::isnan(ratios[i])) continue;
+    if (phase == BrushPhase::unknown || i >= std::min(ratios.size(), domains.size())) continue;
+    if (std::isnan(ratios[i])) {
+      const auto domain = meaning_of(domains[i], LiftOffDomain::tested);
+      if (domain != LiftOffDomain::tested) ++outside_[domain];
+      continue;
+    }
     ++tested_[std::size_t(phase)];
     bouncing_below_ += phase == BrushPhase::bouncing && ratios[i] < 1;
     in_contact_above_ += phase == BrushPhase::contact && ratios[i] >= 1;

@@ -171,6 +171,8 @@ bool up_to_date(const std::string& path, const Experiment& experiment) {
            file.text("inputs_sha256") == inputs_sha256(*experiment.document);
   } catch (const InputError&) {
     return false;  // unreadable, or of another version: to be computed again
+  } catch (const SystemError&) {
+    throw;  // says nothing of the file
   } catch (const RunError&) {
     return false;
   }

@@ -234,9 +234,9 @@ void WholeFile::publish() {
   std::error_code error;
   fs::rename(partial_, path_, error);
   if (error) throw RunError(fmt::format("{}: cannot be renamed to {}: {}", partial_, path_, error.message()));
+  published_ = true;  // the partial file has become the file; another run may write another one
   const fs::path folder = fs::path(path_).parent_path();
   flush_to_disk(path_, folder.empty() ? "." : folder.string(), O_RDONLY | O_DIRECTORY);
-  published_ = true;
 }
 
 void write_whole(const std::string& path, const std::string& text, const FileKind& kind) {

@@ -88,6 +88,14 @@ def check_jumps():
     assert len(table) and np.array_equal(table["before"], data["before"].values)
     assert np.all(table["after"] <= 1.021 * table["before"]) and {*table["k_r"]} == {16}  # the point before the jump
     assert data.attrs["along"] == "k_r"
+    path = computed("jumps2.h5", "paper.json", "--set", "/locate_jumps=k_r", "--set", "/orientation/rtol=0.02",
+                    "--set", '/sweep={"bending":{"values":["polar"]},"k_theta":{"values":[1,2]},"k_r":{"values":[16,30]}}')
+    run("export", path, "--group", "jumps", "-o", folder / "table.csv")
+    head = next(line for line in (folder / "table.csv").read_text().splitlines() if not line.startswith("#")).split(",")
+    assert len(head) == len(set(head)) and {"k_theta", "bending"} <= set(head), head
+    assert {*exported(path, "--group", "jumps")["bending"]} == {"polar"}
+    # Words of an axis are those that it has.
+    assert "bending has the words polar\n" in run("value", path, "R_x", "--at", "bending=rod", code=2)
 
 
 def check_curves():

@@ -20,6 +20,20 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("phase: codes that are none, as in a damaged file, are unknown") {
+  results::Phases phases;
+  phases.add([](const std::string& name) -> std::vector<double> {
+    if (name == "phase") return {0, 8, 28, -61, 0.5, NAN, 1};
+    if (name == "load_over_lift_off") return {NAN, 1, 1, 1, 1, 1, NAN};
+    if (name == "lift_off_domain") return {200, 0, 0, 0, 0, 0, -3};
+    return {};
+  });
+  CHECK(
+      phases.text() ==
+      "phases: 1 in contact (tips stay on the slab), 1 bouncing (tips are off the slab for more than half of "
+      "the time)\n");
+}
+
 TEST_CASE("phase: one brush bounces under a load and stays in contact under a greater one") {
   Setup setup;
   Parameters& p = setup.parameters;
