@@ -20,7 +20,7 @@ function startAgain(pool) {
     const index = stored.points[select.value].index, before = performance.now();
     const answer = await pool.ask({ experiment: stored.experiment, point: index });
     button.disabled = false;
-    if (!answer || answer.error) { said.textContent = answer?.error ?? "stopped"; return; }
+    if (!answer?.values) { said.textContent = answer ? answer.error ?? STATUSES[answer.status] ?? answer.status : "stopped"; return; }
     show(answer.values);
     const far = Object.entries(stored.points[select.value].numbers).map(([name, [value, error]]) => Math.abs(answer.values[name][0] - value) / error);
     said.textContent = `Computed in ${((performance.now() - before) / 1000).toFixed(1)} s. The largest distance is ${Math.max(...far).toPrecision(2)} errors.`;

@@ -127,7 +127,7 @@ const MOST_POINTS = 500;
 
 async function computeCurve() {
   stopCurve();
-  const experiment = experimentOf(true), about = await first.ask({ experiment }), mine = ++state.curveNumber;
+  const experiment = experimentOf(true), about = await others.ask({ experiment }), mine = ++state.curveNumber;
   if (!about) return;
   showError(about.error ?? "");
   if (about.error) return;

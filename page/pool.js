@@ -3,6 +3,7 @@
 // Returns { ask, forget, busy, stop }: ask(question) waits for the answer of the next free worker; forget() ends what waits,
 // stop() also what is computed. Their answers are null.
 function makePool(count, source, bytes) {
+  const url = URL.createObjectURL(new Blob([source], { type: "text/javascript" }));
   let free = [], waiting = [], all = [];
   const next = () => {
     while (free.length && waiting.length) {
@@ -12,7 +13,6 @@ function makePool(count, source, bytes) {
     }
   };
   function start() {
-    const url = URL.createObjectURL(new Blob([source], { type: "text/javascript" }));
     all = [...Array(count)].map(() => {
       const worker = new Worker(url);
       worker.onmessage = ({ data }) => {
