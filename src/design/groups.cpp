@@ -98,7 +98,9 @@ Dataset margins(const Findings& found) {
   std::vector<std::string> quantities;
   for (const Profile& p : found.profiles) quantities.push_back(p.quantity);
   Dataset out =
-      table("margins", results::coordinates("quantity", "quantity of the recommended trial", quantities));
+      table("margins", results::coordinates("quantity", "quantity of the recommended brush", quantities));
+  out.add({"value", "value of the recommended brush, as made, from which the margins count", "", ""},
+          [&](std::size_t i) { return recommended(found).nominal.at(found.profiles[i].quantity); });
   out.add(
       {"margin_below", "relative decrease that reaches a jump of the gap; NaN: none in the range", "", ""},
       [&](std::size_t i) { return found.profiles[i].margin_below; });

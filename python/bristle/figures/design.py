@@ -32,13 +32,14 @@ def draw(file):
     if table(file, "best") is None:
         raise BristleError(f"{place_of(file)}: has no recommended trial; `bristle design` writes it if a trial meets the constraints")
     front, best = (in_units(table_with(file, name, "trial", *values)) for name in ("front", "best"))
-    margins = table_with(file, "margins", "margin_below", "margin_above")
+    margins = table_with(file, "margins", "value", "margin_below", "margin_above")
     indices = None if table(file, "indices") is None else table_with(file, "indices", "ST", "ST_err")
     quantities = [str(name) for name in margins["quantity"].values]
     panels = [partial(draw_trials, trials=trials, front=front, best=best)]
     for name, margin in zip(quantities, margins.transpose("quantity").to_dataframe().itertuples()):
-        profile = in_units(table_with(file, f"profile_{name}", name, *values))
-        panels.append(partial(draw_profile, profile=profile, name=name, best=best, margin=margin))
+        profile = table_with(file, f"profile_{name}", name, *values)
+        place = int(np.abs(profile[name].values - margin.value).argmin())  # of the recommended brush, as made
+        panels.append(partial(draw_profile, profile=in_units(profile), name=name, place=place, margin=margin))
     if indices is not None:
         panels.append(partial(draw_indices, indices=indices, trials=trials))
     panels = lettered(panels)
@@ -81,16 +82,16 @@ def objective_label(group, number):
     return statistic + label(variable)
 
 
-def draw_profile(axes, profile, name, best, margin):
+def draw_profile(axes, profile, name, place, margin):
     x, y, error = (profile[key].values for key in (name, "objective_1", "objective_1_err"))
     axes.fill_between(x, y - error, y + error, color=FRONT, alpha=0.25, linewidth=0)
     axes.plot(x, y, color=FRONT, linewidth=1.2)
-    at = float(best[name].values[0])
+    at = float(x[place])
     axes.axvline(at, color=BEST, linewidth=0.8)
     for change in (-margin.margin_below, margin.margin_above):
         if np.isfinite(change):
             axes.axvline(at * (1 + change), color=JUMP, linestyle="--", linewidth=1)
-    axes.plot(at, np.interp(at, x, y), "d", color=BEST)
+    axes.plot(at, y[place], "d", color=BEST)
     axes.xaxis.set_major_locator(value_ticks(5))
     title_axis(axes, "x", profile[name])
     axes.set_ylabel("nominal " + label(profile["objective_1"]))

@@ -142,9 +142,9 @@ def formula(file, _):
     load = dataset(file, "lift_off_load")
     of_springs = attribute(load, "long_name").partition(": ")[2]
     scatter = float(np.nanmax(read(file, "lift_off_load_err") / read(file, "lift_off_load")))
-    return (f"**A formula says which.** A brush bounces if its load per bristle is less than the lift-off load, {of_springs} "
+    return (f"**A formula says which.** A brush onto which the slab is lowered bounces if its load per bristle is less than the lift-off load, {of_springs} "
             f"(dimensionless; computed lift-off loads are {percent(scatter)} off, root mean square: docs/lift-off.md). Stiffer bristles "
-            "bounce under greater loads. In newtons the speed of the slab changes the lift-off load only through its logarithm.")
+            "bounce under greater loads. In newtons the speed of the slab enters only by its logarithm.")
 
 
 def bristles_that_differ(file, _):
@@ -170,7 +170,7 @@ def weak_friction(file, _):
         return ""
     return (f"**Weak local friction cannot be controlled.** Up to a local friction coefficient of {in_two_digits(local[uncontrolled[-1]])} "
             f"rods (k_r = {k_r:g}) have at least {percent(least[uncontrolled[-1]])} of the friction of rigid bristles under all loads from "
-            f"{loads[0]:g} to {loads[-1]:g} that they carry, in contact or bouncing.")
+            f"{loads[0]:g} to {loads[-1]:g} that they carry.")
 
 
 def limits(file, _):
