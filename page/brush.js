@@ -193,7 +193,7 @@ async function isValid() {
   const about = await first.ask({ experiment: experimentOf(true) });
   if (about?.error) say("Correct the fields first.");
   showError(about?.error ?? "");
-  return !about?.error;
+  return Boolean(about) && !about.error;
 }
 
 async function saveExperiment() {

@@ -36,11 +36,11 @@ void check_gap(const json::Document& d, const Experiment& experiment) {
     const sweep::PointInput point = sweep.point(i);
     const Parameters& p = point.setup.parameters;
     const double highest = sin(p.phi_0) + kWallRangesAboveContact * contact_range(p);
-    const std::string where = sweep.size() > 1 ? fmt::format(" at {}", sweep.place(i)) : "";
+    const auto where = [&] { return sweep.size() > 1 ? fmt::format(" at {}", sweep.place(i)) : ""; };
     if (const auto& trace = point.loading.trace; trace && !(trace->to < sin(p.phi_0)))
       d.fail("/load/trace/to",
              fmt::format("{} is not below first contact{}; allowed: less than sin(phi_0) = {:.6f}", trace->to,
-                         where, sin(p.phi_0)));
+                         where(), sin(p.phi_0)));
     if (!point.loading.z_0 && !point.loading.trace) return;
     if (!point.loading.z_0 || *point.loading.z_0 <= highest) continue;
     const bool wall = p.contact == Contact::wall;
@@ -49,11 +49,11 @@ void check_gap(const json::Document& d, const Experiment& experiment) {
     if (const auto in_m = point.si.find("z_0_m"); in_m != point.si.end())
       d.fail(place_of(d, "z_0_m").to_string(),
              fmt::format("{} m is above first contact{}{}; allowed: at most r_0 {}sin(phi_0){}{} = {:.6g} m",
-                         in_m->second, where, beyond, wall ? "(" : "", reach, wall ? ")" : "",
+                         in_m->second, where(), beyond, wall ? "(" : "", reach, wall ? ")" : "",
                          highest * point.si.at("r0_m")));
     d.fail(place_of(d, "z_0").to_string(),
            fmt::format("{} is above first contact{}{}; allowed: at most sin(phi_0){} = {:.6f}",
-                       *point.loading.z_0, where, beyond, reach, highest));
+                       *point.loading.z_0, where(), beyond, reach, highest));
   }
 }
 
