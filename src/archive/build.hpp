@@ -20,13 +20,13 @@ struct BuiltArchive {
   std::size_t files = 0, bytes = 0;
 };
 
-// Gathers the files, writes the archive under a temporary name, verifies it, and renames it. Equal inputs
-// give equal bytes. Throws InputError if a file is missing, out of date, damaged or cannot be traced to a
-// commit, or if the output cannot be written.
 // Throws InputError for what build_archive() would refuse and no result, figure or page that is still missing
 // can change: the work tree, the program, and the origin of the results that are there.
 void check_before_archive(const ArchiveOptions& options);
 
+// Gathers the files, writes the archive under a temporary name, verifies it, and renames it. Equal inputs
+// give equal bytes. Throws InputError if a file is missing, out of date, damaged or cannot be traced to a
+// commit, or if the output cannot be written.
 BuiltArchive build_archive(const ArchiveOptions& options);
 
 }  // namespace bristle::archive

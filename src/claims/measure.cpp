@@ -30,8 +30,6 @@ Measurement difference(const Measurement& a, const Measurement& b) {
   return combined(a, b, a.value - b.value, a.uncertainty + b.uncertainty);
 }
 
-using Check = Check;
-
 template <Measurement (*Function)(const Curves&)>
 Measurement along(const CheckedCurves& curves, const Check&) {
   return Function(curves.along());

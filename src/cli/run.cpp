@@ -18,6 +18,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -104,6 +105,7 @@ std::string range_text(const sweep::Axis& axis) {
 class ReservedOutput {
  public:
   ReservedOutput() : output_(dup(STDOUT_FILENO)) {
+    std::signal(SIGPIPE, SIG_IGN);  // a write into a closed pipe then fails, and temporary files are removed
     std::fflush(stdout);
     dup2(STDERR_FILENO, STDOUT_FILENO);
   }

@@ -19,10 +19,10 @@ std::optional<std::size_t> whole_number(const std::string& text) {
   return value;
 }
 
-}  // namespace
-
 // The names of journals of shards have at most nine digits.
 constexpr std::size_t kMostShards = 999999999;
+
+}  // namespace
 
 Shard parse_shard(const std::string& text) {
   const auto slash = text.find('/');
@@ -34,7 +34,7 @@ Shard parse_shard(const std::string& text) {
         text));
   if (*count > kMostShards)
     throw InputError(
-        fmt::format("--shard {}: more than {} shards; a shard has one point at least", text, kMostShards));
+        fmt::format("--shard {}: more than {} shards; no experiment has so many points", text, kMostShards));
   if (*number == 0 || *number > *count)
     throw InputError(fmt::format("--shard {}: there is no shard {} of {}; shards are numbered 1/{} to {}/{}",
                                  text, *number, *count, *count, *count, *count));

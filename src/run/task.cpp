@@ -111,15 +111,19 @@ results::Rows find_jumps(const Experiment& experiment, const KeyedPoints& points
 Summary finish(const Experiment& experiment, const RunOptions& options, const KeyedPoints& points,
                results::Journal& journal, const std::map<std::string, std::string>& entries,
                Progress& progress, PassageMemo& memo) {
-  const results::Rows jumps = find_jumps(experiment, points, journal, options, memo);
+  const std::string saved =
+      fmt::format("all points are saved in {}: the same command writes the result", journal.path());
   try {
+    const results::Rows jumps = find_jumps(experiment, points, journal, options, memo);
     Summary summary = write_result(experiment, options.output, points, jumps, {}, journal, entries, progress);
     for (const auto& [shard, path] : shard_journals(options.output)) journal.remove_copied(path);
     return summary;
+  } catch (const Interrupted&) {
+    progress.finish();
+    throw Interrupted("interrupted", saved);
   } catch (const RunError& e) {
     progress.finish();
-    throw RunError(e.reason(), fmt::format("all points are saved in {}: the same command writes the result",
-                                           journal.path()));
+    throw RunError(e.reason(), saved);
   }
 }
 

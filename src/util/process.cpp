@@ -40,13 +40,13 @@ rlim_t memory_in_use() {
   return pages * rlim_t(sysconf(_SC_PAGESIZE));
 }
 
-bool write_all(int descriptor, const std::string& text) {
+// Writes as much of the text as the pipe takes: the reader judges what arrives.
+void write_all(int descriptor, const std::string& text) {
   for (std::size_t at = 0; at < text.size();) {
     const ssize_t n = write(descriptor, text.data() + at, text.size() - at);
-    if (n < 0 && errno != EINTR) return false;
+    if (n < 0 && errno != EINTR) return;
     if (n > 0) at += std::size_t(n);
   }
-  return true;
 }
 
 // Silences inherited signal handlers and the C library's messages, which would report a crash a second time:

@@ -90,6 +90,9 @@ expect 2 "-o -: shards have journals beside the result; name a file" piped "$poi
 expect 130 "interrupted; -o - keeps no points" eval 'timeout --foreground --preserve-status -s INT 2 "$bristle" run experiments/fig5.json -o - | cat >/dev/null; exit_code=${PIPESTATUS[0]}; (exit $exit_code)'
 expect 3 "or use another file system; -o - keeps no points" eval '(trap "" XFSZ; ulimit -f 20; "$bristle" run experiments/fig8.json --tier smoke -o -; exit $?) | cat >/dev/null; exit_code=${PIPESTATUS[0]}; (exit $exit_code)'
 expect 3 "standard output cannot be written" eval 'piped "$point" run - -o - >/dev/full'
+mkdir "$folder/temporary"
+expect 3 "standard output cannot be written: Broken pipe; -o - keeps no points" eval '(export TMPDIR=$folder/temporary; piped "$point" run - -o -) | :; exit_code=${PIPESTATUS[0]}; (exit $exit_code)'
+rmdir "$folder/temporary" || failed "run -o - into a closed pipe leaves a temporary folder"
 expect 2 "no such file" "$bristle" info nowhere.h5
 for command in info check validate run verify export "diff $result" merge "reference update --reason x"; do
   expect 2 "experiments: " "$bristle" $command experiments
