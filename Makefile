@@ -107,7 +107,7 @@ guide: design ## docs/your-own-brush.md: what `make design` finds
 report: figures $(STUDIES) report-packages ## one page of all figures, claims, points and sources: report/index.html
 	@$$($(PLOT_PYTHON) jinja2 yaml) -m bristle.report $(patsubst %,results/%$(SUFFIX).h5,$(FIGURES) $(STUDIES)) -o report$(SUFFIX)/index.html
 
-# The page's engine is compiled by Emscripten, in a folder of its own (docs/browser.md).
+# The page's engine is compiled by Emscripten, in a folder of its own (docs/running.md).
 PAGE := build-page
 PRESETS := ski seal paper
 .PHONY: page page-engine page-points page-agreement
@@ -124,7 +124,7 @@ page-points: build
 	  $(BUILD)/bristle run $$file -o $(PAGE)/$$name.h5 --quiet 2>/dev/null || exit; done
 	@$(BUILD)/bristle run experiments/fig4.json --tier smoke -o $(PAGE)/fig4.h5 --quiet
 
-page: report-packages page-engine page-points ## a brush in the browser: page/brush.html, one file (docs/browser.md)
+page: report-packages page-engine page-points ## a brush in the browser: page/brush.html, one file (docs/running.md)
 	@$$($(PLOT_PYTHON) jinja2) page/page.py $(PAGE) --program $(BUILD)/bristle -o page/brush.html
 
 # What docs/accuracy.md says of the page.

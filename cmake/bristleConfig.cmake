@@ -1,4 +1,4 @@
-# find_package(bristle) defines bristle::bristle: what computes a brush (docs/library.md).
+# find_package(bristle) defines bristle::bristle: what computes a brush (docs/running.md).
 include(CMakeFindDependencyMacro)
 find_dependency(Boost COMPONENTS context)
 find_dependency(PkgConfig)

@@ -55,7 +55,7 @@ def another_processor(agreement):
     return f"""
 ## Another processor, compiler and library
 
-The engine of the page ([browser.md](browser.md)) is the library compiled for WebAssembly by Emscripten
+The engine of the page ([running.md](running.md#in-a-browser)) is the library compiled for WebAssembly by Emscripten
 {agreement["compiler"]}, with the C library's elementary functions and without fused multiply-add. Deviation
 of its values from the program's, in units of the program's estimated error, for every variable with an
 error at all points of the smoke tiers and of the page's presets; `make page-agreement` measures it.
