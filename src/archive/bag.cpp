@@ -28,7 +28,7 @@ std::string payload_oxum(const Files& payload) {
   return fmt::format("{}.{}", bytes, payload.size());
 }
 
-// A UUID of version 8, derived from the payload: equal payloads have equal identifiers.
+// Returns a UUID of version 8 that follows from the payload: equal payloads have equal identifiers.
 std::string identifier(const std::string& manifest) {
   std::string hex = sha512_of(manifest).substr(0, 32);
   hex[12] = '8';
@@ -37,7 +37,8 @@ std::string identifier(const std::string& manifest) {
                      hex.substr(16, 4), hex.substr(20));
 }
 
-// Compares files with the lines of their manifest, which names those that are damaged, missing or added.
+// Compares files with the lines of their manifest. Adds to problems the files that are damaged, missing or
+// not listed.
 void check_manifest(const std::string& manifest, const Files& files, Problems& problems) {
   Files covered, listed;
   for (const auto& [name, content] : files)

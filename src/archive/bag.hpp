@@ -15,10 +15,10 @@ using Problems = std::vector<std::string>;
 // Lines of bag-info.txt.
 using BagInfo = std::vector<std::pair<std::string, std::string>>;
 
-// The payload, in data/, and its tag files. Names in payload are relative to data/.
+// Returns the payload, in data/, and its tag files. Names in payload are relative to data/.
 Files make_bag(const Files& payload, const BagInfo& info);
 
-// The files in the folder of an archive.
+// Returns the files with the folder of an archive before their names.
 Files in_folder(const std::string& folder, Files files);
 
 // Removes the folder with which all names start, and returns
@@ -29,7 +29,7 @@ std::string strip_folder(Files& files);
 // that make_bag() would write the same manifests; verification makes them again and compares.
 Problems check_manifests(const Files& files);
 
-// The value of a label in bag-info.txt; empty if it is missing.
+// Returns the value of a label in bag-info.txt; empty if it is missing.
 std::string bag_info(const Files& files, const std::string& label);
 
 }  // namespace bristle::archive

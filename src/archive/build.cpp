@@ -48,7 +48,7 @@ class Gatherer {
     const std::string commit = repository_.commit();
     payload[source_file(commit)] = repository_.source_archive(fmt::format("bristle-{}/", commit));
     const auto facts = add_results(payload);
-    auto figures = facts;  // studies have no claims, of which the page is a list
+    auto figures = facts;  // the page lists claims, which studies do not have
     std::erase_if(figures, [](const auto& one) { return one.second["figure"] == ""; });
     if (full()) {  // the page and the matrices are of the full tier
       check_page("docs/findings.md", payload, figures, "make findings");
@@ -68,14 +68,14 @@ class Gatherer {
 
  private:
   bool full() const { return options_.tier == "full"; }
-  // The call of a target of the Makefile for the results of this tier.
+  // Returns the call of a target of the Makefile for the results of this tier.
   std::string make(const std::string& target) const {
     return fmt::format("make {}{}", target, full() ? "" : " TIER=" + options_.tier);
   }
   std::string in_source(const std::string& name) const { return (fs::path(options_.source) / name).string(); }
 
-  // For contents that cannot be traced to their origin: throws,
-  // or with allow_dirty records the reason for the draft.
+  // Throws InputError for contents that cannot be traced to their origin, or with allow_dirty records the
+  // reason for the draft.
   void refuse_or_record(const std::string& place, const std::string& what, const std::string& remedy) {
     if (!options_.allow_dirty)
       throw InputError(fmt::format("{} {}; {} (--allow-dirty archives it as a draft)", place, what, remedy));
@@ -127,7 +127,7 @@ class Gatherer {
     return facts;
   }
 
-  // The files NAME.json under version control in a folder, without those of its folders.
+  // Returns the files NAME.json under version control in a folder, but not in its subfolders.
   std::vector<std::string> json_files(const std::string& folder) const {
     std::vector<std::string> files;
     for (const std::string& name : repository_.files(folder))
@@ -136,7 +136,7 @@ class Gatherer {
     return files;
   }
 
-  // Studies are no figures of the paper, but have a module that draws them.
+  // Returns true if the experiment is a study: no figure of the paper, but with a module that draws it.
   bool is_study(const Experiment& e) const {
     return !repository_.files(fmt::format("python/bristle/figures/{}.py", e.name)).empty();
   }
@@ -202,7 +202,8 @@ class Gatherer {
         return;
   }
 
-  // Whether the commit of the program that wrote the file belongs to the archived history.
+  // Returns true if the commit of the program that wrote the file belongs to the archived history; otherwise
+  // calls refuse_or_record().
   bool check_commit(const std::string& path, const std::string& commit, const std::string& remedy) {
     const bool dirty = results::is_dirty(commit);
     if (!dirty && repository_.descends_from(commit)) return true;
@@ -213,7 +214,7 @@ class Gatherer {
     return false;
   }
 
-  // The matrix of verdicts under the alternatives of experiments/<name>/.
+  // Adds the matrix of verdicts under the alternatives of experiments/<name>/.
   void add_matrix(const std::string& name, Files& payload) {
     assumptions::AssumptionsOptions options;
     options.files = json_files("experiments/" + name);
@@ -247,7 +248,7 @@ class Gatherer {
     if (name == "assumptions") drawn_from_[path] = facts["payload_sha256"];
   }
 
-  // The page that bristle.report writes from results, matrix and citation.
+  // Adds the page that bristle.report writes from results, matrix and citation.
   void add_report(Files& payload) {
     if (repository_.files("python/bristle/report").empty()) return;
     add_drawn(options_.report, "report/index.html", drawn_from_,
@@ -271,7 +272,8 @@ class Gatherer {
                         path, source, remedy));
   }
 
-  // A page of docs/ states the payload digests of the files that it describes.
+  // Checks that a page of docs/ states the payload digests of the files that it describes; otherwise calls
+  // refuse_or_record().
   void check_page(const std::string& name, const Files& payload, const std::map<std::string, Json>& facts,
                   const std::string& command) {
     const auto page = payload.find(name);

@@ -13,7 +13,7 @@ namespace {
 constexpr int kMaxYamlDepth = 16;
 constexpr std::size_t kMaxYamlNodes = 10000, kMaxCitationBytes = 1 << 20;
 
-// Unquoted integers, such as years and volumes, are numbers; all else is text.
+// Returns a number for an unquoted integer, such as a year or a volume, and text for all else.
 Json scalar(const YAML::Node& node) {
   const std::string& text = node.Scalar();
   long number = 0;

@@ -14,9 +14,9 @@ constexpr const char* kDataLicense = "CC-BY-4.0";
 Json parse_citation(const std::string& text);
 std::string citation_text(const Json& citation);
 
-// Derives the citation of the dataset from that of the software: it has the same authors, date and version,
-// the DOI among the identifiers of the software, the licence of the data, and the software as the first
-// reference. Throws MalformedError if one of these is missing; a DOI need not be there.
+// Derives the citation of the dataset from the citation of the software: it has the same authors, date and
+// version, the DOI among the identifiers of the software, the licence of the data, and the software as the
+// first reference. Throws MalformedError if one of these is missing; a DOI need not be there.
 Json dataset_citation(const Json& software, const std::string& commit);
 
 }  // namespace bristle::archive

@@ -36,17 +36,18 @@ struct Contents {
 Contents describe(Files payload, const std::map<std::string, Json>& facts, const std::string& commit,
                   std::time_t time, const std::string& draft);
 
-// The folder of the archive, and all its files: the payload and the tag files of the bag.
+// Returns the name of the folder of the archive.
 std::string folder_of(const Contents& contents);
+// Returns all files of the archive: the payload and the tag files of the bag.
 Files bag_of(const Contents& contents);
 
-// The name in the payload of the source of a commit.
+// Returns the name in the payload of the source of a commit.
 std::string source_file(const std::string& commit);
 
-// README.md of the archive: src/archive/README.md.in with the tables of results and of claims.
+// Returns README.md of the archive: src/archive/README.md.in with the tables of results and of claims.
 std::string archive_readme(const Contents& contents);
 
-// Names in the payload of an experiment file and of the files that it extends, which come first.
+// Returns the names in the payload of an experiment file and of the files that it extends, which come first.
 std::vector<std::string> experiment_chain(const Files& payload, const std::string& file);
 
 }  // namespace bristle::archive

@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* kProfile = "https://w3id.org/ro/wfrun/process/0.5";
 
-// A reference to an entity.
+// Returns a reference to an entity.
 Json id(const std::string& name) { return {{"@id", name}}; }
 
 Json ids(const std::vector<std::string>& names) {
@@ -22,10 +22,10 @@ Json ids(const std::vector<std::string>& names) {
   return out;
 }
 
-// Text, or a number as text.
+// Returns a text, or a number as text.
 std::string text_of(const Json& value) { return value.is_string() ? value.get<std::string>() : value.dump(); }
 
-// The ORCID, or else "#role-<index + 1>".
+// Returns the ORCID, or else "#role-<index + 1>".
 std::string person_id(const Json& person, const std::string& role, std::size_t index) {
   return person.value("orcid", fmt::format("#{}-{}", role, index + 1));
 }
@@ -67,7 +67,7 @@ Json add_journal(const Json& article, const std::string& of, std::vector<Json>& 
   return part;
 }
 
-// The same for an article of a citation.
+// Adds an article of a citation, with its authors and its journal, and returns the reference to it.
 Json add_article(const Json& article, std::vector<Json>& entities) {
   const std::string first = text_of(article["authors"].at(0).value("family-names", ""));
   const std::string name = fmt::format("{}-{}", first, text_of(article.value("year", Json(""))));
@@ -139,8 +139,8 @@ std::string provenance(const ArchivedResult& result, const char* key) {
   return result.facts["provenance"].value(key, "unknown");
 }
 
-// The commit of the program that wrote the result, then those
-// of programs that computed some of its points earlier.
+// Returns the commit of the program that wrote the result, then the commits of programs that computed some of
+// its points earlier.
 std::vector<std::string> commits_of(const ArchivedResult& result) {
   std::vector<std::string> commits{provenance(result, "commit")};
   for (const std::string& commit : split_list(result.facts["provenance"].value("points_commits", "")))
@@ -150,7 +150,8 @@ std::vector<std::string> commits_of(const ArchivedResult& result) {
 
 std::string program_id(const std::string& commit) { return "#bristle-" + commit; }
 
-// Of a program that computed only some points, the commit is known but not the version.
+// Returns the entity of a program. Only the version of the program that wrote the result is known; for a
+// program that computed only some points, the commit takes its place.
 Json program(const std::string& commit, const ArchivedResult& result, const Contents& contents) {
   const bool wrote = commit == provenance(result, "commit");
   return {
@@ -201,7 +202,7 @@ Json plot_action(const ArchivedResult& result, const Contents& contents) {
           {"result", ids(result.figures)}};
 }
 
-// The root data entity, without its parts.
+// Returns the root data entity, without its parts.
 Json root(const Contents& contents) {
   const Json& citation = contents.citation;
   Json out = {{"@id", "./"},
@@ -225,7 +226,7 @@ Json root(const Contents& contents) {
   return out;
 }
 
-// Contextual entities: profile, licence, authors, programs, and their runs.
+// Returns the contextual entities except people: profile, licences, programs, scripts, and the runs of both.
 std::vector<Json> contextual_entities(const Contents& contents) {
   std::vector<Json> out;
   out.push_back(

@@ -9,7 +9,7 @@ namespace bristle::archive {
 
 constexpr const char* kCrateFile = "ro-crate-metadata.json";
 
-// The text of the crate. contents.payload must contain all files except the crate.
+// Returns the text of the crate. contents.payload must contain all files except the crate.
 std::string crate_text(const Contents& contents);
 
 std::string doi_address(const Json& doi);

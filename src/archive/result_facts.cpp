@@ -41,7 +41,7 @@ Json parse_untrusted(const std::string& text) {
 
 namespace {
 
-// Each claim with the statement of its first main check and the verdict under each reading.
+// Returns each claim with the statement of its first main check and the verdict under each reading.
 Json claims_of(const std::vector<claims::CheckResult>& checks) {
   Json claims = Json::array();
   for (const claims::ClaimVerdict& one : claims::claim_verdicts(checks)) {

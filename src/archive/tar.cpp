@@ -46,7 +46,7 @@ void write_file(::archive* out, const std::string& name, const std::string& cont
     throw RunError(fmt::format("{}: cannot be archived: {}", name, archive_error_string(out)));
 }
 
-// Name of the part of the archive that contains the byte at this offset.
+// Returns the name of the part of the archive that contains the byte at this offset.
 std::string part_at(const Files& files, std::size_t offset) {
   std::size_t at = 0;
   for (const auto& [name, content] : files) {
@@ -60,12 +60,14 @@ std::string part_at(const Files& files, std::size_t offset) {
 
 bool portable(char c) { return std::isalnum(static_cast<unsigned char>(c)) || std::strchr("._-/", c); }
 
-// As ASCII, because names come from an untrusted archive and are printed on the terminal.
+// Returns the name quoted and as ASCII, because names come from an untrusted archive and are printed on the
+// terminal.
 std::string quoted(const std::string& name) {
   return Json(name.substr(0, 100)).dump(-1, ' ', true, Json::error_handler_t::replace);
 }
 
-// Refuses entries that could do harm if the archive were unpacked.
+// Returns the name of an entry. Throws MalformedError for an entry that could do harm if the archive were
+// unpacked.
 std::string checked_name(archive_entry* entry) {
   const char* pathname = archive_entry_pathname(entry);
   const std::string name = pathname ? pathname : "";
@@ -83,7 +85,8 @@ std::string checked_name(archive_entry* entry) {
   return name;
 }
 
-// size: that the entry declares, which may not be more than most.
+// Returns the content of an entry. Throws MalformedError if the entry declares more than `most` bytes, or if
+// its content cannot be read.
 std::string read_content(::archive* in, archive_entry* entry, const std::string& name, std::uintmax_t most) {
   const la_int64_t size = archive_entry_size(entry);
   if (size < 0 || std::uintmax_t(size) > most)

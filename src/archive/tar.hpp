@@ -9,12 +9,12 @@ namespace bristle::archive {
 // Contents of the files of an archive by name. The bytewise order of the names is the order in the archive.
 using Files = std::map<std::string, std::string>;
 
-// The bytes of an uncompressed ustar archive: regular files only, owner 0, mode 0644, all with this time.
-// Equal files give equal bytes. Throws RunError for a name or a size that ustar cannot represent.
+// Returns the bytes of an uncompressed ustar archive: regular files only, owner 0, mode 0644, all with this
+// time. Equal files give equal bytes. Throws RunError for a name or a size that ustar cannot represent.
 std::string write_tar(const Files& files, std::time_t time);
 
-// The bytes of the file of an archive. Throws InputError if there is no such file, MalformedError if it is
-// larger than any archive.
+// Returns the bytes of the file of an archive. Throws InputError if there is no such regular file,
+// MalformedError if it is larger than any archive.
 std::string read_archive(const std::string& path);
 
 // Reads an archive, which is not trusted. It does not check that write_tar() would write the same bytes;
@@ -26,8 +26,8 @@ Files read_tar(const std::string& bytes);
 // cannot be read.
 std::string file_in_tar(const std::string& bytes, const std::string& name);
 
-// The first part of the archive (a header, a content, padding or the end) with bytes that differ from those
-// that write_tar() makes of the files; empty if there is none.
+// Returns the first part of the archive (a header, a content, padding or the end) whose bytes differ from the
+// bytes that write_tar() makes of the files; empty if there is none.
 std::string tar_difference(const std::string& bytes, const Files& files, std::time_t time);
 
 }  // namespace bristle::archive

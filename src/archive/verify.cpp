@@ -15,7 +15,7 @@
 namespace bristle::archive {
 namespace {
 
-// The first line of a text that differs from the expected text, with both versions.
+// Returns the first line of a text that differs from the expected text, with both versions.
 std::string first_difference(const std::string& text, const std::string& expected) {
   const auto at =
       std::mismatch(text.begin(), text.end(), expected.begin(), expected.end()).first - text.begin();
@@ -110,7 +110,7 @@ class Verifier {
       out_.problems.push_back(fmt::format("{}: is the folder of another version; the source has version {}",
                                           out_.folder, out_.version));
     const Files expected = bag_of(contents);
-    for (const char* start : {"data/", ""})  // the files of the bag follow from those of data/
+    for (const char* start : {"data/", ""})  // the files of the bag follow from the files in data/
       if (out_.problems.empty()) compare(expected, start);
   }
 
@@ -128,7 +128,8 @@ class Verifier {
             fmt::format("{}: does not belong here; an archive has no such file outside data/", name));
   }
 
-  // What to do about a difference that may come from another program, which words the files differently.
+  // Returns what to do about a difference that may come from another program, which words the files
+  // differently.
   std::string other_program() const {
     const std::string agent = bag_info(files_, "Bag-Software-Agent");
     if (!agent.empty() && agent != fmt::format("bristle {}", run::kVersion))
@@ -139,7 +140,7 @@ class Verifier {
                        out_.commit, run::kCommit);
   }
 
-  // A matrix of assumptions has the numerics_version of the results, and the content of its digest.
+  // Checks that a matrix of assumptions matches its digest and has the numerics_version of the results.
   void check_matrix(const std::string& name, const std::string& bytes) {
     try {
       const Json matrix = checked_matrix_facts(bytes)["numerics_version"];

@@ -24,8 +24,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* kClaims = "claims to evaluate: checks, and either a figure or a tier \"study\"";
 
-// All experiments with checks that belong to a figure of the paper or have a tier `study`, in the order of
-// their file names.
+// Returns all experiments with checks that belong to a figure of the paper or have a tier `study`, in the
+// order of their file names.
 std::vector<Experiment> experiments_with_claims(const AssumptionsOptions& options) {
   if (!fs::is_directory(options.experiments))
     throw InputError(fmt::format("--experiments {}: not a folder", options.experiments));
@@ -59,7 +59,7 @@ void require_experiment(const std::vector<Experiment>& all, const std::string& n
                                  did_you_mean(name, names_of(all))));
 }
 
-// The experiments that --only names, or all.
+// Returns the experiments that --only names, or all.
 std::vector<Experiment> chosen_experiments(const AssumptionsOptions& options) {
   std::vector<Experiment> all = experiments_with_claims(options);
   for (const std::string& name : options.only) require_experiment(all, name, "--only " + name);
@@ -102,8 +102,8 @@ std::string folder_name(std::string name) {
   return name;
 }
 
-// Throws InputError if the results of an alternative would lie outside the folder of the matrix or in that of
-// another alternative.
+// Throws InputError if the results of an alternative would lie outside the folder of the matrix or in the
+// folder of another alternative.
 void check_folders(const std::vector<Alternative>& alternatives) {
   std::map<std::string, std::string> names;  // by folder
   for (const Alternative& a : alternatives) {

@@ -26,7 +26,7 @@ Matrix run_assumptions(const AssumptionsOptions& options);
 // must leave every experiment and its checks valid. Throws InputError.
 void validate_assumptions(const AssumptionsOptions& options);
 
-// SHA-256 of all that determines the matrix: the declarations in options.files, in any order, the
+// Returns the SHA-256 of all that determines the matrix: the declarations in options.files, in any order, the
 // experiments that would be run, and numerics_version. Throws InputError as run_assumptions() does.
 std::string inputs_sha256(const AssumptionsOptions& options);
 

@@ -14,7 +14,7 @@ namespace {
 
 Json number(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
 
-// Supported against refuted.
+// Returns true if one verdict is supported and the other refuted.
 bool reversed(Verdict a, Verdict b) { return a != b && a != Verdict::undecided && b != Verdict::undecided; }
 
 Json check_json(const Matrix::Row& row) {
@@ -32,7 +32,8 @@ Json check_json(const Matrix::Row& row) {
 const std::vector<std::string> kCellKeys = {"claim_verdict", "verdict", "measured",
                                             "uncertainty",   "margin",  "missing"};
 
-// null if the cell is that of the baseline.
+// Returns the values of kCellKeys; null if the alternative does not change the experiment, so that the cell
+// repeats the cell of the baseline.
 Json cell_json(const Cell& cell) {
   const claims::CheckResult& c = cell.result;
   if (!cell.affected) return nullptr;
@@ -40,7 +41,7 @@ Json cell_json(const Cell& cell) {
           number(c.measured.uncertainty), number(c.margin), c.measured.missing};
 }
 
-// The cells of a document, each with its place and with the names of its values.
+// Returns the cells of a document, each with its place and with the names of its values.
 Json named_cells(const Json& document) {
   Json out = Json::array();
   const Json &windows = document.at("windows"), &keys = document.at("cell_keys");
@@ -60,12 +61,12 @@ Json named_cells(const Json& document) {
   return out;
 }
 
-// The verdict on a row's check under an alternative, in the first window.
+// Returns the verdict on a row's check under an alternative, in the first window.
 Verdict verdict_under(const Matrix& matrix, const Matrix::Row& row, std::size_t alternative) {
   return row.cells[alternative * matrix.windows.size()].result.verdict;
 }
 
-// The conclusion about one check, with the names of the alternatives that change its verdict.
+// Returns the conclusion about one check, with the names of the alternatives that change its verdict.
 Json conclusion_json(const Matrix& matrix, std::size_t index) {
   const Matrix::Row& row = matrix.rows[index];
   const Verdict baseline = verdict_under(matrix, row, 0);

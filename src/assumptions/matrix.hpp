@@ -14,7 +14,7 @@ constexpr const char* kMatrixSchema = "bristle-assumptions/3";
 // Result of one check under one alternative.
 struct Cell {
   claims::CheckResult result;
-  // False if the alternative does not change this experiment: then the result is that of the baseline.
+  // False if the alternative does not change this experiment: the result is then the result of the baseline.
   bool affected = true;
 };
 
@@ -31,19 +31,19 @@ struct Matrix {
   std::vector<Row> rows;
 };
 
-// The conclusion about a claim: "robust" if no alternative changes the verdict, "weakened" if some leave it
-// undecided, "assumption-dependent" if some reverse it, "open" if the baseline does not decide it. If there
-// are windows, the verdicts are those of the first.
+// Returns the conclusion about the check of a row: "robust" if no alternative changes the verdict, "weakened"
+// if some leave it undecided, "assumption-dependent" if some reverse it, "open" if the baseline does not
+// decide it. Only the verdicts in the first window count.
 const char* conclusion(const Matrix& matrix, const Matrix::Row& row);
 
-// The files that a matrix may replace: matrices of any version.
+// Returns the kind of file that a matrix may replace: matrices of any version.
 FileKind replaceable_by_matrix();
 
-// The document that `bristle assumptions` writes (docs/experiments.md). NaN is null.
+// Returns the document that `bristle assumptions` writes (docs/experiments.md). NaN is null.
 Json matrix_json(const Matrix& matrix);
 
-// SHA-256 of the checks, alternatives, cells and conclusions of such a document. Throws Json::exception if it
-// is none.
+// Returns the SHA-256 of the checks, alternatives, cells and conclusions of the document of a matrix. Throws
+// Json::exception for another document, MalformedError if it has cells but no windows.
 std::string matrix_payload_sha256(const Json& document);
 
 }  // namespace bristle::assumptions

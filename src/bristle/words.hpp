@@ -10,7 +10,7 @@ namespace bristle {
 // The words in experiments and results for the values 0, 1, ... of an enumeration.
 using Words = std::span<const char* const>;
 
-// Specialised beside each enumeration.
+// Returns the words of an enumeration. Specialised beside each enumeration.
 template <class Enum>
 Words words();
 
@@ -19,7 +19,7 @@ const char* word(Enum value) {
   return words<Enum>()[std::size_t(value)];
 }
 
-// The value of a word, which must be one of the enumeration's.
+// Returns the value of a word, which must be one of the enumeration's.
 template <class Enum>
 Enum from_word(const std::string& text) {
   const Words list = words<Enum>();

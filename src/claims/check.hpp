@@ -35,8 +35,8 @@ struct ComparedPair {
   bool operator==(const ComparedPair&) const = default;
 };
 
-// The pairs of points that a trend counts: all, or those on the same side of the jump of a curve, or those on
-// different sides of it. The jump is the step at which z_0 rises by the largest factor.
+// The pairs of points that a trend counts: all pairs, pairs on the same side of the jump of a curve, or pairs
+// on different sides of it. The jump is the step at which z_0 rises by the largest factor.
 enum class PointPairs {
   all,
   within,

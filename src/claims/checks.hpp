@@ -42,7 +42,7 @@ struct ClaimVerdict {
 std::vector<ClaimVerdict> claim_verdicts(const std::vector<CheckResult>& checks);
 
 // Evaluates the checks of the experiment that is stored in the result. within: ranges [from, to] that limit
-// axes, except those that a check selects or compares. checks_file: a JSON file, such as an experiment, whose
+// axes, except axes that a check selects or compares. checks_file: a JSON file, such as an experiment, whose
 // checks replace the checks of the result; empty for none. Throws InputError if a check names a variable, an
 // axis or a value that the result does not have.
 std::vector<CheckResult> evaluate_checks(

@@ -37,7 +37,8 @@ struct CheckedField : results::Array {
 // result does not have.
 class CheckedCurves {
  public:
-  // side: 0 or 1, the value of "compare" at which to measure; none for a check without "compare"
+  // Keeps references to the result and the check. side: 0 or 1, the value of "compare" at which to measure;
+  // none for a check without "compare".
   CheckedCurves(const results::ResultReader& result, const Check& check,
                 std::optional<std::size_t> side = {});
 

@@ -16,7 +16,7 @@ namespace {
 
 class CheckValidator {
  public:
-  // checks: all checks of the experiment
+  // Lists the names of axes and variables that the check may use. checks: all checks of the experiment.
   CheckValidator(const Experiment& experiment, const std::vector<Check>& checks, const Check& check)
       : experiment_(experiment),
         checks_(checks),
@@ -53,7 +53,7 @@ class CheckValidator {
  private:
   using Range = std::array<double, 2>;
 
-  // key: key of the check, or two keys with a slash between them
+  // Throws InputError at a key of the check. key: key of the check, or two keys with a slash between them.
   [[noreturn]] void fail(const std::string& key, const std::string& what) const {
     const std::size_t slash = key.find('/');
     const json::Node node = node_[key.substr(0, slash)];

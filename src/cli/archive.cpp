@@ -26,7 +26,7 @@ void print_draft(const std::string& draft) {
   if (!draft.empty()) fmt::print("a draft, not to be cited: {}\n", draft);
 }
 
-// Computes points again; returns whether all equal those of the archive.
+// Computes points again; returns whether all have the numbers of the archive.
 bool rerun_points(const VerifyOptions& options, const archive::Verification& archive) {
   std::size_t done = 0, same = 0;
   try {

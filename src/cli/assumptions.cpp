@@ -37,7 +37,7 @@ void print_conclusions(const assumptions::Matrix& matrix) {
              counts["assumption-dependent"], counts["open"]);
 }
 
-// Whether the output is a matrix, unchanged, of the same inputs.
+// Returns true if the output is a matrix, unchanged, of the same inputs.
 bool is_up_to_date(const assumptions::AssumptionsOptions& options) {
   if (!is_of_kind(options.output, assumptions::replaceable_by_matrix())) return false;
   try {

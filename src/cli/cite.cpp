@@ -28,7 +28,7 @@ std::string people(const Json& authors) {
   return fmt::format("{}", fmt::join(names, " and "));
 }
 
-// The fields of a BibTeX entry that the source has, in this order.
+// Prints a BibTeX entry with the fields that are not empty, in their order.
 void print_entry(const char* kind, const std::string& key,
                  const std::vector<std::pair<const char*, std::string>>& fields) {
   fmt::print("@{}{{{}", kind, key);
@@ -42,7 +42,7 @@ std::string field(const Json& source, const char* key) {
   return source[key].is_string() ? source[key].get<std::string>() : source[key].dump();
 }
 
-// The program, or the data of `make archive`.
+// Prints the entry of the program, or of the data of `make archive`.
 void print_release(const char* kind, const std::string& key, const Json& citation) {
   print_entry(kind, key,
               {{"author", people(citation["authors"])},

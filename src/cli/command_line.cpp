@@ -20,7 +20,7 @@ void add_tier(CLI::App& command, std::string& tier, const std::string& descripti
       ->capture_default_str();
 }
 
-// A command on an experiment.
+// Adds a command on an experiment.
 CLI::App* add_experiment(CLI::App& app, const char* name, const char* description,
                          ExperimentOptions& options) {
   auto* command = app.add_subcommand(name, description);
@@ -295,7 +295,7 @@ class CommandLine {
  private:
   using Command = std::function<int()>;
 
-  // The command of a program whose numbers are those of its version: it computes numbers, or judges them.
+  // Returns a command that calls require_same_bits() before `command`, which computes numbers or judges them.
   static Command computing(Command command) {
     return [command = std::move(command)] {
       require_same_bits();

@@ -29,9 +29,10 @@ struct ExperimentOptions {
   json::DocumentOptions load;
   std::optional<std::size_t> point{};
 };
-// options: without output the result is results/<name>.h5 or, of another tier, results/<name>-<tier>.h5, and
-// of one point results/<name>-point-<N>.h5, which is computed even if a journal has it; instruction_set:
-// empty for the widest available. Returns kCheckFailed if no trial of a design meets its constraints.
+// Computes an experiment and writes its result. options: without output the result is results/<name>.h5 or,
+// of another tier, results/<name>-<tier>.h5, and of one point results/<name>-point-<N>.h5, which is computed
+// even if a journal has it; instruction_set: empty for the widest available. Returns kCheckFailed if no trial
+// of a design meets its constraints.
 int run_command(const ExperimentOptions& experiment, const run::RunOptions& options,
                 const std::string& instruction_set, bool needs_design = false);
 int validate_command(const ExperimentOptions& experiment);
@@ -39,7 +40,8 @@ int validate_command(const ExperimentOptions& experiment);
 // Prints the modulation over the sliding speed of each friction law of the experiment, as a table.
 int law_command(const ExperimentOptions& experiment);
 
-// Prints the BibTeX entries of the software, the paper and, unless it is empty, a result.
+// Prints the BibTeX entries of the software, of its data if they have a DOI, of the paper and, unless
+// `result` is empty, of this result file.
 int cite_command(const std::string& result);
 
 // Prints the schema of experiment files for editors.
@@ -57,7 +59,7 @@ int verify_command(const VerifyOptions& options);
 int assumptions_command(assumptions::AssumptionsOptions options);
 
 struct CheckOptions {
-  std::string file, reference;  // folder of the references; empty: ./reference, or else that of the program
+  std::string file, reference;  // folder of the references; empty: ./reference, or else the program's
   bool report_only = false;     // claims that are not supported are no failure
   bool claims_only = false;     // no comparison with the reference
   bool all = false;             // print further checks, too, which decide nothing
@@ -76,7 +78,7 @@ int reference_update_command(compare::ReferenceUpdate update);
 struct ExportOptions {
   std::string file, output;       // empty output: the name of the result with .csv
   std::string group;              // empty: the variables
-  std::string checks;             // of the group checks: a file with others; empty: those of the result
+  std::string checks;             // of the group checks: a file with others; empty: the result's checks
   std::vector<std::string> only;  // variables that the table has beside coordinates and status; empty: all
 };
 int export_command(const ExportOptions& options);
@@ -101,7 +103,7 @@ int info_command(const InfoOptions& options);
 // or, if there is none, the one that comes with the program. Throws InputError if the name is not allowed or
 // the file exists.
 int new_command(const std::string& name, bool in_si, bool repository);
-// experiments/NAME.json or, if there is no such folder, NAME.json
+// Returns experiments/NAME.json or, if there is no folder experiments, NAME.json.
 std::string new_experiment_path(const std::string& name);
 
 }  // namespace bristle::cli

@@ -53,7 +53,7 @@ std::string reference_of(const CheckOptions& options, const results::ResultReade
   return compare::reference_path(folder.empty() ? "reference" : folder, result.text("name"));
 }
 
-// The commands that compute the points of the largest differences again.
+// Returns the commands that compute the points of the largest differences again.
 std::string replays(const compare::Comparison& comparison, const results::ResultReader& result) {
   constexpr std::size_t kMaxShown = 5;
   std::string text;

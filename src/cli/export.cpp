@@ -13,7 +13,7 @@
 namespace bristle::cli {
 namespace {
 
-// results/fig4.h5 -> results/fig4.csv or, for a table, results/fig4.checks.csv
+// Returns results/fig4.csv for results/fig4.h5 or, for a table, results/fig4.checks.csv.
 std::string default_output(const ExportOptions& options) {
   std::filesystem::path path = options.file;
   return path.replace_extension(options.group.empty() ? ".csv" : "." + options.group + ".csv").string();

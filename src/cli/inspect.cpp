@@ -116,7 +116,7 @@ void print_variables(const results::ResultReader& result, bool intact) {
   }
 }
 
-// Number of points with each status that occurs.
+// Returns the number of points with each status that occurs.
 std::vector<std::pair<std::string, long>> status_counts(const results::ResultReader& result) {
   const std::vector<double> status = result.variable("status").values;
   std::vector<std::pair<std::string, long>> counts;

@@ -26,8 +26,9 @@ namespace {
 using namespace bristle;
 using namespace bristle::cli;
 
-// A standard stream that is closed would give its number to the first file that is opened, and messages would
-// go into that file. /dev/null takes its place, opened for reading: what is written still fails.
+// Opens /dev/null in place of each standard stream that is closed: the number of the stream would otherwise
+// go to the first file that is opened, and messages would go into that file. /dev/null is opened for reading:
+// what is written still fails.
 void reserve_standard_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (fcntl(stream, F_GETFD) < 0 && open("/dev/null", O_RDONLY) < 0) std::abort();

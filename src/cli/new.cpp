@@ -120,7 +120,8 @@ void write_experiment(const std::string& path, const std::string& name, bool in_
   experiment::load_experiment(path, {});
 }
 
-// The folder NAME with an experiment, the script that checks its numbers, and a workflow that runs it.
+// Writes the folder NAME with an experiment, the script that checks its numbers, and a workflow that runs it.
+// Returns the exit code.
 int new_repository(const std::string& name, bool in_si) {
   if (std::filesystem::exists(std::filesystem::symlink_status(name)))
     throw InputError(fmt::format("{}: exists; choose another name, or remove it first", name));

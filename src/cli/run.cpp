@@ -38,7 +38,9 @@ void choose_instruction_set(const std::string& name) {
                                fmt::join(names, ", ")));
 }
 
-// The experiment that is stored in a result. Its sample is that of the file, but a design looks for its own.
+// Returns the experiment that is stored in a result, with the sample of the file; the sample of a design is
+// left out, because a design looks for its own, unless options.point names a point. Throws InputError for a
+// damaged file or another tier.
 Experiment load_result(const ExperimentOptions& options) {
   const results::ResultReader result(options.file);
   result.require_intact();
@@ -61,7 +63,7 @@ void require_one_point(const std::string& path) {
         points));
 }
 
-// The experiment of this point alone.
+// Returns the experiment of this point alone.
 Experiment only_point(const Experiment& all, std::size_t point) {
   if (point >= all.sweep.size())
     throw InputError(
@@ -87,7 +89,8 @@ Experiment load_checked(const ExperimentOptions& options) {
   return experiment;
 }
 
-// The words of a choice; otherwise the number of values and the ends of their range.
+// Returns the words of a choice, the number of points and the columns of a sample, or the number of values
+// and the ends of their range.
 std::string range_text(const sweep::Axis& axis) {
   const sweep::Sweepable& sweepable = axis.quantity();
   std::vector<std::string> columns;
@@ -101,7 +104,8 @@ std::string range_text(const sweep::Axis& axis) {
   return fmt::format("{}", fmt::join(words, ", "));
 }
 
-// While it lives, what is printed goes to standard error, and only write() reaches standard output.
+// An object that, while it lives, sends what is printed to standard error; only write() reaches standard
+// output.
 class ReservedOutput {
  public:
   ReservedOutput() : output_(dup(STDOUT_FILENO)) {
@@ -179,7 +183,7 @@ void print_warnings(const Experiment& e) {
   for (const std::string& warning : e.warnings) write_message(fmt::format("warning: {}\n", warning));
 }
 
-// The first and the last point of an experiment in SI units, in dimensionless form.
+// Prints the first and the last point of an experiment in SI units, in dimensionless form.
 void print_conversion(const Experiment& e) {
   const std::size_t last = e.sweep.size() - 1;
   for (const std::size_t index : last > 0 ? std::vector<std::size_t>{0, last} : std::vector<std::size_t>{0})

@@ -85,7 +85,7 @@ std::string value_text(const Dataset& table, const Array& array, std::size_t row
   return fmt::format("{:.6g} +- {:.2g}{}", value, error, units);
 }
 
-// Returns a word, or {"value", "error", "units"}, of which a value or an error that is missing is null.
+// Returns a word, or {"value", "error", "units"} with null for a value or an error that is missing.
 Json value_json(const Dataset& table, const Array& array, std::size_t row) {
   if (!array.about.words.empty()) return array.cell(row);
   return {{"value", array.values[row]},

@@ -25,8 +25,8 @@ std::size_t row_length(const Reference& reference) {
   return shape.empty() ? 1 : shape.back();
 }
 
-// Returns numbers by rows, each of which ends after its last value. values: tell which numbers have a value;
-// empty if all have one
+// Returns numbers by rows; a row ends after its last value. values: tell which numbers have a value; empty if
+// all have one
 template <class T>
 Json rows_of(const std::vector<T>& numbers, std::size_t length, const std::vector<double>& values) {
   Json out = Json::array();

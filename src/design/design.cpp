@@ -263,7 +263,7 @@ class Search {
     if (!design_.round_to.empty() && found.chosen.front() != found.start_trial) {
       progress_->stage("computing what can be made beside the recommended trial");
       found.made = made(chosen);
-      found.profiles = profiles_at(found.made->nominal);  // the margins are those of the brush that is made
+      found.profiles = profiles_at(found.made->nominal);  // the margins belong to the brush that is made
     }
     const Values& best = recommended(found).nominal;
     if (!design_.tolerances.empty()) {

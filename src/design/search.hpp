@@ -30,19 +30,19 @@ using Evaluate = std::function<std::vector<Score>(const std::vector<Point>&)>;
 // objective.
 std::vector<std::size_t> front_of(const std::vector<Score>& scores);
 
-// Returns the budgets of the searches of which the search with this budget is the continuation, in ascending
-// order: a half of it, a quarter, ..., and the budget itself. So a search with twice the budget begins with
-// the trials of this one, and finds nothing worse.
+// Returns the budgets of the searches that the search with this budget continues, in ascending order: a half
+// of it, a quarter, ..., and the budget itself. So a search with twice the budget begins with the trials of
+// this one, and finds nothing worse.
 std::vector<std::size_t> stages(std::size_t budget);
 
 // Approaches the front of several objectives with the genetic algorithm NSGA-II (K. Deb et al., see
-// better()). The search continues that of half its budget with a larger population, so that twice the budget
-// never gives a worse front.
+// better()). The search continues the search with half its budget with a larger population, so that twice the
+// budget never gives a worse front.
 void search_front(std::size_t dimensions, std::size_t budget, std::uint64_t seed, const Evaluate& evaluate);
 
 // Minimises one objective. Half of the budget is a Sobol sequence; each of its trials that is a minimum among
 // its neighbours starts a local search by Subplex (T. H. Rowan, 1990; NLopt), which needs no derivatives. The
-// search continues that of half its budget, so that twice the budget never gives a worse minimum.
+// search continues the search with half its budget, so that twice the budget never gives a worse minimum.
 // target: the objective is the distance from a target; a local search then ends at a trial that meets the
 // target, and the whole search ends with a quarter or a half of its budget if a trial meets the target by
 // then. Returns the trials at which the local searches ended, best first, without trials closer than 1 % of

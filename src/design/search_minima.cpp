@@ -164,8 +164,8 @@ class MinimumSearch {
     return true;
   }
 
-  // Starts local searches until `most` of them are active, also in place of those that have found less than
-  // where the new ones start.
+  // Starts local searches until `most` of them are active, also in place of searches that have found less
+  // than where the new ones start.
   void start_searches(std::size_t most) {
     auto active = std::size_t(std::ranges::count_if(searches_, &LocalSearch::is_active));
     const double edge = 1 / pow(double(sampled_), 1 / double(dimensions_));

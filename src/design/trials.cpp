@@ -224,7 +224,8 @@ void Trials::set_jump_margin(Trial& trial, double margin) const {
 }
 
 // Returns the least relative change of a quantity that reaches a jump; infinite if no change up to the
-// required margin does. Locates jumps only between neighbours whose gaps differ. points: those of the trial
+// required margin does. Locates jumps only between neighbours whose gaps differ. points: the points of the
+// trial
 double Trials::jump_margin(const Values& nominal, const Computed* points) const {
   double margin = kInfinity;
   const std::size_t scenarios = this->scenarios();
@@ -257,12 +258,13 @@ std::vector<double> Trials::values_beside(const Values& nominal, const std::stri
   std::vector<double> values;
   for (std::size_t i = 0; i <= 2 * intervals; ++i)
     values.push_back(neighbour(nominal, quantity, design_.jump_margin * (double(i) / double(intervals) - 1)));
-  std::ranges::sort(values);  // those of a negative quantity descend
+  std::ranges::sort(values);  // the values of a negative quantity descend
   values.erase(std::unique(values.begin(), values.end()), values.end());
   return values;
 }
 
-// Returns the value in the scenario where the objective is worst. points: those of one row in all scenarios
+// Returns the value in the scenario where the objective is worst. points: the points of one row in all
+// scenarios
 Estimate Trials::worst_nominal(const Objective& objective, const Computed* points) const {
   std::vector<Estimate> by_scenario;
   for (std::size_t s = 0; s < scenarios(); ++s)

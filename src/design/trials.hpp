@@ -69,7 +69,8 @@ double least_margin(const std::vector<Profile>& profiles);
 // Turns trials of a design into points of a sweep, and judges the trials by the computed points.
 class Trials {
  public:
-  // experiment: has "sample" as its first axis. The experiment and its design must outlive the object.
+  // Prepares the deviations of the trials. experiment: has "sample" as its first axis. The experiment and its
+  // design must outlive the object.
   Trials(const Experiment& experiment, const Design& design, Solve solve);
 
   const Design& design() const { return design_; }
@@ -112,7 +113,7 @@ class Trials {
   Values deviated(const Values& nominal, const Point& deviations) const;
   double neighbour(const Values& nominal, const std::string& quantity, double change) const;
   Trial judge(const Values& nominal, const Computed* points) const;
-  // Returns what these points show: those of each brush in all scenarios, brush after brush.
+  // Returns what these points show: the points of each brush in all scenarios, brush after brush.
   Verification verification_of(const std::vector<Computed>& points) const;
   std::vector<double> values_beside(const Values& nominal, const std::string& quantity,
                                     std::size_t intervals) const;

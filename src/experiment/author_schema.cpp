@@ -11,7 +11,7 @@ namespace {
 
 const Json kNull = {{"type", "null"}};
 
-// The schema with null allowed, too: in a merge patch it removes the key.
+// Returns the schema with null allowed, too: in a merge patch it removes the key.
 Json or_null(Json schema) {
   if (schema.contains("$ref")) return {{"anyOf", {schema, kNull}}};
   if (schema.contains("anyOf")) schema["anyOf"].push_back(kNull);
@@ -25,8 +25,8 @@ Json or_null(Json schema) {
   return schema;
 }
 
-// The schema of a merge patch: keys may be missing or null, in nested objects, too. Arrays are replaced
-// whole.
+// Returns the schema of a merge patch: keys may be missing or null, in nested objects, too. Arrays are
+// replaced whole.
 Json patch(Json schema) {
   const auto required = schema.value("required", std::vector<std::string>());
   schema.erase("required");
@@ -42,7 +42,7 @@ Json patch(Json schema) {
   return schema;
 }
 
-// An array of these words or numbers, which are all different, as the program requires.
+// Returns the schema of an array of these words or numbers, which are all different, as the program requires.
 Json list_of(const Json& items) {
   return {{"type", "array"}, {"minItems", 1}, {"uniqueItems", true}, {"items", items}};
 }
@@ -56,7 +56,7 @@ Json range_of(const Json& value, const char* description) {
           {"description", description}};
 }
 
-// The axis of a number: its values are in the range of the parameter.
+// Returns the keys of the axis of a number: its values are in the range of the parameter.
 Json number_axis(Json value) {
   if (value.contains("anyOf")) value = value["anyOf"][0];  // C, which may also be a word
   value.erase("description");
@@ -70,7 +70,7 @@ Json number_axis(Json value) {
           {"logspace", range_of(positive, "[from, to, count], in equal ratios")}};
 }
 
-// The axes that a sweep may have, by their names.
+// Returns the schema of a sweep: the axes that it may have, by their names.
 Json sweep(const Json& take, const Json& sample) {
   Json axes = {{"sample", sample}}, names = Json::array();
   for (const sweep::Sweepable& s : sweep::sweepables()) names.push_back(s.name);
@@ -95,7 +95,7 @@ void add_defaults(Json& model) {
   for (const Choice& c : choices()) model[c.name]["default"] = c.words[std::size_t(c.get(defaults))];
 }
 
-// Writes the definitions that the experiment schema refers to in their places.
+// Returns the schema with the definitions that it refers to in their places.
 Json inlined(const Json& schema, const Json& definitions) {
   if (schema.contains("$ref")) {
     const std::string name = schema["$ref"].get<std::string>().substr(std::string("#/definitions/").size());

@@ -36,7 +36,7 @@ Parameters read_model(const Document& d) {
   return p;
 }
 
-// A list in degrees, or a number of azimuths drawn from the distribution; rad.
+// Returns the azimuths of a list in degrees, or a number of azimuths drawn from the distribution; rad.
 std::vector<double> read_azimuths(const Document& d, const Json& json, Orientation o) {
   const bool uniform = o.distribution == Distribution::uniform;
   std::vector<double> out;
@@ -184,7 +184,7 @@ std::optional<double> read_nominal_friction(const Document& d, const std::vector
   return load.value("nominal_friction", 1.0);
 }
 
-// The name of a swept number along which the gap of a load may jump; empty if none is given.
+// Returns the name of a swept number along which the gap of a load may jump; empty if none is given.
 std::string read_jump_axis(const Document& d, const Experiment& e) {
   std::string name = d.json().value("locate_jumps", "");
   if (name.empty()) return name;

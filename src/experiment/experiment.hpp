@@ -28,9 +28,9 @@ struct Experiment {
 using ReadBlocks = std::function<void(const Experiment&)>;
 
 // Reads an experiment file. Throws InputError for every mistake in the experiment, with source, JSON pointer,
-// value and remedy, also for mistakes in another tier than that of the options, and for mistakes that
-// read_blocks finds in any tier. The extremes of the quantities of a design are checked as if they had been
-// written.
+// value and remedy, also for mistakes that read_blocks finds and, unless the options have changes by --set,
+// for mistakes in other tiers than the tier of the options. The extremes of the quantities of a design are
+// checked as if they had been written.
 Experiment load_experiment(
     const std::string& path, const json::DocumentOptions& options,
     const ReadBlocks& read_blocks = [](const Experiment&) {});

@@ -125,7 +125,7 @@ OwnLaw read_formula(const Node& law) {
   }
 }
 
-// Whether some point has the law: by an axis, a column of the sample, or the model.
+// Returns true if some point has the law: by an axis, a column of the sample, or the model.
 bool uses_custom(const Json& json, const std::vector<sweep::Axis>& axes) {
   for (const sweep::Axis& axis : axes)
     for (const auto& varied : {std::vector{axis}, axis.columns})

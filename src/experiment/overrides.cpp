@@ -9,8 +9,9 @@
 namespace bristle::experiment {
 namespace {
 
-// What varies the quantity: its axis, a column of the sample or a variable of the design. A tolerance
-// deviates from the nominal value of a block, which it does not replace.
+// Returns the place of what varies the quantity: its axis, a column of the sample or a variable of the
+// design; none if nothing does. A tolerance deviates from the nominal value of a block, which it does not
+// replace.
 std::optional<JsonPointer> varied_at(const json::Document& document, const std::string& quantity) {
   const Json& json = document.json();
   for (const char* block : {"/design/variables", "/sweep/sample/over", "/sweep"})

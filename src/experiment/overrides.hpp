@@ -13,8 +13,8 @@ void check_overrides(const json::Document& document);
 // depends on; none for an experiment with a second model, which may depend on others.
 std::vector<std::string> idle_changes(const json::Document& document, const sweep::Sweep& sweep);
 
-// The place that sets a quantity, in its unit or in metres: its axis, a column of the sample, a variable of
-// the design, or else its key in a block.
+// Returns the place that sets a quantity, in its unit or in metres: its axis, a column of the sample, a
+// variable of the design, or else its key in a block.
 JsonPointer place_of(const json::Document& document, const std::string& quantity);
 
 }  // namespace bristle::experiment

@@ -91,7 +91,8 @@ void check_meaning(const json::Document& d, const Experiment& experiment) {
   }
 }
 
-// chi has a maximum at V_s for A > 1 only; near 1 it would be a step at u = 0, which no integrator resolves.
+// Throws InputError if chi is to peak at V_s and has no maximum there: it has one for A > 1 only; near 1 it
+// would be a step at u = 0, which no integrator resolves.
 void check_chi(const json::Document& d, const Experiment& experiment) {
   constexpr double least = 1.001;
   const Sweep sweep = sweep_of(experiment).first_values({"A"});

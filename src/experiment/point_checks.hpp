@@ -11,11 +11,11 @@ namespace bristle::experiment {
 void check_points(const json::Document& document, const Experiment& experiment);
 
 // Throws InputError if shafts overlap at a point of the sweep of an experiment that gives their radius. A
-// design may have such trials, which violate its constraint; so does its result, whose points are no longer
-// those of a design.
+// design may have such trials, which violate its constraint; so may its result, whose points no longer belong
+// to a design.
 void check_clearance(const json::Document& document, const Experiment& experiment);
 
-// Warnings of shafts that are too thick for a slender rod, at a point of the sweep.
+// Returns a warning if shafts are too thick for a slender rod at a point of the sweep; empty otherwise.
 std::vector<std::string> shaft_warnings(const json::Document& document, const Experiment& experiment);
 
 }  // namespace bristle::experiment

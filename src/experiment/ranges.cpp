@@ -35,7 +35,7 @@ void require_number(const Node& place, const std::string& name) {
     place.fail(name + " is varied by the sweep, too; remove one of them");
 }
 
-// budget: number of trials, whose values must differ
+// Reads the range of a variable. budget: number of trials, whose values must differ
 Range read_range(const Node& place, const std::string& name, std::size_t budget) {
   require_number(place, name);
   const bool log = place.value().is_object();

@@ -125,7 +125,7 @@ std::function<double(double)> quantile_of(const Node& place, const Sweepable& sw
   return [=](double share) { return rounded(first * pow(second / first, share)); };
 }
 
-// has_indices: whether the sample is the design for Sobol indices
+// Returns the columns of a sample by sobol. has_indices: whether the sample is the design for Sobol indices
 std::vector<Axis> columns_of_distributions(const Node& sample, bool has_indices) {
   const auto over = sample["over"].members();
   const std::size_t count = sample["sobol"].as<std::size_t>();

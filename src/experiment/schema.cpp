@@ -64,7 +64,7 @@ Json scatter_properties() {
   return out;
 }
 
-// The widths as names of a sweep.
+// Returns the schemas of the widths of the scatter by their names in a sweep.
 Json scatter_widths() {
   Json out = Json::object();
   for (const ScatteredProperty& one : kScattered)

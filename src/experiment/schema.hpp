@@ -11,7 +11,8 @@ namespace bristle::experiment {
 // from kParameters, choices() and si_quantities(), and the words of enumerations.
 const json::Schema& experiment_schema();
 
-// Returns the schema of a sweepable number: in the model, load, orientation or si block.
+// Returns the schema of a sweepable number: in the model, load, orientation or si block, or a width of the
+// scatter.
 const Json& parameter_schema(const std::string& name);
 
 // Throws InputError at the place if a value is out of the range of the parameter.

@@ -12,7 +12,7 @@
 namespace bristle::experiment {
 namespace {
 
-// Values outside of which one suspects a value in millimetres, gigapascals or grams.
+// Limits of usual values: a value outside of them may be in millimetres, gigapascals or grams.
 struct Usual {
   const char* key;
   double from, to;
@@ -21,7 +21,7 @@ constexpr Usual kUsual[] = {{"r0_m", 1e-6, 1},     {"R_m", 1e-8, 0.05},         
                             {"E_Pa", 1e4, 2e12},   {"rho_kg_per_m3", 50, 25000}, {"V0_m_per_s", 1e-6, 1000},
                             {"spacing_m", 1e-7, 1}};
 
-// Returns warnings of values that look as if they were in another unit than that of their key.
+// Returns warnings of values that look as if they were in another unit than the unit of their key.
 std::vector<std::string> unusual_values(const json::Document& document, const sweep::Sweep& sweep) {
   std::vector<std::string> out;
   for (const Usual& usual : kUsual) {

@@ -7,7 +7,7 @@
 namespace bristle::experiment {
 namespace {
 
-// The value of an axis or a column as in an experiment file: a word of a choice, or a number.
+// Returns the value of an axis or a column as in an experiment file: a word of a choice, or a number.
 Json json_value(const sweep::Axis& axis, std::size_t index) {
   const sweep::Sweepable& what = axis.quantity();
   return what.options.empty() ? Json(axis.values[index]) : Json(what.text(axis.values[index]));

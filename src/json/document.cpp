@@ -22,7 +22,7 @@ const JsonPointer kTables[] = {JsonPointer("/sweep/sample/table"), JsonPointer("
 constexpr const char* kFromStandardInput =
     "-";  // in place of a file, as if it were one in the working folder
 
-// What messages call the file.
+// Returns what messages call the file.
 std::string name_of(const std::string& path) { return path == kFromStandardInput ? "standard input" : path; }
 
 Json content_of(const std::string& path) {
@@ -38,8 +38,8 @@ Json content_of(const std::string& path) {
   return json_object(name_of(path), text);
 }
 
-// The folder within which experiments may extend each other: the outermost folder named "experiments" above
-// the file, or else the file's own folder.
+// Returns the folder within which experiments may extend each other: the outermost folder named "experiments"
+// above the file, or else the file's own folder.
 fs::path experiments_folder(const fs::path& file) {
   fs::path folder = fs::weakly_canonical(fs::absolute(file)).parent_path(), root = folder;
   for (fs::path p = folder; p != p.root_path(); p = p.parent_path())
@@ -52,16 +52,16 @@ bool inside(const fs::path& file, const fs::path& folder) {
   return !relative.empty() && *relative.begin() != "..";
 }
 
-// The file that `extends` names, relative to the file at path: without a folder and where there is no such
-// file, the one that comes with the program.
+// Returns the file that `extends` names, relative to the file at path: without a folder and where there is no
+// such file, the one that comes with the program.
 std::string parent_of(const fs::path& path, const fs::path& extends) {
   const fs::path beside = path.parent_path() / extends;
   if (extends.has_parent_path() || fs::exists(fs::symlink_status(beside))) return beside.string();
   return data_path((fs::path("experiments") / extends).string()).value_or(beside.string());
 }
 
-// The file of the experiment with this name, if there is no file called `name` itself; empty if there is
-// none.
+// Returns the file of the experiment with this name, if there is no file called `name` itself; empty if there
+// is none.
 std::string file_meant_by(const std::string& name) {
   std::error_code
       error;  // for instance a name that is too long, or a loop of links: read_json_file() reports it
@@ -72,7 +72,7 @@ std::string file_meant_by(const std::string& name) {
   return "";
 }
 
-// The patches of the tiers, if the file has any.
+// Returns the names of the tiers for which the file has an entry.
 std::vector<std::string> tiers_of(const Json& content) {
   std::vector<std::string> names;
   if (content.contains("tiers") && content["tiers"].is_object())
@@ -90,7 +90,8 @@ void each_table_name(Json& content, const JsonPointer& table, Visit visit) {
   for (const std::string& tier : tiers_of(content)) try_at(JsonPointer("/tiers") / tier / table);
 }
 
-// Returns the names of the experiments that a file can extend: those beside it and those of the program.
+// Returns the names of the experiments that a file can extend: files beside it and files that come with the
+// program.
 std::vector<std::string> files_beside(const std::string& path) {
   std::vector<std::string> names;
   const fs::path beside = fs::absolute(path).parent_path();
@@ -194,8 +195,8 @@ Document Document::with_tier(const std::string& tier) const {
 
 bool Document::has_tier(const std::string& tier) const { return !tier_patches(tier).empty(); }
 
-// The tier's patches of all files, parents first. They are applied one by one: merging two patches into one
-// would lose the keys that the first removes.
+// Returns the tier's patches of all files, parents first. They are applied one by one: merging two patches
+// into one would lose the keys that the first removes.
 std::vector<Json> Document::tier_patches(const std::string& tier) const {
   std::vector<Json> patches;
   for (const Source& s : files_) {

@@ -22,34 +22,36 @@ struct DocumentOptions {
 // block, or one that changes it, says otherwise. Remembers the source of each value for messages.
 class Document {
  public:
-  // path: the file, or - for standard input. Throws InputError for an unreadable or malformed file, for an
-  // extends that is missing, circular or outside the experiments folder, and for an invalid --set or tier.
+  // Reads an experiment file. path: the file, or - for standard input. Throws InputError for an unreadable or
+  // malformed file or table, for an extends that is missing, circular or outside the experiments folder, and
+  // for an invalid --set.
   static Document load(const std::string& path, const DocumentOptions& options);
-  // An experiment as stored in a result file: merged, without tiers; set: changes as of DocumentOptions.
-  // source names it in messages.
+  // Returns an experiment as stored in a result file: merged, without tiers; set: changes as of
+  // DocumentOptions. source names the experiment in messages.
   static Document stored(const Json& content, const std::string& source,
                          const std::vector<std::string>& set = {});
-  // An experiment that the program has made: messages say only the pointer, as there is no file.
+  // Returns an experiment that the program has made: messages say only the pointer, as there is no file.
   static Document made(const Json& content);
 
   const Json& json() const { return *merged_; }
   const std::string& path() const { return path_; }
-  // The file or option that sets the value at pointer; the experiment's own file for a default.
+  // Returns the file or option that sets the value at pointer; the experiment's own file for a default.
   std::string origin(const JsonPointer& pointer) const;
-  // Whether the experiment's own file or --set gives the value at pointer. False for a file without parents,
-  // which states every value.
+  // Returns true if the experiment's own file or --set gives the value at pointer. The values of a file
+  // without parents, which states every value, do not count.
   bool chosen(const JsonPointer& pointer) const;
-  // Whether a file that this one extends gives the value at pointer, and neither this file nor --set.
+  // Returns true if a file that this one extends gives the value at pointer, and neither this file nor --set.
   bool inherits(const JsonPointer& pointer) const;
-  // Whether --set gives the value at pointer.
+  // Returns true if --set gives the value at pointer.
   bool set_by_option(const JsonPointer& pointer) const;
-  // Throws InputError with origin(pointer), the JSON pointer and the description of the mistake.
+  // Throws InputError with the place of the value (its origin and JSON pointer, or its line in the file of a
+  // table) and the description of the mistake.
   [[noreturn]] void fail(const std::string& pointer, const std::string& what) const;
-  // Whether this tier differs from the others, by a patch of the file or of a parent.
+  // Returns true if this tier differs from the others, by a patch of the file or of a parent.
   bool has_tier(const std::string& tier) const;
-  // How this file replaces the tier's patch of a file that it extends; empty if there is none.
+  // Returns how this file replaces the tier's patch of a file that it extends; empty if there is none.
   std::string remedy_of_inherited_tier(const std::string& tier) const;
-  // The same document for another tier.
+  // Returns the same document for another tier.
   Document with_tier(const std::string& tier) const;
 
   struct Source {
@@ -73,7 +75,7 @@ class Document {
 
   std::string path_, tier_;
   bool made_ = false;
-  std::map<std::string, Table> tables_;  // by their JSON pointers; only those of which a file has all
+  std::map<std::string, Table> tables_;  // by their JSON pointers; only tables that come whole from a file
   std::vector<Source> files_;            // parents first
   std::vector<Assignment> set_;
   std::shared_ptr<const Json> merged_;

@@ -139,8 +139,8 @@ void Schema::explain(const Node& node, const Json& part) const {
   node.fail(fmt::format("{} is not allowed{}; allowed: {}", shown(value), hint, allowed(part)));
 }
 
-// valijson matches the pattern of a name by std::regex, which needs stack for each character: a long name
-// would end the program.
+// Throws InputError for a name that is too long: valijson matches the pattern of a name by std::regex, which
+// needs stack for each character, so that a long name would end the program.
 void Schema::require_short_name(const Node& name) const {
   const JsonPointer limit("/properties/name/maxLength");
   if (!root_.contains(limit) || !name.exists() || !name.value().is_string()) return;
@@ -154,7 +154,7 @@ void Schema::check(const Document& document) const {
   require_short_name(node["name"]);
   Contexts contexts;
   if (validate(Plain(root_), document.json(), &contexts)) return;
-  // The deepest mismatch is the cause; those above it follow from it.
+  // The deepest mismatch is the cause; the mismatches above it follow from it.
   const auto& deepest = *std::ranges::max_element(contexts, {}, &std::vector<std::string>::size);
   const Json* part = &resolve(root_);
   for (std::size_t i = 1; i < deepest.size(); ++i) {

@@ -72,8 +72,8 @@ void add_coordinates(const ResultReader& result, const std::string& group, const
   }
 }
 
-// Adds the coordinates of the point to which each row of a recorded table belongs, but those that the table
-// has.
+// Adds the coordinates of the point to which each row of a recorded table belongs, except coordinates that
+// the table has.
 void add_points(const ResultReader& result, const std::string& table, std::vector<Array>& columns) {
   const std::vector<std::size_t> shape = result.sweep_shape();
   const std::vector<double>& points = result.variable(table + "/point").values;

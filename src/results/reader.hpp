@@ -39,7 +39,7 @@ class ResultReader {
   // from the file once; the reference is valid as long as this reader.
   const Array& variable(const std::string& name) const;
   bool has_text(const std::string& attribute) const;
-  // Returns a text with control characters escaped, because texts, including those of /provenance and
+  // Returns a text with control characters escaped, because texts, including the texts of /provenance and
   // /failures, are untrusted.
   std::string text(const std::string& attribute) const;
   std::string raw_text(const std::string& attribute) const;  // text without escapes, such as JSON

@@ -163,8 +163,8 @@ std::string index_text(const SobolIndex& index) {
   return std::isnan(index.value) ? "none" : fmt::format("{:.2f} +- {:.2f}", index.value, index.error);
 }
 
-// Says from how many blocks of the design the indices follow, and why some have no value; empty if all follow
-// from all blocks.
+// Returns a text that says from how many blocks of the design the indices follow, and why some have no value;
+// empty if all follow from all blocks.
 std::string origin_text(const SobolIndices& indices, std::size_t blocks, const std::string& remedy) {
   std::vector<std::size_t> all, without_value;
   for (const auto* list : {&indices.first, &indices.total})

@@ -27,9 +27,10 @@ void add_indices(results::Dataset& data, const std::vector<SobolIndices>& rows);
 std::string indices_text(const SobolIndices& indices, const std::vector<std::string>& inputs,
                          std::size_t blocks, const std::string& remedy);
 
-// Throws InputError if the experiment has a block "analysis" but no sample that it could analyse.
+// Throws InputError if the experiment has a block "analysis" that it cannot have: without a sample, with
+// Sobol indices of a sample that is not by sobol, with a traced curve, or beside a block "design".
 void read_analysis(const Experiment& experiment);
-// Does so, too, if the block names a variable that the result does not have.
+// Throws InputError as read_analysis() does, and if the block names a variable that the result does not have.
 void validate_analysis(const Experiment& experiment);
 
 // Returns the names of the variables that /analysis needs, and status.

@@ -30,22 +30,22 @@ struct PassageKeyHash {
 // a memo holds. A full memo forgets the passages that have been used least recently.
 class PassageMemo {
  public:
-  // A memo of 0 bytes remembers nothing.
+  // Creates an empty memo. A memo of 0 bytes remembers nothing.
   explicit PassageMemo(std::size_t bytes = kMemoBytes);
   ~PassageMemo();
 
   // Finds the brushes that at least two of these points have: from now on, their passages are remembered.
-  // Points at given gaps share passages only if their gaps are equal. Returns the points, those of one brush
-  // one after the other. Call it while no other thread uses the memo.
+  // Points at given gaps share passages only if their gaps are equal. Returns the points, with the points of
+  // one brush one after the other. Call it while no other thread uses the memo.
   std::vector<std::size_t> share(const Sweep& sweep, const std::vector<std::size_t>& points);
 
   // Returns the keys of the passages of one request; none if they are not to be remembered.
   std::vector<PassageKey> keys_of(const std::vector<PassageTask>& tasks, Engine engine) const;
 
-  // The following functions may be called from several threads.
+  // Returns the passage if the memo has it. Several threads may call this function and the following ones.
   std::optional<Passage> find(const PassageKey& key);
   void store(const PassageKey& key, const Passage& passage);
-  // Returns the passages of the tasks. Lets `compute` compute those that the memo does not have.
+  // Returns the passages of the tasks. Lets `compute` compute the passages that the memo does not have.
   std::vector<Passage> run(const std::vector<PassageTask>& tasks, Engine engine,
                            const PassageRunner& compute);
   std::size_t size() const;  // number of remembered passages

@@ -47,14 +47,15 @@ struct PassageChunk {
 // several threads.
 class PassageQueue {
  public:
-  // memo: has passages of earlier requests; null: the passages of each request are computed
+  // Creates an empty queue. memo: has passages of earlier requests; null: the passages of each request are
+  // computed
   explicit PassageQueue(std::size_t threads, PassageMemo* memo = nullptr, Engine engine = Engine::fast)
       : threads_(threads), memo_(memo), engine_(engine) {}
 
-  // Adds passages, except those that the memo has, and those that are being computed for another request. The
-  // request receives the former at once, and may then be complete; it receives the latter together with the
-  // other request. tasks and request must live until the request is complete or no thread takes chunks any
-  // more.
+  // Adds passages, except passages that the memo has, and passages that are being computed for another
+  // request. The request receives the former at once, and may then be complete; it receives the latter
+  // together with the other request. tasks and request must live until the request is complete or no thread
+  // takes chunks any more.
   void add(const std::vector<PassageTask>& tasks, PassageRequest& request);
   // Delivers a computed passage of a chunk to its request, and to all requests that wait for this passage.
   void deliver(PassageRequest& request, std::size_t index, Passage&& passage);

@@ -10,7 +10,7 @@ namespace bristle::run {
 // Points of an experiment and their keys in journals.
 class KeyedPoints {
  public:
-  // points: in ascending order
+  // Computes the keys of the points. points: in ascending order
   KeyedPoints(const Sweep& sweep, std::vector<std::size_t> points);
   const std::vector<std::size_t>& points() const { return points_; }
   const std::string& key(std::size_t point) const;
@@ -36,8 +36,8 @@ class KeyedPoints {
 void require_complete(const Experiment& experiment, const std::vector<std::size_t>& missing,
                       const std::string& result, const std::vector<std::string>& arguments);
 
-// Returns the command of a run with `option` in place of --shard and --complete. arguments: of the run's
-// command line
+// Returns the command of a run with `option` in place of --shard, --complete and --force. arguments: of the
+// run's command line
 std::string command_with(const std::vector<std::string>& arguments, const std::string& option);
 
 }  // namespace bristle::run

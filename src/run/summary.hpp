@@ -16,7 +16,7 @@ namespace bristle::run {
 // and why, and where pinned bristles carry much of the friction.
 class Summary {
  public:
-  // path: the path of the result, for messages
+  // Creates a summary without points. path: the path of the result, for messages
   Summary(const Experiment& experiment, std::string path) : experiment_(experiment), path_(std::move(path)) {}
   void add(const results::PointRecord& record, std::size_t index);
   void add(const std::string& analysis) { analysis_ += analysis; }

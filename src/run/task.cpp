@@ -88,7 +88,8 @@ void fill_journal(const Sweep& sweep, const KeyedPoints& points, const std::vect
 results::Rows find_jumps(const Experiment& experiment, const KeyedPoints& points, results::Journal& journal,
                          const RunOptions& options, PassageMemo& memo) {
   if (experiment.locate_jumps.empty()) return {};
-  // The points between those of a line have its brush, also if no point of the line was computed by this run.
+  // The points between the points of a line have its brush, also if no point of the line was computed by this
+  // run.
   memo.share(experiment.sweep, points.points());
   const std::string name = fmt::format("{}: jumps along {}", experiment.name, experiment.locate_jumps);
   const auto solve = [&](const Sweep& between, const std::vector<std::size_t>& indices) {

@@ -7,7 +7,7 @@
 namespace bristle::sweep {
 namespace {
 
-// All that a point's numbers depend on, beside what the points of an experiment have in common.
+// Returns all that a point's numbers depend on, beside what the points of an experiment have in common.
 std::vector<double> effective_input(const PointInput& point) {
   // The strength of friction and the unit of its speeds are in the setup.
   const auto& [setup, loading, si, friction_law_in_si, nominal_friction] = point;

@@ -27,7 +27,7 @@ static_assert(sizeof(Recording) == 4 * sizeof(double));
 // Numbers are in the shortest form that reads back exactly.
 class Text {
  public:
-  // The name of an object, and its members, which add() appends.
+  // Appends the name of an object, and its members, which add() appends.
   template <class Add>
   void object(const char* name, Add add) {
     append(R"("{}":{{)", name);
@@ -113,7 +113,7 @@ void add_recording(Text& out, const Recording& r) {
   out.add("trajectories", r.trajectories);
 }
 
-// Journals have the values of these observables only.
+// Returns the names of the observables whose values journals have.
 std::vector<const char*> observable_names() {
   std::vector<const char*> names;
   for (const ObservableRow& row : kObservables) names.push_back(row.name);

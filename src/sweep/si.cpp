@@ -24,8 +24,8 @@ void apply_material(PointInput& input, const SiScales& scales) {
   if (has("nu")) p.E_star = contact_modulus(value("E_Pa"), value("nu")) / scales.stress;
 }
 
-// Returns the values that SI quantities can replace, as "name = value": those that they do replace (given),
-// or those that they do not.
+// Returns the values that SI quantities can replace, as "name = value": the values that they do replace
+// (given), or the values that they do not.
 std::vector<std::string> replaceable_values(const PointInput& input, bool given) {
   std::vector<std::string> out;
   for (const Parameter& entry : kParameters) {

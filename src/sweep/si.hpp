@@ -24,7 +24,7 @@ struct SiQuantity {
 };
 const std::vector<SiQuantity>& si_quantities();
 
-// Replaces dimensionless values by those computed from input.si; without SI quantities does nothing. The
+// Replaces dimensionless values by values computed from input.si; without SI quantities does nothing. The
 // shaft of radius R and Young's modulus E bends like a cantilever: k_phi = 3 pi E R^4/(4 r0) (section 3 of
 // the paper), and k_theta, too, unless k_theta_over_k_phi is given.
 void apply_si_units(PointInput& input);

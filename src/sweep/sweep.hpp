@@ -19,9 +19,9 @@ struct Axis {
   std::vector<Axis> columns{};
 
   const Sweepable& quantity() const;
-  // Whether this axis, or a column of it, varies the quantity.
+  // Returns true if this axis, or a column of it, varies the quantity.
   bool varies(const std::string& quantity) const;
-  // Assigns the value, or those of all columns, at this index.
+  // Assigns the value, or the values of all columns, at this index.
   void set(PointInput& point, std::size_t index) const;
   void keep_first();  // value only
 };
@@ -42,23 +42,23 @@ struct Sweep {
   std::size_t size() const;  // number of points
   std::vector<std::size_t> shape() const;
   PointInput point(std::size_t index) const;
-  // The coordinates of a point for messages: "k_r = 2, friction = nss".
+  // Returns the coordinates of a point for messages: "k_r = 2, friction = nss".
   std::string place(std::size_t index) const;
-  // Exactly the input that determines the numbers of a point, as text: the same text for equal points of any
-  // two sweeps, regardless of axes and their order. Choices are written as words, so that inserting or
+  // Returns exactly the input that determines the numbers of a point, as text: the same text for equal points
+  // of any two sweeps, regardless of axes and their order. Choices are written as words, so that inserting or
   // reordering friction laws does not change the meaning of stored keys.
   std::string key(std::size_t index) const;
 
   bool varies(const std::string& quantity) const;
   bool on_lattice() const;  // for at least one point
-  // The number of the axis; axes.size() if there is none of this name.
+  // Returns the number of the axis; axes.size() if there is none of this name.
   std::size_t axis_number(const std::string& name) const;
 
-  // The sweep with this axis in place of that of its name or, if there is none, as the first.
+  // Returns the sweep with this axis in place of the axis of its name or, if there is none, as the first.
   Sweep with(Axis axis) const;
-  // The sweep without the axis of this name, if it has one: with the value that base has.
+  // Returns the sweep without the axis of this name, if it has one: with the value that base has.
   Sweep without(const std::string& name) const;
-  // The sweep with one value, the first, of each axis that varies none of these quantities.
+  // Returns the sweep with one value, the first, of each axis that varies none of these quantities.
   Sweep first_values(const std::vector<std::string>& except) const;
 };
 

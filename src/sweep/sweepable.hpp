@@ -29,15 +29,15 @@ struct Sweepable {
   std::function<void(PointInput&, double)> set;
   std::vector<std::string> options;  // words of a choice, whose value is an index; empty for a number
 
-  // The value for messages: a word, or a number with six digits.
+  // Returns the value for messages: a word, or a number with six digits.
   std::string text(double value) const;
 };
 
-// Numbers and choices of the model, SI quantities, the load, numbers and sampling of the orientation, and
-// widths of the scatter within a brush.
+// Returns the numbers and choices of the model, SI quantities, the load, numbers and sampling of the
+// orientation, and widths of the scatter within a brush.
 const std::vector<Sweepable>& sweepables();
 
-// Null for an unknown name.
+// Returns the quantity or choice of this name; null for an unknown name.
 const Sweepable* find_sweepable(const std::string& name);
 
 }  // namespace bristle::sweep

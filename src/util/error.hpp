@@ -10,8 +10,8 @@ namespace bristle {
 // remedy.
 class InputError : public std::runtime_error {
  public:
-  // tier: the tier of an experiment file, if the place in the message is in the patch of a tier; otherwise
-  // empty
+  // Creates an error. tier: the tier of an experiment file, if the place in the message is in the patch of a
+  // tier; otherwise empty
   explicit InputError(const std::string& message, std::string tier = "")
       : std::runtime_error(message), tier_(std::move(tier)) {}
   const std::string& tier() const { return tier_; }
@@ -29,7 +29,7 @@ class MissingFile : public InputError {
 // The run could not finish although its input is valid: exit code 3.
 class RunError : public std::runtime_error {
  public:
-  // saved: where finished work is kept; the message says it after the reason
+  // Creates an error. saved: where finished work is kept; the message says it after the reason
   explicit RunError(const std::string& reason, const std::string& saved = "")
       : std::runtime_error(saved.empty() ? reason : reason + "; " + saved), reason_(reason) {}
   const std::string& reason() const { return reason_; }

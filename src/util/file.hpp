@@ -43,9 +43,9 @@ struct FileKind {
 bool is_of_kind(const std::string& path, const FileKind& kind);
 
 // Throws InputError unless the program may write to output: nothing stands there, or an empty regular file
-// (made by mktemp, or by a full disk), or a file of this kind. Requires the same of the temporary file
-// output.partial, of which an earlier program may have written only the beginning. Symbolic links to the file
-// are refused, links to its folders are followed. Call it before computing.
+// (made by mktemp, or by a full disk), or a file of this kind. The temporary file output.partial must fulfil
+// this, too, but may have only the beginning of such a file. Symbolic links to the file are refused, links to
+// its folders are followed. Call it before computing.
 void require_replaceable(const std::string& output, const FileKind& kind);
 
 // Opens path for writing, creating it and its folder if necessary, and locks it. Returns the descriptor; the
@@ -68,8 +68,8 @@ class WholeFile {
 
   void write(const std::string& bytes);
   void close() const;  // throws RunError if writing failed
-  // Call after close(). Renames the file after flushing it to the disk, so that a power cut leaves either the
-  // old file or the complete new one. Throws RunError.
+  // Renames the file after flushing it to the disk, so that a power cut leaves either the old file or the
+  // complete new one. Call it after close(). Throws RunError.
   void publish();
   const std::string& partial() const { return partial_; }
 

@@ -10,9 +10,9 @@ namespace bristle {
 // InputError if git fails.
 class Repository {
  public:
-  // folder: any folder of the work tree that the repository does not ignore. For messages: option, the
-  // command-line option that names the folder, and purpose, the reason why the folder must be in a
-  // repository.
+  // Finds the work tree. folder: any folder of the work tree that the repository does not ignore. For
+  // messages: option, the command-line option that names the folder, and purpose, the reason why the folder
+  // must be in a repository.
   Repository(const std::string& folder, const std::string& option, const std::string& purpose);
 
   std::string commit() const;  // the commit that is checked out

@@ -19,7 +19,7 @@ std::string host_name();
 
 struct Limits {
   long seconds;        // processor time
-  std::size_t memory;  // bytes, beyond those of this process
+  std::size_t memory;  // bytes, beyond the memory of this process
 };
 
 // Runs work in a child process with limited memory and time and returns its result: HDF5 crashes on some

@@ -90,7 +90,8 @@ std::string printable(const std::string& text, const std::string& kept) {
   std::string out;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const auto byte = static_cast<unsigned char>(text[i]);
-    // ASCII control characters, and those of Unicode that UTF-8 encodes as 0xc2 0x80 to 0xc2 0x9f.
+    // ASCII control characters, and control characters of Unicode that UTF-8 encodes as 0xc2 0x80 to 0xc2
+    // 0x9f.
     const bool second = byte >= 0x80 && byte < 0xa0 && i > 0 && text[i - 1] == '\xc2';
     const bool control = (byte < 0x20 || byte == 0x7f || second) && kept.find(text[i]) == kept.npos;
     out += control ? fmt::format("\\x{:02x}", byte) : std::string(1, text[i]);

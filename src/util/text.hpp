@@ -20,8 +20,8 @@ std::string shell_quoted(const std::string& text);
 // Returns the shell command of these arguments.
 std::string shell_command(const std::vector<std::string>& arguments);
 
-// Returns untrusted text with control characters, except those to be kept, replaced by escapes such as \x1b,
-// because a terminal would execute them.
+// Returns untrusted text with control characters, except the characters in `kept`, replaced by escapes such
+// as \x1b, because a terminal would execute them.
 std::string printable(const std::string& text, const std::string& kept = "");
 
 // Writes the text to standard error. If standard error is closed or on a full disk, only the text is lost: a

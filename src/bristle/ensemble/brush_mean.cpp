@@ -90,7 +90,7 @@ const Ensemble& BrushMean::load(const Ensemble& (EnsembleMean::*refine_load)(dou
   const double distance = std::abs(first.mean[R_N] - R_n_target);
   if (first.error[R_N] <= std::max(distance / 4, rtol * R_n_target)) return first;
   // The load of a member may be far from the target although the mean is near it. A target at this distance
-  // from a member's own load makes its error as small as that of the mean must be.
+  // from a member's own load makes the error of the member as small as the error of the mean must be.
   return refine([&](Part& part) -> const Ensemble& {
     return (part.mean.*refine_load)(part.mean.known().mean[R_N] + 4 * rtol * R_n_target / unit_of(part));
   });

@@ -7,7 +7,7 @@
 
 namespace bristle {
 
-// The bristles that stand for a brush, with equal weights: the nominal one, or those of
+// The bristles that stand for a brush, with equal weights: the nominal one, or the bristles of
 // representative_deviations(). The setup must outlive the object.
 class Brush {
  public:
@@ -37,10 +37,10 @@ class Brush {
 };
 
 // Computes the mean over the bristles of a brush at the gap z_0 (in units of the nominal r0): the mean of the
-// EnsembleMean of each member, in units of the nominal bristle. Its functions are those of EnsembleMean,
-// which see; without scatter the numbers are the same, bit for bit. The errors of the quadrature add up over
-// the members as if they were all of one sign; with_integrator_error() adds scatter_error(). The brush must
-// outlive the object.
+// EnsembleMean of each member, in units of the nominal bristle. Its functions do what the functions of
+// EnsembleMean do, but interrupt() does nothing if the brush has scatter; without scatter the numbers are the
+// same, bit for bit. The errors of the quadrature add up over the members as if they were all of one sign;
+// with_integrator_error() adds scatter_error(). The brush must outlive the object.
 class BrushMean {
  public:
   BrushMean(Brush& brush, double z_0, PassageRunner run);
@@ -68,7 +68,7 @@ class BrushMean {
   };
 
   bool single() const { return parts_.size() == 1; }
-  // Calls refine(mean, unit of R_n) for each part, together, and combines the results.
+  // Calls refine(part) for each part, together, and combines the results.
   template <class Refine>
   const Ensemble& refine(Refine refine);
   const Ensemble& combine();

@@ -45,7 +45,7 @@ struct WeightedPassage {
 // the object.
 class EnsembleMean {
  public:
-  // start is the position of the bristles at the leading edge, at the gap z_0.
+  // Prepares the mean at the gap z_0. start is the position of the bristles at the leading edge, at this gap.
   EnsembleMean(const Setup& setup, double z_0, const Equilibrium& start, PassageRunner run);
   EnsembleMean(const Setup& setup, double z_0, PassageRunner run)
       : EnsembleMean(setup, z_0, InitialStates(setup.parameters).at(z_0), std::move(run)) {}

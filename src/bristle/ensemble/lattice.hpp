@@ -33,9 +33,9 @@ struct LatticeMean {
 // one bristle acts do not count as independent.
 LatticeMean lattice_mean(const Setup& setup, double z_0, const PassageRunner& run);
 
-// Return t_1 and t_2 of Eq. (A4), in units of r0/V0. t_1 is orientation.t_1 or, if that is negative, 2 L_x.
-// t_2 is the time at which the last row has entered.
+// Returns t_1 of Eq. (A4), in units of r0/V0: orientation.t_1 or, if that is negative, 2 L_x.
 double lattice_start(const Setup& setup);
+// Returns t_2 of Eq. (A4), in units of r0/V0: the time at which the last row has entered.
 double lattice_end(const Setup& setup);
 
 // Returns N_c0/L_y, the number of rigid bristles in contact per unit of the slab's width (dimensionless).

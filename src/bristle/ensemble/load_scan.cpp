@@ -45,7 +45,8 @@ GapLoad top_of_hump(LoadsOnPath& loads, GapLoad a, GapLoad top, GapLoad c) {
   return top;
 }
 
-// If b is the top of a hump, searches between a and c for a gap with excess >= 0.
+// Searches between a and c for a gap with excess >= 0 if b, between them, is the top of a hump. Returns none
+// if it is not, or if there is no such gap.
 std::optional<GapLoad> find_in_hump(LoadsOnPath& loads, const GapLoad& a, const GapLoad& b,
                                     const GapLoad& c) {
   const double noise = a.load.error + b.load.error + c.load.error;

@@ -18,8 +18,8 @@ double ratio(double r, const double (&a)[8], const double (&b)[8]) {
 
 }  // namespace
 
-// M. J. Wichura, algorithm AS 241, Appl. Statist. 37, 1988. Boost.Math calls functions of the C library,
-// whose last bits differ between machines.
+// Evaluates algorithm AS 241 of M. J. Wichura, Appl. Statist. 37, 1988. Boost.Math calls functions of the C
+// library, whose last bits differ between machines.
 double normal_quantile(double share) {
   static const double a[] = {3.3871328727963666080e0, 1.3314166789178437745e2, 1.9715909503065514427e3,
                              1.3731693765509461125e4, 4.5921953931549871457e4, 6.7265770927008700853e4,

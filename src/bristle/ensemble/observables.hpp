@@ -142,14 +142,17 @@ inline constexpr Observable R_N = observable("R_n"), R_X = observable("R_x"), R_
                             ENERGY_RESIDUAL = observable("energy_residual"),
                             IMPACT_COUNT = observable("impacts");
 
-// Count and find the contributions by outcome, whose indices follow the rows of kObservables: first the
-// contributions of the bristles that are not pinned, then of the pinned ones, for the rows that have them.
+// Returns the number of contributions by outcome: of the bristles that are not pinned or, with pinned_too, of
+// the pinned ones.
 constexpr std::size_t count_unpinned(bool pinned_too) {
   std::size_t count = 0;
   for (const ObservableRow& row : kObservables)
     count += pinned_too ? row.unpinned == Unpinned::contribution : row.unpinned != Unpinned::none;
   return count;
 }
+// Returns the index of a contribution by outcome to the row k. The indices follow the rows of kObservables:
+// first the contributions of the bristles that are not pinned, then of the pinned ones, for the rows that
+// have them.
 constexpr Observable split_index(Observable k, bool pinned) {
   Observable index = kObservables.size() + (pinned ? count_unpinned(false) : 0);
   for (Observable i = 0; i < k; ++i)
@@ -157,8 +160,9 @@ constexpr Observable split_index(Observable k, bool pinned) {
                     : kObservables[i].unpinned != Unpinned::none;
   return index;
 }
-// Return the index of the contribution of the unpinned or pinned bristles to the row k, which must have one.
+// Returns the index of the contribution of the unpinned bristles to the row k, which must have one.
 constexpr Observable unpinned(Observable k) { return split_index(k, false); }
+// Returns the index of the contribution of the pinned bristles to the row k, which must have one.
 constexpr Observable pinned(Observable k) { return split_index(k, true); }
 
 // Integral of the density of theta_0: 1 up to the error of the quadrature.

@@ -63,7 +63,7 @@ class Quadrature {
   using Function = std::function<std::vector<Sample>(const std::vector<double>&)>;
   using Values = ObservableArray;
 
-  // edges are the boundaries of the initial panels: at least two, ascending.
+  // Prepares the quadrature of f. edges are the boundaries of the initial panels: at least two, ascending.
   Quadrature(Function f, std::vector<double> edges, long max_samples = 16000)
       : f_(std::move(f)), edges_(std::move(edges)), max_samples_(max_samples) {}
 

@@ -6,9 +6,10 @@
 
 namespace bristle {
 
-// Elementary functions with bit-identical results on every processor and from every compiler: SLEEF's
-// deterministic scalar functions. Their errors are below 3.5 units in the last place for sin, cos and atan,
-// which the equations evaluate at every step, and below 1 unit for the others (1.5 for erfc).
+// Returns the sine of x (rad). This and the following elementary functions have bit-identical results on
+// every processor and from every compiler: they are SLEEF's deterministic scalar functions. Their errors are
+// below 3.5 units in the last place for sin, cos and atan, which the equations evaluate at every step, and
+// below 1 unit for the others (1.5 for erfc).
 // The C library does not guarantee identical bits (glibc selects other code where fused multiply-add is
 // available), so no number may depend on its inexact functions; a test checks the program's symbols.
 // Functions that IEEE 754 defines exactly, such as sqrt, come from <cmath>.

@@ -181,13 +181,14 @@ Motion<T> motion(const Bristle<P>& b, const State<T>& state) {
   return motion(b, state, place, sliding, friction_force(place.friction_limit, sliding), pole);
 }
 
-// Return the damping coefficients of the velocity: the damper of the azimuth exerts the force
-// -azimuth_damping() v_theta along e_theta, the damper of the polar angle exerts -polar_damping() v_phi along
-// e_phi.
+// Returns the damping coefficient of the velocity along e_theta: the damper of the azimuth exerts the force
+// -azimuth_damping() v_theta along e_theta.
 template <class T, class P>
 T azimuth_damping(const Bristle<P>& b, const Frame<T>& f) {
   return b.c_theta * T(azimuth_rate_factor(b.bending, f) * f.one_s);
 }
+// Returns the damping coefficient of the velocity along e_phi: the damper of the polar angle exerts the force
+// -polar_damping() v_phi along e_phi.
 template <class T, class P>
 T polar_damping(const Bristle<P>& b, const Frame<T>& f) {
   return b.c_phi * T(f.one_r * f.one_r);

@@ -40,7 +40,7 @@ double bracketed_root(Function function, double lower, double upper, double gues
 // A bristle at the polar angle phi with its tip at the radius where the radial forces balance.
 class Bent {
  public:
-  // z is a guess of the tip's height, such as its height at a similar angle.
+  // Finds the radius of balance. z is a guess of the tip's height, such as its height at a similar angle.
   Bent(const Bristle<double>& b, double phi, double z) : b_(b), phi_(phi), sin_(sin(phi)), cos_(cos(phi)) {
     // The radial force increases strictly with r: without a negative sign at r = 0 it has no root.
     if (sin_ * contact_force(b_, 0.0).F_n >= b.k_r + cos_ * b.pole_peak) {

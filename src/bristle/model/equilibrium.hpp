@@ -39,7 +39,8 @@ inline Words words<Start>() {
 // steps are common to all gaps and are computed once.
 class FollowedMinimum {
  public:
-  // at_slab: the tip is held at z = z_0 instead of being pushed by the wall. b.z_0 does not matter.
+  // Takes the bristle b, whose z_0 does not matter. at_slab: the tip is held at z = z_0 instead of being
+  // pushed by the contact force.
   FollowedMinimum(const Bristle<double>& b, bool at_slab) : bristle_(b), at_slab_(at_slab) {}
 
   // Returns the polar angle at the gap z_0, rad; NaN if there is no minimum at a gap on the way.

@@ -43,7 +43,7 @@ inline Words words<LiftOffDomain>() {
 // Returns whether the fit was tested for bristles with the parameters p.
 LiftOffDomain lift_off_domain(const Parameters& p);
 
-// Says why the fit was not tested, such as "L_x is outside 5 to 16"; empty if it was.
+// Returns why the fit was not tested, such as "L_x is outside 5 to 16"; empty if it was.
 std::string outside_of(LiftOffDomain domain);
 
 // Returns the lift-off load R_n*/N_c0 of bristles with the parameters p, dimensionless; NaN where the fit was

@@ -19,7 +19,7 @@ constexpr long kEvaluationsPerStep = 6;
 // A passage leaves the neighbourhood of the pole at this multiple of the distance at which it entered.
 constexpr double kReturnFactor = 2;
 
-// Number of lane sets above which those without passages are removed.
+// Number of lane sets above which the lane sets without passages are removed.
 constexpr std::size_t kMaxIdleSets = 16;
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
@@ -64,7 +64,7 @@ class SimdEngine::LaneSet {
   const std::shared_ptr<const ModulationTable>& modulation() const { return modulation_; }
   int occupied() const { return __builtin_popcount(block_.occupied); }
   double lane_steps() const { return double(block_.lane_steps); }
-  // Passages in lanes and in the queue.
+  // Returns the number of passages in lanes and in the queue.
   std::size_t demand() const { return waiting_.size() + std::size_t(occupied()); }
 
   void add(ActivePassage&& active) { waiting_.push_back(std::move(active)); }
@@ -109,7 +109,7 @@ class SimdEngine::LaneSet {
     restart(lane);
   }
 
-  // Distance from the pole at which the other lane set takes over.
+  // Returns the distance from the pole at which the other lane set takes over.
   double handover_distance(const ActivePassage& active) const {
     const PassageTask& task = active.task;
     const bool automatic = task.integrator.method == Method::automatic;
@@ -145,8 +145,9 @@ class SimdEngine::LaneSet {
     if (has(events.exhausted)) end(lane, Outcome::step_limit);
   }
 
-  // For a step in which the tip may reach s_min or the exit. Accepts the step if it ends there; otherwise
-  // reduces the step size so that the next attempt ends there. Returns true if the passage has ended.
+  // Handles a step in which the tip may reach s_min or the exit. If the tip does so within the step, reduces
+  // the step size so that the next attempt ends there; otherwise accepts the step. Applies the pole rule to a
+  // tip at s_min. Returns true if the passage has ended.
   bool resolve_pole_or_exit(int lane, bool may_reach_pole, bool may_exit) {
     ActivePassage& active = active_[lane];
     const double h = block_.t_new.lane[lane] - active.t;
@@ -218,7 +219,7 @@ class SimdEngine::LaneSet {
     double normal;
     InPlane<double> friction;
   };
-  // The forces on the tip, with the modulation that the kernels use.
+  // Returns the forces on the tip, with the modulation that the kernels use.
   SlabForces slab_forces(const Bristle<double>& b, const OdeState& y) const {
     const ContactForce<double> contact = contact_force(b, y[component::Z]);
     Sliding<double> sliding = relative_motion(y[component::VX], y[component::VY]);

@@ -17,7 +17,8 @@ class SimdEngine {
  public:
   using Done = std::function<void(std::size_t ticket, Passage&&)>;
 
-  // kernels: see simd/dispatch.hpp. advance() calls done for each passage that ended.
+  // Creates an engine without passages. kernels: see simd/dispatch.hpp. advance() calls done for each passage
+  // that ended.
   SimdEngine(const Kernels& kernels, Done done);
   ~SimdEngine();
 
@@ -25,8 +26,8 @@ class SimdEngine {
   // Steps until at least one passage has ended. Returns false if there is no passage.
   bool advance();
 
-  // Utilisation of the lanes: steps attempted in all lanes, including empty ones, and those of them that
-  // belong to passages that have ended or changed their lane set.
+  // Utilisation of the lanes: steps attempted in all lanes, including empty ones, and steps of passages that
+  // have ended or changed their lane set.
   struct Usage {
     double lane_steps = 0, passage_steps = 0;
   };

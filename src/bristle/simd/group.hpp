@@ -34,7 +34,7 @@ inline Lanes radial_product(const std::array<Lanes, COMPONENTS>& y) {
 template <int Stages, int Components = COMPONENTS>
 using Slopes = std::array<std::array<Lanes, Components>, Stages>;
 
-// sum_j weight(j) k_j over the first Count slopes of a component; weight is a constant expression.
+// Returns sum_j weight(j) k_j over the first Count slopes of a component; weight is a constant expression.
 template <int Count, class AllSlopes, class Weight, std::size_t... J>
 HWY_INLINE Lanes weighted_sum(const AllSlopes& k, int component, Weight weight, std::index_sequence<J...>) {
   Lanes sum = k[0][component] * Lanes(weight(0));
@@ -69,8 +69,8 @@ class ErrorNorm {
   Lanes largest_ = 0.0, allowed_ = 1.0, sum_ = 0.0;
 };
 
-// x^exponent for x > 0, within 3 % for exponents between -1/3 and 1/3: the bits of a number, read as an
-// integer, are nearly proportional to its logarithm.
+// Returns x^exponent for x > 0, within 3 % for exponents between -1/3 and 1/3: the bits of a number, read as
+// an integer, are nearly proportional to its logarithm.
 inline Lanes rough_power(Lanes x, double exponent) {
   const hn::RebindToSigned<Lanes::D> integers;
   const Lanes bits_of_one = 4607182418800017408.0;
@@ -79,9 +79,10 @@ inline Lanes rough_power(Lanes x, double exponent) {
   return hn::BitCast(Lanes::tag, hn::ConvertTo(integers, power.v));
 }
 
-// The size of the next step after a step with this error, by the controller of K. Gustafsson, ACM Trans.
-// Math. Softw. 17 (1991) 533: after an accepted step it takes the error of the accepted step before into
-// account. Changes by a factor of 5 at most. exponent is -1/(order of the error).
+// Returns the size of the next step after a step of size h with this error, by the controller of K.
+// Gustafsson, ACM Trans. Math. Softw. 17 (1991) 533: after an accepted step it takes the error of the
+// accepted step before into account. Changes the size by a factor of 5 at most. exponent is -1/(order of the
+// error).
 inline Lanes next_size(Lanes h, Lanes error, Lanes last_error, double exponent) {
   const auto power = [](Lanes x, double e) { return rough_power(max(x, 1e-4), e); };
   const Lanes after_accepted = power(error, 0.7 * exponent) * power(last_error, -0.4 * exponent);

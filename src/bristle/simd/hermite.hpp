@@ -28,7 +28,7 @@ class TipPath {
     }
     return at;
   }
-  // X, Y or Z.
+  // Returns the cubic of the coordinate c: X, Y or Z.
   Hermite coordinate(int c) const {
     return {from_[c], to_[c], h_ * from_[component::VX + c], h_ * to_[component::VX + c]};
   }

@@ -92,7 +92,7 @@ struct Lanes::Mask {
   friend Mask operator&(Mask a, Mask b) { return {hn::And(a.m, b.m)}; }
   friend Mask operator|(Mask a, Mask b) { return {hn::Or(a.m, b.m)}; }
   friend Mask operator!(Mask a) { return {hn::Not(a.m)}; }
-  // Bit i is lane i.
+  // Returns the mask with lane i as bit i.
   std::uint32_t bits() const {
     std::uint8_t byte[8] = {};
     hn::StoreMaskBits(tag, m, byte);
@@ -107,16 +107,16 @@ inline Lanes min(Lanes a, Lanes b) { return select(a < b, a, b); }
 inline Lanes max(Lanes a, Lanes b) { return select(a < b, b, a); }
 inline Lanes abs(Lanes x) { return hn::Abs(x.v); }
 
-// exp(x) for x <= 0; 0 below kNegligible. A vector with only such lanes skips the exponential.
+// Returns exp(x) for x <= 0; 0 below kNegligible. A vector with only such lanes skips the exponential.
 inline Lanes decay(Lanes x) {
   const auto not_negligible = hn::Ge(x.v, hn::Set(Lanes::tag, kNegligible));
   if (hn::AllFalse(Lanes::tag, not_negligible)) return 0.0;
   return hn::IfThenElseZero(not_negligible, hn::Exp(Lanes::tag, x.v));
 }
 
-// From a first guess by the exponent (error 3 %), by an iteration of order 4 and one of order 3: only
-// rounding errors remain. Much cheaper than a square root and a division, and, unlike the processors' own
-// estimates, the same on every processor.
+// Returns 1/sqrt(x), from a first guess by the exponent (error 3 %), by an iteration of order 4 and one of
+// order 3: only rounding errors remain. Much cheaper than a square root and a division, and, unlike the
+// processors' own estimates, the same on every processor.
 inline Lanes inverse_sqrt(Lanes x) {
   const hn::RebindToSigned<Lanes::D> integers;
   const auto magic = hn::Set(integers, 0x5FE6EB50C7B537A9);

@@ -16,7 +16,7 @@ struct Modulation {
 // computations between look_up() and modulation_of() hide that.
 struct TableEntry {
   Lanes t, inverse, position;  // inverse is 1/(V_R + V_scale); position in the interval
-  alignas(64) double coefficients[4 * Lanes::kWidth];  // those of one lane after the other
+  alignas(64) double coefficients[4 * Lanes::kWidth];  // of one lane after the other
 };
 
 inline void look_up(const ModulationTable& table, Lanes V_R, Lanes V_scale, TableEntry& out) {

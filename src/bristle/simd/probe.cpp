@@ -12,13 +12,14 @@
 namespace bristle {
 namespace {
 
-// The number, which the compiler then does not know.
+// Returns the number, which the compiler then does not know.
 double unknown(double number) {
   volatile double stored = number;
   return stored;
 }
 
-// Operations on such numbers. Each rounds otherwise, or is folded to a constant, under a flag that allows it.
+// Returns the sum of numbers that the compiler does not know. This and each following operation rounds
+// otherwise, or is folded to a constant, under a flag that allows it.
 double sum(double a, double b) { return unknown(a) + unknown(b); }
 double product(double a, double b) { return unknown(a) * unknown(b); }
 double product_and_sum(double a, double b, double c) { return unknown(a) * unknown(b) + unknown(c); }
@@ -41,7 +42,7 @@ double tenths(double a) { return unknown(a) * 0.1; }
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// The first of these operations whose bits differ from IEEE 754; empty if none does.
+// Returns the first of these operations whose bits differ from IEEE 754; empty if none does.
 std::string wrong_operation() {
   const double a_tenth = std::bit_cast<double>(std::uint64_t(0x3FB999999999999A));
   const struct {
@@ -68,7 +69,8 @@ std::string wrong_operation() {
   return "";
 }
 
-// The passage of a bristle that starts far from the pole, comes near it, and leaves the slab after 180 steps.
+// Returns the passage of a bristle that starts far from the pole, comes near it, and leaves the slab after
+// 180 steps.
 template <class Run>
 Passage one_passage(const Run& run) {
   Parameters parameters;
@@ -80,7 +82,7 @@ Passage one_passage(const Run& run) {
       &parameters, bristle, static_equilibrium(bristle), {1e-3, 1e-5, Method::automatic, 100'000}});
 }
 
-// FNV-1a over the bits of the numbers, which do not depend on the order of bytes in memory.
+// Returns FNV-1a over the bits of the numbers, which do not depend on the order of bytes in memory.
 std::uint64_t digest_of(const Passage& passage) {
   std::uint64_t digest = 0xcbf29ce484222325;
   const auto add = [&](double value) {
@@ -93,7 +95,7 @@ std::uint64_t digest_of(const Passage& passage) {
   return digest;
 }
 
-// What differs from every other build; empty if nothing does.
+// Returns what differs from every other build; empty if nothing does.
 std::string difference() {
   if (const std::string operation = wrong_operation(); !operation.empty()) return operation;
   if (const Kernels& kernels = best_kernels(); passage_bits(kernels) != kPassageBits)

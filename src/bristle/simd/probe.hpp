@@ -7,7 +7,7 @@
 
 namespace bristle {
 
-// The program's arithmetic is not that of every other build.
+// The error that the program's arithmetic differs from the arithmetic of every other build.
 struct ArithmeticError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -17,9 +17,10 @@ struct ArithmeticError : std::runtime_error {
 // arithmetic. Its numbers would belong to no commit. Takes about two milliseconds.
 void require_same_bits();
 
-// Digests of the bits of one short passage, which comes near the pole: by these kernels, and by Boost.Odeint.
-// Every build and processor gives the same two; a unit test compares them with the next two.
+// Returns the digest of the bits of one short passage, which comes near the pole, by these kernels. Every
+// build and processor gives the same digest; a unit test compares it with kPassageBits.
 std::uint64_t passage_bits(const Kernels& kernels);
+// Returns the digest of the same passage by Boost.Odeint; a unit test compares it with kReferencePassageBits.
 std::uint64_t reference_passage_bits();
 constexpr std::uint64_t kPassageBits = 0x5b9a8029ba62e85e;
 constexpr std::uint64_t kReferencePassageBits = 0xdaa9146abcf6b56d;

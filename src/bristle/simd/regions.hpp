@@ -17,7 +17,8 @@ struct FarFromPole {
   static Lanes::Mask leaves_pole(const Group&) { return none(); }
 
  private:
-  // The tip approached the pole, now recedes, and its straight path would have come within s_handover.
+  // Returns true if the tip approached the pole, now recedes, and its straight path would have come within
+  // s_handover.
   static Lanes::Mask passes_pole(const Group& g) {
     using namespace component;
     const Lanes angular_momentum = g.y[X] * g.y[VY] - g.y[Y] * g.y[VX];
@@ -28,10 +29,10 @@ struct FarFromPole {
   }
 };
 
-// Whether a step may reach s_min. The tip must approach the singular place (the pole, or a rod's base) at the
-// start of the step. Its path is the cubic through positions and velocities at both ends, which lies within
-// the hull of four control points; if these are all farther away than s_min in one direction, so is the path.
-// Dimensions: 2 in the plane, 3 in space.
+// Returns true if a step may reach s_min. The tip must approach the singular place (the pole, or a rod's
+// base) at the start of the step. Its path is the cubic through positions and velocities at both ends, which
+// lies within the hull of four control points; if these are all farther away than s_min in one direction, so
+// is the path. Dimensions: 2 in the plane, 3 in space.
 template <int Dimensions>
 inline Lanes::Mask may_reach_s_min(const Group& g) {
   using namespace component;

@@ -35,7 +35,8 @@ class AdditiveStep {
   static constexpr bool kPolarDamper = Region::kImplicitPolarDamper;
   static constexpr bool kRodDampers = Region::kImplicitRodDampers;
   static constexpr std::bool_constant<!kRodDampers> kPole{};
-  // No force on a rod depends on its angles, which are not integrated.
+  // Returns true if the component c is integrated. The angles of a rod are not, because no force depends on
+  // them.
   static constexpr bool is_integrated(int c) {
     return !kRodDampers || (c != component::THETA && c != component::PHI);
   }
@@ -47,8 +48,8 @@ class AdditiveStep {
     State<Lanes> state;  // of the stage; before solve(), without the implicit acceleration of this stage
     Place<Lanes> place;  // constructed in place: an assignment would copy its 19 vectors
     InPlane<Lanes> velocity, velocity_before;  // of the last stage and of the one before it
-    // Where Newton's method starts, then at the velocity of the stage; the modulation's secant and slope
-    // are those of the start.
+    // Motion where Newton's method starts, then at the velocity of the stage; secant and slope of the
+    // modulation stay at the start.
     Sliding<Lanes> sliding;
     TableEntry entry;
     Lanes secant, slope;
@@ -68,7 +69,7 @@ class AdditiveStep {
     w.slope = modulation.slope;
   }
 
-  // The azimuth's damper: force along e_theta.
+  // Returns the component of the velocity along e_theta, along which the azimuth's damper exerts its force.
   static HWY_INLINE Lanes along_theta(const Frame<Lanes>& f, Lanes v_x, Lanes v_y) {
     return f.cos_theta * v_y - f.sin_theta * v_x;
   }
@@ -123,7 +124,7 @@ class AdditiveStep {
                   Lanes(g.h * Lanes(Tableau::b[I])), Lanes(g.h * Lanes(1.0 / kWeightedStages)), w.path);
   }
 
-  // Time of stage i within the step, as a share of it.
+  // Returns the time of stage i within the step, as a share of the step.
   static constexpr double time(int i) {
     return std::accumulate(std::begin(Tableau::a[i]), std::end(Tableau::a[i]), 0.0);
   }
@@ -238,9 +239,9 @@ class AdditiveStep {
     };
     (all(std::integral_constant<int, int(I)>{}), ...);
   }
-  // The slopes of stage I, then the next stage up to where its velocity is solved for, or the end of the
-  // step. Solving takes long for its few operations, as each waits for the one before; the processor overlaps
-  // it with what precedes it here in the other group.
+  // Computes the slopes of stage I, then the next stage up to where its velocity is solved for, or the end of
+  // the step. Solving takes long for its few operations, as each waits for the one before; the processor
+  // overlaps it with what precedes it here in the other group.
   template <int I>
   static HWY_INLINE void advance(Group& g, Work& w) {
     if constexpr (I == 0) {
@@ -257,7 +258,7 @@ class AdditiveStep {
     }
   }
 
-  // The state of stage I without the implicit acceleration of this stage.
+  // Computes the state of stage I without the implicit acceleration of this stage.
   template <int I>
   static HWY_NOINLINE HWY_FLATTEN void predict(const Group& g, Work& w) {
     std::array<Lanes, kState> at;

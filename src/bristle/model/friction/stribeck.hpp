@@ -13,7 +13,7 @@ struct Stribeck {
   static constexpr const char* title = "exponential Stribeck";
   static constexpr double load_exponent = 1;
   static constexpr double Parameters::*strength = &Parameters::mu_c;
-  // Constants: A - 1, V_s/(creep speed).
+  // Returns the constants A - 1 and V_s/(creep speed).
   static FrictionConstants<double> constants(const Parameters& p) { return {{p.A - 1, 5}}; }
   static double V_scale(const Parameters& p) { return p.V_s; }
   template <class T, class P>
