@@ -67,7 +67,7 @@ function showPassages(passages, words) {
   part("three-at").textContent = words;
 }
 
-// Checks and computes the brush of the form; newer input replaces what waits. The curve is then that of another brush.
+// Checks and computes the brush of the form; newer input replaces what waits. The curve then belongs to another brush.
 let pending = 0;
 function changed() {
   clearTimeout(pending);

@@ -17,7 +17,7 @@ function put(json, pointer, value) {
   else part[last] = value;
 }
 
-// A number with a point or a comma; other text as it is, of which the program says what is allowed.
+// A number with a point or a comma; other text as it is: the program says what is allowed.
 function valueOf(field) {
   const text = field.value.trim();
   if (field.tagName === "SELECT") return text;
@@ -111,7 +111,7 @@ function showFragment(fragment) {
   if (words.has("from") || words.has("to")) form.dataset.range = "typed";
 }
 
-// The field beside which a message stands whose pointer, at its start, is given: that of the pointer, or of a part of the
+// The field beside which a message stands whose pointer, at its start, is given: the field of the pointer, or of a part of the
 // curve's range; but a field that the reader has emptied, if the message names it.
 function fieldOfMessage(message, pointer) {
   const { experiment } = PRESETS[presetName()], [, block, key, , part] = pointer.split("/");

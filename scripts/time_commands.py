@@ -45,7 +45,7 @@ def timed(arguments, allowed=(0,)):
 
 
 def repository(bristle):
-    """Makes the working folder a repository of which an archive can be made."""
+    """Makes the working folder a repository from which an archive can be made."""
     source = os.path.dirname(HERE)
     for name in ("CITATION.cff", "LICENSE", "LICENSE-DATA"):
         shutil.copy(os.path.join(source, name), ".")

@@ -49,7 +49,7 @@ def draw_figure():
             require_axes(file, arguments.figure, module.AXES)
             print("\n".join(captions(module, file, arguments.y, arguments.panels)))
             return
-        further = {} if arguments.panels else getattr(module, "FURTHER", {})  # letters are those of the main figure
+        further = {} if arguments.panels else getattr(module, "FURTHER", {})  # letters are as large as in the main figure
         source, written = source_of(file, form_of(arguments, parser)), []
         # The main figure comes last: its PDF names all files, so that they are there if it is.
         for ending, function in reversed({"": module.draw, **further}.items()):

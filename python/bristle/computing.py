@@ -18,7 +18,7 @@ from .errors import NOT_WRITTEN, BristleError, did_you_mean
 from .program import run as program_run
 from .results import open_result
 
-NO_TRIAL = 1  # exit code of a design of which no trial meets the constraints: the result is complete
+NO_TRIAL = 1  # exit code of a design without a trial that meets the constraints: the result is complete
 BLOCKS = ("model", "si", "load", "orientation", "integrator")
 ARGUMENTS = ("output", "tier", "threads", "quiet", "program")  # of run()
 AXIS = ("values", "linspace", "logspace", "take")  # keys of an axis in a sweep
@@ -36,7 +36,7 @@ def run(experiment, *, output=None, tier="full", threads=None, quiet=False, prog
     record=["observables"], are replaced.
     output: file of the result; without one, it is kept until Python ends. Points that a result in the same folder has
     are not computed again, so a call with more values computes only these.
-    threads: all cores by default. program: path of bristle; by default that of this source tree or the installed one.
+    threads: all cores by default. program: path of bristle; by default the program of this source tree or the installed one.
     Raises BristleError with the program's message.
     """
     program = os.fspath(program or find_program())

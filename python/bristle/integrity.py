@@ -15,14 +15,14 @@ from .errors import BristleError, is_of_the_system, system_reason
 
 SECONDS = 5  # of processor time
 BYTES_PER_SECOND = 20_000_000
-MEMORY = 256 << 20  # bytes beyond those of this process and of the file
+MEMORY = 256 << 20  # bytes beyond the memory of this process and the size of the file
 MAX_DEPTH = 4  # of groups
 COPIED = "copied"
 UNREAD = "unread: "  # before the system's reason
 
 
 class CopiedResult(BristleError):
-    """A result that another program wrote from one of bristle: its digest is that of the file of bristle."""
+    """A result that another program wrote from one of bristle: its digest is the digest of the file of bristle."""
 
 
 def require_intact(path):

@@ -68,7 +68,7 @@ def source_of(file, form=""):
 
 
 def as_result(ds):
-    """The Dataset with a dimension for each axis of the sweep, also for one of which a value was selected."""
+    """The Dataset with a dimension for each axis of the sweep, also for an axis with one selected value."""
     if not isinstance(ds, xarray.Dataset):
         raise BristleError(f"a figure is drawn from an xarray Dataset, as open_result(PATH) returns, not from a "
                            f"{type(ds).__name__}")

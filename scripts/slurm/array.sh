@@ -11,7 +11,7 @@ usage: array.sh [-o FILE.h5] EXPERIMENT.json N[%M] [SBATCH OPTIONS ...] [-- RUN 
   N[%M]            number of shards, each a task of the array; at most M run at a time
   SBATCH OPTIONS   for all tasks: --cpus-per-task=8 --time=2:00:00 --partition=... --account=...
   RUN OPTIONS      for all jobs, of `bristle run`: --tier smoke --set /model/k_r=20
-BRISTLE names the program [that of this source tree, or the installed one].
+BRISTLE names the program [by default the one of this source tree, or the installed one].
 EOF
   exit 2
 }

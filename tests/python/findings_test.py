@@ -51,7 +51,7 @@ assert explained == unsupported, f"{unsupported} verdicts are not \"supported\",
 # The summary in README.md.
 readme = (root / "README.md").read_text(encoding="utf-8")
 summary, in_readme = (re.search("<!-- summary: .*?<!-- end of summary -->", text, re.S).group() for text in (page, readme))
-assert in_readme == summary, "README.md's summary is not that of docs/findings.md: `make findings`"
+assert in_readme == summary, "README.md's summary differs from docs/findings.md's: `make findings`"
 said = re.search(r"the paper's (\d+) claims, (\d+) hold with every model of bending, (\d+) fail with every model of bending .*? and (\d+) depend",
                  " ".join(summary.split())).groups()
 alike = [set(verdicts) for verdicts in rows.values()]

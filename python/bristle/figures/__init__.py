@@ -18,8 +18,8 @@ def draw(result, figure=None, **options):
     """Draws a figure of a result, and returns a matplotlib Figure.
 
     result: a Dataset from run(...), open_result(PATH) or xarray.open_dataset(PATH), or a part of it.
-    figure: one of bristle.figures.FIGURES; without a name, that of the result's experiment, or else "curve".
-    options: of the figure: help(bristle.figures.module_of("fig4").draw) describes those of fig4.
+    figure: one of bristle.figures.FIGURES; without a name, the figure of the result's experiment, or else "curve".
+    options: of the figure: help(bristle.figures.module_of("fig4").draw) describes the options of fig4.
     Raises BristleError if something is wrong with a name, an option or the Dataset.
     """
     found = module_of(figure or own_figure(as_text(as_result(result).attrs.get("name", ""))))

@@ -56,7 +56,7 @@ def draw(file, reading):
 
 
 def shaded(items):
-    """Pairs of item and colour, from dark to light: styles of lines are those of the paths."""
+    """Pairs of item and colour, from dark to light: the paths decide the styles of lines."""
     return zip(items, colormaps["viridis"](np.linspace(0, 0.8, max(2, len(items)))))
 
 

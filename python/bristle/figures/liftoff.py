@@ -70,7 +70,7 @@ def draw(file):
 
 
 def draw_maxima(axes, file):
-    """The largest load of bouncing bristles over that of the formula; returns the legend's entries by text."""
+    """The largest load of bouncing bristles over the load of the formula; returns the legend's entries by text."""
     entries, ends = {}, []
     for reading, marker, colour in zip(readings(file), MARKERS, COLOURS):
         for contact in axis_values(file, "contact"):
@@ -133,7 +133,7 @@ def shown_brushes(file):
 
 
 def of_curves(file):
-    """A sentence: of which model and contact the curves over the gap are."""
+    """A sentence with the model and the contact of the curves over the gap."""
     reading, contact = readings(file)[-1], axis_values(file, "contact")[-1]
     return f"Curves over the gap: {', '.join(filter(None, [reading_name(reading), contact_text(file, contact)]))}."
 

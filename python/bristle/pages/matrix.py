@@ -10,8 +10,8 @@ TOGETHER = "together"  # the choice of alternatives that combine others
 
 
 def read_matrix(path):
-    """The document; cells: those of all windows, with their place and the names of their values; grid[check][alternative]:
-    those of the last window, or of the only one. The first alternative is the baseline."""
+    """The document; cells: the cells of all windows, with their place and the names of their values; grid[check][alternative]:
+    the cells of the last window, or of the only one. The first alternative is the baseline."""
     document = read_json(path, REMEDY)
     schema = document.get("schema") if isinstance(document, dict) else None
     if schema != SCHEMA:
@@ -37,7 +37,7 @@ def cells_of(document):
             raise ValueError(f"check {row['check']} has {len(row['under'])} cells, not {size}")
         for i, cell in enumerate(row["under"]):
             alternative, window = divmod(i, len(windows))
-            # null: the alternative does not change the experiment, so the cell is that of the baseline.
+            # null: the alternative does not change the experiment, so the baseline's cell holds.
             values = zip(document["cell_keys"], row["under"][window] if cell is None else cell, strict=True)
             yield {"check": row["check"], "alternative": alternative, "window": windows[window], **dict(values),
                    "affected": cell is not None}
@@ -53,7 +53,7 @@ def reversed_verdict(cell, baseline):
 
 
 def verdicts_by_value(path, claim, choice, baseline):
-    """The verdicts on a claim by the values of a parameter, those of the alternatives "NAME = VALUE" of this choice and the
+    """The verdicts on a claim by the values of a parameter, under the alternatives "NAME = VALUE" of this choice and the
     baseline's, in their order; the matrix is of one reading."""
     document = read_matrix(path)
     row = next((cells for check, cells in zip(document["checks"], document["grid"]) if check["claim"] == claim), [])

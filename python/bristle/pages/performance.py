@@ -196,7 +196,7 @@ def command_table(measured):
 
 
 def sharing_table(measured):
-    """CPU time of experiments whose points share passages, over that of the same without sharing."""
+    """CPU time of experiments whose points share passages, over the time of the same experiments without sharing."""
     rows = [[one["name"], one["title"], f"{one['cpu_seconds']:.0f}", f"{one['ratio']:.2f}",
              f"{one['loads'] * one['ratio']:.1f}/{one['loads']}" if "loads" in one else "\u2013"] for one in measured]
     return table(["experiment", "what", "CPU, s", "over that without sharing", "cost in loads/loads"], *rows)

@@ -29,7 +29,7 @@ def main():
 
 
 def execute(notebook):
-    """Replaces the outputs of the notebook, a dict of its JSON, by those of an execution; returns the cells' variables."""
+    """Replaces the outputs of the notebook, a dict of its JSON, by the outputs of an execution; returns the cells' variables."""
     matplotlib.use("agg")
     variables = {}
     for count, cell in enumerate((cell for cell in notebook["cells"] if cell["cell_type"] == "code"), 1):

@@ -1,4 +1,4 @@
-""".zenodo.json, the description of a release that Zenodo reads, from CITATION.cff; with --archive, the same of the
+""".zenodo.json, the description of a release that Zenodo reads, from CITATION.cff; with --archive, the description of the
 dataset of `make archive`, for Zenodo's deposit API or its form."""
 
 import argparse
@@ -42,7 +42,7 @@ def content(path):
 
 
 def of_archive(path):
-    """The metadata of the dataset's record: those of the citation in the archive, and the archive's SHA-512."""
+    """The metadata of the dataset's record: the entries of the citation in the archive, and the archive's SHA-512."""
     try:
         with open(path, "rb") as file:
             digest = hashlib.file_digest(file, "sha512").hexdigest()

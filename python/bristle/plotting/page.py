@@ -29,7 +29,7 @@ INCHES = {"in": 1, "cm": 1 / 2.54, "mm": 1 / 25.4}
 def drawn_on(plain=False, width=None, panels=None, maps_only=False, cmap=None, style=None):
     """Figures made within have this page and the look; matplotlib's parameters are afterwards as they were.
 
-    cmap: of maps and surfaces; style: matplotlib's parameters over those of the look.
+    cmap: of maps and surfaces; style: matplotlib's parameters, which replace the look's.
     """
     width = None if width is None else inches(width)
     token = _page.set(Page(plain or width is not None, width, chosen_letters(panels), maps_only))

@@ -18,7 +18,7 @@ width: of the page of a paper, such as "3.5in", "89mm" or a number of inches; im
 panels: letters of the panels to draw, such as "a,d"; those that are left have letters anew.
 maps_only: maps without the surfaces above them.
 cmap: of maps and surfaces, a name of matplotlib or a Colormap; without it viridis.
-style: matplotlib's rcParams over those of the look, for what the figure does not set itself.
+style: matplotlib's rcParams, which replace the look's, for what the figure does not set itself.
 
 Returns a matplotlib Figure; raises BristleError if something is wrong with the Dataset or an option.
 """

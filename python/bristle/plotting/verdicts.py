@@ -87,7 +87,7 @@ def by_claim(claims):
 
 
 def first(check):
-    """A check under its first reading: the claim, statement, role and threshold are those of all readings."""
+    """A check under its first reading: the claim, statement, role and threshold are the same for all readings."""
     return next(iter(check.values()))
 
 
@@ -201,7 +201,7 @@ def strip_height(claims, width):
 
 
 def symbols(file):
-    """The symbols of quantities by their names in sentences: those of the axes of the panels."""
+    """The symbols of quantities by their names in sentences: the symbols of the axes of the panels."""
     found = {name: attribute(data, "symbol") for name, data in file.variables.items() if "symbol" in data.attrs}
     return FURTHER_SYMBOLS | {name: symbol for name, symbol in found.items() if symbol not in ("", name)}
 

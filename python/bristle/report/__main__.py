@@ -71,7 +71,7 @@ def main():
 
 
 def origin_of(arguments):
-    """What the page is made from, as a text that it contains: a digest of all files, and that of the matrix's numbers."""
+    """What the page is made from, as a text that it contains: a digest of all files, and the digest of the matrix's numbers."""
     matrix_file = MATRIX.get()
     others = [*arguments.results, matrix_file, arguments.citation, arguments.brush]
     numbers = "none" if matrix_file is None else read_json(matrix_file, REMEDY).get("payload_sha256", "none")
@@ -85,7 +85,7 @@ def drawn(path, file, arguments):
 
 
 def digest_of(paths, arguments, endings):
-    """A digest of the code in files with these endings, the program, the references and the files at these paths, of which some
+    """A digest of the code in files with these endings, the program, the references and the files at these paths, which
     may be None or missing."""
     digest = hashlib.sha256(current.code_digest(os.path.dirname(HERE), endings).encode())
     references = [os.path.join(arguments.reference, name) for name in sorted(os.listdir(arguments.reference))] \

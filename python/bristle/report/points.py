@@ -56,7 +56,7 @@ def read_axis(file, name):
 
 
 def shown(file, shape):
-    """Names of the variables over the sweep that have values; those of the figures first."""
+    """Names of the variables over the sweep that have values; variables of the figures first."""
     first = ["R_x_norm", "gamma_1", "gamma_2", "gamma_3", "z_0", "R_n", "R_x", "N_c_ratio"]
     found = [name for name, data in file.data_vars.items()
              if data.shape == shape and not name.endswith(ERROR) and name != "status"

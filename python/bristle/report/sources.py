@@ -32,7 +32,7 @@ def provenance(file, path):
 
 
 def compare(provenances):
-    """What is the same in all results, and the names of the entries that differ: those of a table, and all."""
+    """What is the same in all results, and the names of the entries that differ: of a table, and all."""
     names = list(dict.fromkeys(name for found in provenances for name in found["all"]))
     values = {name: {found["all"].get(name, "") for found in provenances} for name in names}
     differ = [name for name in names if len(values[name]) > 1]

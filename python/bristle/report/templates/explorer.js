@@ -3,7 +3,7 @@
 const chosen = { data: null, variable: null, at: [], mark: null, table: null };
 const control = (name) => document.getElementById(name);
 
-// The coordinates of a point; those of a node of a curve have its gap instead of its number. part: "name" or "symbol".
+// The coordinates of a point; a node of a curve has its gap instead of its number. part: "name" or "symbol".
 function placeOf(data, where, part = "name") {
   return data.axes.map((axis, i) => {
     const gap = data.along && i === data.map?.[0];

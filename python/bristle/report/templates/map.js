@@ -1,4 +1,4 @@
-// A map of one variable over two axes: one cell for each point. The cells are equal, but for those of a traced curve,
+// A map of one variable over two axes: one cell for each point. The cells are equal, but for the cells of a traced curve,
 // which lie at their gap.
 
 const COLOURS = JSON.parse(document.getElementById("colours").textContent);
@@ -35,7 +35,7 @@ function ticks(count, cell, room) {
   return [...Array(count).keys()].filter((i) => i % step === 0);
 }
 
-// The horizontal axis: that of the sweep, or for nodes of a curve the variable that places them.
+// The horizontal axis: an axis of the sweep, or for nodes of a curve the variable that places them.
 function acrossOf(data) {
   return data.variables.find(({ name }) => name === data.along) ?? data.axes[data.map[0]];
 }

@@ -53,7 +53,7 @@ function wordsOf(unit, largest, places) {
   return (value) => `${(value * size / factor).toFixed(Math.max(0, 2 - whole))} ${letter}${name}`;
 }
 
-// Plays some of the passages: those of choose(passage). Numbers are dimensionless, or in the passage's `units` of force and time,
+// Plays the passages for which choose(passage) is true. Numbers are dimensionless, or in the passage's `units` of force and time,
 // each [size, name]. The returned function replaces choose, and the passages if it is given others.
 function startPlayer(box, passages, choose = () => true) {
   const only = box.dataset.models;
