@@ -132,19 +132,19 @@ def sliding_easily(file, _):
     easily, dragging = (dict(zip(READINGS, over_models(file, **means, where=where)))
                         for where in ({**BOUNCING, "load_over_lift_off": [0.5, 2]}, CONTACT))
     return ("**Bouncing brushes slide easily.** Under loads of at least half the lift-off load, bouncing rods have "
-            f"{in_two_digits(easily['rod'])} times the friction of rigid bristles ({spans[0]} over "
-            f"stiffness and load; the three models have means of {span(list(easily.values()), in_two_digits)}). In contact they have "
-            f"{in_two_digits(dragging['rod'])} times ({spans[1]}). The stiffness decides in which of the two states a brush is, "
-            "and matters less within either.")
+            f"{in_two_digits(easily['rod'])} times the friction of rigid bristles, {spans[0]} over stiffness and load; the means of the "
+            f"three models are {span(list(easily.values()), in_two_digits)}. In contact rods have {in_two_digits(dragging['rod'])} times, "
+            f"{spans[1]}. The stiffness decides whether a brush bounces, and matters less within either phase.")
 
 
 def formula(file, _):
     load = dataset(file, "lift_off_load")
     of_springs = attribute(load, "long_name").partition(": ")[2]
     scatter = float(np.nanmax(read(file, "lift_off_load_err") / read(file, "lift_off_load")))
-    return (f"**A formula says which.** A brush onto which the slab is lowered bounces if its load per bristle is less than the lift-off load, {of_springs} "
-            f"(dimensionless; computed lift-off loads are {percent(scatter)} off, root mean square: docs/lift-off.md). Stiffer bristles "
-            "bounce under greater loads. In newtons the speed of the slab enters only by its logarithm.")
+    return ("**A formula says which.** A brush onto which the slab is lowered bounces if its load per bristle is less than the lift-off "
+            f"load, {of_springs}, with the radial and polar stiffness k_r and k_phi (dimensionless; root mean square error "
+            f"{percent(scatter)}: docs/lift-off.md). Stiffer bristles bounce under greater loads. In newtons the speed enters only by "
+            "its logarithm.")
 
 
 def bristles_that_differ(file, _):
