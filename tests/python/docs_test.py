@@ -37,6 +37,7 @@ INSTEAD = [
     (r"make (archive|verify\b.*|deposit\b.*|release\b.*)$", r"make -n \1"),  # tests/program/archive_test.sh, tests/program/release_test.sh
     (r"make (sanitize|tidy|coverage|fuzz|stress)\b(.*)$", r"make -n \1\2"),  # take hours, or have their own tests
     (rf"scripts/plot (\w+) results/({FIGURES})\.h5(.*)$", r"scripts/plot \1 results/\2-smoke.h5\3"),
+    (rf"(build/bristle (?:value|export)) results/({FIGURES})\.h5(.*)$", r"\1 results/\2-smoke.h5\3"),
     (r"(build/bristle run experiments/fig4.json --(shard \S+|complete))$", r"\1 --tier smoke"),
     (r"scripts/slurm/.*", "test -x scripts/slurm/array.sh"),  # tests/program/slurm_test.sh
 ]
