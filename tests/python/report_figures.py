@@ -132,7 +132,7 @@ def check_narrow_points(driver, keys, drawing, values):
 
 
 def check_saved(driver, saved, fig4):
-    """The CSV has the numbers of the file within a twentieth of their errors; the SVG is a drawing by itself."""
+    """The CSV has the numbers of the file within a twentieth of their errors; the SVG is a drawing by itself, with its letters."""
     driver.execute_cdp_cmd("Browser.setDownloadBehavior", {"behavior": "allow", "downloadPath": str(saved)})
     for selector in ("#fig4 button.data", "#fig4 button.save"):
         driver.execute_script("document.querySelector(arguments[0]).click()", selector)
@@ -154,6 +154,9 @@ def check_saved(driver, saved, fig4):
     assert "# k_r [1]: " in wanted[0].read_text()
     image = ElementTree.parse(wanted[1]).getroot()
     assert image.tag.endswith("svg") and image.get("width").endswith("pt")
+    used = {use.get("{http://www.w3.org/1999/xlink}href")[1:] for use in image.iter("{http://www.w3.org/2000/svg}use")}
+    ids = [shape.get("id") for shape in image.iter() if shape.get("id")]
+    assert any(name.startswith("letter-") for name in used) and used <= set(ids) and len(ids) == len(set(ids)), used - set(ids)
 
 
 def check_readings(driver):

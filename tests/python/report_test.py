@@ -63,12 +63,20 @@ def check_output():
 
 
 def check_shortened():
-    """Lines of the drawings keep their points, other paths stay, and numbers keep the digits that their errors leave."""
+    """Paths of the drawings keep their points, lines that continue each other become one, letters are told from markers, and numbers
+    keep the digits that their errors leave."""
     sys.path.insert(0, str(root / "python"))
-    from bristle.report import plots, tables
-    lines = ' d="M 678 2906 \nL 684.4 2906.2 \nL 684.4 -0.3 \nz\nM 1 2 \nL 0.5 2.5 "'
-    curved = ' d="M 1 2 \nQ 3 4 5 6 "'
-    assert plots.PATH.sub(plots.relative, lines + curved) == ' d="M678 2906l6.4 .2l0-2906.5zM1 2l-.5 .5"' + curved
+    from bristle.report import svg, tables
+    lines = ' d="M 678 2906 \nL 684.4 2906.2 \nL 684.41 2906.2 \nL 684.4 -0.3 \nz\nM 1 2 \nL 0.5 2.5 "'
+    curved = ' d="M 1 2 \nQ 3 4 5 -6 \nL 5 -6 \nM 7 7 \nL 7 7"'
+    assert svg.compact(lines + curved) == ' d="M678 2906l6.4 .2l0-2906.5zM1 2l-.5 .5" d="M1 2q2 2 4-8M7 7l0 0"'
+    look = ' clip-path="url(#p)" style="fill: none; stroke: #000"/>'
+    parts = "".join(f'<path d="M {a} 0 \nL {b} 0.5 \nL {b} 0 \n"{look}\n' for a, b in ((1, 2), (2, 3), (4, 5))) + f'<path d="M 5 0 \nL 6 0 \nz\n"{look}<path d=""{look}'
+    assert svg.compact(parts) == f'<path d="M1 0l1 .5l0-.5l1 .5l0-.5M4 0l1 .5l0-.5M5 0l1 0z"{look}'
+    letter = '<defs><path id="Sans-30" d="M0 0" transform="scale(0.015625)"/></defs><use xlink:href="#Sans-30" x="1.04" y="2"/>'
+    made, letters = svg.inline(f'<svg viewBox="0 0 1 1">{letter}<path id="m" d="M1 1"/><use xlink:href="#m"/></svg>', "fig", "a", "b")
+    assert letters == {"Sans-30": "M0 0"}
+    assert made.endswith('<use xlink:href="#letter-Sans-30" x="1.04" y="2"/><path id="fig-m" d="M1 1"/><use xlink:href="#fig-m"/></svg>')
     assert tables.by_column("# a\nk_r,x,x_err,y,phase\n5.1234567,1.234567,0.0123,9.87654321,contact\n6.1234567,,,,unknown\n", ["k_r"]) == (
         "# a\n\nk_r,5.1234567,6.1234567\nx,1.235,\nx_err,0.012,\ny,9.8765,\nphase,contact,unknown")
 

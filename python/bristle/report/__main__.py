@@ -167,11 +167,13 @@ def render(figures, story_found, moving, origin, arguments):
     provenance = sources.compare([figure["provenance"] for figure in shown])
     citation = sources.citation(arguments.citation, provenance["same"].get("commit", ""))
     names = {figure["name"]: figure["symbols"] for figure in shown}
-    words = [drawing["reading"] for figure in shown for drawing in figure["drawings"] if drawing["reading"]]
+    drawings = [drawing for figure in shown for drawing in figure["drawings"]]
+    words = [drawing["reading"] for drawing in drawings if drawing["reading"]]
+    letters = {name: shape for drawing in drawings for name, shape in drawing["letters"].items()}
     parts = [*["findings"] * bool(story_found["findings"]), *["player"] * bool(moving["played"]), *["jump"] * ("fig4" in names),
              *["claims"] * bool(all_claims)]
     return environment.get_template("page.html.j2").render(
-        origin=origin, figures=figures, shown=shown, missing=[figure for figure in figures if not figure["present"]], names=names,
+        origin=origin, figures=figures, shown=shown, letters=sorted(letters.items()), missing=[figure for figure in figures if not figure["present"]], names=names,
         story=story_found, parts=parts, rest=REST, readings={word: READINGS.get(word, readable(word)) for word in words},
         claims=sorted(all_claims, key=lambda claim: claim["claim"]), count=claims.count(all_claims),
         tiers=sorted({figure["tier"] for figure in shown}),

@@ -1,13 +1,10 @@
 """The figures as inline SVG, without header and verdicts: the page has these as text."""
 
-import base64
 import io
 import math
 import re
 
 import numpy as np
-from PIL import Image
-from markupsafe import Markup, escape
 from matplotlib import rc_context
 from matplotlib.collections import PolyCollection, QuadMesh
 from matplotlib.transforms import Bbox
@@ -21,20 +18,16 @@ from ..plotting.style import METADATA
 from ..plotting.verdicts import STRIP, read_claims, strip_height
 from ..results import as_text, axis_names, axis_values, dataset, read, readable, require_axes
 from .points import embedded
+from .svg import compact, inline
 from .symbols import plain, prose
 from .tables import packed
 
 # Maps and surfaces of more cells become images within the SVG, as elements for each cell are slow to show.
-MANY, MAP_DPI, COLOURS_OF_MAP = 50, 120, 64
+MANY, MAP_DPI = 50, 120
 SIMPLIFIED = {"path.simplify_threshold": 0.5}  # of a pixel: how far lines may be from what they show
 NARROW = "3.5in"  # page of the drawings for phones, whose letters have at least 9 pixels there
 LEAST_LETTER = 9  # pixels on the screen
 LETTERS = re.compile(r"scale\(0?(\.\d+) -")  # of glyphs, in hundredths of their size in an SVG's units
-LONG_NUMBER = re.compile(r"-?\d+\.\d{3,}")  # of an SVG's units, 1/72 inch
-IMAGE = re.compile(r"data:image/png;base64,([^\"]*)")
-PATH = re.compile(r' d="([^"]*)"')
-LINES = re.compile(r"(?:\s*[ML] [-\d.]+ [-\d.]+|\s*z)*\s*")
-EQUAL_LINES = re.compile(r'<path d="[^"]*"( clip-path="[^"]*" style="fill: none;[^"]*"/>)(?:\s*<path d="[^"]*"\1)+')
 
 # Of the modules' further figures.
 FURTHER_NAMES = {"energy": "energy budget", "parts": "factors of the friction"}
@@ -68,17 +61,21 @@ def draw(name, file, verdicts):
 
 
 def layouts(wide, narrow, file, words):
-    """Both layouts, compressed, with the points of the curves; the shapes (width over height), whether there are curves, and the least
-    width (pixels) at which the letters of the wide one can be read; words: those of `inline`."""
+    """Both layouts, compressed, with the points of the curves; the shapes of their letters, their own shapes (width over height),
+    whether there are curves, and the least width (pixels) at which the letters of the wide one can be read; words: those of
+    `inline`."""
     found = {}
     for kind, figure in (("wide", wide), ("narrow", narrow)):
         foot, top = trim(figure, file)
         found[kind] = {"svg": as_svg(figure, foot, top), "places": places_of(figure, top),
                        "shape": f"{figure.get_figwidth() / (top - foot):.3f}"}
     least = 100 * min(map(float, LETTERS.findall(found["wide"]["svg"])))
-    curves = curves_of(wide)
-    content = {kind: {"svg": str(inline(one["svg"], *words)), "places": one["places"]} for kind, one in found.items()}
-    return {"shapes": {kind: one["shape"] for kind, one in found.items()}, "curves": bool(curves),
+    curves, letters, content = curves_of(wide), {}, {}
+    for kind, one in found.items():
+        svg, shapes = inline(one["svg"], *words)
+        letters |= shapes
+        content[kind] = {"svg": str(svg), "places": one["places"]}
+    return {"letters": letters, "shapes": {kind: one["shape"] for kind, one in found.items()}, "curves": bool(curves),
             "least": math.ceil(72 * wide.get_figwidth() * LEAST_LETTER / least),
             "layouts": packed(embedded({**content, "curves": curves}))}
 
@@ -125,44 +122,7 @@ def as_svg(figure, foot, top):
     buffer = io.StringIO()
     figure.savefig(buffer, format="svg", metadata=METADATA["svg"], dpi=MAP_DPI,
                    bbox_inches=Bbox([[0, foot], [figure.get_figwidth(), top]]))
-    svg = re.sub(r' d="[^"]*"', lambda path: LONG_NUMBER.sub(lambda found: f"{float(found.group()):.1f}", path.group()),
-                 buffer.getvalue())
-    return IMAGE.sub(small, PATH.sub(relative, EQUAL_LINES.sub(joined, svg)))
-
-
-def relative(path):
-    """A path of lines with each point, in tenths, relative to the one before, which needs fewer digits; another path as it is."""
-    if not LINES.fullmatch(path[1]):
-        return path[0]
-    words, before = [], (0, 0)
-    for command, *point in re.findall(r"z|([ML]) (\S+) (\S+)", path[1]):
-        if not command:
-            words.append("z")
-            continue
-        point = [round(10 * float(number)) for number in point]
-        words.append(f"M{tenths(*point)}" if command == "M" else f"l{tenths(point[0] - before[0], point[1] - before[1])}")
-        before = point
-    return f' d="{"".join(words)}"'
-
-
-def tenths(x, y):
-    """Two numbers of tenths, as a path has them."""
-    x, y = (re.sub(r"\b0\.", ".", f"{number / 10:g}") for number in (x, y))
-    return f"{x}{'' if y.startswith('-') else ' '}{y}"
-
-
-def small(image):
-    """The image with few colours, a sixth of the bytes."""
-    buffer = io.BytesIO()
-    picture = Image.open(io.BytesIO(base64.b64decode(image[1])))
-    picture.quantize(COLOURS_OF_MAP, method=Image.Quantize.FASTOCTREE).save(buffer, "png", optimize=True)
-    return f"data:image/png;base64,{base64.b64encode(buffer.getvalue()).decode()}"
-
-
-def joined(lines):
-    """Lines of one look, one after the other, as one path."""
-    places = " ".join(re.findall(r' d="([^"]*)"', lines.group()))
-    return f'<path d="{places}"{lines.group(1)}'
+    return compact(buffer.getvalue())
 
 
 def curves_of(figure):
@@ -187,24 +147,6 @@ def places_of(figure, top):
 def numbers(values):
     """Numbers for JSON, with the digits that are shown: null where there is no value."""
     return [float(f"{value:.6g}") if np.isfinite(value) else None for value in values]
-
-
-def inline(svg, name, title, description):
-    """The SVG as an element of a page with several: unique ids, and no style rules that affect the rest."""
-    svg = svg[svg.index("<svg"):]
-    svg = re.sub(r"<style.*?</style>", "", svg, flags=re.DOTALL)
-    svg = re.sub(r"<metadata>.*?</metadata>", "", svg, flags=re.DOTALL)
-    used = set(re.findall(r'(?:href="|url\()#([^")]*)', svg))
-    svg = re.sub(r' id="([^"]*)"',
-                 lambda found: f' id="{name}-{found.group(1)}"' if found.group(1) in used else "", svg)
-    svg = re.sub(r'href="#', f'href="#{name}-', svg)
-    svg = svg.replace("url(#", f"url(#{name}-")
-    box = re.search(r'viewBox="([^"]*)"', svg).group(1)
-    words = (f'<title id="{name}-title">{escape(title)}</title>'
-             f'<desc id="{name}-desc">{escape(description)}</desc>')
-    start = (f'<svg xmlns:xlink="http://www.w3.org/1999/xlink" viewBox="{box}" class="plot" role="img" '
-             f'aria-labelledby="{name}-title {name}-desc" stroke-linejoin="round" stroke-linecap="butt">')
-    return Markup(start + words + svg[svg.index(">") + 1:])
 
 
 def describe(module, file, verdicts):

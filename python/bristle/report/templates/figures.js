@@ -73,7 +73,9 @@ function saveSvg(drawing) {
   const [, , width, height] = svg.getAttribute("viewBox").split(" ");
   for (const [name, value] of Object.entries({ width: `${width}pt`, height: `${height}pt` })) svg.setAttribute(name, value);
   for (const name of ["class", "role"]) svg.removeAttribute(name);
-  svg.querySelector("desc").after(element("rect", { width: "100%", height: "100%", fill: "#fff" }));
+  const letters = [...document.querySelectorAll("path[id^=letter-]")].filter((shape) => svg.querySelector(`use[*|href="#${shape.id}"]`));
+  svg.querySelector("desc").after(element("defs", {}, ...letters.map((shape) => shape.cloneNode())),
+    element("rect", { width: "100%", height: "100%", fill: "#fff" }));
   const ending = drawing.shown === drawing.layouts.narrow ? "-narrow" : "";
   save(`${drawing.dataset.name}${ending}.svg`, new XMLSerializer().serializeToString(svg), "image/svg+xml");
 }
