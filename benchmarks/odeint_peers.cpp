@@ -9,6 +9,8 @@
 #include <boost/numeric/odeint/stepper/runge_kutta_cash_karp54.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace bristle::bench {
@@ -68,7 +70,8 @@ class Integration {
       const double tried = h_;
       t_new_ = t_;
       if (attempt_step() != odeint::success) continue;
-      if (!std::isfinite(excess())) {  // Odeint accepts such errors
+      // Odeint accepts a step whose error is not a number.
+      if (!std::ranges::all_of(y_new_, [](double value) { return std::isfinite(value); })) {
         h_ = tried / 5;
         continue;
       }
