@@ -9,7 +9,9 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <functional>
+#include <map>
 
 namespace bristle::cli {
 namespace {
@@ -46,7 +48,6 @@ CLI::App* add_new(CLI::App& app, std::string& name, bool& in_si, bool& repositor
   command->add_flag("--si", in_si, "of a material in SI units: friction over velocity");
   command->add_flag("--repository", repository,
                     "in a folder NAME, with a script and a workflow that check its numbers at every commit");
-  command->footer("Examples:\n  bristle new mine\n  bristle new brush --si");
   return command;
 }
 
@@ -78,11 +79,6 @@ CLI::App* add_run(CLI::App& app, ExperimentOptions& experiment, run::RunOptions&
                  "write the result of what shards have computed; name what is missing, and compute nothing")
       ->excludes(shard, force, point);
   command->add_flag("--quiet", run.quiet, "no progress, no summary");
-  command->footer(
-      "Examples:\n"
-      "  bristle run experiments/fig4.json --tier smoke\n"
-      "  bristle run experiments/brush.json --set tau_f_Pa=5e7 -o results/strong.h5\n"
-      "  bristle run results/fig4.h5 --point 1200");
   return command;
 }
 
@@ -107,7 +103,6 @@ CLI::App* add_info(CLI::App& app, InfoOptions& info) {
   auto* command = app.add_subcommand("info", "print the contents and the provenance of a result file");
   command->add_option("FILE", info.file, "result file")->required();
   command->add_flag("--json", info.json, "print JSON");
-  command->footer("Example: bristle info results/fig4.h5");
   return command;
 }
 
@@ -117,18 +112,14 @@ CLI::App* add_export(CLI::App& app, ExportOptions& options) {
   command->add_option("-o,--output", options.output,
                       "table, or - for standard output [the name of FILE with .csv]");
   command->add_option("--group", options.group,
-                      "checks, indices, jumps, load_error, quantiles or a recorded table in place of the "
-                      "variables");
+                      "checks, indices, jumps, load_error, quantiles, a group of a design such as drawing, "
+                      "or a recorded table, in place of the variables");
   command->add_option("--only", options.only, "names of variables, separated by commas [all]")
       ->delimiter(',');
   command->add_option(
       "--checks", options.checks,
       "with --group checks: evaluate the checks of this file, such as an experiment, in place "
       "of the result's");
-  command->footer(
-      "Examples:\n"
-      "  bristle export results/brush.h5 --only friction_coefficient,R_x_in_N\n"
-      "  bristle export results/design.h5 --group drawing -o -");
   return command;
 }
 
@@ -141,8 +132,6 @@ CLI::App* add_value(CLI::App& app, ValueOptions& options) {
       ->type_name("AXIS=VALUE")
       ->allow_extra_args(false);
   command->add_flag("--json", options.json, "print JSON: a list of the points with their coordinates");
-  command->footer(
-      "Example: bristle value results/fig4.h5 R_x_norm --at k_r=20 --at k_theta=1 --at bending=rod");
   return command;
 }
 
@@ -157,7 +146,6 @@ CLI::App* add_check(CLI::App& app, CheckOptions& check) {
   command->add_flag("--all", check.all, "print further checks, too, which decide nothing");
   command->add_flag("--json", check.json,
                     "print JSON: the comparison, and for each point the command that computes it again");
-  command->footer("Example: bristle check results/fig4.h5 --report-only");
   return command;
 }
 
@@ -167,7 +155,6 @@ CLI::App* add_diff(CLI::App& app, DiffOptions& diff) {
   command->add_option("B", diff.b, "result file")->required();
   command->add_option("--rtol", diff.tolerances.rtol, "relative tolerance [none: any difference counts]");
   command->add_option("--atol", diff.tolerances.atol, "absolute tolerance");
-  command->footer("Example: bristle diff results/fig4.h5 results/half.h5 --rtol 1e-3");
   return command;
 }
 
@@ -230,6 +217,34 @@ CLI::App* add_verify(CLI::App& app, VerifyOptions& verify) {
   command->add_option("--seed", verify.seed, "seed for the choice of points")->capture_default_str();
   return command;
 }
+
+// Examples of each command, for its help.
+const std::map<std::string, std::vector<std::string>> kExamples = {
+    {"new", {"bristle new mine", "bristle new brush --si"}},
+    {"run",
+     {"bristle run experiments/fig4.json --tier smoke",
+      "bristle run experiments/brush.json --set tau_f_Pa=5e7 -o results/strong.h5",
+      "bristle run results/fig4.h5 --point 1200"}},
+    {"design",
+     {"bristle design experiments/design.json --tier smoke",
+      "bristle design experiments/design.json --set /design/budget=200"}},
+    {"validate", {"bristle validate experiments/brush.json"}},
+    {"law", {"bristle law experiments/stribeck.json >stribeck.csv"}},
+    {"schema", {"bristle schema >experiment.schema.json"}},
+    {"info", {"bristle info results/fig4.h5"}},
+    {"export",
+     {"bristle export results/brush.h5 --only friction_coefficient,R_x_in_N",
+      "bristle export results/design.h5 --group drawing -o -"}},
+    {"value", {"bristle value results/fig4.h5 R_x_norm --at k_r=20 --at k_theta=1 --at bending=rod"}},
+    {"check", {"bristle check results/fig4.h5 --report-only"}},
+    {"diff", {"bristle diff results/fig4.h5 results/half.h5 --rtol 1e-3"}},
+    {"merge", {"bristle merge experiments/fig4.json"}},
+    {"cite", {"bristle cite results/fig4.h5 >>references.bib"}},
+    {"archive", {"bristle archive --check", "bristle archive --tier smoke"}},
+    {"verify", {"bristle verify dist/bristle-0.2.0.tar --rerun 3"}},
+    {"assumptions", {"bristle assumptions --only fig7 --tier smoke -o results/fig7-smoke.json"}},
+    {"update", {"bristle reference update results/brush-smoke.h5 --reason 'first values'"}},
+};
 
 // Defines the subcommands. Each stores its options here, and its callback selects the function to run.
 class CommandLine {
@@ -305,6 +320,8 @@ class CommandLine {
 
   void set_action(CLI::App* subcommand, Command command) {
     subcommand->callback([this, command = std::move(command)] { selected_ = command; });
+    subcommand->footer(
+        fmt::format("Examples:\n  {}", fmt::join(kExamples.at(subcommand->get_name()), "\n  ")));
   }
 
   CLI::App app_{"bristle: dry friction of a lattice of elastic bristles under a sliding slab"};
