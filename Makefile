@@ -4,7 +4,7 @@
 # A figure is a module that draws it and an experiment of the same name: the paper's, then research of one's own.
 DRAWN := $(filter $(basename $(notdir $(wildcard experiments/*.json))),$(basename $(notdir $(wildcard python/bristle/figures/*.py))))
 FIGURES := $(sort $(filter fig%,$(DRAWN)))
-STUDIES := $(sort $(filter-out fig%,$(DRAWN)))
+STUDIES := load $(filter-out load,$(sort $(filter-out fig%,$(DRAWN))))
 .PHONY: help packages build test bench accuracy clean figures findings guide assumptions inference report archive verify citation deposit release \
   sanitize fuzz format tidy coverage $(FIGURES) $(STUDIES)
 JOBS ?= $(shell nproc 2>/dev/null || echo 1)
@@ -60,6 +60,8 @@ $(addprefix compute-,$(FIGURES) $(STUDIES)): compute-%:
 $(addprefix draw-,$(FIGURES) $(STUDIES)): draw-%:
 	@$$($(PLOT_PYTHON)) -m bristle.current $* results/$*$(SUFFIX).h5 figures$(SUFFIX) || \
 	  scripts/plot $* results/$*$(SUFFIX).h5 -o figures$(SUFFIX)
+	@$(if $(filter design,$*),scripts/plot drawing results/design$(SUFFIX).h5 -o figures$(SUFFIX) && \
+	  $(BUILD)/bristle export results/design$(SUFFIX).h5 --group drawing,true)
 	@echo "The paper's claims (docs/claims.md), and deviations from the reference (CONTRIBUTING.md):"
 	@$(BUILD)/bristle check --report-only results/$*$(SUFFIX).h5
 

@@ -3,6 +3,7 @@
 #include "results/phases.hpp"
 #include "results/reader.hpp"
 #include "results/variables.hpp"
+#include "util/text.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -139,6 +140,14 @@ void print_failures(const results::ResultReader& result) {
   for (const auto& [point, error] : failures) fmt::print("  {:<22} {}\n", point, error);
 }
 
+// Prints what a design found, in words, with its details.
+void print_design(const results::ResultReader& result) {
+  const auto provenance = result.provenance();
+  for (const char* name : {results::kDesignText, results::kDesignDetails})
+    if (provenance.contains(name))
+      fmt::print("{}", wrapped_lines(result.provenance_lines(name), terminal_columns()));
+}
+
 void print_provenance(const results::ResultReader& result) {
   const auto provenance = result.provenance();
   if (provenance.empty()) return;
@@ -148,7 +157,9 @@ void print_provenance(const results::ResultReader& result) {
                                     "instruction_set", "version",        "commit",   "dirty",
                                     "points_computed", "points_commits", "compiler", "flags"};
   for (const auto& [name, text] : provenance)
-    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    if (std::find(names.begin(), names.end(), name) == names.end() && name != results::kDesignText &&
+        name != results::kDesignDetails)
+      names.push_back(name);
   fmt::print("provenance:\n");
   for (const std::string& name : names)
     if (const auto entry = provenance.find(name); entry != provenance.end())
@@ -211,6 +222,7 @@ int info_command(const InfoOptions& options) {
     return result.has(name) ? result.variable(name).values : std::vector<double>();
   });
   fmt::print("{}", phases.text());
+  print_design(result);
   print_failures(result);
   print_variables(result, intact);
   print_provenance(result);

@@ -12,6 +12,7 @@
 #include "run/provenance.hpp"
 #include "run/signals.hpp"
 #include "util/error.hpp"
+#include "util/text.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -22,7 +23,6 @@ namespace bristle::design {
 namespace {
 
 constexpr std::size_t kProfileValues = 25;
-constexpr const char* kFound = "design";  // entry of the provenance: the findings in words
 
 // Throws InputError if an objective or a constraint names a variable that the result of this experiment
 // lacks.
@@ -106,15 +106,25 @@ class Search {
     if (!found.chosen.empty())
       if (const std::vector<Dimension> dimensions = drawing(trials_, found); !dimensions.empty()) {
         const Sweep brush = trials_.with_rows({recommended(found).nominal});
-        text +=
-            drawing_text(dimensions, brush.point(0).setup.orientation) +
-            working_range_text(brush, solver()(brush, run::shard_points({}, brush.size()), Purpose::beside));
+        const std::vector<Working> range =
+            working_range(brush, solver()(brush, run::shard_points({}, brush.size()), Purpose::beside));
+        text += drawing_text(dimensions, brush.point(0).setup.orientation) + working_range_text(range);
         groups.push_back(drawing_group(dimensions));
+        groups.push_back(working_range_group(range));
       }
-    entries[kFound] = text;
+    entries[results::kDesignText] = text;
+    const std::string details = details_of(trials_, found);
+    if (!details.empty()) {
+      entries[results::kDesignDetails] = details;
+      text += fmt::format("`bristle info {}` has the shares of the tolerances, the front and other optima\n",
+                          shell_quoted(options_.output));
+    }
     const run::Summary summary = run::write_result(all, options_.output, run::KeyedPoints(all.sweep, points),
                                                    {}, groups, journal_, entries, *progress_);
-    if (!options_.quiet) fmt::print("{}: points: {}\n", options_.output, summary.text());
+    if (!options_.quiet) {
+      fmt::print("{}: points: {}\n{}", options_.output, summary.text(), summary.phases());
+      summary.report_validity();
+    }
     return {text, !found.chosen.empty()};
   }
 
@@ -183,6 +193,10 @@ class Search {
     // If a local minimum of the distance from a target meets the target, only such minima are solutions.
     if (std::ranges::any_of(found.chosen, [&](std::size_t i) { return scores[i].is_met; }))
       std::erase_if(found.chosen, [&](std::size_t i) { return !scores[i].is_met; });
+    if (const auto start = found.start_trial; start && scores[*start].violation == 0 &&
+                                              !found.chosen.empty() &&
+                                              !variables_matter(found, found.trials[*start]))
+      found.chosen = {*start};
   }
 
   // Returns the trial of a front that is nearest to the best values of all objectives, relative to their
@@ -242,19 +256,19 @@ class Search {
     }
   }
 
-  // Returns the trial beside this one that can be made, meets the constraints and has the best first
-  // objective or, if none meets them, the one that comes nearest.
+  // Returns the best trial beside this one that can be made and meets the constraints or, if none meets them,
+  // the one that comes nearest.
   Trial made(const Values& chosen) const {
     std::vector<Trial> all = trials_.evaluate(trials_.rounded_to_steps(chosen));
-    std::ranges::stable_sort(all, {}, [&](const Trial& trial) {
-      return std::pair(trial.violation, trials_.score_of(trial).objectives.front());
-    });
-    for (Trial& trial : all) {
-      if (design_.jump_margin > 0 && trial.violation == 0)
-        trials_.set_jump_margin(trial, trials_.located_margin(trial.nominal));
-      if (trial.violation == 0) return trial;
+    for (;;) {
+      std::vector<std::size_t> valid;
+      for (std::size_t i = 0; i < all.size(); ++i)
+        if (all[i].violation == 0) valid.push_back(i);
+      if (valid.empty()) return *std::ranges::min_element(all, {}, &Trial::violation);
+      Trial& best = all[best_within_errors(design_, all, valid)];
+      if (design_.jump_margin > 0) trials_.set_jump_margin(best, trials_.located_margin(best.nominal));
+      if (best.violation == 0) return best;
     }
-    return *std::ranges::min_element(all, {}, &Trial::violation);
   }
 
   // Computes what the recommended brush is compared with, and verifies it as it can be made.
@@ -316,7 +330,7 @@ bool run_design(const Experiment& experiment, const run::RunOptions& options) {
     const results::ResultReader file(options.output);
     if (!options.quiet)
       fmt::print("{} is up to date: nothing to compute (--force computes it again)\n{}", options.output,
-                 file.provenance_lines(kFound));
+                 wrapped_lines(file.provenance_lines(results::kDesignText), terminal_columns()));
     return file.has("best");
   }
   run::require_no_loss(experiment, options);
@@ -326,7 +340,7 @@ bool run_design(const Experiment& experiment, const run::RunOptions& options) {
   entries["experiment_file"] = experiment.path;
   const Design design = read_design(experiment);
   const auto [text, found] = Search(experiment, design, options).run(entries);
-  if (!options.quiet) fmt::print("{}", text);
+  if (!options.quiet) fmt::print("{}", wrapped_lines(text, terminal_columns()));
   return found;
 }
 

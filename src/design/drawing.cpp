@@ -3,8 +3,10 @@
 #include "bristle/ensemble/phase.hpp"
 #include "sampling/rounded.hpp"
 #include "sweep/si.hpp"
+#include "util/text.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <algorithm>
 #include <cmath>
 
@@ -12,6 +14,15 @@ namespace bristle::design {
 namespace {
 
 constexpr double kMillimetres = 1e3, kDegrees = 180 / M_PI;
+
+// Returns the tolerance with which 99 % of the brushes, or more, stay on this side of the jumps if all else
+// is as drawn: the greatest deviation if the dimension has one, otherwise a standard deviation. NaN: no jump
+double band_of(const Dimension& dimension) {
+  constexpr double beyond_one = 2.3263, beyond_either = 2.5758;  // standard deviations that 1 % exceed
+  const double nearest = std::fmin(dimension.below, dimension.above);
+  if (!std::isnan(dimension.tolerance) && !dimension.normal) return nearest;
+  return nearest / (std::isnan(dimension.below + dimension.above) ? beyond_one : beyond_either);
+}
 
 // Returns the dimension with the tolerance and the margins of the quantity that determines it.
 Dimension dimension_of(const Trials& trials, const Findings& found, const std::string& quantity,
@@ -26,6 +37,7 @@ Dimension dimension_of(const Trials& trials, const Findings& found, const std::s
       dimension.below = profile.margin_below;
       dimension.above = profile.margin_above;
     }
+  dimension.band = band_of(dimension);
   dimension.value = rounded(dimension.value);
   return dimension;
 }
@@ -52,7 +64,8 @@ std::vector<Dimension> drawing(const Trials& trials, const Findings& found) {
   const double per_metre = kMillimetres / (p.spacing * mm);
   const auto dimension = [&](const char* quantity, const char* name, const char* meaning, const char* units,
                              double value) {
-    return dimension_of(trials, found, quantity, {name, meaning, units, value, kNone, false, kNone, kNone});
+    return dimension_of(trials, found, quantity,
+                        {name, meaning, units, value, kNone, false, kNone, kNone, kNone});
   };
   return {
       dimension("r0_m", "length", "length of a bristle", "mm", mm),
@@ -60,7 +73,8 @@ std::vector<Dimension> drawing(const Trials& trials, const Findings& found) {
       dimension("phi_0_deg", "angle", "angle between bristle and base", "degree", p.phi_0 * kDegrees),
       dimension("R_c_m", "tip_radius", "radius of its tip", "mm", p.R_c * mm),
       dimension("spacing_m", "spacing", "distance of neighbouring bristles", "mm", p.spacing * mm),
-      {"density", "bristles per area", "m-2", rounded(per_metre * per_metre), kNone, false, kNone, kNone},
+      {"density", "bristles per area", "m-2", rounded(per_metre * per_metre), kNone, false, kNone, kNone,
+       kNone},
   };
 }
 
@@ -85,45 +99,88 @@ results::Dataset drawing_group(const std::vector<Dimension>& dimensions) {
       &Dimension::below);
   add("margin_above", "relative increase that reaches a jump of the gap; NaN: none in the range",
       &Dimension::above);
+  add("band",
+      "tolerance, relative, with which 99 % of the brushes stay on this side of the jumps; NaN: no jump",
+      &Dimension::band);
   return out;
 }
 
-std::string working_range_text(const Sweep& sweep, const std::vector<results::PointRecord>& points) {
-  std::string out;
+std::vector<Working> working_range(const Sweep& sweep, const std::vector<results::PointRecord>& points) {
+  std::vector<Working> out;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    // Bristles that lean one way have no lift-off load.
     const auto value = [&](const char* name) {
       return points[i].layout->has(name) ? points[i].at(name).front() : kNone;
     };
-    const auto phase = BrushPhase(std::lround(value("phase")));
-    out += fmt::format("  at {:.3g} m/s under {:.3g} N: {}", sweep::si_scales(sweep.point(i)).velocity,
-                       value("R_n_in_N"), word(phase));
-    if (const double ratio = value("load_over_lift_off"); !std::isnan(ratio))
-      out += fmt::format(", {:.0f} % of its lift-off load", 100 * ratio);
-    if (const double speed = value("lift_off_speed"); !std::isnan(speed))
-      out += fmt::format("; by the formula its tips bounce above {:.2g} +- {:.1g} m/s", speed,
-                         value("lift_off_speed_err"));
+    out.push_back({sweep::si_scales(sweep.point(i)).velocity, value("R_n_in_N"), value("phase"),
+                   value("load_over_lift_off"), value("lift_off_speed"), value("lift_off_speed_err")});
+  }
+  return out;
+}
+
+results::Dataset working_range_group(const std::vector<Working>& range) {
+  results::Dataset out("working_range");
+  out.add_dimension(results::row_numbers("scenario", "scenario of the recommended brush", range.size()));
+  const auto add = [&](const char* name, const char* meaning, const char* units, double Working::*member) {
+    out.add({name, meaning, "", units}, [&](std::size_t row) { return range[row].*member; });
+  };
+  add("velocity", "velocity of the slab", "m s-1", &Working::velocity);
+  add("load", "load of a bristle", "N", &Working::load);
+  const Words phases = words<BrushPhase>();
+  out.add({"phase", "whether tips stay on the slab or bounce", "", "", results::Number::code,
+           std::vector<std::string>(phases.begin(), phases.end()), ""},
+          [&](std::size_t row) { return range[row].phase; });
+  add("load_over_lift_off", "load over the lift-off load by the formula; NaN: not known", "1",
+      &Working::load_over_lift_off);
+  add("lift_off_speed", "velocity above which tips bounce by the formula; NaN: not known", "m s-1",
+      &Working::lift_off_speed);
+  add("lift_off_speed_err", "error of lift_off_speed", "m s-1", &Working::lift_off_speed_err);
+  return out;
+}
+
+std::string working_range_text(const std::vector<Working>& range) {
+  std::string out;
+  for (const Working& one : range) {
+    out += fmt::format("  at {:.3g} m/s under {:.3g} N: {}", one.velocity, one.load,
+                       word(BrushPhase(std::lround(one.phase))));
+    if (!std::isnan(one.load_over_lift_off))
+      out += fmt::format(", {:.0f} % of its lift-off load", 100 * one.load_over_lift_off);
+    if (!std::isnan(one.lift_off_speed))
+      out += fmt::format("; by the formula its tips bounce above {:.2g} +- {:.1g} m/s", one.lift_off_speed,
+                         one.lift_off_speed_err);
     out += "\n";
   }
   return out;
 }
 
 std::string drawing_text(const std::vector<Dimension>& dimensions, const Orientation& orientation) {
-  std::string out = "drawing:\n";
+  std::vector<std::vector<std::string>> rows = {{"drawing", "size", "tolerance"}};
+  const bool jump = std::ranges::any_of(dimensions, [](const Dimension& d) { return !std::isnan(d.band); });
+  if (jump) rows.front().insert(rows.front().end(), {"the gap jumps at", "99 % stay with"});
+  bool deviates = false;
   for (const Dimension& one : dimensions) {
-    const std::string value =
-        one.value >= 1e4 ? fmt::format("{:.0f}", one.value) : fmt::format("{:.4g}", one.value);
-    out += fmt::format("  {:<36} {:>8} {}", one.meaning, value, one.units == "m-2" ? "per m^2" : one.units);
-    if (!std::isnan(one.tolerance))
-      out += fmt::format(", {} {:.2g} {}", one.normal ? "standard deviation" : "+-",
-                         one.tolerance * one.value, one.units);
-    std::string margins;
-    if (!std::isnan(one.below)) margins = fmt::format("at {:.4g}", one.value * (1 - one.below));
-    if (!std::isnan(one.above))
-      margins += fmt::format("{}at {:.4g}", margins.empty() ? "" : " and ", one.value * (1 + one.above));
-    if (!margins.empty()) out += fmt::format("; the gap jumps {} {}", margins, one.units);
-    out += "\n";
+    const std::string units = one.units == "m-2" ? "per m^2" : one.units;
+    const auto size = [&](double value) {
+      return value >= 1e4 ? fmt::format("{:.0f} {}", value, units) : fmt::format("{:.4g} {}", value, units);
+    };
+    const auto tolerance = [&](double relative) {
+      if (std::isnan(relative)) return std::string();
+      const bool greatest = !std::isnan(one.tolerance) && !one.normal;
+      deviates = deviates || !greatest;
+      return fmt::format("{} {:.2g} {}", greatest ? "+-" : "s.d.", relative * one.value, units);
+    };
+    std::vector<std::string> jumps;
+    if (!std::isnan(one.below)) jumps.push_back(size(one.value * (1 - one.below)));
+    if (!std::isnan(one.above)) jumps.push_back(size(one.value * (1 + one.above)));
+    rows.push_back({one.meaning, size(one.value), tolerance(one.tolerance),
+                    fmt::format("{}", fmt::join(jumps, ", ")), tolerance(one.band)});
   }
+  std::string out = aligned(rows);
+  if (jump)
+    out +=
+        "  99 % stay with: tolerance of this dimension alone with which 99 % of the brushes stay on this "
+        "side of "
+        "the jump\n";
+  if (deviates) out += "  s.d.: standard deviation\n";
   return out + fmt::format("  on a square lattice; bristles lean {}\n", orientation_text(orientation));
 }
 

@@ -18,7 +18,7 @@ const Trial* start_of(const Findings& found) {
 std::vector<Compared> compared(const Trials& trials, const Findings& found) {
   std::vector<Compared> out;
   if (const Trial* start = start_of(found)) out.push_back({"start", "start", start});
-  out.push_back({"recommended", "recommended", &found.trials[found.chosen.front()]});
+  out.push_back({kRecommended, kRecommended, &found.trials[found.chosen.front()]});
   if (found.made) out.push_back({"as_made", "as made", &*found.made});
   const std::vector<Objective>& objectives = trials.design().objectives;
   for (std::size_t o = 0; o < objectives.size() && objectives.size() > 1; ++o) {
@@ -26,8 +26,8 @@ std::vector<Compared> compared(const Trials& trials, const Findings& found) {
       return cost(objectives[o], found.trials[i].objectives[o].value);
     };
     const std::size_t best = *std::ranges::min_element(found.front, {}, cost_of);
-    out.push_back({fmt::format("best_objective_{}", o + 1), fmt::format("best of objective {}", o + 1),
-                   &found.trials[best]});
+    out.push_back(
+        {fmt::format("best_objective_{}", o + 1), fmt::format("best of {}", o + 1), &found.trials[best]});
   }
   return out;
 }
@@ -38,6 +38,25 @@ bool differ(const Trial& a, const Trial& b) {
         a.objectives[o].error + b.objectives[o].error)
       return true;
   return false;
+}
+
+bool variables_matter(const Findings& found, const Trial& start) {
+  return std::ranges::any_of(
+      found.trials, [&](const Trial& trial) { return trial.violation == 0 && differ(start, trial); });
+}
+
+std::size_t best_within_errors(const Design& design, const std::vector<Trial>& trials,
+                               std::vector<std::size_t> list) {
+  for (std::size_t o = 0;; ++o) {
+    const auto cost_of = [&](std::size_t i) {
+      return cost(design.objectives[o], trials[i].objectives[o].value);
+    };
+    const std::size_t best = *std::ranges::min_element(list, {}, cost_of);
+    if (o + 1 == design.objectives.size()) return best;
+    std::erase_if(list, [&](std::size_t i) {
+      return cost_of(i) - cost_of(best) > trials[i].objectives[o].error + trials[best].objectives[o].error;
+    });
+  }
 }
 
 results::Column column_of(const std::string& quantity) {

@@ -33,6 +33,8 @@ const Trial& recommended(const Findings& found);
 // Returns the experiment's own values as computed; null if it lacks one of a variable.
 const Trial* start_of(const Findings& found);
 
+constexpr const char* kRecommended = "recommended";  // name of the recommended trial before it is rounded
+
 // A trial in the comparison of the recommended one with others.
 struct Compared {
   std::string name, heading;
@@ -45,6 +47,14 @@ std::vector<Compared> compared(const Trials& trials, const Findings& found);
 
 // Returns true if some objective of two trials differs by more than the sum of its errors.
 bool differ(const Trial& a, const Trial& b);
+
+// Returns true if a trial that meets the constraints differs from the start, see differ().
+bool variables_matter(const Findings& found, const Trial& start);
+
+// Returns the best of the trials with these numbers: among those that equal the best in an objective within
+// the sum of the errors, the next objective decides. The list must not be empty.
+std::size_t best_within_errors(const Design& design, const std::vector<Trial>& trials,
+                               std::vector<std::size_t> list);
 
 // Returns the column of a variable of the design, or of another number that a sweep can vary.
 results::Column column_of(const std::string& quantity);

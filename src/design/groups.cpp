@@ -119,6 +119,10 @@ Dataset verification_group(const Trials& trials, const Verification& verified) {
           [&](std::size_t) { return verified.missing; });
   out.add(integer("violated", "brushes with values beyond a constraint"),
           [&](std::size_t) { return verified.violated; });
+  out.add(integer("in_contact", "brushes in contact in every scenario"),
+          [&](std::size_t) { return verified.in_contact; });
+  out.add(integer("bouncing", "brushes that bounce in every scenario"),
+          [&](std::size_t) { return verified.bouncing; });
   return out;
 }
 

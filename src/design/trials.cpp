@@ -1,6 +1,7 @@
 #include "design/trials.hpp"
 
 #include "bristle/ensemble/normal_quantile.hpp"
+#include "bristle/ensemble/phase.hpp"
 #include "sampling/rounded.hpp"
 #include "run/jumps.hpp"
 #include "run/shard.hpp"
@@ -337,11 +338,14 @@ Verification Trials::verify(const Values& nominal) const {
 
 Verification Trials::verification_of(const std::vector<Computed>& points) const {
   const std::size_t brushes = points.size() / scenarios();
-  Verification out{{}, {}, brushes, 0, 0};
+  Verification out{{}, {}, brushes, 0, 0, 0, 0};
   for (std::size_t row = 0; row < brushes; ++row) {
-    bool missing = false, violated = false;
+    bool missing = false, violated = false, in_contact = true, bouncing = true;
     for (std::size_t s = 0; s < scenarios(); ++s) {
       const Computed& point = points[row * scenarios() + s];
+      const double phase = value_of(point.record, "phase").value;
+      in_contact = in_contact && phase == double(BrushPhase::contact);
+      bouncing = bouncing && phase == double(BrushPhase::bouncing);
       for (const Objective& o : design_.objectives)
         missing = missing || std::isnan(value_of(point.record, o.variable).value);
       for (const Constraint& c : design_.constraints) {
@@ -352,6 +356,8 @@ Verification Trials::verification_of(const std::vector<Computed>& points) const 
     }
     out.missing += missing;
     out.violated += violated && !missing;
+    out.in_contact += in_contact && !missing;
+    out.bouncing += bouncing && !missing;
   }
   for (const Objective& objective : design_.objectives) {
     std::vector<Estimate> by_scenario;

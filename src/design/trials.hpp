@@ -55,8 +55,9 @@ struct Verification {
       objectives;  // statistics of brushes with a value, in the scenario where each objective is worst
   std::vector<std::size_t> scenarios;  // scenario in which each objective is worst
   std::size_t brushes;
-  std::size_t missing;   // brushes without a value of an objective or a constraint in a scenario
-  std::size_t violated;  // brushes with values beyond a constraint
+  std::size_t missing;               // brushes without a value of an objective or a constraint in a scenario
+  std::size_t violated;              // brushes with values beyond a constraint
+  std::size_t in_contact, bouncing;  // brushes with values that are in contact, or bounce, in every scenario
 };
 
 // Returns true if the only objective is a target that the trial meets within half of the value's error, or

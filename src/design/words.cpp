@@ -1,6 +1,7 @@
 #include "design/words.hpp"
 
 #include "run/analysis.hpp"
+#include "util/text.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,9 +11,12 @@
 namespace bristle::design {
 namespace {
 
+// Returns a value with its error, and with the digits that the error leaves, two to four.
 std::string estimate_text(const Estimate& estimate) {
-  return std::isnan(estimate.value) ? "no value"
-                                    : fmt::format("{:.4g} +- {:.1g}", estimate.value, estimate.error);
+  if (std::isnan(estimate.value)) return "no value";
+  const double digits = 1 + std::ceil(std::log10(std::abs(estimate.value) / estimate.error));
+  return fmt::format("{:.{}g} +- {:.1g}", estimate.value,
+                     std::isnan(digits) ? 4 : int(std::clamp(digits, 2., 4.)), estimate.error);
 }
 
 std::string place_of(const Trials& trials, std::size_t scenario) {
@@ -49,6 +53,13 @@ std::string verification_text(const Trials& trials, const Verification& verified
   const auto share = [&](std::size_t count) { return 100 * double(count) / double(verified.brushes); };
   std::string out = fmt::format("  of {} brushes with other deviations: {}\n", verified.brushes,
                                 objectives_text(trials, verified));
+  std::vector<std::string> phases;
+  const std::size_t others = verified.brushes - verified.bouncing - verified.in_contact - verified.missing;
+  for (const auto& [count, what] :
+       {std::pair(verified.bouncing, "bounce"), std::pair(verified.in_contact, "are in contact"),
+        std::pair(others, "are between the two, or bounce in some scenarios alone")})
+    if (count > 0) phases.push_back(fmt::format("{:.3g} % {}", share(count), what));
+  if (!phases.empty()) out += fmt::format("  of these brushes {}\n", fmt::join(phases, ", "));
   if (verified.missing > 0)
     out += fmt::format("  {:.1f} % of these brushes have no value in some scenario and are left out there\n",
                        share(verified.missing));
@@ -58,12 +69,14 @@ std::string verification_text(const Trials& trials, const Verification& verified
 }
 
 // Returns the comparison as a table, a row for each variable, objective and constraint, without trials that
-// have a column already.
+// have a column already, and without the recommended trial if there is one as made.
 std::string comparison_text(const Trials& trials, const Findings& found) {
   const Design& design = trials.design();
   std::vector<Compared> shown;
   for (const Compared& one : compared(trials, found))
-    if (std::ranges::count(shown, one.trial, &Compared::trial) == 0) shown.push_back(one);
+    if (std::ranges::count(shown, one.trial, &Compared::trial) == 0 &&
+        !(found.made && one.name == kRecommended))
+      shown.push_back(one);
   std::vector<std::vector<std::string>> rows = {{""}};
   for (const Compared& one : shown) rows.front().push_back(one.heading);
   const auto add = [&](const std::string& title, const auto& text) {
@@ -86,16 +99,7 @@ std::string comparison_text(const Trials& trials, const Findings& found) {
                                : fmt::format("{}{:.3g}", std::isinf(value) ? "> " : "",
                                              std::isinf(value) ? design.jump_margin : value);
     });
-  std::vector<std::size_t> widths(rows.front().size());
-  for (const std::vector<std::string>& row : rows)
-    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
-  std::string out;
-  for (const std::vector<std::string>& row : rows) {
-    out += fmt::format("  {:<{}}", row.front(), widths.front());
-    for (std::size_t i = 1; i < row.size(); ++i) out += fmt::format("  {:>{}}", row[i], widths[i]);
-    out += "\n";
-  }
-  return out;
+  return aligned(rows);
 }
 
 // Returns a sentence on a start that does not meet the constraints, with the trial nearest to it that does:
@@ -124,12 +128,9 @@ std::string gain_text(const Trials& trials, const Findings& found) {
     return "  rounded to what can be made, the brush is worse than the start: give finer steps, or keep the "
            "start\n";
   if (!is_best && differ(start, recommended(found))) return "";
-  const bool matter = std::ranges::any_of(
-      found.trials, [&](const Trial& trial) { return trial.violation == 0 && differ(start, trial); });
-  if (!matter)
+  if (!variables_matter(found, start))
     return "  no trial differs from the start by more than the errors: these variables do not matter here, "
-           "and "
-           "the start can be kept\n";
+           "and the start can be kept\n";
   if (is_best) return "  no trial is better than the start, which can be kept\n";
   return "  the start is as good within the errors, and can be kept\n";
 }
@@ -194,12 +195,22 @@ std::string miss_text(const Trials& trials, const Findings& found) {
                      objectives_text(trials, nearest));
 }
 
-std::string margins_text(const Findings& found) {
+// Returns a change that reaches a jump, such as "-11 % (2.2 standard deviations)".
+std::string change_text(const Design& design, const std::string& quantity, char sign, double margin) {
+  std::string out = fmt::format("{}{:.0f} %", sign, 100 * margin);
+  for (const experiment::Tolerance& t : design.tolerances)
+    if (t.name == quantity)
+      out += fmt::format(" ({:.2g} {})", margin / t.width,
+                         t.normal ? "standard deviations" : "times its tolerance");
+  return out;
+}
+
+std::string margins_text(const Trials& trials, const Findings& found) {
   std::vector<std::string> parts, none;
   for (const Profile& p : found.profiles) {
     std::vector<std::string> both;
-    if (!std::isnan(p.margin_below)) both.push_back(fmt::format("-{:.0f} %", 100 * p.margin_below));
-    if (!std::isnan(p.margin_above)) both.push_back(fmt::format("+{:.0f} %", 100 * p.margin_above));
+    for (const auto& [sign, margin] : {std::pair('-', p.margin_below), std::pair('+', p.margin_above)})
+      if (!std::isnan(margin)) both.push_back(change_text(trials.design(), p.quantity, sign, margin));
     if (both.empty()) none.push_back(p.quantity);
     else parts.push_back(fmt::format("{} {}", p.quantity, fmt::join(both, " or ")));
   }
@@ -228,8 +239,7 @@ std::string front_text(const Trials& trials, const Findings& found) {
     parts.push_back(fmt::format("{} from {:.4g} to {:.4g}", trials.design().objectives[o].variable,
                                 value(least), value(most)));
   }
-  return fmt::format("the front, of which the recommended trial is nearest to the best of each: {}, {}\n",
-                     trials_text(found.front.size()), fmt::join(parts, ", "));
+  return fmt::format("the front: {}, {}\n", trials_text(found.front.size()), fmt::join(parts, ", "));
 }
 
 }  // namespace
@@ -238,9 +248,10 @@ std::string text_of(const Trials& trials, const Findings& found) {
   std::string out = counts_text(trials, found) + "\n";
   if (found.chosen.empty()) return out + miss_text(trials, found);
   const Trial& best = recommended(found);
-  out += fmt::format("recommended, {}{}: {}\n  {}\n", name_of(found, found.chosen.front()),
-                     found.made ? ", rounded to what can be made" : "", values_text(trials, best),
-                     objectives_text(trials, best));
+  out += fmt::format("recommended, {}{}: {}\n", name_of(found, found.chosen.front()),
+                     found.made ? ", rounded to what can be made" : "", values_text(trials, best));
+  if (!trials.sweep().without(sweep::kSample).axes.empty())
+    out += fmt::format("  where it is worst: {}\n", objectives_text(trials, best));
   out += comparison_text(trials, found) + remarks_text(trials, found);
   const Objective& first = trials.design().objectives.front();
   if (trials.design().objectives.size() == 1 && first.goal == Goal::target &&
@@ -248,12 +259,18 @@ std::string text_of(const Trials& trials, const Findings& found) {
     out +=
         "  no trial meets the target; this one is the nearest: other bounds or a larger budget may meet it\n";
   if (found.verification) out += verification_text(trials, *found.verification);
-  out += margins_text(found) + indices_text(trials, found);
+  out += margins_text(trials, found);
   if (found.second)
     out +=
         fmt::format("  with {} = {}: {}\n", trials.design().second_choice,
                     sweep::find_sweepable(trials.design().second_choice)->text(trials.design().second_option),
                     objectives_text(trials, *found.second));
+  return out;
+}
+
+std::string details_of(const Trials& trials, const Findings& found) {
+  if (found.chosen.empty()) return "";
+  std::string out = indices_text(trials, found);
   if (trials.design().objectives.size() > 1) out += front_text(trials, found);
   for (std::size_t i = 1; i < found.chosen.size(); ++i)
     out += fmt::format("another optimum, {}: {}\n  {}\n", name_of(found, found.chosen[i]),

@@ -12,6 +12,10 @@
 
 namespace bristle::results {
 
+// Entries of the provenance with several lines: what a design found, and its details.
+constexpr const char* kDesignText = "design";
+constexpr const char* kDesignDetails = "design_details";
+
 // Reads result files, which are not trusted: a file is opened only after damage_of() has read it in a process
 // of its own. Throws InputError with file and dataset if the file is not a result, cannot be read or has an
 // unknown schema version, and if a dataset or attribute is missing.

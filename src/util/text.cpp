@@ -125,6 +125,33 @@ std::string wrapped(const std::string& text, std::size_t columns, std::size_t in
   return out;
 }
 
+std::string wrapped_lines(const std::string& text, std::size_t columns) {
+  std::string out;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t begin = std::min(line.find_first_not_of(' '), line.size());
+    if (line.size() > columns && line.find("  ", begin) == line.npos)
+      line = std::string(begin, ' ') + wrapped(line.substr(begin), columns, begin + 4);
+    out += line + "\n";
+  }
+  return out;
+}
+
+std::string aligned(const std::vector<std::vector<std::string>>& rows) {
+  std::vector<std::size_t> widths;
+  for (const std::vector<std::string>& row : rows) {
+    widths.resize(std::max(widths.size(), row.size()));
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+  }
+  std::string out;
+  for (const std::vector<std::string>& row : rows) {
+    std::string line = fmt::format("  {:<{}}", row.front(), widths.front());
+    for (std::size_t i = 1; i < row.size(); ++i) line += fmt::format("  {:>{}}", row[i], widths[i]);
+    out += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+  }
+  return out;
+}
+
 std::size_t terminal_columns() {
   constexpr std::size_t least = 40, otherwise = 100;
   winsize size{};

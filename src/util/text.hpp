@@ -35,6 +35,13 @@ void write_message(const std::string& text);
 // `indent` characters; the others begin with as many spaces. A longer word has a line of its own.
 std::string wrapped(const std::string& text, std::size_t columns, std::size_t indent);
 
+// Returns the lines of a text, each in lines of at most `columns` characters, of which those after the first
+// are indented by four more spaces. Rows of a table, which have spaces side by side, stay as they are.
+std::string wrapped_lines(const std::string& text, std::size_t columns);
+
+// Returns the rows of a table as lines: the first cells begin, and the others end at the same character.
+std::string aligned(const std::vector<std::vector<std::string>>& rows);
+
 // Returns the width of the terminal that standard output is, at least 40; 100 if it is none.
 std::size_t terminal_columns();
 

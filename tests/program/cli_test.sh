@@ -7,6 +7,10 @@ bristle=$1 result=$2
 expect 0 "validate" "$bristle" --help
 expect 0 "--threads" "$bristle" run --help
 expect 0 "bristle " "$bristle" --version
+for command in new run design validate law schema info export value check diff merge cite archive verify assumptions \
+    "reference update"; do
+  expect 0 "  bristle $command" "$bristle" $command --help
+done
 expect 2 "bristle new mine" "$bristle"
 expect 2 "bristle: unknown command rnu (did you mean run?); known: new, run, " "$bristle" rnu experiments/paper.json
 expect 2 "reference: unknown command updat (did you mean update?)" "$bristle" reference updat
@@ -333,6 +337,17 @@ assert len(names) > 20
 for n in names: assert one[n][0, 0, 0].tobytes() == all[n][0, 0, 0].tobytes(), n' "$folder/replay.h5" "$result"
 sed -i 's/"values": \[\[0.1,/"values": [["x",/' "$reference/fig4.json"
 expect 2 "fig4.json: /variables/R_x_norm/values/0/0: " "$bristle" check "$result" --reference "$reference"
+
+# A design says first whether there is anything to gain; `info` has what it found, in lines.
+cp experiments/paper.json "$folder"
+cat >"$folder/weak.json" <<EOF
+{"extends": "paper.json", "name": "weak", "model": {"friction": "coulomb", "mu_c": 0.2}, "load": {"R_n": 1},
+ "orientation": {"sampling": "list", "theta_0_deg": [20, 80, 150]},
+ "design": {"variables": {"k_r": [5, 40]}, "objectives": [{"minimise": "R_x"}], "budget": 2}}
+EOF
+expect 0 "there is nothing to control (docs/lift-off.md)" "$bristle" design "$folder/weak.json" -o "$folder/weak.h5"
+"$bristle" info "$folder/weak.h5" >"$folder/log"
+grep -q "^recommended, " "$folder/log" || failed "info does not say what the design found"
 
 # An interrupted run reports the interruption and leaves the previous result unchanged.
 before=$(sha256sum "$result")

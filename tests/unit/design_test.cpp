@@ -1,6 +1,9 @@
+#include "bristle/ensemble/normal_quantile.hpp"
+#include "bristle/ensemble/phase.hpp"
 #include "compare/comparison.hpp"
 #include "compare/reference.hpp"
 #include "design/design.hpp"
+#include "design/findings.hpp"
 #include "design/trials.hpp"
 #include "experiment/experiment.hpp"
 #include "results/csv.hpp"
@@ -100,6 +103,13 @@ TEST_CASE("design: the recommended trial keeps to the jump margin in its profile
              "L_x_m": 0.085})"));
   for (const char* side : {"below", "above"})
     CHECK_FALSE(first(file, std::string("margins/margin_") + side) < 0.2);
+  // One per cent of normal deviations is below -2.326 standard deviations; the drawing has the diameter
+  // second.
+  const double below = file.variable("drawing/margin_below").values.at(1),
+               band = file.variable("drawing/band").values.at(1);
+  REQUIRE(std::isnan(file.variable("drawing/margin_above").values.at(1)));
+  CHECK(normal_quantile(0.01) * band == Approx(-below).epsilon(1e-4));
+  CHECK(std::isnan(file.variable("drawing/band").values.front()));  // the length is no quantity of the design
   const auto& violations = file.variable("trials/violation").values;
   CHECK(violations.at(std::size_t(first(file, "best/trial"))) == 0);
   CHECK(std::ranges::any_of(violations, [](double v) { return v > 0 && v < 0.011; }));  // of the trial before
@@ -133,7 +143,25 @@ TEST_CASE("design: objectives that differ from the start's by less than their er
   const auto file = f.run(
       f.load(R"({"variables": {"L_y": [4, 6]}, "budget": 4, "objectives": [{"minimise": "R_x"}]})", kFew));
   CHECK_THAT(file.provenance().at("design"),
-             Catch::Contains("these variables do not matter here, and the start can be kept"));
+             Catch::Contains("recommended, the start: L_y = 5") &&
+                 Catch::Contains("these variables do not matter here, and the start can be kept"));
+  CHECK(first(file, "best/L_y") == 5);
+  CHECK(file.variable("best/L_y").values.size() == 1);
+}
+
+TEST_CASE("design: of brushes that are equal in one objective within the errors the next objective decides") {
+  const Folder f;
+  const Experiment e = f.load(R"({"variables": {"k_r": [5, 40]}, "budget": 2,
+      "objectives": [{"minimise": "R_x"}, {"maximise": "tip_travel"}]})");
+  const design::Design design = design::read_design(e);
+  std::vector<design::Trial> trials(4);
+  const double values[4][2] = {{1, 5}, {1.15, 7}, {1.25, 9}, {1.1, 6}};
+  for (std::size_t i = 0; i < 4; ++i) trials[i].objectives = {{values[i][0], 0.1}, {values[i][1], 0.1}};
+  CHECK(design::best_within_errors(design, trials, {0, 1, 2, 3}) == 1);
+  CHECK(design::best_within_errors(design, trials, {0, 2, 3}) == 3);
+  CHECK(design::best_within_errors(design, trials, {2}) == 2);
+  trials[0].objectives[0].error = trials[1].objectives[0].error = 0.01;
+  CHECK(design::best_within_errors(design, trials, {0, 1, 2, 3}) == 3);
 }
 
 TEST_CASE("design: a start that is the best trial can be kept, although the variables matter") {
@@ -193,6 +221,9 @@ TEST_CASE("design: the drawing of bristles that lean one way says which, and has
   CHECK_THAT(text, Catch::Contains("at 10 m/s under 0.6") && !Catch::Contains("of its lift-off load"));
   const auto& unit = file.variable("drawing/unit");
   CHECK(unit.cell(0) == "mm");
+  CHECK(first(file, "working_range/velocity") == Approx(10));
+  CHECK(first(file, "working_range/load") == Approx(0.6).epsilon(0.05));
+  CHECK(std::isnan(first(file, "working_range/load_over_lift_off")));
 }
 
 TEST_CASE("design: a start beyond a constraint is said, with the nearest trial that meets it") {
@@ -281,11 +312,15 @@ TEST_CASE(
   const auto solve = [&](const Sweep& sweep, const std::vector<std::size_t>& points, design::Purpose) {
     const auto empty = results::record_of(results::layout_of(sweep), PointResult{}, {});
     std::vector<results::PointRecord> out(points.size(), empty);
-    const std::size_t R_x = empty.layout->number("R_x"), R_n = empty.layout->number("R_n");
+    const std::size_t R_x = empty.layout->number("R_x"), R_n = empty.layout->number("R_n"),
+                      phase = empty.layout->number("phase");
     for (std::size_t i = 0; i < points.size(); ++i) {
       const std::size_t brush = i / 2, scenario = i % 2;
       out[i].values[R_x] = brush < 10 && scenario == 1 ? NAN : 1000 + spread * double(brush);
       out[i].values[R_n] = brush == 40 && scenario == 0 ? NAN : brush < 30 ? 2 : 0.5;
+      // The brush 100 bounces in one scenario only.
+      out[i].values[phase] =
+          double(brush < 100 || (brush == 100 && scenario == 0) ? BrushPhase::bouncing : BrushPhase::contact);
     }
     return out;
   };
@@ -294,6 +329,8 @@ TEST_CASE(
   CHECK(found.brushes == 256);
   CHECK(found.missing == 11);
   CHECK(found.violated == 20);
+  CHECK(found.bouncing == 100 - 11);
+  CHECK(found.in_contact == 155);
   CHECK(found.scenarios.front() == 1);
   CHECK(found.objectives.front().value == Approx(1000 + 0.01 * (10 + 255) / 2.0).epsilon(1e-9));
   spread = 20;  // the mean of 256 brushes has an error above 1 %

@@ -14,7 +14,8 @@ AXES = []
 BRISTLES = 4
 ARROW = dict(arrowstyle="<->", color=BLACK, linewidth=0.8, shrinkA=0, shrinkB=0)
 NOTE = ("To scale, undeformed, lengths in millimetres. {} The slab is drawn where it first touches them. Deviations and margins are "
-        "relative; beyond a margin the gap jumps.")
+        "relative; beyond a margin the gap jumps. 99 % within it: with such deviations of this dimension alone "
+        "99 % of the brushes stay on this side of the jump.")
 WORDS = {"length": "length", "diameter": "diameter of the shaft", "angle": "angle to the base", "tip_radius": "radius of the tip",
          "spacing": "spacing", "density": "bristles"}
 UNITS = {"angle": "degrees", "density": "per m$^2$"}
@@ -30,7 +31,8 @@ def draw(file):
     if table(file, "drawing") is None:
         raise BristleError(f"{place_of(file)}: has no drawing; `bristle design` writes it for an experiment in SI units in which a "
                            "trial meets the constraints")
-    group = table_with(file, "drawing", "value", "tolerance", "tolerance_is", "margin_below", "margin_above")
+    group = table_with(file, "drawing", "value", "tolerance", "tolerance_is", "margin_below", "margin_above", "band")
+    range_of = table_with(file, "working_range", "velocity", "load", "phase", "load_over_lift_off", "lift_off_speed", "lift_off_speed_err")
     sizes = {str(name): float(value) for name, value in zip(group["dimension"].values, group["value"].values)}
     cell, _ = across(1, Cell(9.4, 4.6, 0.4, 0.2, 8.8, 4.0))
     figure, bottom = sheet(file, cell.width, cell.height, MARKS(file), verdicts=False)
@@ -38,7 +40,9 @@ def draw(file):
     right = draw_brush(axes, **sizes)
     words, codes = flags(group["tolerance_is"])
     rows = group.assign(tolerance_is=("dimension", [words[code].replace("_", " ") for code in codes])).to_dataframe().reset_index().itertuples()
-    axes.text(right + 0.4 * sizes["length"], 1.2 * sizes["length"], "\n".join(line_of(row) for row in rows), fontsize=points(10), va="top",
+    phases = dict(enumerate(flags(range_of["phase"])[0]))
+    lines = [*(line_of(row) for row in rows), *(working(row, phases) for row in range_of.to_dataframe().itertuples())]
+    axes.text(right + 0.4 * sizes["length"], 1.5 * sizes["length"], "\n".join(lines), fontsize=points(10), va="top",
               linespacing=1.5)
     heading(axes, "", labels=["the recommended brush"])
     return figure
@@ -47,13 +51,28 @@ def draw(file):
 def line_of(row):
     """A dimension with its tolerance and margins."""
     number = f"{row.value:,.0f}" if row.dimension == "density" else f"{row.value:.4g}"
-    size, parts = f"{WORDS[row.dimension]}: {number} {UNITS.get(row.dimension, 'mm')}", []
+    lines, limits = [f"{WORDS[row.dimension]}: {number} {UNITS.get(row.dimension, 'mm')}"], []
     if np.isfinite(row.tolerance):
-        parts.append(f"{row.tolerance_is} {100 * row.tolerance:.2g} %")
+        limits.append(f"{row.tolerance_is} {100 * row.tolerance:.2g} %")
     margins = [f"{sign}{100 * margin:.0f} %" for sign, margin in (("-", row.margin_below), ("+", row.margin_above)) if np.isfinite(margin)]
     if margins:
-        parts.append(f"margin {' and '.join(margins)}")
-    return size + ("\n    " + ", ".join(parts) if parts else "")
+        limits.append(f"margin {' and '.join(margins)}")
+    if limits:
+        lines.append(", ".join(limits))
+    if np.isfinite(row.band):
+        kind = "greatest" if row.tolerance_is == "greatest deviation" else "standard"
+        lines.append(f"99 % within it: {kind} deviation {100 * row.band:.2g} %")
+    return "\n    ".join(lines)
+
+
+def working(row, phases):
+    """What the brush does in a scenario."""
+    found = f"at {row.velocity:.3g} m/s under {row.load:.3g} N: {phases[row.phase]}"
+    if np.isfinite(row.load_over_lift_off):
+        found += f", {100 * row.load_over_lift_off:.0f} % of its lift-off load"
+    if np.isfinite(row.lift_off_speed):
+        found += f"\n    bounces above {row.lift_off_speed:.2g} \u00b1 {row.lift_off_speed_err:.1g} m/s"
+    return found
 
 
 def draw_brush(axes, length, diameter, angle, tip_radius, spacing, density):

@@ -1,11 +1,12 @@
-"""The part of docs/your-own-brush.md that a design prints, from its result."""
+"""The part of docs/your-own-brush.md that a design prints, and what it means, from its result."""
 
 import argparse
+import textwrap
 
 from ..command_line import run
 from ..errors import BristleError
-from ..results import as_text, open_result, table
-from .markdown import replace_between
+from ..results import as_text, open_result, table, table_with
+from .markdown import COLUMNS, filled, replace_between
 
 BEGIN, END = "<!-- design: written by `make guide` -->", "<!-- end of design -->"
 
@@ -15,12 +16,47 @@ def main():
     parser.add_argument("result", metavar="RESULT.h5", help="result of `bristle design`")
     parser.add_argument("-o", dest="output", metavar="FILE", default="docs/your-own-brush.md")
     arguments = parser.parse_args()
-    provenance = table(open_result(arguments.result), "provenance")
+    file = open_result(arguments.result)
+    provenance = table(file, "provenance")
     if provenance is None or "design" not in provenance.attrs:
         raise BristleError(f"{arguments.result}: is no result of a design; `make design` computes one")
-    text = as_text(provenance.attrs["design"]).rstrip()
-    replace_between(arguments.output, BEGIN, END, f"\n```text {arguments.result}\n{text}\n```\n")
+    text = "\n".join(map(wrapped, as_text(provenance.attrs["design"]).splitlines()))
+    replace_between(arguments.output, BEGIN, END, f"\n```text {arguments.result}\n{text}\n```\n\n{filled(story(file))}\n")
     print(f"{arguments.output}: has what {arguments.result} found")
+
+
+def wrapped(line):
+    """A sentence as the terminal shows it; a row of a table stays."""
+    if "  " in line.strip():
+        return line
+    begin = " " * (len(line) - len(line.lstrip()))
+    return textwrap.fill(line.strip(), COLUMNS, initial_indent=begin, subsequent_indent=begin + "    ", break_on_hyphens=False)
+
+
+def story(file):
+    """What the design of the example means: friction and load over the lift-off load are its objectives, R_m its first quantity."""
+    brushes = table_with(file, "comparison", "objective_1", "objective_2", "constraint_2").set_index(brush="brush")
+    margins = table_with(file, "margins", "margin_below").set_index(quantity="quantity")
+    found = table_with(file, "verification", "objective_1", "objective_2", "brushes", "bouncing").isel(solution=0)
+    start, low, high = (brushes.sel(brush=name) for name in ("start", "best_objective_1", "best_objective_2"))
+    return f"""The start jumps at a change of {percent(start.constraint_2)} of some dimension, which the constraint excludes. The
+recommended brush, as made, jumps if its radius is {percent(margins.margin_below.sel(quantity="R_m"))} smaller. Of
+{int(found.brushes)} brushes made like it {percent(found.bouncing / found.brushes)} bounce; five in a hundred have a friction
+above {value(found, 1)}, and five carry more than {value(found, 2)} of the load at which they fall into contact. From its eight
+deviations alone, the start has {value(start, 1)} and {value(start, 2)}. So a reserve of load costs friction, as along the
+front: from {value(low, 1)} at {value(low, 2)} to {value(high, 1)} at {value(high, 2)}. The share of the lift-off load in the
+drawing, {percent(table_with(file, "working_range", "load_over_lift_off").load_over_lift_off.item())}, is that of the nominal
+brush."""
+
+
+def value(brush, objective):
+    """An objective with its error, to the second digit of the error."""
+    error = float(brush[f"objective_{objective}_err"])
+    return f"{float(brush[f'objective_{objective}']):.2f} ± {error:.2f}"
+
+
+def percent(share):
+    return f"{100 * float(share):.0f} %"
 
 
 if __name__ == "__main__":
