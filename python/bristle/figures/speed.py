@@ -19,9 +19,20 @@ DASHES = {"loading": "-", "unloading": "--"}
 LEGEND_INCHES = 0.35
 NOTE = ("Loads are those of a bristle. Solid, after loading; dashed, after unloading; where both are the same, solid. Marks at the foot "
         "with a black rim: the speed by the formula above which the bristles bounce under this load, with its uncertainty as a pale "
-        "bar. Loads without a mark: the formula was not tested at their lift-off speed.")
+        "bar.")
+UNMARKED = "Loads without a mark: the formula was not tested at their lift-off speed."
 DOTTED = "Dotted lines join both sides, halfway between the points."
-MARKS = f"Colours and markers tell the loads apart, as in the legend. {NOTE} {BANDS} {JUMPS} {DOTTED}"
+
+
+def note(file):
+    """NOTE, and why a load has no mark if one has none."""
+    speed = dataset(file, LIFT_OFF_SPEED)
+    marked = np.isfinite(speed).any([name for name in speed.dims if name != "R_n_N"])
+    return NOTE if marked.all() else f"{NOTE} {UNMARKED}"
+
+
+def MARKS(file):
+    return f"Colours and markers tell the loads apart, as in the legend. {note(file)} {BANDS} {JUMPS} {DOTTED}"
 
 
 @one_page
@@ -30,7 +41,7 @@ def draw(file):
     cell, columns = across(min(len(panels), 2), Cell(5.2, 4.25, 0.8, 0.75, 4.15, 3.2), 0.7)
     below = LEGEND_INCHES if paper_width() is None else 0
     figure, bottom = sheet(file, cell.width * columns, cell.height * -(-len(panels) // columns) + below,
-                           f"{NOTE}\n{BANDS} {JUMPS} {DOTTED}")
+                           f"{note(file)}\n{BANDS} {JUMPS} {DOTTED}")
     lines, statuses = {}, {}
     for (letter, (reading, name)), corner in zip(panels, corners(len(panels), columns, cell, bottom + below)):
         axes = place_cell(figure, corner, cell)

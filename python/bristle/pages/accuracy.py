@@ -72,6 +72,8 @@ def document(m, agreement):
     azimuths = lattice["azimuths"]
     return f"""# Accuracy
 
+For those who rely on an error estimate, or choose a tolerance.
+
 `make accuracy` measures the errors of the methods of [numerics.md](numerics.md) and writes this page.
 The numbers depend on neither time nor processor; a test computes them again and compares them with this
 page.

@@ -265,6 +265,8 @@ def document(engine, kernels, peers, cases, purposes, figures, designs, commands
     scaling = [[str(s["bristles"]), str(s["threads"]), f"{s['ms_per_bristle']:.3f}"] for s in engine["scaling"]]
     return f"""# Performance
 
+For those who wait for a computation, and for those who want to make it faster.
+
 Written by `make bench` from one run on one machine: {engine['processor']}, {os.cpu_count()} cores,
 instruction set {engine['instruction_set']} (Highway's names: AVX3 is AVX-512, eight numbers in a
 vector){clock_text(kernels)}. Ratios are medians of pairs in that run; times are for orientation.

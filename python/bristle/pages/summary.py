@@ -113,7 +113,7 @@ def two_phases(file, _):
     points = sum(number_of[word] for word in ("contact", "bouncing", "mixed"))
     local = read(file, "R_x") / read(file, "R_x_norm") / read(file, "R_n")
     return ("**Under strong local friction a brush is in contact or bounces.** In contact the tips stay on the slab and drag along it. "
-            f"Bouncing, they are off the slab for {of_rods(off, percent)} of the time. Of {points} points, at which rigid bristles "
+            f"Bouncing, they are off the slab for {of_rods(off, percent)} of the time. Of the {points} points of `make load`, at which rigid bristles "
             f"would have a friction coefficient of {span([np.nanmin(local), np.nanmax(local)], in_two_digits)}, "
             f"{number_of['mixed'] or 'none'} {'is' if number_of['mixed'] < 2 else 'are'} in between.")
 
@@ -174,7 +174,7 @@ def weak_friction(file, _):
 
 
 def limits(file, _):
-    names = {"exceeds_spacing": "the tips travel farther than the next bristle, through which the model lets them pass",
+    names = {"exceeds_spacing": "the tips travel farther than the distance to the next bristle, through which the model lets them pass",
              "exceeds_strain_limit": "the roots are strained beyond the linear range"}
     valued = np.isfinite(read(file, "R_x_norm"))
     places = {}

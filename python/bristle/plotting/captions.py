@@ -17,8 +17,8 @@ SPECIAL = {"\\": r"\textbackslash{}", "{": r"\{", "}": r"\}", "$": r"\$", "&": r
            "~": r"\textasciitilde{}"}
 HELD = {sign: chr(0xE000 + ord(sign)) for sign in SPECIAL}
 # What symbols of quantities are made of. Another command would be executed.
-SYMBOL = re.compile(r"(\\(tilde|check|mathrm|langle|rangle|angle|min|times|Delta|alpha|beta|gamma|epsilon|zeta|theta|kappa|"
-                    r"lambda|mu|nu|sigma|tau|varphi)(?![A-Za-z])|[^\\$%#&~])*")
+SYMBOL = re.compile(r"(\\(tilde|check|mathrm|langle|rangle|angle|min|times|Delta|alpha|beta|gamma|delta|epsilon|zeta|theta|kappa|"
+                    r"lambda|mu|nu|xi|rho|sigma|tau|varphi|phi|omega)(?![A-Za-z])|[^\\$%#&~])*")
 CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f\u2028\u2029]")
 CONTACTS = {"wall": "exponential wall, Eq. (3)", "hertz": "Hertz"}
 LATEX = {"%": r"\%", "\u2013": "--", "\u00b0": r"$^\circ$", "theta_0 ": r"$\theta_0$ "}
@@ -65,7 +65,7 @@ def caption(module, file, reading, page, ending="", chosen=()):
         shown = [f"({letter}) {text}" for letter, text in zip("abcdefg", shown)]
     shown += [f"({letter}) " * bool(letter) + with_symbols(", ".join(found)) for letter, found in chosen]
     part = of_labels(file.sel({axis: [value] for axis, value in {**getattr(module, "CHOSEN", {}), **reading}.items()}), labels)
-    axes = [name for name in axis_names(dataset(part, "status")) if name not in (AXIS, "node")]
+    axes = [name for name in axis_names(dataset(part, "status")) if name not in (AXIS, "node", "sample")]
     over, fixed = ([axis_range(part, name) for name in axes if (part.sizes[name] > 1) == several] for several in (True, False))
     models = [name for name in model_names(part) if name not in labels]
     if shown and shown[0].startswith(f"{title},"):

@@ -6,8 +6,8 @@ from markupsafe import Markup, escape
 
 from ..plotting.verdicts import in_symbols
 
-GREEK = dict(zip("alpha beta gamma delta epsilon zeta theta lambda mu nu sigma tau varphi phi xi kappa omega".split(),
-                 "αβγδεζθλμνστφφξκω"))
+GREEK = dict(zip("alpha beta gamma delta epsilon zeta theta lambda mu nu sigma tau varphi phi xi kappa omega rho Delta".split(),
+                 "αβγδεζθλμνστφφξκωρΔ"))
 SIGNS = {"propto": "∝", "cdot": "·", "pm": "±", "le": "≤", "ge": "≥", "infty": "∞", ",": " ", "times": "×",
          "angle": "∠", "perp": "⊥", "langle": "⟨", "rangle": "⟩"}
 ACCENTS = {"tilde": "\u0303", "check": "\u030c", "breve": "\u0306", "dot": "\u0307", "bar": "\u0304"}
