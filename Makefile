@@ -75,6 +75,7 @@ images: $(IMAGES) bristles ## docs/images: the figures in the documents
 	@for name in $(IMAGES); do scripts/plot $$name results/$$name.h5 $$([ $$name != fig4 ] || echo --maps-only) \
 	    --format png --dpi 160 -o $(BUILD)/images && \
 	  cp $(BUILD)/images/$$name.png docs/images/ || exit; done
+	@scripts/plot drawing results/design.h5 --format png --dpi 160 -o docs/images
 	@scripts/plot bristles results/bristles.h5 --animate -o docs/images
 
 tutorial: build ## docs/tutorial.ipynb: executes the cells, stores what they print and draw

@@ -30,7 +30,7 @@ def draw(file):
     for (letter, (name, text)), corner in zip(lettered(PANELS.items()), places):
         axes = place_cell(figure, corner, cell, sharey=first)
         first = first or axes
-        heading(axes, letter, f"they differ in the {text}" if text.startswith("length") else f"they differ in {text}",
+        heading(axes, letter, f"bristles that differ in {'length' if text.startswith('length') else text}",
                 [f"{described(dataset(file, VARIABLES[0]))}, scatter of the {text}"])
         entries |= draw_brushes(axes, file, name)
         title_axis(axes, "x", dataset(file, "R_n_target"), "load")
