@@ -110,7 +110,7 @@ def influence(matrix):
     ranked = sorted((choice for choice in most if choice != TOGETHER), key=lambda choice: -len(most[choice][1]))
     rows = [[choice, str(len(by_choice[choice])), str(len(most[choice][1])), most[choice][0] if most[choice][1] else "",
              " ".join(dict.fromkeys(most[choice][1]))] for choice in ranked]
-    return table(["choice", "alternatives", "checks that one reverses, further ones included", "the one that reverses most", "claims"], *rows) + "\n"
+    return table(["choice", "alternatives", "checks that one reverses", "the one that reverses most", "claims"], *rows) + "\n"
 
 
 def check_item(matrix, conclusion):
