@@ -39,6 +39,11 @@ std::vector<std::string> readings_of(const std::vector<CheckResult>& checks) {
 
 }  // namespace
 
+std::string name_of_reading(const std::string& reading) {
+  if (reading == "polar") return "corrected";
+  return reading == "polar_as_printed" ? "as printed" : reading;
+}
+
 std::string checks_table(const std::vector<CheckResult>& checks, bool all, std::size_t columns) {
   const std::vector<std::string> readings = readings_of(checks);
   // Side by side below a heading, or else below each other, each with its reading.
@@ -46,7 +51,8 @@ std::string checks_table(const std::vector<CheckResult>& checks, bool all, std::
   std::string text;
   if (side_by_side && readings.size() > 1) {
     text += fmt::format("{:<{}}", "claim", kIndent);
-    for (const std::string& reading : readings) text += fmt::format("{:<{}}", reading, kCell + kGap);
+    for (const std::string& reading : readings)
+      text += fmt::format("{:<{}}", name_of_reading(reading), kCell + kGap);
     text = text.substr(0, text.find_last_not_of(' ') + 1) + "\n";
   }
   for (auto first = checks.begin(); first != checks.end();) {
@@ -60,7 +66,7 @@ std::string checks_table(const std::vector<CheckResult>& checks, bool all, std::
       std::vector<std::string> cells;
       for (auto c = first; c != next; ++c)
         cells.push_back(side_by_side ? fmt::format("{:<{}}", measured(*c), c + 1 == next ? 0 : kCell)
-                                     : fmt::format("{} {}", c->check.reading, measured(*c)));
+                                     : fmt::format("{} {}", name_of_reading(c->check.reading), measured(*c)));
       const std::string indent(kIndent, ' ');
       const std::string between = side_by_side ? std::string(kGap, ' ') : "\n" + indent;
       text += fmt::format("{}{}\n", indent, fmt::join(cells, between));

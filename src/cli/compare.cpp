@@ -23,6 +23,12 @@ bool all_supported(const std::vector<claims::CheckResult>& checks) {
       checks, [](const claims::CheckResult& c) { return c.claim_verdict == Verdict::supported; });
 }
 
+// Returns ", " and the name of a reading, with its word in files if that is another; empty for no reading.
+std::string with_key(const std::string& reading) {
+  const std::string name = claims::name_of_reading(reading);
+  return name == reading ? (name.empty() ? "" : ", " + name) : fmt::format(", {} ({})", name, reading);
+}
+
 // Prints the verdicts of the claims; returns whether all are supported.
 bool report_claims(const CheckOptions& options, const std::vector<claims::CheckResult>& checks) {
   if (checks.empty()) {
@@ -41,9 +47,8 @@ bool report_claims(const CheckOptions& options, const std::vector<claims::CheckR
     ++of_reading->second[c.verdict];
   }
   for (auto& [reading, count] : counts)
-    fmt::print("{}: {} supported, {} refuted, {} undecided\n",
-               reading.empty() ? "claims" : "claims, " + reading, count[Verdict::supported],
-               count[Verdict::refuted], count[Verdict::undecided]);
+    fmt::print("claims{}: {} supported, {} refuted, {} undecided\n", with_key(reading),
+               count[Verdict::supported], count[Verdict::refuted], count[Verdict::undecided]);
   return all_supported(checks);
 }
 
