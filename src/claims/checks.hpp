@@ -50,8 +50,8 @@ std::vector<CheckResult> evaluate_checks(
     const std::vector<std::pair<std::string, std::array<double, 2>>>& within = {},
     const std::string& checks_file = "");
 
-// Returns the name that pages and figures give to a model of bending: "corrected" for "polar". Returns another
-// reading as it is.
+// Returns the name that pages and figures give to a model of bending: "corrected" for "polar". Returns
+// another reading as it is.
 std::string name_of_reading(const std::string& reading);
 
 // Returns the checks for people, in lines of at most `columns` characters: what each states, and below it the

@@ -17,7 +17,8 @@ FAST_ENGINE = ("SIMD", "lanes")  # beginning of its peers' names, and the older 
 REFERENCE = "the reference engine"
 
 FIGURES_AIM = 400  # s of processor time for all figures of the paper
-COMMAND_AIM = 2  # s of processor time for a command that reads a finished result of 1e4 points, without `run` and `report`
+COMMAND_AIM = 1  # s of processor time for a command that reads a finished result, without `report`
+JOURNAL_AIM = 5  # s of processor time for a run whose points are all in the journal
 # Aims for the CPU time of designs and indices on one core, in s.
 DESIGN_AIMS = {"target": 15, "target_at_jump": 15, "robust": 240, "front": 120, "indices": 300}
 
@@ -144,18 +145,31 @@ stored and loaded again."""
 
 def aims_table(peers, figures, commands, sharing):
     """What the speed should be, and what it is."""
-    largest = max(one["points"] for one in commands["results"])
-    slowest = max((found["seconds"], command) for one in commands["results"] if one["points"] == largest
-                  for command, found in one["commands"].items() if not command.startswith(("run", "report")))
     rows = [["the fastest other solver over the fast engine, at equal error", f"at least {AIM}", f"{fastest_other(peers)['ratio']:.1f}"],
             ["all figures of the paper, CPU, s", f"at most {FIGURES_AIM}", f"{sum(f['cpu_seconds'] for f in figures):.0f}"],
-            [f"the slowest command on a finished result of {largest} points (`{slowest[1]}`), CPU, s", f"at most {COMMAND_AIM}", f"{slowest[0]:.1f}"]]
-    rows += [[f"{one['loads']} loads of one brush over one load", f"less than {one['loads']}", f"{one['loads'] * one['ratio']:.1f}"]
+            *command_rows(commands)]
+    rows += [[f"{one['loads']} loads of one brush over one load (`{one['name']}`)", f"less than {one['loads']}", f"{one['loads'] * one['ratio']:.1f}"]
              for one in sharing if "loads" in one]
     return table(["what", "aim", "measured"], *rows)
 
 
-WITHDRAWN = """Two earlier aims were withdrawn:
+def command_rows(commands):
+    """For each number of points, the slowest command on a finished result, and a run from the journal."""
+    rows = []
+    for points in sorted({one["points"] for one in commands["results"]}):
+        times = [(found["seconds"], command) for one in commands["results"] if one["points"] == points
+                 for command, found in one["commands"].items() if found is not None]
+        slowest, name = max((seconds, command) for seconds, command in times if not command.startswith(("run", "report")))
+        journal = max(seconds for seconds, command in times if command == "run, all points in the journal")
+        rows += [[f"slowest command, {points:.0e} points (`{name}`), CPU, s".replace("e+0", "e"), f"at most {COMMAND_AIM}", f"{slowest:.1f}"],
+                 [f"run from a journal of {points:.0e} points, CPU, s".replace("e+0", "e"), f"at most {JOURNAL_AIM}", f"{journal:.1f}"]]
+    return rows
+
+
+WITHDRAWN = """Commands that read or write all numbers of 1e5 points as text, `export`, `check` with a reference, `reference update`
+and `archive`, miss their aim: there are five million numbers. The aims of designs (above) are from a machine with a clock of 4.2 GHz.
+
+Two earlier aims were withdrawn:
 
 - 14 times the fastest other solver, and Figure 4 in 50 s of processor time. The ideas for both were tried one after the
   other ([numerics.md](numerics.md#other-classes-of-methods)). What a point costs beyond that are checks which its numbers
