@@ -302,10 +302,10 @@ TEST_CASE("with checks_for_each, every check has a verdict at each value of the 
   CHECK(results[1].claim_verdict == Verdict::refuted);
   CHECK(results[1].check.number == 0);
   const std::string table = checks_table(results, false, 100);
-  CHECK(table.find("polar") < table.find("polar_as_printed"));
+  CHECK(table.find("corrected") < table.find("as printed"));
   CHECK(std::count(table.begin(), table.end(), '\n') == 3);  // the readings, the statement, both verdicts
   const std::string narrow = checks_table(results, false, 50);
-  CHECK(narrow.find("\n         polar_as_printed refuted") != std::string::npos);
+  CHECK(narrow.find("\n         as printed refuted") != std::string::npos);
   CHECK_THROWS_WITH(evaluated(s, {}, 0, both + R"("k_r")"), Catch::Contains("is not a choice"));
   CHECK_THROWS_WITH(evaluated(s, {}, 0, both + R"("friction")"), Catch::Contains("is not a choice"));
 }
