@@ -229,7 +229,7 @@ const std::map<std::string, std::vector<std::string>> kExamples = {
      {"bristle design experiments/design.json --tier smoke",
       "bristle design experiments/design.json --set /design/budget=200"}},
     {"validate", {"bristle validate experiments/brush.json"}},
-    {"law", {"bristle law experiments/stribeck.json >stribeck.csv"}},
+    {"law", {"bristle law experiments/fig7.json >laws.csv"}},
     {"schema", {"bristle schema >experiment.schema.json"}},
     {"info", {"bristle info results/fig4.h5"}},
     {"export",
