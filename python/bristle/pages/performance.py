@@ -274,7 +274,7 @@ def contact_rows(engine):
             for one in engine["contacts"]]
 
 
-def document(engine, kernels, peers, cases, purposes, figures, designs, commands, sharing):
+def document(engine, kernels, peers, cases, purposes, figures, designs, commands, sharing, note=""):
     everything = engine["all_kinds"]
     scaling = [[str(s["bristles"]), str(s["threads"]), f"{s['ms_per_bristle']:.3f}"] for s in engine["scaling"]]
     return f"""# Performance
@@ -283,7 +283,7 @@ For those who wait for a computation, and for those who want to make it faster.
 
 Written by `make bench` from one run on one machine: {engine['processor']}, {os.cpu_count()} cores,
 instruction set {engine['instruction_set']} (Highway's names: AVX3 is AVX-512, eight numbers in a
-vector){clock_text(kernels)}. Ratios are medians of pairs in that run; times are for orientation.
+vector){clock_text(kernels)}. Ratios are medians of pairs in that run; times are for orientation. {note}
 
 ## What to expect
 
@@ -372,6 +372,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("measured", help="directory with the JSON files of the benchmarks")
     parser.add_argument("-o", "--output", default="docs", help="directory of performance.md and images/")
+    parser.add_argument("--note", default="", help="a sentence on the run, such as that the machine was busy")
     parser.add_argument("--only", choices=ALONE, help="replace only this table in performance.md")
     arguments = parser.parse_args()
     path = os.path.join(arguments.output, "performance.md")
@@ -394,7 +395,7 @@ def main():
     images = os.path.join(arguments.output, "images")
     save_figure(work_precision(peers), images, "work-precision", formats=("png",), bbox_inches="tight")
     save_figure(quadrature(cases), images, "quadrature", formats=("png",), bbox_inches="tight")
-    write_text(path, filled(document(engine, kernels, peers, cases, quadratures["purposes"], figures, designs, **alone)))
+    write_text(path, filled(document(engine, kernels, peers, cases, quadratures["purposes"], figures, designs, **alone, note=arguments.note)))
     print(path)
 
 
