@@ -177,9 +177,8 @@ std::string drawing_text(const std::vector<Dimension>& dimensions, const Orienta
   std::string out = aligned(rows);
   if (jump)
     out +=
-        "  99 % stay with: tolerance of this dimension alone with which 99 % of the brushes stay on this "
-        "side of "
-        "the jump\n";
+        "  99 % stay with: tolerance of this dimension alone with which 99 % of the brushes stay on "
+        "this side of the jump\n";
   if (deviates) out += "  s.d.: standard deviation\n";
   return out + fmt::format("  on a square lattice; bristles lean {}\n", orientation_text(orientation));
 }
