@@ -24,12 +24,15 @@ static_assert(sizeof(PassageTask) == sizeof(void*) + sizeof(Bristle<double>) + s
                                          sizeof(IntegratorOptions) + sizeof(double));
 
 struct Entry {
-  PassageKey key;
-  Passage passage;
+  RequestKey key;
+  std::vector<Passage> passages;
 };
 
-// The entry, its links and its share of the hash table, and what the allocator adds.
-constexpr std::size_t kBytesPerPassage = sizeof(Entry) + 8 * sizeof(void*);
+// Returns the bytes of an entry with its links, its share of the hash table, and what the allocator adds.
+std::size_t bytes_of_entry(const Entry& entry) {
+  return sizeof(Entry) + 12 * sizeof(void*) + entry.key.size() * sizeof(entry.key.front()) +
+         entry.passages.size() * sizeof(Passage);
+}
 
 template <class T>
 std::string bytes_of(const T& value) {
@@ -43,23 +46,18 @@ std::string brush_of(const Parameters& parameters, Engine engine) {
   return bytes_of(parameters) + bytes_of(engine);
 }
 
-PassageKey key_of(std::uint64_t brush, const PassageTask& task) {
+void add_task(RequestKey& key, const PassageTask& task) {
   const IntegratorOptions& options = task.integrator;
   const auto bits = [](double number) { return std::bit_cast<std::uint64_t>(number); };
-  return {brush,
-          bits(task.bristle.z_0),
-          bits(task.bristle.theta_0),
-          bits(task.start.r),
-          bits(task.start.phi),
-          bits(options.rtol),
-          bits(options.atol),
-          std::uint64_t(options.method),
-          std::uint64_t(options.max_evaluations)};
+  for (const std::uint64_t word : {bits(task.bristle.z_0), bits(task.bristle.theta_0), bits(task.start.r),
+                                   bits(task.start.phi), bits(options.rtol), bits(options.atol),
+                                   std::uint64_t(options.method), std::uint64_t(options.max_evaluations)})
+    key.push_back(word);
 }
 
 }  // namespace
 
-std::size_t PassageKeyHash::operator()(const PassageKey& key) const {
+std::size_t RequestKeyHash::operator()(const RequestKey& key) const {
   std::uint64_t hash = 0;
   for (const std::uint64_t word : key) hash = (std::rotl(hash, 5) ^ word) * kSplitMixStep;
   return split_mix(hash);
@@ -69,14 +67,14 @@ struct PassageMemo::Store {
   // The entries by key, and from the one used last to the one used least recently.
   index::multi_index_container<
       Entry,
-      index::indexed_by<index::hashed_unique<index::member<Entry, PassageKey, &Entry::key>, PassageKeyHash>,
+      index::indexed_by<index::hashed_unique<index::member<Entry, RequestKey, &Entry::key>, RequestKeyHash>,
                         index::sequenced<>>>
       entries;
+  std::size_t bytes = 0;  // of all entries
   std::mutex mutex;
 };
 
-PassageMemo::PassageMemo(std::size_t bytes)
-    : most_(bytes / kBytesPerPassage), store_(std::make_unique<Store>()) {}
+PassageMemo::PassageMemo(std::size_t bytes) : most_(bytes), store_(std::make_unique<Store>()) {}
 PassageMemo::~PassageMemo() = default;
 
 std::vector<std::size_t> PassageMemo::share(const Sweep& sweep, const std::vector<std::size_t>& points) {
@@ -107,65 +105,55 @@ std::vector<std::size_t> PassageMemo::share(const Sweep& sweep, const std::vecto
   return out;
 }
 
-std::vector<PassageKey> PassageMemo::keys_of(const std::vector<PassageTask>& tasks, Engine engine) const {
+RequestKey PassageMemo::key_of(const std::vector<PassageTask>& tasks, Engine engine) const {
   if (brushes_.empty()) return {};
-  std::vector<PassageKey> keys;
+  RequestKey key;
   const Parameters* parameters = nullptr;
-  std::uint64_t brush = 0;
   for (const PassageTask& task : tasks) {
     if (task.sample_interval > 0) return {};  // samples would need much memory
     if (task.parameters != parameters) {
       const auto known = brushes_.find(brush_of(*task.parameters, engine));
       if (known == brushes_.end()) return {};
       parameters = task.parameters;
-      brush = known->second;
+      key.push_back(known->second);
     }
-    keys.push_back(key_of(brush, task));
+    add_task(key, task);
   }
-  return keys;
+  return key;
 }
 
-std::optional<Passage> PassageMemo::find(const PassageKey& key) {
+std::optional<std::vector<Passage>> PassageMemo::find(const RequestKey& key) {
   const std::lock_guard lock(store_->mutex);
   const auto entry = store_->entries.find(key);
   if (entry == store_->entries.end()) return {};
   auto& by_use = store_->entries.get<1>();
   by_use.relocate(by_use.begin(), store_->entries.project<1>(entry));
-  return entry->passage;
+  return entry->passages;
 }
 
-void PassageMemo::store(const PassageKey& key, const Passage& passage) {
+void PassageMemo::store(const RequestKey& key, const std::vector<Passage>& passages) {
   const std::lock_guard lock(store_->mutex);
   auto& by_use = store_->entries.get<1>();
-  by_use.push_front({key, passage});
-  if (by_use.size() > most_) by_use.pop_back();
+  const auto [entry, is_new] = by_use.push_front({key, passages});
+  if (is_new) store_->bytes += bytes_of_entry(*entry);
+  for (; store_->bytes > most_; by_use.pop_back()) store_->bytes -= bytes_of_entry(by_use.back());
 }
 
 std::vector<Passage> PassageMemo::run(const std::vector<PassageTask>& tasks, Engine engine,
                                       const PassageRunner& compute) {
-  const std::vector<PassageKey> keys = keys_of(tasks, engine);
-  if (keys.empty()) return compute(tasks);
-  std::vector<Passage> out(tasks.size());
-  std::vector<PassageTask> missing;
-  std::vector<std::size_t> places;  // of the missing passages
-  for (std::size_t i = 0; i < tasks.size(); ++i)
-    if (auto known = find(keys[i])) {
-      out[i] = *std::move(known);
-    } else {
-      missing.push_back(tasks[i]);
-      places.push_back(i);
-    }
-  const std::vector<Passage> computed = missing.empty() ? std::vector<Passage>() : compute(missing);
-  for (std::size_t i = 0; i < computed.size(); ++i) {
-    out[places[i]] = computed[i];
-    store(keys[places[i]], computed[i]);
-  }
+  const RequestKey key = key_of(tasks, engine);
+  if (key.empty()) return compute(tasks);
+  if (auto known = find(key)) return *std::move(known);
+  std::vector<Passage> out = compute(tasks);
+  store(key, out);
   return out;
 }
 
 std::size_t PassageMemo::size() const {
   const std::lock_guard lock(store_->mutex);
-  return store_->entries.size();
+  std::size_t count = 0;
+  for (const Entry& entry : store_->entries) count += entry.passages.size();
+  return count;
 }
 
 }  // namespace bristle::run

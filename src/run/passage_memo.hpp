@@ -3,7 +3,6 @@
 #include "bristle/dynamics/passage.hpp"
 #include "sweep/sweep.hpp"
 
-#include <array>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -13,21 +12,23 @@
 
 namespace bristle::run {
 
-// Bound of a memo's memory: some 600,000 passages. A point takes about 700 of them, a thread solves 24 points
-// at a time, and the points of one brush are solved one after the other: this is enough for 36 threads whose
-// points have nothing in common, and more of them only compute some passages again.
-constexpr std::size_t kMemoBytes = std::size_t(256) << 20;
+// Bound of a memo's memory: some 150,000 passages. A point takes about 700 of them, and a thread solves 24
+// points at a time. The points of one brush are solved one after the other, so that a memo which is full has
+// forgotten passages of other brushes. More memory takes more time to fill than it saves.
+constexpr std::size_t kMemoBytes = std::size_t(64) << 20;
 
-// All that the result of a passage depends on, bit for bit: the number of its brush, and the numbers of its
-// task.
-using PassageKey = std::array<std::uint64_t, 9>;
-struct PassageKeyHash {
-  std::size_t operator()(const PassageKey& key) const;
+// All that the results of the passages of one request depend on, bit for bit: the number of their brush, and
+// the numbers of each task. Empty if the passages are not to be remembered.
+using RequestKey = std::vector<std::uint64_t>;
+struct RequestKeyHash {
+  std::size_t operator()(const RequestKey& key) const;
 };
 
 // Remembers the passages of brushes that several points of a run share, such as points that differ in the
-// load or the path alone. The result of a passage depends on its key only, so that no number depends on what
-// a memo holds. A full memo forgets the passages that have been used least recently.
+// load or the path alone. Passages are remembered by request, because points that ask for one passage of a
+// gap ask for all others of their request, too. The passages depend on the key of the request only, so that
+// no number depends on what a memo holds. A full memo forgets the requests that have been used least
+// recently.
 class PassageMemo {
  public:
   // Creates an empty memo. A memo of 0 bytes remembers nothing.
@@ -39,13 +40,14 @@ class PassageMemo {
   // one brush one after the other. Call it while no other thread uses the memo.
   std::vector<std::size_t> share(const Sweep& sweep, const std::vector<std::size_t>& points);
 
-  // Returns the keys of the passages of one request; none if they are not to be remembered.
-  std::vector<PassageKey> keys_of(const std::vector<PassageTask>& tasks, Engine engine) const;
+  // Returns the key of a request; an empty one if its passages are not to be remembered.
+  RequestKey key_of(const std::vector<PassageTask>& tasks, Engine engine) const;
 
-  // Returns the passage if the memo has it. Several threads may call this function and the following ones.
-  std::optional<Passage> find(const PassageKey& key);
-  void store(const PassageKey& key, const Passage& passage);
-  // Returns the passages of the tasks. Lets `compute` compute the passages that the memo does not have.
+  // Returns the passages of a request if the memo has them. Several threads may call this function and the
+  // following ones.
+  std::optional<std::vector<Passage>> find(const RequestKey& key);
+  void store(const RequestKey& key, const std::vector<Passage>& passages);
+  // Returns the passages of the tasks. Lets `compute` compute them if the memo does not have them.
   std::vector<Passage> run(const std::vector<PassageTask>& tasks, Engine engine,
                            const PassageRunner& compute);
   std::size_t size() const;  // number of remembered passages
@@ -53,7 +55,7 @@ class PassageMemo {
  private:
   struct Store;
 
-  const std::size_t most_;                        // greatest number of passages
+  const std::size_t most_;                        // greatest number of bytes
   std::map<std::string, std::uint64_t> brushes_;  // shared brushes, and their numbers in keys
   // Laws of brushes, which are told apart by the addresses of their tables.
   std::vector<std::shared_ptr<const ModulationTable>> laws_;

@@ -26,43 +26,39 @@ std::size_t chunk_size(std::size_t tasks, std::size_t threads) {
 
 void PassageQueue::add(const std::vector<PassageTask>& tasks, PassageRequest& request) {
   const std::size_t size = chunk_size(tasks.size(), threads_);
-  request.keys = memo_ ? memo_->keys_of(tasks, engine_) : std::vector<PassageKey>();
+  request.key = memo_ ? memo_->key_of(tasks, engine_) : RequestKey();
   const std::lock_guard lock(mutex_);
-  for (std::size_t first = 0, last = 0; first < tasks.size(); first = last) {
-    const std::size_t most = std::min(first + size, tasks.size());
-    while (last < most && (request.keys.empty() || !comes_without_chunk(request, last))) ++last;
-    if (last > first) chunks_.push_back({&tasks, first, last, &request});
-    if (last < most) ++last;
-  }
+  if (!request.key.empty() && comes_without_chunks(request)) return;
+  for (std::size_t first = 0; first < tasks.size(); first += size)
+    chunks_.push_back({&tasks, first, std::min(first + size, tasks.size()), &request});
   changed_.notify_all();
 }
 
-// Returns whether the passage need not be computed for this request: the memo has it, and it is delivered, or
-// it is delivered when it has been computed for another request.
-bool PassageQueue::comes_without_chunk(PassageRequest& request, std::size_t index) {
-  const PassageKey& key = request.keys[index];
-  if (auto known = memo_->find(key)) {
-    request.deliver(index, *std::move(known));
+// Returns whether the passages need not be computed for this request: the memo has them, and they are
+// delivered, or they are delivered when they have been computed for another request.
+bool PassageQueue::comes_without_chunks(PassageRequest& request) {
+  if (auto known = memo_->find(request.key)) {
+    request.deliver_all(*std::move(known));
     return true;
   }
-  const auto [others, is_new] = in_flight_.try_emplace(key);
-  if (!is_new) others->second.push_back({&request, index});
+  const auto [others, is_new] = in_flight_.try_emplace(request.key);
+  if (!is_new) others->second.push_back(&request);
   return !is_new;
 }
 
 void PassageQueue::deliver(PassageRequest& request, std::size_t index, Passage&& passage) {
-  std::vector<Expected> others;
-  if (!request.keys.empty()) {
-    const PassageKey& key = request.keys[index];
-    memo_->store(key, passage);
-    const std::lock_guard lock(mutex_);
-    others = std::move(in_flight_.extract(key).mapped());
+  if (!request.deliver(index, std::move(passage))) return;
+  if (!request.key.empty()) {
+    memo_->store(request.key, request.passages());
+    std::vector<PassageRequest*> others;
+    {
+      const std::lock_guard lock(mutex_);
+      others = std::move(in_flight_.extract(request.key).mapped());
+    }
+    for (PassageRequest* const other : others) other->deliver_all(request.passages());
   }
-  bool any_complete = false;
-  for (const Expected& other : others)
-    any_complete = other.request->deliver(other.index, Passage(passage)) || any_complete;
-  any_complete = request.deliver(index, std::move(passage)) || any_complete;
-  if (any_complete) notify();
+  request.set_complete();
+  notify();
 }
 
 std::optional<PassageChunk> PassageQueue::take(std::size_t passages) {

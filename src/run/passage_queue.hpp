@@ -14,26 +14,36 @@
 namespace bristle::run {
 
 // Collects the passages that one point waits for. Any threads deliver the passages, each once; the thread of
-// the point takes them when all have been delivered.
+// the point takes them when the request is complete.
 class PassageRequest {
  public:
   void expect(std::size_t count) {
     passages_.assign(count, {});
     outstanding_ = count;
+    complete_ = count == 0;
   }
-  bool complete() const { return outstanding_.load(std::memory_order_acquire) == 0; }
-  // Stores a passage. Returns true for the last one; the request may then have ended its life.
+  bool complete() const { return complete_.load(std::memory_order_acquire); }
+  // Stores a passage. Returns true for the last one, whose thread then calls set_complete().
   bool deliver(std::size_t index, Passage&& passage) {
     passages_[index] = std::move(passage);
     return outstanding_.fetch_sub(1, std::memory_order_acq_rel) == 1;
   }
+  const std::vector<Passage>& passages() const { return passages_; }
+  // Stores all passages.
+  void deliver_all(std::vector<Passage> passages) {
+    passages_ = std::move(passages);
+    set_complete();
+  }
+  // Lets the thread of the point take the passages. The request may have ended its life afterwards.
+  void set_complete() { complete_.store(true, std::memory_order_release); }
   std::vector<Passage> take() { return std::move(passages_); }
 
-  std::vector<PassageKey> keys;  // of the passages in the memo; none if they are not to be remembered
+  RequestKey key;  // of the request in the memo; empty if its passages are not to be remembered
 
  private:
   std::vector<Passage> passages_;
   std::atomic<std::size_t> outstanding_ = 0;
+  std::atomic<bool> complete_ = true;
 };
 
 // Some of the passages of a request, to be computed by one thread.
@@ -52,12 +62,13 @@ class PassageQueue {
   explicit PassageQueue(std::size_t threads, PassageMemo* memo = nullptr, Engine engine = Engine::fast)
       : threads_(threads), memo_(memo), engine_(engine) {}
 
-  // Adds passages, except passages that the memo has, and passages that are being computed for another
-  // request. The request receives the former at once, and may then be complete; it receives the latter
+  // Adds the passages of a request, unless the memo has them, or the same passages are being computed for
+  // another request. In the first case, the request is complete at once; in the second, it is complete
   // together with the other request. tasks and request must live until the request is complete or no thread
   // takes chunks any more.
   void add(const std::vector<PassageTask>& tasks, PassageRequest& request);
-  // Delivers a computed passage of a chunk to its request, and to all requests that wait for this passage.
+  // Delivers a computed passage of a chunk to its request. The last one completes the request, and all
+  // requests that wait for the same passages.
   void deliver(PassageRequest& request, std::size_t index, Passage&& passage);
   // Returns the next chunk for a thread that has `passages` passages; none if the thread has enough, or if it
   // has any while another thread has none.
@@ -69,13 +80,7 @@ class PassageQueue {
   void notify();
 
  private:
-  // A passage that a request expects.
-  struct Expected {
-    PassageRequest* request;
-    std::size_t index;
-  };
-
-  bool comes_without_chunk(PassageRequest& request, std::size_t index);
+  bool comes_without_chunks(PassageRequest& request);
 
   const std::size_t threads_;
   PassageMemo* const memo_;
@@ -84,8 +89,8 @@ class PassageQueue {
   std::condition_variable changed_;
   std::deque<PassageChunk> chunks_;
   std::size_t waiting_ = 0;  // threads without passages
-  // What else waits for a passage of a chunk, until the passage is delivered.
-  std::unordered_map<PassageKey, std::vector<Expected>, PassageKeyHash> in_flight_;
+  // The requests that are being computed, and what other requests wait for the same passages.
+  std::unordered_map<RequestKey, std::vector<PassageRequest*>, RequestKeyHash> in_flight_;
 };
 
 }  // namespace bristle::run

@@ -15,10 +15,10 @@
 
 namespace bristle::passage_memo_test {
 using namespace testing;
-using run::PassageKey;
 using run::PassageMemo;
 using run::PassageQueue;
 using run::PassageRequest;
+using run::RequestKey;
 
 namespace {
 
@@ -73,7 +73,7 @@ void check_azimuths(PassageRequest& request, const std::vector<PassageTask>& tas
 
 }  // namespace
 
-TEST_CASE("memo of passages: every number of a task changes the key of its passage") {
+TEST_CASE("memo of passages: every number of a task changes the key of its request") {
   PassageMemo memo;
   const Sweep sweep = two_loads();
   memo.share(sweep, {0, 1});
@@ -81,9 +81,9 @@ TEST_CASE("memo of passages: every number of a task changes the key of its passa
   const auto key = [&](const std::function<void(PassageTask&)>& change) {
     PassageTask task = task_of(p);
     change(task);
-    return memo.keys_of({task}, Engine::fast).at(0);
+    return memo.key_of({task_of(p), task}, Engine::fast);
   };
-  const std::set<PassageKey> keys = {
+  const std::set<RequestKey> keys = {
       key([](PassageTask&) {}),
       key([](PassageTask& t) { t.bristle.z_0 = 0.6; }),
       key([](PassageTask& t) { t.bristle.theta_0 = 0; }),
@@ -96,6 +96,7 @@ TEST_CASE("memo of passages: every number of a task changes the key of its passa
       key([](PassageTask& t) { t.integrator.max_evaluations = 7; }),
   };
   CHECK(keys.size() == 10);
+  CHECK_FALSE(keys.contains(memo.key_of({task_of(p)}, Engine::fast)));
   CHECK(key([](PassageTask&) {}) == key([](PassageTask& t) { t.bristle.k_r = 7; }));  // of the brush
 }
 
@@ -104,7 +105,7 @@ TEST_CASE("memo of passages: brushes that differ in any parameter, choice, law o
   const Sweep sweep = two_loads();
   memo.share(sweep, {0, 1});
   const auto shared = [&](const Parameters& p, Engine engine = Engine::fast) {
-    return !memo.keys_of({task_of(p)}, engine).empty();
+    return !memo.key_of({task_of(p)}, engine).empty();
   };
   const Parameters known = parameters_of(sweep);
   CHECK(shared(known));
@@ -136,7 +137,7 @@ TEST_CASE("memo of passages: brushes that differ in any parameter, choice, law o
     Parameters changed;
     std::memcpy(static_cast<void*>(&changed), bytes.data(), sizeof changed);
     const PassageTask task = {&changed, make_bristle(known, 0.5, 1), {0.9, 0.6}, {}};
-    CHECK(memo.keys_of({task}, Engine::fast).empty());
+    CHECK(memo.key_of({task}, Engine::fast).empty());
   }
 }
 
@@ -151,7 +152,7 @@ TEST_CASE(
     std::size_t count = 0;
     for (const std::size_t i : points) {
       const PointInput point = e.sweep.point(i);
-      count += !memo.keys_of({task_of(point.setup.parameters)}, e.sweep.engine).empty();
+      count += !memo.key_of({task_of(point.setup.parameters)}, e.sweep.engine).empty();
     }
     return std::pair(count, order);
   };
@@ -173,31 +174,41 @@ TEST_CASE(
 }
 
 TEST_CASE("memo of passages: its memory is bounded, and it forgets what was used least recently") {
-  for (const std::size_t bytes : {0, 100, 10'000, 1'000'000}) {
+  constexpr std::size_t kEach = 10;  // passages of a request
+  for (const std::size_t bytes : {0, 100, 20'000, 1'000'000}) {
     CAPTURE(bytes);
     PassageMemo memo(bytes);
-    const std::size_t most = bytes / sizeof(Passage);
-    Passage passage;
+    const std::size_t most = bytes / sizeof(Passage) / kEach;  // requests
+    std::vector<Passage> passages(kEach);
+    const RequestKey first(1 + 8 * kEach, 0);
     for (std::uint64_t i = 0; i < most + 10; ++i) {
-      passage.steps = long(i);
-      memo.store({i}, passage);
-      memo.find({0});
+      passages.back().steps = long(i);
+      RequestKey key = first;
+      key.back() = i;
+      memo.store(key, passages);
+      memo.find(first);
     }
-    CHECK(memo.size() * (sizeof(Passage) + sizeof(PassageKey)) <= bytes);
-    CHECK(memo.size() >= most / 2);
-    if (memo.size() < 2) continue;
-    CHECK(memo.find({0})->steps == 0);
-    CHECK_FALSE(memo.find({1}));
-    CHECK(memo.find({most + 9})->steps == long(most + 9));
-    CHECK_FALSE(memo.find({most + 10}));
+    const auto found = [&](std::uint64_t i) {
+      RequestKey key = first;
+      key.back() = i;
+      const auto known = memo.find(key);
+      return known ? std::optional(known->back().steps) : std::nullopt;
+    };
+    CHECK(memo.size() * (sizeof(Passage) + 8 * sizeof(std::uint64_t)) <= bytes);
+    CHECK(memo.size() >= most * kEach / 2);
+    if (memo.size() < 2 * kEach) continue;
+    CHECK(found(0) == 0);
+    CHECK_FALSE(found(1));
+    CHECK(found(most + 9) == long(most + 9));
+    CHECK_FALSE(found(most + 10));
   }
   PassageMemo none(0);
   const Sweep sweep = two_loads();
   CHECK(none.share(sweep, {1, 0}) == std::vector<std::size_t>{1, 0});
-  CHECK(none.keys_of({task_of(parameters_of(sweep))}, Engine::fast).empty());
+  CHECK(none.key_of({task_of(parameters_of(sweep))}, Engine::fast).empty());
 }
 
-TEST_CASE("memo of passages: a passage in flight is not computed again, and a known one comes at once") {
+TEST_CASE("memo of passages: a request in flight is not computed again, and a known one comes at once") {
   PassageMemo memo;
   const Sweep sweep = two_loads();
   memo.share(sweep, {0, 1});
@@ -207,24 +218,20 @@ TEST_CASE("memo of passages: a passage in flight is not computed again, and a kn
     request.expect(tasks.size());
     queue.add(tasks, request);
   };
-  const std::vector<PassageTask> first = tasks_of(p, 0, 10), second = tasks_of(p, 5, 10);
-  PassageRequest a, b, c;
-  add(first, a);
-  add(second, b);
-  CHECK_FALSE((a.complete() || b.complete()));
-  CHECK(compute_all(queue) == 15);
-  check_azimuths(a, first);
-  check_azimuths(b, second);
-  const std::vector<PassageTask> known = tasks_of(p, 0, 15);
-  add(known, c);
-  check_azimuths(c, known);
+  const std::vector<PassageTask> tasks = tasks_of(p, 0, 100), others = tasks_of(p, 0, 99);
+  PassageRequest a, b, c, d;
+  add(tasks, a);
+  add(tasks, b);
+  add(tasks, c);
+  add(others, d);
+  CHECK_FALSE((a.complete() || b.complete() || c.complete() || d.complete()));
+  CHECK(compute_all(queue) == 199);
+  for (PassageRequest* const request : {&a, &b, &c}) check_azimuths(*request, tasks);
+  check_azimuths(d, others);
+  CHECK(memo.size() == 199);
+  add(tasks, c);
+  check_azimuths(c, tasks);
   CHECK(compute_all(queue) == 0);
-  // One request may ask for a passage twice.
-  std::vector<PassageTask> twice = tasks_of(p, 20, 1);
-  twice.push_back(twice.front());
-  add(twice, a);
-  CHECK(compute_all(queue) == 1);
-  check_azimuths(a, twice);
   // Passages with samples are computed each time.
   std::vector<PassageTask> sampled = tasks_of(p, 0, 3);
   for (PassageTask& task : sampled) task.sample_interval = 0.1;
@@ -235,7 +242,7 @@ TEST_CASE("memo of passages: a passage in flight is not computed again, and a kn
   }
 }
 
-TEST_CASE("memo of passages: requests with common passages end on all threads, with any memory") {
+TEST_CASE("memo of passages: equal requests end on all threads, with any memory") {
   constexpr std::size_t kThreads = 4, kRequests = 100;
   for (const std::size_t bytes : {std::size_t(10'000), run::kMemoBytes})
     for (int repetition = 0; repetition < 10; ++repetition) {
@@ -272,7 +279,7 @@ TEST_CASE("memo of passages: requests with common passages end on all threads, w
       for (std::size_t i = 0; i < kThreads; ++i) threads.emplace_back(work, i);
       for (std::thread& thread : threads) thread.join();
       CHECK(std::ranges::all_of(equal, [](bool all) { return all; }));
-      if (bytes == run::kMemoBytes) CHECK(computed == kRequests / 2 + 19);
+      if (bytes == run::kMemoBytes) CHECK(computed == kRequests / 2 * 20);
     }
 }
 
