@@ -54,13 +54,15 @@ std::string smoke_commands(const results::ResultReader& result, const std::strin
 struct ReferenceUpdate {
   std::string file, reason;
   std::string folder = kReferences;
-  std::string day;  // day of the change, YYYY-MM-DD
+  std::string day;                            // day of the change, YYYY-MM-DD
+  std::uintmax_t most_bytes = kMaxJsonBytes;  // of the reference: no more are read
 };
 
 // Writes the result to FOLDER/<name>.json as the new reference, and reason and changes to
 // FOLDER/CHANGELOG.md. Returns the entry of the change log; empty if the reference has these numbers already,
 // in which case nothing is written. Throws InputError, with the remedy, for an empty reason, for a result
-// that is not a whole result of the smoke tier, and if the program or the work tree differs from its commit.
+// that is not a whole result of the smoke tier, for one that is too large, and if the program or the work
+// tree differs from its commit.
 std::string update_reference(const ReferenceUpdate& update);
 
 }  // namespace bristle::compare

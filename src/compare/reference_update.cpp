@@ -151,6 +151,11 @@ std::string update_reference(const ReferenceUpdate& update) {
   std::optional<Reference> old;
   if (fs::exists(path)) old = read_reference(path);
   const std::string text = file_text(made);
+  if (text.size() > update.most_bytes)
+    throw InputError(fmt::format(
+        "{}: has too many points for a reference, which would have {} bytes, and no more than {} are read; "
+        "/tiers/smoke of the experiment chooses fewer points",
+        update.file, text.size(), update.most_bytes));
   if (old) {
     Reference same_commit = made;
     same_commit.about["commit"] = old->about["commit"];

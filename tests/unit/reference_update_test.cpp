@@ -131,6 +131,16 @@ TEST_CASE("update: refused for a program or a file that cannot be reproduced") {
   CHECK_THAT(refusal(r.update), Contains("payload_sha256 DOES NOT MATCH"));
 }
 
+TEST_CASE("update: refused for a reference that could not be read") {
+  Repository r;
+  r.update.most_bytes = 1000;
+  CHECK_THAT(refusal(r.update), Contains("r.h5: has too many points for a reference, which would have ") &&
+                                    Contains("and no more than 1000 are read; /tiers/smoke"));
+  r.update.most_bytes = kMaxJsonBytes;
+  update_reference(r.update);
+  CHECK(std::filesystem::file_size(r.json()) > 1000);
+}
+
 TEST_CASE("update: a change log of something else and linked references are not replaced") {
   const Repository r;
   r.s.write("reference/CHANGELOG.md", "# Changelog of the program\n");
