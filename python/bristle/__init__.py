@@ -12,10 +12,8 @@ bristle.figures has a module for each figure, bristle.pages writes documents suc
 the report; what figures share is in bristle.plotting.
 """
 
-import importlib
-
 from .errors import BristleError, did_you_mean
-from .needs import FIGURES_NEED, need
+from .needs import FIGURES_NEED, load, need
 
 need(*FIGURES_NEED)
 
@@ -27,7 +25,7 @@ __all__ = ["BristleError", *FUNCTIONS]
 def __getattr__(name):
     """A function of FUNCTIONS, whose module is imported when it is first used: the plotting libraries take a second."""
     if name in FUNCTIONS:
-        return getattr(importlib.import_module(f".{FUNCTIONS[name]}", __name__), name)
+        return getattr(load(f".{FUNCTIONS[name]}", __name__), name)
     raise AttributeError(f"module {__name__} has no {name}{did_you_mean(name, __all__)}")
 
 

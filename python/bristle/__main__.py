@@ -3,14 +3,13 @@
 import os
 import sys
 
-from .needs import FIGURES_NEED, here, remedy
+from .needs import load
 
 os.environ["MPLBACKEND"] = "agg"  # for files alone, whatever a notebook or a shell has set
 try:
-    from .command_line import PROGRAM, draw_figure, run
-except (ImportError, AttributeError, RuntimeError, ValueError) as error:  # of modules that are missing or do not fit together
-    print(f"{os.environ.get('BRISTLE_PLOT', 'plot')}: error: {here()} cannot import what the figures need ({error}); "
-          f"{remedy(FIGURES_NEED)}", file=sys.stderr)
+    command_line = load(".command_line", __package__)
+except ImportError as error:
+    print(f"{os.environ.get('BRISTLE_PLOT', 'plot')}: error: {error}", file=sys.stderr)
     raise SystemExit(2) from None
 
-run(draw_figure, PROGRAM)
+command_line.run(command_line.draw_figure, command_line.PROGRAM)

@@ -1,10 +1,12 @@
 """The Python and the libraries that the package needs, and what to do where one is missing."""
 
 import sys
+from importlib import import_module
 from importlib.util import find_spec
 
 PYTHON = 3, 11
 FIGURES_NEED = ("numpy", "h5py", "matplotlib", "xarray", "h5netcdf")
+BROKEN = ImportError, AttributeError, RuntimeError, ValueError  # what libraries raise that do not fit together
 PACKAGES = {"yaml": "pyyaml"}  # of libraries whose module has another name
 
 
@@ -12,9 +14,26 @@ def need(*modules):
     """Raises ImportError, which says what to install, unless this Python is new enough and has all of the modules."""
     missing = [name for name in modules if name not in sys.modules and find_spec(name) is None]
     if sys.version_info < PYTHON:
-        raise ImportError(f"{here()} is too old: bristle needs Python {'.'.join(map(str, PYTHON))} or newer")
+        fail(f"{here()} is too old: bristle needs Python {'.'.join(map(str, PYTHON))} or newer")
     if missing:
-        raise ImportError(f"{here()} has no {', '.join(missing)}, which bristle needs; {remedy(missing)}")
+        fail(f"{here()} has no {', '.join(missing)}, which bristle needs; {remedy(missing)}")
+
+
+def load(name, package):
+    """Imports a module of this package. Raises ImportError, which says what to install, if the libraries that it needs
+    are there, but cannot be imported."""
+    try:
+        return import_module(name, package)
+    except BROKEN as error:
+        fail(f"{here()} cannot import what the figures need ({error}); {remedy(FIGURES_NEED)}", error)
+
+
+def fail(message, cause=None):
+    """Raises ImportError with the message. Ends a program that is started by python3 -m, with the message alone."""
+    if sys.argv[:1] == ["-m"]:  # as long as Python looks for the module of -m
+        print(f"bristle: error: {message}", file=sys.stderr)
+        raise SystemExit(2)
+    raise ImportError(message) from cause
 
 
 def here():

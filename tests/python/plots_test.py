@@ -387,10 +387,15 @@ broken = folder / "broken"
 broken.mkdir()
 for module in ("numpy", "h5py", "matplotlib", "xarray"):
     (broken / f"{module}.py").write_text("raise ImportError('it is broken')")
-    done = subprocess.run([sys.executable, "-m", "bristle", "fig4", result, "-o", broken], capture_output=True, text=True, check=False,
-                          env={**os.environ, "PYTHONPATH": os.pathsep.join(map(str, (broken, PACKAGE)))})
-    assert done.returncode == 2 and "cannot import what the figures need (it is broken)" in done.stderr, done
-    assert "Traceback" not in done.stderr, done.stderr
+    path = os.pathsep.join(map(str, (broken, PACKAGE)))
+    for words in ("bristle", "fig4", result, "-o", broken), ("bristle.report", result), ("bristle.pages.findings", result):
+        done = imported(["-m", *map(str, words)], PYTHONPATH=path)
+        assert done.returncode == 2 and "cannot import what the figures need (it is broken)" in done.stderr, done
+        assert "Traceback" not in done.stderr and done.stderr.count("\n") == 1, done.stderr
+    done = imported(["-m", "bristle.current", "fig4", result, broken], PYTHONPATH=path)
+    assert done.returncode == 1 and done.stderr == "", done
+    done = imported(["-c", "from bristle import open_result"], PYTHONPATH=path)
+    assert module == "matplotlib" or "cannot import what the figures need (it is broken)" in done.stderr.splitlines()[-1], done.stderr
     (broken / f"{module}.py").unlink()
 done = subprocess.run([sys.executable, "-m", "bristle", "fig4", result, "--caption"], capture_output=True, text=True, check=False,
                       env={**os.environ, "PYTHONPATH": str(PACKAGE), "MPLBACKEND": "nonsense"})

@@ -5,3 +5,7 @@ tutorial: docs/tutorial.ipynb, with what its cells print and draw.
 zenodo: .zenodo.json, from CITATION.cff.
 schematics: the drawings of a bristle and a rod in docs/model.md.
 """
+
+from ..needs import load
+
+load("..command_line", __name__)
