@@ -62,8 +62,8 @@ struct Sweep {
   Sweep first_values(const std::vector<std::string>& except) const;
 };
 
-// Sets mu_c or tau_f of the point such that rigid bristles have its nominal friction at its target load. Does
-// nothing for a point without a nominal friction.
+// Sets mu_c or tau_f of the point such that rigid bristles have its local friction at its target load. Does
+// nothing for a point without a local friction.
 void apply_nominal_friction(PointInput& point);
 
 // Returns whether two points of sweeps that differ in points only have the same numbers.

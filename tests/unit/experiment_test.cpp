@@ -107,7 +107,7 @@ TEST_CASE("points are in row-major order over the axes, and C follows A if chi i
   CHECK(e.sweep.point(0).setup.parameters.C == Approx(chi_C_peak_at_V_s(1.2)));
 }
 
-TEST_CASE("the nominal friction is the friction of rigid bristles over their load, under every law") {
+TEST_CASE("the local friction is the friction of rigid bristles over their load, under every law") {
   const Scratch s;
   s.write("paper.json", bytes_of(kExperiments + "/paper.json"));
   const std::string sweep = R"("nominal_friction": {"values": [0.5, 6.1984]}, "R_n": {"values": [0.3, 2]})";

@@ -20,7 +20,7 @@ VARIABLES = ["R_x_norm", "z_0"]
 FACTORS = {"gamma_1": 1, "gamma_2": 1, "gamma_3": 1, "N_c_ratio": 1 / 3}
 IN_COULOMB = ["gamma_1", "gamma_2"]
 REST, REST_LOOK = "the rest", Look(GREY, "--", "")
-PAPERS_NOMINAL = {"nss": -1, "coulomb": 0}  # index of the paper's nominal friction under each law: the higher, the lower
+PAPERS_NOMINAL = {"nss": -1, "coulomb": 0}  # index of the paper's local friction under each law: the higher, the lower
 TITLES = {"parts": "Figure 7, continued: the friction as a product of its factors"}
 PARTS_NOTE = r"""Black: the sum of the others. Grey dashed, the rest: the friction is a mean of products, not the product of means.
 Coulomb's friction is linear in the load: neither $\tilde{\gamma}_3$ nor $N_c$ is a factor of it."""
@@ -63,7 +63,7 @@ def draw_parts(file, reading):
 
 
 def parts_of(file, law, reading):
-    """ln R_x_norm and its terms by name, as curves over k_r, at the paper's nominal friction."""
+    """ln R_x_norm and its terms by name, as curves over k_r, at the paper's local friction."""
     nominal = axis_values(file, "nominal_friction")[PAPERS_NOMINAL[law]]
 
     def logarithm(name, power=1):

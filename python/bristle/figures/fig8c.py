@@ -1,4 +1,4 @@
-"""Fig. 8, continued: friction over the nominal friction under both local friction laws."""
+"""Fig. 8, continued: friction over the local friction under both local friction laws."""
 
 from ..plotting.curves import curve_marks, draw_by_reading, with_symbol
 from ..plotting.readings import one_page

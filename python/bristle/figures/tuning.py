@@ -9,7 +9,7 @@ from ..results import axis_values, dataset
 
 AXES = ["friction", "nominal_friction", "sample"]
 VARIABLES = ["R_x"]
-NOTE = "Each point is a brush of the sample. Open marks: the lower nominal friction. Bars are the errors of the values."
+NOTE = "Each point is a brush of the sample. Open marks: the lower local friction. Bars are the errors of the values."
 MARKS = NOTE  # of the caption
 LEGEND_INCHES = 0.3
 
@@ -34,7 +34,7 @@ def draw(file):
 
 
 def draw_brushes(axes, file, reading, stiffness):
-    """The brushes of the sample under each law, at each nominal friction; returns legend entries of the statuses."""
+    """The brushes of the sample under each law, at each local friction; returns legend entries of the statuses."""
     entries, laws, intensities = {}, dataset(file, "friction"), dataset(file, "nominal_friction")
     for law, look in looks(axis_values(file, "friction")):
         for intensity in axis_values(file, "nominal_friction"):

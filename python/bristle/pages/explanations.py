@@ -197,7 +197,7 @@ def magnitude_or_law(file, pairs):
     if row.statement.startswith("the bristles that pass"):
         return ""
     names = {"nss": "NSS", "coulomb": "Coulomb"}
-    found = "; ".join(f"{names[law]}, nominal friction {chosen_at(nominal)}: {short(factor)}"
+    found = "; ".join(f"{names[law]}, local friction {chosen_at(nominal)}: {short(factor)}"
                       for (law, nominal), factor in falls_of_laws(file, row.reading).items())
     return f"the factors by which R_x_norm falls: {found}."
 
@@ -231,7 +231,7 @@ def polar_stiffness(file, pairs):
 
 
 def largest_friction(file, pairs):
-    """Claim 8c: R_x over the nominal friction under both laws, of all bristles and of those that pass."""
+    """Claim 8c: R_x over the local friction under both laws, of all bristles and of those that pass."""
     row = pairs[0][1]
     k_r, nominal = max(axis_values(file, "k_r")), axis_values(file, "nominal_friction")
     at = [i for i, one in enumerate(nominal) if one >= 10]
@@ -243,7 +243,7 @@ def largest_friction(file, pairs):
         of_passing = f" ({listed(passing)} of the bristles that pass; pinned ones carry {span(pinned, percent)})" if max(pinned) > 0 else ""
         parts.append(f"{listed(every)} under {name}{of_passing}")
     slides = " The slab slides over pinned bristles, so their friction grows with the local one." * bool(most > 0)
-    return f"At k_r = {k_r:g} and a nominal friction of {listed(nominal[at], chosen_at)} R_x is {'; '.join(parts)}.{slides}"
+    return f"At k_r = {k_r:g} and a local friction of {listed(nominal[at], chosen_at)} R_x is {'; '.join(parts)}.{slides}"
 
 
 def end_of_transient(file, pairs):

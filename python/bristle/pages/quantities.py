@@ -165,7 +165,7 @@ def falls(file, reading, *names, **chosen):
 
 
 def falls_of_laws(file, reading):
-    """By law and nominal friction, the factor by which R_x_norm falls from the lowest to the highest k_r of Figure 7."""
+    """By law and local friction, the factor by which R_x_norm falls from the lowest to the highest k_r of Figure 7."""
     return {(law, nominal): falls(file, reading, "R_x_norm", friction=law, nominal_friction=nominal)[0]
             for nominal in axis_values(file, "nominal_friction")[::-1] for law in axis_values(file, "friction")}
 

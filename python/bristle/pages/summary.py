@@ -221,7 +221,7 @@ def two_frictions(file, _):
 
 
 def magnitude(file, verdicts):
-    """The counterfactual of claims 6b and 7a: both laws at both nominal frictions."""
+    """The counterfactual of claims 6b and 7a: both laws at both local frictions."""
     low, high = min(nominal := axis_values(file, "nominal_friction")), max(nominal)
     found = {reading: falls_of_laws(file, reading) for reading in READINGS}
     def factor(law, at):
