@@ -49,16 +49,26 @@ struct Objective {
   std::string text() const;  // "minimise friction_coefficient (q95)"
 };
 
-// Limits of a variable of the result at the nominal values and at all deviations, of the clearance between
-// shafts, or of the jump margin.
+// Limits of a variable of the result or of a quantity of the brush's shape at the nominal values and at all
+// deviations, or of the jump margin.
 struct Constraint {
-  std::string variable;  // kJumpMargin, kClearance, or one of the result
+  std::string variable;  // kJumpMargin, one of kShape, or one of the result
   double min, max;       // infinite: none
 
   std::string text() const;  // "root_strain <= 0.3"
 };
 constexpr const char* kJumpMargin = "jump_margin";
-constexpr const char* kClearance = "clearance";  // see clearance(); a design that varies it limits it
+constexpr const char* kClearance = "clearance";  // a design that varies it limits it
+
+// A quantity of a brush's shape that constraints may limit.
+struct ShapeQuantity {
+  const char* name;
+  double (*value)(const Parameters&);
+};
+constexpr ShapeQuantity kShape[] = {{kClearance, clearance}, {"slenderness", slenderness}};
+
+// Returns the quantity of this name; null if there is none.
+const ShapeQuantity* find_shape(const std::string& name);
 
 // The block "design" of an experiment. The points of the sweep are its scenarios (docs/your-own-brush.md).
 struct Design : experiment::Ranges {

@@ -28,11 +28,13 @@ constexpr std::size_t kProfileValues = 25;
 // lacks.
 void require_variables(const Experiment& experiment, const Design& design) {
   const json::Node block(*experiment.source, "/design");
+  std::vector<std::string> shape;
+  for (const ShapeQuantity& quantity : kShape) shape.push_back(quantity.name);
   for (std::size_t i = 0; i < design.objectives.size(); ++i)
     run::require_variable(experiment, block["objectives"][i], design.objectives[i].variable);
   for (std::size_t i = 0; i < design.constraints.size(); ++i)
-    if (const std::string& name = design.constraints[i].variable; name != kJumpMargin && name != kClearance)
-      run::require_variable(experiment, block["constraints"][i]["variable"], name);
+    if (const std::string& name = design.constraints[i].variable; name != kJumpMargin)
+      run::require_variable(experiment, block["constraints"][i]["variable"], name, shape);
 }
 
 // Returns the experiment with the rows as its sample, as the result stores it.

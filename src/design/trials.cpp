@@ -30,8 +30,8 @@ double beyond(double value, double limit) {
 
 // Returns the value at a point that a constraint limits.
 double limited_value(const Constraint& constraint, const Computed& point) {
-  return constraint.variable == kClearance ? point.clearance
-                                           : value_of(point.record, constraint.variable).value;
+  if (const ShapeQuantity* shape = find_shape(constraint.variable)) return shape->value(point.brush);
+  return value_of(point.record, constraint.variable).value;
 }
 
 // Returns by how much the value at a point exceeds a limit; negative within the limits, infinite without a
@@ -76,7 +76,7 @@ std::size_t Trials::scenarios() const { return experiment_.sweep.without(sweep::
 std::vector<Computed> Trials::solve_all(const Sweep& sweep, Purpose purpose) const {
   std::vector<Computed> out;
   for (results::PointRecord& record : solve_(sweep, run::shard_points({}, sweep.size()), purpose))
-    out.push_back({std::move(record), clearance(sweep.point(out.size()).setup.parameters)});
+    out.push_back({std::move(record), sweep.point(out.size()).setup.parameters});
   return out;
 }
 

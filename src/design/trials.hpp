@@ -24,10 +24,10 @@ enum class Purpose {
 using Solve =
     std::function<std::vector<results::PointRecord>(const Sweep&, const std::vector<std::size_t>&, Purpose)>;
 
-// A computed point, and the clearance of its brush.
+// A computed point, and its brush.
 struct Computed {
   results::PointRecord record;
-  double clearance;
+  Parameters brush;
 };
 
 struct Trial {

@@ -206,8 +206,8 @@ std::string quantiles_line(const results::Dataset& group, std::size_t row, std::
 
 }  // namespace
 
-void require_variable(const Experiment& experiment, const json::Node& place, const std::string& name) {
-  std::vector<std::string> known;
+void require_variable(const Experiment& experiment, const json::Node& place, const std::string& name,
+                      std::vector<std::string> known) {
   for (const results::ResultVariable& variable : results::result_variables(experiment.sweep))
     known.push_back(variable.name);
   if (std::ranges::find(known, name) == known.end())

@@ -13,8 +13,10 @@
 
 namespace bristle::run {
 
-// Throws InputError at the place if the result has no variable of this name.
-void require_variable(const Experiment& experiment, const json::Node& place, const std::string& name);
+// Throws InputError at the place if the result has no variable of this name, and the name is none of `known`,
+// which are allowed as well.
+void require_variable(const Experiment& experiment, const json::Node& place, const std::string& name,
+                      std::vector<std::string> known = {});
 
 // Adds Sobol indices, their errors, and the numbers of blocks that the indices follow from, to a dataset
 // whose last dimensions are output (or another one) and input. rows: the indices of all inputs, by the other

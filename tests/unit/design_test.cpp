@@ -258,6 +258,18 @@ TEST_CASE("design: trials whose shafts overlap violate a constraint that is alwa
   CHECK_THAT(file.provenance().at("design"), Catch::Contains("0 <= clearance"));
 }
 
+TEST_CASE("design: a shaft that is too slender violates the constraint that limits it") {
+  const Folder f;
+  const auto file = f.run(f.load(R"({"variables": {"R": [0.02, 0.08]}, "budget": 8,
+      "objectives": [{"minimise": "root_strain"}], "constraints": [{"variable": "slenderness", "max": 10}]})",
+                                 kFew));
+  const std::vector<double> R = file.variable("trials/R").values,
+                            violation = file.variable("trials/violation").values;
+  for (std::size_t i = 0; i < R.size(); ++i) CHECK((violation[i] > 0) == (R[i] < 0.05));
+  CHECK(first(file, "best/R") >= 0.05);
+  CHECK(first(file, "best/constraint_1") == Approx(1 / (2 * first(file, "best/R"))));
+}
+
 TEST_CASE("design: a target that no trial meets is not called met") {
   const Folder f;
   const auto text = [&](double value) {
@@ -370,6 +382,8 @@ TEST_CASE("malformed designs: the message names place, value and remedy") {
   CHECK(design::multiples_within({"k_r", 5, 9, false}, 20) == Pair(1, 0));
   CHECK_THAT(f.error(with(R"("k_r": [5, 9])", R"(, "constraints": [{"variable": "strain", "max": 1}])")),
              Catch::Contains("/design/constraints/0/variable: \"strain\" is not a variable of the result"));
+  CHECK_THAT(f.error(with(R"("k_r": [5, 9])", R"(, "constraints": [{"variable": "clearence", "min": 1}])")),
+             Catch::Contains("(did you mean clearance?); allowed: clearance, slenderness, z_0"));
   CHECK_THAT(f.error(with(R"("k_r": [5, 9])", R"(, "constraints": [{"variable": "R_x"}])")),
              Catch::Contains("gives R_x no limit; add min, max or both"));
   CHECK_THAT(f.error(R"({"variables": {"k_r": [5, 9]}, "objectives": [{"target": "R_x"}], "budget": 2})"),

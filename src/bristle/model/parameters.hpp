@@ -141,6 +141,9 @@ inline double contact_range(const Parameters& p) { return p.contact == Contact::
 // it is negative.
 inline double clearance(const Parameters& p) { return p.spacing / (2 * p.R) - 1; }
 
+// Returns the length of a shaft over its diameter, r_0/(2 R).
+inline double slenderness(const Parameters& p) { return 1 / (2 * p.R); }
+
 // Limits of the values that an experiment may give a number.
 struct Bounds {
   double least = -std::numeric_limits<double>::infinity(), most = std::numeric_limits<double>::infinity();
