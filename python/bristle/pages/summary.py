@@ -36,15 +36,19 @@ def own_verdicts(found):
 
 
 def every_verdict(found):
-    """The verdict by reading, in the order of the claims. A claim that checks of several results decide is supported if all
-    of them support it, and refuted if one refutes it."""
+    """The verdict by reading, in the order of the claims."""
     every = {}
     for _, claims in found:
         for claim, checks in claims.items():
             verdicts = every.setdefault(claim, {})
             for reading, verdict in verdicts_of(checks).items():
-                verdicts[reading] = min(verdict, verdicts.get(reading, verdict), key=["refuted", "undecided", "supported"].index)
+                verdicts[reading] = joint(verdict, verdicts.get(reading, verdict))
     return dict(sorted(every.items()))
+
+
+def joint(*verdicts):
+    """The verdict on a claim that checks of several results decide: supported if all support it, refuted if one refutes it."""
+    return min(verdicts, key=["refuted", "undecided", "supported"].index)
 
 
 def readings_of(found):

@@ -175,7 +175,7 @@ def render(figures, story_found, moving, origin, arguments):
     return environment.get_template("page.html.j2").render(
         origin=origin, figures=figures, shown=shown, letters=sorted(letters.items()), missing=[figure for figure in figures if not figure["present"]], names=names,
         story=story_found, parts=parts, rest=REST, readings={word: READINGS.get(word, readable(word)) for word in words},
-        claims=sorted(all_claims, key=lambda claim: claim["claim"]), count=claims.count(all_claims),
+        claims=claims.overview(all_claims), count=claims.count(all_claims),
         tiers=sorted({figure["tier"] for figure in shown}),
         matrix=matrix.read(arguments.assumptions, names), citation=citation, bibtex=program.cite(arguments.program),
         brush=BRUSH if os.path.isfile(arguments.brush) else "",

@@ -5,7 +5,7 @@ from collections import Counter
 from ..errors import BristleError
 from ..pages.explanations import explain_claim, explain_further, what_was_measured
 from ..pages.quantities import READINGS
-from ..pages.summary import OWN, claims_of, verdicts_of
+from ..pages.summary import OWN, claims_of, joint, verdicts_of
 from ..plotting.verdicts import VERDICT_SIGNS, number, p_text, quantity, threshold_text, with_uncertainty
 from ..results import readable, table
 from . import symbols
@@ -31,10 +31,21 @@ def claim_of(figure, file, claim, checks, names):
     main, further = ([check_of(file, check, rows, names) for check, rows in checks if (rows[0].role == "main") == of_main]
                      for of_main in (True, False))
     verdicts = [cell(reading, verdict) for reading, verdict in verdicts_of(checks).items()]
-    return {"claim": claim, "place": f"claim-{figure}-{claim}", "short": next(iter(texts("short")), ""), "quotes": texts("quote"),
+    return {"claim": claim, "figure": figure, "place": f"claim-{figure}-{claim}", "short": next(iter(texts("short")), ""), "quotes": texts("quote"),
             "left_open": texts("leaves_open"), "main": main, "further": further, "verdicts": verdicts,
             "whys": [{**found, "text": symbols.prose(attempt(explained, found["word"], checks), names)}
                      for found in verdicts if found["verdict"] != "supported"]}
+
+
+def overview(claims):
+    """A row for each claim in their order: its places, and for each model the verdict of all results that decide it."""
+    rows = {}
+    for claim in sorted(claims, key=lambda claim: claim["claim"]):
+        row = rows.setdefault(claim["claim"], {**claim, "places": []})
+        row["places"].append({"figure": claim["figure"], "place": claim["place"]})
+        others = {one["word"]: one["verdict"] for one in claim["verdicts"]}
+        row["verdicts"] = [cell(one["word"], joint(one["verdict"], others.get(one["word"], one["verdict"]))) for one in row["verdicts"]]
+    return list(rows.values())
 
 
 def attempt(explained, reading, checks):
