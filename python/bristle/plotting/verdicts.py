@@ -28,7 +28,8 @@ PAIRED_PREDICATES = ("ordering", "concordance", "equality")
 # Of quantities that a sentence may name and the result may not have as a variable or an axis.
 FURTHER_SYMBOLS = {"k_r": r"\tilde{k}_r", "k_theta": r"\tilde{k}_\theta", "k_phi": r"\tilde{k}_\varphi", "N_c": "N_c",
                    "N_0": "N_0", "N_c0": "N_{c,0}", "theta_0": r"\theta_0", "phi_0": r"\varphi_0", "mu_c": r"\mu_c",
-                   "V_s": "V_s", "V_0": "V_0", "L_x": "L_x"}
+                   "V_s": "V_s", "V_0": "V_0", "L_x": "L_x", "F_n": "F_n", "tau_f": r"\tau_f", "lambda_z": r"\lambda_z",
+                   "t_1": "t_1", "t_2": "t_2"}
 
 LINE_INCHES = 0.2
 BASELINE_INCHES = 0.13  # below the top of a line
@@ -207,15 +208,18 @@ def symbols(file):
 
 
 def in_symbols(text, symbols):
-    """A sentence with $...$ for the names of quantities, as mathtext and the report's HTML read it."""
+    """A sentence with $...$ for the names of quantities, as mathtext and the report's HTML read it; what is between $ already
+    stays as it is."""
     def symbol(found):
         name = symbols[found.group()]
-        if text[found.end():].startswith(("(", "/", "^")):  # R_n(z_0), R_n/N_c0: the quantity without its unit
+        if found.string[found.end():].startswith(("(", "/", "^")):  # R_n(z_0), R_n/N_c0: the quantity without its unit
             name = name.partition("/")[0]
         return f"${with_carons(name)}$"
 
     names = "|".join(map(re.escape, sorted(symbols, key=len, reverse=True)))
-    return re.sub(rf"(?<!\w)(?:{names})(?!\w)", symbol, text)
+    parts = text.split("$")
+    parts[::2] = [re.sub(rf"(?<!\w)(?:{names})(?!\w)", symbol, part) for part in parts[::2]]
+    return "$".join(parts)
 
 
 def draw_strip(figure, claims):

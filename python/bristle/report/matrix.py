@@ -30,9 +30,10 @@ def matrix(path, document, names):
         "path": os.path.basename(path),
         "tier": document["tier"],
         "program": document["program"],
-        "choices": [(choice or "baseline", len(list(group)))
+        "choices": [(symbols.prose(choice or "baseline", FURTHER_SYMBOLS), len(list(group)))
                     for choice, group in groupby(document["alternatives"], lambda alternative: alternative["choice"])],
-        "alternatives": document["alternatives"],
+        "alternatives": [{"name": symbols.prose(one["name"], FURTHER_SYMBOLS), "description": one["description"]}
+                         for one in document["alternatives"]],
         "claims": claims,
         "details": [f"{claim['claim']}, {cell['alternative']}: {cell['details']}"
                     for claim in claims for check in claim["checks"] for cell in check["cells"]],
@@ -86,4 +87,4 @@ def sentence(rows, document):
                             for alternative, cell in zip(document["alternatives"], document["grid"][one["check"]])
                             if alternative["name"] in one["other"] + one["undecided"])
     text = ", ".join(words) + (f": depends on {', '.join(depends)}" if depends else "")
-    return {"text": text, "changes": list(changes)}
+    return {"text": symbols.prose(text, FURTHER_SYMBOLS), "changes": [symbols.prose(one, FURTHER_SYMBOLS) for one in changes]}

@@ -15,7 +15,7 @@ from ..plotting.curves import kept
 from ..plotting.layout import CAPTION_INCHES, HEADER, NOTE
 from ..plotting.readings import reading_name, readings
 from ..plotting.style import METADATA
-from ..plotting.verdicts import STRIP, read_claims, strip_height
+from ..plotting.verdicts import FURTHER_SYMBOLS, STRIP, read_claims, strip_height
 from ..results import as_text, axis_names, axis_values, dataset, read, readable, require_axes
 from .points import embedded
 from .svg import compact, inline
@@ -81,7 +81,7 @@ def layouts(wide, narrow, file, words):
 
 
 def note_of(figure):
-    return prose(" ".join(text.get_text() for text in figure.texts if text.get_gid() == NOTE))
+    return prose(" ".join(text.get_text() for text in figure.texts if text.get_gid() == NOTE), FURTHER_SYMBOLS)
 
 
 def share_limits(figures):
