@@ -16,16 +16,26 @@ from ..results import axis_names, axis_values, dataset, flags, place_of, readabl
 
 AXES = ["sample"]
 LEGEND_INCHES = 0.3
+PHASES = {"contact": "in contact"}
 MOST_DOTS = 2_000  # that are drawn as vectors
 NOTE = ("Bars: total indices, a parameter's share of the variance with all its interactions; circles: first-order indices, its "
         "share on its own. Error bars: standard errors by bootstrap.{}")
-DOTS = ("Dots: the points of the sample, circles, squares and triangles in the order of the models, with the design's further points "
-        "pale. A model with two branches has two clouds.")
+DOTS = "Dots: the points of the sample{}, coloured by phase, with the design's further points pale."
 
 
 def MARKS(file):
     indices = table(file, "indices")
-    return f"{NOTE.format('' if indices is None else left_out(file, indices))} {DOTS}"
+    return f"{NOTE.format('' if indices is None else left_out(file, indices))} {dots_note(file)}"
+
+
+def dots_note(file):
+    model = reading_name(dots_model(file))
+    return DOTS.format(f" ({model})" if model else "")
+
+
+def dots_model(file):
+    """The model of the dots: the last one, of rods if it is there."""
+    return readings(file)[-1]
 
 
 @one_page
@@ -41,7 +51,7 @@ def draw(file):
     cell, columns = across(min(len(panels), len(wanted)), Cell(5.6, 3.6, 1.0, 0.6, 4.3, 2.7), 0.5)
     below = LEGEND_INCHES if paper_width() is None else 0  # of the legend
     rows = -(-len(panels) // columns)
-    figure, bottom = sheet(file, cell.width * columns, cell.height * rows + below, f"{NOTE.format(left_out(file, indices))}\n{DOTS}")
+    figure, bottom = sheet(file, cell.width * columns, cell.height * rows + below, f"{NOTE.format(left_out(file, indices))}\n{dots_note(file)}")
     for (letter, (draw_panel, output, place)), corner in zip(panels, corners(len(panels), columns, cell, bottom + below)):
         axes = place_cell(figure, corner, cell)
         what, at = draw_panel(axes, file, output, indices.sel(output=output).isel(place), place), place_text(file, place)
@@ -77,6 +87,14 @@ def left_out(file, indices):
     if fewest == total:
         return ""
     return f" From {most if fewest == most else f'{fewest} to {most}'} of {total} blocks, as the others lack values."
+
+
+def phases(file, output, place):
+    """By phase, which points of the sample are in it and have a value of the output; without phases that have none."""
+    valued = np.isfinite(dataset(file, output).isel(place).sel(dots_model(file)).values)
+    words, numbers = flags(dataset(file, "phase").isel(place).sel(dots_model(file)))
+    found = {word: valued & (numbers == i) for i, word in enumerate(words)}
+    return {word: here for word, here in found.items() if here.any()}
 
 
 def largest(indices):
@@ -118,12 +136,12 @@ def draw_dots(axes, file, output, indices, place):
     if words:
         present, x = np.unique(x, return_inverse=True)
     independent = np.arange(x.size) % (indices.sizes["input"] + 2) < 2
-    for model, look in looks(readings(file)):
-        y = dataset(file, output).isel(place).sel(model).values
+    y = dataset(file, output).isel(place).sel(dots_model(file)).values
+    for (phase, here), look in looks(phases(file, output, place).items()):
         style = dict(linestyle="", marker=look.marker, color=look.colour, markeredgewidth=0)
-        axes.plot(x[~independent], y[~independent], markersize=1.8, alpha=0.15, rasterized=x.size > MOST_DOTS,
-                  **style)
-        axes.plot(x[independent], y[independent], markersize=3, alpha=0.8, label=reading_name(model), **style)
+        axes.plot(x[here & ~independent], y[here & ~independent], markersize=1.8, alpha=0.15, rasterized=x.size > MOST_DOTS, **style)
+        axes.plot(x[here & independent], y[here & independent], markersize=3, alpha=0.8, label=PHASES.get(phase, phase), **style)
+    axes.legend(loc="best", fontsize=8, markerscale=1.5)
     if not words and x.min() > 0 and x.max() / x.min() > 8:
         log_axis(axes, "x", data)
     else:

@@ -143,8 +143,8 @@ def draw_statuses(axes, curve, colour):
                       transform=axes.get_xaxis_transform(), **look)
             entries[f"{NO_VALUE}{meaning}"] = Line2D([], [], color="black", **look)
         if remarked.any():
-            look = dict(linestyle="", marker=status_marker(status), markersize=9,
-                        markerfacecolor="none", markeredgecolor="black", markeredgewidth=0.9, zorder=5)
+            look = dict(linestyle="", marker=status_marker(status), markersize=8,
+                        markerfacecolor="none", markeredgecolor="black", markeredgewidth=0.8, zorder=1.5)  # behind the line
             axes.plot(curve.x[remarked], curve.y[remarked], **look)
             entries[meaning] = Line2D([], [], **look)
     return entries
