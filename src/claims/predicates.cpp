@@ -67,18 +67,47 @@ Measurement mean_log_range(const Curves& in) {
   });
 }
 
-// Returns the sign of a change; 0 if its size does not exceed its error.
-int sign_of(double change, double error) { return change > error ? 1 : change < -error ? -1 : 0; }
+// Counts numbers below a bound: a binary indexed tree (P. M. Fenwick, Software: Practice and Experience 24,
+// 1994) over all numbers that are to be inserted.
+class Counter {
+ public:
+  explicit Counter(std::vector<double> numbers) : numbers_(std::move(numbers)), counts_(numbers_.size() + 1) {
+    std::ranges::sort(numbers_);
+  }
+  void insert(double number) {
+    for (std::size_t i = rank(number) + 1; i < counts_.size(); i += i & -i) ++counts_[i];
+  }
+  // Returns how many of the inserted numbers are below the bound.
+  long below(double bound) const {
+    long count = 0;
+    for (std::size_t i = rank(bound); i > 0; i -= i & -i) count += counts_[i];
+    return count;
+  }
+
+ private:
+  std::size_t rank(double number) const {
+    return std::size_t(std::ranges::lower_bound(numbers_, number) - numbers_.begin());
+  }
+
+  std::vector<double> numbers_;
+  std::vector<long> counts_;
+};
 
 // Pairs of points, counted for Kendall's tau.
 struct Pairs {
   long rising = 0, falling = 0, all = 0;
   double variance = 0;  // variance of rising - falling if there is no association
 
-  void add(int sign) {
+  // Adds one pair with this change of the value; it neither rises nor falls within its error.
+  void add(double change, double error) {
     ++all;
-    rising += sign > 0;
-    falling += sign < 0;
+    rising += change > error;
+    falling += change < -error;
+  }
+  void add(const Pairs& other, long times) {
+    rising += times * other.rising;
+    falling += times * other.falling;
+    all += times * other.all;
   }
   // Adds the variance of the pairs of n points before the jump and m points behind it.
   void add_points(double n, double m, PointPairs counted) {
@@ -99,6 +128,39 @@ struct Pairs {
     return out;
   }
 };
+
+// Returns all pairs of these points. A pair rises or falls if neither the errors of the abscissae nor the
+// errors of the values overlap.
+Pairs pairs_of(Curve points) {
+  Pairs out;
+  out.all = long(points.size()) * (long(points.size()) - 1) / 2;
+  const auto left = [](const CurvePoint& p) { return p.x - p.x_error; };
+  const auto right = [](const CurvePoint& p) { return p.x + p.x_error; };
+  const auto low = [](const CurvePoint& p) { return p.value - p.error; };
+  const auto high = [](const CurvePoint& p) { return p.value + p.error; };
+  std::erase_if(points, [&](const CurvePoint& p) {
+    return !std::isfinite(left(p) + right(p)) || !std::isfinite(low(p) + high(p));
+  });
+  std::vector<double> tops, negative_bottoms;
+  for (const CurvePoint& p : points) {
+    tops.push_back(high(p));
+    negative_bottoms.push_back(-low(p));
+  }
+  Counter by_top(tops), by_bottom(negative_bottoms);
+  Curve by_right = points;
+  std::ranges::sort(by_right, {}, right);
+  std::ranges::sort(points, {}, left);
+  auto next = by_right.begin();  // the first point that is not to the left of p
+  for (const CurvePoint& p : points) {
+    for (; next != by_right.end() && right(*next) < left(p); ++next) {
+      by_top.insert(high(*next));
+      by_bottom.insert(-low(*next));
+    }
+    out.rising += by_top.below(low(p));
+    out.falling += by_bottom.below(-high(p));
+  }
+  return out;
+}
 
 // Returns the slopes of ln(value) over ln(abscissa) between neighbouring points, with their errors.
 std::vector<Estimate> log_slopes(const Curve& curve) {
@@ -134,15 +196,14 @@ Measurement trend(const Curves& in, PointPairs counted) {
   std::size_t used = 0;
   for (const Curve& curve : in.curves) {
     if (curve.size() >= 2) ++used;
-    const auto behind = double(std::ranges::count(curve, true, &CurvePoint::behind_jump));
-    pairs.add_points(double(curve.size()) - behind, behind, counted);
-    for (std::size_t i = 0; i < curve.size(); ++i)
-      for (std::size_t j = i + 1; j < curve.size(); ++j) {
-        const bool across = curve[i].behind_jump != curve[j].behind_jump;
-        if (counted != PointPairs::all && across != (counted == PointPairs::across)) continue;
-        pairs.add(sign_of(curve[j].value - curve[i].value, curve[i].error + curve[j].error) *
-                  sign_of(curve[j].x - curve[i].x, curve[i].x_error + curve[j].x_error));
-      }
+    Curve before, behind;
+    std::ranges::partition_copy(curve, std::back_inserter(behind), std::back_inserter(before),
+                                &CurvePoint::behind_jump);
+    pairs.add_points(double(before.size()), double(behind.size()), counted);
+    if (counted != PointPairs::within) pairs.add(pairs_of(curve), 1);
+    if (counted == PointPairs::all) continue;
+    for (const Curve& side : {before, behind})
+      pairs.add(pairs_of(side), counted == PointPairs::within ? 1 : -1);
   }
   return pairs.measurement(used, in.missing);
 }
@@ -356,7 +417,7 @@ Measurement ordering(const Curve& first, const Curve& second) {
   std::size_t missing = 0;
   for (std::size_t i = 0; i < first.size(); ++i) {
     if (std::isfinite(first[i].value) && std::isfinite(second[i].value))
-      pairs.add(sign_of(first[i].value - second[i].value, first[i].error + second[i].error));
+      pairs.add(first[i].value - second[i].value, first[i].error + second[i].error);
     else ++missing;
   }
   Measurement out = pairs.measurement(2, missing);

@@ -1,6 +1,7 @@
 #include "claims/checks.hpp"
 #include "claims/measure.hpp"
 #include "util/error.hpp"
+#include "generators.hpp"
 #include "small_result.hpp"
 
 #include "catch.hpp"
@@ -74,6 +75,45 @@ TEST_CASE("trend: Kendall's tau, its uncertainty and its significance") {
   CHECK(trend(one(backwards)).value == 1);
   for (CurvePoint& p : backwards) p.x_error = 5;
   CHECK(trend(one(backwards)).uncertainty == 1);
+}
+
+TEST_CASE("property: trend counts all pairs of points whose errors do not overlap") {
+  rc::prop("as one pair after the other", [] {
+    Curve points;
+    for (int i = *rc::gen::inRange(2, 40); i > 0; --i) {
+      const auto number = [](int most) { return double(*rc::gen::inRange(0, most)); };
+      points.push_back({number(12), number(12), number(4), number(3), number(2) == 1});
+    }
+    for (const PointPairs counted : {PointPairs::all, PointPairs::within, PointPairs::across}) {
+      const auto sign = [](double change, double error) { return (change > error) - (change < -error); };
+      long all = 0, difference = 0, decided = 0;
+      for (std::size_t i = 0; i < points.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) {
+          const CurvePoint &a = points[i], &b = points[j];
+          const bool across = a.behind_jump != b.behind_jump;
+          if (counted != PointPairs::all && across != (counted == PointPairs::across)) continue;
+          const int both =
+              sign(a.x - b.x, a.x_error + b.x_error) * sign(a.value - b.value, a.error + b.error);
+          ++all;
+          difference += both;
+          decided += both != 0;
+        }
+      const Measurement found = trend(one(points), counted);
+      RC_ASSERT(std::isnan(found.value) == (all == 0));
+      if (all == 0) continue;
+      RC_ASSERT(found.value == double(difference) / double(all));
+      RC_ASSERT(found.uncertainty == double(all - decided) / double(all));
+    }
+  });
+}
+
+TEST_CASE("trend: many points, with errors that are unknown") {
+  Curve points;
+  for (int i = 0; i < 100'000; ++i) points.push_back({double(i % 1000), double(i), 0.0});
+  points.push_back({0, 0, NAN});
+  const Measurement found = trend(one(points));
+  // Pairs within a row rise; of pairs of two rows as many rise as fall.
+  CHECK(found.value == Approx(100.0 * 1000 * 999 / 2 / (1e5 * (1e5 + 1) / 2)));
 }
 
 TEST_CASE("slope: of a power law and of a line, with common and with independent errors") {
