@@ -181,7 +181,7 @@ Json variable_json(const results::Array& array) {
 
 void print_json(const results::ResultReader& result) {
   Json out = {{"file", result.path()}};
-  for (const char* name : {"name", "title", "tier", "schema_version", "payload_sha256"})
+  for (const char* name : {"name", "title", "tier", "schema_version", "payload_sha256", "inputs_sha256"})
     out[name] = result.text(name);
   out["numerics_version"] = result.integer("numerics_version");
   out["damage"] = result.damage();

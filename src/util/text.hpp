@@ -8,7 +8,7 @@ namespace bristle {
 
 // Returns " (did you mean x?)" with the known word of the smallest edit distance, in which capitals and small
 // letters are the same, or with the shortest word that continues this one after "_"; empty if no word is
-// similar.
+// similar, such as a single letter that is another one.
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& known);
 
 // Returns the number that the text states, rounded to the nearest double: 0 or infinity beyond the range of

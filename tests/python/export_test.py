@@ -125,7 +125,7 @@ def check_outputs(path):
 
 def check_info(path, data):
     info = json.loads(run("info", "--json", path))
-    assert info["payload_sha256"] == data.attrs["payload_sha256"] and info["damage"] == []
+    assert all(info[name] == data.attrs[name] for name in ("payload_sha256", "inputs_sha256")) and info["damage"] == []
     assert info["axes"]["bending"] == ["polar", "polar_as_printed", "rod"]
     assert info["axes"]["k_r"] == data["k_r"].values.tolist()
     assert info["points"] == {"ok": 39, "ambiguous": 2, "unreachable": 4} and info["failures"] == {}
