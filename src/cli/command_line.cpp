@@ -78,7 +78,7 @@ CLI::App* add_run(CLI::App& app, ExperimentOptions& experiment, run::RunOptions&
       ->add_flag("--complete", run.complete,
                  "write the result of what shards have computed; name what is missing, and compute nothing")
       ->excludes(shard, force, point);
-  command->add_flag("--quiet", run.quiet, "no progress, no summary");
+  command->add_flag("-q,--quiet", run.quiet, "no progress, no summary");
   return command;
 }
 
@@ -89,7 +89,7 @@ CLI::App* add_design(CLI::App& app, ExperimentOptions& experiment, run::RunOptio
   command->add_option("-o,--output", run.output, "result file [as of `run`]");
   command->add_option("--threads", run.threads, "threads [all cores]")->check(CLI::Range(1, 1024));
   command->add_flag("--force", run.force, "compute even if the result is up to date");
-  command->add_flag("--quiet", run.quiet, "no progress, no summary");
+  command->add_flag("-q,--quiet", run.quiet, "no progress, no summary");
   return command;
 }
 
@@ -320,8 +320,10 @@ class CommandLine {
 
   void set_action(CLI::App* subcommand, Command command) {
     subcommand->callback([this, command = std::move(command)] { selected_ = command; });
-    subcommand->footer(
-        fmt::format("Examples:\n  {}", fmt::join(kExamples.at(subcommand->get_name()), "\n  ")));
+    const std::string examples =
+        fmt::format("Examples:\n  {}", fmt::join(kExamples.at(subcommand->get_name()), "\n  "));
+    subcommand->footer(examples);
+    if (CLI::App* parent = subcommand->get_parent(); parent != &app_) parent->footer(examples);
   }
 
   CLI::App app_{"bristle: dry friction of a lattice of elastic bristles under a sliding slab"};

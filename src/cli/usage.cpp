@@ -58,6 +58,7 @@ std::string command_line_mistake(const CLI::App& app, const std::string& descrip
   const std::vector<std::string> commands = commands_of(*command);
   if (commands.empty())
     return fmt::format("{}unexpected argument {}; `{} --help` shows how to call it", place, shown, call);
+  if (word == "plot") return place + "figures are drawn by scripts/plot, or by bristle-plot once installed";
   return fmt::format("{}unknown command {}{}; known: {}", place, shown, did_you_mean(word, commands),
                      fmt::join(commands, ", "));
 }

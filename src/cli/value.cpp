@@ -81,8 +81,8 @@ std::string value_text(const Dataset& table, const Array& array, std::size_t row
   if (std::isnan(value)) return "no value";
   const std::string units =
       array.about.units.empty() || array.about.units == "1" ? "" : " " + array.about.units;
-  if (std::isnan(error)) return fmt::format("{:.6g}{}", value, units);
-  return fmt::format("{:.6g} +- {:.2g}{}", value, error, units);
+  const std::string digits = fmt::format("{:.{}g}", value, digits_left(value, error, 6));
+  return std::isnan(error) ? digits + units : fmt::format("{} +- {:.2g}{}", digits, error, units);
 }
 
 // Returns a word, or {"value", "error", "units"} with null for a value or an error that is missing.

@@ -1,6 +1,5 @@
 #include "design/words.hpp"
 
-#include "bristle/model/elementary.hpp"
 #include "run/analysis.hpp"
 #include "util/text.hpp"
 
@@ -15,9 +14,8 @@ namespace {
 // Returns a value with its error, and with the digits that the error leaves, two to four.
 std::string estimate_text(const Estimate& estimate) {
   if (std::isnan(estimate.value)) return "no value";
-  const double digits = 1 + std::ceil(log(std::abs(estimate.value) / estimate.error) / log(10.0));
-  return fmt::format("{:.{}g} +- {:.1g}", estimate.value,
-                     std::isnan(digits) ? 4 : int(std::clamp(digits, 2., 4.)), estimate.error);
+  return fmt::format("{:.{}g} +- {:.1g}", estimate.value, digits_left(estimate.value, estimate.error, 4),
+                     estimate.error);
 }
 
 std::string place_of(const Trials& trials, std::size_t scenario) {

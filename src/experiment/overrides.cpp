@@ -47,9 +47,11 @@ void check_overrides(const json::Document& document) {
       if (!varied || varied->parent_pointer() == JsonPointer("/design/variables") || !document.chosen(at) ||
           (!document.set_by_option(at) && document.chosen(*varied)))
         continue;
+      const std::string why = fmt::format("has no effect, because {} varies {}", varied->to_string(), key);
       document.fail(at.to_string(),
-                    fmt::format("has no effect, because {} varies {}; set {} instead, or remove it by null",
-                                varied->to_string(), key, varied->to_string()));
+                    document.set_by_option(at) && *varied == JsonPointer("/sweep") / key
+                        ? fmt::format("{}; --set {}=null beside it fixes {}", why, varied->to_string(), key)
+                        : fmt::format("{}; set {} instead, or remove it by null", why, varied->to_string()));
     }
   }
 }

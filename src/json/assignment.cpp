@@ -49,6 +49,7 @@ Assignment parse_assignment(const std::string& argument) {
   };
   if (equals == std::string::npos) fail("'=' is missing");
   const std::string text = argument.substr(equals + 1);
+  if (equals > 0 && argument.front() != '/') fail("a place in an experiment begins with /");
   if (std::count(argument.begin(), argument.begin() + long(equals), '/') > kMaxJsonDepth)
     fail(fmt::format("the JSON pointer is more than {} levels deep", kMaxJsonDepth));
   Json value;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <algorithm>
+#include <cmath>
 #include <cctype>
 #include <charconv>
 #include <cstdio>
@@ -59,6 +60,13 @@ std::string did_you_mean(const std::string& word, const std::vector<std::string>
           (best.empty() || candidate.size() < best.size()))
         best = candidate;
   return best.empty() ? "" : fmt::format(" (did you mean {}?)", best);
+}
+
+int digits_left(double value, double error, int most) {
+  if (std::isnan(error)) return most;
+  int digits = 1;
+  for (double rest = std::abs(value); rest > error && digits < most; rest /= 10) ++digits;
+  return std::max(digits, 2);
 }
 
 std::optional<double> number_in(const std::string& text) {

@@ -42,6 +42,10 @@ std::string wrapped_lines(const std::string& text, std::size_t columns);
 // Returns the rows of a table as lines: the first cells begin, and the others end at the same character.
 std::string aligned(const std::vector<std::vector<std::string>>& rows);
 
+// Returns the number of significant digits of a value that its error leaves, 2 to `most`; `most` without an
+// error.
+int digits_left(double value, double error, int most);
+
 // Returns the width of the terminal that standard output is, at least 40; 100 if it is none.
 std::size_t terminal_columns();
 

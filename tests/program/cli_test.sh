@@ -13,6 +13,10 @@ for command in new run design validate law schema info export value check diff m
 done
 expect 2 "bristle new mine" "$bristle"
 expect 2 "bristle: unknown command rnu (did you mean run?); known: new, run, " "$bristle" rnu experiments/paper.json
+expect 2 "bristle: figures are drawn by scripts/plot, or by bristle-plot once installed" "$bristle" plot fig4
+expect 2 "run: unknown option -x; \`bristle run --help\`" "$bristle" run experiments/paper.json -x
+expect 2 "--set model/k_r=3: a place in an experiment begins with /; write --set /model/k_r=20" "$bristle" validate experiments/paper.json --set model/k_r=3
+expect 0 "bristle reference update " "$bristle" reference --help
 expect 2 "reference: unknown command updat (did you mean update?)" "$bristle" reference updat
 expect 2 "run: unknown option --tread (did you mean --threads?)" "$bristle" run experiments/paper.json --tread 2
 expect 2 "run: unknown option --helpp (did you mean --help?)" "$bristle" run --helpp

@@ -128,7 +128,8 @@ TEST_CASE("a value that something else replaces is an error that names it") {
   const Folder f;
   const std::string axis = R"(, "sweep": {"k_r": {"values": [5, 9]}})", k_r = "/model/k_r=7";
   CHECK_THAT(f.error(axis, {k_r}),
-             Catch::Contains("--set /model/k_r=7: /model/k_r: has no effect, because /sweep/k_r varies k_r"));
+             Catch::Contains("--set /model/k_r=7: /model/k_r: has no effect, because /sweep/k_r varies k_r; "
+                             "--set /sweep/k_r=null beside it fixes k_r"));
   CHECK(f.valid(axis, {"/sweep/k_r=null", k_r}));
   CHECK(f.valid(axis, {"/model/k_phi=2"}));
   CHECK(f.valid(R"(, "model": {"k_r": 7})" + axis));  // both in one file
