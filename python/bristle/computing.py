@@ -41,9 +41,10 @@ def run(experiment, *, output=None, tier="full", threads=None, quiet=False, prog
     """
     program = os.fspath(program or find_program())
     document, folder = document_of(experiment)
-    document = merged(document, changes_by_block(program, changes))
+    patch = changes_by_block(program, changes)
+    document = merged(document, patch)
     path = os.path.abspath(output or os.path.join(FOLDER.name, f"{next(NUMBER)}.h5"))
-    command = [program, "run", "-", "-o", path, "--tier", tier, *(["--threads", str(threads)] if threads else [])]
+    command = [program, "run", "-", "-o", path, "--tier", tier, *(["--threads", str(threads)] if threads else []), *set_options(patch)]
     code, message = followed(command, as_json(document), folder, quiet)
     if code not in (0, NO_TRIAL):
         message = message.removeprefix("standard input: ")
@@ -79,7 +80,7 @@ def changes_by_block(program, changes):
             patch[name] = value
         elif not owners:
             known = sorted({*blocks, *(key for block in BLOCKS for key in blocks[block]), *ARGUMENTS})
-            raise BristleError(f"{name} is not a key of an experiment{did_you_mean(name, known)}; known: {', '.join(known)}")
+            raise BristleError(f"{name} is not a key of an experiment{did_you_mean(name, known) or '; known: ' + ', '.join(known)}")
         elif len(owners) > 1:
             raise BristleError(f"{name} is a key of {' and of '.join(owners)}; write {owners[0]}={{'{name}': ...}}")
         elif listed(value) and name in blocks["sweep"]:
@@ -89,6 +90,12 @@ def changes_by_block(program, changes):
             if name in blocks["sweep"]:
                 patch.setdefault("sweep", {})[name] = None
     return patch
+
+
+def set_options(patch):
+    """Options that set the single values of the patch once more: what a sample of the experiment varies cannot be set."""
+    return [f"--set=/{block}/{key}={as_json(value)}" for block, values in patch.items() if block in BLOCKS and isinstance(values, dict)
+            for key, value in values.items() if block != "sweep" and isinstance(value, (int, float, str))]
 
 
 def listed(value):

@@ -6,7 +6,7 @@ from importlib.util import find_spec
 
 PYTHON = 3, 11
 FIGURES_NEED = ("numpy", "h5py", "matplotlib", "xarray", "h5netcdf")
-BROKEN = ImportError, AttributeError, RuntimeError, ValueError  # what libraries raise that do not fit together
+BROKEN = ImportError, OSError, AttributeError, RuntimeError, ValueError  # what libraries raise that do not fit together
 PACKAGES = {"yaml": "pyyaml"}  # of libraries whose module has another name
 
 

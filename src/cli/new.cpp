@@ -95,10 +95,10 @@ jobs:
 
 std::string checked_name(const std::string& given) {
   std::string name = given.ends_with(".json") ? given.substr(0, given.size() - 5) : given;
-  if (name.starts_with("."))
+  if (name.starts_with(".") || name.starts_with("-"))
     throw InputError(fmt::format(
         "new: NAME {} is not allowed: an experiment is a file NAME.json, and `bristle new NAME --repository` "
-        "makes a folder NAME; give a name that does not begin with a dot",
+        "makes a folder NAME; give a name that begins with a letter or a digit",
         Json(given).dump()));
   if (name.empty() || name.find_first_not_of(
                           "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_.-") != name.npos)

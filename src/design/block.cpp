@@ -66,10 +66,14 @@ void read_second_model(const Node& block, Design& design) {
   }
 }
 
-// Throws InputError if the second model of the design is no valid experiment, or is the first.
+// Throws InputError if the second model of the design is no valid experiment, or is the first in all
+// scenarios.
 void check_second_model(const Node& choice, const Experiment& experiment, const Design& design) {
   try {
-    if (!same_effect(experiment.sweep.point(0), second_model_of(experiment, design).sweep.point(0))) return;
+    const Sweep first = experiment.sweep.without(sweep::kSample),
+                second = second_model_of(experiment, design).sweep.without(sweep::kSample);
+    for (std::size_t scenario = 0; scenario < first.size(); ++scenario)
+      if (!same_effect(first.point(scenario), second.point(scenario))) return;
   } catch (const InputError& error) {
     choice.fail(
         fmt::format("{} needs another experiment than this one: {}", choice.value().dump(), error.what()));

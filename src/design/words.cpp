@@ -124,8 +124,11 @@ std::string gain_text(const Trials& trials, const Findings& found) {
   const Trial& start = *start_of(found);
   const bool is_best = found.chosen.front() == found.start_trial;
   if (!is_best && better(trials.score_of(start), trials.score_of(recommended(found))))
-    return "  rounded to what can be made, the brush is worse than the start: give finer steps, or keep the "
-           "start\n";
+    return found.start_outside ? "  the start is better, but outside the bounds of the variables: widen "
+                                 "them, or keep the start\n"
+                               : "  rounded to what can be made, the brush is worse than the start: give "
+                                 "finer steps, or keep the "
+                                 "start\n";
   if (!is_best && differ(start, recommended(found))) return "";
   if (!variables_matter(found, start))
     return "  no trial differs from the start by more than the errors: these variables do not matter here, "

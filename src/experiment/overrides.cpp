@@ -23,6 +23,14 @@ std::optional<JsonPointer> varied_at(const json::Document& document, const std::
   return {};
 }
 
+// Returns the value and another one of the quantity; nothing for a value that is neither a number nor a word.
+std::vector<double> two_values(const sweep::Sweepable& quantity, const Json& value) {
+  if (!quantity.options.empty()) return {0, 1};
+  if (!value.is_number()) return {};
+  const auto x = value.get<double>();
+  return {x, x == 0 ? 1 : 1.1 * x};
+}
+
 }  // namespace
 
 JsonPointer place_of(const json::Document& document, const std::string& quantity) {
@@ -37,19 +45,19 @@ JsonPointer place_of(const json::Document& document, const std::string& quantity
 }
 
 void check_overrides(const json::Document& document) {
-  for (const char* name : {"model", "si", "load", "orientation"}) {
+  for (const std::string name : {"model", "si", "load", "orientation", "scatter"}) {
     const JsonPointer block = JsonPointer() / name;
     if (!document.json().contains(block)) continue;
     for (const auto& [key, value] : document.json().at(block).items()) {
       const JsonPointer at = block / key;
-      const auto varied = varied_at(document, key);
+      const auto varied = varied_at(document, (name == "scatter" ? sweep::kScatterPrefix : "") + key);
       // Beside a variable of a design the value is the start of the search.
       if (!varied || varied->parent_pointer() == JsonPointer("/design/variables") || !document.chosen(at) ||
           (!document.set_by_option(at) && document.chosen(*varied)))
         continue;
       const std::string why = fmt::format("has no effect, because {} varies {}", varied->to_string(), key);
       document.fail(at.to_string(),
-                    document.set_by_option(at) && *varied == JsonPointer("/sweep") / key
+                    document.set_by_option(at) && varied->parent_pointer() == JsonPointer("/sweep")
                         ? fmt::format("{}; --set {}=null beside it fixes {}", why, varied->to_string(), key)
                         : fmt::format("{}; set {} instead, or remove it by null", why, varied->to_string()));
     }
@@ -59,16 +67,16 @@ void check_overrides(const json::Document& document) {
 std::vector<std::string> idle_changes(const json::Document& document, const sweep::Sweep& sweep) {
   std::vector<std::string> out;
   if (document.json().contains(JsonPointer("/design/second_model"))) return out;
-  for (const char* name : {"model", "si", "load"}) {
+  for (const char* name : {"model", "si", "load", "orientation"}) {
     const JsonPointer block = JsonPointer() / name;
     if (!document.json().contains(block)) continue;
     for (const auto& [key, value] : document.json().at(block).items()) {
       const JsonPointer at = block / key;
-      if (!document.set_by_option(at) || !value.is_number() || !sweep::find_sweepable(key) ||
-          sweep.varies(key))
-        continue;
-      const auto x = value.get<double>();
-      const auto idle = axes_without_effect(sweep.with({key, {x, x == 0 ? 1 : 1.1 * x}}));
+      const sweep::Sweepable* quantity = sweep::find_sweepable(key);
+      if (!document.set_by_option(at) || !quantity || sweep.varies(key)) continue;
+      const std::vector<double> values = two_values(*quantity, value);
+      if (values.empty()) continue;
+      const auto idle = axes_without_effect(sweep.with({key, values}));
       if (std::ranges::find(idle, key) != idle.end())
         out.push_back(
             fmt::format("{}: {}: has no effect with these choices of friction, load and orientation",

@@ -54,9 +54,15 @@ std::vector<std::size_t> missing_points(const KeyedPoints& points, results::Jour
   return missing;
 }
 
+// Returns what continues an interrupted run, as its user types it.
+std::string same_command(const RunOptions& options) {
+  return options.force ? "the same command without --force" : "the same command";
+}
+
 // Computes the missing points and appends each to the journal when it is solved.
 void fill_journal(const Sweep& sweep, const KeyedPoints& points, const std::vector<std::size_t>& missing,
-                  int threads, results::Journal& journal, Progress& progress, PassageMemo& memo) {
+                  const RunOptions& options, results::Journal& journal, Progress& progress,
+                  PassageMemo& memo) {
   const std::size_t all = points.points().size();
   std::size_t saved = all - missing.size();
   const auto sink = [&](PointReport&& report) {
@@ -71,12 +77,12 @@ void fill_journal(const Sweep& sweep, const KeyedPoints& points, const std::vect
   const auto passages = [&](std::size_t computed) { progress.add_passages(computed); };
   const auto saved_text = [&] {
     progress.finish();
-    return fmt::format("{} of {} points are saved in {}: the same command computes the rest", saved, all,
-                       journal.path());
+    return fmt::format("{} of {} points are saved in {}: {} computes the rest", saved, all, journal.path(),
+                       same_command(options));
   };
   bool complete = false;
   try {
-    complete = run_sweep(sweep, missing, threads, sink, interrupted, {slow, passages}, &memo);
+    complete = run_sweep(sweep, missing, options.threads, sink, interrupted, {slow, passages}, &memo);
     journal.sync();
   } catch (const RunError& e) {
     throw RunError(e.reason(), saved_text());
@@ -113,7 +119,7 @@ Summary finish(const Experiment& experiment, const RunOptions& options, const Ke
                results::Journal& journal, const std::map<std::string, std::string>& entries,
                Progress& progress, PassageMemo& memo) {
   const std::string saved =
-      fmt::format("all points are saved in {}: the same command writes the result", journal.path());
+      fmt::format("all points are saved in {}: {} writes the result", journal.path(), same_command(options));
   try {
     const results::Rows jumps = find_jumps(experiment, points, journal, options, memo);
     Summary summary = write_result(experiment, options.output, points, jumps, {}, journal, entries, progress);
@@ -165,7 +171,7 @@ void compute(const Experiment& experiment, const RunOptions& options) {
   entries["points_computed"] = fmt::format("{} of {}", missing.size(), all);
   Progress progress(experiment.name, missing.size(), options.quiet);
   PassageMemo memo(options.memo_bytes);
-  fill_journal(experiment.sweep, points, missing, options.threads, journal, progress, memo);
+  fill_journal(experiment.sweep, points, missing, options, journal, progress, memo);
   const Summary summary = options.shard
                               ? summary_of(experiment, points, journal)
                               : finish(experiment, options, points, journal, entries, progress, memo);
@@ -192,7 +198,7 @@ std::vector<results::PointRecord> solve_points(const Sweep& sweep, const std::ve
   const KeyedPoints keyed(sweep, {ascending.begin(), ascending.end()});
   const std::vector<std::size_t> missing = missing_points(keyed, journal, options.force);
   for (std::size_t found = missing.size(); found < ascending.size(); ++found) progress.step();
-  fill_journal(sweep, keyed, missing, options.threads, journal, progress, memo);
+  fill_journal(sweep, keyed, missing, options, journal, progress, memo);
   std::vector<results::PointRecord> records;
   for (const std::size_t point : points)
     records.push_back(journal.read(keyed.key(point), keyed.layout()).record);

@@ -13,6 +13,7 @@ std::vector<double> effective_input(const PointInput& point) {
   const auto& [setup, loading, si, friction_law_in_si, nominal_friction] = point;
   Parameters p = setup.parameters;
   if (!has_pole(p.bending)) p.pole_rule = {};
+  if (p.bending != Bending::rod) p.section = {};
   const Orientation& o = setup.orientation;
   constexpr double any_gap = 0.5, any_azimuth = 1;
   const Bristle<double> bristle = make_bristle(p, loading.z_0.value_or(any_gap), any_azimuth);

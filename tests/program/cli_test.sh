@@ -138,6 +138,7 @@ expect 2 "--set /model/k_r=3: /model/k_r: has no effect" "${brush[@]}" --set /mo
 for name in . .. .hidden; do
   expect 2 "new: NAME \"$name\" is not allowed: an experiment is a file" in_folder "$folder/project" "$program" new $name
 done
+expect 2 'NAME "-x" is not allowed' in_folder "$folder/project" "$program" new -- -x
 expect 2 'NAME "a/b" is not allowed' in_folder "$folder/project" "$program" new a/b
 for place in alone/mine.json project/experiments/mine.json; do
   expect 0 "10 points" "$bristle" validate "$folder/$place"

@@ -124,6 +124,17 @@ whole "Ctrl-C"
 finish "Ctrl-C"
 grep -q "32" <<<"$(points)" || failed "Ctrl-C: $(points) points in the journal after the continuation, not 32"
 
+begin
+"${again[@]}" --force 2>"$folder/log" &
+pid=$!
+while [ "$(points)" -lt 3 ]; do sleep 0.01; done
+kill -INT $pid
+wait $pid
+grep -q "points are saved in $r.journal: the same command without --force computes the rest" "$folder/log" ||
+  failed "Ctrl-C with --force: $(cat "$folder/log")"
+whole "Ctrl-C with --force"
+finish "Ctrl-C with --force"
+
 # Full disk: a limit on the size of files and, if mounting is allowed, a small file system.
 no_room() {
   whole "$1"

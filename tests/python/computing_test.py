@@ -66,8 +66,11 @@ assert gap["z_0"] == 0.5
 tier, _ = computed({**POINT, "sweep": {"k_r": {"values": [5, 10]}}, "tiers": {"smoke": {"sweep": {"k_r": {"take": [1]}}}}}, tier="smoke")
 assert tier.sizes["k_r"] == 1
 
+SAMPLE = {**POINT, "sweep": {"sample": {"sobol": 2, "seed": 1, "over": {"k_r": {"uniform": [5, 20]}}}}}
 for wanted, call in (("/model/k_r: -1 is not allowed", lambda: refused(POINT, k_r=-1)),
-                     ("k_rr is not a key of an experiment; did you mean k_r?; known: ", lambda: refused(POINT, k_rr=1)),
+                     ("k_rr is not a key of an experiment; did you mean k_r?", lambda: refused(POINT, k_rr=1)),
+                     ("qwertz is not a key of an experiment; known: ", lambda: refused(POINT, qwertz=1)),
+                     ("/model/k_r: has no effect, because /sweep/sample/over/k_r varies k_r", lambda: refused(SAMPLE, k_r=3)),
                      ("rtol is a key of orientation and of integrator; write orientation={'rtol': ...}", lambda: refused(POINT, rtol=1)),
                      ("{1} is neither a number, a word, a list nor a dict", lambda: refused(POINT, k_r={1})),
                      ('"none.json" does not exist', lambda: refused("none")),

@@ -385,8 +385,8 @@ assert done.code == 2 and "argument FIGURE: there is no figure fg4; did you mean
 # Modules that cannot be imported, and a backend of matplotlib that does not exist: a message, or no difference.
 broken = folder / "broken"
 broken.mkdir()
-for module in ("numpy", "h5py", "matplotlib", "xarray"):
-    (broken / f"{module}.py").write_text("raise ImportError('it is broken')")
+for module, error in ("numpy", "ImportError"), ("h5py", "OSError"), ("matplotlib", "ImportError"), ("xarray", "AttributeError"):
+    (broken / f"{module}.py").write_text(f"raise {error}('it is broken')")
     path = os.pathsep.join(map(str, (broken, PACKAGE)))
     for words in ("bristle", "fig4", result, "-o", broken), ("bristle.report", result), ("bristle.pages.findings", result):
         done = imported(["-m", *map(str, words)], PYTHONPATH=path)

@@ -131,6 +131,8 @@ TEST_CASE("a value that something else replaces is an error that names it") {
              Catch::Contains("--set /model/k_r=7: /model/k_r: has no effect, because /sweep/k_r varies k_r; "
                              "--set /sweep/k_r=null beside it fixes k_r"));
   CHECK(f.valid(axis, {"/sweep/k_r=null", k_r}));
+  CHECK_THAT(f.error(R"(, "sweep": {"scatter_r0": {"values": [0, 0.1]}})", {"/scatter/r0/normal=0.05"}),
+             Catch::Contains("/scatter/r0: has no effect, because /sweep/scatter_r0 varies r0"));
   CHECK(f.valid(axis, {"/model/k_phi=2"}));
   CHECK(f.valid(R"(, "model": {"k_r": 7})" + axis));  // both in one file
   f.s.write("swept.json",

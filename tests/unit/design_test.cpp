@@ -405,6 +405,10 @@ TEST_CASE("malformed designs: the message names place, value and remedy") {
   CHECK_THAT(f.error(with(R"("k_r": [5, 9])", R"(, "second_model": {"bending": "rod"})"),
                      R"(, "sweep": {"bending": {"values": ["polar", "rod"]}})"),
              Catch::Contains("bending is varied by the sweep, too"));
+  CHECK_THAT(f.error(with(R"("k_r": [5, 9])", R"(, "second_model": {"section": "oval"})")),
+             Catch::Contains("\"oval\" is the first model, too"));  // polar springs have no section
+  CHECK_NOTHROW(f.load(with(R"("k_r": [5, 9])", R"(, "second_model": {"pole_rule": "cross"})"),
+                       R"(, "sweep": {"bending": {"values": ["rod", "polar"]}})"));
   CHECK_THAT(
       f.error(with(R"("k_r": [5, 9])", R"(, "constraints": [{"variable": "R_x", "min": 2, "max": 1}])")),
       Catch::Contains("min 2 is above max 1; swap them"));

@@ -364,7 +364,7 @@ TEST_CASE("the option --set changes a value, is named in errors, and refuses inv
         "dimensionless)");
   CHECK_THROWS_WITH(load_experiment(file, {{"/model/k_r"}, "full"}), Catch::Contains("'=' is missing"));
   CHECK_THROWS_WITH(load_experiment(file, {{"bristle/model/k_r=1"}, "full"}),
-                    Catch::Contains("must be empty or begin with '/'"));
+                    Catch::Contains("a place in an experiment begins with /"));
   CHECK_THROWS_WITH(load_experiment(file, {{"/model/k_r=1x"}, "full"}),
                     Catch::Contains("'1x' is neither a number"));
   CHECK_THROWS_WITH(load_experiment(file, {{"/name=\xff"}, "full"}), Catch::Contains("invalid UTF-8"));

@@ -170,6 +170,9 @@ TEST_CASE("a number that --set gives and that no point depends on is warned of")
   CHECK(warnings("coulomb", "/model/mu_c=0.5").empty());
   CHECK(warnings("nss", "/model/tau_f=7").empty());
   CHECK(warnings("nss", "/orientation/rtol=0.1").empty());
+  CHECK(warnings("nss", "/orientation/mean_deg=30").size() == 1);  // of a uniform distribution
+  CHECK(warnings("nss", "/model/section=oval").size() == 1);       // of bristles with polar springs
+  CHECK(warnings("nss", "/model/bending=rod").empty());
 }
 
 TEST_CASE(
