@@ -36,6 +36,12 @@ git -C own config status.showUntrackedFiles no
 is "$head-dirty" own "a new source file where git is told not to show it"
 GIT_LITERAL_PATHSPECS=1 is "$head-dirty" own "a new source file and literal path specifications"
 rm own/src/new.cpp
+for hide in assume-unchanged skip-worktree; do
+  git -C own update-index --$hide src/a.cpp && echo change >own/src/a.cpp
+  is "$head-dirty" own "a changed file that git was told not to look at: $hide"
+  git -C own update-index --no-$hide src/a.cpp && git -C own checkout -q src/a.cpp
+  is "$head" own "the same file unchanged"
+done
 touch own/notes && is "$head" own "a file of which the program is not built"
 
 # What names another repository for git is not the program's.
@@ -55,6 +61,8 @@ GIT_DIR=$folder/other/.git is "$head" tarball "a tarball and GIT_DIR"
 GIT_DIR=$folder/other/.git GIT_WORK_TREE=$folder/tarball is "$head" tarball "a tarball, GIT_DIR and GIT_WORK_TREE"
 cp -r tarball other/ && is "$head" other/tarball "a tarball below another repository"
 git -C other add . && git -C other commit -qm tarball && is "$head" other/tarball "a tarball in another repository"
+cp -r tarball imported && git init -q imported && git -C imported add . && git -C imported commit -qm import
+is "$head" imported "a tarball at the top of another repository"
 cp -r own copy && rm -rf copy/.git && is unknown copy "a copy without .git"
 cp -r copy other/ && is unknown other/copy "a copy below another repository"
 rm copy/cmake/commit.txt && is unknown copy "a copy without what a tarball says"
