@@ -105,6 +105,10 @@ std::map<std::string, const Array*> by_name(const std::vector<const Array*>& col
   return out;
 }
 
+// Dimensions of which the number of a row says nothing where samples differ: rows of the sample, and trials
+// of a design, which are rows of its sample.
+const std::set<std::string> kNumberedBySample = {sweep::kSample, "trial"};
+
 // Finds the rows of a sample by their values, because row numbers do not identify them.
 void match_rows(const Side& a, const Side& b, Matches& matches, Comparison& out) {
   constexpr std::size_t most_named = 3;
@@ -115,7 +119,7 @@ void match_rows(const Side& a, const Side& b, Matches& matches, Comparison& out)
     out.failures.push_back(fmt::format("{}: different columns: {} in {}, {} in {}", sample,
                                        fmt::join(names_of(*a.sample), ", "), a.label,
                                        fmt::join(names_of(*b.sample), ", "), b.label));
-    matches.different.insert(sample);
+    matches.different.insert(kNumberedBySample.begin(), kNumberedBySample.end());
     return;
   }
   const std::vector<std::string> in_a = rows_of(columns_a), in_b = rows_of(columns_b);
@@ -134,7 +138,7 @@ void match_rows(const Side& a, const Side& b, Matches& matches, Comparison& out)
         fmt::format("{}: different rows: {} of the {} rows of {} are not among the {} rows of {}: {}{}",
                     sample, missing, in_b.size(), b.label, in_a.size(), a.label, fmt::join(named, ", "),
                     missing > named.size() ? ", ..." : ""));
-    matches.different.insert(sample);
+    matches.different.insert(kNumberedBySample.begin(), kNumberedBySample.end());
     return;
   }
   if (in_a.size() == in_b.size())

@@ -192,7 +192,11 @@ std::string read_jump_axis(const Document& d, const Experiment& e) {
   const Axis* axis = number < e.sweep.axes.size() ? &e.sweep.axes[number] : nullptr;
   if (!axis || !axis->quantity().options.empty() || !axis->columns.empty())
     d.fail("/locate_jumps",
-           fmt::format("\"{}\" is not a number that the sweep varies; allowed: a number in /sweep", name));
+           fmt::format(
+               "\"{}\" is not a number that the sweep varies; allowed: a number in /sweep{}", name,
+               d.inherits(JsonPointer("/locate_jumps"))
+                   ? "; a file that this one extends asks for these jumps: \"locate_jumps\": null does not"
+                   : ""));
   if (e.sweep.base.loading.z_0 || e.sweep.base.loading.trace)
     d.fail("/locate_jumps", "needs a load R_n: at a given gap, and along a traced curve, no gap jumps");
   return name;

@@ -52,7 +52,7 @@ assert swept.sizes["k_r"] == 2
 swept, _ = computed(POINT, k_r=range(10, 21, 10), mu_c=np.array(1), k_theta=np.float64(1))  # an array without dimensions
 assert swept["R_x_norm"].dims == ("k_r",) and swept["R_x_norm"].values[0] == one["R_x_norm"]
 for wrong, meant in (("K_R", "k_r"), ("k_teta", "k_theta"), ("Friction", "friction")):
-    assert f"{wrong} is not a key of an experiment; did you mean {meant}?; known: " in refused(POINT, **{wrong: 1})
+    assert f"{wrong} is not a key of an experiment; did you mean {meant}?" in refused(POINT, **{wrong: 1})
 
 # Points of a result in the same folder are not computed again.
 kept = folder / "kept.h5"

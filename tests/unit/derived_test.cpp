@@ -137,6 +137,11 @@ TEST_CASE("a value that something else replaces is an error that names it") {
   CHECK(f.valid(R"(, "model": {"k_r": 7})" + axis));  // both in one file
   f.s.write("swept.json",
             R"({"extends": "paper.json", "name": "swept", "sweep": {"k_r": {"values": [5, 9]}}})");
+  f.s.write("jumps.json", R"({"extends": "swept.json", "name": "jumps", "locate_jumps": "k_r"})");
+  f.s.write("single.json", R"({"extends": "jumps.json", "name": "single", "sweep": {"k_r": null}})");
+  CHECK_THAT(
+      input_error(f.s, [&] { experiment::load_experiment(f.s.path("single.json"), {}); }),
+      Catch::Contains("a file that this one extends asks for these jumps: \"locate_jumps\": null does not"));
   f.s.write("child.json", R"({"extends": "swept.json", "name": "child", "model": {"k_r": 7}})");
   CHECK_THAT(input_error(f.s, [&] { experiment::load_experiment(f.s.path("child.json"), {}); }),
              Catch::Contains("child.json: /model/k_r: has no effect, because /sweep/k_r varies k_r"));

@@ -270,6 +270,22 @@ TEST_CASE("design: a shaft that is too slender violates the constraint that limi
   CHECK(first(file, "best/constraint_1") == Approx(1 / (2 * first(file, "best/R"))));
 }
 
+TEST_CASE("design: the trials of two searches are not compared by their numbers") {
+  const Folder f;
+  const auto searched = [&](int seed) {
+    return f.run(f.load(fmt::format(R"({{"variables": {{"k_r": [5, 40]}}, "budget": 4, "seed": {},
+        "objectives": [{{"minimise": "R_x"}}]}})",
+                                    seed),
+                        kFew, fmt::format("seed_{}", seed)));
+  };
+  const compare::Comparison found = compare::diff_results(searched(1), searched(7), {});
+  CHECK_FALSE(found.differences.empty());
+  for (const compare::Difference& d : found.differences) CHECK_FALSE(d.name.starts_with("trials/"));
+  CHECK(std::ranges::any_of(found.failures, [](const std::string& text) {
+    return text.find("not compared, because the coordinates of trial differ") != text.npos;
+  }));
+}
+
 TEST_CASE("design: a target that no trial meets is not called met") {
   const Folder f;
   const auto text = [&](double value) {
