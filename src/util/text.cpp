@@ -50,7 +50,7 @@ std::string did_you_mean(const std::string& word, const std::vector<std::string>
   for (const std::string& candidate : known)
     if (const std::pair distance = {edit_distance(small_letters(word), small_letters(candidate)),
                                     edit_distance(word, candidate)};
-        distance < least && 2 * distance.first < std::max(word.size(), candidate.size())) {
+        distance < least && (candidate.size() != word.size() || 2 * distance.first < word.size())) {
       least = distance;
       best = candidate;
     }

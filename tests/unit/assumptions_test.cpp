@@ -186,6 +186,8 @@ TEST_CASE("mistakes in assumptions are reported before anything is computed") {
       {head + R"("alternatives": [{"name": "n", "description": "d", "experiments": {"aa": {}}}]})",
        "alternative n: /experiments: no experiment aa has claims to evaluate: checks, and either a figure or "
        "a tier \"study\" (did you mean a?)"},
+      {head + R"("alternatives": [{"name": "idle", "description": "d", "patch": {"model": {"mu_c": 1}}}]})",
+       "alternative \"idle\": changes no number of any experiment"},
       {head + R"("windows": [{"name": "w", "where": {"k_r": [5, 7]}, "experiments": ["bb"]}]})",
        "window w: /experiments: no experiment bb has claims"},
       {head + R"("windows": [{"name": "w", "where": {"k_rr": [5, 7]}, "experiments": ["b"]}]})",
