@@ -107,6 +107,7 @@ def over_models(file, **quantity):
     return [measured(file, reading, quantity)[0] for reading in READINGS]
 
 
+TESTED = "4 to 36", "3 to 20"  # k_r/k_phi and local friction for which docs/lift-off.md compares the formula with computed loads
 BOUNCING, CONTACT = {"off_slab_share": [0.5, 1]}, {"off_slab_share": [0, 0.05]}  # the phases
 
 
@@ -114,10 +115,11 @@ def two_phases(file, _):
     words, phases = flags(dataset(file, "phase"))
     number_of = {word: int(np.sum(np.asarray(phases) == i)) for i, word in enumerate(words)}
     off = over_models(file, predicate="level", variable="off_slab_share", along="R_n_target", where=BOUNCING)
+    others = "" if len({percent(one) for one in off}) == 1 else f" (the other models {span(off[:-1], percent)})"
     points = sum(number_of[word] for word in ("contact", "bouncing", "mixed"))
     local = read(file, "R_x") / read(file, "R_x_norm") / read(file, "R_n")
     return ("**Under strong local friction a brush is in contact or bounces.** In contact the tips stay on the slab and drag along it. "
-            f"Bouncing, they are off the slab for {of_rods(off, percent)} of the time. Of the {points} points of `make load`, at which rigid bristles "
+            f"Bouncing rods are off the slab for {percent(off[-1])} of the time{others}. Of the {points} points of `make load`, at which rigid bristles "
             f"would have a friction coefficient of {span([np.nanmin(local), np.nanmax(local)], in_two_digits)}, "
             f"{number_of['mixed'] or 'none'} {'is' if number_of['mixed'] < 2 else 'are'} in between.")
 
@@ -147,8 +149,8 @@ def formula(file, _):
     scatter = float(np.nanmax(read(file, "lift_off_load_err") / read(file, "lift_off_load")))
     return ("**A formula says which.** A brush onto which the slab is lowered bounces if its load per bristle is less than the lift-off "
             f"load, {of_springs}, with the radial and polar stiffness k_r and k_phi (dimensionless; root mean square error "
-            f"{percent(scatter)}: docs/lift-off.md). Stiffer bristles bounce under greater loads. In newtons the speed enters only by "
-            "its logarithm.")
+            f"{percent(scatter)} for k_r/k_phi of {TESTED[0]} and local friction of {TESTED[1]}: docs/lift-off.md). Stiffer bristles bounce under "
+            "greater loads.")
 
 
 def bristles_that_differ(file, _):
