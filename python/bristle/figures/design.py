@@ -14,15 +14,27 @@ from ..plotting.style import COLOURS, bar_looks, displayed, label, value_ticks
 from ..results import attribute, place_of, table, table_with
 
 AXES = ["sample"]
+STATUSES = False  # no point is marked
 ALL, FRONT, BEST, JUMP = "0.75", COLOURS[0], COLOURS[1], "0.35"
-NOTE = ("Grey: trials that meet the constraints; blue: the front, of trials that no other surpasses; diamond: the recommended "
-        "trial. q95: the value that 95 % of the brushes with deviations stay below. Error bars: errors of the computation and of the few "
+MADE = "the recommended brush as it can be made; open diamond: its trial, before it was rounded"
+NOTE = ("Grey: trials that meet the constraints; blue: the front, of trials that no other surpasses; diamond: {}. q95: the value that 95 % of the brushes with deviations stay below. Error bars: errors of the computation and of the few "
         "deviations.\n"
         "Curves: the first objective at nominal values over each quantity, the others as recommended, in the scenario where it "
         "is worst; band: its error; dashed: a jump of the gap in any scenario.")
 
 
-MARKS = f"{NOTE} Vermilion lines: the recommended value"
+def note(file):
+    return NOTE.format("the recommended trial" if made(file) is None else MADE)
+
+
+def made(file):
+    """The recommended brush as it can be made; None without steps in which dimensions can be made."""
+    compared = table(file, "comparison")
+    return compared.sel(brush="as_made") if compared is not None and "as_made" in compared["brush"] else None
+
+
+def MARKS(file):
+    return f"{note(file)} Vermilion lines: the recommended value"
 
 
 @one_page
@@ -35,7 +47,8 @@ def draw(file):
     margins = table_with(file, "margins", "value", "margin_below", "margin_above")
     indices = None if table(file, "indices") is None else table_with(file, "indices", "ST", "ST_err")
     quantities = [str(name) for name in margins["quantity"].values]
-    panels = [partial(draw_trials, trials=trials, front=front, best=best)]
+    brush = made(file)
+    panels = [partial(draw_trials, trials=trials, front=front, best=best, brush=best if brush is None else in_units(brush))]
     for name, margin in zip(quantities, margins.transpose("quantity").to_dataframe().itertuples()):
         profile = table_with(file, f"profile_{name}", name, *values)
         place = int(np.abs(profile[name].values - margin.value).argmin())  # of the recommended brush, as made
@@ -44,7 +57,7 @@ def draw(file):
         panels.append(partial(draw_indices, indices=indices, trials=trials))
     panels = lettered(panels)
     cell, columns = across(len(panels), Cell(5.6, 4.0, 1.2, 0.8, 4.1, 2.8), 0.3)
-    figure, bottom = sheet(file, cell.width * columns, cell.height * -(-len(panels) // columns), NOTE)
+    figure, bottom = sheet(file, cell.width * columns, cell.height * -(-len(panels) // columns), note(file))
     for (letter, draw_panel), corner in zip(panels, corners(len(panels), columns, cell, bottom)):
         axes = place_cell(figure, corner, cell)
         draw_panel(axes)
@@ -57,19 +70,22 @@ def in_units(group):
     return {name: displayed(group[name]) for name in group.variables}
 
 
-def draw_trials(axes, trials, front, best):
+def draw_trials(axes, trials, front, best, brush):
+    """All trials, the front, the recommended trial, and the recommended brush, which is this trial or can be made."""
     valid = trials["violation"].values == 0
     if "objective_2" not in trials:
         x = np.arange(valid.size)
         axes.plot(x[valid], trials["objective_1"].values[valid], ".", color=ALL)
-        axes.errorbar(best["trial"], best["objective_1"], best["objective_1_err"], fmt="d", color=BEST)
+        axes.errorbar(best["trial"], brush["objective_1"], brush["objective_1_err"], fmt="d", color=BEST)
         axes.set_xlabel("trial")
         axes.set_ylabel(objective_label(trials, 1))
         return
     axes.plot(trials["objective_1"].values[valid], trials["objective_2"].values[valid], ".", color=ALL, markersize=3)
     axes.errorbar(front["objective_1"], front["objective_2"], front["objective_2_err"], front["objective_1_err"], fmt="o",
                   color=FRONT, ecolor=to_rgba(FRONT, 0.3), markersize=3, linewidth=0.7)
-    axes.plot(best["objective_1"], best["objective_2"], "d", color=BEST, zorder=4)
+    axes.plot(best["objective_1"], best["objective_2"], "d", color=BEST, markerfacecolor="white", zorder=4)
+    axes.errorbar(brush["objective_1"], brush["objective_2"], brush["objective_2_err"], brush["objective_1_err"], fmt="d", color=BEST,
+                  linewidth=0.7, zorder=5)
     axes.set_xlabel(objective_label(trials, 1))
     axes.set_ylabel(objective_label(trials, 2))
 

@@ -11,6 +11,7 @@ from ..plotting.style import BLACK
 from ..results import experiment, flags, place_of, table, table_with
 
 AXES = []
+STATUSES = False  # no point is marked
 BRISTLES = 4
 ARROW = dict(arrowstyle="<->", color=BLACK, linewidth=0.8, shrinkA=0, shrinkB=0)
 NOTE = ("To scale, undeformed, lengths in millimetres. {} The slab is drawn where it first touches them. Deviations and margins are "

@@ -15,6 +15,7 @@ from ..plotting.style import bar_looks, label, looks
 from ..results import axis_names, axis_values, dataset, flags, place_of, readable, table, table_with
 
 AXES = ["sample"]
+STATUSES = False  # no point is marked
 LEGEND_INCHES = 0.3
 PHASES = {"contact": "in contact"}
 MOST_DOTS = 2_000  # that are drawn as vectors

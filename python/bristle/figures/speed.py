@@ -93,6 +93,7 @@ def draw_lift_off(axes, file, look, row, **chosen):
         return
     place, width, height = np.median(speed[there]), np.median(error[there]), 0.025 + 0.035 * row
     transform = axes.get_xaxis_transform()
-    axes.plot([place - width, place + width], [height, height], color=look.colour, alpha=0.35, linewidth=4,
+    # The error is the upper part of a factor, by which the formula may be wrong in both directions.
+    axes.plot([place**2 / (place + width), place + width], [height, height], color=look.colour, alpha=0.35, linewidth=4,
               solid_capstyle="butt", transform=transform)
     axes.plot(place, height, look.marker, color=look.colour, markeredgecolor=BLACK, markersize=7, transform=transform)

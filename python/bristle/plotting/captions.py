@@ -60,7 +60,7 @@ def caption(module, file, reading, page, ending="", chosen=()):
     names = [name for name in getattr(module, "VARIABLES", []) if name in file and not ending]
     if any(described(file[name]) in labels for name in names):
         names = []
-    shown = [f"{plain(attribute(file[name], 'long_name'))}, {latex_symbol(attribute(file[name], 'symbol'))}" for name in names]
+    shown = [f"{plain(attribute(file[name], 'long_name')).partition(':')[0]}, {latex_symbol(attribute(file[name], 'symbol'))}" for name in names]
     if len(names) > 1 and hasattr(module.draw, "shown"):  # a panel for each
         shown = [f"({letter}) {text}" for letter, text in zip("abcdefg", shown)]
     shown += [f"({letter}) " * bool(letter) + with_symbols(", ".join(found)) for letter, found in chosen]
@@ -70,10 +70,10 @@ def caption(module, file, reading, page, ending="", chosen=()):
     models = [name for name in model_names(part) if name not in labels]
     if shown and shown[0].startswith(f"{title},"):
         title = ""
-    sentences = [title, "; ".join(shown), f"Over {'; '.join(over)}" if over else "",
+    sentences = [title, "; ".join(shown), f"Plotted over {'; '.join(over)}" if over else "",
                  f"Fixed: {'; '.join([*fixed, with_symbols(file.attrs.get('caption', ''))])}",
                  f"Model{'s' * (len(models) > 1)} of bending: {', '.join(models)}" if models else "", contact(part),
-             marks(module, file, ending), statuses(part)]
+             marks(module, file, ending), statuses(part) if getattr(module, "STATUSES", True) else ""]
     text = in_latex(". ".join(sentence[0].upper() + sentence[1:] for sentence in sentences if sentence))
     return f"% page {page}\n" * bool(page) + f"\\caption{{{text}.}}"
 
@@ -103,7 +103,7 @@ def axis_range(file, name):
     data, line = dataset(file, name), axis_values(file, name)
     title = plain(data.attrs.get("long_name", readable(name)))
     if isinstance(line[0], str):
-        return f"{title}: {', '.join(CHOICE_NAMES.get(word, readable(word)) for word in line)}"
+        return f"{title.partition(':')[0]}: {', '.join(CHOICE_NAMES.get(word, readable(word)) for word in line)}"
     symbol, units = as_text(data.attrs.get("symbol", "")), plain(data.attrs.get("units", "1"))
     values = f"{line[0]:.4g} to {line[-1]:.4g}" if len(line) > 5 else ", ".join(f"{value:.4g}" for value in line)
     values += "" if units == "1" else f" {units}"
@@ -120,7 +120,7 @@ def marks(module, file, ending):
 def statuses(file):
     found = [f"{status_words(status)} ({count} point{'s' * (count > 1)})" for status, count in status_counts(file)
              if status != "ok"]
-    return f"Markers, or hatches without a value: {', '.join(found)}" if found else ""
+    return f"Marked: {', '.join(found)}" if found else ""
 
 
 def plain(text):

@@ -26,7 +26,7 @@ LINES = ("Colours, dashes and markers tell the lines apart, as in the legend; ma
 BANDS = "Bands, often thinner than the lines, are the estimated errors of the values."
 LOCATED_JUMPS = ("Lines are broken where the loading path jumps; dotted lines mark the places, located to 1 %, "
                  "pale areas where less than 0.5 % of the load decides between two gaps.")
-JUMPS = (f"Lines are broken where $z_0$ jumps by more than {LEAST_CHANGE:g} between points less than {WIDEST_STEP:g} "
+JUMPS = (f"Lines are broken where $z_0$ jumps by more than {LEAST_CHANGE:g} $r_0$ between points less than {WIDEST_STEP:g} "
          "decades apart.")
 BARS = "Bars are the standard errors of the lattices' time means."
 PANEL_INCHES = (4.1, 3.3)
