@@ -65,6 +65,8 @@ def document_of(experiment):
     """The document to compute, and the folder in which the files that it names are looked for."""
     if isinstance(experiment, dict):
         return experiment, None
+    if not isinstance(experiment, (str, os.PathLike)):
+        raise BristleError("the experiment is neither the path or name of a file nor a dict of its content")
     if os.path.isfile(experiment):
         folder, name = os.path.split(os.path.abspath(experiment))
         return {"extends": name}, folder

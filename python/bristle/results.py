@@ -161,8 +161,8 @@ def dataset(file, name):
                            "the Dataset must be from open_result(PATH) or xarray.open_dataset(PATH)")
     if column not in holder.variables:
         present = [key for key in map(str, holder.variables) if not key.endswith("_err")]
-        raise BristleError(f"{place_of(file)}: no dataset '/{name}'{did_you_mean(column, present)}; "
-                           f"/{group} has: {', '.join(present) or 'none'}")
+        meant = did_you_mean(column, present)
+        raise BristleError(f"{place_of(file)}: there is no variable {name}{meant or '; known: ' + (', '.join(present) or 'none')}")
     return holder[column]
 
 

@@ -69,6 +69,7 @@ assert tier.sizes["k_r"] == 1
 SAMPLE = {**POINT, "sweep": {"sample": {"sobol": 2, "seed": 1, "over": {"k_r": {"uniform": [5, 20]}}}}}
 for wanted, call in (("/model/k_r: -1 is not allowed", lambda: refused(POINT, k_r=-1)),
                      ("k_rr is not a key of an experiment; did you mean k_r?", lambda: refused(POINT, k_rr=1)),
+                     ("neither the path or name of a file nor a dict", lambda: refused(5)),
                      ("qwertz is not a key of an experiment; known: ", lambda: refused(POINT, qwertz=1)),
                      ("/model/k_r: has no effect, because /sweep/sample/over/k_r varies k_r", lambda: refused(SAMPLE, k_r=3)),
                      ("rtol is a key of orientation and of integrator; write orientation={'rtol': ...}", lambda: refused(POINT, rtol=1)),

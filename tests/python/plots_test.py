@@ -254,9 +254,10 @@ with xarray.open_dataset(result) as ds:
     # A figure by its name, or that of the result's experiment; wrong names of figures, options and variables.
     assert texts(draw(ds)) == expected and texts(draw(ds, "fig4", plain=True)) == texts(fig4.draw(ds, plain=True))
     assert texts(draw(ds.assign_attrs(name="mine"))) == texts(curve.draw(ds))
+    assert "the result comes first" in refusal(draw, "fig4", ds)
     assert "there is no figure fg4; did you mean fig4?; known: bristles, " in refusal(draw, ds, "fg4")
     assert "widht is not an option of this figure; did you mean width?; known: reading, " in refusal(lambda: draw(ds, widht=3))
-    assert "no dataset '/gama_1'; did you mean gamma_1?; / has: " in refusal(lambda: draw(ds, "curve", y="gama_1"))
+    assert "there is no variable gama_1; did you mean gamma_1?" in refusal(lambda: draw(ds, "curve", y="gama_1"))
     assert "no reading 'polr'; did you mean polar?; it has: " in refusal(lambda: draw(ds, reading="polr"))
     assert "not from a str" in refusal(draw, result)
 
@@ -298,7 +299,7 @@ with xarray.open_dataset(result) as ds:
     assert len(drawn.axes) == 3 and r"$\tilde{\gamma}_1$" in texts(drawn), texts(drawn)
     line = drawn.axes[0].lines[0].get_ydata()
     assert numpy.array_equal(line[numpy.isfinite(line)][:1], ds["gamma_1"].values[0, :1, 0])
-    assert "no dataset '/gamma_9'" in refusal(lambda: curve.draw(ds, "gamma_9"))
+    assert "there is no variable gamma_9" in refusal(lambda: curve.draw(ds, "gamma_9"))
     assert "a curve needs" in refusal(lambda: curve.draw(ds, "status"))
 done = plot("--animate")
 assert done.code == 2 and "--animate: only fig2 and bristles have recorded trajectories, not fig4" in done.messages, done.messages

@@ -22,6 +22,8 @@ def draw(result, figure=None, **options):
     options: of the figure: help(bristle.figures.module_of("fig4").draw) describes the options of fig4.
     Raises BristleError if something is wrong with a name, an option or the Dataset.
     """
+    if figure is not None and not isinstance(figure, str):
+        raise BristleError('the result comes first, and then the name of a figure: draw(result, "load")')
     found = module_of(figure or own_figure(as_text(as_result(result).attrs.get("name", ""))))
     known = list(inspect.signature(found.draw).parameters)[1:]
     for name in options:
