@@ -130,7 +130,7 @@ page-points: build
 page: report-packages page-engine page-points ## a brush in the browser: page/brush.html, one file (docs/running.md)
 	@$$($(PLOT_PYTHON) jinja2) page/page.py $(PAGE) --program $(BUILD)/bristle -o page/brush.html
 
-# What docs/accuracy.md says of the page.
+# What docs/generated/accuracy.md says of the page.
 AGREEING := fig4 fig7 fig8 load ski
 page-agreement: report-packages page-engine page-points
 	@for name in $(AGREEING); do $(BUILD)/bristle run experiments/$$name.json --tier smoke -o $(PAGE)/$$name-smoke.h5 --quiet 2>/dev/null || exit; done
@@ -165,7 +165,7 @@ test-all: ## everything, nightly and before a release: sanitizers, fuzzers, othe
 
 DESIGNS := target target_at_jump robust front indices
 SHARING := loads slope load speed hysteresis orientation
-bench: build ## benchmarks: ratios against peers in the same run, into docs/performance.md
+bench: build ## benchmarks: ratios against peers in the same run, into docs/generated/performance.md
 	@scripts/install-packages bench
 	@scripts/quietly cmake --preset release -G Ninja  # finds peers that have just been installed
 	@$(NINJA) bench_engine bench_quadrature scipy_slopes
@@ -199,7 +199,7 @@ measure-sharing: build
 bench-sharing: measure-sharing
 	@$$($(PLOT_PYTHON)) -m bristle.pages.performance $(BUILD)/bench --only sharing
 
-accuracy: build ## errors of the methods, measured: docs/accuracy.md
+accuracy: build ## errors of the methods, measured: docs/generated/accuracy.md
 	@$(NINJA) accuracy
 	@mkdir -p $(BUILD)/bench
 	$(BUILD)/benchmarks/accuracy >$(BUILD)/bench/accuracy.json

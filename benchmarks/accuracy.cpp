@@ -1,6 +1,6 @@
 // Measures the errors of the integration, the error estimates of the quadrature, the standard errors of the
 // lattice, and the stiffness of the equations. The numbers do not depend on the processor or on time. Writes
-// JSON to standard output, from which python/bristle/pages/accuracy.py generates docs/accuracy.md.
+// JSON to standard output, from which python/bristle/pages/accuracy.py generates docs/generated/accuracy.md.
 #include "bristle/dynamics/jacobian.hpp"
 #include "bristle/ensemble/lattice.hpp"
 #include "bristle/ensemble/point.hpp"

@@ -19,8 +19,8 @@ using results::Array;
 using results::Number;
 
 // Allowance of the tolerance for an error of the integrator, in units of rtol. The estimated errors of means
-// include the integrator's error (docs/accuracy.md has up to 60 rtol); the allowance is for variables without
-// an estimate.
+// include the integrator's error (docs/generated/accuracy.md has up to 60 rtol); the allowance is for
+// variables without an estimate.
 constexpr double kIntegrator = 10;
 
 // Returns the dimensions of the points: the dimensions of the variable status, including nodes, or the

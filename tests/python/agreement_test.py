@@ -1,7 +1,7 @@
 """Another processor, compiler and library: every value of some results, computed by the page's engine in node.
 
 agreement_test.py ROOT ENGINE.wasm RESULT.h5...: of the values, 97 in 100 must be within two of the program's errors, none
-beyond eight, and the counts those of docs/accuracy.md. Exits with 77 (skipped) without the engine.
+beyond eight, and the counts those of docs/generated/accuracy.md. Exits with 77 (skipped) without the engine.
 """
 import json
 import pathlib
@@ -27,7 +27,7 @@ for path in results:
 within, values = (sum(row[key] for row in rows) for key in ("within_two", "values"))
 assert values > 3000 and within >= 0.97 * values, (within, values)
 if stored["compiler"] == agreement.compiler():
-    assert rows == stored["results"], f"{rows}\n`make page-agreement accuracy` updates the numbers of docs/accuracy.md"
+    assert rows == stored["results"], f"{rows}\n`make page-agreement accuracy` updates the numbers of docs/generated/accuracy.md"
 # The comparison itself: a value that is off by more than eight errors is found.
 about, distances = agreement.compare(engine, results[-1])
 distances[next(iter(distances))] = 8.1

@@ -52,7 +52,7 @@ def test_errors_cover_what_lies_between_the_nodes():
                                   ("pinned-969", "pinned_fraction", 0.00833), ("pinned-1160", "pinned_fraction", 0.0047)]:
         result = values(name)
         value, error = result[variable], result[f"{variable}_err"]
-        # Nearly all values lie within twice their error (docs/accuracy.md).
+        # Nearly all values lie within twice their error (docs/generated/accuracy.md).
         assert 0 < error and abs(value - exact) <= 2 * error, (name, variable, value, error, exact)
 
 

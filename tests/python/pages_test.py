@@ -138,7 +138,7 @@ def check_performance():
     write("commands.json", {"seconds": 1, "results": commands})
     write("sharing.json", [{"name": "loads", "title": "many loads", "cpu_seconds": 12.3, "ratio": 0.75, "ratios": [0.7, 0.75, 0.8], "loads": 20},
                            {"name": "paths", "title": "two paths", "cpu_seconds": 4.5, "ratio": 0.9, "ratios": [0.9, 0.9, 0.9]}])
-    page = written("performance", "performance.md", folder, "-o", folder)
+    page = written("performance", "generated/performance.md", folder, "-o", folder)
     for words in ("| Odeint | 1.4 | 7 |", "| SciPy | 10 | 50 |", "321 of all kinds", "takes 0.456 ms per bristle", "9.8 times as long",
                   "| 64 | 2 | 0.123 |", "| rod | 123 | 98 | 0.76 |", "over the fast engine, at equal error | at least 10 | 7.0 |", "20 loads of one brush over one load (`loads`) | less than 20 | 15.0 |",
                   "| slowest command, 1e5 points (`check`), CPU, s | at most 1 | 0.8 |",
@@ -152,7 +152,7 @@ def check_performance():
     assert {path.name for path in (folder / "images").iterdir()} >= {"work-precision.png", "quadrature.png"}
     commands[0]["commands"]["check"]["seconds"] = 9.87
     write("commands.json", {"seconds": 1, "results": commands})
-    only = written("performance", "performance.md", folder, "-o", folder, "--only", "commands")
+    only = written("performance", "generated/performance.md", folder, "-o", folder, "--only", "commands")
     assert only == page.replace("| check | 0.12 |", "| check | 9.87 |"), only
 
 

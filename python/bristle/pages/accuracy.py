@@ -1,4 +1,4 @@
-"""docs/accuracy.md from the output of build/benchmarks/accuracy."""
+"""docs/generated/accuracy.md from the output of build/benchmarks/accuracy."""
 
 import argparse
 import os
@@ -55,7 +55,7 @@ def another_processor(agreement):
     return f"""
 ## Another processor, compiler and library
 
-The engine of the page ([running.md](running.md#in-a-browser)) is the library compiled for WebAssembly by Emscripten
+The engine of the page ([running.md](../running.md#in-a-browser)) is the library compiled for WebAssembly by Emscripten
 {agreement["compiler"]}, with the C library's elementary functions and without fused multiply-add. Deviation
 of its values from the program's, in units of the program's estimated error, for every variable with an
 error at all points of the smoke tiers and of the page's presets; `make page-agreement` measures it.
@@ -74,7 +74,7 @@ def document(m, agreement):
 
 For those who rely on an error estimate, or choose a tolerance.
 
-`make accuracy` measures the errors of the methods of [numerics.md](numerics.md) and writes this page.
+`make accuracy` measures the errors of the methods of [numerics.md](../numerics.md) and writes this page.
 The numbers depend on neither time nor processor; a test computes them again and compares them with this
 page.
 
@@ -139,7 +139,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("measured", metavar="ACCURACY.json")
     parser.add_argument("--page", metavar="AGREEMENT.json", default=os.path.join(HERE, "../../../page/agreement.json"))
-    parser.add_argument("-o", dest="output", metavar="FILE", default="docs/accuracy.md")
+    parser.add_argument("-o", dest="output", metavar="FILE", default="docs/generated/accuracy.md")
     arguments = parser.parse_args()
     measured = read_json(arguments.measured, "`make accuracy` writes it")
     agreement = read_json(arguments.page, "`make page-agreement` writes it")

@@ -1,4 +1,4 @@
-"""docs/performance.md and its figures from the output of the benchmarks of `make bench`."""
+"""docs/generated/performance.md and its figures from the output of the benchmarks of `make bench`."""
 
 import argparse
 import os
@@ -172,7 +172,7 @@ and `archive`, miss their aim: there are five million numbers. The aims of desig
 Two earlier aims were withdrawn:
 
 - 14 times the fastest other solver, and Figure 4 in 50 s of processor time. The ideas for both were tried one after the
-  other ([numerics.md](numerics.md#other-classes-of-methods)). What a point costs beyond that are checks which its numbers
+  other ([numerics.md](../numerics.md#other-classes-of-methods)). What a point costs beyond that are checks which its numbers
   need: a scan for all gaps that carry the load, and values computed again for their errors.
 - 23 loads of one brush at the cost of six, and designs at 0.6 of their cost. The scans of the loads have half of their
   passages in common; but each load is met at a gap of its own, and a search that closes in on it passes gaps of its own."""
@@ -325,7 +325,7 @@ its interpreter.
 
 {solver_table(peers)}
 
-![Work and precision of the solvers](images/work-precision.png)
+![Work and precision of the solvers](../images/work-precision.png)
 
 With pinned and reflected bristles ({everything['bristles']} of all kinds, the reference engine with its
 implicit method for the stiff), at errors of {everything['error']:.1e} and {everything['odeint_error']:.1e}: the
@@ -349,7 +349,7 @@ Relative error, the larger of R_n and R_x, compared with a mean of tolerance 3e-
 
 {passage_table(cases)}
 
-![Error over number of passages](images/quadrature.png)
+![Error over number of passages](../images/quadrature.png)
 
 {purposes_text(purposes)}
 
@@ -371,11 +371,11 @@ A few bristles do not fill the SIMD lanes; a sweep therefore works on several po
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("measured", help="directory with the JSON files of the benchmarks")
-    parser.add_argument("-o", "--output", default="docs", help="directory of performance.md and images/")
+    parser.add_argument("-o", "--output", default="docs", help="directory of generated/performance.md and images/")
     parser.add_argument("--note", default="", help="a sentence on the run, such as that the machine was busy")
     parser.add_argument("--only", choices=ALONE, help="replace only this table in performance.md")
     arguments = parser.parse_args()
-    path = os.path.join(arguments.output, "performance.md")
+    path = os.path.join(arguments.output, "generated", "performance.md")
     alone = {name: read_json(os.path.join(arguments.measured, f"{name}.json"), f"`make bench-{name}` writes it")
              for name in ALONE if arguments.only in (None, name)}
     if arguments.only:
