@@ -127,8 +127,7 @@ std::string gain_text(const Trials& trials, const Findings& found) {
     return found.start_outside ? "  the start is better, but outside the bounds of the variables: widen "
                                  "them, or keep the start\n"
                                : "  rounded to what can be made, the brush is worse than the start: give "
-                                 "finer steps, or keep the "
-                                 "start\n";
+                                 "finer steps, or keep the start\n";
   if (!is_best && differ(start, recommended(found))) return "";
   if (!variables_matter(found, start))
     return "  no trial differs from the start by more than the errors: these variables do not matter here, "

@@ -46,12 +46,13 @@ std::string brush_of(const Parameters& parameters, Engine engine) {
   return bytes_of(parameters) + bytes_of(engine);
 }
 
-void add_task(RequestKey& key, const PassageTask& task) {
+void add_task(RequestKey& key, std::uint64_t brush, const PassageTask& task) {
   const IntegratorOptions& options = task.integrator;
   const auto bits = [](double number) { return std::bit_cast<std::uint64_t>(number); };
-  for (const std::uint64_t word : {bits(task.bristle.z_0), bits(task.bristle.theta_0), bits(task.start.r),
-                                   bits(task.start.phi), bits(options.rtol), bits(options.atol),
-                                   std::uint64_t(options.method), std::uint64_t(options.max_evaluations)})
+  for (const std::uint64_t word :
+       {brush, bits(task.bristle.z_0), bits(task.bristle.theta_0), bits(task.start.r), bits(task.start.phi),
+        bits(options.rtol), bits(options.atol), std::uint64_t(options.method),
+        std::uint64_t(options.max_evaluations)})
     key.push_back(word);
 }
 
@@ -109,15 +110,16 @@ RequestKey PassageMemo::key_of(const std::vector<PassageTask>& tasks, Engine eng
   if (brushes_.empty()) return {};
   RequestKey key;
   const Parameters* parameters = nullptr;
+  std::uint64_t brush = 0;
   for (const PassageTask& task : tasks) {
     if (task.sample_interval > 0) return {};  // samples would need much memory
     if (task.parameters != parameters) {
       const auto known = brushes_.find(brush_of(*task.parameters, engine));
       if (known == brushes_.end()) return {};
       parameters = task.parameters;
-      key.push_back(known->second);
+      brush = known->second;
     }
-    add_task(key, task);
+    add_task(key, brush, task);
   }
   return key;
 }

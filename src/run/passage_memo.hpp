@@ -17,8 +17,8 @@ namespace bristle::run {
 // forgotten passages of other brushes. More memory takes more time to fill than it saves.
 constexpr std::size_t kMemoBytes = std::size_t(64) << 20;
 
-// All that the results of the passages of one request depend on, bit for bit: the number of their brush, and
-// the numbers of each task. Empty if the passages are not to be remembered.
+// All that the results of the passages of one request depend on, bit for bit: of each task the number of
+// its brush and its own numbers. Empty if the passages are not to be remembered.
 using RequestKey = std::vector<std::uint64_t>;
 struct RequestKeyHash {
   std::size_t operator()(const RequestKey& key) const;
