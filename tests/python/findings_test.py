@@ -45,7 +45,7 @@ assert re.findall(r"^### (\w+): ", page, re.M) == re.findall(r"^### (\w+): ", of
 unsupported = sum(verdict != "supported" for verdicts in rows.values() for verdict in verdicts)
 unsupported += sum(3 * ("with every model" in heading) or len(re.findall("refuted|undecided", heading))
                    for heading in headings if not heading.startswith("supported"))
-explained = len(re.findall(r"^Why (?:refuted|undecided) ", of_checks, re.M))
+explained = len(re.findall(r"^Why it is (?:refuted|undecided) with ", of_checks, re.M))
 assert explained == unsupported, f"{unsupported} verdicts are not \"supported\", {explained} are explained"
 
 # The summary in README.md.

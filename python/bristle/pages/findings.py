@@ -33,7 +33,8 @@ another denominator than the kinematics of the azimuth theta:
 
 [claims.md](claims.md) describes how claims are checked, [model.md](model.md) the equations and the
 baseline: the choices for what the paper leaves open. A paragraph has the checks that decide;
-[generated/checks.md](generated/checks.md) has all of them, and why each fails under each model.
+[generated/checks.md](generated/checks.md) has all of them, why each fails under each model, what the
+paper leaves open there, and where a figure is beyond the limits of the model.
 `make findings` writes both pages and the summary in README.md from the result files; no number in
 them is typed.
 """
@@ -42,7 +43,8 @@ ALL_CHECKS = """\
 # All checks
 
 For those who doubt a verdict of [findings.md](../findings.md): every check of every claim with its
-numbers under each model of bending, and why it fails. `make findings` writes this page.
+numbers under each model of bending, why it fails, what the paper leaves open, and where a figure is
+beyond the limits of the model. `make findings` writes this page.
 """
 
 BEGIN, END = "<!-- summary: written by `make findings` -->", "<!-- end of summary -->"
@@ -103,27 +105,33 @@ def emphasised(verdict):
 
 
 def section(file, claims, images, lines_of):
-    """The claims of a figure. images: the folder of its picture, or None to leave out the picture and what belongs to it."""
+    """The claims of a figure. images: the folder of its picture on the page of findings; None on the page of all checks, which
+    has what the paper leaves open, and what one must know of the result."""
     name, figure = (as_text(file.attrs[key]) for key in ("name", "figure"))
     lines = [f"## {as_text(file.attrs['title'])}", ""]
-    if images is None:
-        return "\n".join(lines + [line for claim, checks in claims.items() for line in lines_of(file, claim, checks)])
-    lines += [provenance(file), ""]
-    if os.path.exists(os.path.join(images, f"{name}.png")):
-        lines += [f"![{figure and 'Figure '}{figure or name}](images/{name}.png)", ""]
+    if images is not None:
+        lines += [provenance(file), ""]
+        if os.path.exists(os.path.join(images, f"{name}.png")):
+            lines += [f"![{figure and 'Figure '}{figure or name}](images/{name}.png)", ""]
     for claim, checks in claims.items():
         lines += lines_of(file, claim, checks)
-    left_open = {}
-    for check, _ in (pair for checks in claims.values() for pair in checks):
-        if "leaves_open" in check:
-            left_open.setdefault(check["leaves_open"], []).append(check["claim"])
-    if left_open:
-        lines += ["The paper leaves open, and it matters here:", ""]
-        lines += [f"- {what} ({', '.join(dict.fromkeys(claims))})" for what, claims in left_open.items()]
-        lines.append("")
-    for note in [*filter(None, [start_note(file), pinned_note(file), validity_note(file)]), *experiment(file).get("notes", [])]:
-        lines += [note, ""]
+    if images is None:
+        lines += left_open(claims)
+        for note in [*filter(None, [start_note(file), pinned_note(file), validity_note(file)]), *experiment(file).get("notes", [])]:
+            lines += [note, ""]
     return "\n".join(lines)
+
+
+def left_open(claims):
+    """What the paper leaves open and the checks had to choose, each with the claims that it concerns."""
+    found = {}
+    for check, _ in (pair for checks in claims.values() for pair in checks):
+        for what in filter(None, check.get("leaves_open", "").split("; ")):
+            found.setdefault(what, []).append(check["claim"])
+    if not found:
+        return []
+    return ["The paper leaves open, and it matters here:", "",
+            *(f"- {what} ({', '.join(dict.fromkeys(claims))})" for what, claims in found.items()), ""]
 
 
 def provenance(file):
@@ -152,7 +160,7 @@ def claim_lines(file, claim, checks):
     for reading, verdict in verdicts.items():
         if verdict != "supported":
             rows = [(check, row) for check, rows in checks for row in rows if row.reading == reading]
-            lines += [f"Why {verdict} {READINGS.get(reading, reading)}: {explain_claim(file, rows)}", ""]
+            lines += [f"Why it is {verdict} with the model {READINGS.get(reading, reading)}: {explain_claim(file, rows)}", ""]
     return lines
 
 
@@ -166,7 +174,7 @@ def paragraph(file, claim, checks):
     if unsupported := [reading for reading, verdict in verdicts.items() if verdict != "supported"]:
         reading = unsupported[-1]
         rows = [(check, row) for check, rows in checks for row in rows if row.reading == reading]
-        text += f" Why {verdicts[reading]} {READINGS.get(reading, reading)}: {explain_claim(file, rows)}"
+        text += f" Why it is {verdicts[reading]} with the model {READINGS.get(reading, reading)}: {explain_claim(file, rows)}"
     return [*lines, text, ""]
 
 
