@@ -44,10 +44,11 @@ def run(experiment, *, output=None, tier="full", threads=None, quiet=False, prog
     patch = changes_by_block(program, changes)
     document = merged(document, patch)
     path = os.path.abspath(output or os.path.join(FOLDER.name, f"{next(NUMBER)}.h5"))
-    command = [program, "run", "-", "-o", path, "--tier", tier, *(["--threads", str(threads)] if threads else []), *set_options(patch)]
+    command = [program, "run", "-", "-o", path, "--tier", tier, *(["--threads", str(threads)] if threads else []), *(f"--set={change}" for change in single_values(patch))]
     code, message = followed(command, as_json(document), folder, quiet)
     if code not in (0, NO_TRIAL):
-        message = message.removeprefix("standard input: ")
+        for place in ("standard input: ", *(f"--set {change}: " for change in single_values(patch))):
+            message = message.removeprefix(place)
         raise BristleError(message if output else message.replace(path, "the result"), exit_code=code if code > 0 else NOT_WRITTEN)
     return open_result(path)
 
@@ -94,9 +95,10 @@ def changes_by_block(program, changes):
     return patch
 
 
-def set_options(patch):
-    """Options that set the single values of the patch once more: what a sample of the experiment varies cannot be set."""
-    return [f"--set=/{block}/{key}={as_json(value)}" for block, values in patch.items() if block in BLOCKS and isinstance(values, dict)
+def single_values(patch):
+    """The single values of the patch as changes of --set, by which the program refuses to set what a sample of the
+    experiment varies."""
+    return [f"/{block}/{key}={as_json(value)}" for block, values in patch.items() if block in BLOCKS and isinstance(values, dict)
             for key, value in values.items() if block != "sweep" and isinstance(value, (int, float, str))]
 
 

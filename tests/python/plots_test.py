@@ -318,9 +318,9 @@ corrected, printed = done.out.split("% page 2")
 assert r"$\check{R}_x$; (b) " in corrected and r"$\tilde{k}_r =$ 5, " in corrected and "corrected" in corrected and "as printed" not in corrected
 assert "as printed" in printed and "corrected" not in printed
 done = plot("--caption", "--panels", "b")
-assert done.code == 0 and done.out.count("\\caption{") == 3 and r"\tilde{\gamma}_1$. Over" in done.out and "check{R}" not in done.out, done.out
+assert done.code == 0 and done.out.count("\\caption{") == 3 and r"\tilde{\gamma}_1$. Plotted over" in done.out and "check{R}" not in done.out, done.out
 done = called("bristle", "map", result, "--caption", "--panels", "b")
-assert done.code == 0 and r"$\check{R}_x$, as printed. Over" in done.out and "corrected" not in done.out, done.out
+assert done.code == 0 and r"$\check{R}_x$, as printed. Plotted over" in done.out and "corrected" not in done.out, done.out
 assert "Contact: exponential wall, Eq. (3). " in corrected and "two gaps carry this load (" in corrected, corrected
 with xarray.open_dataset(result) as ds:
     assert "two gaps carry this load" in texts(fig4.draw(ds, "polar_as_printed")) + texts(fig4.draw(ds))
