@@ -17,7 +17,7 @@ void compute_passages(PassageQueue& queue, const std::array<PassageRequest, 2>& 
       for (std::size_t i = chunk->first; i < chunk->last; ++i) {
         Passage passage;
         passage.theta_0 = (*chunk->tasks)[i].bristle.theta_0;
-        if (chunk->request->deliver(i, std::move(passage))) queue.notify();
+        queue.deliver(*chunk->request, i, std::move(passage));
       }
     queue.wait(done);
   }
