@@ -23,12 +23,16 @@ class PassageRequest {
     complete_ = count == 0;
   }
   bool complete() const { return complete_.load(std::memory_order_acquire); }
+  std::vector<Passage> take() { return std::move(passages_); }
+
+ private:
+  friend class PassageQueue;
+
   // Stores a passage. Returns true for the last one, whose thread then calls set_complete().
   bool deliver(std::size_t index, Passage&& passage) {
     passages_[index] = std::move(passage);
     return outstanding_.fetch_sub(1, std::memory_order_acq_rel) == 1;
   }
-  const std::vector<Passage>& passages() const { return passages_; }
   // Stores all passages.
   void deliver_all(std::vector<Passage> passages) {
     passages_ = std::move(passages);
@@ -36,11 +40,8 @@ class PassageRequest {
   }
   // Lets the thread of the point take the passages. The request may have ended its life afterwards.
   void set_complete() { complete_.store(true, std::memory_order_release); }
-  std::vector<Passage> take() { return std::move(passages_); }
 
-  RequestKey key;  // of the request in the memo; empty if its passages are not to be remembered
-
- private:
+  RequestKey key_;  // of the request in the memo; empty if its passages are not to be remembered
   std::vector<Passage> passages_;
   std::atomic<std::size_t> outstanding_ = 0;
   std::atomic<bool> complete_ = true;
