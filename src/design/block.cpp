@@ -117,11 +117,6 @@ std::pair<double, double> multiples_within(const experiment::Range& range, doubl
   return {std::ceil(low - kRounding * std::abs(low)), std::floor(high + kRounding * std::abs(high))};
 }
 
-const ShapeQuantity* find_shape(const std::string& name) {
-  const auto found = std::ranges::find(kShape, name, &ShapeQuantity::name);
-  return found == std::end(kShape) ? nullptr : found;
-}
-
 std::string Objective::text() const {
   return fmt::format("{} {}{}{}", word(goal), variable,
                      goal == Goal::target ? fmt::format(" {:g}", target) : "",

@@ -67,9 +67,6 @@ struct ShapeQuantity {
 };
 constexpr ShapeQuantity kShape[] = {{kClearance, clearance}, {"slenderness", slenderness}};
 
-// Returns the quantity of this name; null if there is none.
-const ShapeQuantity* find_shape(const std::string& name);
-
 // The block "design" of an experiment. The points of the sweep are its scenarios (docs/your-own-brush.md).
 struct Design : experiment::Ranges {
   std::size_t tolerance_samples;  // 0 without tolerances

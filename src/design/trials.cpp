@@ -30,7 +30,8 @@ double beyond(double value, double limit) {
 
 // Returns the value at a point that a constraint limits.
 double limited_value(const Constraint& constraint, const Computed& point) {
-  if (const ShapeQuantity* shape = find_shape(constraint.variable)) return shape->value(point.brush);
+  const auto shape = std::ranges::find(kShape, constraint.variable, &ShapeQuantity::name);
+  if (shape != std::end(kShape)) return shape->value(point.brush);
   return value_of(point.record, constraint.variable).value;
 }
 
