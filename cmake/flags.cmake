@@ -16,6 +16,10 @@ function(refuse_arithmetic_flags where flags)
   separate_arguments(flags UNIX_COMMAND "${flags}")
   foreach(flag IN LISTS flags)
     string(REGEX REPLACE "^-Wl,|^SHELL:" "" flag "${flag}")
+    if(flag MATCHES "^@(.+)" AND EXISTS "${CMAKE_MATCH_1}")  # a file of more flags
+      file(READ "${CMAKE_MATCH_1}" more)
+      refuse_arithmetic_flags("${where}, ${CMAKE_MATCH_1}" "${more}")
+    endif()
     foreach(pattern IN LISTS arithmetic_flags)
       if(flag MATCHES "^${pattern}$")
         message(FATAL_ERROR "${where}: ${flag} changes numbers, and the same commit of bristle has the same bits "

@@ -22,6 +22,8 @@ for harmless in "" "-O3 -march=native" "-ffp-contract=off -fno-fast-math -fround
   "-g -fsanitize=address,undefined -fno-omit-frame-pointer" "-ffp-model=precise -mrecipe"; do
   expect 0 "" flags "-DCMAKE_CXX_FLAGS=$harmless" "-DCMAKE_EXE_LINKER_FLAGS=$harmless"
 done
+echo "-O2 -ffast-math" >"$folder/more"
+expect 1 "CMAKE_CXX_FLAGS, $folder/more: -ffast-math changes numbers" flags "-DCMAKE_CXX_FLAGS=-g @$folder/more"
 
 # As a person sets them.
 expect 1 "CMAKE_CXX_FLAGS: -ffast-math" env CXXFLAGS=-ffast-math "$cmake" -S "$source" -B "$folder/a"
