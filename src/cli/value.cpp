@@ -104,8 +104,9 @@ int value_command(const ValueOptions& options) {
   for (const Array& array : table.arrays()) all.push_back(array.about.name);
   const std::vector<bool> rows = selected(table, options.at, coordinates);
   if (std::ranges::none_of(rows, std::identity()))
-    throw InputError(fmt::format("{}: no point is at {}; `bristle value` without --at prints all points",
-                                 options.file, fmt::join(options.at, ", ")));
+    throw InputError(fmt::format("{0}: no point is at {1}; `bristle value {2} {3}` prints all points",
+                                 options.file, fmt::join(options.at, ", "), shell_quoted(options.file),
+                                 fmt::join(options.names, " ")));
   for (const std::string& name : options.names) column_of(table, name, all, "variable");
   Json out = Json::array();
   for (std::size_t row = 0; row < rows.size(); ++row) {

@@ -95,6 +95,26 @@ for remedy in checkout update; do
   expect 0 "the same, bit for bit" "$bristle" check results/quick-smoke.h5
 done
 
+# A reference is not written from a program with changes: the result is computed again at its place.
+"$python" -c 'import h5py, numpy
+with h5py.File("results/quick-smoke.h5", "r+") as file: file["provenance"].attrs["commit"] = numpy.bytes_("0123456789-dirty")'
+expect 2 "commit, build, then" "$bristle" reference update results/quick-smoke.h5 --reason r
+eval "$(advised "$bristle" reference update results/quick-smoke.h5 --reason r) --quiet" >log 2>&1 || failed "a run: $(cat log)"
+expect 0 "the same, bit for bit" "$bristle" check results/quick-smoke.h5
+
+# What is missing or damaged is computed; values at a point that is not there are found among all.
+expect 2 "results/none.h5: no such file" "$bristle" info results/none.h5
+command=$(advised "$bristle" info results/none.h5)
+eval "${command/EXPERIMENT.json/quick.json} --quiet" >log 2>&1 || failed "$command: $(cat log)"
+expect 0 "points: 6 ok" "$bristle" info results/none.h5
+"$python" -c 'import h5py
+with h5py.File("results/none.h5", "r+") as file: file["R_x"][0] += 1'
+expect 2 "compute it again with \`bristle run\`" "$bristle" value results/none.h5 R_x
+expect 0 "" "$bristle" run quick.json -o results/none.h5 --quiet
+expect 2 "no point is at k_r=7" "$bristle" value results/none.h5 R_x --at k_r=7
+eval "$(advised "$bristle" value results/none.h5 R_x --at k_r=7)" >log 2>&1 || failed "all values: $(cat log)"
+[ "$(grep -c 'k_r = ' log)" = 6 ] || failed "not all values: $(cat log)"
+
 # Another tier does not replace a result; a forced run leaves the other points in the journal.
 expect 2 "holds the result of the full tier, which the smoke tier would replace; give another file with -o" \
   "$bristle" run quick.json --tier smoke -o results/quick.h5
