@@ -24,7 +24,7 @@ OPENING = dict(engine="h5netcdf", phony_dims="access")
 NUMBERS = "iuf"  # kinds of data; other variables are texts
 
 # Names of choices in figures.
-CHOICE_NAMES = {"nss": "NSS", "coulomb": "Amontons\u2013Coulomb", "hertz": "Hertz"}
+CHOICE_NAMES = {"nss": "NSS", "coulomb": "Coulomb", "hertz": "Hertz"}
 CHOICE_NAMES |= {"polar": "corrected", "polar_as_printed": "as printed", "rod": "rod"}
 
 # What a status says of a point, in figures.

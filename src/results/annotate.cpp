@@ -26,10 +26,9 @@ struct Prefixed {
   double from, to, size;
   const char* name;
 };
-constexpr Prefixed kPrefixed[] = {{"Pa", 1e3, 1e6, 1e3, "kPa"},
-                                  {"Pa", 1e6, 1e9, 1e6, "MPa"},
-                                  {"Pa", 1e9, 1e13, 1e9, "GPa"},
-                                  {"m", 1e-5, 0.1, 1e-3, "mm"}};
+constexpr Prefixed kPrefixed[] = {{"Pa", 1e3, 1e6, 1e3, "kPa"},   {"Pa", 1e6, 1e9, 1e6, "MPa"},
+                                  {"Pa", 1e9, 1e13, 1e9, "GPa"},  {"m", 1e-5, 1, 1e-3, "mm"},
+                                  {"kg", 1e-8, 1e-5, 1e-6, "mg"}, {"kg", 1e-5, 1e-2, 1e-3, "g"}};
 
 // Returns a value with symbol and unit as mathtext, with powers of ten: "$m = 10^{-4}$ kg".
 std::string quantity(const sweep::SiQuantity& q, double value) {
@@ -97,6 +96,8 @@ std::string caption(const Experiment& e) {
     parts.emplace_back(with_law(e.sweep.base.setup.parameters.friction, [](auto law) { return law.title; }));
   if (!e.sweep.varies("bending") && e.sweep.base.setup.parameters.bending == Bending::rod)
     parts.emplace_back("rods");
+  if (!e.sweep.varies("contact") && e.sweep.base.setup.parameters.contact == Contact::hertz)
+    parts.emplace_back("Hertz contact");
   for (std::string& part : e.sweep.base.si.empty() ? dimensionless_parts(e) : si_parts(e))
     parts.push_back(std::move(part));
   if (e.tier != "full") parts.push_back(e.tier + " tier: a subset of the points");

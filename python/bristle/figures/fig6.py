@@ -1,4 +1,4 @@
-"""Fig. 6: friction and its causes over the radial and azimuthal stiffness (Amontons-Coulomb law)."""
+"""Fig. 6: friction and its causes over the radial and azimuthal stiffness (Coulomb friction)."""
 
 from ..plotting.maps import draw_maps, marks
 from ..plotting.readings import page_for_each_reading
@@ -12,4 +12,4 @@ MARKS = marks
 @page_for_each_reading
 def draw(file, reading):
     return draw_maps(file, VARIABLES, reading, CHOSEN,
-                     "The maps are for Amontons\u2013Coulomb friction.")
+                     "The maps are for Coulomb friction.")

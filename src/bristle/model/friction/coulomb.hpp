@@ -8,7 +8,7 @@ namespace bristle {
 // Amontons-Coulomb: F_f = chi mu_c F_n, Eq. (14).
 struct Coulomb : ModulatedByChi {
   static constexpr const char* name = "coulomb";
-  static constexpr const char* title = "Amontons-Coulomb";
+  static constexpr const char* title = "Coulomb friction";
   static constexpr double load_exponent = 1;
   static constexpr double Parameters::*strength = &Parameters::mu_c;
   static double factor(const Parameters& p) { return p.mu_c; }
