@@ -15,5 +15,5 @@ int main() {
   const auto run = bristle::make_runner(bristle::Engine::fast);
   const bristle::PointResult point = bristle::solve_point(setup, {.R_n = 2}, run);
   std::printf("R_n = %.6g +- %.1g\n", point.value[bristle::R_N], point.error[bristle::R_N]);
-  std::printf("R_x over that of rigid bristles = %.6g +- %.1g\n", point.R_x_norm.value, point.R_x_norm.error);
+  std::printf("R_x relative to rigid bristles = %.6g +- %.1g\n", point.R_x_norm.value, point.R_x_norm.error);
 }

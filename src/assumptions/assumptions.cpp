@@ -109,8 +109,9 @@ void check_folders(const std::vector<Alternative>& alternatives) {
   for (const Alternative& a : alternatives) {
     const std::string folder = folder_name(a.name);
     if (folder.find_first_not_of('.') == folder.npos)
-      throw InputError(fmt::format(
-          "alternative {}: its name cannot be that of a folder; give it another name", Json(a.name).dump()));
+      throw InputError(
+          fmt::format("alternative {}: its name cannot be the name of a folder; give it another one",
+                      Json(a.name).dump()));
     if (const auto [same, is_new] = names.emplace(folder, a.name); !is_new)
       throw InputError(
           fmt::format("alternatives {} and {}: both have the folder {} for their results; give one "

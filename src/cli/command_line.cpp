@@ -140,7 +140,7 @@ CLI::App* add_check(CLI::App& app, CheckOptions& check) {
       "check", "compare a result with the claims of the paper and with its stored reference");
   command->add_option("FILE", check.file, "result file")->required();
   command->add_option("--reference", check.reference,
-                      "folder of the references (default: reference, or that of the program)");
+                      "folder of the references (default: reference, or the program's own)");
   command->add_flag("--report-only", check.report_only, "do not fail if a claim is not supported");
   command->add_flag("--claims-only", check.claims_only, "do not compare with the reference");
   command->add_flag("--all", check.all, "print further checks, too, which decide nothing");

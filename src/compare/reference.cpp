@@ -221,13 +221,13 @@ Comparison compare_with_reference(const results::ResultReader& result,
   none.points_in_file = grid_size(result.sweep_shape());
   if (!same_inputs && result.experiment().contains("design")) {
     none.notes.emplace_back(
-        "the trials of a design follow from all of its inputs, and those of the reference are others, "
-        "such as those of the smoke tier: there are no common points");
+        "the trials of a design follow from all of its inputs, and the reference has other inputs, "
+        "such as the inputs of the smoke tier: there are no common points");
     return none;
   }
   if (!same_inputs && !reference.sample && !result.sample_columns().empty()) {
     none.failures.push_back(fmt::format(
-        "{} does not state the rows of its sample, so that those of other inputs cannot be compared with it; "
+        "{} does not state the rows of its sample, so that rows of other inputs cannot be compared with it; "
         "`bristle reference update` writes it again",
         label));
     return none;
@@ -236,7 +236,7 @@ Comparison compare_with_reference(const results::ResultReader& result,
   Comparison out = compare_sides(result, result_side(result), reference_side(reference, label, result, own));
   const long version = result.integer("numerics_version"), before = reference.about.at("numerics_version");
   if (before != version)
-    out.notes.push_back(fmt::format("numerics_version is {}, that of the reference is {}", version, before));
+    out.notes.push_back(fmt::format("numerics_version is {}, in the reference it is {}", version, before));
   if (!out.subsets.empty()) return out;
   if (!same_inputs)
     out.notes.emplace_back("computed from different inputs than the reference (inputs_sha256)");

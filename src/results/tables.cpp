@@ -121,7 +121,7 @@ std::vector<Field> slab_force_fields() {
        [](S f, std::size_t i) { return f.R_x[i]; }},
       {{"R_y", "friction force per bristle across the motion", R"(\tilde{R}_y/N_{c,0})", "Eq. (A3)"},
        [](S f, std::size_t i) { return f.R_y[i]; }},
-      {{"N_c_ratio", "bristles in contact over those of rigid bristles", R"(N_c/N_{c,0})", "Eq. (A3)"},
+      {{"N_c_ratio", "bristles in contact over rigid bristles in contact", R"(N_c/N_{c,0})", "Eq. (A3)"},
        [](S f, std::size_t i) { return f.N_c[i]; }},
   };
 }

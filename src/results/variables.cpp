@@ -76,7 +76,7 @@ void add_observables(Variables& variables) {
 
 void add_norms(Variables& variables) {
   variables.push_back(
-      {{"R_x_norm", "friction force over that of rigid bristles", R"(\check{R}_x)", "Eq. (20)"},
+      {{"R_x_norm", "friction force relative to rigid bristles", R"(\check{R}_x)", "Eq. (20)"},
        [](P p) { return p.R_x_norm; },
        Errors::with_load});
   variables.push_back(
@@ -84,7 +84,7 @@ void add_norms(Variables& variables) {
        [](P p) { return p.R_y_norm; },
        Errors::with_load});
   variables.push_back(
-      {{"R_x_norm_unpinned", "friction force over that of rigid bristles under R_n, without pinned bristles",
+      {{"R_x_norm_unpinned", "friction force relative to rigid bristles under R_n, without pinned bristles",
         R"(\check{R}_{x,\mathrm{unpinned}})", ""},
        unpinned_friction,
        Errors::with_load});
@@ -118,7 +118,7 @@ void add_other_gap(Variables& variables) {
       add(row.name, row.long_name, row.symbol, row.equation, [k](P p) {
         return Quantity{p.value_other[k], 0, 0};
       });
-  add("R_x_norm", "friction force over that of rigid bristles", R"(\check{R}_x)", "Eq. (20)",
+  add("R_x_norm", "friction force relative to rigid bristles", R"(\check{R}_x)", "Eq. (20)",
       exact(&PointResult::R_x_norm_other));
 }
 
@@ -275,7 +275,7 @@ void add_stability(Variables& variables) {
 // is not parallel to the motion.
 void add_direction(Variables& variables) {
   variables.push_back(
-      {{"R_norm", "magnitude of friction over that of rigid bristles", R"(|\check{R}|)", "Eqs. (20, 21)"},
+      {{"R_norm", "magnitude of friction relative to rigid bristles", R"(|\check{R}|)", "Eqs. (20, 21)"},
        friction_magnitude,
        Errors::estimated});
   variables.push_back({{.name = "direction",

@@ -53,7 +53,7 @@ std::string foreign_journals(const KeyedPoints& all, const std::string& result) 
     });
     if (points > 0 && own == 0)
       out += fmt::format(
-          "{} has {} points, none of which can be used: they are of another experiment (other options, for "
+          "{} has {} points, but none can be used: they are of another experiment (other options, for "
           "example) or numerics version, or were computed by a program with uncommitted changes.\n",
           path, points);
   }

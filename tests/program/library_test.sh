@@ -17,7 +17,7 @@ JSON
 cp experiments/paper.json "$folder"
 "$bristle" run "$folder/one.json" -o "$folder/one.h5" --quiet || failed "the experiment"
 expected=$("$bristle" export "$folder/one.h5" -o - | awk -F, '/^#/ {next} !names {for (i = 1; i <= NF; ++i) at[$i] = i; names = 1; next}
-  {printf "R_n = %.6g +- %.1g\nR_x over that of rigid bristles = %.6g +- %.1g\n", $at["R_n"], $at["R_n_err"], $at["R_x_norm"], $at["R_x_norm_err"]}')
+  {printf "R_n = %.6g +- %.1g\nR_x relative to rigid bristles = %.6g +- %.1g\n", $at["R_n"], $at["R_n_err"], $at["R_x_norm"], $at["R_x_norm_err"]}')
 found=$("$folder/build/one_point")
 [ "$found" = "$expected" ] || failed "one_point printed $found, not $expected"
 

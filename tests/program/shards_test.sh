@@ -58,7 +58,7 @@ expect 0 "45 ok; 15 computed before" "${run[@]}" -o "$r"
 
 # Journals of another experiment are named; other files are no outputs.
 expect 0 "points: " "${run[@]}" --shard 1/2 -o "$folder/foreign/r.h5" --set /model/k_phi=2
-expect 2 "r.h5.1-of-2.journal has 23 points, none of which can be used" "${run[@]}" --complete -o "$folder/foreign/r.h5"
+expect 2 "r.h5.1-of-2.journal has 23 points, but none can be used" "${run[@]}" --complete -o "$folder/foreign/r.h5"
 expect 2 "is not a result of bristle" "${run[@]}" --shard 1/2 -o CMakeLists.txt
 expect 2 "EXPERIMENT" "$bristle" merge
 

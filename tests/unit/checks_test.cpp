@@ -190,7 +190,7 @@ TEST_CASE("share: of a factor in the change of its product") {
   CHECK(part.uncertainty == Approx((0.1 + 0.05 + (0.2 + 0.2 / 8) / 3) / std::log(8)));
 }
 
-TEST_CASE("third_ratio: the mean of the last third over that of the first") {
+TEST_CASE("third_ratio: the mean of the last third over the mean of the first") {
   const Curves steps = one(curve({1, 4, 7, 7, 7, 2, 8}, 0.1));
   CHECK(third_ratio(steps).value == Approx(2));
   CHECK(third_ratio(steps).uncertainty == Approx(2 * (0.1 + 0.1 / 4 + 0.1 / 2 + 0.1 / 8) / 2));

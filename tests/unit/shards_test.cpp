@@ -229,12 +229,12 @@ TEST_CASE("journals of other experiments, numerics or uncommitted programs are n
   const std::string foreign = write_shard(s, sharded(s, R"(, "model": {"k_phi": 2})"), {2, 2});
   const std::string message = refusal(s, e);
   check_holds(message,
-              {"3 of 6 points", foreign + " has 3 points, none of which can be used: ", "numerics version"});
+              {"3 of 6 points", foreign + " has 3 points, but none can be used: ", "numerics version"});
   CHECK_THAT(message, !Contains("1-of-2.journal has"));
   if (is_dirty(kCommit)) return;
   fs::remove(foreign);
   write_shard(s, e, {2, 2}, "0123abc-dirty");
-  check_holds(refusal(s, e), {foreign + " has 3 points, none of which can be used: ", "uncommitted changes"});
+  check_holds(refusal(s, e), {foreign + " has 3 points, but none can be used: ", "uncommitted changes"});
 }
 
 TEST_CASE("axes in another order are the same points in another order") {

@@ -32,7 +32,7 @@ def MARKS(file):
 
 
 def note(file):
-    return (f"Hatched: friction above {RIGID:g} of that of rigid bristles. Dashed: the border of the bristles that bounce, whose tips "
+    return (f"Hatched: friction above {RIGID:g} of the friction of rigid bristles. Dashed: the border of the bristles that bounce, whose tips "
             "are off the slab for more than half of the time. Dash-dotted: the lift-off load by the formula, where it was tested, with "
             f"its scatter of {in_percent(scatter(file))} as a pale band.")
 
@@ -54,7 +54,7 @@ def draw(file):
         heading(axes, letter, f"contact: {in_words(file, chosen)}", [described(data), in_words(file, chosen)])
     wide, low = 0.6 * figure.get_figwidth(), bottom + below - 0.15
     bar = colour_bar(figure, image, (0.2 * figure.get_figwidth(), low, wide, 0.1), orientation="horizontal", ticks=bar_ticks(norm, wide))
-    bar.set_label(f"friction over that of rigid bristles {label(data)}", labelpad=1)
+    bar.set_label(f"friction relative to rigid bristles {label(data)}", labelpad=1)
     legend_at_foot(figure, entries, bottom + 0.2 * LEGEND_INCHES)
     return figure
 

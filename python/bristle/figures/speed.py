@@ -17,7 +17,7 @@ TITLES_OF = {"friction_coefficient": "friction coefficient", "z_0_in_m": "gap be
 LIFT_OFF_SPEED = "lift_off_speed"
 DASHES = {"loading": "-", "unloading": "--"}
 LEGEND_INCHES = 0.35
-NOTE = ("Loads are those of a bristle. Solid, after loading; dashed, after unloading; where both are the same, solid. Marks at the foot "
+NOTE = ("Loads are per bristle. Solid, after loading; dashed, after unloading; where both are the same, solid. Marks at the foot "
         "with a black rim: the speed by the formula above which the bristles bounce under this load, with its uncertainty as a pale "
         "bar.")
 UNMARKED = "Loads without a mark: the formula was not tested at their lift-off speed."

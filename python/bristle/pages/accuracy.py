@@ -111,7 +111,7 @@ estimates; for N_c_ratio, R_n, R_x and gamma_1 to gamma_3, at nine k_r from 2 to
 
 Intervals of azimuths whose bristles are pinned or chatter may lie between the nodes. So means at random
 points and gaps are compared with the mean over 2161 equidistant azimuths, and further ones where the outcome
-changes, at a tenth of the integrator's tolerance; in units of the sum of both error estimates (that of the
+changes, at a tenth of the integrator's tolerance; in units of the sum of both error estimates (the estimate of the
 azimuths is a third of the difference to every second one). Near the paper's values, both laws and readings,
 k_r 4 to 200, k_theta 0.1 to 3, k_phi 1 to 4, phi_0 72 to 84 degrees; over the whole range, k_r 1 to 1000,
 k_theta 0.05 to 20, k_phi 0.1 to 10, phi_0 30 to 87 degrees, all starts, both pole rules, and other lambda,
@@ -130,7 +130,7 @@ give 1 ± {(2 * lattice["seeds"]) ** -0.5:.2f}.
 {table(["", "deviation"], *deviations)}
 
 R_y is odd in theta_0. The sum of sin(theta_0) alone deviates, in its own standard error, by
-{azimuths["seeds"]:.2f} with the azimuths of these seeds and by {azimuths["all"]:.3f} with those of
+{azimuths["seeds"]:.2f} with the azimuths of these seeds and by {azimuths["all"]:.3f} with the azimuths of
 {azimuths["draws"]}.
 {another_processor(agreement)}"""
 

@@ -84,9 +84,9 @@ def row_period(file, pairs):
     raw, of_rows = (slopes[name] for name in ("R_n_fluctuation", "R_n_fluctuation_of_rows"))
     return (f"All bristles of a row enter at the same time, so R_n(t) has a part with the period of a row that does not depend "
             f"on the number of bristles: its standard deviation is {span(part, percent)} of the mean for every L_y from "
-            f"{chosen_at(widths[0])} to {chosen_at(widths[-1])}, while that of R_n(t) falls from {percent(whole[0])} to "
+            f"{chosen_at(widths[0])} to {chosen_at(widths[-1])}, while the standard deviation of R_n(t) falls from {percent(whole[0])} to "
             f"{percent(whole[-1])}. The slope over L_y is therefore "
-            f"{with_uncertainty(raw.measured, raw.uncertainty)}; that of means over a row's time, which are free of this "
+            f"{with_uncertainty(raw.measured, raw.uncertainty)}; the slope of means over a row's time, which are free of this "
             f"part, is {with_uncertainty(of_rows.measured, of_rows.uncertainty)}.")
 
 
@@ -98,7 +98,7 @@ def pinned_bristles(file, pairs):
     text = (f"At k_r = {at['k_r']:g} and mu_c = {listed(at['mu_c'], chosen_at)}, {listed(at['pinned_fraction'], percent)} of "
             f"the bristles are pinned upright at the pole and carry {listed(at['pinned_share_R_x'], percent)} of R_x. The "
             f"slab slides over them at V_0, so their friction grows with mu_c: R_x is {listed(at['R_x_pinned'])} per pinned "
-            f"bristle. R_x of all bristles is {listed(at['R_x'])}; that of the bristles that pass is "
+            f"bristle. R_x of all bristles is {listed(at['R_x'])}; R_x of the bristles that pass is "
             f"{listed(at['R_x_unpinned'])}. The latter is constant within {percent(plateau.measured)} "
             f"({plateau.verdict} as a further check): the bristles that pass do saturate. {on_k_theta(file, reading)}")
     for one in others(file, reading):

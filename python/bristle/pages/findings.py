@@ -20,8 +20,8 @@ from .summary import all_verdicts, claims_of, further, in_context, in_short, own
 INTRODUCTION = """\
 The claims of the paper in the order of its figures, and the verdicts of the computations:
 supported, **refuted**, or undecided within the uncertainty. A claim is named after the figure
-beside which it stands; those of Appendix A begin with A, those of the abstract with B, those of the
-conclusions with C. Findings of this project, which the paper does not claim, begin with F. Every
+beside which it stands; claims of Appendix A begin with A, of the abstract with B, of the conclusions
+with C. Findings of this project, which the paper does not claim, begin with F. Every
 claim is checked with three models of bending. Two are readings of the paper, whose Eq. (17) has
 another denominator than the kinematics of the azimuth theta:
 

@@ -45,7 +45,7 @@ recommended brush, as made, jumps if its radius is {percent(margins.margin_below
 above {value(found, 1)}, and five carry more than {value(found, 2)} of the load at which they fall into contact. From its eight
 deviations alone, the start has {value(start, 1)} and {value(start, 2)}. So a reserve of load costs friction, as along the
 front: from {value(low, 1)} at {value(low, 2)} to {value(high, 1)} at {value(high, 2)}. The share of the lift-off load in the
-drawing, {percent(table_with(file, "working_range", "load_over_lift_off").load_over_lift_off.item())}, is that of the nominal
+drawing, {percent(table_with(file, "working_range", "load_over_lift_off").load_over_lift_off.item())}, is a number of the nominal
 brush."""
 
 

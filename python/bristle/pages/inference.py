@@ -104,7 +104,7 @@ checked in {len(scores.windows)} windows of the ranges of k_r and k_theta,
 {len(scores.sets) * len(scores.windows)} scores in all, on the {len(scores.claims)} claims of Figures 3 to 8 and
 {scores.further_checks} further checks. The sweeps are coarse. `baseline` is the choice of this project. A mean over a list
 of azimuths has no error of quadrature, so fewer of its checks are
-undecided than those of a continuous distribution: this favours the sets with 18 or 40 azimuths.
+undecided than with a continuous distribution: this favours the sets with 18 or 40 azimuths.
 
 The best {BEST} sets, each in its best window of k_r and k_theta, with the numbers of claims and of further checks
 that are supported:

@@ -298,8 +298,8 @@ Designs and indices (the experiments of `benchmarks/designs/`), on one core:
 
 {design_table(designs)}
 
-Commands on finished results of a sweep of two quantities, and of a sample by table, processor time in s
-with that of child processes, and the most memory of a process. A dash: not measured, or not possible,
+Commands on finished results of a sweep of two quantities, and of a sample by table, processor time in s,
+child processes included, and the most memory of a process. A dash: not measured, or not possible,
 such as reading a reference of more than 64 MB.
 
 {marked("commands", commands)}
@@ -339,7 +339,7 @@ engine {everything['ratio']:.1f} times as long. {everything['lane_utilisation']:
 ## The two contacts
 
 Hertz's contact beside the paper's wall, the same 1024 bristles of each model, none of them pinned; cycles
-are those of a passage, as a ratio in the same run.
+are per passage, as a ratio in the same run.
 
 {table(["bending", "steps, wall", "steps, Hertz", "cycles, Hertz over wall"], *contact_rows(engine))}
 

@@ -62,7 +62,7 @@ inline constexpr std::array kObservables = {
         "R_y", "friction force per bristle across the motion", R"(\tilde{R}_y/N_{c,0})", "Eq. (19)",
         [](const Passage& p, const Parameters& in) { return p.end[component::FRICTION_Y] / in.L_x; },
         Average::over_time, true, Unpinned::none, &kNewton},
-    ObservableRow{"N_c_ratio", "bristles in contact over those of rigid bristles", R"(N_c/N_{c,0})",
+    ObservableRow{"N_c_ratio", "bristles in contact over rigid bristles in contact", R"(N_c/N_{c,0})",
                   "Eq. (A2)", [](const Passage& p, const Parameters& in) { return p.contact_time / in.L_x; },
                   Average::over_time, true},
     ObservableRow{"gamma_1", "modulation of friction by the sliding speed", R"(\tilde{\gamma}_1)", "Eq. (24)",
