@@ -22,8 +22,16 @@ Claim = namedtuple("Claim", "claim statement relation verdict reading role claim
 VERDICT_SIGNS = {"supported": ("\u2714", GREEN), "refuted": ("\u2718", VERMILION), "undecided": ("?", BLUE)}
 RELATION_SIGNS = {"at_most": "\u2264", "at_least": "\u2265", "near": "near"}
 
+# What the predicates measure (docs/claims.md), in words.
+PREDICATES = {"trend": "Kendall's tau", "end_ratio": "last over first value", "rise": "rise of the logarithm",
+              "share": "share in the change of the logarithm", "third_ratio": "mean of the last third over the first",
+              "linearity": "distance from a line over its range", "top_ratio": "largest over first value",
+              "range_ratio": "ratio of the ranges of the logarithm", "slope": "slope", "plateau": "range over the mean",
+              "level": "mean value", "steepest_fall": "place of the steepest fall", "steepness": "steepest slope",
+              "fall_width": "width of the fall", "fold": "largest relative drop"}
 # Predicates that compare both sides of "compare" in one number.
-PAIRED_PREDICATES = ("ordering", "concordance", "equality")
+PAIRED_PREDICATES = {"ordering": "share of points in this order, minus the share against it",
+                     "concordance": "Kendall's tau between the two", "equality": "difference over its error"}
 
 # Of quantities that a sentence may name and the result may not have as a variable or an axis.
 FURTHER_SYMBOLS = {"k_r": r"\tilde{k}_r", "k_theta": r"\tilde{k}_\theta", "k_phi": r"\tilde{k}_\varphi", "N_c": "N_c",
@@ -67,7 +75,7 @@ def declared_checks(file):
     declared, measured = experiment(file).get("checks", []), read_claims(file)
     numbered = list(enumerate(check["claim"] for check in declared))
     if sorted({(claim.declared, claim.claim) for claim in measured}) != numbered:
-        raise BristleError(f"{place_of(file)}: /checks is not that of the experiment; run `bristle run` again")
+        raise BristleError(f"{place_of(file)}: /checks does not belong to the experiment; run `bristle run` again")
     return [(declared[claim.declared], claim) for claim in measured]
 
 
@@ -99,9 +107,9 @@ def reading_words(claims):
 
 def quantity(check):
     """The quantity that a check measures, in words."""
-    what = check["predicate"].replace("_", " ")
+    what = {**PREDICATES, **PAIRED_PREDICATES}.get(check["predicate"], readable(check["predicate"]))
     if "compare" in check and check["predicate"] not in PAIRED_PREDICATES:
-        return f"{check.get('by', 'ratio')} of {what}"
+        return f"{what}, {check.get('by', 'ratio')} of both"
     return what
 
 
