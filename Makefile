@@ -4,7 +4,7 @@
 # A figure is a module that draws it and an experiment of the same name: the paper's, then research of one's own.
 DRAWN := $(filter $(basename $(notdir $(wildcard experiments/*.json))),$(basename $(notdir $(wildcard python/bristle/figures/*.py))))
 FIGURES := $(sort $(filter fig%,$(DRAWN)))
-STUDIES := load $(filter-out load,$(sort $(filter-out fig%,$(DRAWN))))
+STUDIES := $(sort $(filter-out fig%,$(DRAWN)))
 .PHONY: help packages build test bench accuracy clean figures findings guide assumptions inference report archive verify citation deposit release \
   sanitize fuzz format tidy coverage $(FIGURES) $(STUDIES)
 JOBS ?= $(shell nproc 2>/dev/null || echo 1)
@@ -108,7 +108,7 @@ guide: design ## docs/your-own-brush.md: what `make design` finds
 	@$$($(PLOT_PYTHON)) -m bristle.pages.guide results/design$(SUFFIX).h5
 
 report: figures $(STUDIES) report-packages ## one page of all figures, claims, points and sources: report/index.html
-	@$$($(PLOT_PYTHON) jinja2 yaml) -m bristle.report $(patsubst %,results/%$(SUFFIX).h5,$(FIGURES) $(STUDIES)) -o report$(SUFFIX)/index.html
+	@$$($(PLOT_PYTHON) jinja2 yaml) -m bristle.report $(patsubst %,results/%$(SUFFIX).h5,load $(FIGURES) $(filter-out load,$(STUDIES))) -o report$(SUFFIX)/index.html
 
 # The page's engine is compiled by Emscripten, in a folder of its own (docs/running.md).
 PAGE := build-page
