@@ -131,7 +131,8 @@ TEST_CASE("custom friction: a law that still rises at the last speed has a corne
   }
 }
 
-TEST_CASE("custom friction: Eq. (7) as a formula gives the friction of the Coulomb law, with both engines") {
+TEST_CASE("custom friction: Eq. (7) as a formula gives the friction of the Coulomb law, with both engines",
+          "[threads]") {
   const Files files;
   const double A = 1.2, C = chi_C_peak_at_V_s(A), B = chi_B(A);
   const std::string formula =
@@ -158,7 +159,8 @@ TEST_CASE("custom friction: Eq. (7) as a formula gives the friction of the Coulo
   }
 }
 
-TEST_CASE("custom friction: with speeds in m/s the law is the same at every velocity, with both engines") {
+TEST_CASE("custom friction: with speeds in m/s the law is the same at every velocity, with both engines",
+          "[threads]") {
   const Files files;
   const auto with = [&](const std::string& speeds, const std::string& rest) {
     return files.load(R"("model": {"friction": "custom", "bending": "rod"}, "friction_law": {)" + speeds +

@@ -173,7 +173,7 @@ TEST_CASE("the error of a quantile of few values contains the tail that they do 
   CHECK(design::statistic(Statistic::q95, many).error < 0.06);
 }
 
-TEST_CASE("a recommended trial is verified by many deviations") {
+TEST_CASE("a recommended trial is verified by many deviations", "[threads]") {
   const Folder f;
   const Experiment e = f.load(
       kGap + R"(, "orientation": {"sampling": "list", "theta_0_deg": [20, 80, 150]})" +

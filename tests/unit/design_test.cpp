@@ -21,8 +21,8 @@
 
 namespace bristle::design_test {
 
-TEST_CASE(
-    "design: equal bits for any number of threads, resumed or not, and the second run computes nothing") {
+TEST_CASE("design: equal bits for any number of threads, resumed or not, and the second run computes nothing",
+          "[threads]") {
   const Folder f;
   const std::string design = R"({"variables": {"k_r": [5, 40], "k_phi": [1.5, 3.5]},
       "tolerances": {"k_r": {"normal": 0.05}, "tau_f": {"uniform": 0.2}}, "tolerance_samples": 2,
@@ -64,7 +64,7 @@ TEST_CASE("design: only a result with the inputs of the reference is compared wi
   CHECK_THAT(compare::comparison_text(other), Catch::Contains("0 of 9 points: not compared"));
 }
 
-TEST_CASE("design: the margin is the distance to the located jump, on both sides of it") {
+TEST_CASE("design: the margin is the distance to the located jump, on both sides of it", "[threads]") {
   const Folder f;
   const std::string load = R"(, "load": {"R_n": 2}, "orientation": {"rtol": 0.02})";
   const Experiment sweep = experiment::load_experiment(
@@ -301,7 +301,7 @@ TEST_CASE("design: a target that no trial meets is not called met") {
   CHECK_THAT(text(-1), Catch::Contains("recommended, trial"));
 }
 
-TEST_CASE("design: a trial at which a constraint fails is the nearest miss") {
+TEST_CASE("design: a trial at which a constraint fails is the nearest miss", "[threads]") {
   const Folder f;
   const Experiment e = f.load(R"({"variables": {"k_r": [5, 40]}, "objectives": [{"minimise": "R_x"}],
       "constraints": [{"variable": "R_x", "max": -1}], "budget": 4})",

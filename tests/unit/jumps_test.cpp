@@ -127,7 +127,7 @@ TEST_CASE("a point whose gap was not found is no side of a jump") {
   CHECK(solved == 0);
 }
 
-TEST_CASE("a result completed from shards has the jumps between their points") {
+TEST_CASE("a result completed from shards has the jumps between their points", "[threads]") {
   const Scratch s;
   const Experiment e = sharded(s, kAlong + std::string(R"(, "orientation": {"rtol": 0.05})"),
                                R"("k_r": {"values": [16, 26]})");

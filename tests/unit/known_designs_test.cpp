@@ -10,7 +10,7 @@
 
 namespace bristle::design_test {
 
-TEST_CASE("design: the least friction over k_r is that of a fine sweep") {
+TEST_CASE("design: the least friction over k_r equals a fine sweep's", "[threads]") {
   const Folder f;
   const auto file =
       f.run(f.load(R"({"variables": {"k_r": {"log": [5, 60]}}, "objectives": [{"minimise": "R_x"}],
@@ -71,7 +71,8 @@ results::ResultReader dense_sweep(const Folder& f) {
 
 }  // namespace
 
-TEST_CASE("design: the front of friction and peak force misses less than 5 % of that of a dense sweep") {
+TEST_CASE("design: the front of friction and peak force misses less than 5 % of a dense sweep's front",
+          "[threads]") {
   // A brush that bounces slides easily and strikes hard. Between two jumps lies an island of less than 1 % of
   // the brushes, near k_r = 17 and k_phi = 3.5, which makes a quarter of the area.
   const Folder f;
@@ -94,7 +95,7 @@ TEST_CASE("design: the front of friction and peak force misses less than 5 % of 
   }
 }
 
-TEST_CASE("design: the least friction under a limit of the peak force is that of a dense sweep") {
+TEST_CASE("design: the least friction under a limit of the peak force equals a dense sweep's", "[threads]") {
   const Folder f;
   const auto dense = pairs(dense_sweep(f), "R_x_norm", "F_n_peak");
   double least = HUGE_VAL;

@@ -242,7 +242,7 @@ TEST_CASE("memo of passages: a request in flight is not computed again, and a kn
   }
 }
 
-TEST_CASE("memo of passages: equal requests end on all threads, with any memory") {
+TEST_CASE("memo of passages: equal requests end on all threads, with any memory", "[threads]") {
   constexpr std::size_t kThreads = 4, kRequests = 100;
   for (const std::size_t bytes : {std::size_t(10'000), run::kMemoBytes})
     for (int repetition = 0; repetition < 10; ++repetition) {

@@ -23,7 +23,7 @@ void compute_passages(PassageQueue& queue, const std::array<PassageRequest, 2>& 
   }
 }
 
-TEST_CASE("passage queue: all threads compute the passages of two points, and end") {
+TEST_CASE("passage queue: all threads compute the passages of two points, and end", "[threads]") {
   constexpr std::size_t kThreads = 4, kPassages = 1000;
   for (int repetition = 0; repetition < 50; ++repetition) {
     PassageQueue queue(kThreads);

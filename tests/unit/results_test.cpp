@@ -45,7 +45,7 @@ std::string run_to(const Experiment& e, const std::string& path, int threads) {
 
 }  // namespace
 
-TEST_CASE("the payload does not depend on the number of threads or the path of the file") {
+TEST_CASE("the payload does not depend on the number of threads or the path of the file", "[threads]") {
   const Scratch s;
   const Experiment e = quick(s);
   const std::string one = run_to(e, s.path("one.h5"), 1);
@@ -54,7 +54,7 @@ TEST_CASE("the payload does not depend on the number of threads or the path of t
   CHECK(run_to(e, s.path("four.h5"), 4) == one);
 }
 
-TEST_CASE("1 and 2 threads give the same digest with quadrature and load control") {
+TEST_CASE("1 and 2 threads give the same digest with quadrature and load control", "[threads]") {
   const Scratch s;
   s.write("paper.json", bytes_of(std::string(BRISTLE_EXPERIMENTS) + "/paper.json"));
   const Experiment e = load_experiment(
@@ -64,7 +64,7 @@ TEST_CASE("1 and 2 threads give the same digest with quadrature and load control
   CHECK(run_to(e, s.path("one.h5"), 1) == run_to(e, s.path("two.h5"), 2));
 }
 
-TEST_CASE("a sweep ends when it is stopped while threads share the passages of one point") {
+TEST_CASE("a sweep ends when it is stopped while threads share the passages of one point", "[threads]") {
   const Scratch s;
   s.write("paper.json", bytes_of(std::string(BRISTLE_EXPERIMENTS) + "/paper.json"));
   const Experiment e = load_experiment(
@@ -81,7 +81,8 @@ TEST_CASE("a sweep ends when it is stopped while threads share the passages of o
   CHECK(points == 0);
 }
 
-TEST_CASE("equal runs with equal provenance give equal files byte for byte, as objects have no time stamps") {
+TEST_CASE("equal runs with equal provenance give equal files byte for byte, as objects have no time stamps",
+          "[threads]") {
   const Scratch s;
   const Experiment e = quick(s);
   run_to(e, s.path("r.h5"), 1);
@@ -92,7 +93,7 @@ TEST_CASE("equal runs with equal provenance give equal files byte for byte, as o
   CHECK((first == bytes_of(s.path("r.h5"))));
 }
 
-TEST_CASE("axes, values, bristles and attributes read back as written") {
+TEST_CASE("axes, values, bristles and attributes read back as written", "[threads]") {
   const Scratch s;
   const Experiment e = quick(s);
   run_to(e, s.path("r.h5"), 2);

@@ -33,7 +33,7 @@ TEST_CASE("the result of a sample: its quantities are variables over it, first i
   for (const std::size_t row : {0, 1, 2, 3}) CHECK(columns[2].cell(row) == (row < 2 ? "nss" : "coulomb"));
 }
 
-TEST_CASE("Sobol indices and quantiles are stored with the result of a sample") {
+TEST_CASE("Sobol indices and quantiles are stored with the result of a sample", "[threads]") {
   const SampleFolder f;
   const Experiment e = f.load(R"({"bending": {"values": ["polar", "rod"]}, "sample": {"sobol": 16, "seed": 1,
                  "over": {"k_r": {"log": [5, 50]}, "zeta_phi": {"uniform": [0.1, 0.1001]}}}})",
@@ -92,7 +92,7 @@ TEST_CASE("indices and quantiles count the points that they use, and the ambiguo
           Catch::Contains("; 2 points have no value and are left out; ambiguous points among those used: 1"));
 }
 
-TEST_CASE("an index of too few points is missing, and the text says what to do") {
+TEST_CASE("an index of too few points is missing, and the text says what to do", "[threads]") {
   const SampleFolder f;
   // The load is beyond what many of the bristles carry.
   const Experiment e = f.load(

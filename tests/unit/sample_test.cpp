@@ -167,8 +167,8 @@ TEST_CASE("a quantity cannot be given by the sample and by an axis or the load")
             .find("more than one of R_n, z_0") != std::string::npos);
 }
 
-TEST_CASE(
-    "two sets of SI quantities with equal dimensionless groups give equal bits: the model has no scale") {
+TEST_CASE("two sets of SI quantities with equal dimensionless groups give equal bits: the model has no scale",
+          "[threads]") {
   // The second row is the first in other units of length (2), mass (4) and speed (8); these powers of two are
   // exact, and so are the groups. The third row has a greater shaft: the comparison can fail.
   SampleFolder f;

@@ -79,7 +79,7 @@ std::size_t passages_of(const Computed& all) {
 
 }  // namespace
 
-TEST_CASE("shared passages: points of a brush compute each passage once, with equal bits") {
+TEST_CASE("shared passages: points of a brush compute each passage once, with equal bits", "[threads]") {
   const Scratch s;
   const Experiment e = loads_of_brushes(s);
   const std::vector<std::size_t> points = all_points(e.sweep);
@@ -104,7 +104,7 @@ TEST_CASE("shared passages: points of a brush compute each passage once, with eq
   if (!kSanitized) CHECK(passages.size() == 1);
 }
 
-TEST_CASE("shared passages: the reference engine shares them, too") {
+TEST_CASE("shared passages: the reference engine shares them, too", "[threads]") {
   const Scratch s;
   const Experiment e = loaded(s, R"("integrator": {"engine": "reference"}, "load": {"R_n": null, "z_0": 0.5},
       "sweep": {"concentration": {"values": [1, 2, 3]}},
@@ -118,8 +118,8 @@ TEST_CASE("shared passages: the reference engine shares them, too") {
   }
 }
 
-TEST_CASE(
-    "property: any loads, paths and friction laws have equal bits, with any memory, threads and order") {
+TEST_CASE("property: any loads, paths and friction laws have equal bits, with any memory, threads and order",
+          "[threads]") {
   const Scratch s;
   rc::prop("records with and without a memo", [&] {
     const double R_n = uniform(0.2, 2);
@@ -139,7 +139,7 @@ TEST_CASE(
   });
 }
 
-TEST_CASE("shared passages: a sweep that is stopped or fails leaves a memo that can be used") {
+TEST_CASE("shared passages: a sweep that is stopped or fails leaves a memo that can be used", "[threads]") {
   const Scratch s;
   const Experiment e = loads_of_brushes(s);
   const std::vector<std::size_t> points = all_points(e.sweep);
@@ -156,7 +156,8 @@ TEST_CASE("shared passages: a sweep that is stopped or fails leaves a memo that 
   CHECK(rest.passages < alone.passages / 2);  // most are known from the runs that ended early
 }
 
-TEST_CASE("shared passages: results with jumps have equal digests, also if a run is resumed or has shards") {
+TEST_CASE("shared passages: results with jumps have equal digests, also if a run is resumed or has shards",
+          "[threads]") {
   const Scratch s;
   const Experiment e =
       loaded(s, R"("model": {"bending": "rod"}, "locate_jumps": "R_n", "sweep": {"k_r": {"values": [12]},
@@ -179,7 +180,7 @@ TEST_CASE("shared passages: results with jumps have equal digests, also if a run
   CHECK(digest({.output = s.path("shards/r.h5"), .complete = true, .threads = 2, .quiet = true}) == alone);
 }
 
-TEST_CASE("shared passages: a design with several loads has an equal digest") {
+TEST_CASE("shared passages: a design with several loads has an equal digest", "[threads]") {
   const Scratch s;
   const Experiment e =
       loaded(s, kFewAzimuths + R"(, "load": {"R_n": null}, "sweep": {"R_n": {"values": [0.8, 1, 1.2]}},
