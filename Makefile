@@ -164,7 +164,7 @@ test-all: ## everything, nightly and before a release: sanitizers, fuzzers, othe
 	@scripts/run-ctest $(BUILD)
 
 DESIGNS := target target_at_jump robust front indices
-SHARING := loads slope load speed hysteresis orientation
+SHARING := loads slope load speed hysteresis orientation map
 bench: build ## benchmarks: ratios against peers in the same run, into docs/generated/performance.md
 	@scripts/install-packages bench
 	@scripts/quietly cmake --preset release -G Ninja  # finds peers that have just been installed
@@ -178,6 +178,7 @@ bench: build ## benchmarks: ratios against peers in the same run, into docs/gene
 	$$($(PLOT_PYTHON)) scripts/time_experiments.py $(BUILD)/bristle $(FIGURES:%=experiments/%.json) >$(BUILD)/bench/figures.json
 	$$($(PLOT_PYTHON)) scripts/time_experiments.py $(BUILD)/bristle $(DESIGNS:%=benchmarks/designs/%.json) --threads 1 \
 	  >$(BUILD)/bench/designs.json
+	$$($(PLOT_PYTHON)) scripts/time_build.py >$(BUILD)/bench/build.json
 	@$(MAKE) --no-print-directory measure-commands measure-sharing
 	@$$($(PLOT_PYTHON)) -m bristle.pages.performance $(BUILD)/bench
 

@@ -1,4 +1,4 @@
-"""Wall time and CPU time of experiments' full tiers, computed anew: JSON on standard output.
+"""Wall time, CPU time and memory of experiments' full tiers, computed anew: JSON on standard output.
 
 time_experiments.py BRISTLE EXPERIMENT.json... [OPTION of `bristle run`...]
 An experiment outside the folder experiments/ extends one there by its name.
@@ -6,7 +6,6 @@ An experiment outside the folder experiments/ extends one there by its name.
 import glob
 import json
 import os
-import resource
 import shutil
 import subprocess
 import sys
@@ -14,11 +13,6 @@ import tempfile
 import time
 
 import h5py
-
-
-def cpu_seconds():
-    used = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return used.ru_utime + used.ru_stime
 
 
 def main():
@@ -31,13 +25,17 @@ def main():
         for file in files:
             name = os.path.splitext(os.path.basename(file))[0]
             output = os.path.join(work, f"{name}.h5")
-            wall, cpu = time.perf_counter(), cpu_seconds()
-            subprocess.run([sys.argv[1], "run", os.path.join(work, f"{name}.json"), "--force", "--quiet", "-o", output, *options],
-                           check=True, stdout=sys.stderr)
-            times = {"seconds": round(time.perf_counter() - wall, 2), "cpu_seconds": round(cpu_seconds() - cpu, 2)}
+            start = time.perf_counter()
+            process = subprocess.Popen([sys.argv[1], "run", os.path.join(work, f"{name}.json"), "--force", "--quiet", "-o", output,
+                                        *options], stdout=sys.stderr)
+            _, status, used = os.wait4(process.pid, 0)
+            if status != 0:
+                sys.exit(f"{file}: the run failed")
+            found = {"seconds": round(time.perf_counter() - start, 2), "cpu_seconds": round(used.ru_utime + used.ru_stime, 2),
+                     "MB": round(used.ru_maxrss / 1024)}
             with h5py.File(output) as result:
                 passages, title = result["passages"][()], result.attrs["title"].decode()
-            rows.append({"name": name, "title": title, "points": passages.size, "passages": int(passages.sum()), **times})
+            rows.append({"name": name, "title": title, "points": passages.size, "passages": int(passages.sum()), **found})
     print(json.dumps(rows, indent=1))
 
 

@@ -48,4 +48,4 @@ def rounded(word, digits, error=""):
 
 
 def packed(text):
-    return base64.b64encode(gzip.compress(text.encode(), 9, mtime=0)).decode()
+    return base64.b64encode(gzip.compress(text.encode(), 6, mtime=0)).decode()
