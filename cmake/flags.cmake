@@ -16,9 +16,10 @@ function(refuse_arithmetic_flags where flags)
   separate_arguments(flags UNIX_COMMAND "${flags}")
   foreach(flag IN LISTS flags)
     string(REGEX REPLACE "^-Wl,|^SHELL:" "" flag "${flag}")
-    if(flag MATCHES "^@(.+)" AND EXISTS "${CMAKE_MATCH_1}")  # a file of more flags
-      file(READ "${CMAKE_MATCH_1}" more)
-      refuse_arithmetic_flags("${where}, ${CMAKE_MATCH_1}" "${more}")
+    string(REGEX REPLACE "^@" "" file "${flag}")
+    if(NOT file STREQUAL flag AND EXISTS "${file}")  # a file of more flags
+      file(READ "${file}" more)
+      refuse_arithmetic_flags("${where}, ${file}" "${more}")
     endif()
     foreach(pattern IN LISTS arithmetic_flags)
       if(flag MATCHES "^${pattern}$")

@@ -97,9 +97,12 @@ done
 
 # A reference is not written from a program with changes: the result is computed again at its place.
 "$python" -c 'import h5py, numpy
-with h5py.File("results/quick-smoke.h5", "r+") as file: file["provenance"].attrs["commit"] = numpy.bytes_("0123456789-dirty")'
-expect 2 "commit, build, then" "$bristle" reference update results/quick-smoke.h5 --reason r
-eval "$(advised "$bristle" reference update results/quick-smoke.h5 --reason r) --quiet" >log 2>&1 || failed "a run: $(cat log)"
+with h5py.File("results/quick-smoke.h5", "r+") as file:
+    for name in ("commit", "points_commits"): file["provenance"].attrs[name] = numpy.bytes_("0123456789-dirty")'
+git add . && git -c user.name=n -c user.email=e commit -qm again
+update=("$bristle" reference update results/quick-smoke.h5 --reason r --reference fresh)
+expect 2 "commit, build, then" "${update[@]}"
+eval "$(advised "${update[@]}") --quiet" >log 2>&1 || failed "a run: $(cat log)"
 expect 0 "the same, bit for bit" "$bristle" check results/quick-smoke.h5
 
 # What is missing or damaged is computed; values at a point that is not there are found among all.
@@ -111,9 +114,10 @@ expect 0 "points: 6 ok" "$bristle" info results/none.h5
 with h5py.File("results/none.h5", "r+") as file: file["R_x"][0] += 1'
 expect 2 "compute it again with \`bristle run\`" "$bristle" value results/none.h5 R_x
 expect 0 "" "$bristle" run quick.json -o results/none.h5 --quiet
-expect 2 "no point is at k_r=7" "$bristle" value results/none.h5 R_x --at k_r=7
-eval "$(advised "$bristle" value results/none.h5 R_x --at k_r=7)" >log 2>&1 || failed "all values: $(cat log)"
-[ "$(grep -c 'k_r = ' log)" = 6 ] || failed "not all values: $(cat log)"
+value=("$bristle" value results/table.h5 R_x --at friction=coulomb --at k_r=7)
+expect 2 "no point is at friction=coulomb, k_r=7" "${value[@]}"
+eval "$(advised "${value[@]}")" >log 2>&1 || failed "all values: $(cat log)"
+[ "$(grep -c 'k_r = ' log)" = 3 ] || failed "not all values: $(cat log)"
 
 # Another tier does not replace a result; a forced run leaves the other points in the journal.
 expect 2 "holds the result of the full tier, which the smoke tier would replace; give another file with -o" \
