@@ -35,10 +35,10 @@ TEXT = """\
 # How the verdicts depend on what the paper leaves open
 
 For readers who doubt a verdict. The paper does not state everything that its numbers depend on. The baseline, described in
-[model.md](model.md), makes a choice for each point that it leaves open; here each choice is replaced by
+[model.md](model.md), makes a choice for each point that the paper leaves open; here each choice is replaced by
 alternatives, singly and some together (experiments/assumptions/), and every claim is checked again.
 `make assumptions` computes the matrix and writes this page; no number in it is typed. The runs are of
-the experiments' `{tier}` tier, which is coarser than the figures: a baseline verdict may differ from that in
+the experiments' `{tier}` tier, which is coarser than the figures: a verdict of the baseline may differ from the verdict in
 [findings.md](findings.md), and alternatives are compared with the baseline of the same tier. The lattices
 of Figure A2 have a gap of 0.5 there and not a load of 2, which changes the verdict on A2.
 
@@ -108,9 +108,9 @@ def influence(matrix):
         by_choice.setdefault(alternative["choice"], []).append((alternative["name"], reversed_by))
     most = {choice: max(found, key=lambda one: len(one[1])) for choice, found in by_choice.items()}
     ranked = sorted((choice for choice in most if choice != TOGETHER), key=lambda choice: -len(most[choice][1]))
-    rows = [[choice, str(len(by_choice[choice])), str(len(most[choice][1])), most[choice][0] if most[choice][1] else "",
+    rows = [[choice, str(len(by_choice[choice])), most[choice][0] if most[choice][1] else "", str(len(most[choice][1])),
              " ".join(dict.fromkeys(most[choice][1]))] for choice in ranked]
-    return table(["choice", "alternatives", "checks that one reverses", "the one that reverses most", "claims"], *rows) + "\n"
+    return table(["choice", "alternatives", "strongest alternative", "checks that it reverses", "their claims"], *rows) + "\n"
 
 
 def check_item(matrix, conclusion):

@@ -99,7 +99,7 @@ def pinned_bristles(file, pairs):
             f"the bristles are pinned upright at the pole and carry {listed(at['pinned_share_R_x'], percent)} of R_x. The "
             f"slab slides over them at V_0, so their friction grows with mu_c: R_x is {listed(at['R_x_pinned'])} per pinned "
             f"bristle. R_x of all bristles is {listed(at['R_x'])}; R_x of the bristles that pass is "
-            f"{listed(at['R_x_unpinned'])}. The latter is constant within {percent(plateau.measured)} "
+            f"{listed(at['R_x_unpinned'])}, constant within {percent(plateau.measured)} "
             f"({plateau.verdict} as a further check): the bristles that pass do saturate. {on_k_theta(file, reading)}")
     for one in others(file, reading):
         there = where_saturated(file, one)
@@ -266,8 +266,9 @@ def same_fall_without_area(file, pairs):
     if ratio is None:
         return what_was_measured(pairs)
     return ("R_x of bouncing bristles under nominal shear stress is "
-            f"{with_uncertainty(ratio.measured, ratio.uncertainty)} times that under Coulomb friction of the same magnitude: a tip that "
-            "strikes the slab is soon as fast as the slab, under either law, and its friction is what that takes (docs/lift-off.md).")
+            f"{with_uncertainty(ratio.measured, ratio.uncertainty)} times R_x under Coulomb friction of the same magnitude. Under "
+            "either law, friction soon makes a tip that strikes the slab as fast as the slab, and what this takes depends on the tip and its "
+            "springs, not on the law (docs/lift-off.md).")
 
 
 def order_along_k_phi(file, pairs):
@@ -313,7 +314,7 @@ def by_chance(row):
 def what_was_measured(pairs):
     """The explanation of any other claim: what its checks measured, and what they require."""
     rows = [row for _, row in failing(pairs) or pairs]
-    return " ".join(f"\u201c{row.statement}\u201d: measured is {with_uncertainty(row.measured, row.uncertainty)}{p_text(row)}, "
+    return " ".join(f"\u201c{row.statement}\u201d: measured {with_uncertainty(row.measured, row.uncertainty)}{p_text(row)}, "
                     f"required {threshold_text(row.relation, row.threshold, row.band).strip()}{by_chance(row)}." for row in rows)
 
 

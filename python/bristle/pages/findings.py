@@ -36,7 +36,8 @@ baseline: the choices for what the paper leaves open. A paragraph has the checks
 [generated/checks.md](generated/checks.md) has all of them, why each fails under each model, what the
 paper leaves open there, and where a figure is beyond the limits of the model.
 `make findings` writes both pages and the summary in README.md from the result files; no number in
-them is typed.
+them is typed. A dash stands for a number that could not be measured: the points have no values
+there, or the uncertainty has no bound.
 """
 
 ALL_CHECKS = """\

@@ -92,17 +92,18 @@ def ranking_table(scores, count):
 def page(scores):
     return f"""# Inference: what the authors may have computed
 
-For readers of the paper. **This is an inference and no test.** The paper leaves choices open, and
-this page ranks joint sets of them by how many of the paper's sentences they support. The sentences
-are the same that led to the checks, and the best window of the swept ranges is chosen for each set
-after the fact, so a high score shows what is compatible with the paper, not that it is true.
+For readers of the paper. **This is an inference, not a test.** The paper leaves choices open, and
+this page ranks joint sets of choices by how many of the paper's sentences each set supports. The
+checks were made from the same sentences, and for each set the best window of the swept ranges is
+chosen after the fact. So a high score shows what is compatible with the paper, not that it is true.
 
 {len(scores.sets)} joint sets of choices were tried (`experiments/inference/`): polar coordinates with Eq. (17)
 corrected or as printed, or rods; the start in static equilibrium or unstretched; azimuths continuous,
 18 fixed or 40 random; phi_0 of 80, 85 or 89 degrees; a tip that is reflected at the pole or crosses it. Each was
 checked in {len(scores.windows)} windows of the ranges of k_r and k_theta,
 {len(scores.sets) * len(scores.windows)} scores in all, on the {len(scores.claims)} claims of Figures 3 to 8 and
-{scores.further_checks} further checks. The sweeps are coarse. `baseline` is the choice of this project. A mean over a list
+{scores.further_checks} further checks. The sweeps are coarse. `baseline` is the choice of this project. A set that
+names no model of bending has Eq. (17) corrected. A mean over a list
 of azimuths has no error of quadrature, so fewer of its checks are
 undecided than with a continuous distribution: this favours the sets with 18 or 40 azimuths.
 

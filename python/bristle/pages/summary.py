@@ -86,7 +86,7 @@ def counts(verdicts, readings):
     words = {claim: set(found.values()) if len(found) == len(readings) else {""} for claim, found in verdicts.items()}
     holding, failing = ([claim for claim, found in words.items() if found == {word}] for word in ("supported", "refuted"))
     rest = len(verdicts) - len(holding) - len(failing)
-    by_model = f" and {rest} depend on it or are undecided" if len(readings) > 1 else f" and {rest} are undecided"
+    by_model = f" and {rest} depend on the model or are undecided" if len(readings) > 1 else f" and {rest} are undecided"
     model = " with every model of bending" if len(readings) > 1 else ""
     return (f"Of the paper's {len(verdicts)} claims, {len(holding)} hold{model}, {len(failing)} fail{model}"
             f"{' (' + ', '.join(failing) + ')' if failing else ''}{by_model}.")
@@ -180,7 +180,7 @@ def weak_friction(file, _):
 
 
 def limits(file, _):
-    names = {"exceeds_spacing": "the tips travel farther than the distance to the next bristle, through which the model lets them pass",
+    names = {"exceeds_spacing": "the tips travel beyond the next bristle, which the model lets them pass through",
              "exceeds_strain_limit": "the roots are strained beyond the linear range"}
     valued = np.isfinite(read(file, "R_x_norm"))
     places = {}
@@ -234,7 +234,7 @@ def magnitude(file, verdicts):
         return of_each(lambda reading: short(found[reading][law, at]))
     by_magnitude = all(one[law, high] >= 2 > one[law, low] for one in found.values() for law in ("nss", "coulomb"))
     concluded = ("So a steep fall takes a high local friction, whatever its law." if by_magnitude else
-                 "So law and magnitude both matter.")
+                 "So law and magnitude both matter for this fall; once a brush bounces, the law hardly matters (docs/lift-off.md).")
     rises = " (below 1: it rises)" if min(min(one.values()) for one in found.values()) < 1 else ""
     return (f"The paper names the friction law as the cause: a steep fall under nominal shear stress, a smoother one under Coulomb "
             f"friction (6b, 7a). But its two laws differ in magnitude, too: rigid bristles have a friction of {chosen_at(high)} times "

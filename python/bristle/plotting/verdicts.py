@@ -30,7 +30,7 @@ PREDICATES = {"trend": "Kendall's tau", "end_ratio": "last over first value", "r
               "level": "mean value", "steepest_fall": "place of the steepest fall", "steepness": "steepest slope",
               "fall_width": "width of the fall", "fold": "largest relative drop"}
 # Predicates that compare both sides of "compare" in one number.
-PAIRED_PREDICATES = {"ordering": "share of points in this order, minus the share against it",
+PAIRED_PREDICATES = {"ordering": "share of points at which it is greater, minus the share at which it is smaller",
                      "concordance": "Kendall's tau between the two", "equality": "difference over its error"}
 
 # Of quantities that a sentence may name and the result may not have as a variable or an axis.
