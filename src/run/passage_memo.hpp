@@ -12,9 +12,11 @@
 
 namespace bristle::run {
 
-// Bound of a memo's memory: some 150,000 passages. A point takes about 700 of them, and a thread solves 24
-// points at a time. The points of one brush are solved one after the other, so that a memo which is full has
-// forgotten passages of other brushes. More memory takes more time to fill than it saves.
+// Bound of the memory of a memo's passages, some 150,000. A point takes about 700 of them, and a thread
+// solves 24 points at a time. The points of one brush are solved one after the other, so that a memo which is
+// full has forgotten passages of other brushes; with ten threads or more, also of brushes that are still
+// being solved. More memory takes more time to fill than it saves. The names of shared brushes come in
+// addition, some 300 bytes each.
 constexpr std::size_t kMemoBytes = std::size_t(64) << 20;
 
 // All that the results of the passages of one request depend on, bit for bit: of each task the number of
