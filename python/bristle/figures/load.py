@@ -24,7 +24,7 @@ def MARKS(file):
 @one_page
 def draw(file):
     shown = lettered([(scaled, reading) for scaled in (False, True) for reading in readings(file)])
-    cell, columns = across(len(readings(file)), Cell(3.75, 3.4, 0.85, 0.72, 2.8, 2.35), 0.62)
+    cell, columns = across(max(2, len(readings(file))), Cell(3.75, 3.4, 0.85, 0.72, 2.8, 2.35), 0.62)
     columns = min(columns, len(shown))
     below = LEGEND_INCHES if paper_width() is None else 0  # of the legend
     figure, bottom = sheet(file, cell.width * columns + 0.1, cell.height * -(-len(shown) // columns) + below,
@@ -39,7 +39,7 @@ def draw(file):
         entries |= draw_brushes(axes, file, reading, scaled)
         title_axis(axes, "x", dataset(file, over_what), "load over lift-off load" if scaled else "load")
         if i % columns == 0:
-            title_axis(axes, "y", dataset(file, VARIABLES[0]), "friction over that\nof rigid bristles")
+            title_axis(axes, "y", dataset(file, VARIABLES[0]), "friction relative\nto rigid bristles")
     first.set_ylim(0, 1)
     legend_below(first, entries, bottom + LEGEND_INCHES / 2)
     return figure

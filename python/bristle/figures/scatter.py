@@ -34,7 +34,7 @@ def draw(file):
                 [f"{described(dataset(file, VARIABLES[0]))}, scatter of the {text}"])
         entries |= draw_brushes(axes, file, name)
         title_axis(axes, "x", dataset(file, "R_n_target"), "load")
-        title_axis(axes, "y", dataset(file, VARIABLES[0]), "friction over that\nof rigid bristles")
+        title_axis(axes, "y", dataset(file, VARIABLES[0]), "friction relative\nto rigid bristles")
     for path in axis_values(file, "path"):
         entries[f"after {path}"] = Line2D([], [], color=BLACK, linestyle=DASHES[path], linewidth=1.4)
     first.set_ylim(0, 1)
