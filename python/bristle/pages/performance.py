@@ -258,8 +258,10 @@ def purposes_text(purposes):
             "of the tolerance for the error.")
 
 
-def expectations(figures):
+def expectations(figures, peers):
     """What a user waits for."""
+    older = next((peer["ratio"] for peer in peers if peer["name"] == "lanes, AVX2"), 0)
+    without = f"\n- Processors without AVX-512 take {older:.1f} times as long (the row of AVX2 below)." if older > 1 else ""
     cpu, wall = (sum(figure[key] for figure in figures) for key in ("cpu_seconds", "seconds"))
     dearest = max(figures, key=lambda figure: figure["cpu_seconds"])
     per_point = 1e3 * dearest["cpu_seconds"] / dearest["points"]
@@ -271,8 +273,7 @@ drawing adds a few seconds each. A point of the dearest one, {dearest['name']}, 
 - Stiff bristles that bounce often, gaps near a jump, and bristles pinned at the pole take longest: some points take
   fifty times as long as others. `run` names a point that takes longer than five minutes.
 - `--tier smoke` takes seconds. A larger `orientation.rtol` saves little: ten times the tolerance saves 4 % of the
-  passages of Figure 4's smoke tier, as most panels of azimuths are as wide as they may be.
-- Processors without AVX-512 take about twice as long (the rows of AVX2 and AVX3 below)."""
+  passages of Figure 4's smoke tier, as most panels of azimuths are as wide as they may be.{without}"""
 
 
 def contact_rows(engine):
@@ -293,7 +294,7 @@ vector){clock_text(kernels)}. Ratios are medians of pairs in that run; times are
 
 ## What to expect
 
-{expectations(figures)}
+{expectations(figures, peers)}
 
 Every point is computed anew. The times of fig4 to fig7 include the location of jumps, whose passages
 are not counted here.
