@@ -157,6 +157,8 @@ def check_performance():
     write("commands.json", {"seconds": 1, "results": commands})
     only = written("performance", "generated/performance.md", folder, "-o", folder, "--only", "commands")
     assert "It is missed by `check` (9.9 s at 1e3 points)" in " ".join(only.split()), only
+    lines = (folder / "generated/performance.md").read_text().splitlines()
+    assert max(len(line) for line in lines if not line.startswith("|")) <= 100, lines
     end = "<!-- end of commands -->"
     assert only.partition(end)[2] == page.partition(end)[2] and "| check | 9.87 | 0.34 |" in only, only
 

@@ -215,7 +215,7 @@ def sharing_table(measured):
     rows = [[one["name"], one["title"], f"{one['cpu_seconds']:.0f}", f"{one['ratio']:.2f}",
              f"{SHARING_AIMS[one['name']]:.2f}" if one["name"] in SHARING_AIMS else "\u2013", *(f"{one[key]:.0f}" for key in ("MB", "MB_alone"))]
             for one in measured]
-    missed = [f"`{one['name']}`" for one in measured if round(one["ratio"], 2) > SHARING_AIMS.get(one["name"], one["ratio"])]
+    missed = [f"`{one['name']}`" for one in measured if round(one["ratio"], 2) > SHARING_AIMS.get(one["name"], np.inf)]
     return table(["experiment", "what", "CPU, s", "over the time without sharing", "aim", "MB", "MB without"], *rows) + "\n\n" + (
         f"The aim is missed by {', '.join(missed)}. The scans of the loads have half of their passages in common; but each load is "
         "met at a gap of its own, and a search that closes in on it passes gaps of its own. So few passages are asked for twice "
@@ -234,7 +234,7 @@ def marked(name, measured):
 def replaced(page, name, measured):
     """The page with this table anew."""
     before, rest = page.split(f"<!-- {name} -->")
-    return before + marked(name, measured) + rest.split(f"<!-- end of {name} -->")[1]
+    return before + filled(marked(name, measured)).rstrip("\n") + rest.split(f"<!-- end of {name} -->")[1]
 
 
 def passage_table(cases):
