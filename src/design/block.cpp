@@ -124,8 +124,8 @@ std::string Objective::text() const {
 }
 
 std::string Constraint::text() const {
-  return fmt::format("{}{}{}", std::isfinite(min) ? fmt::format("{:g} <= ", min) : "", variable,
-                     std::isfinite(max) ? fmt::format(" <= {:g}", max) : "");
+  if (!std::isfinite(max)) return fmt::format("{} >= {:g}", variable, min);
+  return fmt::format("{}{} <= {:g}", std::isfinite(min) ? fmt::format("{:g} <= ", min) : "", variable, max);
 }
 
 Design read_design(const Experiment& experiment) {

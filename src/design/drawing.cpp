@@ -4,6 +4,7 @@
 #include "sampling/rounded.hpp"
 #include "sweep/si.hpp"
 #include "util/text.hpp"
+#include "util/units.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -158,7 +159,7 @@ std::string drawing_text(const std::vector<Dimension>& dimensions, const Orienta
   if (jump) rows.front().insert(rows.front().end(), {"the gap jumps at", "99 % stay with"});
   bool deviates = false;
   for (const Dimension& one : dimensions) {
-    const std::string units = one.units == "m-2" ? "per m^2" : one.units;
+    const std::string units = one.units == "m-2" ? "per m^2" : readable_unit(one.units, one.value).name;
     const auto size = [&](double value) {
       return value >= 1e4 ? fmt::format("{:.0f} {}", value, units) : fmt::format("{:.4g} {}", value, units);
     };

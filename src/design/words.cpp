@@ -2,6 +2,7 @@
 
 #include "run/analysis.hpp"
 #include "util/text.hpp"
+#include "util/units.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -23,13 +24,19 @@ std::string place_of(const Trials& trials, std::size_t scenario) {
   return scenarios.axes.empty() ? "" : " at " + scenarios.place(scenario);
 }
 
-// Returns a text such as "R_m = 0.001 m (+- 10 %), ...".
+// Returns what the text calls a quantity: its key without the unit.
+std::string label_of(const std::string& quantity) {
+  return without_unit(quantity, column_of(quantity).units);
+}
+
+// Returns a text such as "R = 1 mm (+- 10 %), ...".
 std::string values_text(const Trials& trials, const Trial& trial) {
   std::vector<std::string> parts;
   for (const std::string& quantity : trials.design().quantities()) {
-    const std::string units = column_of(quantity).units;
-    std::string part =
-        fmt::format("{} = {:.4g}{}", quantity, trial.nominal.at(quantity), units == "1" ? "" : " " + units);
+    const double value = trial.nominal.at(quantity);
+    const ReadableUnit unit = readable_unit(column_of(quantity).units, value);
+    std::string part = fmt::format("{} = {:.4g}{}", label_of(quantity), value / unit.size,
+                                   unit.name == "1" ? "" : " " + unit.name);
     for (const experiment::Tolerance& t : trials.design().tolerances)
       if (t.name == quantity)
         part += fmt::format(" ({} {:g} %)", t.normal ? "standard deviation" : "+-", 100 * t.width);
@@ -83,9 +90,9 @@ std::string comparison_text(const Trials& trials, const Findings& found) {
     for (const Compared& one : shown) rows.back().push_back(text(*one.trial));
   };
   for (const std::string& name : design.quantities()) {
-    const std::string units = column_of(name).units;
-    add(units == "1" ? name : fmt::format("{} [{}]", name, units),
-        [&](const Trial& t) { return fmt::format("{:.5g}", t.nominal.at(name)); });
+    const ReadableUnit unit = readable_unit(column_of(name).units, shown.front().trial->nominal.at(name));
+    add(unit.name == "1" ? name : fmt::format("{} [{}]", label_of(name), unit.name),
+        [&](const Trial& t) { return fmt::format("{:.5g}", t.nominal.at(name) / unit.size); });
   }
   for (std::size_t o = 0; o < design.objectives.size(); ++o)
     add(fmt::format("{}: {}", o + 1, design.objectives[o].text()),
@@ -153,7 +160,7 @@ std::string remarks_text(const Trials& trials, const Findings& found) {
   for (const experiment::Range& range : design.variables) {
     const double value = best.nominal.at(range.name), near = at_bound * (range.high - range.low);
     if (value - range.low <= near || range.high - value <= near)
-      out += fmt::format("  {} is at its {} bound: a wider range may be better\n", range.name,
+      out += fmt::format("  {} is at its {} bound: a wider range may be better\n", label_of(range.name),
                          value - range.low <= near ? "lower" : "upper");
   }
   return out;
@@ -212,8 +219,8 @@ std::string margins_text(const Trials& trials, const Findings& found) {
     std::vector<std::string> both;
     for (const auto& [sign, margin] : {std::pair('-', p.margin_below), std::pair('+', p.margin_above)})
       if (!std::isnan(margin)) both.push_back(change_text(trials.design(), p.quantity, sign, margin));
-    if (both.empty()) none.push_back(p.quantity);
-    else parts.push_back(fmt::format("{} {}", p.quantity, fmt::join(both, " or ")));
+    if (both.empty()) none.push_back(label_of(p.quantity));
+    else parts.push_back(fmt::format("{} {}", label_of(p.quantity), fmt::join(both, " or ")));
   }
   if (parts.empty())
     return fmt::format("  no jump of the gap within the range of {}\n", fmt::join(none, ", "));
@@ -222,11 +229,13 @@ std::string margins_text(const Trials& trials, const Findings& found) {
 }
 
 std::string indices_text(const Trials& trials, const Findings& found) {
+  std::vector<std::string> labels;
+  for (const std::string& quantity : trials.design().tolerated()) labels.push_back(label_of(quantity));
   std::string out;
   for (std::size_t o = 0; o < found.indices.size(); ++o)
     out += fmt::format("  shares of the tolerances in the variance of {} (Sobol indices)\n{}",
                        trials.design().objectives[o].variable,
-                       run::indices_text(found.indices[o], trials.design().tolerated(), kIndexBlocks,
+                       run::indices_text(found.indices[o], labels, kIndexBlocks,
                                          "choose bounds or tolerances with which more points have a value"));
   return out;
 }

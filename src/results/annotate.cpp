@@ -7,6 +7,7 @@
 #include "results/version.hpp"
 #include "results/writer.hpp"
 #include "util/sha.hpp"
+#include "util/units.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -20,28 +21,13 @@ constexpr const char* kPaper =
     "N. Menga, F. Bottiglione, G. Carbone: Exploiting surface textures dynamics for dry friction control, "
     "Nonlinear Dynamics (2022)";
 
-// A unit in which values between two limits are read more easily.
-struct Prefixed {
-  const char* units;
-  double from, to, size;
-  const char* name;
-};
-constexpr Prefixed kPrefixed[] = {{"Pa", 1e3, 1e6, 1e3, "kPa"},   {"Pa", 1e6, 1e9, 1e6, "MPa"},
-                                  {"Pa", 1e9, 1e13, 1e9, "GPa"},  {"m", 1e-5, 1, 1e-3, "mm"},
-                                  {"kg", 1e-8, 1e-5, 1e-6, "mg"}, {"kg", 1e-5, 1e-2, 1e-3, "g"}};
-
 // Returns a value with symbol and unit as mathtext, with powers of ten: "$m = 10^{-4}$ kg".
 std::string quantity(const sweep::SiQuantity& q, double value) {
-  std::string units = q.units;
-  for (const Prefixed& p : kPrefixed)
-    if (q.units == std::string(p.units) && p.from <= value && value < p.to) {
-      value /= p.size;
-      units = p.name;
-      break;
-    }
+  const ReadableUnit readable = readable_unit(q.units, value);
+  std::string units = readable.name;
   if (const auto power = units.find('^'); power != units.npos)
     units = fmt::format("{}$^{}$", units.substr(0, power), units.substr(power + 1));
-  std::string number = fmt::format("{:.4g}", value);
+  std::string number = fmt::format("{:.4g}", value / readable.size);
   if (const auto e = number.find('e'); e != std::string::npos) {
     const std::string mantissa = number.substr(0, e);
     number = fmt::format("{}10^{{{}}}", mantissa == "1" ? "" : mantissa + R"( \times )",
