@@ -57,7 +57,7 @@ std::string objectives_text(const Trials& trials, const Found& found) {
 
 std::string verification_text(const Trials& trials, const Verification& verified) {
   const auto share = [&](std::size_t count) { return 100 * double(count) / double(verified.brushes); };
-  std::string out = fmt::format("  of {} brushes with other deviations: {}\n", verified.brushes,
+  std::string out = fmt::format("  of {} brushes made with these tolerances: {}\n", verified.brushes,
                                 objectives_text(trials, verified));
   std::vector<std::string> phases;
   const std::size_t others = verified.brushes - verified.bouncing - verified.in_contact - verified.missing;

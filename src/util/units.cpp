@@ -11,9 +11,9 @@ struct Row {
   ReadableUnit unit;
 };
 
-const Row kReadable[] = {{"Pa", 1e3, 1e6, {"kPa", 1e3}},   {"Pa", 1e6, 1e9, {"MPa", 1e6}},
-                         {"Pa", 1e9, 1e13, {"GPa", 1e9}},  {"m", 1e-5, 1, {"mm", 1e-3}},
-                         {"kg", 1e-8, 1e-5, {"mg", 1e-6}}, {"kg", 1e-5, 1e-2, {"g", 1e-3}},
+const Row kReadable[] = {{"Pa", 1e3, 1e6, {"kPa", 1e3}},    {"Pa", 1e6, 1e9, {"MPa", 1e6}},
+                         {"Pa", 1e9, 1e13, {"GPa", 1e9}},   {"m", 1e-5, 1, {"mm", 1e-3}},
+                         {"kg", 1e-8, 1e-5, {"mg", 1e-6}},  {"kg", 1e-5, 1e-2, {"g", 1e-3}},
                          {"degree", 0, 1e9, {"degrees", 1}}};
 
 }  // namespace
