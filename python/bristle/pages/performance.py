@@ -60,7 +60,7 @@ def work_precision(peers):
 
 
 def quadrature(cases):
-    figure = Figure(figsize=(10.5, 3.6), layout="constrained")
+    figure = Figure(figsize=(9.6, 3.4), layout="constrained")
     all_axes = figure.subplots(1, len(cases), sharey=True)
     for axes, case in zip(all_axes, cases):
         for key, label, marker in (("lattice", "random lattice (rms of 8)", "s"),
@@ -155,11 +155,11 @@ def aims_table(peers, figures, build):
     return table(["what", "aim", "measured"], *rows)
 
 
-WITHDRAWN = """A fifth of `make build` is one file: the reference engine, with Boost.Odeint's templates for each model and law. The aims
+WITHDRAWN = """The dearest file of `make build` is the reference engine, with Boost.Odeint's templates for each model and law. The aims
 of designs (above) are from a machine with a clock of 4.2 GHz.
 
 Earlier aims were withdrawn: 14 times the fastest other solver, and Figure 4 in 50 s of processor time. The ideas for both
-were tried one after the other ([numerics.md](../numerics.md#other-classes-of-methods)). What a point costs beyond that are
+were tried one after the other ([numerics.md](../numerics.md#what-was-tried)). What a point costs beyond that are
 checks which its numbers need: a scan for all gaps that carry the load, and values computed again for their errors."""
 
 
@@ -272,9 +272,8 @@ drawing adds a few seconds each. A point of the dearest one, {dearest['name']}, 
 - Time is proportional to the number of points, and shorter in proportion to the number of cores.
 - A second run computes only the points that no result or journal in the folder has.
 - Stiff bristles that bounce often, gaps near a jump, and bristles pinned at the pole take longest: some points take
-  fifty times as long as others. `run` names a point that takes longer than five minutes.
-- `--tier smoke` takes seconds. A larger `orientation.rtol` saves little: ten times the tolerance saves 4 % of the
-  passages of Figure 4's smoke tier, as most panels of azimuths are as wide as they may be.{without}"""
+  many times as long as others. `run` names a point that takes longer than five minutes.
+- `--tier smoke` takes seconds. A larger `orientation.rtol` saves little, as most panels of azimuths are as wide as they may be.{without}"""
 
 
 def contact_rows(engine):
