@@ -96,51 +96,37 @@ def in_two_digits(value):
     return number(value, ".2g")
 
 
-def of_rods(values, text=in_two_digits):
-    """The value for rods; in brackets the range over the models, if these differ in the digits that are shown."""
-    found = dict(zip(READINGS, values))
-    of_all = span(list(found.values()), text)
-    return text(found["rod"]) + (f" ({of_all} with the three models)" if of_all != text(found["rod"]) else "")
-
-
-def over_models(file, **quantity):
-    return [measured(file, reading, quantity)[0] for reading in READINGS]
-
-
 TESTED = "4 to 36", "3 to 20"  # k_r/k_phi and local friction for which docs/lift-off.md compares the formula with computed loads
-BOUNCING, CONTACT = {"off_slab_share": [0.5, 1]}, {"off_slab_share": [0, 0.05]}  # the phases
 
 
 def two_phases(file, _):
     words, phases = flags(dataset(file, "phase"))
     number_of = {word: int(np.sum(np.asarray(phases) == i)) for i, word in enumerate(words)}
-    off = over_models(file, predicate="level", variable="off_slab_share", along="R_n_target", where=BOUNCING)
-    others = "" if len({percent(one) for one in off}) == 1 else f" (the other models {span(off[:-1], percent)})"
+    share = {"predicate": "level", "variable": "off_slab_share", "along": "R_n_target", "where": {"off_slab_share": [0.5, 1]}}
+    off = [measured(file, reading, share)[0] for reading in READINGS]
     points = sum(number_of[word] for word in ("contact", "bouncing", "mixed"))
     local = read(file, "R_x") / read(file, "R_x_norm") / read(file, "R_n")
     return ("**Under strong local friction a brush is in contact or bounces.** In contact the tips stay on the slab and drag along it. "
-            f"Bouncing rods are off the slab for {percent(off[-1])} of the time{others}. Of the {points} points of `make load`, at which rigid bristles "
-            f"would have a friction coefficient of {span([np.nanmin(local), np.nanmax(local)], in_two_digits)}, "
-            f"{number_of['mixed'] or 'none'} {'is' if number_of['mixed'] < 2 else 'are'} in between.")
+            f"Bouncing, they are off the slab for {span(off, percent)} of the time. Of the {points} points of `make load`, with local friction from "
+            f"{span([np.nanmin(local), np.nanmax(local)], in_two_digits)}, {number_of['mixed'] or 'none'} "
+            f"{'is' if number_of['mixed'] < 2 else 'are'} in between.")
 
 
 def sliding_easily(file, _):
     words, phases = flags(dataset(file, "phase"))
     friction, over_lift_off = read(file, "R_x_norm"), read(file, "load_over_lift_off")
     rods = axis_values(file, "bending").index("rod")
+
     def span_of(phase, chosen=True):
         there = (np.asarray(phases) == list(words).index(phase)) & chosen & np.isfinite(friction)
         return span(friction[rods][there[rods]], in_two_digits) if there[rods].any() else ""
-    spans = span_of("bouncing", over_lift_off >= 0.5), span_of("contact")
-    if not all(spans):
+
+    bouncing, contact = span_of("bouncing", over_lift_off >= 0.5), span_of("contact")
+    if not (bouncing and contact):
         return ""
-    means = {"predicate": "level", "variable": "R_x_norm", "along": "R_n_target"}
-    easily, dragging = (dict(zip(READINGS, over_models(file, **means, where=where)))
-                        for where in ({**BOUNCING, "load_over_lift_off": [0.5, 2]}, CONTACT))
-    return ("**Bouncing brushes slide easily.** Under loads of at least half the lift-off load, bouncing rods have "
-            f"{in_two_digits(easily['rod'])} times the friction of rigid bristles, {spans[0]} over stiffness and load; the means of the "
-            f"three models are {span(list(easily.values()), in_two_digits)}. In contact rods have {in_two_digits(dragging['rod'])} times, "
-            f"{spans[1]}. The stiffness decides whether a brush bounces, and matters less within either phase.")
+    return (f"**Bouncing brushes slide easily.** Bouncing rods have {bouncing} times the friction of rigid bristles, under loads of at least "
+            f"half the lift-off load; in contact they have {contact} times. The stiffness decides whether a brush bounces, and matters less "
+            "within either phase.")
 
 
 def formula(file, _):
@@ -148,23 +134,18 @@ def formula(file, _):
     of_springs = attribute(load, "long_name").partition(": ")[2]
     scatter = float(np.nanmax(read(file, "lift_off_load_err") / read(file, "lift_off_load")))
     return ("**A formula says which.** A brush onto which the slab is lowered bounces if its load per bristle is less than the lift-off "
-            f"load, {of_springs}, with the radial and polar stiffness k_r and k_phi (dimensionless; root mean square error "
-            f"{percent(scatter)} for k_r/k_phi of {TESTED[0]} and local friction of {TESTED[1]}: docs/lift-off.md). Stiffer bristles bounce under "
-            "greater loads.")
+            f"load, {of_springs}, with the dimensionless radial and polar stiffness k_r and k_phi. Its root mean square error is "
+            f"{percent(scatter)} for k_r/k_phi from {TESTED[0]} and local friction from {TESTED[1]} (docs/lift-off.md). Stiffer bristles "
+            "bounce under greater loads.")
 
 
 def bristles_that_differ(file, _):
-    loads = axis_values(file, "R_n_target")
     loading, unloading = (select(dataset(file, "R_x_norm"), ["sample", "R_n_target"], path=path) for path in ("loading", "unloading"))
-    factor = unloading / loading
     widths = {text: read(file, name) for text, name in (("length", "scatter_r0"), ("modulus", "scatter_E"))}
-    two = np.flatnonzero((factor >= 2).all(axis=0))
-    if not two.size:
+    if not (unloading / loading >= 2).all(axis=0).any():
         return ""
-    names = " or ".join(f"{percent(width.max())} of the {text}" for text, width in widths.items())
-    return (f"The two remain if the bristles of a brush differ: with standard deviations of up to {names} the larger friction is "
-            f"{in_two_digits(factor[:, two].min())} to {in_two_digits(factor[:, two].max())} times the smaller under loads "
-            f"from {loads[two[0]]:.2g} to {loads[two[-1]]:.2g}.")
+    names = " or ".join(f"{percent(width.max())} in {text}" for text, width in widths.items())
+    return f"Both remain if the bristles of a brush differ, by standard deviations of up to {names}."
 
 
 def weak_friction(file, _):
