@@ -21,7 +21,7 @@ from in_process import called
 from bristle import BristleError, open_result
 from bristle.figures import fig4, module_of
 from bristle.integrity import read_group
-from bristle.plotting.layout import HEADER, WIDEST
+from bristle.plotting.layout import HEADER
 from bristle.plotting.page import LEAST_POINTS
 from bristle.plotting.readings import pages
 from bristle.plotting.verdicts import STRIP
@@ -60,7 +60,17 @@ def check_draws(name, result):
             figure = draw(ds)
             figure.savefig(png := io.BytesIO(), format="png", dpi=40)
             assert len(png.getvalue()) > 5_000
-            assert figure.get_figwidth() < WIDEST + 0.3, f"{name}: letters are small where the figure is 1000 pixels wide"
+            pixels, text = smallest_letter(figure)
+            assert pixels > 8.9, f"{name}: letters of {pixels:.1f} pixels where the figure is 1000 pixels wide: {text}"
+
+
+def smallest_letter(figure):
+    """The size in pixels of the smallest letter where the figure is 1000 pixels wide, and its text; mathtext draws subscripts at 0.7."""
+    def size(text):
+        return text.get_fontsize() * (0.7 if re.search(r"\$.*[_^].*\$", text.get_text()) else 1)
+
+    smallest = min((text for text in figure.findobj(Text) if text.get_visible() and text.get_text()), key=size)
+    return size(smallest) * 1000 / 72 / figure.get_figwidth(), smallest.get_text()
 
 
 def drawings(name):

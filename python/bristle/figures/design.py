@@ -8,7 +8,7 @@ from matplotlib.colors import to_rgba
 from ..errors import BristleError
 from ..plotting.curves import title_axis
 from ..plotting.layout import Cell, across, corners, heading, place_cell, sheet
-from ..plotting.page import lettered
+from ..plotting.page import lettered, points
 from ..plotting.readings import one_page
 from ..plotting.style import COLOURS, bar_looks, displayed, label, value_ticks
 from ..results import attribute, place_of, table, table_with
@@ -121,6 +121,6 @@ def draw_indices(axes, indices, trials):
         one = indices.isel(objective=i)
         axes.bar(at, np.nan_to_num(one["ST"]), width * 0.9, yerr=np.nan_to_num(one["ST_err"]), error_kw={"linewidth": 0.8}, **look,
                  label=label(trials[f"objective_{i + 1}"]))
-    axes.set_xticks(range(len(inputs)), [f"${attribute(trials[name], 'symbol')}$" for name in inputs])
+    axes.set_xticks(range(len(inputs)), [f"${attribute(trials[name], 'symbol')}$" for name in inputs], fontsize=points(10))
     axes.set_ylabel("total Sobol index\nover the tolerances")
     axes.legend(frameon=False)

@@ -78,7 +78,7 @@ def passages_page(file, reading, selected, more=""):
 
 def arrangement(columns):
     if paper_width() is None:
-        return Arrangement(1.05 + columns * 4, 10.9, 0.95, 3.65, 0.35, 0.8, (7.75, 2.9), (6.05, 1.55), (0.9, 1.45, 1.55))
+        return Arrangement(1.3 + columns * 3.1, 10.9, 0.85, 2.8, 0.3, 0.5, (7.75, 2.9), (6.05, 1.55), (0.9, 1.45, 1.55))
     left, gap = 0.62, 0.1
     column = (paper_width() - left - 0.08) / columns - gap
     tall, from_above = 0.35 * column + 0.5, 0.6 * column + 0.2
@@ -220,6 +220,8 @@ def draw_history(rows, file, passages, passage, load, first):
 def scale_rows(rows, passages):
     """The same logarithmic ranges in all columns; friction has both signs."""
     speed, normal, friction = rows
+    for axes in rows:
+        axes.tick_params(axis="y", labelsize=points(10))  # powers of ten, whose exponents are small
     for axes, name, least in ((speed, "V_R", LEAST_SPEED), (normal, "F_n", LEAST_FORCE)):
         low, high = extent(passages, [name], 0)
         axes.set_yscale("log")

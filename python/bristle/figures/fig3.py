@@ -64,8 +64,8 @@ def arrangement(panels):
     """Width and height of the figure, and corner and size of its panels, the main one first; in inches."""
     width = paper_width()
     if width is None:
-        side = [(7.65, 1.35, 3.3, 4.6)] if panels == 2 else [(7.65, 4.1, 3.3, 1.85), (7.65, 1.35, 3.3, 1.85)]
-        return 11.2 if panels > 1 else 7.2, 6.25, [(0.8, 1.35, 5.9, 4.6), *side]
+        side = [(7.35, 1.35, 3.1, 4.6)] if panels == 2 else [(7.35, 4.1, 3.1, 1.85), (7.35, 1.35, 3.1, 1.85)]
+        return 10.7 if panels > 1 else 7.2, 6.25, [(0.8, 1.35, 5.6, 4.6), *side]
     if width >= 2 * LEAST_CELL or panels == 1:
         main = width - (0.7 if panels == 1 else 0.38 * width + 0.4)
         tall, x = 0.8 * main, main + 1.15

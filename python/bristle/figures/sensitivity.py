@@ -9,7 +9,7 @@ from ..errors import BristleError
 from ..plotting import style
 from ..plotting.curves import log_axis, title_axis
 from ..plotting.layout import Cell, across, corners, heading, legend_at_foot, place_cell, sheet
-from ..plotting.page import lettered, paper_width
+from ..plotting.page import lettered, paper_width, points
 from ..plotting.readings import AXIS, one_page, reading_name, readings
 from ..plotting.style import bar_looks, label, looks
 from ..results import axis_names, axis_values, dataset, flags, place_of, readable, table, table_with
@@ -124,7 +124,7 @@ def draw_indices(axes, file, output, indices, _place):
         axes.set_ylim(0, 1)
     low, high = axes.get_ylim()
     axes.set_ylim(max(low, -0.5), min(high, 1.5))  # errors of few blocks are large
-    axes.set_xticks(range(len(inputs)), [symbol(file, name) for name in inputs])
+    axes.set_xticks(range(len(inputs)), [symbol(file, name) for name in inputs], fontsize=points(10))
     axes.set_ylabel("share of the variance")
     return f"Sobol indices of {symbol(file, output)}"
 
@@ -142,7 +142,7 @@ def draw_dots(axes, file, output, indices, place):
         style = dict(linestyle="", marker=look.marker, color=look.colour, markeredgewidth=0)
         axes.plot(x[here & ~independent], y[here & ~independent], markersize=1.8, alpha=0.15, rasterized=x.size > MOST_DOTS, **style)
         axes.plot(x[here & independent], y[here & independent], markersize=3, alpha=0.8, label=PHASES.get(phase, phase), **style)
-    axes.legend(loc="best", fontsize=8, markerscale=1.5)
+    axes.legend(loc="best", markerscale=1.5)
     if not words and x.min() > 0 and x.max() / x.min() > 8:
         log_axis(axes, "x", data)
     else:

@@ -33,7 +33,7 @@ def draw(file):
         found = draw_panel(axes, file, law, name, along, other)
         if paper_width() is None:
             loc, columns = ("upper left", 1) if along == "R_n_N" else ("upper center", 2)
-            legend(axes, found, loc=loc, ncol=columns)
+            legend(axes, found, loc=loc, ncol=columns, handlelength=2, columnspacing=1)
         else:  # no room in the panels
             lines, texts = axes.get_legend_handles_labels()
             entries |= dict(zip(texts, lines))

@@ -18,7 +18,7 @@ LEGEND_INCHES = 0.3
 def draw(file):
     shown, stiffness = lettered(readings(file)), dataset(file, "k_r")
     below = LEGEND_INCHES if paper_width() is None else 0  # of the legend
-    cell, columns = across(len(shown), Cell(5.3, PANEL_INCHES[1] + 0.95, 0.8, 0.7, *PANEL_INCHES), 0.62)
+    cell, columns = across(len(shown), Cell(5.1, PANEL_INCHES[1] + 0.95, 0.8, 0.7, *PANEL_INCHES), 0.62)
     figure, bottom = sheet(file, cell.width * columns, cell.height * -(-len(shown) // columns) + below, NOTE)
     entries, first = {}, None
     for (letter, reading), corner in zip(shown, corners(len(shown), columns, cell, bottom + below)):

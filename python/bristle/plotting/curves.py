@@ -213,7 +213,7 @@ def log_range(axes, which, low, high):
 def label_line(axes, x, y, power, string, colour=GREY, **look):
     """A text along the line y ~ x^power, at a point of the plot."""
     angle = np.degrees(np.arctan2(power * y, x))
-    axes.text(x, y, string, color=colour, rotation=angle, rotation_mode="anchor", fontsize=points(9),
+    axes.text(x, y, string, color=colour, rotation=angle, rotation_mode="anchor", fontsize=points(10),
               transform_rotates_text=True, **{"va": "bottom", **look})
 
 
@@ -280,7 +280,7 @@ def panels_by_reading(file, panel, alone, note):
     """
     shown = lettered(readings(file))
     width, height = panel if len(shown) > 1 else alone
-    cell, columns = across(len(shown), Cell(width + 1.1, height + 1.05, 0.95, 0.65, width, height), 0.62)
+    cell, columns = across(len(shown), Cell(width + 1, height + 1.05, 0.87, 0.65, width, height), 0.62)
     rows = -(-len(shown) // columns)
     figure, bottom = sheet(file, cell.width * columns + 0.1, cell.height * rows, note)
     out = []

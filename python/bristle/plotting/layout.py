@@ -11,18 +11,21 @@ from ..results import as_text
 from .page import is_plain, paper_width, points
 from .readings import reading_name
 from .remarks import pinned_note, start_note, validity_note
-from .style import GREY, wrapped
+from .style import GREY, lines_within, wrapped
 from .verdicts import draw_strip, read_claims, strip_height
 
 NO_VALUE = "no value: "  # begins the legend of a status without a value
 HEADER, NOTE = "header", "note"  # gids of the texts of the header, of the note's lines
-TITLE_INCHES, CAPTION_INCHES, NOTE_INCHES = 0.32, 0.22, 0.18  # line heights
+TITLE_INCHES, CAPTION_INCHES, NOTE_INCHES = 0.32, 0.22, 0.2  # line heights
+
+SIDE = 0.3  # inches beside header and note
+NOTE_LOOK = dict(fontsize=10, color=GREY)
 
 # The room of one panel in inches: its size, and within it the corner and the size of the axes.
 Cell = namedtuple("Cell", "width height left low inner_width inner_height")
 PLAIN_INCHES = 0.05  # above the plots of a figure without header
-WIDEST = 13.8  # inches of a standard figure's panels: letters of 9 points have 9 pixels if it is shown 1000 pixels wide
-LEAST_AXES = 2.8  # inches of the axes of a standard figure's panel
+WIDEST = 10.5  # inches of a standard figure's panels: of LEAST_POINTS, subscripts have 9 pixels if it is shown 1000 pixels wide
+LEAST_AXES = 2.5  # inches of the axes of a standard figure's panel
 LEAST_CELL = 2.9  # inches of a paper's width that a panel needs
 
 
@@ -60,16 +63,15 @@ def sheet(file, width, body, note="", reading=None, verdicts=True, title=None):
     if is_plain():
         return Figure(figsize=(paper_width() or width, body + PLAIN_INCHES)), 0
     claims = read_claims(file) if verdicts else []
-    characters = int(15 * (width - 0.6))
     note = "\n".join(filter(None, [note, start_note(file), pinned_note(file, reading), validity_note(file, reading)]))
-    lines = [line for part in note.splitlines() for line in wrapped(part, characters).splitlines()]
+    lines = [line for part in note.splitlines() for line in lines_within(part, width - 2 * SIDE, NOTE_LOOK)]
     bottom = strip_height(claims, width) + (NOTE_INCHES * len(lines) + 0.1 if lines else 0)
     header = header_lines(file, width, reading, title)
     height = bottom + body + header_height(header)
     figure = Figure(figsize=(width, height))
     draw_header(figure, header)
     for i, line in enumerate(lines):
-        figure.text(0.3 / width, (bottom - NOTE_INCHES * i) / height, line, va="top", fontsize=9, color=GREY, gid=NOTE)
+        figure.text(SIDE / width, (bottom - NOTE_INCHES * i) / height, line, va="top", gid=NOTE, **NOTE_LOOK)
     draw_strip(figure, claims)
     return figure, bottom
 
@@ -77,11 +79,11 @@ def sheet(file, width, body, note="", reading=None, verdicts=True, title=None):
 def header_lines(file, width, reading=None, title=None):
     """Lines that fit a figure of this width (inches), each with its height (inches) and look."""
     own, caption = (as_text(file.attrs.get(name, "")) for name in ("title", "caption"))
-    parts = ((title or own, 9, TITLE_INCHES, dict(fontsize=14)),
-             (reading_name(reading or {}), 14, CAPTION_INCHES + 0.03, dict(fontsize=11, weight="bold")),
-             (caption, 14, CAPTION_INCHES, dict(fontsize=10)))
-    return [(line, height, look) for string, density, height, look in parts
-            for line in wrapped(string, int(density * width)).splitlines()]
+    parts = ((title or own, TITLE_INCHES, dict(fontsize=14)),
+             (reading_name(reading or {}), CAPTION_INCHES + 0.03, dict(fontsize=11, weight="bold")),
+             (caption, CAPTION_INCHES, dict(fontsize=10)))
+    return [(line, height, look) for string, height, look in parts if string
+            for line in lines_within(string, width - 2 * SIDE, look)]
 
 
 def header_height(lines):

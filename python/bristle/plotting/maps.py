@@ -81,7 +81,7 @@ def draw_maps(file, names, reading, chosen=None, note=""):
     panels, size = lettered(names), (COLUMN_INCHES[0], MAP_INCHES if maps_only() else COLUMN_INCHES[1])
     cell, columns = across(len(panels), Cell(*size, 0, 0, *size), 0.6 if maps_only() else 0.48)
     rows, below = -(-len(panels) // columns), legend_inches()
-    figure, bottom = sheet(file, cell.width * columns + 0.1, below + cell.height * rows, note, reading)
+    figure, bottom = sheet(file, cell.width * columns + 0.25, below + cell.height * rows, note, reading)
     figure.maps = True
     entries = {}
     for (letter, name), corner in zip(panels, corners(len(panels), columns, cell, bottom + below)):

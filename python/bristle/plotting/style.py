@@ -48,7 +48,7 @@ LOOK = {
     "axes.prop_cycle": matplotlib.cycler(color=COLOURS),
     "xtick.labelsize": 9,
     "ytick.labelsize": 9,
-    "legend.fontsize": 9,
+    "legend.fontsize": 10,
     "legend.frameon": False,
     "legend.handlelength": 2.8,  # shows how a line is dashed
     "axes.formatter.useoffset": False,
@@ -187,10 +187,11 @@ def lines_within(string, inches, look):
 
 
 def with_whole_formulas(string):
-    """The string with \0 for spaces within formulas, at which it is not broken; not valid as mathtext, it has none."""
+    """The string with \0 for spaces at which it is not broken: within formulas, and before the unit of a value; a string
+    that is not valid as mathtext has no formulas."""
     if string.count("$") % 2 or not is_math(string):
         string = string.replace("$", r"\$")
-    return re.sub(r"\$[^$]+\$", lambda formula: formula.group().replace(" ", "\0"), string)
+    return re.sub(r"\$[^$]+\$( (?=[A-Za-z/^$\d]+(,|$)))?", lambda formula: formula.group().replace(" ", "\0"), string)
 
 
 def text_inches(string, look):

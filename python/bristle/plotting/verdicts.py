@@ -44,9 +44,9 @@ BASELINE_INCHES = 0.13  # below the top of a line
 RULE_INCHES = 0.06  # below the titles
 MARGIN, STATEMENT = 0.3, 0.85  # inches, where claims and statements begin
 GAP = 0.25  # inches between columns
-LEAST_STATEMENT = 3.4  # inches; in figures with less room the numbers are below the statement
+LEAST_STATEMENT = 2.6  # inches; in figures with less room the numbers are below the statement
 STRIP = "strip"  # gid of the strip's axes
-TITLE, TEXT = dict(color=GREY, fontsize=9), dict(fontsize=9.5)  # looks of texts
+TITLE, TEXT = dict(color=GREY, fontsize=10), dict(fontsize=10)  # looks of texts
 
 # A row of the strip. statement: a text, and in the Strip its lines; cells: (text, look) in each column after it.
 Row = namedtuple("Row", "claim statement cells look")
