@@ -17,6 +17,7 @@ PROGRAM = os.environ.get("BRISTLE_PLOT", "plot")  # the name by which scripts/pl
 DPI_RANGE = 30, 2400
 
 ANIMATED = ("fig2", "bristles")  # figures whose results have trajectories
+OF_ANY_RESULT, DEFAULT_Y = ("curve", "map"), "R_x_norm"  # figures of a variable of any result
 
 
 def run(main, program=None):
@@ -38,7 +39,7 @@ def draw_figure():
     for_paper = arguments.plain or arguments.width is not None
     directory = arguments.directory or ("figures/paper" if for_paper else "figures")
     variable = {} if arguments.y is None else {"y": arguments.y}
-    if variable and arguments.figure not in ("curve", "map"):
+    if variable and arguments.figure not in OF_ANY_RESULT:
         raise BristleError(f"--y {arguments.y}: only the figures curve and map have a variable to choose, not {arguments.figure}")
     apply_look()
     module = module_of(arguments.figure)
@@ -55,8 +56,17 @@ def draw_figure():
         for ending, function in reversed({"": module.draw, **further}.items()):
             drawn = pages(function, file, plain=arguments.plain, width=arguments.width, panels=arguments.panels,
                           maps_only=arguments.maps_only, cmap=arguments.cmap, **variable)
-            written += save_pages(drawn, directory, "-".join(filter(None, [arguments.figure, ending])), arguments.formats,
+            written += save_pages(drawn, directory, "-".join(filter(None, [name_of(arguments), ending])), arguments.formats,
                                   arguments.dpi, (title_of(module, file, ending), source), written)
+    print(", ".join(os.path.join(directory, name) for name in written))
+
+
+def name_of(arguments):
+    """The name of the files: of a figure of any result with the result and the variable."""
+    if arguments.figure not in OF_ANY_RESULT:
+        return arguments.figure
+    result = os.path.splitext(os.path.basename(arguments.result))[0]
+    return "-".join([result, arguments.figure, arguments.y or DEFAULT_Y])
 
 
 def form_of(arguments, parser):
@@ -96,7 +106,8 @@ def figure_parser():
     parser.add_argument("figure", metavar="FIGURE", type=figure, help=", ".join(FIGURES))
     parser.add_argument("result", metavar="RESULT.h5", help="result file of `bristle run`")
     parser.add_argument("-o", dest="directory", metavar="DIRECTORY",
-                        help="where to write FIGURE.pdf and FIGURE.png, and a PNG for each further page (default: "
+                        help="where to write FIGURE.pdf and FIGURE.png (of curve and map RESULT-FIGURE-VARIABLE.pdf, .png), and "
+                             "a PNG for each further page (default: "
                              "figures; with --plain or --width: figures/paper); with --animate also a file")
     parser.add_argument("--plain", action="store_true", help="without title, notes and verdicts")
     parser.add_argument("--width", type=width, metavar="WIDTH",
@@ -107,7 +118,7 @@ def figure_parser():
     parser.add_argument("--panels", metavar="LETTER,...", help="only these panels of the figure, with letters anew, such as a,d")
     parser.add_argument("--maps-only", action="store_true", help="maps without the surfaces above them")
     parser.add_argument("--cmap", metavar="NAME", help="matplotlib's colour map for maps and surfaces (default: viridis)")
-    parser.add_argument("--y", metavar="VARIABLE", help="what the figures curve and map draw (default: R_x_norm)")
+    parser.add_argument("--y", metavar="VARIABLE", help=f"what the figures curve and map draw (default: {DEFAULT_Y})")
     parser.add_argument("--caption", action="store_true", help="draws nothing, but prints a caption in LaTeX for each page")
     parser.add_argument("--animate", action="store_true",
                         help="only fig2 and bristles: the bristles under the moving slab instead of the figure, as FIGURE.gif or as the .gif, .webp or "

@@ -3,6 +3,7 @@
 #include "archive/contents.hpp"
 #include "archive/crate.hpp"
 #include "archive/result_facts.hpp"
+#include "results/reader.hpp"
 #include "run/provenance.hpp"
 #include "util/error.hpp"
 #include "util/text.hpp"
@@ -42,6 +43,9 @@ class Verifier {
   Verification run() {
     try {
       bytes_ = read_archive(path_);
+      if (bytes_.starts_with(results::result_file().start))
+        throw InputError(fmt::format("{}: is a result, not an archive; `bristle info {}` checks its digest",
+                                     path_, shell_quoted(path_)));
       files_ = read_tar(bytes_);
       out_.folder = strip_folder(files_);
     } catch (const MalformedError& e) {

@@ -39,7 +39,8 @@ bool report_claims(const CheckOptions& options, const std::vector<claims::CheckR
   const auto further =
       std::ranges::count_if(checks, [](const claims::CheckResult& c) { return !c.check.main; });
   if (further > 0 && !options.all)
-    fmt::print("{} further verdicts decide nothing; --all prints them\n", further);
+    fmt::print("{} further verdicts decide nothing; `bristle check {} --all` prints them\n", further,
+               shell_quoted(options.file));
   std::vector<std::pair<std::string, std::map<Verdict, int>>> counts;  // by reading
   for (const claims::ClaimVerdict& c : claims::claim_verdicts(checks)) {
     auto of_reading = std::ranges::find(counts, c.reading, [](const auto& one) { return one.first; });

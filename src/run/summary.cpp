@@ -35,6 +35,8 @@ void Summary::add(const results::PointRecord& record, std::size_t index) {
     if (share > largest_pinned_share_) largest_pinned_share_ = share;
   }
   pinned_ += pinned;
+  judged_ += std::ranges::any_of(record.at(kValidity.front().name),
+                                 [](double flag) { return flag != double(Exceeds::unknown); });
   for (std::size_t row = 0; row < kValidity.size(); ++row)
     exceeding_[row] += std::ranges::count(record.at(kValidity[row].name), double(Exceeds::yes)) > 0;
   ++points_;
@@ -113,10 +115,11 @@ void Summary::report_validity() const {
   std::string text;
   for (std::size_t row = 0; row < kValidity.size(); ++row)
     if (exceeding_[row] > 0)
-      text += fmt::format("{}{} ({} of {} points)", text.empty() ? "" : ", ", kValidity[row].meaning,
-                          exceeding_[row], points_);
+      text += fmt::format("{}{} ({})", text.empty() ? "" : ", ", kValidity[row].meaning, exceeding_[row]);
   if (!text.empty())
-    write_message(fmt::format("{}: beyond limits of the model (docs/results-format.md): {}\n", path_, text));
+    write_message(fmt::format(
+        "{}: beyond limits of the model (docs/results-format.md), of {} points with a value: {}\n", path_,
+        judged_, text));
 }
 
 }  // namespace bristle::run

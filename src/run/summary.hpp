@@ -51,6 +51,7 @@ class Summary {
   results::Phases phases_;                // phases of all points and nodes
   std::size_t pinned_ = 0;                // points at which pinned bristles carry more than a tenth of R_x
   double largest_pinned_share_ = 0;
+  std::size_t judged_ = 0;  // points with a value, to which the limits of the model apply
   std::array<std::size_t, kValidity.size()> exceeding_{};  // number of points beyond each limit
 };
 

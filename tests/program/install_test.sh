@@ -40,8 +40,8 @@ rm "$empty/paper.json"
 # The figures, from the installed package.
 expect 0 "" in_empty env PYTHONPATH="$prefix/lib/python3/dist-packages" "$python" -m bristle fig4 results/fig4-smoke.h5 -o plots
 [ -s "$empty/plots/fig4.pdf" ] || failed "no plots/fig4.pdf"
-expect 0 "" in_empty bristle-plot curve results/fig4-smoke.h5 --format png -o command
-[ -s "$empty/command/curve.png" ] || failed "bristle-plot: no command/curve.png"
+expect 0 "command/fig4-smoke-curve-R_x_norm.png" in_empty bristle-plot curve results/fig4-smoke.h5 --format png -o command
+[ -s "$empty/command/fig4-smoke-curve-R_x_norm.png" ] || failed "bristle-plot: no command/fig4-smoke-curve-R_x_norm.png"
 expect 2 "bristle-plot: error: results/none.h5: no such file" in_empty bristle-plot fig4 results/none.h5
 expect 0 "('mu_c',)" in_empty env PYTHONPATH="$prefix/lib/python3/dist-packages" "$python" -c \
   'from bristle import run; print(run("paper.json", quiet=True, mu_c=[1], orientation={"rtol": 0.1})["R_x"].dims)'

@@ -61,7 +61,7 @@ assert [int(number) for number in said] == found, f"the summary's numbers are {s
 matrix = json.loads((root / "reference" / "assumptions.json").read_text(encoding="utf-8"))
 conclusions, in_one_line = matrix["conclusions"], " ".join(readme.split())
 reversed_by_some = sum(bool(one["other"]) for one in conclusions if one["conclusion"] != "open")
-said = re.search(r"For (\d+) of the (\d+) checks of its claims at least one alternative choice reverses", in_one_line).groups()
+said = re.search(r"another choice reverses the verdict of (\d+) of the (\d+) checks", in_one_line).groups()
 assert [int(number) for number in said] == [reversed_by_some, len(conclusions)], \
     f"README.md: alternatives reverse {said}, not {reversed_by_some} of {len(conclusions)} verdicts"
 holding = [claim for claim, verdicts in rows.items() if set(verdicts) == {"supported"}]
@@ -69,7 +69,7 @@ of_claim = {claim: [one for one in conclusions if matrix["checks"][one["check"]]
                     and matrix["checks"][one["check"]]["role"] == "main"] for claim in holding}
 kept = [claim for claim, found in of_claim.items()
         if found and all(one["baseline"] == "supported" and not one["other"] for one in found)]
-number, said = re.search(r"of the (\d+) claims that hold, no alternative reverses (.*?) \(", in_one_line).groups()
+number, said = re.search(r"Of the (\d+) claims that hold, no other choice reverses \w+: (.*?) \(", in_one_line).groups()
 assert (int(number), re.findall(r"\w+", said.replace(" and ", " "))) == (len(holding), kept), \
     f"README.md: no alternative reverses {said}, not {', '.join(kept)} of {len(holding)} claims"
 

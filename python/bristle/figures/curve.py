@@ -37,5 +37,6 @@ def draw_variable(file, name):
     shown = np.unique(np.linspace(0, len(choices) - 1, min(MOST, len(choices))).round().astype(int))
     curves = {in_words(file, choices[i]): choices[i] for i in shown}
     line = np.asarray(axes[along], dtype=float)
-    log = (line > 0).all() and line.max() >= 10 * line.min()
+    equal_steps = np.ptp(np.diff(line)) < 1e-6 * np.ptp(line)
+    log = (line > 0).all() and line.max() >= 10 * line.min() and not equal_steps
     return draw_panels(with_displayed(file, name), [name], along, curves, x_axis=log_axis if log else title_axis)

@@ -57,7 +57,7 @@ def readings_of(found):
 
 def in_short(found):
     """What a reader should know first, of the results that are there, each finding as a sentence or several."""
-    findings = [[("load", two_phases)], [("load", sliding_easily)], [("liftoff", formula)],
+    findings = [[("load", two_phases)], [("liftoff", formula)], [("load", sliding_easily)],
                 [("hysteresis", two_frictions), ("scatter", bristles_that_differ)], [("chart", weak_friction)]]
     return [" ".join(leading + sentences(found, more)) for first, *more in findings if (leading := sentences(found, [first]))]
 
@@ -107,8 +107,8 @@ def two_phases(file, _):
     points = sum(number_of[word] for word in ("contact", "bouncing", "mixed"))
     local = read(file, "R_x") / read(file, "R_x_norm") / read(file, "R_n")
     return ("**Under strong local friction a brush is in contact or bounces.** In contact the tips stay on the slab and drag along it. "
-            f"Bouncing, they are off the slab for {span(off, percent)} of the time. Of the {points} points of `make load`, with local friction from "
-            f"{span([np.nanmin(local), np.nanmax(local)], in_two_digits)}, {number_of['mixed'] or 'none'} "
+            f"Bouncing, they are off the slab for {span(off, percent)} of the time. Of the {points} points of `make load` that carry their load, "
+            f"with local friction from {span([np.nanmin(local), np.nanmax(local)], in_two_digits)}, {number_of['mixed'] or 'none'} "
             f"{'is' if number_of['mixed'] < 2 else 'are'} in between.")
 
 
@@ -121,22 +121,22 @@ def sliding_easily(file, _):
         there = (np.asarray(phases) == list(words).index(phase)) & chosen & np.isfinite(friction)
         return span(friction[rods][there[rods]], in_two_digits) if there[rods].any() else ""
 
-    bouncing, contact = span_of("bouncing", over_lift_off >= 0.5), span_of("contact")
+    bouncing, contact, k_r = span_of("bouncing", over_lift_off >= 0.5), span_of("contact"), axis_values(file, "k_r")
     if not (bouncing and contact):
         return ""
-    return (f"**Bouncing brushes slide easily.** Bouncing rods have {bouncing} times the friction of rigid bristles, under loads of at least "
-            f"half the lift-off load; in contact they have {contact} times. The stiffness decides whether a brush bounces, and matters less "
-            "within either phase.")
+    return (f"**Bouncing brushes slide easily.** In `make load` (rods, k_r from {k_r[0]:g} to {k_r[-1]:g}) bouncing brushes have {bouncing} times the "
+            f"friction of rigid bristles, under loads of at least half the lift-off load; brushes in contact have {contact} times. The "
+            "stiffness decides whether a brush bounces; among brushes that bounce, and among brushes in contact, it matters less.")
 
 
 def formula(file, _):
     load = dataset(file, "lift_off_load")
     of_springs = attribute(load, "long_name").partition(": ")[2]
     scatter = float(np.nanmax(read(file, "lift_off_load_err") / read(file, "lift_off_load")))
-    return ("**A formula says which.** A brush onto which the slab is lowered bounces if its load per bristle is less than the lift-off "
+    return ("**A formula says when a brush bounces.** A brush onto which the slab is lowered bounces if its load per bristle is less than the lift-off "
             f"load, {of_springs}, with the dimensionless radial and polar stiffness k_r and k_phi. Its root mean square error is "
             f"{percent(scatter)} for k_r/k_phi from {TESTED[0]} and local friction from {TESTED[1]} (docs/lift-off.md). Stiffer bristles "
-            "bounce under greater loads.")
+            "still bounce under greater loads.")
 
 
 def bristles_that_differ(file, _):
@@ -145,7 +145,7 @@ def bristles_that_differ(file, _):
     if not (unloading / loading >= 2).all(axis=0).any():
         return ""
     names = " or ".join(f"{percent(width.max())} in {text}" for text, width in widths.items())
-    return f"Both remain if the bristles of a brush differ, by standard deviations of up to {names}."
+    return f"Both frictions remain if the bristles of a brush differ, by standard deviations of up to {names}."
 
 
 def weak_friction(file, _):
@@ -155,9 +155,9 @@ def weak_friction(file, _):
     uncontrolled = np.flatnonzero(np.minimum.accumulate(least) >= 0.9)
     if not uncontrolled.size:
         return ""
-    return (f"**Weak local friction cannot be controlled.** Up to a local friction coefficient of {in_two_digits(local[uncontrolled[-1]])} "
-            f"rods (k_r = {k_r:g}) have at least {percent(least[uncontrolled[-1]])} of the friction of rigid bristles under all loads from "
-            f"{loads[0]:g} to {loads[-1]:g} that they carry.")
+    return (f"**Weak local friction cannot be controlled.** If the local friction is {in_two_digits(local[uncontrolled[-1]])} or less, as between "
+            f"the steel wires of a brush seal and its shaft, rods (k_r = {k_r:g}) have at least {percent(least[uncontrolled[-1]])} of the friction of "
+            f"rigid bristles, whatever the load ({loads[0]:g} to {loads[-1]:g}).")
 
 
 def limits(file, _):

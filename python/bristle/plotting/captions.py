@@ -10,6 +10,7 @@ from ..results import (CHOICE_NAMES, as_text, attribute, axis_names, axis_values
 from .curves import with_symbol
 from .page import drawn_on
 from .readings import AXIS, reading_name, readings
+from .remarks import pinned_note, validity_note
 from .style import described
 
 # Signs of the result's own texts that mean something to LaTeX, as characters that no text has until in_latex().
@@ -73,7 +74,7 @@ def caption(module, file, reading, page, ending="", chosen=()):
     sentences = [title, "; ".join(shown), f"Plotted over {'; '.join(over)}" if over else "",
                  f"Fixed: {'; '.join([*fixed, with_symbols(file.attrs.get('caption', ''))])}",
                  f"Model{'s' * (len(models) > 1)} of bending: {', '.join(models)}" if models else "", contact(part),
-             marks(module, file, ending), statuses(part) if getattr(module, "STATUSES", True) else ""]
+                 marks(module, file, ending), *remarks(part), statuses(part) if getattr(module, "STATUSES", True) else ""]
     text = in_latex(". ".join(sentence[0].upper() + sentence[1:] for sentence in sentences if sentence))
     return f"% page {page}\n" * bool(page) + f"\\caption{{{text}.}}"
 
@@ -108,6 +109,11 @@ def axis_range(file, name):
     values = f"{line[0]:.4g} to {line[-1]:.4g}" if len(line) > 5 else ", ".join(f"{value:.4g}" for value in line)
     values += "" if units == "1" else f" {units}"
     return f"{title}, {latex_symbol(symbol + ' =')} {values}" if symbol not in ("", name) else f"{title}, {values}"
+
+
+def remarks(file):
+    """What the notes of the standard figure say of the result: pinned bristles, and where the model is beyond its limits."""
+    return [plain(note(file)).removesuffix(".") for note in (pinned_note, validity_note)]
 
 
 def marks(module, file, ending):

@@ -30,19 +30,20 @@ def pinned_note(file, reading=None):
 
 
 def validity_note(file, reading=None):
-    """At how many points the model is beyond each of its limits, see docs/results-format.md; empty if nowhere.
+    """At how many of the points with a value the model is beyond each of its limits, see docs/results-format.md; empty if nowhere.
 
     reading: the choice of bending to which the note is limited.
     """
     parts = []
     for name in (name for name in file if name.startswith("exceeds_")):
         data = file[name].sel(reading or {})
-        beyond = data == data.attrs["flag_meanings"].split().index("yes")
-        if "node" in beyond.dims:  # of a traced curve
-            beyond = beyond.any("node")
+        words = data.attrs["flag_meanings"].split()
+        beyond, judged = data == words.index("yes"), data != words.index("unknown")
+        if "node" in data.dims:  # of a traced curve
+            beyond, judged = beyond.any("node"), judged.any("node")
         if beyond.any():
-            parts.append(f"{data.attrs['long_name'].partition(': ')[2]} ({int(beyond.sum())} of {beyond.size} points)")
-    return f"Beyond limits of the model: {', '.join(parts)}." if parts else ""
+            parts.append(f"{data.attrs['long_name'].partition(': ')[2]} ({int(beyond.sum())})")
+    return f"Beyond limits of the model, of {int(judged.sum())} points with a value: {', '.join(parts)}." if parts else ""
 
 
 def start_note(file):
