@@ -107,8 +107,8 @@ def two_phases(file, _):
     points = sum(number_of[word] for word in ("contact", "bouncing", "mixed"))
     local = read(file, "R_x") / read(file, "R_x_norm") / read(file, "R_n")
     return ("**Under strong local friction a brush is in contact or bounces.** In contact the tips stay on the slab and drag along it. "
-            f"Bouncing, they are off the slab for {span(off, percent)} of the time. Of the {points} points of `make load` that carry their load, "
-            f"with local friction from {span([np.nanmin(local), np.nanmax(local)], in_two_digits)}, {number_of['mixed'] or 'none'} "
+            f"Bouncing, they are off the slab for {span(off, percent)} of the time. Of the {points} points of `make load` with a value "
+            f"(local friction {span([np.nanmin(local), np.nanmax(local)], in_two_digits)}), {number_of['mixed'] or 'none'} "
             f"{'is' if number_of['mixed'] < 2 else 'are'} in between.")
 
 
@@ -125,8 +125,8 @@ def sliding_easily(file, _):
     if not (bouncing and contact):
         return ""
     return (f"**Bouncing brushes slide easily.** In `make load` (rods, k_r from {k_r[0]:g} to {k_r[-1]:g}) bouncing brushes have {bouncing} times the "
-            f"friction of rigid bristles, under loads of at least half the lift-off load; brushes in contact have {contact} times. The "
-            "stiffness decides whether a brush bounces; among brushes that bounce, and among brushes in contact, it matters less.")
+            f"friction of rigid bristles, under loads of at least half the lift-off load; brushes in contact have {contact} times. "
+            "Beyond deciding whether a brush bounces, its stiffness matters less.")
 
 
 def formula(file, _):
@@ -134,7 +134,7 @@ def formula(file, _):
     of_springs = attribute(load, "long_name").partition(": ")[2]
     scatter = float(np.nanmax(read(file, "lift_off_load_err") / read(file, "lift_off_load")))
     return ("**A formula says when a brush bounces.** A brush onto which the slab is lowered bounces if its load per bristle is less than the lift-off "
-            f"load, {of_springs}, with the dimensionless radial and polar stiffness k_r and k_phi. Its root mean square error is "
+            f"load, {of_springs}, with the radial and polar stiffness k_r and k_phi. Its root mean square error is "
             f"{percent(scatter)} for k_r/k_phi from {TESTED[0]} and local friction from {TESTED[1]} (docs/lift-off.md). Stiffer bristles "
             "still bounce under greater loads.")
 
