@@ -1,6 +1,7 @@
 #include "design/drawing.hpp"
 
 #include "bristle/ensemble/phase.hpp"
+#include "results/phases.hpp"
 #include "sampling/rounded.hpp"
 #include "sweep/si.hpp"
 #include "util/text.hpp"
@@ -142,7 +143,7 @@ std::string working_range_text(const std::vector<Working>& range) {
   std::string out;
   for (const Working& one : range) {
     out += fmt::format("  at {:.3g} m/s under {:.3g} N: {}", one.velocity, one.load,
-                       word(BrushPhase(std::lround(one.phase))));
+                       results::name_of(BrushPhase(std::lround(one.phase))));
     if (!std::isnan(one.load_over_lift_off))
       out += fmt::format(", {:.0f} % of its lift-off load", 100 * one.load_over_lift_off);
     if (!std::isnan(one.lift_off_speed))
@@ -159,15 +160,15 @@ std::string drawing_text(const std::vector<Dimension>& dimensions, const Orienta
   if (jump) rows.front().insert(rows.front().end(), {"the gap jumps at", "99 % stay with"});
   bool deviates = false;
   for (const Dimension& one : dimensions) {
-    const std::string units = one.units == "m-2" ? "per m^2" : readable_unit(one.units, one.value).name;
-    const auto size = [&](double value) {
-      return value >= 1e4 ? fmt::format("{:.0f} {}", value, units) : fmt::format("{:.4g} {}", value, units);
-    };
+    const bool is_density = one.units == "m-2";
+    const double unit = is_density ? 1e4 : 1;  // per m^2
+    const std::string units = is_density ? "per cm^2" : readable_unit(one.units, one.value).name;
+    const auto size = [&](double value) { return fmt::format("{:.4g} {}", value / unit, units); };
     const auto tolerance = [&](double relative) {
       if (std::isnan(relative)) return std::string();
       const bool greatest = !std::isnan(one.tolerance) && !one.normal;
       deviates = deviates || !greatest;
-      return fmt::format("{} {:.2g} {}", greatest ? "+-" : "s.d.", relative * one.value, units);
+      return fmt::format("{} {:.2g} {}", greatest ? "+-" : "s.d.", relative * one.value / unit, units);
     };
     std::vector<std::string> jumps;
     if (!std::isnan(one.below)) jumps.push_back(size(one.value * (1 - one.below)));

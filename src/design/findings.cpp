@@ -34,6 +34,13 @@ std::vector<Compared> compared(const Trials& trials, const Findings& found) {
 
 bool differ(const Trial& a, const Trial& b) {
   for (std::size_t o = 0; o < a.objectives.size(); ++o)
+    if (std::abs(a.objectives[o].value - b.objectives[o].value) > a.point_errors[o] + b.point_errors[o])
+      return true;
+  return false;
+}
+
+bool differ_beyond_deviations(const Trial& a, const Trial& b) {
+  for (std::size_t o = 0; o < a.objectives.size(); ++o)
     if (std::abs(a.objectives[o].value - b.objectives[o].value) >
         a.objectives[o].error + b.objectives[o].error)
       return true;

@@ -45,8 +45,12 @@ struct Compared {
 // best trial of the front for each of several objectives. The pointers are into `found`.
 std::vector<Compared> compared(const Trials& trials, const Findings& found);
 
-// Returns true if some objective of two trials differs by more than the sum of its errors.
+// Returns true if some objective of two trials differs by more than the sum of the errors of its points. The
+// deviations are the same for all trials: that they are few makes each value uncertain, not the difference.
 bool differ(const Trial& a, const Trial& b);
+
+// Returns true if some objective of two trials differs by more than the sum of its errors.
+bool differ_beyond_deviations(const Trial& a, const Trial& b);
 
 // Returns true if a trial that meets the constraints differs from the start, see differ().
 bool variables_matter(const Findings& found, const Trial& start);

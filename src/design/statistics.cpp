@@ -36,21 +36,26 @@ Estimate tail_quantile(const std::vector<double>& values, double share, double z
 
 }  // namespace
 
+double mean_square_error(const std::vector<Estimate>& all) {
+  double sum = 0;
+  for (const auto& [value, error] : all) sum += error * error / double(all.size());
+  return sum;
+}
+
 Estimate statistic(Statistic of, const std::vector<Estimate>& all) {
   std::vector<double> values;
-  double sum = 0, sum_of_squares = 0, square_of_errors = 0;
+  double sum = 0, sum_of_squares = 0;
   const double n = double(all.size());
   for (const auto& [value, error] : all) {
     values.push_back(value);
     sum += value;
-    square_of_errors += error * error / n;
   }
   if (std::isnan(sum)) return {kNone, kNone};
   const double mean = sum / n;
   for (const double value : values) sum_of_squares += (value - mean) * (value - mean);
   const double deviation = std::sqrt(sum_of_squares / std::max(n - 1, 1.0));
   const auto with_errors = [&](Estimate e) {
-    return Estimate{e.value, std::sqrt(e.error * e.error + square_of_errors)};
+    return Estimate{e.value, std::sqrt(e.error * e.error + mean_square_error(all))};
   };
   const auto smaller = [](const Estimate& a, const Estimate& b) { return a.value < b.value; };
   switch (of) {

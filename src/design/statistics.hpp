@@ -20,6 +20,10 @@ Estimate value_of(const results::PointRecord& record, const std::string& variabl
 // mean error of the values.
 Estimate statistic(Statistic of, const std::vector<Estimate>& all);
 
+// Returns the mean square of the errors of the values: the part of the square of the error of a statistic
+// that does not come from the number of values.
+double mean_square_error(const std::vector<Estimate>& all);
+
 // Returns the number that the search minimises, for a value of the objective.
 double cost(const Objective& objective, double value);
 

@@ -174,7 +174,7 @@ std::vector<Trial> Trials::evaluate(const std::vector<Values>& nominal) const {
 // Judges a trial by its points: for each row of the trial, the points of all scenarios.
 Trial Trials::judge(const Values& nominal, const Computed* points) const {
   const std::size_t scenarios = this->scenarios(), samples = 1 + deviations_.size();
-  Trial out{nominal, {}, {}, {}, 0, 0, 0};
+  Trial out{nominal, {}, {}, {}, {}, 0, 0, 0};
   const auto record = [&](std::size_t row, std::size_t scenario) -> const results::PointRecord& {
     return points[row * scenarios + scenario].record;
   };
@@ -186,6 +186,7 @@ Trial Trials::judge(const Values& nominal, const Computed* points) const {
   }
   for (const Objective& objective : design_.objectives) {
     std::vector<Estimate> by_scenario;
+    std::vector<double> point_errors;
     for (std::size_t s = 0; s < scenarios; ++s) {
       std::vector<Estimate> values;
       if (objective.of == Statistic::nominal) values.push_back(value_of(record(0, s), objective.variable));
@@ -193,9 +194,11 @@ Trial Trials::judge(const Values& nominal, const Computed* points) const {
         for (std::size_t row = 1; row < samples; ++row)
           values.push_back(value_of(record(row, s), objective.variable));
       by_scenario.push_back(statistic(objective.of, values));
+      point_errors.push_back(std::sqrt(mean_square_error(values)));
     }
     out.scenarios.push_back(worst_scenario(objective, by_scenario));
     out.objectives.push_back(by_scenario[out.scenarios.back()]);
+    out.point_errors.push_back(point_errors[out.scenarios.back()]);
     if (std::isnan(out.objectives.back().value)) out.violation = kInfinity;
   }
   for (const Constraint& c : design_.constraints) {

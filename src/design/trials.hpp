@@ -33,6 +33,7 @@ struct Computed {
 struct Trial {
   Values nominal;
   std::vector<Estimate> objectives;    // value of each objective; NaN if a point that it needs has none
+  std::vector<double> point_errors;    // the part of each objective's error that its points have
   std::vector<std::size_t> scenarios;  // scenario in which each objective is worst
   std::vector<double> constraints;  // each value nearest to its limit, or farthest beyond; infinite: a jump
                                     // margin above its limit; NaN: not computed

@@ -63,7 +63,7 @@ std::string verification_text(const Trials& trials, const Verification& verified
   const std::size_t others = verified.brushes - verified.bouncing - verified.in_contact - verified.missing;
   for (const auto& [count, what] :
        {std::pair(verified.bouncing, "bounce"), std::pair(verified.in_contact, "are in contact"),
-        std::pair(others, "are between the two, or bounce in some scenarios alone")})
+        std::pair(others, "are between contact and bouncing, or bounce in some scenarios alone")})
     if (count > 0) phases.push_back(fmt::format("{:.3g} % {}", share(count), what));
   if (!phases.empty()) out += fmt::format("  of these brushes {}\n", fmt::join(phases, ", "));
   if (verified.missing > 0)
@@ -130,12 +130,19 @@ std::string infeasible_text(const Trials& trials, const Findings& found) {
 std::string gain_text(const Trials& trials, const Findings& found) {
   const Trial& start = *start_of(found);
   const bool is_best = found.chosen.front() == found.start_trial;
-  if (!is_best && better(trials.score_of(start), trials.score_of(recommended(found))))
-    return found.start_outside ? "  the start is better, but outside the bounds of the variables: widen "
-                                 "them, or keep the start\n"
-                               : "  rounded to what can be made, the brush is worse than the start: give "
-                                 "finer steps, or keep the start\n";
-  if (!is_best && differ(start, recommended(found))) return "";
+  if (!is_best && differ(start, recommended(found))) {
+    if (better(trials.score_of(start), trials.score_of(recommended(found))))
+      return found.start_outside ? "  the start is better, but outside the bounds of the variables: widen "
+                                   "them, or keep the start\n"
+                                 : "  rounded to what can be made, the brush is worse than the start: give "
+                                   "finer steps, or keep the start\n";
+    return differ_beyond_deviations(start, recommended(found))
+               ? ""
+               : fmt::format(
+                     "  with the same {} deviations the brush differs from the start, but each of the two "
+                     "by less than its own error: more tolerance_samples reduce the errors\n",
+                     trials.design().tolerance_samples);
+  }
   if (!variables_matter(found, start))
     return "  no trial differs from the start by more than the errors: these variables do not matter here, "
            "and the start can be kept\n";

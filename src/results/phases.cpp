@@ -1,7 +1,5 @@
 #include "results/phases.hpp"
 
-#include "bristle/ensemble/phase.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <algorithm>
@@ -12,12 +10,12 @@ namespace {
 
 struct PhaseRow {
   BrushPhase phase;
-  const char* what;
+  const char *name, *meaning;
 };
 constexpr PhaseRow kPhaseRows[] = {
-    {BrushPhase::contact, "in contact (tips stay on the slab)"},
-    {BrushPhase::bouncing, "bouncing (tips are off the slab for more than half of the time)"},
-    {BrushPhase::mixed, "between the two"}};
+    {BrushPhase::contact, "in contact", " (tips stay on the slab)"},
+    {BrushPhase::bouncing, "bouncing", " (tips are off the slab for more than half of the time)"},
+    {BrushPhase::mixed, "between contact and bouncing", ""}};
 
 // Returns a number with two digits that count, without an exponent below 1e6.
 std::string in_two_digits(double value) {
@@ -37,6 +35,11 @@ Enum meaning_of(double code, Enum otherwise) {
 }
 
 }  // namespace
+
+std::string name_of(BrushPhase phase) {
+  const auto* row = std::ranges::find(kPhaseRows, phase, &PhaseRow::phase);
+  return row == std::end(kPhaseRows) ? "in an unknown phase" : row->name;
+}
 
 void Phases::Range::add(double value) {
   if (std::isnan(value)) return;
@@ -83,7 +86,7 @@ std::string Phases::text() const {
   std::vector<std::string> parts;
   for (const PhaseRow& row : kPhaseRows)
     if (const auto points = points_[std::size_t(row.phase)])
-      parts.push_back(fmt::format("{} {}", points, row.what));
+      parts.push_back(fmt::format("{} {}{}", points, row.name, row.meaning));
   if (parts.empty()) return "";
   return fmt::format("{}phases: {}\n{}", friction_text(), fmt::join(parts, ", "), lift_off_text());
 }
@@ -95,7 +98,7 @@ std::string Phases::friction_text() const {
       fmt::format("local friction coefficient (R_rigid/R_n): {}", local_friction_.text());
   if (to < kNothingToControl)
     return fmt::format(
-        "{}; a brush has the friction of rigid bristles then: there is nothing to control "
+        "{}; a brush then has nearly the friction of rigid bristles: there is nothing to control "
         "(docs/lift-off.md)\n",
         text);
   return text + (from < kNothingToControl
@@ -126,8 +129,9 @@ std::string Phases::lift_off_text() const {
                         in_two_digits(speed_.to * factor));
   }
   for (const auto& [domain, points] : outside_)
-    text += fmt::format("lift-off load unknown at {} point{}: {}\n", points, points == 1 ? "" : "s",
-                        outside_of(domain));
+    text += fmt::format(
+        "lift-off load unknown at {} point{}: {}; a sweep of the load shows where the gap jumps\n", points,
+        points == 1 ? "" : "s", outside_of(domain));
   return text;
 }
 

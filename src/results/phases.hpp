@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bristle/ensemble/phase.hpp"
 #include "bristle/model/lift_off.hpp"
 
 #include <array>
@@ -9,6 +10,9 @@
 #include <vector>
 
 namespace bristle::results {
+
+// Returns what messages call a phase: "in contact", "bouncing" or "between contact and bouncing".
+std::string name_of(BrushPhase phase);
 
 // Counts what brushes do, contact or bouncing, and compares their loads with lift-off loads, and their local
 // friction with the friction that leaves something to control (docs/lift-off.md).

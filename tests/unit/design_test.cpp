@@ -165,6 +165,23 @@ TEST_CASE("design: of brushes that are equal in one objective within the errors 
   CHECK(design::best_within_errors(design, trials, {0, 1, 2, 3}) == 3);
 }
 
+TEST_CASE("design: few deviations make the values uncertain, not what the variables do") {
+  const Folder f;
+  // The deviations of tau_f change R_x by more than k_phi does, and every trial has the same three.
+  const auto file = f.run(
+      f.load(R"({"variables": {"k_phi": [1.5, 2.5]}, "budget": 4, "tolerances": {"tau_f": {"normal": 0.15}},
+      "tolerance_samples": 3, "objectives": [{"minimise": "R_x", "of": "q95"}]})",
+             kFew));
+  const std::vector<double> value = file.variable("comparison/objective_1").values,
+                            error = file.variable("comparison/objective_1_err").values;
+  REQUIRE(value.size() == 2);  // start, recommended
+  CHECK(value[1] < value[0]);
+  CHECK(value[0] - value[1] < error[0] + error[1]);
+  CHECK_THAT(file.provenance().at("design"),
+             Catch::Contains("with the same 3 deviations the brush differs from the start") &&
+                 !Catch::Contains("do not matter"));
+}
+
 TEST_CASE("design: a start that is the best trial can be kept, although the variables matter") {
   const Folder f;
   const auto file = f.run(f.load(R"({"variables": {"mu_c": [0.05, 0.2]}, "budget": 8,

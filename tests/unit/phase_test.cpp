@@ -70,7 +70,7 @@ TEST_CASE("phase: a line counts the points of each phase") {
   CHECK(text_of({{"phase", {0, 1, 3, 1, 2}}}) ==
         "phases: 1 in contact (tips stay on the slab), 2 bouncing (tips are off the slab for more than half "
         "of the "
-        "time), 1 between the two\n");
+        "time), 1 between contact and bouncing\n");
 }
 
 TEST_CASE("phase: lines compare loads with the lift-off load, and say why it is unknown") {
@@ -85,7 +85,8 @@ TEST_CASE("phase: lines compare loads with the lift-off load, and say why it is 
         "time)\n"
         "lift-off load: 2 (docs/lift-off.md); 1 of 2 bouncing points carry less, 1 of 1 points in contact "
         "carry more\n"
-        "lift-off load unknown at 1 point: L_x is outside 5 to 16\n");
+        "lift-off load unknown at 1 point: L_x is outside 5 to 16; a sweep of the load shows where the gap "
+        "jumps\n");
   CHECK(text_of({{"phase", {1}},
                  {"R_n", {0.5}},
                  {"R_n_in_N", {0.6}},
@@ -124,9 +125,8 @@ TEST_CASE("phase: a line says what there is to control") {
   CHECK(first_line({0.32, 4.8}) ==
         "local friction coefficient (R_rigid/R_n): 0.2 to 3; below 0.5 there is nothing to control");
   CHECK(first_line({0.32, NAN}) ==
-        "local friction coefficient (R_rigid/R_n): 0.2; a brush has the friction of rigid bristles then: "
-        "there is nothing to "
-        "control (docs/lift-off.md)");
+        "local friction coefficient (R_rigid/R_n): 0.2; a brush then has nearly the friction of rigid "
+        "bristles: there is nothing to control (docs/lift-off.md)");
 }
 
 }  // namespace bristle::phase_test

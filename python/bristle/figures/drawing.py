@@ -5,6 +5,7 @@ from matplotlib import patches
 
 from ..errors import BristleError
 from ..plotting.layout import Cell, across, heading, place_cell, sheet
+from ..plotting.lift_off import PHASES
 from ..plotting.page import points
 from ..plotting.readings import one_page
 from ..plotting.style import BLACK
@@ -14,12 +15,12 @@ AXES = []
 STATUSES = False  # no point is marked
 BRISTLES = 4
 ARROW = dict(arrowstyle="<->", color=BLACK, linewidth=0.8, shrinkA=0, shrinkB=0)
-NOTE = ("To scale, undeformed, lengths in millimetres. {} The slab is drawn where it first touches them. Deviations and margins are "
-        "relative; beyond a margin the gap jumps. 99 % within it: with such deviations of this dimension alone "
-        "99 % of the brushes stay on this side of the jump.")
-WORDS = {"length": "length", "diameter": "diameter of the shaft", "angle": "angle to the base", "tip_radius": "radius of the tip",
-         "spacing": "spacing", "density": "bristles"}
-UNITS = {"angle": "degrees", "density": "per m$^2$"}
+NOTE = ("To scale, undeformed, lengths in millimetres. {} The slab is drawn where it first touches them. s.d.: standard deviation. "
+        "99 % stay with: with such deviations of this dimension alone 99 % of the brushes stay on this side of the jump.")
+# As in the text that `bristle design` prints.
+WORDS = {"length": "length of a bristle", "diameter": "diameter of its shaft", "angle": "angle between bristle and base",
+         "tip_radius": "radius of its tip", "spacing": "distance of neighbouring bristles", "density": "bristles per area"}
+UNITS = {"angle": "degrees", "density": "per cm$^2$"}
 
 
 def MARKS(file):
@@ -43,32 +44,37 @@ def draw(file):
     rows = group.assign(tolerance_is=("dimension", [words[code].replace("_", " ") for code in codes])).to_dataframe().reset_index().itertuples()
     phases = dict(enumerate(flags(range_of["phase"])[0]))
     lines = [*(line_of(row) for row in rows), *(working(row, phases) for row in range_of.to_dataframe().itertuples())]
-    axes.text(right + 0.4 * sizes["length"], 1.5 * sizes["length"], "\n".join(lines), fontsize=points(10), va="top",
-              linespacing=1.5)
+    axes.text(right + 0.4 * sizes["length"], 1.15, "\n".join(lines), transform=axes.get_xaxis_transform(), fontsize=points(10), va="top",
+              linespacing=1.4)
     heading(axes, "", labels=["the recommended brush"])
     return figure
 
 
 def line_of(row):
-    """A dimension with its tolerance and margins."""
-    number = f"{row.value:,.0f}" if row.dimension == "density" else f"{row.value:.4g}"
-    lines, limits = [f"{WORDS[row.dimension]}: {number} {UNITS.get(row.dimension, 'mm')}"], []
+    """A dimension with its tolerance, and where the gap jumps."""
+    size, unit = row.value / (1e4 if row.dimension == "density" else 1), UNITS.get(row.dimension, "mm")
+    lines, limits = [f"{WORDS[row.dimension]}: {size:.4g} {unit}"], []
+
+    def deviation(relative):
+        kind = "\u00b1" if row.tolerance_is == "greatest deviation" else "s.d."
+        return f"{kind} {relative * size:.2g} {unit}"
+
     if np.isfinite(row.tolerance):
-        limits.append(f"{row.tolerance_is} {100 * row.tolerance:.2g} %")
-    margins = [f"{sign}{100 * margin:.0f} %" for sign, margin in (("-", row.margin_below), ("+", row.margin_above)) if np.isfinite(margin)]
-    if margins:
-        limits.append(f"margin {' and '.join(margins)}")
+        limits.append(deviation(row.tolerance))
+    jumps = [f"{(1 + change) * size:.4g} {unit}" for change in (-row.margin_below, row.margin_above) if np.isfinite(change)]
+    if jumps:
+        limits.append(f"the gap jumps at {' and '.join(jumps)}")
     if limits:
-        lines.append(", ".join(limits))
+        lines.append("; ".join(limits))
     if np.isfinite(row.band):
-        kind = "greatest" if row.tolerance_is == "greatest deviation" else "standard"
-        lines.append(f"99 % within it: {kind} deviation {100 * row.band:.2g} %")
+        lines.append(f"99 % stay with {deviation(row.band)}")
     return "\n    ".join(lines)
 
 
 def working(row, phases):
     """What the brush does in a scenario."""
-    found = f"at {row.velocity:.3g} m/s under {row.load:.3g} N: {phases[row.phase]}"
+    phase = phases[row.phase]
+    found = f"at {row.velocity:.3g} m/s under {row.load:.3g} N: {PHASES.get(phase, phase)}"
     if np.isfinite(row.load_over_lift_off):
         found += f", {100 * row.load_over_lift_off:.0f} % of its lift-off load"
     if np.isfinite(row.lift_off_speed):
@@ -97,10 +103,9 @@ def draw_brush(axes, length, diameter, angle, tip_radius, spacing, density):
     measure(axes, middle - diameter / 2 * across_shaft, middle + diameter / 2 * across_shaft, f"\u2300 {diameter:.3g}", (-18, 6), "right")
     low = np.array([0, -thick * 1.35])
     measure(axes, roots[0] + low, roots[1] + low, f"{spacing:.4g}", (0, -11), "center")
-    foot = roots[-1] + np.array([0.7 * spacing, 0])
-    axes.add_patch(patches.Arc(roots[-1], length, length, theta1=0, theta2=angle, linewidth=0.8))
-    axes.text(*(foot + [0.55 * length - 0.7 * spacing, 0.15 * length]), f"{angle:.3g} degrees", fontsize=points(9), va="center")
-    axes.plot([roots[-1][0], roots[-1][0] + 0.6 * length], [0, 0], color=BLACK, linewidth=0.8)
+    axes.add_patch(patches.Arc(roots[-1], 0.6 * length, 0.6 * length, theta1=0, theta2=angle, linewidth=0.8))
+    axes.text(*(roots[-1] + [0.33 * length, 0.1 * length]), f"{angle:.3g}\u00b0", fontsize=points(9), va="center")
+    axes.plot([roots[-1][0], roots[-1][0] + 0.4 * length], [0, 0], color=BLACK, linewidth=0.8)
     axes.set_aspect("equal")
     axes.set_xlim(left - 1.5 * spacing, right + 2.2 * length)
     axes.set_ylim(-thick * 2.2, height + 1.2 * thick)

@@ -9,6 +9,7 @@ from ..errors import BristleError
 from ..plotting import style
 from ..plotting.curves import log_axis, title_axis
 from ..plotting.layout import Cell, across, corners, heading, legend_at_foot, place_cell, sheet
+from ..plotting.lift_off import PHASES
 from ..plotting.page import lettered, paper_width, points
 from ..plotting.readings import AXIS, one_page, reading_name, readings
 from ..plotting.style import bar_looks, label, looks
@@ -17,7 +18,6 @@ from ..results import axis_names, axis_values, dataset, flags, place_of, readabl
 AXES = ["sample"]
 STATUSES = False  # no point is marked
 LEGEND_INCHES = 0.3
-PHASES = {"contact": "in contact"}
 MOST_DOTS = 2_000  # that are drawn as vectors
 NOTE = ("Bars: total indices, a parameter's share of the variance with all its interactions; circles: first-order indices, its "
         "share on its own. Error bars: standard errors by bootstrap.{}")

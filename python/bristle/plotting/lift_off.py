@@ -5,6 +5,7 @@ import numpy as np
 from ..results import dataset, values
 
 LIFT_OFF = "lift_off_load"
+PHASES = {"contact": "in contact", "mixed": "between contact and bouncing"}  # names of the words of `phase`, where they differ
 
 
 def scatter(file):
