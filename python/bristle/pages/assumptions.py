@@ -36,7 +36,7 @@ TEXT = """\
 
 For readers who doubt a verdict. The paper does not state everything that its numbers depend on. The baseline, described in
 [model.md](model.md), makes a choice for each point that the paper leaves open; here each choice is replaced by
-alternatives, singly and some together (experiments/assumptions/), and every claim is checked again.
+alternatives, singly and some together (experiments/assumptions/), and the checks of these experiments are judged again.
 `make assumptions` computes the matrix and writes this page; no number in it is typed. The runs are of
 the experiments' `{tier}` tier, which is coarser than the figures: a verdict of the baseline may differ from the verdict in
 [findings.md](findings.md), and alternatives are compared with the baseline of the same tier. The lattices

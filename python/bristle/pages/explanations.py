@@ -292,8 +292,9 @@ def transverse_damping(file, pairs):
     bouncing = (dataset(file, "off_slab_share").sel(bending=row.reading).values >= 0.5) & np.isfinite(rates)
     if not bouncing.any() or rates[bouncing].max() >= 0:
         return what_was_measured(pairs)
-    return (f"The growth rate of transverse disturbances is between {short(rates[bouncing].min())} and {short(rates[bouncing].max())} "
-            "where tips bounce: friction, which opposes the velocity of the tip over the slab, damps every motion across it.")
+    return (f"For a bristle that points along the motion, transverse disturbances of steady sliding have growth rates between "
+            f"{short(rates[bouncing].min())} and {short(rates[bouncing].max())} where tips bounce: friction, which opposes the velocity of the "
+            "tip over the slab, damps them. Bristles at other azimuths, whose motions along and across couple, are not checked.")
 
 
 # By claim; and of further checks by claim and predicate, a sentence.

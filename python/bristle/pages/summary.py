@@ -135,8 +135,8 @@ def formula(file, _):
     scatter = float(np.nanmax(read(file, "lift_off_load_err") / read(file, "lift_off_load")))
     return ("**A formula says when a brush bounces.** A brush onto which the slab is lowered bounces if its load per bristle is less than the lift-off "
             f"load, {of_springs}, with the radial and polar stiffness k_r and k_phi. Its root mean square error is "
-            f"{percent(scatter)} for k_r/k_phi from {TESTED[0]} and local friction from {TESTED[1]} (docs/lift-off.md). Stiffer bristles "
-            "still bounce under greater loads.")
+            f"{percent(scatter)} for k_r/k_phi from {TESTED[0]} and local friction from {TESTED[1]} (docs/lift-off.md). Straight slender "
+            "rods have a greater k_r/k_phi (docs/limitations.md).")
 
 
 def bristles_that_differ(file, _):
@@ -155,8 +155,8 @@ def weak_friction(file, _):
     uncontrolled = np.flatnonzero(np.minimum.accumulate(least) >= 0.9)
     if not uncontrolled.size:
         return ""
-    return (f"**Weak local friction cannot be controlled.** If the local friction is {in_two_digits(local[uncontrolled[-1]])} or less, as between "
-            f"the steel wires of a brush seal and its shaft, rods (k_r = {k_r:g}) have at least {percent(least[uncontrolled[-1]])} of the friction of "
+    return (f"**Weak local friction cannot be controlled.** If the local friction is {in_two_digits(local[uncontrolled[-1]])} or less (steel "
+            f"on steel has about 0.25), rods (k_r = {k_r:g}) have at least {percent(least[uncontrolled[-1]])} of the friction of "
             f"rigid bristles, whatever the load ({loads[0]:g} to {loads[-1]:g}).")
 
 
