@@ -31,7 +31,10 @@ install(DIRECTORY scripts/slurm DESTINATION ${data} USE_SOURCE_PERMISSIONS)
 install(PROGRAMS scripts/find-python DESTINATION ${data})
 install(FILES ${PROJECT_BINARY_DIR}/bristle.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(FILES cmake/completion.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME bristle)
-install(FILES cmake/completion.zsh DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions RENAME _bristle)
+# zsh looks into the first folder below /usr/local, and on Debian into the second one below /usr.
+foreach(folder site-functions vendor-completions)
+  install(FILES cmake/completion.zsh DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/${folder} RENAME _bristle)
+endforeach()
 install(FILES README.md LICENSE CITATION.cff CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 set(CPACK_GENERATOR DEB)

@@ -65,6 +65,12 @@ for ((i = 0; i < ${#run_options[@]}; ++i)); do
   esac
 done
 "$program" validate "$experiment" "${options[@]}"
+known=$("$program" run --help)
+for option in "${run_options[@]}"; do
+  word=${option%%=*}
+  [[ $word != --force ]] || die "--force: shards would compute all points each time; remove the journals beside $output instead"
+  [[ $word != --* || $known == *"$word"* ]] || die "$word: \`bristle run\` has no such option"
+done
 
 log=${stem//%/%%}  # sbatch replaces %a
 tasks=$(sbatch --parsable --job-name="$name" --output="$log.%a-of-$shards.log" "${sbatch_options[@]}" \

@@ -49,7 +49,8 @@ digest() { "$bristle" info "$1" | grep -o '^payload sha256 [0-9a-f]*'; }
 holds() { grep -qF -- "$2" "$1" || { fail "$1 does not contain: $2; it contains:"; cat "$1"; }; }
 
 # Mistakes are reported before a job is submitted.
-for mistake in "experiments/fig4.json 0" "experiments/fig4.json three" "nowhere.json 3" "experiments/fig4.json 3 -- --tier medium"; do
+for mistake in "experiments/fig4.json 0" "experiments/fig4.json three" "nowhere.json 3" "experiments/fig4.json 3 -- --tier medium" \
+  "experiments/fig4.json 3 -- --treads 2" "experiments/fig4.json 3 -- --force"; do
   # shellcheck disable=SC2086 # words
   BRISTLE=$bristle scripts/slurm/array.sh $mistake >"$folder/log" 2>&1
   [ $? = 2 ] || { fail "exit code after: array.sh $mistake"; cat "$folder/log"; }
