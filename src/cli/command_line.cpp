@@ -256,8 +256,9 @@ class CommandLine {
     app_.footer(
         "Exit codes: 0 success; 1 a check failed; 2 wrong input or command line; "
         "3 the run could not finish; 130 interrupted (Ctrl-C).");
-    set_action(add_new(app_, new_name_, new_in_si_, new_repository_),
-               [this] { return new_command(new_name_, new_in_si_, new_repository_); });
+    set_action(add_new(app_, new_name_, new_in_si_, new_repository_), [this] {
+      return new_command(run_.arguments.front(), new_name_, new_in_si_, new_repository_);
+    });
     set_action(add_run(app_, experiment_, run_, instruction_set_),
                computing([this] { return run_command(experiment_, run_, instruction_set_); }));
     set_action(add_design(app_, experiment_, run_),

@@ -100,9 +100,9 @@ int info_command(const InfoOptions& options);
 
 // Writes an experiment to start from, with in_si one of a material in SI units, and with repository a folder
 // with the experiment, a script that checks its numbers and a workflow. It extends the paper.json beside it
-// or, if there is none, the one that comes with the program. Throws InputError if the name is not allowed or
-// the file exists.
-int new_command(const std::string& name, bool in_si, bool repository);
+// or, if there is none, the one that comes with the program. program: how this program was called, for the
+// commands that are printed. Throws InputError if the name is not allowed or the file exists.
+int new_command(const std::string& program, const std::string& name, bool in_si, bool repository);
 // Returns experiments/NAME.json or, if there is no folder experiments, NAME.json.
 std::string new_experiment_path(const std::string& name);
 

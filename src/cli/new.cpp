@@ -5,6 +5,7 @@
 #include "util/data.hpp"
 #include "util/error.hpp"
 #include "util/file.hpp"
+#include "util/text.hpp"
 
 #include <boost/algorithm/string/replace.hpp>
 #include <fmt/format.h>
@@ -122,7 +123,7 @@ void write_experiment(const std::string& path, const std::string& name, bool in_
 
 // Writes the folder NAME with an experiment, the script that checks its numbers, and a workflow that runs it.
 // Returns the exit code.
-int new_repository(const std::string& name, bool in_si) {
+int new_repository(const std::string& program, const std::string& name, bool in_si) {
   if (std::filesystem::exists(std::filesystem::symlink_status(name)))
     throw InputError(fmt::format("{}: exists; choose another name, or remove it first", name));
   const std::string commit = boost::replace_all_copy(std::string(run::kCommit), "-dirty", "");
@@ -134,14 +135,18 @@ int new_repository(const std::string& name, bool in_si) {
   write_whole(name + "/.github/workflows/check.yml",
               boost::replace_all_copy(std::string(kWorkflow), "CHECKOUT", checkout),
               {"a workflow", "name:", {}});
+  const bool on_path = program.find('/') == program.npos;
+  const std::string folder = std::filesystem::absolute(program).parent_path().lexically_normal().string();
   fmt::print(
       "{0}/: written, with an experiment, check.sh and a workflow for continuous integration. Next:\n"
+      "{1}"
       "  cd {0} && git init && git add . && git commit -m \"An experiment\"\n"
       "  bristle run {0}.json --tier smoke\n"
       "  bristle reference update results/{0}-smoke.h5 --reason \"first values\"\n"
       "  git add reference && git commit -m \"Reference values\"\n"
-      "  sh check.sh\n",
-      name);
+      "  sh check.sh\n"
+      "and, for the workflow, the repository variable BRISTLE: the address from which it clones bristle\n",
+      name, on_path ? "" : fmt::format("  export PATH={}:\"$PATH\"\n", shell_quoted(folder)));
   if (!known)
     fmt::print("The workflow builds the newest bristle, because the commit of this program is not known.\n");
   return kSuccess;
@@ -154,12 +159,12 @@ std::string new_experiment_path(const std::string& name) {
                                                       : name + ".json";
 }
 
-int new_command(const std::string& given, bool in_si, bool repository) {
+int new_command(const std::string& program, const std::string& given, bool in_si, bool repository) {
   const std::string name = checked_name(given);
-  if (repository) return new_repository(name, in_si);
+  if (repository) return new_repository(program, name, in_si);
   const std::string path = new_experiment_path(name);
   write_experiment(path, name, in_si);
-  fmt::print("{}: written; compute it with `bristle run {}`\n", path, path);
+  fmt::print("{}: written; compute it with `{} run {}`\n", path, shell_quoted(program), path);
   return kSuccess;
 }
 

@@ -120,7 +120,8 @@ in_folder() { (cd "$1" && shift && "$@"); }
 mkdir -p "$folder/alone" "$folder/project/experiments"
 cp experiments/paper.json "$folder/project/experiments"
 expect 0 "mine.json: written" in_folder "$folder/alone" "$program" new mine
-expect 0 "experiments/mine.json: written" in_folder "$folder/project" "$program" new mine.json
+expect 0 "experiments/mine.json: written; compute it with \`$program run experiments/mine.json\`" \
+  in_folder "$folder/project" "$program" new mine.json
 expect 2 "experiments/mine.json: exists" in_folder "$folder/project" "$program" new mine
 expect 0 "points, V0_m_per_s" in_folder "$folder/project" sh -c "'$program' new brush --si && '$program' validate experiments/brush.json"
 expect 0 "dimensionless at V0_m_per_s = 30: k_r = 2.09515" in_folder "$folder/project" "$program" validate experiments/brush.json
