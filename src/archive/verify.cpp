@@ -44,8 +44,8 @@ class Verifier {
     try {
       bytes_ = read_archive(path_);
       if (bytes_.starts_with(results::result_file().start))
-        throw InputError(fmt::format("{}: is a result, not an archive; `bristle info {}` checks its digest",
-                                     path_, shell_quoted(path_)));
+        throw MalformedError(fmt::format("a result, not an archive; `bristle info {}` checks its digest",
+                                         shell_quoted(path_)));
       files_ = read_tar(bytes_);
       out_.folder = strip_folder(files_);
     } catch (const MalformedError& e) {
