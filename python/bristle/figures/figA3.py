@@ -20,6 +20,9 @@ def draw(file):
     axes.set_ylim(bottom=min(0.97, axes.get_ylim()[0]))
     if paper_width() is not None:  # a small panel has no room for it
         legend_below(axes, entries, 0)
+    else:
+        low, high = axes.get_ylim()
+        axes.set_ylim(top=high + 0.35 * (high - low))  # room for the legend
     return figure
 
 
