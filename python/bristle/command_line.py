@@ -4,7 +4,7 @@ import argparse
 import os
 import sys
 
-from .errors import BristleError
+from .errors import NOT_WRITTEN, BristleError, system_reason
 from .figures import FIGURES, module_of
 from .files import save_pages
 from .plotting.captions import captions, title_of
@@ -22,11 +22,19 @@ OF_ANY_RESULT, DEFAULT_Y = ("curve", "map"), "R_x_norm"  # figures of a variable
 
 def run(main, program=None):
     """Calls main(); an error becomes one line on stderr and the exit code (2: wrong input, 3: not written)."""
+    name = program or os.path.basename(sys.argv[0])
     try:
         main()
+        print(end="", flush=True)  # what is printed must be written, unless standard output is closed
     except BristleError as error:
-        print(f"{program or os.path.basename(sys.argv[0])}: error: {error}", file=sys.stderr)
+        print(f"{name}: error: {error}", file=sys.stderr)
         raise SystemExit(error.exit_code) from None
+    except OSError as error:
+        if error.filename is not None:  # a file, not standard output
+            raise
+        os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # for what is left to print when Python ends
+        print(f"{name}: error: standard output: cannot be written ({system_reason(error)})", file=sys.stderr)
+        raise SystemExit(NOT_WRITTEN) from None
 
 
 def draw_figure():
@@ -62,7 +70,7 @@ def draw_figure():
 
 
 def name_of(arguments):
-    """The name of the files: of a figure of any result with the result and the variable."""
+    """How the names of the files begin: with the figure, or for a figure of any result with the result, the figure and the variable."""
     if arguments.figure not in OF_ANY_RESULT:
         return arguments.figure
     result = os.path.splitext(os.path.basename(arguments.result))[0]

@@ -99,6 +99,12 @@ before = pathlib.Path(result).read_bytes()
 done = subprocess.run([SOURCE / "scripts/plot", "curve", result, "-o", result, "--dpi", "30"], capture_output=True, text=True)
 assert done.returncode != 0 and "Traceback" not in done.stderr, done.stderr
 assert pathlib.Path(result).read_bytes() == before
+# Nobody can read which files were written: they are there all the same.
+with open("/dev/full", "w", encoding="utf-8") as full:
+    done = subprocess.run([SOURCE / "scripts/plot", "curve", result, "-o", folder / "unread", "--dpi", "30"], stdout=full,
+                          stderr=subprocess.PIPE, text=True)
+assert done.returncode == 3 and "error: standard output: cannot be written (No space left" in done.stderr, done.stderr
+assert "Traceback" not in done.stderr and len(list((folder / "unread").iterdir())) == 2, done.stderr
 
 # The friction laws over the speed, of the result's experiment and of one with its own law.
 own = {"V_R": [0, 0.01, 0.1, 1], "mu": [0, 1.2, 0.8, 0.7], "between": "linear"}
