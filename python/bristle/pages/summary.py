@@ -126,7 +126,7 @@ def sliding_easily(file, _):
         return ""
     return (f"**Bouncing brushes slide easily.** In `make load` (rods, k_r from {k_r[0]:g} to {k_r[-1]:g}) bouncing brushes have {bouncing} times the "
             f"friction of rigid bristles, under loads of at least half the lift-off load; brushes in contact have {contact} times. "
-            "Beyond deciding whether a brush bounces, its stiffness matters less.")
+            "The stiffness decides whether a brush bounces, and changes the friction of either kind of brush less.")
 
 
 def formula(file, _):

@@ -24,7 +24,7 @@ NOTE_LOOK = dict(fontsize=10, color=GREY)
 # The room of one panel in inches: its size, and within it the corner and the size of the axes.
 Cell = namedtuple("Cell", "width height left low inner_width inner_height")
 PLAIN_INCHES = 0.05  # above the plots of a figure without header
-WIDEST = 10.5  # inches of a standard figure's panels: of LEAST_POINTS, subscripts have 9 pixels if it is shown 1000 pixels wide
+WIDEST = 10.5  # inches of a standard figure's panels: subscripts of letters of 10 points have 9 pixels if it is shown 1000 pixels wide
 LEAST_AXES = 2.5  # inches of the axes of a standard figure's panel
 LEAST_CELL = 2.9  # inches of a paper's width that a panel needs
 

@@ -5,7 +5,7 @@ import numpy as np
 from ..results import dataset, values
 
 LIFT_OFF = "lift_off_load"
-PHASES = {"contact": "in contact", "mixed": "between contact and bouncing"}  # names of the words of `phase`, where they differ
+PHASES = {"contact": "in contact", "mixed": "between contact and bouncing"}  # what figures call the words of the variable `phase`
 
 
 def scatter(file):
