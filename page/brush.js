@@ -44,9 +44,8 @@ function showFacts(answer) {
   const rigid = values.R_x[0] / values.R_x_norm[0] / values.R_n[0];
   const facts = [row("Friction coefficient", number(values.friction_coefficient), Number.isFinite(rigid) ? `rigid bristles: ${shortly(rigid)}` : "")];
   if (si) facts.push(row("Friction per bristle", prefixed(values.R_x_in_N, "N")));
-  if (unknown) facts.push(row("Lift-off load and speed", "unknown", answer.lift_off_unknown));
+  if (unknown) facts.push(row("Lift-off load", "unknown", answer.lift_off_unknown));
   else facts.push(row("Lift-off load", si ? prefixed(values.lift_off_load_in_N, "N") : number(values.lift_off_load), "above it tips stay on the slab"));
-  if (si && values.lift_off_speed[0] !== null) facts.push(row("Lift-off speed", number(values.lift_off_speed, "m/s"), "below it tips stay on the slab"));
   facts.push(row("Gap under the slab", number(values.z_0, "r₀")));
   box.replaceChildren(element("p", { class: `phase ${phase}`, text: words }),
     element("p", { class: "what", text: off === null ? STATUSES[status] ?? "" : `Tips are off the slab for ${Math.round(100 * off)} % of the time.` }),
@@ -157,9 +156,9 @@ function stopCurve() {
   if (state.curve) showCurve(`stopped at ${state.curve.answers.filter(Boolean).length} of ${state.curve.values.length} points`);
 }
 
-// The lift-off load or speed of the brush, if it is on the axis.
+// The lift-off load of the brush, if it is on the axis.
 function markOf(curve) {
-  const name = { R_n_N: "lift_off_load_in_N", R_n: "lift_off_load", V0_m_per_s: "lift_off_speed" }[curve.name];
+  const name = { R_n_N: "lift_off_load_in_N", R_n: "lift_off_load" }[curve.name];
   const found = curve.answers.find((answer) => answer?.values?.[name]?.[0] != null)?.values[name];
   return found && { x: found[0], error: found[1], text: "lift-off" };
 }

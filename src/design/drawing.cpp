@@ -114,7 +114,7 @@ std::vector<Working> working_range(const Sweep& sweep, const std::vector<results
       return points[i].layout->has(name) ? points[i].at(name).front() : kNone;
     };
     out.push_back({sweep::si_scales(sweep.point(i)).velocity, value("R_n_in_N"), value("phase"),
-                   value("load_over_lift_off"), value("lift_off_speed"), value("lift_off_speed_err")});
+                   value("load_over_lift_off")});
   }
   return out;
 }
@@ -133,9 +133,6 @@ results::Dataset working_range_group(const std::vector<Working>& range) {
           [&](std::size_t row) { return range[row].phase; });
   add("load_over_lift_off", "load over the lift-off load by the formula; NaN: not known", "1",
       &Working::load_over_lift_off);
-  add("lift_off_speed", "velocity above which tips bounce by the formula; NaN: not known", "m s-1",
-      &Working::lift_off_speed);
-  add("lift_off_speed_err", "error of lift_off_speed", "m s-1", &Working::lift_off_speed_err);
   return out;
 }
 
@@ -146,9 +143,6 @@ std::string working_range_text(const std::vector<Working>& range) {
                        results::name_of(BrushPhase(std::lround(one.phase))));
     if (!std::isnan(one.load_over_lift_off))
       out += fmt::format(", {:.0f} % of its lift-off load", 100 * one.load_over_lift_off);
-    if (!std::isnan(one.lift_off_speed))
-      out += fmt::format("; by the formula its tips bounce above {:.2g} +- {:.1g} m/s", one.lift_off_speed,
-                         one.lift_off_speed_err);
     out += "\n";
   }
   return out;

@@ -23,7 +23,7 @@ struct Working {
   double velocity;  // of the slab, m/s
   double load;      // R_n, N
   double phase;     // code of a BrushPhase
-  double load_over_lift_off, lift_off_speed, lift_off_speed_err;
+  double load_over_lift_off;
 };
 
 // Returns the dimensions of the recommended brush. Empty unless the experiment is in SI units.

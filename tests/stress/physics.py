@@ -156,8 +156,7 @@ def load_tolerance(document):
 def invariants(document, v):
     """What must hold for a point with the status ok."""
     model = document["model"]
-    missing = ("incomplete", "jump", "growth_rate", "transverse", "R_n_statics")  # steady sliding may not exist
-    missing += ("lift_off_speed",)  # the formula may not have been tested at that speed
+    missing = ("incomplete", "jump", "R_n_largest", "z_0_of_R_n_largest")
     if v.get("lift_off_domain", 0) != 0:  # nor at the point's
         missing += ("lift_off", "load_over_lift_off")
     if v["pinned_fraction"] > 1 - 1e-9:  # then there is no mean over those that pass

@@ -34,7 +34,7 @@ def draw(file):
         raise BristleError(f"{place_of(file)}: has no drawing; `bristle design` writes it for an experiment in SI units in which a "
                            "trial meets the constraints")
     group = table_with(file, "drawing", "value", "tolerance", "tolerance_is", "margin_below", "margin_above", "band")
-    range_of = table_with(file, "working_range", "velocity", "load", "phase", "load_over_lift_off", "lift_off_speed", "lift_off_speed_err")
+    range_of = table_with(file, "working_range", "velocity", "load", "phase", "load_over_lift_off")
     sizes = {str(name): float(value) for name, value in zip(group["dimension"].values, group["value"].values)}
     cell, _ = across(1, Cell(9.4, 4.6, 0.4, 0.2, 8.8, 4.0))
     figure, bottom = sheet(file, cell.width, cell.height, MARKS(file), verdicts=False)
@@ -77,8 +77,6 @@ def working(row, phases):
     found = f"at {row.velocity:.3g} m/s under {row.load:.3g} N: {PHASES.get(phase, phase)}"
     if np.isfinite(row.load_over_lift_off):
         found += f", {100 * row.load_over_lift_off:.0f} % of its lift-off load"
-    if np.isfinite(row.lift_off_speed):
-        found += f"\n    bounces above {row.lift_off_speed:.2g} \u00b1 {row.lift_off_speed_err:.1g} m/s"
     return found
 
 

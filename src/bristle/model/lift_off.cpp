@@ -40,16 +40,6 @@ constexpr std::array kTested = {
     Tested{LiftOffDomain::zeta_phi, "zeta_phi", [](const Parameters& p) { return p.zeta_phi; }, 0.05, 0.3},
 };
 
-// Returns the parameters of the bristles p under a slab whose velocity is `speed` times V_0.
-Parameters at_speed(Parameters p, double speed) {
-  for (const auto member : {&Parameters::k_r, &Parameters::k_theta, &Parameters::k_phi, &Parameters::tau_f,
-                            &Parameters::E_star, &Parameters::alpha, &Parameters::beta})
-    p.*member /= speed * speed;
-  p.V_s /= speed;
-  p.custom_friction.V_0 *= speed;
-  return p;
-}
-
 }  // namespace
 
 LiftOffDomain lift_off_domain(const Parameters& p) {
@@ -72,29 +62,6 @@ std::string outside_of(LiftOffDomain domain) {
 double lift_off_load(const Parameters& p) {
   return lift_off_domain(p) == LiftOffDomain::tested ? fitted_load(p)
                                                      : std::numeric_limits<double>::quiet_NaN();
-}
-
-LiftOffSpeed lift_off_speed(const Parameters& p, double R_n) {
-  // R_n/k_phi and k_r/k_phi do not depend on the speed.
-  const double load = R_n / p.k_phi;
-  const double above = load - kLiftOff.of_springs * std::sqrt(p.k_r / p.k_phi);
-  const double speed = std::sqrt(p.k_phi) * exp(above / (2 * kLiftOff.of_speed));
-  if (lift_off_domain(at_speed(p, speed)) != LiftOffDomain::tested) return {NAN, NAN};
-  return {speed, exp(kLiftOff.scatter * load / (2 * kLiftOff.of_speed))};
-}
-
-double bouncing_load_by_statics(const Parameters& p, double z_0) {
-  const double cos_phi = std::sqrt(1 - z_0 * z_0);
-  const double a = (p.phi_0 - asin(z_0)) / cos_phi;
-  // With r = 1 at both ends of the path over the root, from x = -X to X, the integral is z_0 (2 atanh(X) - 2
-  // X). Half of the bristles take this path.
-  constexpr int kNodes = 64;
-  double b = 0;
-  for (int i = 0; i < kNodes; ++i) {
-    const double X = cos_phi * cos((i + 0.5) / kNodes * M_PI / 2);
-    b += z_0 * (log((1 + X) / (1 - X)) - 2 * X) / (2 * kNodes);
-  }
-  return a * p.k_phi + b * p.k_r / p.L_x;
 }
 
 }  // namespace bristle

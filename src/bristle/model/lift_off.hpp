@@ -50,22 +50,4 @@ std::string outside_of(LiftOffDomain domain);
 // not tested.
 double lift_off_load(const Parameters& p);
 
-// The slab's speed at which a load is the lift-off load, divided by the speed V_0 with which the parameters
-// are dimensionless. The true ratio is likely between value/factor and value factor. NaN where the fit was
-// not tested.
-struct LiftOffSpeed {
-  double value, factor;
-};
-
-// Returns the speed above which bristles bounce under the load R_n/N_c0. R_n and the parameters p are
-// dimensionless with the same speed V_0.
-LiftOffSpeed lift_off_speed(const Parameters& p, double R_n);
-
-// Returns the normal load R_n/N_c0 of bouncing bristles with the parameters p at the gap z_0 by statics,
-// dimensionless: a(z_0) k_phi + b(z_0) k_r/L_x. The first term is the frictionless equilibrium of the polar
-// spring, a = (phi_0 - phi)/cos(phi) with sin(phi) = z_0. The second term is the load on the radial spring
-// while tips cross over their roots at the slab's speed: b is the mean over theta_0 of the integral of z_0
-// (1/r - 1) along the motion.
-double bouncing_load_by_statics(const Parameters& p, double z_0);
-
 }  // namespace bristle
