@@ -1,5 +1,6 @@
 #include "cli/commands.hpp"
 
+#include "experiment/experiment.hpp"
 #include "results/phases.hpp"
 #include "results/reader.hpp"
 #include "results/variables.hpp"
@@ -89,9 +90,7 @@ constexpr const char* kImportant[] = {"friction_coefficient",
                                       "off_slab_share",
                                       "load_over_lift_off",
                                       "lift_off_load",
-                                      "growth_rate",
                                       "lift_off_load_in_N",
-                                      "lift_off_speed",
                                       "F_n_peak_in_N",
                                       "tip_travel_in_m",
                                       "root_strain",
@@ -132,6 +131,19 @@ void print_statuses(const results::ResultReader& result) {
   fmt::print("points:{}", counts.empty() ? " none" : "");
   for (const auto& [name, n] : counts) fmt::print(" {} {}", n, name);
   fmt::print("\n");
+}
+
+// Prints how much the brush of the first unreachable point carries, if there is one.
+void print_unreachable(const results::ResultReader& result) {
+  const std::vector<double>& status = result.variable("status").values;
+  const auto first =
+      std::size_t(std::ranges::find(status, double(PointStatus::unreachable)) - status.begin());
+  if (first == status.size() || !result.has("R_n_largest")) return;
+  const Sweep sweep =
+      experiment::stored_experiment(result.experiment(), result.text("tier"), result.path()).sweep;
+  fmt::print("unreachable at {}: {}\n", sweep.place(first),
+             results::carried_text(sweep.point(first), result.variable("R_n_largest").values[first],
+                                   result.variable("z_0_of_R_n_largest").values[first]));
 }
 
 void print_failures(const results::ResultReader& result) {
@@ -222,6 +234,7 @@ int info_command(const InfoOptions& options) {
     return result.has(name) ? result.variable(name).values : std::vector<double>();
   });
   fmt::print("{}", phases.text());
+  if (intact) print_unreachable(result);
   print_design(result);
   print_failures(result);
   print_variables(result, intact);

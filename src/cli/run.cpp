@@ -9,7 +9,10 @@
 #include "sweep/si.hpp"
 #include "results/reader.hpp"
 #include "run/analysis.hpp"
+#include "bristle/model/error.hpp"
 #include "bristle/simd/dispatch.hpp"
+#include "bristle/simd/runner.hpp"
+#include "results/phases.hpp"
 #include "util/error.hpp"
 #include "util/file.hpp"
 #include "util/grid.hpp"
@@ -191,6 +194,49 @@ void print_conversion(const Experiment& e) {
                fmt::join(sweep::values_from_si(e.sweep.point(index)), ", "));
 }
 
+// Returns the point with the greatest load over the polar stiffness among those with a load; none without
+// one.
+std::optional<std::size_t> most_loaded(const Sweep& sweep) {
+  std::optional<std::size_t> out;
+  double most = 0;
+  for (std::size_t i = 0; i < sweep.size(); ++i) {
+    const sweep::PointInput point = sweep.point(i);
+    const double load = point.loading.R_n / point.setup.parameters.k_phi;
+    if (point.loading.z_0 || load <= most) continue;
+    most = load;
+    out = i;
+  }
+  return out;
+}
+
+// Prints the load at which a bristle of the most loaded point buckles, and the most that its brush carries,
+// by means over few azimuths. Warns if the load is greater.
+void print_carried(const Experiment& e) {
+  const auto index = most_loaded(e.sweep);
+  if (!index) return;
+  sweep::PointInput point = e.sweep.point(*index);
+  const double R_n = point.loading.R_n, euler = euler_load(point.setup.parameters);
+  constexpr double kRough = 0.1, kMoreThanAny = 1e6;
+  Setup rough = point.setup;
+  if (rough.orientation.sampling != Sampling::list) rough.orientation.sampling = Sampling::quadrature;
+  rough.orientation.rtol = kRough;
+  rough.max_evaluations_per_point = 20'000'000;
+  PointResult found = without_values(PointStatus::failed);
+  try {
+    found =
+        solve_point(rough, {.R_n = kMoreThanAny * point.setup.parameters.k_phi}, make_runner(Engine::fast));
+  } catch (const ModelError&) {  // `run` says of each point why it failed
+  }
+  const double carried = found.R_n_largest.value;
+  const auto load = [&](double value) { return results::load_text(point, value); };
+  fmt::print("load of a bristle at {}: {}; Euler's buckling load of a straight shaft: {}{}\n",
+             e.sweep.place(*index), load(R_n), load(euler),
+             std::isnan(carried) ? "" : "; the brush carries at most about " + load(carried));
+  if (carried < R_n * (1 - kRough))
+    write_message(fmt::format("warning: no gap carries the load at {}: {}\n", e.sweep.place(*index),
+                              results::carried_text(point, carried, found.z_0_of_R_n_largest)));
+}
+
 }  // namespace
 
 int run_command(const ExperimentOptions& input, const run::RunOptions& options,
@@ -228,6 +274,7 @@ int validate_command(const ExperimentOptions& options) {
              e.sweep.size() == 1 ? "" : "s", sweep.empty() ? "" : ", ", sweep, checks,
              checks == 1 ? "" : "s");
   print_warnings(e);
+  print_carried(e);
   if (e.sweep.base.si.empty()) return kSuccess;
   print_conversion(e);
   if (const auto kept = sweep::values_not_in_si(e.sweep.point(0)); !kept.empty())

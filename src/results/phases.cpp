@@ -1,5 +1,8 @@
 #include "results/phases.hpp"
 
+#include "sweep/si.hpp"
+#include "util/units.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <algorithm>
@@ -23,8 +26,10 @@ std::string in_two_digits(double value) {
   return text.find('e') == text.npos || std::abs(value) < 1 ? text : fmt::format("{:g}", std::stod(text));
 }
 
-// Local friction, R_rigid over R_n, below which a brush has the friction of rigid bristles at every load.
-constexpr double kNothingToControl = 0.5;
+// Friction relative to rigid bristles from which on the bristles have changed too little to count.
+constexpr double kNothingToControl = 0.9;
+// Local friction below which nobody expects tips to lift off, so that a lift-off load is not missed.
+constexpr double kWeakFriction = 1;
 
 // Returns the enumerator with this code, or `otherwise` of a number that is no code, as a damaged file may
 // have.
@@ -32,6 +37,12 @@ template <class Enum>
 Enum meaning_of(double code, Enum otherwise) {
   const bool known = code >= 0 && code < double(words<Enum>().size()) && code == std::floor(code);
   return known ? Enum(int(code)) : otherwise;
+}
+
+// Returns a value in the unit in which it is read most easily.
+std::string readable(double value, const char* units) {
+  const ReadableUnit unit = readable_unit(units, value);
+  return fmt::format("{:.3g} {}", value / unit.size, unit.name);
 }
 
 }  // namespace
@@ -68,18 +79,27 @@ void Phases::add(const std::function<std::vector<double>(const std::string&)>& v
     bouncing_below_ += phase == BrushPhase::bouncing && ratios[i] < 1;
     in_contact_above_ += phase == BrushPhase::contact && ratios[i] >= 1;
   }
-  const auto loads = variable("R_n_in_N"), speeds = variable("lift_off_speed");
-  for (std::size_t i = 0; i < std::min(loads.size(), speeds.size()); ++i)
-    if (!std::isnan(speeds[i])) load_of_speed_.add(loads[i]);
-  const std::pair<const char*, Range*> ranges[] = {{"lift_off_load", &lift_off_},
-                                                   {"lift_off_load_in_N", &lift_off_in_N_},
-                                                   {"lift_off_speed", &speed_},
-                                                   {"lift_off_speed_err", &speed_error_}};
-  for (const auto& [name, range] : ranges)
+  for (const auto& [name, range] :
+       {std::pair{"lift_off_load", &lift_off_}, std::pair{"lift_off_load_in_N", &lift_off_in_N_},
+        std::pair{"R_x_norm", &R_x_norm_}})
     for (const double value : variable(name)) range->add(value);
   const auto R_n = variable("R_n"), R_x = variable("R_x"), R_x_norm = variable("R_x_norm");
   for (std::size_t i = 0; i < std::min({R_n.size(), R_x.size(), R_x_norm.size()}); ++i)
     local_friction_.add(R_x[i] / R_x_norm[i] / R_n[i]);
+}
+
+std::string load_text(const sweep::PointInput& point, double R_n) {
+  if (point.si.empty()) return fmt::format("R_n = {:.3g}", R_n);
+  return readable(R_n * sweep::si_scales(point).force, "N");
+}
+
+std::string carried_text(const sweep::PointInput& asked, double R_n, double z_0) {
+  const std::string load = load_text(asked, asked.loading.R_n);
+  if (std::isnan(R_n)) return fmt::format("no gap carries {} per bristle", load);
+  return fmt::format(
+      "the brush carries at most {} per bristle (gap {}); you asked for {}", load_text(asked, R_n),
+      asked.si.empty() ? fmt::format("{:.3g}", z_0) : readable(z_0 * sweep::si_scales(asked).length, "m"),
+      load);
 }
 
 std::string Phases::text() const {
@@ -94,16 +114,13 @@ std::string Phases::text() const {
 std::string Phases::friction_text() const {
   const auto& [from, to] = local_friction_;
   if (!(from <= to)) return "";
-  const std::string text =
-      fmt::format("local friction coefficient (R_rigid/R_n): {}", local_friction_.text());
-  if (to < kNothingToControl)
-    return fmt::format(
-        "{}; a brush then has nearly the friction of rigid bristles: there is nothing to control "
-        "(docs/lift-off.md)\n",
-        text);
-  return text + (from < kNothingToControl
-                     ? fmt::format("; below {} there is nothing to control\n", kNothingToControl)
-                     : "\n");
+  std::string text = fmt::format("local friction coefficient (R_rigid/R_n): {}", local_friction_.text());
+  if (R_x_norm_.from >= kNothingToControl)
+    text += fmt::format(
+        "; at every point the brush has {} or more of the friction of rigid bristles: there is nothing to "
+        "control",
+        in_two_digits(std::floor(100 * R_x_norm_.from) / 100));
+  return text + "\n";
 }
 
 std::string Phases::lift_off_text() const {
@@ -112,8 +129,8 @@ std::string Phases::lift_off_text() const {
   const bool si = lift_off_in_N_.from <= lift_off_in_N_.to;
   std::string text;
   if (lift_off_.from <= lift_off_.to) {
-    text += fmt::format("lift-off load: {}{} (docs/lift-off.md)", (si ? lift_off_in_N_ : lift_off_).text(),
-                        si ? " N" : "");
+    text += fmt::format("lift-off load of point masses: {}{} (docs/lift-off.md)",
+                        (si ? lift_off_in_N_ : lift_off_).text(), si ? " N" : "");
     std::vector<std::string> parts;
     if (bouncing)
       parts.push_back(fmt::format("{} of {} bouncing points carry less", bouncing_below_, bouncing));
@@ -121,17 +138,12 @@ std::string Phases::lift_off_text() const {
       parts.push_back(fmt::format("{} of {} points in contact carry more", in_contact_above_, contact));
     text += parts.empty() ? "\n" : fmt::format("; {}\n", fmt::join(parts, ", "));
   }
-  // A brush has the same lift-off speed at all speeds of the slab, except for rounding.
-  if (speed_.from <= speed_.to && speed_.to < speed_.from * (1 + 1e-3)) {
-    const double factor = 1 + speed_error_.to / speed_.to;
-    text += fmt::format("at {} N this brush lifts off above about {} m/s (between {} and {})\n",
-                        load_of_speed_.text(), in_two_digits(speed_.to), in_two_digits(speed_.to / factor),
-                        in_two_digits(speed_.to * factor));
-  }
+  const bool weak = local_friction_.from <= local_friction_.to && local_friction_.to < kWeakFriction;
   for (const auto& [domain, points] : outside_)
-    text += fmt::format(
-        "lift-off load unknown at {} point{}: {}; a sweep of the load shows where the gap jumps\n", points,
-        points == 1 ? "" : "s", outside_of(domain));
+    if (!weak)
+      text += fmt::format(
+          "lift-off load unknown at {} point{}: {}; a sweep of the load shows where the gap jumps\n", points,
+          points == 1 ? "" : "s", outside_of(domain));
   return text;
 }
 

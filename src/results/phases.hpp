@@ -2,6 +2,7 @@
 
 #include "bristle/ensemble/phase.hpp"
 #include "bristle/model/lift_off.hpp"
+#include "sweep/sweep.hpp"
 
 #include <array>
 #include <functional>
@@ -14,8 +15,14 @@ namespace bristle::results {
 // Returns what messages call a phase: "in contact", "bouncing" or "between contact and bouncing".
 std::string name_of(BrushPhase phase);
 
-// Counts what brushes do, contact or bouncing, and compares their loads with lift-off loads, and their local
-// friction with the friction that leaves something to control (docs/lift-off.md).
+// Returns a dimensionless load R_n/N_c0 in words: in newtons if the point has SI units, else "R_n = 2".
+std::string load_text(const sweep::PointInput& point, double R_n);
+// Returns how much the brush of an unreachable point carries: the greatest load R_n at the gap z_0 (both
+// dimensionless; NaN: unknown), beside the load of the point `asked`, in newtons and metres if it has them.
+std::string carried_text(const sweep::PointInput& asked, double R_n, double z_0);
+
+// Counts what brushes do, contact or bouncing, and compares their loads with lift-off loads, and their
+// friction with the friction of rigid bristles (docs/lift-off.md).
 class Phases {
  public:
   // Adds points. variable returns the values of a variable at these points; empty if the result lacks the
@@ -41,8 +48,8 @@ class Phases {
   std::size_t bouncing_below_ = 0, in_contact_above_ = 0;  // numbers of tested points
   std::map<LiftOffDomain, std::size_t> outside_;
   Range local_friction_;  // R_rigid/R_n
-  Range lift_off_, lift_off_in_N_, speed_, speed_error_;
-  Range load_of_speed_;  // loads in N at which the lift-off speed is known
+  Range R_x_norm_;
+  Range lift_off_, lift_off_in_N_;
 };
 
 }  // namespace bristle::results

@@ -1,6 +1,5 @@
 #include "results/variables.hpp"
 
-#include "bristle/dynamics/stability.hpp"
 #include "bristle/ensemble/trace.hpp"
 #include "bristle/model/lift_off.hpp"
 
@@ -90,6 +89,11 @@ void add_norms(Variables& variables) {
        Errors::with_load});
 }
 
+Column drag_column() {
+  return {"drag", "force against the motion: friction, and the work of entering bristles",
+          R"(\tilde{R}_x/N_{c,0} + E_0/\tilde{L}_x)", "docs/model.md"};
+}
+
 void add_load_jump(Variables& variables) {
   variables.push_back({{"jump_z_0", "last gap before R_n(z_0) jumps across the target",
                         R"(\tilde{z}_{0,\mathrm{jump}})", "Fig. 3"},
@@ -166,6 +170,8 @@ std::vector<SiRow> si_rows() {
       {"z_0_in_m", "gap between slab and ground", "z_0", "Fig. 3", "m", gap, in_m},
       {"L_x_in_m", "slab length", "L_x", "", "m", length(&Parameters::L_x), in_m},
       {"spacing_in_m", "lattice spacing", R"(\Delta)", "", "m", length(&Parameters::spacing), in_m},
+      {"drag_in_N", drag_column().long_name, R"(R_x/N_{c,0} + E_0/L_x)", drag_column().equation, "N", drag,
+       [](P p) { return p.si.force; }},
       {"impacts_per_s", "impacts on the slab per bristle in contact and time", R"(\dot{N}_\mathrm{impacts})",
        "", "s-1", impact_rate, [](P p) { return p.si.velocity / p.si.length; }},
       {"bristles_per_m2", "bristles per area", R"(1/\Delta^2)", "", "m-2",
@@ -186,25 +192,50 @@ std::vector<SiRow> si_rows() {
   return rows;
 }
 
+// Returns a variable with the values of a row in SI units.
+ResultVariable in_si(const SiRow& row) {
+  return {{.name = row.name,
+           .long_name = row.long_name,
+           .symbol = row.symbol,
+           .equation = row.equation,
+           .units = row.units},
+          [row](P p) {
+            const Quantity d = row.value(p);
+            const double factor = row.factor(p);
+            return Quantity{d.value * factor, d.error * factor, d.load_error * factor};
+          },
+          Errors::with_load};
+}
+
 void add_si(Variables& variables) {
-  for (const SiRow& row : si_rows())
-    variables.push_back({{.name = row.name,
-                          .long_name = row.long_name,
-                          .symbol = row.symbol,
-                          .equation = row.equation,
-                          .units = row.units},
-                         [row](P p) {
-                           const Quantity d = row.value(p);
-                           const double factor = row.factor(p);
-                           return Quantity{d.value * factor, d.error * factor, d.load_error * factor};
-                         },
-                         Errors::with_load});
+  for (const SiRow& row : si_rows()) variables.push_back(in_si(row));
   variables.push_back({{"friction_coefficient", "friction force over normal load", R"(R_x/R_n)", "Eq. (19)"},
                        friction_coefficient,
                        Errors::estimated});
 }
 
-// Adds lift-off loads and speeds. Their errors are the scatter of computed lift-off loads about the formula.
+// Adds the greatest load that an unreachable point carries, and its gap.
+void add_largest_load(Variables& variables, bool si) {
+  const ResultVariable load = {{"R_n_largest",
+                                "greatest load that a gap carries, where no gap carries the target",
+                                R"(\tilde{R}_{n,\max}/N_{c,0})", "Fig. 3"},
+                               [](P p) { return p.R_n_largest; },
+                               Errors::estimated},
+                       gap_of_it = {{"z_0_of_R_n_largest", "gap that carries R_n_largest",
+                                     R"(\tilde{z}_{0,\max})", "Fig. 3"},
+                                    exact(&PointResult::z_0_of_R_n_largest),
+                                    Errors::none};
+  variables.insert(variables.end(), {load, gap_of_it});
+  if (!si) return;
+  for (const auto& [one, suffix, units, scale] : {std::tuple{load, "_in_N", "N", &SiScales::force},
+                                                  std::tuple{gap_of_it, "_in_m", "m", &SiScales::length}}) {
+    variables.push_back(in_si({one.name + suffix, one.long_name, without_tilde(one.symbol), one.equation,
+                               units, one.of, [scale](P p) { return p.si.*scale; }}));
+    variables.back().errors = one.errors;
+  }
+}
+
+// Adds lift-off loads. Their errors are the scatter of computed lift-off loads about the formula.
 void add_lift_off(Variables& variables, bool si) {
   const char* where = "docs/lift-off.md";
   const auto load = [](P p) {
@@ -234,41 +265,6 @@ void add_lift_off(Variables& variables, bool si) {
                          return Quantity{d.value * p.si.force, d.error * p.si.force, 0};
                        },
                        Errors::estimated});
-  variables.push_back(
-      {{.name = "lift_off_speed",
-        .long_name = "speed above which the tips bounce, by a formula",
-        .symbol = "V_0^*",
-        .equation = where,
-        .units = "m s-1"},
-       [](P p) {
-         const LiftOffSpeed speed = lift_off_speed(p.parameters, p.value[R_N]);
-         return Quantity{p.si.velocity * speed.value, p.si.velocity * speed.value * (speed.factor - 1), 0};
-       },
-       Errors::estimated});
-}
-
-// Adds the stability and statics of a bristle that points along the motion, theta_0 = 0.
-void add_stability(Variables& variables) {
-  const auto add = [&](const char* name, const char* long_name, const char* symbol, Mode SteadySliding::*mode,
-                       double Mode::*number) {
-    variables.push_back({{name, long_name, symbol, "docs/lift-off.md"},
-                         [mode, number](P p) {
-                           return Quantity{steady_sliding(p.parameters, p.z_0).*mode.*number, 0, 0};
-                         },
-                         Errors::none});
-  };
-  add("growth_rate", "growth rate of disturbances of steady sliding, in the plane of motion",
-      R"(\tilde{\sigma})", &SteadySliding::in_plane, &Mode::growth_rate);
-  add("transverse_growth_rate", "growth rate of transverse disturbances of steady sliding",
-      R"(\tilde{\sigma}_\perp)", &SteadySliding::transverse, &Mode::growth_rate);
-  add("transverse_frequency", "angular frequency of transverse disturbances of steady sliding",
-      R"(\tilde{\omega}_\perp)", &SteadySliding::transverse, &Mode::frequency);
-  variables.push_back({{"R_n_statics", "normal load of bouncing bristles by statics",
-                        R"(\tilde{R}_{n,\mathrm{statics}}/N_{c,0})", "docs/lift-off.md"},
-                       [](P p) {
-                         return Quantity{bouncing_load_by_statics(p.parameters, p.z_0), 0, 0};
-                       },
-                       Errors::none});
 }
 
 // Adds magnitude and direction of friction. If the azimuths are not uniformly distributed, the friction force
@@ -302,6 +298,7 @@ std::vector<ResultVariable> result_variables(const Sweep& sweep) {
       {{"z_0", "gap between slab and ground", R"(\tilde{z}_0)", "Fig. 3"}, gap, Errors::with_load}};
   add_observables(variables);
   add_norms(variables);
+  variables.push_back({drag_column(), drag, Errors::with_load});
   variables.push_back({{.name = "incomplete_theta_0",
                         .long_name = "undeformed azimuth of the first passage without an exit",
                         .symbol = R"(\theta_0)",
@@ -315,11 +312,12 @@ std::vector<ResultVariable> result_variables(const Sweep& sweep) {
   const bool von_mises = sweep.base.setup.orientation.distribution == Distribution::von_mises;
   if (searched) {
     add_that_may_be_missing(variables, add_load_jump);  // only points with a jump have one
+    // Only unreachable points have one.
+    add_that_may_be_missing(variables, [&](Variables& all) { add_largest_load(all, si); });
     add_that_may_be_missing(variables, add_other_gap);  // only ambiguous points have one
   }
   if (sweep.on_lattice()) add_that_may_be_missing(variables, add_fluctuations);
   if (si) add_si(variables);
-  add_that_may_be_missing(variables, add_stability);  // beyond the domains of the formulas
   if (von_mises) add_direction(variables);
   else add_that_may_be_missing(variables, [&](Variables& all) { add_lift_off(all, si); });
   return variables;

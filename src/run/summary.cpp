@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace bristle::run {
 namespace {
@@ -17,13 +18,21 @@ constexpr double kPinnedShare = 0.1;  // fraction of R_x
 
 }  // namespace
 
+Summary::Example Summary::example_of(const results::PointRecord& record, std::size_t index,
+                                     std::size_t node) {
+  const auto value = [&](const char* name) {
+    return record.layout->has(name) ? record.at(name)[node] : std::numeric_limits<double>::quiet_NaN();
+  };
+  return {index, value("incomplete_theta_0"), value("R_n_largest"), value("z_0_of_R_n_largest")};
+}
+
 void Summary::add(const results::PointRecord& record, std::size_t index) {
   const std::span<const double> statuses = record.at("status");
   for (std::size_t i = 0; i < statuses.size(); ++i) {
     const auto status = PointStatus(std::lround(statuses[i]));
     ++counts_[std::size_t(status)];
     if (std::ranges::count(kWithoutValues, status) > 0)
-      first_.try_emplace(status, Example{index, record.at("incomplete_theta_0")[i]});
+      first_.try_emplace(status, example_of(record, index, i));
   }
   phases_.add([&](const std::string& name) {
     const auto values = record.layout->has(name) ? record.at(name) : std::span<const double>();
@@ -65,17 +74,10 @@ void Summary::report_failures() const {
 
 std::string Summary::cause_and_remedy(PointStatus status, const Example& example) const {
   const Setup& setup = experiment_.sweep.base.setup;
-  const auto& given_in_si = experiment_.sweep.base.si;
-  const bool si = !given_in_si.empty();
+  const bool si = !experiment_.sweep.base.si.empty();
   switch (status) {
     case PointStatus::unreachable:
-      return fmt::format(
-          "no gap carries the load; use a lower one, or a higher one if R_n does not rise from 0 at first "
-          "contact, as where friction catches the tips of stiff bristles ({}\"load\": {{\"R_n\": null, "
-          "\"path\": null, \"trace\": {{}}}} computes R_n over the gap, with the loads that are carried)",
-          si ? fmt::format("\"si\": {{\"{}\": null}}, ",
-                           given_in_si.contains("pressure_Pa") ? "pressure_Pa" : "R_n_N")
-             : "");
+      return results::carried_text(experiment_.sweep.point(example.index), example.R_n_largest, example.z_0);
     case PointStatus::incomplete:
       return fmt::format(
           "the bristle with theta_0 = {:.4g} deg did not leave the slab within {} evaluations of the "

@@ -39,7 +39,10 @@ class Summary {
   struct Example {
     std::size_t index;
     double incomplete_theta_0;  // rad
+    double R_n_largest, z_0;    // the greatest load of an unreachable point, and its gap
   };
+  // Returns the point with this index as an example, from the values of a node of its record.
+  static Example example_of(const results::PointRecord& record, std::size_t index, std::size_t node);
   std::string cause_and_remedy(PointStatus status, const Example& example) const;
 
   const Experiment& experiment_;

@@ -17,8 +17,9 @@ std::vector<double> effective_input(const PointInput& point) {
   const Orientation& o = setup.orientation;
   constexpr double any_gap = 0.5, any_azimuth = 1;
   const Bristle<double> bristle = make_bristle(p, loading.z_0.value_or(any_gap), any_azimuth);
-  std::vector<double> out = {p.L_x,          p.s_min,         p.spacing,         p.R_c, p.E_star, p.R,
-                             p.strain_limit, p.stretch_limit, double(o.sampling)};
+  std::vector<double> out = {
+      p.L_x,           p.s_min,          p.spacing,         p.R_c, p.E_star, p.R, p.strain_limit,
+      p.stretch_limit, p.pressure_limit, double(o.sampling)};
   for (const double* constant : constants_of(bristle)) out.push_back(*constant);
   for (const Choice& c : choices()) out.push_back(c.get(p));
   if (!loading.z_0 && !loading.trace) out.insert(out.end(), {loading.R_n, double(loading.path)});

@@ -39,7 +39,7 @@ std::vector<std::string> replaceable_values(const PointInput& input, bool given)
     const Parameters& p = input.setup.parameters;
     const bool acts = entry.member == &Parameters::alpha  ? has_pole(p.bending)
                       : entry.member == &Parameters::beta ? p.contact == Contact::wall
-                                                          : true;
+                                                          : std::isfinite(p.*entry.member);
     if (convertible && replaced == given && acts)
       out.push_back(fmt::format("{} = {:.6g}", entry.name, input.setup.parameters.*entry.member));
   }
@@ -93,6 +93,13 @@ const std::vector<SiQuantity>& si_quantities() {
       {"k_theta_N_m", R"(k_\theta)", "azimuthal stiffness", "N m/rad", kPositive, {"k_theta"}, &S::energy},
       {"k_phi_N_m", R"(k_\varphi)", "polar stiffness", "N m/rad", kPositive, {"k_phi"}, &S::energy},
       {"E_star_Pa", "E^*", "contact modulus", "Pa", kPositive, {"E_star"}, &S::stress},
+      {"pressure_limit_Pa",
+       R"(p_{\mathrm{limit}})",
+       "contact pressure beyond which exceeds_pressure_limit is yes",
+       "Pa",
+       kPositive,
+       {"pressure_limit"},
+       &S::stress},
       {"tau_f_Pa", R"(\tau_f)", "NSS shear stress", "Pa", kPositive, {"tau_f"}, &S::stress},
       {"R_c_m", "R_c", "tip radius", "m", kPositive, {"R_c"}, &S::length},
       {"V_s_m_per_s", "V_s", "threshold speed", "m/s", kPositive, {"V_s"}, &S::velocity},

@@ -11,10 +11,10 @@ struct Row {
   ReadableUnit unit;
 };
 
-const Row kReadable[] = {{"Pa", 1e3, 1e6, {"kPa", 1e3}},    {"Pa", 1e6, 1e9, {"MPa", 1e6}},
-                         {"Pa", 1e9, 1e13, {"GPa", 1e9}},   {"m", 1e-5, 1, {"mm", 1e-3}},
-                         {"kg", 1e-8, 1e-5, {"mg", 1e-6}},  {"kg", 1e-5, 1e-2, {"g", 1e-3}},
-                         {"degree", 0, 1e9, {"degrees", 1}}};
+const Row kReadable[] = {
+    {"Pa", 1e3, 1e6, {"kPa", 1e3}},   {"Pa", 1e6, 1e9, {"MPa", 1e6}},  {"Pa", 1e9, 1e13, {"GPa", 1e9}},
+    {"m", 1e-5, 1, {"mm", 1e-3}},     {"N", 1e-8, 1e-4, {"uN", 1e-6}}, {"N", 1e-4, 0.1, {"mN", 1e-3}},
+    {"kg", 1e-8, 1e-5, {"mg", 1e-6}}, {"kg", 1e-5, 1e-2, {"g", 1e-3}}, {"degree", 0, 1e9, {"degrees", 1}}};
 
 }  // namespace
 

@@ -83,7 +83,8 @@ TEST_CASE("phase: lines compare loads with the lift-off load, and say why it is 
         "phases: 2 in contact (tips stay on the slab), 2 bouncing (tips are off the slab for more than half "
         "of the "
         "time)\n"
-        "lift-off load: 2 (docs/lift-off.md); 1 of 2 bouncing points carry less, 1 of 1 points in contact "
+        "lift-off load of point masses: 2 (docs/lift-off.md); 1 of 2 bouncing points carry less, 1 of 1 "
+        "points in contact "
         "carry more\n"
         "lift-off load unknown at 1 point: L_x is outside 5 to 16; a sweep of the load shows where the gap "
         "jumps\n");
@@ -93,40 +94,53 @@ TEST_CASE("phase: lines compare loads with the lift-off load, and say why it is 
                  {"lift_off_load", {1}},
                  {"lift_off_load_in_N", {1.2}},
                  {"load_over_lift_off", {0.5}},
-                 {"lift_off_speed", {4}},
-                 {"lift_off_speed_err", {2}},
                  {"lift_off_domain", {0}}}) ==
         "phases: 1 bouncing (tips are off the slab for more than half of the time)\n"
-        "lift-off load: 1.2 N (docs/lift-off.md); 1 of 1 bouncing points carry less\n"
-        "at 0.6 N this brush lifts off above about 4 m/s (between 2.7 and 6)\n");
+        "lift-off load of point masses: 1.2 N (docs/lift-off.md); 1 of 1 bouncing points carry less\n");
 }
 
-TEST_CASE("phase: the load of a lift-off speed is that of the points at which the speed is known") {
-  const double nan = NAN;
-  CHECK_THAT(text_of({{"phase", {1, 1}},
-                      {"R_n", {0.03, 0.5}},
-                      {"R_n_in_N", {0.028, 0.85}},
-                      {"lift_off_load", {nan, 1}},
-                      {"lift_off_load_in_N", {nan, 1.2}},
-                      {"load_over_lift_off", {nan, 0.5}},
-                      {"lift_off_speed", {nan, 72}},
-                      {"lift_off_speed_err", {nan, 29}},
-                      {"lift_off_domain", {double(LiftOffDomain::L_x), 0}}}),
-             Catch::Contains("at 0.85 N this brush lifts off above about 72 m/s (between 51 and 100)\n"));
+TEST_CASE("phase: scatter does not make a brush bounce whose long bristles stay on the slab") {
+  PointResult point{};
+  point.value[observable("off_slab_share")] = 0.75;
+  point.value[observable("untouched_fraction")] = 0.75;
+  CHECK(phase_of(point) == BrushPhase::contact);
+  point.value[observable("untouched_fraction")] = 0.4;
+  CHECK(phase_of(point) == BrushPhase::bouncing);
+  point.value[observable("off_slab_share")] = point.value[observable("untouched_fraction")] = 1;
+  CHECK(phase_of(point) == BrushPhase::unknown);
 }
 
-TEST_CASE("phase: a line says what there is to control") {
-  const auto first_line = [](std::vector<double> R_x) {
+TEST_CASE("phase: nothing to control is said where friction is that of rigid bristles in this very result") {
+  const auto first_line = [](std::vector<double> R_x_norm) {
+    std::vector<double> R_x, R_n(R_x_norm.size(), 2);
+    for (const double norm : R_x_norm) R_x.push_back(0.4 * norm * 2);
     const std::string text =
-        text_of({{"phase", {0, 0}}, {"R_n", {2, 2}}, {"R_x", std::move(R_x)}, {"R_x_norm", {0.8, 0.8}}});
+        text_of({{"phase", std::vector<double>(R_n.size(), 0)},
+                 {"R_n", R_n},
+                 {"lift_off_domain", std::vector(R_n.size(), double(LiftOffDomain::local_friction))},
+                 {"load_over_lift_off", std::vector<double>(R_n.size(), NAN)},
+                 {"R_x", std::move(R_x)},
+                 {"R_x_norm", std::move(R_x_norm)}});
+    CHECK_THAT(text, !Catch::Contains("lift-off"));  // nobody expects lift-off at this local friction
     return text.substr(0, text.find('\n'));
   };
-  CHECK(first_line({1.6, 4.8}) == "local friction coefficient (R_rigid/R_n): 1 to 3");
-  CHECK(first_line({0.32, 4.8}) ==
-        "local friction coefficient (R_rigid/R_n): 0.2 to 3; below 0.5 there is nothing to control");
-  CHECK(first_line({0.32, NAN}) ==
-        "local friction coefficient (R_rigid/R_n): 0.2; a brush then has nearly the friction of rigid "
-        "bristles: there is nothing to control (docs/lift-off.md)");
+  CHECK(first_line({0.317, 0.95}) == "local friction coefficient (R_rigid/R_n): 0.4");
+  CHECK(first_line({0.956, 0.99, NAN}) ==
+        "local friction coefficient (R_rigid/R_n): 0.4; at every point the brush has 0.95 or more of the "
+        "friction of rigid bristles: there is nothing to control");
+}
+
+TEST_CASE("phase: an unreachable load is answered by the load that the brush carries") {
+  sweep::PointInput asked;
+  asked.loading.R_n = 5;
+  CHECK(results::carried_text(asked, 2.6321, 0.0123) ==
+        "the brush carries at most R_n = 2.63 per bristle (gap 0.0123); you asked for R_n = 5");
+  CHECK(results::carried_text(asked, NAN, NAN) == "no gap carries R_n = 5 per bristle");
+  asked.si = {{"m_kg", 1e-4}, {"r0_m", 0.025}, {"V0_m_per_s", 10}};
+  const double unit = 1e-4 * 10 * 10 / 0.025;  // N
+  asked.loading.R_n = 0.6 / unit;
+  CHECK(results::carried_text(asked, 0.0263 / unit, 0.01) ==
+        "the brush carries at most 26.3 mN per bristle (gap 0.25 mm); you asked for 0.6 N");
 }
 
 }  // namespace bristle::phase_test

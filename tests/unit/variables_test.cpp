@@ -1,8 +1,13 @@
 #include "bristle/ensemble/validity.hpp"
 #include "results/variables.hpp"
+#include "bristle/model/energy.hpp"
+#include "bristle/simd/runner.hpp"
 #include "small_result.hpp"
 
 #include "catch.hpp"
+
+#include <fmt/format.h>
+#include <set>
 
 namespace bristle::variables_test {
 using namespace testing;
@@ -73,9 +78,73 @@ TEST_CASE("flags tell where a point is beyond a limit of the model") {
   p.value[observable("tip_travel")] = 1.01 * p.parameters.spacing;
   p.value[observable("root_strain")] = 1.01 * p.parameters.strain_limit;
   p.value[observable("stretch_peak")] = 1.01 * p.parameters.stretch_limit;
+  p.value[observable("axial_over_euler")] = 4.01;
+  p.parameters.pressure_limit = 0.99 * p.value[observable("hertz_pressure_peak")];
   p.value[R_X] = 2.01;
   CHECK(flags(p) == std::vector(kValidity.size(), Exceeds::yes));
   CHECK(flags(without_values(PointStatus::unreachable)) == std::vector(kValidity.size(), Exceeds::unknown));
+}
+
+TEST_CASE("a point without a gap has values of its brush alone") {
+  // Of the brush and the slab; everything else depends on the gap.
+  const std::set<std::string> of_the_brush = {"L_x_in_m", "spacing_in_m", "bristles_per_m2", "lift_off_load",
+                                              "lift_off_load_in_N"};
+  PointResult p = without_values(PointStatus::unreachable);
+  const PointResult inside = point_in_si();
+  p.parameters = inside.parameters;
+  p.parameters.L_x = 5;
+  p.parameters.friction = FrictionLaw::coulomb;
+  p.parameters.mu_c = 6;
+  p.si = inside.si;
+  Scratch s;
+  for (const char* bending : {"polar", "rod"}) {
+    const Experiment e = small_experiment(
+        s,
+        fmt::format(
+            R"(, "model": {{"section": "oval", "bending": "{}"}}, "load": {{"R_n": 2}}, "si": {{"m_kg": 1, "r0_m": 2, "V0_m_per_s": 3}})",
+            bending));
+    for (const auto& variable : results::result_variables(e.sweep)) {
+      CAPTURE(bending, variable.name);
+      CHECK(std::isfinite(variable.of(p).value) == of_the_brush.contains(variable.name));
+    }
+  }
+}
+
+TEST_CASE("an unreachable load: the greatest load that a gap carries, and where") {
+  Setup setup;
+  setup.parameters.bending = Bending::rod;
+  setup.parameters.contact = Contact::hertz;
+  setup.orientation.rtol = 0.01;
+  const PassageRunner run = make_runner(Engine::fast);
+  const PointResult found = solve_point(setup, {.R_n = 100}, run);
+  CHECK(found.status == PointStatus::unreachable);
+  // No gap carries more, up to the errors and the distance of the gaps.
+  double most = 0;
+  for (double z_0 = 0.02; z_0 < 0.98; z_0 += 0.03)
+    most = std::max(most, solve_point(setup, {.z_0 = z_0}, run).value[R_N]);
+  CHECK(found.R_n_largest.value == Approx(most).epsilon(0.03));
+  const PointResult there = solve_point(setup, {.z_0 = found.z_0_of_R_n_largest}, run);
+  CHECK(there.value[R_N] == Approx(found.R_n_largest.value).margin(found.R_n_largest.error));
+  CHECK(std::isnan(there.R_n_largest.value));
+}
+
+TEST_CASE("drag is friction and the work of entering bristles, which the slab pays") {
+  Setup setup;
+  Parameters& p = setup.parameters;
+  p.bending = Bending::rod;
+  p.contact = Contact::hertz;
+  p.friction = FrictionLaw::coulomb;
+  p.mu_c = 0.25;
+  p.k_r = 100;
+  setup.orientation.rtol = 0.01;
+  const PointResult found = solve_point(setup, {.z_0 = 0.6}, make_runner(Engine::fast));
+  const Equilibrium start = InitialStates(p).at(0.6);
+  const Bristle<double> b = make_bristle(p, 0.6, 1);
+  const double E_0 = energy(b, state_at_rest(b, start)) / p.L_x;  // the same at each azimuth
+  CHECK(found.value[observable("entry_work")] == Approx(E_0).epsilon(1e-6));
+  CHECK(drag(found).value == Approx(found.value[R_X] + E_0).epsilon(1e-6));
+  CHECK(found.value[observable("axial_over_euler")] ==
+        Approx(p.k_r * found.value[observable("compression_peak")] / (0.8225 * p.k_phi)).epsilon(1e-3));
 }
 
 TEST_CASE("the contact radius is the tip's where the flag begins") {

@@ -244,6 +244,7 @@ void evaluate_exit(const PassageTask& task, Passage& out) {
   const double dissipated = out.end[FRICTION_X] - out.end[WORK];
   // A tip that the slab hardly touches has no more energy than the tolerances of the integrator.
   constexpr double least = 1e-6;
+  out.entry_energy = start;
   out.energy_residual = std::abs(gained - out.end[WORK]) / std::max({dissipated, start, least});
 }
 

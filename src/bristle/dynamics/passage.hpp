@@ -57,6 +57,7 @@ struct Passage {
   OdeState end{};                                // state and integrals at the exit
   Path<double> path{};                           // see PathQuantity
   double gamma_1 = 0, gamma_2 = 0, gamma_3 = 0;  // ratios of Eqs. (24-26) for this bristle
+  double entry_energy = 0;     // of springs and contact at the start, which the slab's edge has brought in
   double energy_residual = 0;  // |E(T) - E(0) - work| over the largest of dissipated energy, E(0) and 1e-6
   long steps = 0, evaluations = 0;
   int reflections = 0;              // number of applications of the pole rule, at s = s_min

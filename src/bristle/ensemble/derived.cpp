@@ -45,6 +45,12 @@ Quantity friction_coefficient(const PointResult& p) {
   return {value, (p.error[R_X] + std::abs(value) * p.error[R_N]) / p.value[R_N], kUnknown};
 }
 
+Quantity drag(const PointResult& p) {
+  constexpr Observable ENTRY_WORK = observable("entry_work");
+  return {p.value[R_X] + p.value[ENTRY_WORK], p.error[R_X] + p.error[ENTRY_WORK],
+          p.load_error[R_X] + p.load_error[ENTRY_WORK]};
+}
+
 Quantity impact_rate(const PointResult& p) {
   constexpr Observable IMPACTS_MEAN = observable("impacts");
   const double time = p.value[N_C_RATIO] * p.parameters.L_x, value = p.value[IMPACTS_MEAN] / time;

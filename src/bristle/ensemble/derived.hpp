@@ -19,6 +19,10 @@ Quantity unpinned_friction(const PointResult& p);
 // Returns R_x/R_n, Eq. (19). Dimensionless.
 Quantity friction_coefficient(const PointResult& p);
 
+// Returns the force against the motion, R_x and the work of entering bristles E_0/L_x, per N_c0.
+// Dimensionless.
+Quantity drag(const PointResult& p);
+
 // Returns the number of impacts on the slab per time of contact. Dimensionless.
 Quantity impact_rate(const PointResult& p);
 

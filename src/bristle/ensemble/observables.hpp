@@ -31,6 +31,10 @@ double angle_of_versed(double versed);
 // (rad): the tip's force F bends it by F r0^2/(3 E I), and the strain is F r0 R/(E I). Dimensionless.
 double root_strain(const Parameters& p, double bending);
 
+// Returns the axial force at which a cantilever with a free end buckles by Euler, pi^2 E I/(4 r0^2) = pi^2
+// k_phi/12, where k_phi = 3 E I/r0 is the polar stiffness of a straight shaft. Dimensionless.
+inline double euler_load(const Parameters& p) { return M_PI * M_PI * p.k_phi / 12; }
+
 // Unit of the variant <name>_in_<suffix> of an observable in SI units.
 struct SiUnit {
   const char *suffix, *units;
@@ -106,6 +110,16 @@ inline constexpr std::array kObservables = {
     ObservableRow{"stretch_peak", "largest elongation of the bristle in the passage", R"((r - 1)_{\max})",
                   "Eq. (13)", [](const Passage& p, const Parameters&) { return p.path[STRETCH_PEAK]; },
                   Average::over_passages, false},
+    ObservableRow{"compression_peak", "largest shortening of the bristle in the passage", R"((1 - r)_{\max})",
+                  "Eq. (13)", [](const Passage& p, const Parameters&) { return p.path[COMPRESSION_PEAK]; },
+                  Average::over_passages, false, Unpinned::none, &kMetre},
+    ObservableRow{"axial_over_euler",
+                  "largest axial force of the passage over the load at which a shaft buckles",
+                  R"(k_r (1 - r)_{\max}/F_{\mathrm{Euler}})", "docs/limitations.md",
+                  [](const Passage& p, const Parameters& in) {
+                    return in.k_r * p.path[COMPRESSION_PEAK] / euler_load(in);
+                  },
+                  Average::over_passages, false},
     ObservableRow{"bending_peak", "largest angle between the bristle and the undeformed one",
                   R"(\gamma_{\max})", "",
                   [](const Passage& p, const Parameters&) { return angle_of_versed(p.path[BENDING_PEAK]); },
@@ -125,6 +139,16 @@ inline constexpr std::array kObservables = {
                   R"(W_\mathrm{slide})", "Eq. (5)",
                   [](const Passage& p, const Parameters& in) { return p.path[SLIDING_WORK] / in.L_x; },
                   Average::over_passages, false, Unpinned::none, &kJoulePerMetre},
+    ObservableRow{"entry_work", "work of pressing a bristle under the edge, over the slab's length",
+                  R"(E_0/\tilde{L}_x)", "docs/model.md",
+                  [](const Passage& p, const Parameters& in) { return p.entry_energy / in.L_x; },
+                  Average::over_passages, false, Unpinned::none, &kNewton},
+    ObservableRow{
+        "untouched_fraction", "fraction of the bristles that the slab does not touch",
+        R"(f_\mathrm{untouched})", "",
+        [](const Passage& p,
+           const Parameters&) { return p.path[OFF_SLAB_TIME] < (1 - 1e-9) * p.contact_time ? 0.0 : 1.0; },
+        Average::over_passages, false},
 };
 
 // Index of an observable: a row of kObservables, a contribution by outcome, or WEIGHT.

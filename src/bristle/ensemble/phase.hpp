@@ -4,8 +4,9 @@
 
 namespace bristle {
 
-// Phase of a brush. contact: the tips stay on the slab, bent and dragged. bouncing: the tips are off the slab
-// most of the time. mixed: neither. unknown: the point has no values.
+// Phase of a brush, of those bristles that touch the slab. contact: the tips stay on the slab, bent and
+// dragged. bouncing: the tips are off the slab most of the time. mixed: neither. unknown: the point has no
+// values, or the slab touches no bristle.
 enum class BrushPhase {
   contact,
   bouncing,
@@ -22,7 +23,8 @@ inline Words words<BrushPhase>() {
 constexpr double kContactShare = 0.05, kBouncingShare = 0.5;
 
 inline BrushPhase phase_of(const PointResult& point) {
-  const double share = point.value[observable("off_slab_share")];
+  const double untouched = point.value[observable("untouched_fraction")];
+  const double share = (point.value[observable("off_slab_share")] - untouched) / (1 - untouched);
   if (std::isnan(share)) return BrushPhase::unknown;
   if (share <= kContactShare) return BrushPhase::contact;
   return share >= kBouncingShare ? BrushPhase::bouncing : BrushPhase::mixed;

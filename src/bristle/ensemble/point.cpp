@@ -84,7 +84,7 @@ class PointSolver {
   PointResult ensemble_values() {
     if (loading_.z_0) return at_given_gap(*loading_.z_0);
     const LoadPoint found = search();
-    if (found.status == LoadStatus::unreachable) return without_values(PointStatus::unreachable);
+    if (found.status == LoadStatus::unreachable) return unreachable();
     if (found.status == LoadStatus::failed) return incomplete();
     PointResult out = at_gap(found.z_0, found.status);
     if (out.status == PointStatus::incomplete) return out;
@@ -180,6 +180,38 @@ class PointSolver {
       add_load_error(out, other, deviation);
       return;
     }
+  }
+
+  // Returns the result of a point whose target no gap carries, with the greatest load that one does. The
+  // search knows the loads only as exactly as they are below the target.
+  PointResult unreachable() {
+    constexpr int kHalvings = 3;
+    PointResult out = without_values(PointStatus::unreachable);
+    const auto largest = [this] {
+      return std::ranges::max_element(means_, {}, [](auto& one) { return one.second.known().mean[R_N]; });
+    };
+    try {
+      purpose_ = purpose::SCAN;
+      for (int i = 0; i < kHalvings; ++i) {
+        const auto above = 1.25 * largest()->second.known().mean[R_N];
+        for (auto& [z_0, mean] : means_) mean.rough_load(above);
+        const auto top = largest();
+        const double at = top->first;
+        std::vector<double> between;
+        if (top != means_.begin()) between.push_back((std::prev(top)->first + at) / 2);
+        if (std::next(top) != means_.end()) between.push_back((std::next(top)->first + at) / 2);
+        for (const double z_0 : between)
+          if (mean_at(z_0).rough_load(above).incomplete > 0) return out;
+      }
+      purpose_ = purpose::VALUES;
+      const double z_0 = largest()->first;
+      const Ensemble& e = mean_at(z_0).with_integrator_error();
+      if (e.incomplete > 0) return out;
+      out.z_0_of_R_n_largest = z_0;
+      out.R_n_largest = {e.mean[R_N], e.error[R_N], 0};
+    } catch (const WorkLimitReached&) {
+    }
+    return out;
   }
 
   LoadPoint search() {
@@ -328,7 +360,8 @@ PointResult without_values(PointStatus status) {
   out.load_error.fill(kNone);
   out.fluctuation = out.fluctuation_of_rows = {kNone, kNone, kNone};
   out.jump_z_0 = out.jump_R_n = out.incomplete_theta_0 = kNone;
-  out.z_0_other = out.R_x_norm_other = kNone;
+  out.R_n_largest = {kNone, kNone, kNone};
+  out.z_0_of_R_n_largest = out.z_0_other = out.R_x_norm_other = kNone;
   out.value_other.fill(kNone);
   return out;
 }

@@ -74,6 +74,8 @@ struct PointResult {
   Quantity fluctuation, fluctuation_of_rows;  // for lattice sampling; NaN otherwise
   Quantity R_x_norm, R_y_norm;                // Eqs. (20, 21), for the computed R_n
   double jump_z_0 = 0, jump_R_n = 0;          // last gap before a jump, and its R_n; NaN without a jump
+  Quantity R_n_largest;           // greatest load found where the target is unreachable; NaN elsewhere
+  double z_0_of_R_n_largest = 0;  // its gap
   // The other gap of an ambiguous point (LoadPoint::z_0_other) and the values there; NaN without another gap.
   double z_0_other = 0, R_x_norm_other = 0;
   ObservableArray value_other{};

@@ -126,6 +126,7 @@ struct Parameters {
   double R = 0.0637;  // from k_phi = 3 pi E R^4/4 with the paper's k_phi, E_star and nu = 0.4
   double strain_limit = 0.05;
   double stretch_limit = 0.5;
+  double pressure_limit = std::numeric_limits<double>::infinity();
   CustomFriction custom_friction;
 };
 
@@ -211,6 +212,8 @@ inline constexpr std::array kParameters = {
               "strain at the root beyond which exceeds_strain_limit is yes", "dimensionless", kPositive},
     Parameter{"stretch_limit", &Parameters::stretch_limit, R"((r - 1)_{\mathrm{limit}})",
               "elongation beyond which exceeds_stretch_limit is yes", "in units of r0", kPositive},
+    Parameter{"pressure_limit", &Parameters::pressure_limit, R"(p_{\mathrm{limit}})",
+              "contact pressure beyond which exceeds_pressure_limit is yes", "dimensionless", kPositive},
 };
 
 // Describes an enumeration in Parameters, whose JSON value is one of several words.

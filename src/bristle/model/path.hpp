@@ -7,16 +7,17 @@ namespace bristle {
 // Quantities that results report about a passage beyond the integrals of Component (dynamics/ode.hpp).
 // Neither the motion nor the size of a step depends on them. Dimensionless.
 enum PathQuantity {
-  STUCK_TIME,     // on the slab with V_R below V_s, the static branch of chi
-  OFF_SLAB_TIME,  // see is_off_slab()
-  SQUARED_LOAD,   // integral of F_n^2
-  SLIDING_WORK,   // integral of F_f V_R
-  LOAD_PEAK,      // largest F_n
-  STRETCH_PEAK,   // largest r - 1, at least 0
-  BENDING_PEAK,   // largest 1 - cos of the angle between the bristle and the undeformed one
-  TRAVEL_PEAK,    // largest distance of the tip from its start along the motion, r0
-  IMPACTS,        // number of steps after which a tip that was off the slab is on it
-  OFF_SLAB,       // whether the tip is off the slab: 1 or 0
+  STUCK_TIME,        // on the slab with V_R below V_s, the static branch of chi
+  OFF_SLAB_TIME,     // see is_off_slab()
+  SQUARED_LOAD,      // integral of F_n^2
+  SLIDING_WORK,      // integral of F_f V_R
+  LOAD_PEAK,         // largest F_n
+  STRETCH_PEAK,      // largest r - 1, at least 0
+  COMPRESSION_PEAK,  // largest 1 - r, at least 0
+  BENDING_PEAK,      // largest 1 - cos of the angle between the bristle and the undeformed one
+  TRAVEL_PEAK,       // largest distance of the tip from its start along the motion, r0
+  IMPACTS,           // number of steps after which a tip that was off the slab is on it
+  OFF_SLAB,          // whether the tip is off the slab: 1 or 0
   PATH_QUANTITIES
 };
 template <class T>
@@ -49,6 +50,7 @@ void add_position(const Bristle<P>& b, const Vector3<T>& position, const Frame<T
   const T along_e_s = b.cos_theta_0 * position[0] + b.sin_theta_0 * position[1];
   const T cosine = T(b.cos_phi_0 * along_e_s + b.sin_phi_0 * position[2]) * frame.one_r;
   path[STRETCH_PEAK] = max(path[STRETCH_PEAK], T(frame.r - 1.0));
+  path[COMPRESSION_PEAK] = max(path[COMPRESSION_PEAK], T(1.0 - frame.r));
   path[BENDING_PEAK] = max(path[BENDING_PEAK], T(1.0 - cosine));
   path[TRAVEL_PEAK] = max(path[TRAVEL_PEAK], T(position[0] - x_0));
   const T off = select(is_off_slab(b, position[2]), T(1.0), T(0.0));
