@@ -60,10 +60,13 @@ Verdict verdict_on_claim(const std::vector<CheckResult>& checks, const std::stri
     const auto [known, first] = interpretations.emplace(c.check.interpretation, c.verdict);
     if (!first) known->second = worse(known->second, c.verdict);
   }
-  Verdict best = Verdict::refuted;
-  for (const auto& [interpretation, verdict] : interpretations)
-    if (worse(best, verdict) == best) best = verdict;
-  return best;
+  if (interpretations.empty()) return Verdict::undecided;
+  const auto have = [&](Verdict verdict) {
+    return std::ranges::count(interpretations, verdict, [](const auto& one) { return one.second; });
+  };
+  const Verdict first = interpretations.begin()->second;
+  if (have(first) == std::ssize(interpretations)) return first;
+  return have(Verdict::supported) > 0 ? Verdict::depends : Verdict::undecided;
 }
 
 }  // namespace

@@ -6,15 +6,17 @@
 namespace bristle {
 
 // Outcome of a check or a claim. undecided: the threshold lies within the uncertainty of the measurement, too
-// few points have values, or a trend is not significant.
+// few points have values, a trend is not significant, or no check decides the claim. depends: of a claim,
+// some interpretations are supported and others are not.
 enum class Verdict {
   supported,
   refuted,
-  undecided
+  undecided,
+  depends
 };
 template <>
 inline Words words<Verdict>() {
-  static constexpr const char* list[] = {"supported", "refuted", "undecided"};
+  static constexpr const char* list[] = {"supported", "refuted", "undecided", "depends"};
   return list;
 }
 
@@ -27,8 +29,9 @@ struct CheckResult {
   double margin;  // distance from the threshold or from the end of the band; positive if the claim holds
   Verdict verdict;
   // Verdict on the claim under this check's reading, by the main checks of the claim. An interpretation is
-  // supported if all its main checks are supported, and refuted if one of them is refuted. The claim is
-  // supported if one of its interpretations is supported, and refuted if all are refuted.
+  // supported if all its main checks are supported, and refuted if one of them is refuted. If all
+  // interpretations have one verdict, it is the claim's. If some are supported, the claim depends on what is
+  // meant. It is undecided otherwise, and if it has no main check.
   Verdict claim_verdict;
 };
 
@@ -53,6 +56,11 @@ std::vector<CheckResult> evaluate_checks(
 // Returns the name that pages and figures give to a model of bending: "corrected" for "polar". Returns
 // another reading as it is.
 std::string name_of_reading(const std::string& reading);
+
+// Returns what a check requires, in words: "95 % of the points", "last over first value at most 0.5".
+std::string required_text(const Check& check);
+// Returns what was measured, in the words of required_text(): "100 % of the points", "0.230 +- 0.001".
+std::string found_text(const CheckResult& check);
 
 // Returns the checks for people, in lines of at most `columns` characters: what each states, and below it the
 // verdict and the measured number for each reading. Leaves out further checks unless `all` is set.

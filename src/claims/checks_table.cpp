@@ -1,25 +1,31 @@
 #include "claims/checks.hpp"
 
+#include "claims/measure.hpp"
 #include "util/text.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <algorithm>
+#include <cmath>
 
 namespace bristle::claims {
 namespace {
 
-std::string claimed(const Check& check) {
-  switch (check.criterion) {
-    case Criterion::near: return fmt::format("{:.3g} +- {:.3g}", check.threshold, *check.band);
-    case Criterion::at_most: return fmt::format("at most {:.3g}", check.threshold);
-    case Criterion::at_least: break;
-  }
-  return fmt::format("at least {:.3g}", check.threshold);
+// Returns a count from -1, none, to 1, all, as a percentage: of those that the check wants above, or below.
+double percentage(const Check& check, double count) {
+  return 50 * (1 + (check.criterion == Criterion::at_most ? -count : count));
 }
 
-std::string measured(const CheckResult& c) {
-  return fmt::format("{:<9} {:.3f} +- {:.3f}", word(c.verdict), c.measured.value, c.measured.uncertainty);
+// Whether the measured number is the share of points or pairs. A check that compares two such numbers, or
+// wants one near a number, is none.
+bool is_share(const Check& check) {
+  const Predicate& predicate = find_predicate(check.predicate);
+  return predicate.share_of && check.criterion != Criterion::near &&
+         (predicate.on_pairs || check.compare.empty());
+}
+
+std::string meaning(const Check& check) {
+  return check.interpretation.empty() ? "" : fmt::format(", if {}", printable(check.interpretation));
 }
 
 std::string missing(const CheckResult& c) {
@@ -37,7 +43,34 @@ std::vector<std::string> readings_of(const std::vector<CheckResult>& checks) {
   return readings;
 }
 
+std::string measured(const CheckResult& c) { return fmt::format("{:<9} {}", word(c.verdict), found_text(c)); }
+
 }  // namespace
+
+std::string required_text(const Check& check) {
+  const Predicate& predicate = find_predicate(check.predicate);
+  if (is_share(check))
+    return fmt::format("{:.3g} % of {} needed", percentage(check, check.threshold), predicate.share_of);
+  std::string what = predicate.what;
+  if (!check.compare.empty() && predicate.on_curves)
+    what += fmt::format(", {} of both", check.difference ? "difference" : "ratio");
+  switch (check.criterion) {
+    case Criterion::near:
+      return fmt::format("{} within {:.3g} of {:.3g}", what, *check.band, check.threshold);
+    case Criterion::at_most: return fmt::format("{} at most {:.3g}", what, check.threshold);
+    case Criterion::at_least: break;
+  }
+  return fmt::format("{} at least {:.3g}", what, check.threshold);
+}
+
+std::string found_text(const CheckResult& c) {
+  const auto& [value, uncertainty] = std::pair{c.measured.value, c.measured.uncertainty};
+  if (!std::isfinite(value)) return "not measured";
+  if (!is_share(c.check)) return fmt::format("{:.3f} +- {:.3f}", value, uncertainty);
+  const double share = percentage(c.check, value);
+  return uncertainty < 1e-3 ? fmt::format("{:.3g} %", share)
+                            : fmt::format("{:.3g} +- {:.2g} %", share, 50 * uncertainty);
+}
 
 std::string name_of_reading(const std::string& reading) {
   if (reading == "polar") return "corrected";
@@ -60,7 +93,8 @@ std::string checks_table(const std::vector<CheckResult>& checks, bool all, std::
         first, checks.end(), [&](const CheckResult& c) { return c.check.number != first->check.number; });
     if (first->check.main || all) {
       const std::string statement =
-          fmt::format("{}: {}{}", printable(first->check.statement), claimed(first->check), missing(*first));
+          fmt::format("{}{} ({}){}", printable(first->check.statement), meaning(first->check),
+                      required_text(first->check), missing(*first));
       text += fmt::format("{:<{}}{}\n", first->check.main ? printable(first->check.claim) : " further",
                           kIndent, wrapped(statement, columns, kIndent));
       std::vector<std::string> cells;

@@ -15,6 +15,8 @@ struct Need {
 // A predicate: what a check measures, by the name that experiments use.
 struct Predicate {
   std::string name;
+  const char* what;      // the measured number in words
+  const char* share_of;  // what it counts, from -1, none, to 1, all; null if it is no count
   std::vector<Need> needs;
   // One of these two functions is null: a predicate measures on curves along one dimension, or on two
   // quantities at the same points.

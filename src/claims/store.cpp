@@ -22,6 +22,10 @@ results::Dataset dataset_of(const std::vector<CheckResult>& checks) {
       [](C c) { return std::string(c.check.main ? "main" : "further"); });
   add("is", "required relation of the measured number to the threshold",
       [](C c) { return std::string(word(c.check.criterion)); });
+  add("required", "what the check requires, in words", [](C c) { return required_text(c.check); });
+  add("found", "what was measured, in words", [](C c) { return found_text(c); });
+  add("interpretation", "meaning of the paper's sentence under which the check belongs to the claim",
+      [](C c) { return c.check.interpretation; });
   add("verdict", "verdict of the check", [](C c) { return std::string(word(c.verdict)); });
   add("claim_verdict", "verdict on the claim under this reading, by its main checks",
       [](C c) { return std::string(word(c.claim_verdict)); });

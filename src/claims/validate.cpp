@@ -16,10 +16,9 @@ namespace {
 
 class CheckValidator {
  public:
-  // Lists the names of axes and variables that the check may use. checks: all checks of the experiment.
-  CheckValidator(const Experiment& experiment, const std::vector<Check>& checks, const Check& check)
+  // Lists the names of axes and variables that the check may use.
+  CheckValidator(const Experiment& experiment, const Check& check)
       : experiment_(experiment),
-        checks_(checks),
         check_(check),
         node_(*experiment.source, fmt::format("/checks/{}", check.number)) {
     for (const results::ResultVariable& v : results::result_variables(experiment.sweep))
@@ -34,7 +33,6 @@ class CheckValidator {
 
   void validate() const {
     require_keys();
-    require_main_check();
     known("variable", check_.variable, variables_);
     if (!check_.along.empty()) known("along", check_.along, axes_);
     if (!check_.against.empty()) known("against", check_.against, axes_);
@@ -80,13 +78,6 @@ class CheckValidator {
       fail("band", "is missing; \"near\" needs the largest allowed distance");
   }
 
-  void require_main_check() const {
-    const bool any = std::ranges::any_of(
-        checks_, [this](const Check& other) { return other.main && other.claim == check_.claim; });
-    if (!any)
-      fail("role", fmt::format("every check of claim {} is \"further\"; one must be \"main\"", check_.claim));
-  }
-
   // Requires that the selection is a word of a choice, a value of an axis, or a range of an axis or a
   // variable.
   void selects(const std::string& key, const std::string& name, const Selection& value) const {
@@ -124,7 +115,6 @@ class CheckValidator {
   }
 
   const Experiment& experiment_;
-  const std::vector<Check>& checks_;
   const Check& check_;
   json::Node node_;
   std::vector<std::string> variables_, axes_;
@@ -133,7 +123,7 @@ class CheckValidator {
 }  // namespace
 
 void validate_checks(const Experiment& experiment, const std::vector<Check>& checks) {
-  for (const Check& check : checks) CheckValidator(experiment, checks, check).validate();
+  for (const Check& check : checks) CheckValidator(experiment, check).validate();
 }
 
 void validate_checks(const Experiment& experiment) { validate_checks(experiment, read_checks(experiment)); }

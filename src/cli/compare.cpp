@@ -48,8 +48,9 @@ bool report_claims(const CheckOptions& options, const std::vector<claims::CheckR
     ++of_reading->second[c.verdict];
   }
   for (auto& [reading, count] : counts)
-    fmt::print("claims{}: {} supported, {} refuted, {} undecided\n", with_key(reading),
-               count[Verdict::supported], count[Verdict::refuted], count[Verdict::undecided]);
+    fmt::print("claims{}: {} supported, {} refuted, {} undecided, {} that depend on what is meant\n",
+               with_key(reading), count[Verdict::supported], count[Verdict::refuted],
+               count[Verdict::undecided], count[Verdict::depends]);
   return all_supported(checks);
 }
 

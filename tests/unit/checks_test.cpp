@@ -309,10 +309,33 @@ TEST_CASE("the main checks of one interpretation decide the verdict on a claim, 
   CHECK(claim_verdict({level(true, ""), level(false, "")}) == Verdict::refuted);
   CHECK(claim_verdict({level(true, ""), level(false, further)}) == Verdict::supported);
   CHECK(claim_verdict({level(false, ""), level(true, further)}) == Verdict::refuted);
-  CHECK(claim_verdict({level(false, one), level(true, one), level(true, other)}) == Verdict::supported);
+  CHECK(claim_verdict({level(false, one), level(true, one), level(true, other)}) == Verdict::depends);
+  CHECK(claim_verdict({level(true, one), level(true, other)}) == Verdict::supported);
   CHECK(claim_verdict({level(false, one), level(false, other)}) == Verdict::refuted);
-  CHECK_THROWS_WITH(claim_verdict({level(true, further)}),
-                    Catch::Contains("/checks/0/role: every check of claim x is \"further\""));
+  CHECK(claim_verdict({level(true, further)}) == Verdict::undecided);  // no check decides it
+}
+
+TEST_CASE("checks speak in words: shares of points in per cent, other numbers with what they measure") {
+  const Scratch s;
+  const auto words = [&](const std::vector<double>& values, const std::string& check) {
+    const CheckResult c = verdicts(s, values, 0, check).at(0);
+    return std::pair(required_text(c.check), found_text(c));
+  };
+  using Pair = std::pair<std::string, std::string>;
+  const std::string ordering = R"("predicate": "ordering", "expected": 2.5, "threshold": )";
+  CHECK(words({1, 1, 1, 3}, ordering + R"(-0.9, "is": "at_most")") ==
+        Pair{"95 % of the points needed", "75 %"});
+  CHECK(words({1, 1, 1, 3}, ordering + R"(0, "is": "at_least")") ==
+        Pair{"50 % of the points needed", "25 %"});
+  CHECK(words({4, 3, 2, 1}, R"("predicate": "trend", "is": "at_most", "threshold": -0.5)") ==
+        Pair{"75 % of the pairs of points needed", "100 %"});
+  CHECK(words({4, 3, 2, 1}, R"("predicate": "end_ratio", "is": "at_most", "threshold": 0.5)") ==
+        Pair{"last over first value at most 0.5", "0.250 +- 0.000"});
+  CHECK(words({2, 2, 2, 2}, R"("predicate": "level", "is": "near", "threshold": 1, "band": 0.05)").first ==
+        "mean value within 0.05 of 1");
+  CHECK(
+      words({kNone, kNone, kNone, 1}, R"("predicate": "trend", "is": "at_most", "threshold": -0.5)").second ==
+      "not measured");
 }
 
 TEST_CASE("a check on pairs compares as many points with as many") {

@@ -9,7 +9,7 @@ import numpy as np
 from ..command_line import run
 from ..files import write_text
 from ..plotting.remarks import pinned_note, start_note, validity_note
-from ..plotting.verdicts import number, p_text, quantity, threshold_text
+from ..plotting.verdicts import measured_text, p_text
 from ..results import as_text, experiment, open_result, read, status_counts
 from .explanations import explain_claim, explain_further
 from .markdown import filled, replace_between, table
@@ -181,11 +181,9 @@ def paragraph(file, claim, checks):
 
 def sentence(check, rows):
     """What a check states and requires, and what was measured under each reading."""
-    found = [f"{READINGS.get(row.reading, row.reading)} {number(row.measured, '.3f')} ± {number(row.uncertainty, '.3f')}".strip()
-             for row in rows]
-    wanted = threshold_text(rows[0].relation, rows[0].threshold, rows[0].band).strip()
+    found = [f"{READINGS.get(row.reading, row.reading)} {measured_text(row)}".strip() for row in rows]
     given = f" (if {check['interpretation']})" if check.get("interpretation") else ""
-    return f"{check['statement'][0].upper()}{check['statement'][1:]}{given}: {quantity(check)} {wanted}; measured {', '.join(found)}."
+    return f"{check['statement'][0].upper()}{check['statement'][1:]}{given} ({rows[0].required}): {', '.join(found)}."
 
 
 def quotes(checks):
@@ -194,11 +192,10 @@ def quotes(checks):
 
 def item(file, check, rows):
     """An item of a list: the statement, and below it the verdict of each reading with its numbers."""
-    what = f"{quantity(check)} {threshold_text(rows[0].relation, rows[0].threshold, rows[0].band).strip()}"
-    lines = [f"- {check['statement']} ({what})"]
+    lines = [f"- {check['statement']} ({rows[0].required})"]
     for row in rows:
         reading = f"{READINGS.get(row.reading, row.reading)}: " if row.reading else ""
-        measured = f"{number(row.measured, '.3f')} ± {number(row.uncertainty, '.3f')}{p_text(row)}"
+        measured = measured_text(row) + p_text(row)
         why = explain_further(file, check, row) if row.role != "main" and row.verdict == "refuted" else ""
         if check["predicate"] == "rise" and "resolution" in check and not np.isfinite(row.uncertainty):
             why = f"ln changes by less than {check['resolution']:g} under a law"

@@ -74,13 +74,6 @@ def measured(file, reading, *quantities):
     return np.array(measure(PROGRAM.get(), place_of(file), reading, quantities))
 
 
-def over_k_r(file, stiffness, variable, abscissa, target, *, reading):
-    """For each k_r the variable where the abscissa first has this value, at the paper's k_phi."""
-    k_phi = setting(file, "model", "k_phi")
-    return measured(file, reading, *({"predicate": "level", "variable": variable, "along": "k_phi", "at": {abscissa: target},
-                                      "where": {"k_phi": k_phi, "k_r": k_r}} for k_r in stiffness))
-
-
 def nearest(values, wanted):
     """Indices of the values that are nearest to the wanted ones."""
     return [int(np.argmin(abs(values - one))) for one in wanted]

@@ -48,7 +48,7 @@ def every_verdict(found):
 
 def joint(*verdicts):
     """The verdict on a claim that checks of several results decide: supported if all support it, refuted if one refutes it."""
-    return min(verdicts, key=["refuted", "undecided", "supported"].index)
+    return min(verdicts, key=["refuted", "depends", "undecided", "supported"].index)
 
 
 def readings_of(found):
@@ -70,7 +70,7 @@ def in_context(found):
 def further(found):
     """Findings on single claims of the paper."""
     return sentences(found, [("fig7", one_jump), ("fig7", magnitude), ("fig7", contact_area), ("fig8", saturation),
-                             ("figA1", isotropy), ("fig3", order_of_gaps), ("figA2", row_period)])
+                             ("figA1", isotropy), ("figA2", row_period)])
 
 
 def sentences(found, of_files, of_verdicts=()):
@@ -86,7 +86,8 @@ def counts(verdicts, readings):
     words = {claim: set(found.values()) if len(found) == len(readings) else {""} for claim, found in verdicts.items()}
     holding, failing = ([claim for claim, found in words.items() if found == {word}] for word in ("supported", "refuted"))
     rest = len(verdicts) - len(holding) - len(failing)
-    by_model = f" and {rest} depend on the model or are undecided" if len(readings) > 1 else f" and {rest} are undecided"
+    by_model = (" and {} depend on the model, on a range or on what is meant, or are undecided" if len(readings) > 1 else
+                " and {} depend on what is meant or are undecided").format(rest)
     model = " with every model of bending" if len(readings) > 1 else ""
     return (f"Of the paper's {len(verdicts)} claims, {len(holding)} hold{model}, {len(failing)} fail{model}"
             f"{' (' + ', '.join(failing) + ')' if failing else ''}{by_model}.")
@@ -253,19 +254,6 @@ def isotropy(file, verdicts):
         return number(np.abs(values).max(), ".1g")
     return (f"{on_claim('Isotropy, R_y = 0 for uniform azimuths', 'A1', verdicts)}: |R_y_norm| of the ensemble mean is at most "
             f"{of_each(largest)}.")
-
-
-def order_of_gaps(file, verdicts):
-    """Claim 3d, if a reading does not support it."""
-    if set(verdicts["3d"].values()) == {"supported"}:
-        return ""
-    trends = {}
-    for check, row in declared_checks(file):
-        if row.claim == "3d" and row.role == "main":
-            trends.setdefault(row.reading, {})[check["at"]["R_n"]] = number(row.measured, ".2f")
-    loads = listed(next(iter(trends.values())), chosen_at)
-    return (f"{on_claim('The reversed order of z_0 over k_r between low and high load', '3d', verdicts)}: Kendall's tau is"
-            f" {of_each(lambda reading: listed(trends[reading].values(), str))} at R_n = {loads}.")
 
 
 def row_period(file, verdicts):

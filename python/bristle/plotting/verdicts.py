@@ -9,29 +9,20 @@ from ..results import CHOICE_NAMES, as_text, attribute, experiment, is_whole, pl
 from .style import BLUE, GREEN, GREY, VERMILION, lines_within, text_inches, with_carons
 
 NUMBERS = ("measured", "uncertainty", "threshold", "band", "margin", "significance")
-TEXTS = ("claim", "statement", "is", "verdict", "reading", "role", "claim_verdict")
+TEXTS = ("claim", "statement", "is", "verdict", "reading", "role", "claim_verdict", "required", "found", "interpretation")
 
 # relation: how the measured value must compare with the threshold: at_most, at_least or near.
 # reading: the reading of Eq. (17), if the experiment has several; declared: number of the check in the experiment.
 # interpretation: of an ambiguous sentence of the paper, under which the check belongs to the claim.
 # role: the claim's verdict under a reading rests on its main checks, not on further ones.
 # symbols: of the quantities that the statement and the interpretation may name.
-Claim = namedtuple("Claim", "claim statement relation verdict reading role claim_verdict " + " ".join(NUMBERS) +
-                   " declared interpretation symbols")
+# required, found: what the check requires and what was measured, in words.
+Claim = namedtuple("Claim", "claim statement relation verdict reading role claim_verdict required found interpretation " +
+                   " ".join(NUMBERS) + " declared symbols")
 
-VERDICT_SIGNS = {"supported": ("\u2714", GREEN), "refuted": ("\u2718", VERMILION), "undecided": ("?", BLUE)}
+VERDICT_SIGNS = {"supported": ("\u2714", GREEN), "refuted": ("\u2718", VERMILION), "undecided": ("?", BLUE),
+                 "depends": ("\u2194", BLUE)}
 RELATION_SIGNS = {"at_most": "\u2264", "at_least": "\u2265", "near": "near"}
-
-# What the predicates measure (docs/claims.md), in words.
-PREDICATES = {"trend": "Kendall's tau", "end_ratio": "last over first value", "rise": "rise of the logarithm",
-              "share": "share in the change of the logarithm", "third_ratio": "mean of the last third over the first",
-              "linearity": "distance from a line over its range", "top_ratio": "largest over first value",
-              "range_ratio": "ratio of the ranges of the logarithm", "slope": "slope", "plateau": "range over the mean",
-              "level": "mean value", "steepest_fall": "place of the steepest fall", "steepness": "steepest slope",
-              "fall_width": "width of the fall", "fold": "largest relative drop"}
-# Predicates that compare both sides of "compare" in one number.
-PAIRED_PREDICATES = {"ordering": "share of points at which it is greater, minus the share at which it is smaller",
-                     "concordance": "Kendall's tau between the two", "equality": "difference over its error"}
 
 # Of quantities that a sentence may name and the result may not have as a variable or an axis.
 FURTHER_SYMBOLS = {"k_r": r"\tilde{k}_r", "k_theta": r"\tilde{k}_\theta", "k_phi": r"\tilde{k}_\varphi", "N_c": "N_c",
@@ -65,9 +56,8 @@ def read_claims(file):
     if len({len(column) for column in columns}) > 1:
         raise BristleError(f"{place_of(file)}: the datasets of /checks differ in length")
     texts = len(TEXTS)
-    declared, names = dict(enumerate(experiment(file).get("checks", []))), symbols(file)
-    return [Claim(*map(as_text, row[:texts]), *map(float, row[texts:-1]), int(row[-1]),
-                  declared.get(int(row[-1]), {}).get("interpretation", ""), names) for row in zip(*columns)]
+    names = symbols(file)
+    return [Claim(*map(as_text, row[:texts]), *map(float, row[texts:-1]), int(row[-1]), names) for row in zip(*columns)]
 
 
 def declared_checks(file):
@@ -105,14 +95,6 @@ def reading_words(claims):
     return list(dict.fromkeys(claim.reading for claim in claims))
 
 
-def quantity(check):
-    """The quantity that a check measures, in words."""
-    what = {**PREDICATES, **PAIRED_PREDICATES}.get(check["predicate"], readable(check["predicate"]))
-    if "compare" in check and check["predicate"] not in PAIRED_PREDICATES:
-        return f"{what}, {check.get('by', 'ratio')} of both"
-    return what
-
-
 def number(value, form):
     return f"{value:{form}}".replace("-", "\u2212") if isfinite(value) else "\u2013"
 
@@ -131,6 +113,21 @@ def threshold_text(relation, threshold, band):
     """The relation to the threshold that supports the claim."""
     range_text = f" \u00b1 {number(band, '.4g')}" if band is not None and isfinite(band) else ""
     return f"{RELATION_SIGNS.get(relation, '')} {number(threshold, '.4g')}{range_text}"
+
+
+def is_share(claim):
+    """Whether the check counts points, or pairs of them: its numbers are shares then."""
+    return claim.required.endswith("needed")
+
+
+def needed(claim):
+    """What the check requires, without what it measures: "95 % needed", or "≤ 0.5"."""
+    return claim.required.partition(" of ")[0] + " needed" if is_share(claim) else threshold_text(claim.relation, claim.threshold, claim.band)
+
+
+def measured_text(claim):
+    """What was measured: a share in per cent, or a number with two digits of its uncertainty."""
+    return claim.found.replace("+-", "±") if is_share(claim) else with_uncertainty(claim.measured, claim.uncertainty)
 
 
 def p_text(claim):
@@ -180,10 +177,10 @@ def strip_rows(claims):
 def check_cells(check, readings):
     """One check. With several readings, the number measured takes the place of the verdict's word."""
     one = first(check)
-    threshold = threshold_text(one.relation, one.threshold, one.band), TEXT
+    threshold = needed(one), TEXT
     if readings == [""]:
-        return [(with_uncertainty(one.measured, one.uncertainty), TEXT), threshold, verdict_cell(one.verdict)]
-    return [threshold, *(verdict_cell(check[word].verdict, with_uncertainty(check[word].measured, check[word].uncertainty))
+        return [(measured_text(one), TEXT), threshold, verdict_cell(one.verdict)]
+    return [threshold, *(verdict_cell(check[word].verdict, measured_text(check[word]))
                          if word in check else verdict_cell("", "\u2013") for word in readings)]
 
 

@@ -6,11 +6,11 @@ from ..errors import BristleError
 from ..pages.explanations import explain_claim, explain_further, what_was_measured
 from ..pages.quantities import READINGS
 from ..pages.summary import OWN, claims_of, joint, verdicts_of
-from ..plotting.verdicts import VERDICT_SIGNS, number, p_text, quantity, threshold_text, with_uncertainty
+from ..plotting.verdicts import VERDICT_SIGNS, measured_text, number, p_text
 from ..results import readable, table
 from . import symbols
 
-ORDER = ["supported", "refuted", "undecided"]
+ORDER = ["supported", "refuted", "undecided", "depends"]
 
 
 def read(figure, file, names):
@@ -65,10 +65,9 @@ def check_of(file, check, rows, names):
     """One check: what it measures and requires, and for each model the verdict with its numbers."""
     first = rows[0]
     return {
-        "statement": symbols.prose(first.statement, names), "quantity": quantity(check),
+        "statement": symbols.prose(first.statement, names), "quantity": first.required,
         "interpretation": symbols.prose(check.get("interpretation", ""), names),
-        "threshold": threshold_text(first.relation, first.threshold, first.band),
-        "cells": [{**cell(row.reading, row.verdict), "measured": with_uncertainty(row.measured, row.uncertainty) + p_text(row),
+        "cells": [{**cell(row.reading, row.verdict), "measured": measured_text(row) + p_text(row),
                    "margin": number(row.margin, "+.3f"), "why": symbols.prose(why_further(file, check, row), names)}
                   for row in rows],
     }
