@@ -56,6 +56,13 @@ def test_errors_cover_what_lies_between_the_nodes():
         assert 0 < error and abs(value - exact) <= 2 * error, (name, variable, value, error, exact)
 
 
+def test_a_passage_that_may_never_end_is_no_exact_number():
+    """One of eight bristles leaves the slab with some tolerances and stays with others: R_n was 2.85 +- 0.011."""
+    result = values("never-ends")
+    complete = bool(np.isfinite(result["R_n"]))
+    assert not complete or result["R_n_err"] > 1, (result["R_n"], result["R_n_err"], result["status"])
+
+
 def test_outcomes_that_alternate_at_every_scale():
     """The second number is that of 3000 equidistant azimuths from 169 to 180 degrees, between which 303 outcomes change."""
     for rtol in [3.6e-3, 1e-3, 5e-4]:

@@ -9,9 +9,10 @@ namespace bristle {
 namespace {
 
 // Ratios of the original to the tighter tolerance of a repeated passage. A sample of the passages is repeated
-// with the first ratio. If there are few passages, all are repeated, once with each ratio: with one ratio
-// alone, the original and the repeated passage of a bristle that is about to be pinned may agree by chance.
-constexpr std::array<double, 2> kTighter = {4, 16};
+// with the first ratio. If there are few passages, all are repeated, once with each ratio: with one or two
+// ratios, the original and the repeated passages of a bristle that is about to be pinned, or that the slab
+// may never leave, may agree by chance.
+constexpr std::array<double, 3> kTighter = {4, 16, 64};
 constexpr long kMoreEvaluations = 10;  // factor on max_evaluations for a repeated passage
 // Number of repeated passages in each class: bristles that came near the pole, other bristles that point
 // against the motion to within kHeadOn, and all others. A class with fewer passages is repeated completely.
