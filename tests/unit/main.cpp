@@ -6,7 +6,6 @@
 
 #include <dlfcn.h>
 #include <pthread.h>
-#include <algorithm>
 #include <atomic>
 #include <cstdlib>
 #include <iostream>
@@ -19,13 +18,18 @@ bool any_untagged = false;
 struct ThreadTags : Catch::TestEventListenerBase {
   using TestEventListenerBase::TestEventListenerBase;
 
-  void testCaseStarting(const Catch::TestCaseInfo&) override { threads_started = 0; }
-  void testCaseEnded(const Catch::TestCaseStats& test) override {
-    if (threads_started == 0 || std::ranges::count(test.testInfo.lcaseTags, "threads") > 0) return;
-    std::cout << "FAILED: this test starts threads; give it the tag [threads]: " << test.testInfo.name
-              << "\n";
+  void testCaseStarting(const Catch::TestCaseInfo& started) override {
+    test = &started;
+    threads_started = 0;
+  }
+  void testCaseEnded(const Catch::TestCaseStats&) override {
+    if (threads_started == 0 || Catch::has_tag(*test, "threads")) return;
+    std::cout << "FAILED: this test starts threads; give it the tag [threads]: " << test->name << "\n";
     any_untagged = true;
   }
+
+ private:
+  const Catch::TestCaseInfo* test = nullptr;
 };
 CATCH_REGISTER_LISTENER(ThreadTags)
 }  // namespace
