@@ -16,7 +16,7 @@ bool any_untagged = false;
 
 // Finds tests that start threads without the tag [threads]: the sanitizer of threads runs the tagged ones.
 struct ThreadTags : Catch::TestEventListenerBase {
-  using TestEventListenerBase::TestEventListenerBase;
+  using Catch::TestEventListenerBase::TestEventListenerBase;
 
   void testCaseStarting(const Catch::TestCaseInfo& started) override {
     test = &started;
