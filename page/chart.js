@@ -15,6 +15,17 @@ function roundNumbers(low, high, log, count) {
   return [...Array(Math.floor(high / step + 1e-9) - Math.ceil(low / step - 1e-9) + 1).keys()].map((i) => (Math.ceil(low / step - 1e-9) + i) * step);
 }
 
+// The points in runs that a line may join: it is broken between contact and bouncing.
+function joined(points) {
+  const runs = [];
+  points.forEach((point, i) => {
+    const phases = [points[i - 1]?.phase, point.phase];
+    if (!runs.length || (phases.includes("contact") && phases.includes("bouncing"))) runs.push([]);
+    runs.at(-1).push(point);
+  });
+  return runs.filter((run) => run.length > 1);
+}
+
 function scaleOf(low, high, log, from, to) {
   const f = log ? Math.log : (x) => x;
   return (x) => from + (to - from) * (f(x) - f(low)) / (f(high) - f(low));
@@ -54,7 +65,7 @@ function drawChart(box, { points, axis, quantity, log, xs, mark, chosen }) {
     const left = X(mark.x) > width - 130;
     text(X(mark.x) + (left ? -5 : 5), ROOM.top + 12, mark.text, { "text-anchor": left ? "end" : "start", class: "of-lift-off" });
   }
-  if (good.length > 1) line(`M${good.map(({ x, y }) => `${X(x).toFixed(1)} ${Y(y).toFixed(1)}`).join("L")}`, "through");
+  for (const run of joined(good)) line(`M${run.map(({ x, y }) => `${X(x).toFixed(1)} ${Y(y).toFixed(1)}`).join("L")}`, "through");
   for (const point of points) {
     const cx = X(point.x), cy = point.y === null ? height - ROOM.bottom : Y(point.y);
     if (point.y !== null && point.error > 0) line(`M${cx} ${Y(point.y - point.error)}V${Y(point.y + point.error)}m-3 0h6M${cx - 3} ${Y(point.y - point.error)}h6`, "error");

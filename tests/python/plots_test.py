@@ -29,7 +29,7 @@ from bristle.figures import map as map_figure
 from bristle.files import read_json, write_text, write_whole
 from bristle.integrity import read_group
 from bristle.plotting import captions
-from bristle.plotting.curves import jump_note
+from bristle.plotting.curves import jump_note, read_curve
 from bristle.plotting.jumps import jumps_between_neighbours, located_jumps, read_jumps
 from bristle.plotting.maps import Grid, cells_at, draw_jumps, read_grid, torn_faces
 from bristle.plotting.readings import pages
@@ -153,6 +153,23 @@ for width in (7, 11, 15):
 gaps = numpy.array([[0.1, 0.6, 0.61], [0.1, numpy.nan, 0.6]])
 assert jumps_between_neighbours(gaps, [1, 1.1, 1.2], 1).tolist() == [[True, False], [False, False]]
 assert not jumps_between_neighbours(gaps, [1, 2, 4], 1).any()
+
+# A line is broken between contact and bouncing at any step, but not where it passes through `mixed`, nor without phases.
+with open_result(result) as file:
+    words, along = file["phase"].attrs["flag_meanings"].split(), file.sizes["k_r"]
+    assert along >= 4 and file["phase"].attrs["flag_values"].tolist() == list(range(len(words)))
+    sides = [words.index(word) for word in ["contact", "bouncing", *["mixed"] * (along - 3), "contact"]]
+    rows = numpy.empty(file["phase"].shape, dtype=int)
+    numpy.moveaxis(rows, file["phase"].dims.index("k_r"), -1)[...] = sides
+    file = file.assign(phase=file["phase"].copy(data=rows)).isel(k_theta=[0]).sel(bending="polar", drop=True)
+    file["R_x_norm"][...] = 0.5
+    broken_at = read_curve(file, "R_x_norm", "k_r").jumps
+    assert numpy.flatnonzero(broken_at).tolist() == [0], broken_at
+    line = curve.draw(file).axes[0].lines[0]
+    assert numpy.isnan(line.get_ydata()).tolist() == [False, True, *[False] * (along - 1)], line.get_ydata()
+    assert "between contact and bouncing" in jump_note(file, "k_r")
+    file = file.drop_vars("phase")
+    assert not read_curve(file, "R_x_norm", "k_r").jumps.any() and jump_note(file, "k_r") == ""
 
 # A surface has no face with a jump along an edge.
 jumps = [numpy.array([[True, False, False]]), numpy.array([[False, False], [False, True]])]
@@ -334,13 +351,13 @@ with xarray.open_dataset(result) as ds:
     alone = ds.sel(bending="rod", drop=True).isel(k_theta=[1])
     said = captions.captions(curve, alone, "gamma_1")[0]
     assert said.count("odulation of friction by the sliding speed") == 1 and "Model of bending: corrected. " in said, said
-    assert jump_note(alone, "k_r") == ""  # the grid is coarse
+    assert jump_note(alone.drop_vars("phase"), "k_r") == ""  # the grid is coarse
     finer = 5 * 1.1 ** numpy.arange(alone.sizes["k_r"])
     gaps = numpy.where(finer > 6, 0.6, 0.1)
     jumping = alone.assign_coords(k_r=("k_r", finer, alone["k_r"].attrs))
     jumping = jumping.assign(z_0=jumping["z_0"].copy(data=numpy.resize(gaps, alone["z_0"].shape[::-1]).T))
     jumping.encoding = {}  # without the jumps that the run located
-    assert "Lines are broken where" in jump_note(jumping, "k_r")
+    assert "Lines are broken between contact and bouncing, and where" in jump_note(jumping.drop_vars("phase"), "k_r")
     # Units that a reader of figures expects.
     power = ds["gamma_1"].copy(data=2.5e6 + 0 * ds["gamma_1"].values).assign_attrs(units="W m-2", symbol="P")
     drawn = curve.draw(ds.assign(gamma_1=power, gamma_1_err=power), "gamma_1")

@@ -20,7 +20,7 @@ MADE = "the recommended brush as it can be made; open diamond: its trial, before
 NOTE = ("Grey: trials that meet the constraints; blue: the front, of trials that no other surpasses; diamond: {}. q95: the value that 95 % of the brushes with deviations stay below. Error bars: errors of the computation and of the few "
         "deviations.\n"
         "Curves: the first objective at nominal values over each quantity, the others as recommended, in the scenario where it "
-        "is worst; band: its error; dashed: a jump of the gap in any scenario.")
+        "is worst; band: its error; dashed: a jump of the gap in any scenario, where the curve is broken.")
 
 
 def note(file):
@@ -100,13 +100,14 @@ def objective_label(group, number):
 
 def draw_profile(axes, profile, name, place, margin):
     x, y, error = (profile[key].values for key in (name, "objective_1", "objective_1_err"))
-    axes.fill_between(x, y - error, y + error, color=FRONT, alpha=0.25, linewidth=0)
-    axes.plot(x, y, color=FRONT, linewidth=1.2)
     at = float(x[place])
+    jumps = [at * (1 + change) for change in (-margin.margin_below, margin.margin_above) if np.isfinite(change)]
+    line, value, band = (np.insert(numbers, np.searchsorted(x, jumps), np.nan) for numbers in (x, y, error))
+    axes.fill_between(line, value - band, value + band, color=FRONT, alpha=0.25, linewidth=0)
+    axes.plot(line, value, color=FRONT, linewidth=1.2)
     axes.axvline(at, color=BEST, linewidth=0.8)
-    for change in (-margin.margin_below, margin.margin_above):
-        if np.isfinite(change):
-            axes.axvline(at * (1 + change), color=JUMP, linestyle="--", linewidth=1)
+    for jump in jumps:
+        axes.axvline(jump, color=JUMP, linestyle="--", linewidth=1)
     axes.plot(at, y[place], "d", color=BEST)
     axes.xaxis.set_major_locator(value_ticks(5))
     title_axis(axes, "x", profile[name])

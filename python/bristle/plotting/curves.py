@@ -9,14 +9,14 @@ from matplotlib.lines import Line2D
 from ..errors import BristleError
 from ..results import (CHOICE_NAMES, attribute, axis_values, dataset, place_of, readable, select, select_errors,
                        select_flags, status_words, values)
-from .jumps import LEAST_CHANGE, WIDEST_STEP, Jump, has_jumps, located_axis, located_jumps, read_jumps
+from .jumps import LEAST_CHANGE, WIDEST_STEP, Jump, breaks_on_line, has_breaks, located_axis, located_jumps
 from .layout import NO_VALUE, Cell, across, corners, heading, legend_at_foot, place_cell, row_title, sheet
 from .page import lettered, paper_width, points
 from .readings import reading_name, readings
 from .style import GREY, described, label, log_ticks, looks, status_marker
 
 # status: index of each point's status into `meanings`; 0 is a point without remark.
-# jumps: whether the loading path jumps between each point and the next.
+# jumps: whether the loading path jumps, or the phase changes between contact and bouncing, between each point and the next.
 # located: each Jump that the run located.
 # along, title: symbols of x and y; chosen: the values of further axes, as text.
 Curve = namedtuple("Curve", "x y error status meanings jumps located along title chosen")
@@ -24,10 +24,10 @@ Curve = namedtuple("Curve", "x y error status meanings jumps located along title
 LINES = ("Colours, dashes and markers tell the lines apart, as in the legend; markers are at computed points, of long lines at "
          "some of them only.")
 BANDS = "Bands, often thinner than the lines, are the estimated errors of the values."
-LOCATED_JUMPS = ("Lines are broken where the loading path jumps; dotted lines mark the places, located to 1 %, "
+BREAKS = "Lines are broken between contact and bouncing, and where"
+LOCATED_JUMPS = (f"{BREAKS} the loading path jumps; dotted lines mark the places of jumps, located to 1 %, "
                  "pale areas where less than 0.5 % of the load decides between two gaps.")
-JUMPS = (f"Lines are broken where $z_0$ jumps by more than {LEAST_CHANGE:g} $r_0$ between points less than {WIDEST_STEP:g} "
-         "decades apart.")
+JUMPS = f"{BREAKS} $z_0$ jumps by more than {LEAST_CHANGE:g} $r_0$ between points less than {WIDEST_STEP:g} decades apart."
 BARS = "Bars are the standard errors of the lattices' time means."
 PANEL_INCHES = (4.1, 3.3)
 ROW_TITLE_INCHES = 0.36  # above the panels of each reading
@@ -40,7 +40,7 @@ def read_curve(file, name, along, **chosen):
     meanings, status = select_flags(file, "status", [along], **chosen)
     located = located_jumps(file, [along], **chosen) if located_axis(file) == along else []
     return Curve(axis_values(file, along), y, select_errors(file, name, [along], **chosen), status, meanings,
-                 read_jumps(file, [along], **chosen)[0], located,
+                 breaks_on_line(file, along, **chosen), located,
                  label(dataset(file, along)), label(dataset(file, name)), in_words(file, chosen))
 
 
@@ -61,7 +61,7 @@ def kept(axes):
 
 def jump_note(file, along):
     """What breaks the lines, for the figure's foot; empty if nothing does."""
-    if not has_jumps(file, along):
+    if not has_breaks(file, along):
         return ""
     return LOCATED_JUMPS if located_axis(file) == along else JUMPS
 
@@ -72,14 +72,14 @@ def curve_marks(file, along="k_r"):
 
 
 def broken(curve):
-    """x, y and error of a line with a gap at each jump."""
+    """x, y and error of a line with a gap at each break."""
     places = np.flatnonzero(curve.jumps) + 1
     return [np.insert(np.asarray(numbers, dtype=float), places, np.nan)
             for numbers in (curve.x, curve.y, curve.error)]
 
 
 def draw_curve(axes, curve, look, text=None, width=1.6):
-    """A line, interrupted where there is no value or a jump; returns legend entries for the statuses by text."""
+    """A line, interrupted where there is no value or a break; returns legend entries for the statuses by text."""
     x, y, error = broken(curve)
     colour = look.colour
     keep(axes, curve)

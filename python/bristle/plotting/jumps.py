@@ -1,10 +1,10 @@
-"""Where the loading path jumps from one gap to another: no line or face may join the two sides."""
+"""Where the loading path jumps from one gap to another, or bristles from contact to bouncing: no line may join the two sides."""
 
 from collections import namedtuple
 
 import numpy as np
 
-from ..results import as_text, axis_names, axis_values, dataset, read, select, table, whole
+from ..results import as_text, axis_names, axis_values, dataset, flags, read, select, table, whole
 
 # index: of the point before the jump. place: the value of the axis, within 1 %.
 # start, end: of the ambiguous points around the place; equal to it if there are none.
@@ -20,6 +20,15 @@ def jumps_between_neighbours(z_0, x, axis):
     with np.errstate(divide="ignore", invalid="ignore"):
         near = np.abs(np.diff(np.log10(x))) < WIDEST_STEP
     return (change > LEAST_CHANGE) & np.expand_dims(near, [i for i in range(change.ndim) if i != axis])
+
+
+def phase_changes(file, along):
+    """Whether one of each point and the next along the axis is in contact and the other bouncing; None without phases over the axis."""
+    if "phase" not in file or along not in axis_names(dataset(file, "phase")):
+        return None
+    words, numbers = flags(dataset(file, "phase"))
+    sides = np.array([{"contact": 1, "bouncing": -1}.get(word, 0) for word in words])[numbers]
+    return abs(dataset(file, "phase").copy(data=sides).diff(along)) == 2
 
 
 def located_axis(file):
@@ -55,8 +64,17 @@ def located_jumps(file, along, **chosen):
     return found
 
 
-def has_jumps(file, along):
-    """Whether z_0 jumps along this axis at any values of the others."""
+def breaks_on_line(file, along, **chosen):
+    """Whether a line over the axis, at the chosen values of the others, is broken between each point and the next."""
+    jumps, changes = read_jumps(file, [along], **chosen)[0], phase_changes(file, along)
+    return jumps if changes is None else jumps | select(changes, [along], **chosen)
+
+
+def has_breaks(file, along):
+    """Whether a line over this axis is broken at any values of the others."""
+    changes = phase_changes(file, along)
+    if changes is not None and changes.any():
+        return True
     if located_axis(file) == along:
         return bool(located_jumps(file, [along]))
     if "z_0" not in file or along not in axis_names(dataset(file, "z_0")):
