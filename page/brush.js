@@ -74,12 +74,18 @@ function changed() {
   pending = setTimeout(computeBrush, 120);
 }
 
+// Describes the experiment, or says in its member `error` what is wrong in the form. pool: whose worker describes it.
+async function describe(pool, experiment, withCurve) {
+  const error = mistake(withCurve);
+  return error ? { error } : pool.ask({ experiment });
+}
+
 async function computeBrush() {
   const asked = ++state.asked, experiment = experimentOf(false);
   if (first.busy() && performance.now() - (state.since ?? 0) > 2000) first.stop();
   first.forget();
   part("now").setAttribute("aria-busy", "true");
-  const about = await first.ask({ experiment });
+  const about = await describe(first, experiment, false);
   if (asked !== state.asked || !about) return;
   if (about.error) {
     showError(about.error);
@@ -126,7 +132,7 @@ const MOST_POINTS = 500;
 
 async function computeCurve() {
   stopCurve();
-  const experiment = experimentOf(true), about = await others.ask({ experiment }), mine = ++state.curveNumber;
+  const experiment = experimentOf(true), about = await describe(others, experiment, true), mine = ++state.curveNumber;
   if (!about) return;
   showError(about.error ?? "");
   if (about.error) return;
@@ -189,7 +195,7 @@ function csvOfCurve({ about, answers, values, name }) {
 
 // Whether the program takes the experiment of the fields; what it refuses is shown.
 async function isValid() {
-  const about = await first.ask({ experiment: experimentOf(true) });
+  const about = await describe(first, experimentOf(true), true);
   if (about?.error) say("Correct the fields first.");
   showError(about?.error ?? "");
   return Boolean(about) && !about.error;

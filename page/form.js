@@ -17,25 +17,55 @@ function put(json, pointer, value) {
   else part[last] = value;
 }
 
-// A number with a point or a comma; other text as it is: the program says what is allowed.
+const NUMBER = /^[-+]?(\d+[.,]?\d*|[.,]\d+)(e[-+]?\d+)?$/i;
+const THOUSANDS = /^[-+]?[1-9]\d{0,2}(,\d{3})+$/;  // 50,000 is 50 with a decimal comma for one reader, and 50000 for another
+
+// A number with a point or a comma; undefined for an empty field; the text if it is no number.
 function valueOf(field) {
   const text = field.value.trim();
-  if (field.tagName === "SELECT") return text;
   if (text === "") return undefined;
   const number = Number(text.replace(",", "."));
-  return Number.isNaN(number) ? text : number;
+  return NUMBER.test(text) && !THOUSANDS.test(text) && Number.isFinite(number) ? number : text;
 }
 
+// Whether the field is empty although the preset has a number there. Mass and density may stand for each other.
+function isMissing(field) {
+  const other = fields().find(({ name, dataset }) => dataset.instead === field.name || name === field.dataset.instead);
+  return valueOf(field) === undefined && at(PRESETS[presetName()].experiment, field.name) !== undefined && !other?.value.trim();
+}
+
+// What is wrong with the text of an input of a number; empty if nothing is.
+function mistakeIn(field, isEmpty) {
+  const text = field.value.trim();
+  if (isEmpty) return "empty: give a number";
+  if (typeof valueOf(field) !== "string") return "";
+  if (THOUSANDS.test(text)) return `${text} may be ${text.replaceAll(",", "")} or a number with a decimal comma: write it without a comma, or with a point`;
+  return NUMBER.test(text) ? `${text} is too large` : `"${text}" is not a number: write digits, such as 0.017 or 1e8`;
+}
+
+// The first mistake of the form's texts, with the pointer of its field; empty if there is none.
+function mistake(withCurve) {
+  const inputs = fields().filter(({ tagName }) => tagName === "INPUT").map((field) => [field.name, field, isMissing(field)]);
+  for (const [part, name] of withCurve ? RANGE.entries() : [])
+    inputs.push([`/sweep/${keyOf(form.elements.over.value)}/points/${part}`, form.elements[name], valueOf(form.elements[name]) === undefined]);
+  for (const [pointer, field, isEmpty] of inputs) {
+    const words = mistakeIn(field, isEmpty);
+    if (words) return `${pointer}: ${words}`;
+  }
+  return "";
+}
+
+const RANGE = ["from", "to", "count"];
 const keyOf = (pointer) => pointer.split("/")[2];
 const presetName = () => form.elements.preset.value;
 
-// The brush as an experiment of one point; with the curve's axis if it is asked for.
+// The brush as an experiment of one point; with the curve's axis if it is asked for. The program refuses texts that are no numbers.
 function experimentOf(withCurve) {
   const experiment = structuredClone(PRESETS[presetName()].experiment);
-  for (const field of fields()) put(experiment, field.name, valueOf(field));
+  for (const field of fields()) put(experiment, field.name, isMissing(field) ? "" : valueOf(field));
   if (experiment.model.bending === "rod") experiment.model.section ??= "round";
   if (withCurve) {
-    const [from, to, count] = ["from", "to", "count"].map((name) => valueOf(form.elements[name]));
+    const [from, to, count] = RANGE.map((name) => valueOf(form.elements[name]) ?? "");
     experiment.sweep = { [keyOf(form.elements.over.value)]: { [form.elements.spacing.value]: [from, to, count] } };
   }
   return experiment;
@@ -104,20 +134,17 @@ function fragmentOf() {
 function showFragment(fragment) {
   const words = new URLSearchParams(fragment.slice(1)), name = words.get("preset");
   const changes = Object.fromEntries([...words].filter(([key]) => key.startsWith("/")));
-  showPreset(name in PRESETS ? name : Object.keys(PRESETS)[0], changes);
+  showPreset(Object.hasOwn(PRESETS, name) ? name : Object.keys(PRESETS)[0], changes);
   for (const key of ["over", "from", "to", "count", "spacing", "quantity"])
     if (words.has(key)) form.elements[key].value = words.get(key);
   if (words.has("over") && !words.has("from")) showRange();
   if (words.has("from") || words.has("to")) form.dataset.range = "typed";
 }
 
-// The field beside which a message stands whose pointer, at its start, is given: the field of the pointer, or of a part of the
-// curve's range; but a field that the reader has emptied, if the message names it.
-function fieldOfMessage(message, pointer) {
-  const { experiment } = PRESETS[presetName()], [, block, key, , part] = pointer.split("/");
-  const emptied = fields().filter((field) => field.value.trim() === "" && at(experiment, field.name) !== undefined);
-  if (block === "sweep" && key === keyOf(form.elements.over.value)) return form.elements[["from", "to", "count"][part ?? 0]];
-  return emptied.find((field) => field.name === pointer) ?? emptied.find((field) => message.split(/\W+/).includes(keyOf(field.name))) ?? fieldOf(pointer);
+// The field beside which a message with this pointer stands: the field of the pointer, or of a part of the curve's range.
+function fieldOfMessage(pointer) {
+  const [, block, key, , part] = pointer.split("/");
+  return block === "sweep" && key === keyOf(form.elements.over.value) ? form.elements[RANGE[part ?? 0]] : fieldOf(pointer);
 }
 
 // Shows a message of the program beside its field, or where messages without a field are.
@@ -126,7 +153,7 @@ function showError(message) {
   for (const place of document.querySelectorAll(".wrong")) place.textContent = "";
   if (!message) return;
   const pointer = /^(\/[\w/]+)/.exec(message)?.[1] ?? "", words = message.slice(pointer.length).replace(/^:? /, "");
-  const field = fieldOfMessage(message, pointer);
+  const field = fieldOfMessage(pointer);
   if (field && !field.closest("[hidden]")) {
     const group = field.closest("details");
     if (group) group.open = true;

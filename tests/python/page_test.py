@@ -105,7 +105,7 @@ def check_mistakes(driver):
     """The program's messages are beside the fields; the page goes on with the next input."""
     show(driver, "#preset=ski&count=3")
     for pointer, text, words in (("/si/r0_m", "-1", "greater than 0"), ("/si/nu", "0.7", "at most 0.5"), ("/si/E_Pa", "stiff", "number"),
-                                 ("/si/R_m", "", "")):
+                                 ("/si/R_m", "", "empty"), ("/si/E_Pa", "50,000", "50000"), ("/si/E_Pa", "1e999", "too large")):
         kept = driver.execute_script("return fieldOf(arguments[0]).value", pointer)
         enter(driver, pointer, text)
         said = driver.execute_script("return [...document.querySelectorAll('.wrong')].map(e => e.textContent).join('')")
