@@ -3,9 +3,11 @@
 import argparse
 import os
 import sys
+from contextlib import ExitStack
 
 from .errors import NOT_WRITTEN, BristleError, system_reason
-from .figures import FIGURES, module_of
+from .figures import FIGURES, OF_ANY_RESULT, module_of
+from .figures.curve import overlaid
 from .files import save_pages
 from .plotting.captions import captions, title_of
 from .plotting.page import LEAST_POINTS, inches
@@ -17,7 +19,7 @@ PROGRAM = os.environ.get("BRISTLE_PLOT", "plot")  # the name by which scripts/pl
 DPI_RANGE = 30, 2400
 
 ANIMATED = ("fig2", "bristles")  # figures whose results have trajectories
-OF_ANY_RESULT, DEFAULT_Y = ("curve", "map"), "R_x_norm"  # figures of a variable of any result
+OVERLAYING, DEFAULT_Y = "curve", "R_x_norm"  # the figure that may be of several results; the variable of figures of any result
 
 
 def run(main, program=None):
@@ -41,6 +43,7 @@ def draw_figure():
     """FIGURE RESULT.h5: all pages of a figure, and its further figures."""
     parser = figure_parser()
     arguments = parser.parse_args(with_values(sys.argv[1:]))
+    require_one_result(arguments)
     if arguments.animate:
         draw_animation(arguments, parser)
         return
@@ -51,7 +54,11 @@ def draw_figure():
         raise BristleError(f"--y {arguments.y}: only the figures curve and map have a variable to choose, not {arguments.figure}")
     apply_look()
     module = module_of(arguments.figure)
-    with open_result(arguments.result) as file:
+    with ExitStack() as stack:
+        files = [stack.enter_context(open_result(path)) for path in arguments.results]
+        file = files[0]
+        if arguments.labels or len(files) > 1:
+            file = overlaid(files, labels_of(arguments), arguments.y or DEFAULT_Y)
         if arguments.reading:
             file = of_reading(file, arguments.reading)
         if arguments.caption:
@@ -59,7 +66,7 @@ def draw_figure():
             print("\n".join(captions(module, file, arguments.y, arguments.panels)))
             return
         further = {} if arguments.panels else getattr(module, "FURTHER", {})  # letters are as large as in the main figure
-        source, written = source_of(file, form_of(arguments, parser)), []
+        source, written = "; ".join(source_of(one, form_of(arguments, parser)) for one in files), []
         # The main figure comes last: its PDF names all files, so that they are there if it is.
         for ending, function in reversed({"": module.draw, **further}.items()):
             drawn = pages(function, file, plain=arguments.plain, width=arguments.width, panels=arguments.panels,
@@ -69,18 +76,42 @@ def draw_figure():
     print(", ".join(os.path.join(directory, name) for name in written))
 
 
+def require_one_result(arguments):
+    """Raises BristleError for several results, or labels of them, unless the picture can be of several."""
+    if len(arguments.results) == 1 and not arguments.labels:
+        return
+    if arguments.figure != OVERLAYING:
+        raise BristleError(f"{arguments.figure} is a picture of one result, without labels; {OVERLAYING} draws several results into one picture")
+    if arguments.caption:
+        raise BristleError("--caption is about one result, without labels")
+
+
+def names_of(paths):
+    """The names of files, without folders and endings."""
+    return [os.path.splitext(os.path.basename(path))[0] for path in paths]
+
+
+def labels_of(arguments):
+    """A label for each result: the given ones, or the files' names."""
+    labels = arguments.labels or names_of(arguments.results)
+    if len(labels) != len(arguments.results):
+        raise BristleError(f"--labels {','.join(labels)}: {len(labels)} labels for {len(arguments.results)} results; give one for each")
+    if len(set(labels)) < len(labels):
+        raise BristleError(f"--labels: {','.join(labels)} are not different; give each result a label of its own")
+    return labels
+
+
 def name_of(arguments):
     """How the names of the files begin: with the figure, or for a figure of any result with the result, the figure and the variable."""
     if arguments.figure not in OF_ANY_RESULT:
         return arguments.figure
-    result = os.path.splitext(os.path.basename(arguments.result))[0]
-    return "-".join([result, arguments.figure, arguments.y or DEFAULT_Y])
+    return "-".join([*names_of(arguments.results), arguments.figure, arguments.y or DEFAULT_Y])
 
 
 def form_of(arguments, parser):
     """The options that are not the default ones, as a text."""
     given = {name: value for name, value in vars(arguments).items() if value != parser.get_default(name)}
-    return " ".join(f"{name}={value}" for name, value in sorted(given.items()) if name not in ("figure", "result", "directory"))
+    return " ".join(f"{name}={value}" for name, value in sorted(given.items()) if name not in ("figure", "results", "directory"))
 
 
 def draw_animation(arguments, parser):
@@ -94,7 +125,7 @@ def draw_animation(arguments, parser):
     from . import animation
     path = animation.film_path(arguments.directory or "figures", arguments.figure)
     apply_look()
-    with open_result(arguments.result) as file:
+    with open_result(arguments.results[0]) as file:
         animation.write_animation(of_reading(file, arguments.reading) if arguments.reading else file, path)
 
 
@@ -112,7 +143,9 @@ def with_values(words):
 def figure_parser():
     parser = argparse.ArgumentParser(prog=PROGRAM, description="Draws a figure from a result file.")
     parser.add_argument("figure", metavar="FIGURE", type=figure, help=", ".join(FIGURES))
-    parser.add_argument("result", metavar="RESULT.h5", help="result file of `bristle run`")
+    parser.add_argument("results", metavar="RESULT.h5", nargs="+", help=f"result file of `bristle run`; {OVERLAYING} draws several into one picture")
+    parser.add_argument("--labels", type=lambda text: text.split(","), metavar="LABEL,...",
+                        help=f"what the legend of {OVERLAYING} calls the results (default: the files' names)")
     parser.add_argument("-o", dest="directory", metavar="DIRECTORY",
                         help="where to write FIGURE.pdf and FIGURE.png (of curve and map RESULT-FIGURE-VARIABLE.pdf, .png), and "
                              "a PNG for each further page (default: "

@@ -324,6 +324,30 @@ with xarray.open_dataset(result) as ds:
     assert numpy.array_equal(line[numpy.isfinite(line)][:1], ds["gamma_1"].values[0, :1, 0])
     assert "there is no variable gamma_9" in refusal(lambda: curve.draw(ds, "gamma_9"))
     assert "a curve needs" in refusal(lambda: curve.draw(ds, "status"))
+# Several results in one picture.
+shutil.copy(result, folder / "other.h5")
+with h5py.File(folder / "other.h5", "a") as file:
+    file["gamma_1"][...] *= 0.5
+    digest = hashlib.sha256()
+    read_group(file, "", 0, digest)
+    file.attrs["payload_sha256"] = numpy.bytes_(digest.hexdigest())
+with open_result(result) as one, open_result(folder / "other.h5") as other:
+    both = curve.overlaid([one.isel(k_theta=[0]), other.isel(k_theta=[0])], ["Coulomb", "NSS"], "gamma_1")
+    drawn = curve.draw(both, "gamma_1")
+    assert {"Coulomb", "NSS"} <= {word for text in texts(drawn) for word in text.split(", ")}, texts(drawn)
+    first, second = (line.get_ydata()[:1] for line in drawn.axes[0].lines[:2])
+    assert numpy.allclose(second, 0.5 * first) and first[0] == one["gamma_1"].values[0, 0, 0], (first, second)
+    assert "axis k_r has other values than" in refusal(lambda: curve.overlaid([one, other.isel(k_r=[0, 1])], ["a", "b"], "gamma_1"))
+    assert "one picture needs results over the same axes" in refusal(lambda: curve.overlaid([one, other.isel(k_r=0, drop=True)], ["a", "b"], "gamma_1"))
+two = [result, folder / "other.h5"]
+done = called("bristle", "curve", *two, "--labels", "Coulomb,NSS", "--y", "gamma_1", "-o", folder / "two", "--dpi", "60")
+assert done.code == 0 and {path.name for path in (folder / "two").iterdir()} == {
+    f"{pathlib.Path(result).stem}-other-curve-gamma_1.{kind}" for kind in ("pdf", "png")}, done.messages
+for figure, options, words in (("curve", ["--labels", "a"], "--labels a: 1 labels for 2 results"), ("curve", ["--labels", "a,a"], "a,a are not different"),
+                               ("map", [], "map is a picture of one result"), ("fig4", [], "fig4 is a picture of one result"),
+                               ("curve", ["--caption"], "--caption is about one result")):
+    done = called("bristle", figure, *two, *options)
+    assert done.code == 2 and words in done.messages, done.messages
 done = plot("--animate")
 assert done.code == 2 and "--animate: only fig2 and bristles have recorded trajectories, not fig4" in done.messages, done.messages
 for options, words in ((["--panels", "z"], "there is no panel z; this figure has the panels a to b"), (["--panels", "A"], "no letter")):
@@ -405,6 +429,9 @@ done = imported(["-c", "import bristle; bristle.opn_result"])
 assert "module bristle has no opn_result; did you mean open_result?" in done.stderr, done.stderr
 done = called("bristle", "fg4", result)
 assert done.code == 2 and "argument FIGURE: there is no figure fg4; did you mean fig4?" in done.messages, done.messages
+for words in (["mine"], ["mine", result]):
+    done = called("bristle", *words)
+    assert done.code == 2 and "; curve and map draw a variable of any result" in done.messages, done.messages
 
 # Modules that cannot be imported, and a backend of matplotlib that does not exist: a message, or no difference.
 broken = folder / "broken"

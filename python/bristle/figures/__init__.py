@@ -13,6 +13,8 @@ from ..results import as_result, as_text
 FIGURES = sorted(name.removesuffix(".py") for name in os.listdir(os.path.dirname(__file__))
                  if name.endswith(".py") and not name.startswith("_"))
 
+OF_ANY_RESULT = ("curve", "map")  # figures of a variable of any result
+
 
 def draw(result, figure=None, **options):
     """Draws a figure of a result, and returns a matplotlib Figure.
@@ -35,7 +37,8 @@ def draw(result, figure=None, **options):
 def module_of(name):
     """The module of a figure."""
     if name not in FIGURES:
-        raise BristleError(f"there is no figure {name}{did_you_mean(name, FIGURES)}; known: {', '.join(FIGURES)}")
+        raise BristleError(f"there is no figure {name}{did_you_mean(name, FIGURES)}; known: {', '.join(FIGURES)}; "
+                           f"{' and '.join(OF_ANY_RESULT)} draw a variable of any result")
     return importlib.import_module(f".{name}", __name__)
 
 
