@@ -265,21 +265,18 @@ bool is_valid(const Document& document, const ReadBlocks& read_blocks) {
   }
 }
 
-// Reads the document of a tier. Messages name the tier unless it is the one that was asked for, and tell how
-// to replace it if it is inherited and only its patch is wrong.
-Experiment read_tier(const Document& document, const std::string& tier, const std::string& asked_for,
-                     const ReadBlocks& read_blocks) {
+// Reads the document of a tier. Messages tell how to replace the tier if it is inherited and only its patch
+// is wrong.
+Experiment read_tier(const Document& document, const std::string& tier, const ReadBlocks& read_blocks) {
   try {
     Experiment experiment = read(document);
     check_clearance(document, experiment);
     read_blocks(experiment);
     return experiment;
   } catch (const InputError& e) {
-    std::string message = e.what();
-    if (tier != asked_for && e.tier().empty()) message += fmt::format(" (tier {})", tier);
     const std::string remedy = document.remedy_of_inherited_tier(tier);
-    if (!remedy.empty() && is_valid(document.with_tier("none"), read_blocks)) message += "; " + remedy;
-    throw InputError(message, tier);
+    if (remedy.empty() || !is_valid(document.with_tier("none"), read_blocks)) throw;
+    throw InputError(fmt::format("{}; {}", e.what(), remedy));
   }
 }
 
@@ -288,14 +285,16 @@ Experiment read_tier(const Document& document, const std::string& tier, const st
 Experiment load_experiment(const std::string& path, const json::DocumentOptions& options,
                            const ReadBlocks& read_blocks) {
   const Document document = Document::load(path, {with_pointers(options.set), options.tier});
-  Experiment experiment = read_tier(document, options.tier, options.tier, read_blocks);
+  Experiment experiment = read_tier(document, options.tier, read_blocks);
   experiment.tier = options.tier;
   experiment.has_study_tier = document.has_tier("study");
-  // Reports mistakes in the other tiers, too. Not with --set, as its changes are meant for this tier only.
+  // A mistake in another tier stops only those who ask for that tier.
   for (const char* tier : {"smoke", "study", "full"})
-    if (tier != options.tier && options.set.empty()) try {
-        read_tier(document.with_tier(tier), tier, options.tier, read_blocks);
+    if (tier != options.tier) try {
+        read_tier(document.with_tier(tier), tier, read_blocks);
       } catch (const MissingFile&) {  // a table, which the tier that was asked for does not need
+      } catch (const InputError& e) {
+        experiment.warnings.push_back(fmt::format("the tier {} cannot be computed: {}", tier, e.what()));
       }
   return experiment;
 }

@@ -15,11 +15,12 @@ namespace bristle::experiment {
 // "analysis", "design") are read by the folders that do it, from `source`.
 struct Experiment {
   std::string name, title, figure, path, tier;
-  bool has_study_tier = false;        // `assumptions` evaluates its checks, too
-  Sweep sweep;                        // its points; of a design, until its trials are known, their extremes
-  Ranges ranges;                      // quantities that the trials of a design vary; empty without a design
-  std::string locate_jumps;           // axis along which jumps of z_0 are located; empty: none
-  std::vector<std::string> warnings;  // values that have no effect, or another unit than the rest
+  bool has_study_tier = false;  // `assumptions` evaluates its checks, too
+  Sweep sweep;                  // its points; of a design, until its trials are known, their extremes
+  Ranges ranges;                // quantities that the trials of a design vary; empty without a design
+  std::string locate_jumps;     // axis along which jumps of z_0 are located; empty: none
+  std::vector<std::string>
+      warnings;  // values that have no effect, or another unit than the rest; mistakes in other tiers
   std::shared_ptr<const json::Document> source;  // with extends, tier and --set applied
   std::shared_ptr<const Json> document;          // the content of source, without tiers
 };
@@ -28,9 +29,8 @@ struct Experiment {
 using ReadBlocks = std::function<void(const Experiment&)>;
 
 // Reads an experiment file. Throws InputError for every mistake in the experiment, with source, JSON pointer,
-// value and remedy, also for mistakes that read_blocks finds and, unless the options have changes by --set,
-// for mistakes in other tiers than the tier of the options. The extremes of the quantities of a design are
-// checked as if they had been written.
+// value and remedy, also for mistakes that read_blocks finds. A mistake in another tier than the tier of the
+// options is a warning. The extremes of the quantities of a design are checked as if they had been written.
 Experiment load_experiment(
     const std::string& path, const json::DocumentOptions& options,
     const ReadBlocks& read_blocks = [](const Experiment&) {});

@@ -286,7 +286,7 @@ std::string Document::place(const std::string& pointer) const {
 }
 
 void Document::fail(const std::string& pointer, const std::string& what) const {
-  throw InputError(fmt::format("{}: {}", place(pointer), what), made_ ? "" : tier_of(JsonPointer(pointer)));
+  throw InputError(fmt::format("{}: {}", place(pointer), what));
 }
 
 bool Document::set_by_option(const JsonPointer& pointer) const {

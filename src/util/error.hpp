@@ -2,7 +2,6 @@
 
 #include <stdexcept>
 #include <string>
-#include <utility>
 
 namespace bristle {
 
@@ -10,14 +9,7 @@ namespace bristle {
 // remedy.
 class InputError : public std::runtime_error {
  public:
-  // Creates an error. tier: the tier of an experiment file, if the place in the message is in the patch of a
-  // tier; otherwise empty
-  explicit InputError(const std::string& message, std::string tier = "")
-      : std::runtime_error(message), tier_(std::move(tier)) {}
-  const std::string& tier() const { return tier_; }
-
- private:
-  std::string tier_;
+  using std::runtime_error::runtime_error;
 };
 
 // A file that does not exist.

@@ -227,13 +227,6 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
        "@/e.json: /sweep: 1e+12 points or more; allowed: at most 1e+07"},
       {with(R"("sweep": {"k_r": {"values": [1, 2], "take": [2]}})"),
        "@/e.json: /sweep/k_r/take: 2 is not allowed; allowed: ascending indices from 0 to 1"},
-      {with(R"("sweep": {"sample": {"table": {"columns": ["k_r"], "rows": [[1], [2]]}}},
-            "tiers": {"smoke": {"sweep": {"k_r": {"values": [1]}}}})"),
-       "@/e.json: /sweep/sample: k_r is varied by another axis, too; remove one of them (tier smoke)"},
-      {with(R"("tiers": {"smoke": {"model": {"k_r": -1}}})"),
-       "@/e.json (tier smoke): /model/k_r: -1 is not allowed; allowed: a number greater than 0 (radial "
-       "stiffness, "
-       "dimensionless)"},
       {with(R"("orientation": {"sampling": "list"})"),
        "@/e.json: /orientation/theta_0_deg: is missing; sampling by list needs the azimuths in degrees"},
       {with(R"("orientation": {"distribution": "von_mises"})"),

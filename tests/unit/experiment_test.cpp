@@ -160,25 +160,57 @@ TEST_CASE("an inherited tier that does not fit is named with the patch that repl
         {{}, tier});
   };
   const std::string advice = R"("tiers": {"smoke": null})";
-  for (const char* tier : {"full", "smoke"})
-    CHECK_THROWS_WITH(
-        loaded("", tier),
-        Catch::Contains(
-            "ski.json (tier smoke): /sweep/R_n_N/take: 2 is not allowed; allowed: ascending indices "
-            "from 0 to 1") &&
-            Catch::Contains("the tier smoke is inherited from ") && Catch::EndsWith(advice));
+  const auto check_advice = [&](const std::string& message) {
+    CHECK_THAT(message, Catch::Contains(
+                            "ski.json (tier smoke): /sweep/R_n_N/take: 2 is not allowed; allowed: ascending "
+                            "indices from 0 to 1") &&
+                            Catch::Contains("the tier smoke is inherited from ") && Catch::EndsWith(advice));
+  };
+  check_advice(loaded("", "full").warnings.back());
+  try {
+    loaded("", "smoke");
+    FAIL("the tier that was asked for is not refused");
+  } catch (const InputError& e) {
+    check_advice(e.what());
+  }
   CHECK(loaded("," + advice, "full").sweep.size() == 2 * 2 * 13);
   CHECK(loaded("," + advice, "smoke").sweep.size() == 2 * 2 * 13);
   CHECK(loaded(R"(, "tiers": {"smoke": {"sweep": {"R_n_N": {"take": [1]}}}})", "smoke").sweep.size() ==
         2 * 4);
   const std::string own = R"(, "tiers": {"smoke": {"model": {"mu_c": 0.5}}})";
-  CHECK_THROWS_WITH(loaded(own, "full"),
+  CHECK_THROWS_WITH(loaded(own, "smoke"),
                     Catch::EndsWith("change this key in /tiers/smoke of " + s.path("experiments/my.json") +
                                     "; null there removes it"));
   CHECK(loaded(R"(, "tiers": {"smoke": {"sweep": {"R_n_N": {"take": null}}}})", "smoke").sweep.size() ==
         2 * 2 * 4);
   // A mistake that every tier has is no fault of the tier.
   CHECK_THROWS_WITH(loaded(R"(, "model": {"mu_c": -1})", "smoke"), !Catch::Contains("inherited"));
+}
+
+TEST_CASE("a mistake in a tier stops only those who ask for it") {
+  const Scratch s;
+  s.write("paper.json", bytes_of(kExperiments + "/paper.json"));
+  const struct {
+    std::string changes, set, message;
+  } cases[] = {
+      {R"("tiers": {"smoke": {"model": {"k_r": -1}}})", "",
+       "e.json (tier smoke): /model/k_r: -1 is not allowed; allowed: a number greater than 0"},
+      {R"("sweep": {"sample": {"table": {"columns": ["k_r"], "rows": [[1], [2]]}}},
+          "tiers": {"smoke": {"sweep": {"k_r": {"values": [1]}}}})",
+       "", "e.json: /sweep/sample: k_r is varied by another axis, too; remove one of them"},
+      {R"("sweep": {"k_r": {"values": [5, 10]}}, "tiers": {"smoke": {"load": {"z_0": 0.5}}})", "/load/R_n=3",
+       "/load: more than one of R_n, z_0 and trace is given"},
+  };
+  for (const auto& [changes, set, message] : cases) {
+    CAPTURE(changes);
+    const std::string file = s.write("e.json", R"({"extends": "paper.json", "name": "e", )" + changes + "}");
+    const std::vector<std::string> options = set.empty() ? std::vector<std::string>{} : std::vector{set};
+    CHECK_THROWS_WITH(load_experiment(file, {options, "smoke"}), Catch::Contains(message));
+    const Experiment full = load_experiment(file, {options, "full"});
+    REQUIRE(full.warnings.size() == 1);
+    CHECK_THAT(full.warnings[0],
+               Catch::StartsWith("the tier smoke cannot be computed: ") && Catch::Contains(message));
+  }
 }
 
 }  // namespace bristle::experiment_test
