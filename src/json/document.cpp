@@ -19,6 +19,8 @@ namespace {
 // Where an experiment may contain a table: the name of a file at first, then its columns and rows.
 const JsonPointer kTables[] = {JsonPointer("/sweep/sample/table"), JsonPointer("/friction_law/table")};
 
+constexpr const char* kValuesOfAxis[] = {"values", "linspace", "logspace"};
+
 constexpr const char* kFromStandardInput =
     "-";  // in place of a file, as if it were one in the working folder
 
@@ -153,6 +155,22 @@ bool changes_part(const Json& patch, const JsonPointer& table) {
   return patch.contains(table) && patch.at(table).is_object();
 }
 
+// Removes how the values of an axis were given, where a change that is merged gives them in another way.
+// is_new: tells whether the change sets the value at a pointer
+template <class IsNew>
+void replace_values_of_axes(Json& merged, IsNew is_new) {
+  if (!merged.contains("sweep") || !merged["sweep"].is_object()) return;
+  for (auto& [name, axis] : merged["sweep"].items()) {
+    const JsonPointer at = JsonPointer("/sweep") / name;
+    const auto is_replaced_by = [&, &axis = axis](const char* kind) {
+      return axis.contains(kind) && is_new(at / kind);
+    };
+    if (!std::ranges::any_of(kValuesOfAxis, is_replaced_by)) continue;
+    for (const char* key : {"values", "linspace", "logspace", "take"})
+      if (!is_new(at / key)) axis.erase(key);
+  }
+}
+
 }  // namespace
 
 Document Document::load(const std::string& path, const DocumentOptions& options) {
@@ -235,6 +253,7 @@ void Document::merge() {
         tables_.erase(table.to_string());
       }
     merged.merge_patch(patch);
+    replace_values_of_axes(merged, [&](const JsonPointer& at) { return patch.contains(at); });
   };
   for (const Source& s : files_) {
     const auto si = s.content->find("si");  // a null removes the block, and begins none
@@ -251,6 +270,7 @@ void Document::merge() {
       if (changes_part(change, table)) include_table(merged, table);
     apply(merged, change);
   }
+  replace_values_of_axes(merged, [&](const JsonPointer& at) { return set_by_option(at); });
   for (const JsonPointer& table : kTables) include_table(merged, table);
   merged_ = std::make_shared<const Json>(std::move(merged));
 }

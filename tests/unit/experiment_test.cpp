@@ -213,4 +213,35 @@ TEST_CASE("a mistake in a tier stops only those who ask for it") {
   }
 }
 
+TEST_CASE("a change of how the values of an axis are given replaces the values that it had") {
+  const Scratch s;
+  s.write("paper.json", bytes_of(kExperiments + "/paper.json"));
+  s.write("parent.json", R"({"extends": "paper.json", "name": "parent",
+    "sweep": {"R_n": {"linspace": [1, 3, 5], "take": [0, 4]}, "k_r": {"values": [5, 10]}},
+    "tiers": {"smoke": {"sweep": {"k_r": {"take": [1]}}}}})");
+  const auto values = [&](const std::string& sweep, const std::vector<std::string>& set,
+                          const std::string& tier = "full") {
+    const std::string file =
+        s.write("e.json", R"({"extends": "parent.json", "name": "e", "sweep": )" + sweep + "}");
+    const Sweep read = load_experiment(file, {set, tier}).sweep;
+    return std::pair(read.axes[read.axis_number("k_r")].values, read.axes[read.axis_number("R_n")].values);
+  };
+  using Pair = std::pair<std::vector<double>, std::vector<double>>;
+  const Pair changed = {{5, 10}, {1.5}};
+  CHECK(values("{}", {}) == Pair{{5, 10}, {1, 3}});
+  CHECK(values("{}", {R"(/sweep/R_n={"values":[1.5]})"}) == changed);
+  CHECK(values("{}", {R"(/sweep={"R_n":{"values":[1.5]}})"}) == changed);
+  CHECK(values("{}", {"/sweep/R_n/values=[1.5]"}) == changed);
+  CHECK(values("{}", {"/sweep/R_n/values=[1.5]", "/sweep/R_n/linspace=null", "/sweep/R_n/take=null"}) ==
+        changed);
+  CHECK(values(R"({"R_n": {"values": [1.5]}})", {}) == changed);
+  CHECK(values(R"({"R_n": {"values": [1.5], "linspace": null, "take": null}})", {}) == changed);
+  CHECK(values(R"({"R_n": {"take": [1]}})", {}) == Pair{{5, 10}, {1.5}});
+  CHECK(values("{}", {R"(/sweep/k_r={"logspace":[10,1000,3]})"}, "smoke") == Pair{{10, 100, 1000}, {1, 3}});
+  CHECK_THROWS_WITH(values(R"({"R_n": {"values": [1.5], "linspace": [1, 3, 5]}})", {}),
+                    Catch::Contains("found values and linspace"));
+  CHECK_THROWS_WITH(values("{}", {"/sweep/R_n/values=[1.5]", "/sweep/R_n/logspace=[1,3,5]"}),
+                    Catch::Contains("found values and logspace"));
+}
+
 }  // namespace bristle::experiment_test
