@@ -4,6 +4,7 @@
 #include "sweep/si.hpp"
 #include "bristle/model/error.hpp"
 #include "run/passage_queue.hpp"
+#include "run/slow_points.hpp"
 #include "bristle/simd/dispatch.hpp"
 #include "bristle/simd/engine.hpp"
 #include "util/error.hpp"
@@ -13,14 +14,11 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <cstdio>
 #include <exception>
 #include <list>
-#include <map>
 #include <new>
 #include <optional>
-#include <set>
 #include <system_error>
 #include <thread>
 #include <utility>
@@ -28,8 +26,6 @@
 namespace bristle::run {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-constexpr double kSlowSeconds = 300, kSlowFactor = 10;
 // Points that a thread solves at a time: enough to keep the lanes full while most points wait for the last
 // passages of a batch.
 constexpr std::size_t kMaxActivePoints = 24;
@@ -79,7 +75,6 @@ class Scheduler {
   void deliver(PointReport&& report);
   bool ended(std::size_t passages);
   void fail(std::exception_ptr error);
-  void report_slow_points();
   bool solved() const { return delivered_ == points_.size(); }
   bool update_stopped() { return stopped_ = stopped_ || error_ || stop_(); }
 
@@ -98,10 +93,7 @@ class Scheduler {
   std::size_t started_ = 0;
   bool stopped_ = false;
   std::exception_ptr error_;
-  const Clock::time_point begin_ = Clock::now();
-  std::map<std::size_t, Clock::time_point> active_;  // start of each active point, by index
-  std::size_t most_active_ = 1;                      // most points that were active at the same time
-  std::set<std::size_t> named_;                      // slow points that have been reported
+  SlowPoints slow_points_{processor_seconds()};
   // Active points of all threads. The lists live as long as the sweep, because a thread that stops early does
   // not wait for other threads that compute passages of its points.
   std::list<std::list<ActivePoint>> suspended_;
@@ -110,14 +102,14 @@ class Scheduler {
 std::optional<std::size_t> Scheduler::next_point() {
   const std::lock_guard lock(mutex_);
   if (update_stopped() || started_ == points_.size()) return {};
-  active_[points_[started_]] = Clock::now();
+  slow_points_.begin(points_[started_]);
   return points_[started_++];
 }
 
 void Scheduler::deliver(PointReport&& report) {
   const std::lock_guard lock(mutex_);
   if (error_) return;
-  active_.erase(report.index);
+  slow_points_.end(report.index);
   sink_(std::move(report));
   ++delivered_;
   if (solved()) passages_.notify();
@@ -127,7 +119,8 @@ void Scheduler::deliver(PointReport&& report) {
 bool Scheduler::ended(std::size_t passages) {
   const std::lock_guard lock(mutex_);
   observer_.passages(passages);
-  report_slow_points();
+  for (const auto& [index, seconds] : slow_points_.found_after(processor_seconds()))
+    observer_.slow(index, seconds);
   return update_stopped() || solved();
 }
 
@@ -135,22 +128,6 @@ bool Scheduler::ended(std::size_t passages) {
 void Scheduler::fail(std::exception_ptr error) {
   const std::lock_guard lock(mutex_);
   if (!error_) error_ = std::move(error);
-}
-
-// Reports each active point once, if it has taken longer than five minutes and ten times the mean of the
-// others.
-void Scheduler::report_slow_points() {
-  const auto seconds_since = [now = Clock::now()](Clock::time_point then) {
-    return std::chrono::duration<double>(now - then).count();
-  };
-  const double mean =
-      seconds_since(begin_) * double(most_active_) / double(std::max<std::size_t>(1, delivered_));
-  most_active_ = std::max(most_active_, active_.size());
-  for (const auto& [index, start] : active_)
-    if (const double seconds = seconds_since(start); seconds > kSlowSeconds &&
-                                                     (delivered_ == 0 || seconds > kSlowFactor * mean) &&
-                                                     named_.insert(index).second)
-      observer_.slow(index, seconds);
 }
 
 // Solves a point. An error within the point becomes its status, so that other points are not lost.

@@ -15,7 +15,7 @@ struct PointReport {
 
 // Functions that the scheduler calls while it computes, one call at a time.
 struct SchedulerObserver {
-  // Receives the index of a point that takes unusually long, and the seconds so far.
+  // Receives the index of a point that takes unusually long, and its seconds of processor time so far.
   std::function<void(std::size_t, double)> slow = [](std::size_t, double) {};
   // Receives the number of passages computed since the last call, which may be 0.
   std::function<void(std::size_t)> passages = [](std::size_t) {};

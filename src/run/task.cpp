@@ -71,8 +71,8 @@ void fill_journal(const Sweep& sweep, const KeyedPoints& points, const std::vect
     progress.step();
   };
   const auto slow = [&](std::size_t index, double seconds) {
-    progress.note(
-        fmt::format("{} takes unusually long: {} so far", sweep.place(index), duration_text(seconds)));
+    progress.note(fmt::format("{} takes unusually long: {} of processor time so far", sweep.place(index),
+                              duration_text(seconds)));
   };
   const auto passages = [&](std::size_t computed) { progress.add_passages(computed); };
   const auto saved_text = [&] {
