@@ -23,6 +23,7 @@ def load(name, package):
     """Imports a module of this package. Raises ImportError, which says what to install, if the libraries that it needs
     are there, but cannot be imported."""
     try:
+        import_module("numpy")  # Debian's h5py hides why numpy cannot be imported
         return import_module(name, package)
     except BROKEN as error:
         fail(f"{here()} cannot import what the figures need ({error}); {remedy(FIGURES_NEED)}", error)
