@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cerrno>
+#include <cfenv>
 #include <cstdlib>
 #include <cstring>
 #include <hdf5_hl.h>
@@ -129,7 +130,12 @@ void fail(const std::string& what) {
 void silence() {
   // NOTE: HDF5 1.10 crashes in its clean-up at exit if a write failed before (full disk).
   H5dont_atexit();
+  // NOTE: HDF5 1.14 explores numbers when it starts, and crashes if sums are not rounded to the nearest
+  // number.
+  const int rounding = std::fegetround();
+  std::fesetround(FE_TONEAREST);
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  std::fesetround(rounding);
 }
 
 Handle& Handle::operator=(Handle&& other) noexcept {
