@@ -24,11 +24,11 @@ constexpr const char* kStart = R"({
  "title": "Friction over radial stiffness, for two friction laws",
  "notes": [
   "This file states what differs from paper.json, the paper's parameters, which comes with bristle. `bristle schema` describes all keys.",
-  "model: parameters of bristle, friction and slab, dimensionless. load: R_n is the normal load over N_c0.",
+  "model: parameters of bristle, friction and slab, dimensionless; here of round rods with Hertz contact. load: R_n is the normal load over N_c0.",
   "orientation: rtol is the requested relative error of each mean over theta_0; the figures of the paper have 0.001.",
   "sweep: the axes of the result. An axis has values, or linspace or logspace with from, to and count."
  ],
- "model": {"k_theta": 1},
+ "model": {"bending": "rod", "contact": "hertz"},
  "load": {"R_n": 2},
  "orientation": {"rtol": 0.02},
  "sweep": {"friction": {"values": ["nss", "coulomb"]}, "k_r": {"logspace": [3, 30, 5]}}
