@@ -79,12 +79,15 @@ bool report_deviations(const CheckOptions& options, const results::ResultReader&
   if (!std::filesystem::exists(path)) {
     const std::string folder =
         options.reference.empty() ? "" : " --reference " + shell_quoted(options.reference);
-    const std::string update =
-        fmt::format("`bristle reference update {} --reason \"...\"{}`", shell_quoted(options.file), folder);
+    const std::string advice =
+        result.text("tier") == "smoke"
+            ? fmt::format("`bristle reference update {} --reason \"...\"{}`", shell_quoted(options.file),
+                          folder)
+            : compare::smoke_commands(result, compare::make_reference(result, checks), kMaxJsonBytes, folder);
     fmt::print(
-        "FAILED: {}: no such reference; {} creates it from a result of the smoke tier; --claims-only skips "
+        "FAILED: {}: no such reference; it is made of a result of the smoke tier: {}; --claims-only skips "
         "the comparison\n",
-        path, result.text("tier") == "smoke" ? update : compare::smoke_commands(result, folder));
+        path, advice);
     return false;
   }
   const auto comparison =

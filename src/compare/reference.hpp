@@ -47,9 +47,11 @@ Comparison compare_with_reference(const results::ResultReader& result,
                                   const std::vector<claims::CheckResult>& checks, const Reference& reference,
                                   const std::string& label);
 
-// Returns the commands that make a reference from the smoke tier of a result's experiment. options: options
-// of the command that updates the reference
-std::string smoke_commands(const results::ResultReader& result, const std::string& options = "");
+// Returns the commands that make a reference from the smoke tier of a result's experiment or, if this tier
+// has too many points, that it needs fewer. made: reference with the points of the result; most_bytes: of a
+// reference; options: of the command that updates the reference
+std::string smoke_commands(const results::ResultReader& result, const Reference& made,
+                           std::uintmax_t most_bytes, const std::string& options = "");
 
 struct ReferenceUpdate {
   std::string file, reason;

@@ -32,19 +32,30 @@ void require_reason(const std::string& reason) {
         "CHANGELOG.md");
 }
 
-void require_origin(const results::ResultReader& result, const Reference& made, const std::string& folder) {
+void require_origin(const results::ResultReader& result, const Reference& made,
+                    const ReferenceUpdate& update) {
   const std::string tier = made.text("tier"), commit = made.text("commit"),
                     path = shell_quoted(result.path());
   const std::string run_again = fmt::format("`bristle run {} --force -o {}`", path, path);
   if (tier != "smoke")
     throw InputError(fmt::format(
         "{}: contains the {} tier, but a reference contains the smoke tier; {}", result.path(), tier,
-        smoke_commands(result, folder == kReferences ? "" : " --reference " + shell_quoted(folder))));
+        smoke_commands(result, made, update.most_bytes,
+                       update.folder == kReferences ? "" : " --reference " + shell_quoted(update.folder))));
   if (commit.find("-dirty") != std::string::npos || commit.find("unknown") != std::string::npos)
     throw InputError(
         fmt::format("{}: computed by a program of commit {}, which cannot be built again; commit, "
                     "build, then {}",
                     result.path(), commit, run_again));
+}
+
+// Returns the number of points of an experiment's tier smoke; 0 if it cannot be read.
+std::size_t smoke_points(const std::string& file) {
+  try {
+    return experiment::load_experiment(file, {{}, "smoke"}).sweep.size();
+  } catch (const InputError&) {
+    return 0;
+  }
 }
 
 const std::set<PointStatus> kUnsound = {PointStatus::incomplete, PointStatus::not_converged,
@@ -125,18 +136,26 @@ void require_clean_work_tree(const std::string& folder) {
 
 }  // namespace
 
-std::string smoke_commands(const results::ResultReader& result, const std::string& options) {
+std::string smoke_commands(const results::ResultReader& result, const Reference& made,
+                           std::uintmax_t most_bytes, const std::string& options) {
   const auto provenance = result.provenance();
   const auto known = provenance.find("experiment_file");
   const std::string experiment = known == provenance.end() ? "" : known->second, name = result.text("name");
+  const bool exists = experiment.ends_with(".json") && fs::is_regular_file(experiment);
+  const std::size_t points = result.variable("status").values.size();
+  if (const std::size_t smoke = exists ? smoke_points(experiment) : 0;
+      double(smoke) * double(file_text(made).size()) > double(most_bytes) * double(points))
+    return fmt::format(
+        "the {} points of the tier smoke are too many for a reference: give {} a tier /tiers/smoke with "
+        "fewer",
+        smoke, experiment);
   const fs::path folder = fs::path(result.path()).parent_path();
   std::string output = (folder / (name + "-smoke.h5")).string();
   if (fs::path(output) == fs::path(result.path())) output = (folder / (name + "-smoke-tier.h5")).string();
   return fmt::format(
       "`bristle run {} --tier smoke -o {}`, then `bristle reference update {} --reason \"...\"{}`",
-      experiment.ends_with(".json") && fs::is_regular_file(experiment) ? shell_quoted(experiment)
-                                                                       : "EXPERIMENT.json",
-      shell_quoted(output), shell_quoted(output), options);
+      exists ? shell_quoted(experiment) : "EXPERIMENT.json", shell_quoted(output), shell_quoted(output),
+      options);
 }
 
 std::string update_reference(const ReferenceUpdate& update) {
@@ -145,7 +164,7 @@ std::string update_reference(const ReferenceUpdate& update) {
   result.require_intact();
   const auto checks = claims::evaluate_checks(result);
   const Reference made = make_reference(result, checks);
-  require_origin(result, made, update.folder);
+  require_origin(result, made, update);
   require_sound_run(result, made);
   const std::string path = reference_path(update.folder, result.text("name"));
   std::optional<Reference> old;

@@ -141,6 +141,17 @@ TEST_CASE("update: refused for a reference that could not be read") {
   CHECK(std::filesystem::file_size(r.json()) > 1000);
 }
 
+TEST_CASE("a smoke tier with too many points for a reference is not advised") {
+  const Repository r({}, "0123abc", "full");
+  const results::ResultReader result(r.file);
+  const Reference made = make_reference(result, {});
+  const std::uintmax_t bytes = file_text(made).size();
+  CHECK_THAT(smoke_commands(result, made, bytes),
+             Catch::StartsWith("`bristle run ") && Contains("--tier smoke"));
+  CHECK_THAT(smoke_commands(result, made, bytes / 2),
+             Contains("points of the tier smoke are too many for a reference") && Contains("small.json"));
+}
+
 TEST_CASE("update: a change log of something else and linked references are not replaced") {
   const Repository r;
   r.s.write("reference/CHANGELOG.md", "# Changelog of the program\n");

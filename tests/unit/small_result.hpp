@@ -56,7 +56,7 @@ inline std::string small_result(const Scratch& s, const std::string& file, const
     if (change) change(i, p);
     writer.write(i, record_of(layout_of(experiment.sweep), p, {}));
   }
-  writer.close({{"commit", commit}});
+  writer.close({{"commit", commit}, {"experiment_file", experiment.path}});
   writer.publish();
   return s.path(file);
 }
