@@ -37,6 +37,20 @@ std::vector<std::string> cells_of(const std::string& line) {
   return cells;
 }
 
+// Returns the first number in quotes that has a comma, such as "0,02" with its quotes; empty if there is
+// none.
+std::string number_with_comma(const std::string& line) {
+  for (auto from = line.find('"'); from != line.npos;) {
+    const auto to = line.find('"', from + 1);
+    if (to == line.npos) return "";
+    const std::string quoted = line.substr(from, to + 1 - from);
+    if (quoted.find(',') != quoted.npos && number_in(boost::replace_all_copy(trimmed(quoted), ",", ".")))
+      return quoted;
+    from = line.find('"', to + 1);
+  }
+  return "";
+}
+
 }  // namespace
 
 std::string Table::place(const std::string& pointer) const {
@@ -71,8 +85,17 @@ Table read_table(const std::string& path) {
         fail(number,
              "the columns are not separated by commas; write commas between names, and numbers such as "
              "0.5,3e4");
+      for (std::size_t i = has_index ? 1 : 0; i < names.size(); ++i)
+        if (names[i].empty())
+          fail(number, fmt::format("column {} has no name: {}", i + 1,
+                                   i + 1 < names.size()
+                                       ? "give it one, or remove its comma from every line"
+                                       : "remove the comma at the end of this line, and of the others"));
       continue;
     }
+    if (const std::string text = number_with_comma(line); !text.empty())
+      fail(number, fmt::format("{} has a comma; write numbers with a point, such as 0.5, and without quotes",
+                               printable(text)));
     if (cells.size() != names.size())
       fail(number,
            fmt::format("has {} cells, and the first line names {} columns", cells.size(), names.size()));

@@ -111,6 +111,9 @@ TEST_CASE("malformed samples: the message names place, value and remedy") {
   f.s.write("column.csv", "k_rr\n1\n");
   f.s.write("semicolons.csv", "k_r;mu_c\n0,5;1\n");
   f.s.write("twice.csv", "k_r,k_r\n1,2\n");
+  f.s.write("trailing.csv", "# measured\nk_r,mu_c,\n1,1,\n");
+  f.s.write("nameless.csv", "k_r,,mu_c\n1,,1\n");
+  f.s.write("comma.csv", "k_r,mu_c\n1,1\n2,\"0,5\"\n");
   const auto table = [](const std::string& name) { return R"({"sample": {"table": ")" + name + "\"}}"; };
   const std::string at = "e.json: /sweep/sample/",
                     laws = fmt::format("{}", fmt::join(texts(words<FrictionLaw>()), ", "));
@@ -131,6 +134,13 @@ TEST_CASE("malformed samples: the message names place, value and remedy") {
        "(radial stiffness, dimensionless)"},
       {table("text.csv"), "text.csv: line 2: \"fast\" is not a number, which k_r needs"},
       {table("infinite.csv"), "infinite.csv: line 2: \"inf\" is not a number, which k_r needs"},
+      {table("trailing.csv"),
+       "trailing.csv: line 2: column 3 has no name: remove the comma at the end of this line, and of the "
+       "others"},
+      {table("nameless.csv"),
+       "nameless.csv: line 1: column 2 has no name: give it one, or remove its comma from every line"},
+      {table("comma.csv"),
+       "comma.csv: line 3: \"0,5\" has a comma; write numbers with a point, such as 0.5, and without quotes"},
       {table("twice.csv"), "twice.csv: line 1: k_r appears twice"},
       {R"({"sample": {}})", "e.json: /sweep/sample: needs exactly one of table and sobol; neither is given"},
       {R"({"sample": {"sobol": 8, "over": {"k_r": {"log": [1, 2]}}}})",
