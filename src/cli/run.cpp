@@ -202,7 +202,7 @@ std::optional<std::size_t> most_loaded(const Sweep& sweep) {
   for (std::size_t i = 0; i < sweep.size(); ++i) {
     const sweep::PointInput point = sweep.point(i);
     const double load = point.loading.R_n / point.setup.parameters.k_phi;
-    if (point.loading.z_0 || load <= most) continue;
+    if (point.loading.z_0 || point.loading.trace || load <= most) continue;
     most = load;
     out = i;
   }
@@ -235,6 +235,18 @@ void print_carried(const Experiment& e) {
   if (carried < R_n * (1 - kRough))
     write_message(fmt::format("warning: no gap carries the load at {}: {}\n", e.sweep.place(*index),
                               results::carried_text(point, carried, found.z_0_of_R_n_largest)));
+}
+
+// Prints how the bristles of the brush differ, where the sweep does not vary it.
+void print_scatter(const Scatter& scatter) {
+  if (!scatter.any()) return;
+  std::vector<std::string> parts;
+  for (std::size_t i = 0; i < kScattered.size(); ++i)
+    if (scatter.width[i] > 0)
+      parts.push_back(fmt::format("{} {} {:g}", kScattered[i].name,
+                                  scatter.uniform[i] ? "uniform within +-" : "normal with standard deviation",
+                                  scatter.width[i]));
+  fmt::print("scatter, relative, of {} different bristles: {}\n", scatter.bristles, fmt::join(parts, ", "));
 }
 
 }  // namespace
@@ -273,6 +285,7 @@ int validate_command(const ExperimentOptions& options) {
              options.file == "-" ? "standard input" : options.file, e.name, e.sweep.size(),
              e.sweep.size() == 1 ? "" : "s", sweep.empty() ? "" : ", ", sweep, checks,
              checks == 1 ? "" : "s");
+  print_scatter(e.sweep.base.setup.scatter);
   print_warnings(e);
   print_carried(e);
   if (e.sweep.base.si.empty()) return kSuccess;
