@@ -155,6 +155,12 @@ CLI::App* add_diff(CLI::App& app, DiffOptions& diff) {
   command->add_option("B", diff.b, "result file")->required();
   command->add_option("--rtol", diff.tolerances.rtol, "relative tolerance [none: any difference counts]");
   command->add_option("--atol", diff.tolerances.atol, "absolute tolerance");
+  command
+      ->add_option("--only", diff.only,
+                   "names of variables, separated by commas: print their values in A and in B, point by "
+                   "point [compare "
+                   "everything]")
+      ->delimiter(',');
   return command;
 }
 
@@ -237,7 +243,9 @@ const std::map<std::string, std::vector<std::string>> kExamples = {
       "bristle export results/design.h5 --group drawing -o -"}},
     {"value", {"bristle value results/fig4.h5 R_x_norm --at k_r=20 --at k_theta=1 --at bending=rod"}},
     {"check", {"bristle check results/fig4.h5 --report-only"}},
-    {"diff", {"bristle diff results/fig4.h5 results/half.h5 --rtol 1e-3"}},
+    {"diff",
+     {"bristle diff results/fig4.h5 results/half.h5 --rtol 1e-3",
+      "bristle diff results/a.h5 results/b.h5 --only R_x_norm"}},
     {"merge", {"bristle merge experiments/fig4.json"}},
     {"cite", {"bristle cite results/fig4.h5 >>references.bib"}},
     {"archive", {"bristle archive --check", "bristle archive --tier smoke"}},

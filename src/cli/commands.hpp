@@ -70,6 +70,7 @@ int check_command(const CheckOptions& options);
 struct DiffOptions {
   std::string a, b;
   compare::Tolerances tolerances;
+  std::vector<std::string> only;  // variables to print side by side; empty: compare everything
 };
 int diff_command(const DiffOptions& options);
 
@@ -91,6 +92,13 @@ struct ValueOptions {
 };
 // Prints variables with their errors, and the status, of the points at a place: of all if `at` is empty.
 int value_command(const ValueOptions& options);
+// Prints variables of two results, a row for each point of both. Returns kCheckFailed if they differ.
+int print_side_by_side(const results::ResultReader& a, const results::ResultReader& b,
+                       const DiffOptions& options);
+
+// Throws InputError if the table lacks one of the names that --only gives. path: the file of the table
+void require_variables(const results::Dataset& table, const std::vector<std::string>& only,
+                       const std::string& path);
 
 struct InfoOptions {
   std::string file;

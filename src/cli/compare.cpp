@@ -120,6 +120,7 @@ int diff_command(const DiffOptions& options) {
   const results::ResultReader a(options.a), b(options.b);
   a.require_intact();
   b.require_intact();
+  if (!options.only.empty()) return print_side_by_side(a, b, options);
   const compare::Comparison comparison = compare::diff_results(a, b, options.tolerances);
   fmt::print("{}", compare::comparison_text(comparison));
   return comparison.agree() ? kSuccess : kCheckFailed;

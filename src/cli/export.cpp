@@ -23,13 +23,10 @@ std::string default_output(const ExportOptions& options) {
 // InputError for a name that the table does not have.
 results::Dataset reduced(const results::Dataset& table, const std::vector<std::string>& only,
                          const results::ResultReader& result) {
-  std::vector<std::string> known, kept = result.coordinates();
-  for (const results::Array& array : table.arrays()) known.push_back(array.about.name);
+  require_variables(table, only, result.path());
+  std::vector<std::string> kept = result.coordinates();
   kept.emplace_back("status");
   for (const std::string& name : only) {
-    if (std::ranges::find(known, name) == known.end())
-      throw InputError(fmt::format("{}: --only {}: there is no such variable{}; `bristle info` lists all",
-                                   result.path(), printable(name), did_you_mean(name, known)));
     kept.push_back(name);
     kept.push_back(name + "_err");
   }
@@ -41,6 +38,16 @@ results::Dataset reduced(const results::Dataset& table, const std::vector<std::s
 }
 
 }  // namespace
+
+void require_variables(const results::Dataset& table, const std::vector<std::string>& only,
+                       const std::string& path) {
+  std::vector<std::string> known;
+  for (const results::Array& array : table.arrays()) known.push_back(array.about.name);
+  for (const std::string& name : only)
+    if (std::ranges::find(known, name) == known.end())
+      throw InputError(fmt::format("{}: --only {}: there is no such variable{}; `bristle info` lists all",
+                                   path, printable(name), did_you_mean(name, known)));
+}
 
 int export_command(const ExportOptions& options) {
   if (!options.checks.empty() && options.group != "checks")

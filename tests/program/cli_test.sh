@@ -300,6 +300,17 @@ expect 1 "only in $result" "$bristle" diff "$result" "$folder/r.h5"
 expect 1 "R_x_norm" "$bristle" diff "$folder/r.h5" "$folder/q.h5"
 expect 0 "within the tolerances" "$bristle" diff "$folder/r.h5" "$folder/q.h5" --rtol 1 --atol 0.01
 expect 2 "--rtol -1" "$bristle" diff "$folder/r.h5" "$folder/r.h5" --rtol -1
+side_by_side() { "$bristle" diff "$folder/r.h5" "$folder/q.h5" --only "$@"; }
+expect 1 "B - A" side_by_side R_x_norm
+expect 1 "r.h5, B: $folder/q.h5: 1 of 2 values differ" side_by_side R_x_norm,phase
+expect 0 "0 of 1 values differ by more than the tolerance" side_by_side R_x_norm --rtol 1
+expect 2 "r.h5: --only R_x_nrm: there is no such variable (did you mean R_x_norm?)" side_by_side R_x_nrm
+expect 2 "allowed: results with the same axes" "$bristle" diff "$result" "$folder/r.h5" --only R_x_norm
+expect 0 "bending = polar, k_r = 5, k_theta = 0.3 " "$bristle" diff "$result" "$result" --only R_x_norm
+"$bristle" run experiments/fig4.json --tier smoke --quiet --set '/sweep/k_r={"values":[5,6]}' --set '/sweep/bending={"values":["rod"]}' \
+  --set /checks=null -o "$folder/some.h5"
+expect 1 "values differ; 42 points are in $result alone; 3 points are in $folder/some.h5 alone" \
+  "$bristle" diff "$result" "$folder/some.h5" --only R_x_norm
 
 # A reference in a repository of its own, made from the result as if a clean commit had computed it.
 reference=$folder/repository/reference
