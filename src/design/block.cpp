@@ -146,6 +146,7 @@ Design read_design(const Experiment& experiment) {
     design.constraints.push_back({kClearance, 0, kNoLimit});
   design.budget = block["budget"].as<std::size_t>();
   design.seed = block.get("seed", std::uint64_t(1));
+  design.least_gain = block.get("least_gain", 0.02);
   read_steps(block["round_to"], design);
   design.start = own_values(experiment, design);
   read_second_model(block["second_model"], design);

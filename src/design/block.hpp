@@ -3,6 +3,7 @@
 #include "bristle/words.hpp"
 #include "experiment/experiment.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -56,6 +57,10 @@ struct Constraint {
   double min, max;       // infinite: none
 
   std::string text() const;  // "root_strain <= 0.3"
+  // Returns by how much a value exceeds the nearer limit; negative within the limits.
+  double excess(double value) const { return std::max(value - max, min - value); }
+  // Returns the limit that a value beyond the limits exceeds.
+  double limit_of(double value) const { return value > max ? max : min; }
 };
 constexpr const char* kJumpMargin = "jump_margin";
 constexpr const char* kClearance = "clearance";  // a design that varies it limits it
@@ -74,6 +79,7 @@ struct Design : experiment::Ranges {
   std::vector<Constraint> constraints;
   std::size_t budget;  // trials
   std::uint64_t seed;
+  double least_gain;  // over the start, relative to its value, below which the start is as good
   std::map<std::string, double> round_to;  // steps in which variables can be made; others are exact
   std::map<std::string, double> start;     // the experiment's own values of the variables that have one
   std::string second_choice;  // of the model, for another computation of the best trial; empty: none

@@ -91,7 +91,7 @@ class Search {
         memo_(options.memo_bytes),
         trials_(experiment, design, solver()) {}
 
-  // Returns the text that says what was found, and whether a trial meets the constraints.
+  // Returns the text that says what was found, and whether the recommended brush meets the constraints.
   std::pair<std::string, bool> run(std::map<std::string, std::string> entries) {
     const std::size_t scenarios = experiment_.sweep.without(sweep::kSample).size();
     progress_.emplace(experiment_.name, design_.budget * trials_.rows_of_a_trial() * scenarios,
@@ -127,7 +127,7 @@ class Search {
       fmt::print("{}: points: {}\n{}", options_.output, summary.text(), summary.phases());
       summary.report_validity();
     }
-    return {text, !found.chosen.empty()};
+    return {text, !found.chosen.empty() && broken_constraints(design_, found).empty()};
   }
 
  private:
@@ -195,10 +195,11 @@ class Search {
     // If a local minimum of the distance from a target meets the target, only such minima are solutions.
     if (std::ranges::any_of(found.chosen, [&](std::size_t i) { return scores[i].is_met; }))
       std::erase_if(found.chosen, [&](std::size_t i) { return !scores[i].is_met; });
-    if (const auto start = found.start_trial; start && scores[*start].violation == 0 &&
-                                              !found.chosen.empty() &&
-                                              !variables_matter(found, found.trials[*start]))
-      found.chosen = {*start};
+    if (const auto start = found.start_trial;
+        found.not_worth && scores[*start].violation == 0 && !found.chosen.empty()) {
+      if (!variables_matter(found, found.trials[*start])) found.chosen.clear();
+      found.chosen.insert(found.chosen.begin(), *start);
+    }
   }
 
   // Returns the trial of a front that is nearest to the best values of all objectives, relative to their
@@ -254,8 +255,24 @@ class Search {
       found.profiles = profiles_at(best.nominal);
       const double margin = least_margin(found.profiles);
       if (design_.jump_margin > 0) trials_.set_jump_margin(best, margin);
-      if (margin >= design_.jump_margin) return look_beside(found, best.nominal);
+      if (margin < design_.jump_margin) continue;
+      look_beside(found, best.nominal);
+      if (!is_start_as_good(found)) break;
+      found.not_worth_trial = found.chosen.front();
+      found.not_worth = {recommended(found), std::move(found.verification)};
     }
+    if (found.chosen.empty() || found.chosen.front() != found.start_trial) found.not_worth.reset();
+    if (!found.chosen.empty()) compute_by_second_model(found);
+  }
+
+  // Returns true if the recommended brush gains nothing over the start that is worth a change: the start
+  // meets the constraints, and the target if the brush meets it.
+  bool is_start_as_good(const Findings& found) const {
+    const auto start = found.start_trial;
+    if (!start || found.chosen.front() == *start || found.trials[*start].violation > 0) return false;
+    if (meets_target(design_, recommended(found)) && !meets_target(design_, found.trials[*start]))
+      return false;
+    return !is_worth(design_, gains_of(design_, found, recommended_outcome(found)));
   }
 
   // Returns the best trial beside this one that can be made and meets the constraints or, if none meets them,
@@ -275,6 +292,7 @@ class Search {
 
   // Computes what the recommended brush is compared with, and verifies it as it can be made.
   void look_beside(Findings& found, const Values& chosen) {
+    found.made.reset();
     // The start needs no rounding, because it is a brush that exists.
     if (!design_.round_to.empty() && found.chosen.front() != found.start_trial) {
       progress_->stage("computing what can be made beside the recommended trial");
@@ -284,13 +302,18 @@ class Search {
     const Values& best = recommended(found).nominal;
     if (!design_.tolerances.empty()) {
       progress_->stage("verifying the recommended brush by many deviations");
-      found.verification = trials_.verify(best);
+      const Trial* start = start_of(found);
+      if (start && !found.start_verification) found.start_verification = trials_.verify(start->nominal);
+      found.verification = &recommended(found) == start ? found.start_verification : trials_.verify(best);
       found.indices = trials_.indices(best);
     }
+  }
+
+  void compute_by_second_model(Findings& found) {
     if (design_.second_choice.empty()) return;
     progress_->stage("computing the recommended brush by the second model");
     const Experiment second = second_model_of(experiment_, design_);
-    found.second = Trials(second, design_, solver()).evaluate({best}).front();
+    found.second = Trials(second, design_, solver()).evaluate({recommended(found).nominal}).front();
   }
 
   const Experiment& experiment_;
@@ -333,7 +356,7 @@ bool run_design(const Experiment& experiment, const run::RunOptions& options) {
     if (!options.quiet)
       fmt::print("{} is up to date: nothing to compute (--force computes it again)\n{}", options.output,
                  wrapped_lines(file.provenance_lines(results::kDesignText), terminal_columns()));
-    return file.has("best");
+    return file.has("best") && !file.has(kViolated);
   }
   run::require_no_loss(experiment, options);
   run::install_signal_handlers();

@@ -9,6 +9,31 @@
 
 namespace bristle::design {
 
+// A brush that was computed again beside the trials of the search.
+struct Brush {
+  Trial trial;
+  std::optional<Verification> verification;  // none without tolerances
+
+  const Outcome& outcome() const { return verification ? static_cast<const Outcome&>(*verification) : trial; }
+};
+
+// By how much an objective of a brush is better than the objective of the start.
+struct Gain {
+  Estimate difference;  // positive: better; the error is the sum of the errors of both
+  double point_error;   // the part of the error that comes from the points, not from the number of deviations
+  double scale;         // amount of the objective's value at the start
+
+  Estimate relative() const { return {difference.value / scale, difference.error / scale}; }
+  bool within_errors() const { return !(difference.value > point_error); }
+};
+
+// A constraint that the recommended brush violates, as it is made or nominally.
+struct Broken {
+  std::size_t number;   // of the constraint in the design
+  double value, limit;  // the value that is farthest beyond the limit
+  std::size_t brushes;  // number of verified brushes beyond the limit; 0: only the trial is
+};
+
 // What a search found.
 struct Findings {
   std::vector<Trial> trials;
@@ -22,9 +47,12 @@ struct Findings {
   std::optional<Trial> start_outside;
   std::optional<Trial> made;      // the recommended trial, rounded to what can be made; none without steps
   std::vector<Profile> profiles;  // profiles of the recommended trial, by quantity
-  std::optional<Verification> verification;  // verification of the recommended trial; none without tolerances
-  std::vector<SobolIndices> indices;         // indices of each objective; empty without tolerances
-  std::optional<Trial> second;               // the recommended trial with the second model
+  // Verifications of the recommended trial and of the start; none without tolerances.
+  std::optional<Verification> verification, start_verification;
+  std::optional<Brush> not_worth;     // the brush that would be recommended, were the start not as good
+  std::size_t not_worth_trial = 0;    // its number
+  std::vector<SobolIndices> indices;  // indices of each objective; empty without tolerances
+  std::optional<Trial> second;        // the recommended trial with the second model
 };
 
 // Returns the trial that is recommended: the rounded one, if there is one.
@@ -49,8 +77,18 @@ std::vector<Compared> compared(const Trials& trials, const Findings& found);
 // deviations are the same for all trials: that they are few makes each value uncertain, not the difference.
 bool differ(const Trial& a, const Trial& b);
 
-// Returns true if some objective of two trials differs by more than the sum of its errors.
-bool differ_beyond_deviations(const Trial& a, const Trial& b);
+// Returns the gain of a brush over the start in each objective: from the verifications of both, or from the
+// trials if there are none. Empty without a start.
+std::vector<Gain> gains_of(const Design& design, const Findings& found, const Outcome& brush);
+
+// Returns true if a gain exceeds its point error and the design's least gain.
+bool is_worth(const Design& design, const std::vector<Gain>& gains);
+
+// Returns the verification of the recommended trial, or the trial if there is none.
+const Outcome& recommended_outcome(const Findings& found);
+
+// Returns the constraints that the recommended trial violates, or some brush of its verification.
+std::vector<Broken> broken_constraints(const Design& design, const Findings& found);
 
 // Returns true if a trial that meets the constraints differs from the start, see differ().
 bool variables_matter(const Findings& found, const Trial& start);

@@ -83,6 +83,21 @@ Dataset all_trials(const Trials& trials, const Findings& found) {
   return out;
 }
 
+// Adds the gains of brushes over the start to a table with a row for each brush; nothing without a start.
+void add_gains(Dataset& table, const Trials& trials, const Findings& found,
+               const std::vector<const Outcome*>& brushes) {
+  const Design& design = trials.design();
+  for (std::size_t o = 0; start_of(found) && o < design.objectives.size(); ++o) {
+    const auto gain = [&](std::size_t row) { return gains_of(design, found, *brushes[row])[o].relative(); };
+    table.add(
+        {fmt::format("gain_{}", o + 1),
+         fmt::format("gain over the start, relative to its value: {}", design.objectives[o].text()), "", ""},
+        [&](std::size_t row) { return gain(row).value; });
+    table.add({fmt::format("gain_{}_err", o + 1), "error of the gain: the sum of the errors of both", "", ""},
+              [&](std::size_t row) { return gain(row).error; });
+  }
+}
+
 Dataset comparison(const Trials& trials, const Findings& found) {
   const std::vector<Compared> all = compared(trials, found);
   std::vector<std::string> names;
@@ -91,6 +106,27 @@ Dataset comparison(const Trials& trials, const Findings& found) {
   add_trials(out, trials, [&](std::size_t row) -> const Trial& { return *all[row].trial; });
   out.add({"violation", "greatest excess over a constraint's limit, relative", "", ""},
           [&](std::size_t row) { return all[row].trial->violation; });
+  if (!found.verification) {
+    std::vector<const Outcome*> brushes;
+    for (const Compared& one : all) brushes.push_back(one.trial);
+    add_gains(out, trials, found, brushes);
+  }
+  return out;
+}
+
+Dataset violated(const std::vector<Broken>& broken) {
+  std::vector<std::string> names;
+  for (const Broken& one : broken) names.push_back(fmt::format("constraint_{}", one.number + 1));
+  Dataset out = table(kViolated, results::coordinates("constraint",
+                                                      "constraint that the recommended brush "
+                                                      "violates, as made or nominally",
+                                                      names));
+  out.add({"value", "value that is farthest beyond the limit", "", ""},
+          [&](std::size_t row) { return broken[row].value; });
+  out.add({"limit", "limit that the value exceeds", "", ""},
+          [&](std::size_t row) { return broken[row].limit; });
+  out.add(integer("brushes", "verified brushes beyond the limit; 0: only the trial itself is"),
+          [&](std::size_t row) { return broken[row].brushes; });
   return out;
 }
 
@@ -110,19 +146,29 @@ Dataset margins(const Findings& found) {
   return out;
 }
 
-Dataset verification_group(const Trials& trials, const Verification& verified) {
-  Dataset out = table("verification", results::row_numbers("solution", "0: recommended", 1));
-  add_objectives(out, trials, [&](std::size_t) { return verified.objectives; });
-  out.add(integer("brushes", "brushes as made, each with its deviations"),
-          [&](std::size_t) { return verified.brushes; });
-  out.add(integer("missing", "brushes without a value of an objective or a constraint in a scenario"),
-          [&](std::size_t) { return verified.missing; });
-  out.add(integer("violated", "brushes with values beyond a constraint"),
-          [&](std::size_t) { return verified.violated; });
-  out.add(integer("in_contact", "brushes in contact in every scenario"),
-          [&](std::size_t) { return verified.in_contact; });
-  out.add(integer("bouncing", "brushes that bounce in every scenario"),
-          [&](std::size_t) { return verified.bouncing; });
+Dataset verification_group(const Trials& trials, const Findings& found) {
+  std::vector<std::string> names = {kRecommended};
+  std::vector<const Verification*> all = {&*found.verification};
+  const auto add_row = [&](const char* name, const std::optional<Verification>& verified) {
+    if (!verified) return;
+    names.emplace_back(name);
+    all.push_back(&*verified);
+  };
+  add_row("start", found.start_verification);
+  if (found.not_worth) add_row("best_other", found.not_worth->verification);
+  Dataset out = table("verification", results::coordinates("brush", "brushes that are verified", names));
+  add_objectives(out, trials, [&](std::size_t row) { return all[row]->objectives; });
+  add_gains(out, trials, found, {all.begin(), all.end()});
+  const auto add = [&](const char* name, const char* meaning, std::size_t Verification::*member) {
+    out.add(integer(name, meaning), [&](std::size_t row) { return all[row]->*member; });
+  };
+  add("brushes", "brushes as made, each with its deviations", &Verification::brushes);
+  add("missing", "brushes without a value of an objective or a constraint in a scenario",
+      &Verification::missing);
+  add("unloaded", "brushes of which no gap carries the load in a scenario", &Verification::unloaded);
+  add("violated", "brushes with values beyond a constraint", &Verification::violated);
+  add("in_contact", "brushes in contact in every scenario", &Verification::in_contact);
+  add("bouncing", "brushes that bounce in every scenario", &Verification::bouncing);
   return out;
 }
 
@@ -159,7 +205,9 @@ std::vector<Dataset> groups_of(const Trials& trials, const Findings& found) {
   groups.push_back(comparison(trials, found));
   groups.push_back(margins(found));
   for (const Profile& p : found.profiles) groups.push_back(profile_group(trials, p));
-  if (found.verification) groups.push_back(verification_group(trials, *found.verification));
+  if (found.verification) groups.push_back(verification_group(trials, found));
+  if (const auto broken = broken_constraints(trials.design(), found); !broken.empty())
+    groups.push_back(violated(broken));
   if (!found.indices.empty()) groups.push_back(indices_group(trials, found));
   if (found.second) {
     Dataset& second = groups.emplace_back(table(

@@ -39,7 +39,7 @@ double limited_value(const Constraint& constraint, const Computed& point) {
 // value.
 double excess(const Constraint& constraint, const Computed& point) {
   const double value = limited_value(constraint, point);
-  return std::isnan(value) ? kInfinity : std::max(value - constraint.max, constraint.min - value);
+  return std::isnan(value) ? kInfinity : constraint.excess(value);
 }
 
 // Returns the greatest error of these estimates relative to their values; 0 if none has a value.
@@ -171,10 +171,21 @@ std::vector<Trial> Trials::evaluate(const std::vector<Values>& nominal) const {
   return out;
 }
 
+void Trials::add_objective(Outcome& out, const Objective& objective,
+                           const std::vector<std::vector<Estimate>>& values) {
+  std::vector<Estimate> by_scenario;
+  for (const std::vector<Estimate>& all : values)
+    by_scenario.push_back(all.empty() ? Estimate{kNone, kNone} : statistic(objective.of, all));
+  out.scenarios.push_back(worst_scenario(objective, by_scenario));
+  out.objectives.push_back(by_scenario[out.scenarios.back()]);
+  out.point_errors.push_back(std::sqrt(mean_square_error(values[out.scenarios.back()])));
+}
+
 // Judges a trial by its points: for each row of the trial, the points of all scenarios.
 Trial Trials::judge(const Values& nominal, const Computed* points) const {
   const std::size_t scenarios = this->scenarios(), samples = 1 + deviations_.size();
-  Trial out{nominal, {}, {}, {}, {}, 0, 0, 0};
+  Trial out;
+  out.nominal = nominal;
   const auto record = [&](std::size_t row, std::size_t scenario) -> const results::PointRecord& {
     return points[row * scenarios + scenario].record;
   };
@@ -185,38 +196,24 @@ Trial Trials::judge(const Values& nominal, const Computed* points) const {
     });
   }
   for (const Objective& objective : design_.objectives) {
-    std::vector<Estimate> by_scenario;
-    std::vector<double> point_errors;
-    for (std::size_t s = 0; s < scenarios; ++s) {
-      std::vector<Estimate> values;
-      if (objective.of == Statistic::nominal) values.push_back(value_of(record(0, s), objective.variable));
-      else
-        for (std::size_t row = 1; row < samples; ++row)
-          values.push_back(value_of(record(row, s), objective.variable));
-      by_scenario.push_back(statistic(objective.of, values));
-      point_errors.push_back(std::sqrt(mean_square_error(values)));
-    }
-    out.scenarios.push_back(worst_scenario(objective, by_scenario));
-    out.objectives.push_back(by_scenario[out.scenarios.back()]);
-    out.point_errors.push_back(point_errors[out.scenarios.back()]);
+    std::vector<std::vector<Estimate>> values(scenarios);
+    const bool nominal_alone = objective.of == Statistic::nominal;
+    for (std::size_t row = nominal_alone ? 0 : 1; row < (nominal_alone ? 1 : samples); ++row)
+      for (std::size_t s = 0; s < scenarios; ++s)
+        values[s].push_back(value_of(record(row, s), objective.variable));
+    add_objective(out, objective, values);
     if (std::isnan(out.objectives.back().value)) out.violation = kInfinity;
   }
   for (const Constraint& c : design_.constraints) {
-    double value = kNone, most = -kInfinity;
-    if (c.variable == kJumpMargin) {
-      out.constraints.push_back(kNone);  // computed below, for trials that meet the other constraints
-      continue;
-    }
-    for (std::size_t i = 0; i < samples * scenarios; ++i) {
-      const double beyond = excess(c, points[i]);
-      if (beyond > most) {
-        most = beyond;
-        value = limited_value(c, points[i]);
-      }
-    }
+    // The jump margin is computed below, for trials that meet the other constraints.
+    double value = kNone;
+    if (c.variable != kJumpMargin)
+      value = limited_value(c, *std::ranges::max_element(points, points + samples * scenarios, {},
+                                                         [&](const Computed& p) { return excess(c, p); }));
     out.constraints.push_back(value);
+    if (c.variable == kJumpMargin) continue;
     if (std::isnan(value)) out.violation = kInfinity;
-    else if (most > 0) out.violation = std::max(out.violation, beyond(value, value > c.max ? c.max : c.min));
+    else if (c.excess(value) > 0) out.violation = std::max(out.violation, beyond(value, c.limit_of(value)));
   }
   if (design_.jump_margin > 0 && out.violation == 0) set_jump_margin(out, jump_margin(nominal, points));
   return out;
@@ -341,42 +338,50 @@ Verification Trials::verify(const Values& nominal) const {
 }
 
 Verification Trials::verification_of(const std::vector<Computed>& points) const {
-  const std::size_t brushes = points.size() / scenarios();
-  Verification out{{}, {}, brushes, 0, 0, 0, 0};
-  for (std::size_t row = 0; row < brushes; ++row) {
-    bool missing = false, violated = false, in_contact = true, bouncing = true;
-    for (std::size_t s = 0; s < scenarios(); ++s) {
-      const Computed& point = points[row * scenarios() + s];
-      const double phase = value_of(point.record, "phase").value;
-      in_contact = in_contact && phase == double(BrushPhase::contact);
-      bouncing = bouncing && phase == double(BrushPhase::bouncing);
-      for (const Objective& o : design_.objectives)
-        missing = missing || std::isnan(value_of(point.record, o.variable).value);
-      for (const Constraint& c : design_.constraints) {
-        if (c.variable == kJumpMargin) continue;
-        missing = missing || std::isinf(excess(c, point));
-        violated = violated || excess(c, point) > 0;
-      }
-    }
-    out.missing += missing;
-    out.violated += violated && !missing;
-    out.in_contact += in_contact && !missing;
-    out.bouncing += bouncing && !missing;
-  }
+  Verification out;
+  out.brushes = points.size() / scenarios();
+  out.constraints.resize(design_.constraints.size(), kNone);
+  out.beyond.resize(design_.constraints.size(), 0);
+  for (std::size_t row = 0; row < out.brushes; ++row)
+    add_brush(out, {points.data() + row * scenarios(), scenarios()});
   for (const Objective& objective : design_.objectives) {
-    std::vector<Estimate> by_scenario;
-    for (std::size_t s = 0; s < scenarios(); ++s) {
-      std::vector<Estimate> values;
-      for (std::size_t row = 0; row < brushes; ++row)
-        if (const Estimate value = value_of(points[row * scenarios() + s].record, objective.variable);
-            !std::isnan(value.value))
-          values.push_back(value);
-      by_scenario.push_back(values.empty() ? Estimate{kNone, kNone} : statistic(objective.of, values));
-    }
-    out.scenarios.push_back(worst_scenario(objective, by_scenario));
-    out.objectives.push_back(by_scenario[out.scenarios.back()]);
+    std::vector<std::vector<Estimate>> values(scenarios());
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (const Estimate value = value_of(points[i].record, objective.variable); !std::isnan(value.value))
+        values[i % scenarios()].push_back(value);
+    add_objective(out, objective, values);
   }
   return out;
+}
+
+void Trials::add_brush(Verification& out, std::span<const Computed> brush) const {
+  const auto all_in = [&](BrushPhase phase) {
+    return std::ranges::all_of(
+        brush, [&](const Computed& p) { return value_of(p.record, "phase").value == double(phase); });
+  };
+  bool missing = false, unloaded = false, violated = false;
+  for (const Computed& point : brush) {
+    unloaded = unloaded || value_of(point.record, "status").value == double(PointStatus::unreachable);
+    for (const Objective& o : design_.objectives)
+      missing = missing || std::isnan(value_of(point.record, o.variable).value);
+    for (const Constraint& c : design_.constraints)
+      missing = missing || (c.variable != kJumpMargin && std::isinf(excess(c, point)));
+  }
+  out.missing += missing;
+  out.unloaded += unloaded;
+  if (missing) return;
+  for (std::size_t i = 0; i < design_.constraints.size(); ++i) {
+    const Constraint& c = design_.constraints[i];
+    if (c.variable == kJumpMargin) continue;
+    const double value = limited_value(
+        c, *std::ranges::max_element(brush, {}, [&](const Computed& p) { return excess(c, p); }));
+    if (!(c.excess(value) <= c.excess(out.constraints[i]))) out.constraints[i] = value;
+    out.beyond[i] += c.excess(value) > 0;
+    violated = violated || c.excess(value) > 0;
+  }
+  out.violated += violated;
+  out.in_contact += all_in(BrushPhase::contact);
+  out.bouncing += all_in(BrushPhase::bouncing);
 }
 
 std::vector<SobolIndices> Trials::indices(const Values& nominal) const {

@@ -6,6 +6,7 @@
 #include "sampling/sensitivity.hpp"
 
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -30,15 +31,19 @@ struct Computed {
   Parameters brush;
 };
 
-struct Trial {
-  Values nominal;
+// What a trial, or its verification by many deviations, shows.
+struct Outcome {
   std::vector<Estimate> objectives;    // value of each objective; NaN if a point that it needs has none
   std::vector<double> point_errors;    // the part of each objective's error that its points have
   std::vector<std::size_t> scenarios;  // scenario in which each objective is worst
   std::vector<double> constraints;  // each value nearest to its limit, or farthest beyond; infinite: a jump
                                     // margin above its limit; NaN: not computed
-  double violation;                 // greatest excess, relative to its limit; infinite without values
-  std::size_t missing, ambiguous;   // numbers of points
+};
+
+struct Trial : Outcome {
+  Values nominal;
+  double violation = 0;                    // greatest excess, relative to its limit; infinite without values
+  std::size_t missing = 0, ambiguous = 0;  // numbers of points
 };
 
 // Shows how one quantity changes a trial: the nominal objectives over values of the quantity, and the nearest
@@ -50,15 +55,16 @@ struct Profile {
   double margin_below, margin_above;  // relative change that reaches a jump; NaN: none among the values
 };
 
-// Shows what many deviations of one trial do. Each deviation is a brush as made.
-struct Verification {
-  std::vector<Estimate>
-      objectives;  // statistics of brushes with a value, in the scenario where each objective is worst
-  std::vector<std::size_t> scenarios;  // scenario in which each objective is worst
-  std::size_t brushes;
-  std::size_t missing;               // brushes without a value of an objective or a constraint in a scenario
-  std::size_t violated;              // brushes with values beyond a constraint
-  std::size_t in_contact, bouncing;  // brushes with values that are in contact, or bounce, in every scenario
+// Shows what many deviations of one trial do. Each deviation is a brush as made; brushes without a value are
+// left out.
+struct Verification : Outcome {
+  std::size_t brushes = 0;
+  std::size_t missing = 0;          // brushes without a value of an objective or a constraint in a scenario
+  std::size_t unloaded = 0;         // brushes of which no gap carries the load in a scenario
+  std::size_t violated = 0;         // brushes with values beyond a constraint
+  std::vector<std::size_t> beyond;  // brushes with values beyond each constraint
+  // Brushes with values that are in contact, or bounce, in every scenario.
+  std::size_t in_contact = 0, bouncing = 0;
 };
 
 // Returns true if the only objective is a target that the trial meets within half of the value's error, or
@@ -115,8 +121,13 @@ class Trials {
   Values deviated(const Values& nominal, const Point& deviations) const;
   double neighbour(const Values& nominal, const std::string& quantity, double change) const;
   Trial judge(const Values& nominal, const Computed* points) const;
+  // Adds an objective to an outcome, with the values by scenario.
+  static void add_objective(Outcome& out, const Objective& objective,
+                            const std::vector<std::vector<Estimate>>& values);
   // Returns what these points show: the points of each brush in all scenarios, brush after brush.
   Verification verification_of(const std::vector<Computed>& points) const;
+  // Counts a brush, whose points in all scenarios are given.
+  void add_brush(Verification& out, std::span<const Computed> brush) const;
   std::vector<double> values_beside(const Values& nominal, const std::string& quantity,
                                     std::size_t intervals) const;
   Estimate worst_nominal(const Objective& objective, const Computed* points) const;

@@ -55,7 +55,8 @@ std::string objectives_text(const Trials& trials, const Found& found) {
   return fmt::format("{}", fmt::join(parts, "; "));
 }
 
-std::string verification_text(const Trials& trials, const Verification& verified) {
+std::string verification_text(const Trials& trials, const Findings& found) {
+  const Verification& verified = *found.verification;
   const auto share = [&](std::size_t count) { return 100 * double(count) / double(verified.brushes); };
   std::string out = fmt::format("  of {} brushes made with these tolerances: {}\n", verified.brushes,
                                 objectives_text(trials, verified));
@@ -66,11 +67,24 @@ std::string verification_text(const Trials& trials, const Verification& verified
         std::pair(others, "are between contact and bouncing, or bounce in some scenarios alone")})
     if (count > 0) phases.push_back(fmt::format("{:.3g} % {}", share(count), what));
   if (!phases.empty()) out += fmt::format("  of these brushes {}\n", fmt::join(phases, ", "));
-  if (verified.missing > 0)
-    out += fmt::format("  {:.1f} % of these brushes have no value in some scenario and are left out there\n",
-                       share(verified.missing));
-  if (verified.violated > 0)
-    out += fmt::format("  {:.1f} % of these brushes violate a constraint\n", share(verified.violated));
+  const bool is_counted = start_of(found) && found.chosen.front() != found.start_trial;  // beside the gain
+  if (verified.unloaded > 0 && !is_counted)
+    out += fmt::format("  {} of these brushes cannot carry the load\n", verified.unloaded);
+  if (verified.missing > verified.unloaded)
+    out += fmt::format("  {} of these brushes have no value in some scenario for another reason\n",
+                       verified.missing - verified.unloaded);
+  return out;
+}
+
+// Returns the constraints that the recommended brush violates, a line for each.
+std::string violated_text(const Trials& trials, const Findings& found) {
+  std::string out;
+  for (const Broken& one : broken_constraints(trials.design(), found))
+    out += fmt::format("  VIOLATES {}: {:.4g}{}\n", trials.design().constraints[one.number].text(), one.value,
+                       one.brushes > 0 ? fmt::format(" in the worst case, and {} of {} brushes as made are "
+                                                     "beyond the limit",
+                                                     one.brushes, found.verification->brushes)
+                                       : "");
   return out;
 }
 
@@ -125,29 +139,86 @@ std::string infeasible_text(const Trials& trials, const Findings& found) {
                      values_text(trials, nearest));
 }
 
-// Returns a sentence if the start, which meets the constraints, is the recommended trial, better than it or
-// as good within the errors.
-std::string gain_text(const Trials& trials, const Findings& found) {
-  const Trial& start = *start_of(found);
-  const bool is_best = found.chosen.front() == found.start_trial;
-  if (!is_best && differ(start, recommended(found))) {
-    if (better(trials.score_of(start), trials.score_of(recommended(found))))
-      return found.start_outside ? "  the start is better, but outside the bounds of the variables: widen "
-                                   "them, or keep the start\n"
-                                 : "  rounded to what can be made, the brush is worse than the start: give "
-                                   "finer steps, or keep the start\n";
-    return differ_beyond_deviations(start, recommended(found))
-               ? ""
-               : fmt::format(
-                     "  with the same {} deviations the brush differs from the start, but each of the two "
-                     "by less than its own error: more tolerance_samples reduce the errors\n",
-                     trials.design().tolerance_samples);
+// Returns what the text calls a trial.
+std::string name_of(const Findings& found, std::size_t trial) {
+  return trial == found.start_trial ? "the start" : fmt::format("trial {}", trial);
+}
+
+// Returns the gains over the start, such as "1.9 +- 0.3 %", and how many brushes as made cannot carry the
+// load, of this brush and of the start.
+std::string price_text(const Trials& trials, const Findings& found, const Outcome& brush,
+                       const std::optional<Verification>& verified) {
+  std::vector<std::string> parts;
+  for (const Gain& gain : gains_of(trials.design(), found, brush)) {
+    const auto [value, error] = gain.scale > 0 ? gain.relative() : gain.difference;
+    if (!(gain.scale > 0)) parts.push_back(estimate_text({value, error}));
+    else {
+      const int places = error > 0 ? std::clamp(-int(std::floor(std::log10(100 * error))), 0, 3) : 1;
+      parts.push_back(fmt::format("{:.{}f} +- {:.{}f} %", 100 * value, places, 100 * error, places));
+    }
   }
-  if (!variables_matter(found, start))
-    return "  no trial differs from the start by more than the errors: these variables do not matter here, "
-           "and the start can be kept\n";
-  if (is_best) return "  no trial is better than the start, which can be kept\n";
-  return "  the start is as good within the errors, and can be kept\n";
+  std::string out = fmt::format("{}", fmt::join(parts, ", "));
+  if (verified)
+    out +=
+        fmt::format("; {} of {} brushes cannot carry the load; {} of {} of the start's", verified->unloaded,
+                    verified->brushes, found.start_verification->unloaded, found.start_verification->brushes);
+  return out;
+}
+
+// Returns why the start is as good as a brush that meets the constraints and does not gain enough.
+std::string as_good_text(const Design& design, const std::vector<Gain>& gains) {
+  return std::ranges::all_of(gains, &Gain::within_errors)
+             ? "the start is as good within the errors"
+             : fmt::format("the start is as good: nothing gains {:g} % (least_gain)",
+                           100 * design.least_gain);
+}
+
+// Returns sentences on the start, if it is recommended: why, and what the best other brush would gain.
+std::string kept_text(const Trials& trials, const Findings& found) {
+  if (!found.not_worth) return "  no trial is better than the start, which can be kept\n";
+  const auto& [trial, verified] = *found.not_worth;
+  const Outcome& brush = found.not_worth->outcome();
+  const std::vector<Gain> gains = gains_of(trials.design(), found, brush);
+  std::string why = as_good_text(trials.design(), gains) + ", and can be kept";
+  if (!variables_matter(found, *start_of(found)))
+    why =
+        "no trial differs from the start by more than the errors: these variables do not matter here, and "
+        "the "
+        "start can be kept";
+  else if (std::ranges::all_of(gains, [](const Gain& g) { return g.difference.value < -g.point_error; }))
+    why =
+        "rounded to what can be made, the best trial is worse than the start, which can be kept: finer steps "
+        "may gain more";
+  return fmt::format("  {}\n  the best other brush, {}: {}\n  its gain over the start: {}\n", why,
+                     name_of(found, found.not_worth_trial), values_text(trials, trial),
+                     price_text(trials, found, brush, verified));
+}
+
+// Returns what the recommended brush gains over the start, and whether the start can be kept.
+std::string gain_text(const Trials& trials, const Findings& found) {
+  const Design& design = trials.design();
+  if (found.chosen.front() == found.start_trial) return kept_text(trials, found);
+  const Outcome& brush = recommended_outcome(found);
+  std::string out =
+      fmt::format("  gain over the start: {}\n", price_text(trials, found, brush, found.verification));
+  const std::vector<Gain> gains = gains_of(design, found, brush);
+  if (start_of(found)->violation > 0) return out;
+  if (!is_worth(design, gains)) {
+    const bool worse =
+        std::ranges::all_of(gains, [](const Gain& g) { return g.difference.value < -g.point_error; });
+    return out + (worse
+                      ? "  the start is better, but outside the bounds of the variables: widen them, or keep "
+                        "the start\n"
+                      : fmt::format("  {}, and can be kept\n", as_good_text(design, gains)));
+  }
+  if (found.verification &&
+      std::ranges::all_of(gains, [](const Gain& g) { return g.difference.value < g.difference.error; }))
+    out += fmt::format(
+        "  with the same {} deviations the brush differs from the start, but each of the two by less than "
+        "its "
+        "own error: more tolerance_samples reduce the errors\n",
+        found.verification->brushes);
+  return out;
 }
 
 // Returns sentences on what the comparison means: limits that the start exceeds, whether it can be kept, and
@@ -163,7 +234,7 @@ std::string remarks_text(const Trials& trials, const Findings& found) {
     out +=
         "  rounded to what can be made, the brush violates a constraint: give finer steps, or tighter "
         "bounds\n";
-  if (start && start->violation == 0) out += gain_text(trials, found);
+  if (start && std::isfinite(start->violation)) out += gain_text(trials, found);
   for (const experiment::Range& range : design.variables) {
     const double value = best.nominal.at(range.name), near = at_bound * (range.high - range.low);
     if (value - range.low <= near || range.high - value <= near)
@@ -171,11 +242,6 @@ std::string remarks_text(const Trials& trials, const Findings& found) {
                          value - range.low <= near ? "lower" : "upper");
   }
   return out;
-}
-
-// Returns what the text calls a trial.
-std::string name_of(const Findings& found, std::size_t trial) {
-  return trial == found.start_trial ? "the start" : fmt::format("trial {}", trial);
 }
 
 std::string trials_text(std::size_t count) { return fmt::format("{} trial{}", count, count == 1 ? "" : "s"); }
@@ -269,13 +335,13 @@ std::string text_of(const Trials& trials, const Findings& found) {
                      found.made ? ", rounded to what can be made" : "", values_text(trials, best));
   if (!trials.sweep().without(sweep::kSample).axes.empty())
     out += fmt::format("  where it is worst: {}\n", objectives_text(trials, best));
-  out += comparison_text(trials, found) + remarks_text(trials, found);
+  out += violated_text(trials, found) + comparison_text(trials, found) + remarks_text(trials, found);
   const Objective& first = trials.design().objectives.front();
   if (trials.design().objectives.size() == 1 && first.goal == Goal::target &&
       !meets_target(trials.design(), best))
     out +=
         "  no trial meets the target; this one is the nearest: other bounds or a larger budget may meet it\n";
-  if (found.verification) out += verification_text(trials, *found.verification);
+  if (found.verification) out += verification_text(trials, found);
   out += margins_text(trials, found);
   if (found.second)
     out +=

@@ -178,7 +178,8 @@ TEST_CASE("a trial whose load another gap carries as well does not meet a target
   design::Design design;
   design.objectives = {{Goal::target, "R_x", Statistic::nominal, 0.5}};
   design.tolerance_samples = 0;
-  design::Trial trial{{}, {{0.5, 0.01}}, {0.01}, {0}, {}, 0, 0, 0};
+  design::Trial trial;
+  trial.objectives = {{0.5, 0.01}};
   CHECK(design::meets_target(design, trial));
   trial.ambiguous = 1;
   CHECK(!design::meets_target(design, trial));

@@ -169,8 +169,8 @@ TEST_CASE("design: few deviations make the values uncertain, not what the variab
   const Folder f;
   // The deviations of tau_f change R_x by more than k_phi does, and every trial has the same three.
   const auto file = f.run(
-      f.load(R"({"variables": {"k_phi": [1.5, 2.5]}, "budget": 4, "tolerances": {"tau_f": {"normal": 0.15}},
-      "tolerance_samples": 3, "objectives": [{"minimise": "R_x", "of": "q95"}]})",
+      f.load(R"({"variables": {"k_phi": [1.89, 1.94]}, "budget": 4, "tolerances": {"tau_f": {"normal": 0.15}},
+      "tolerance_samples": 3, "objectives": [{"minimise": "R_x", "of": "q95"}], "least_gain": 0})",
              kFew));
   const std::vector<double> value = file.variable("comparison/objective_1").values,
                             error = file.variable("comparison/objective_1_err").values;
@@ -178,8 +178,84 @@ TEST_CASE("design: few deviations make the values uncertain, not what the variab
   CHECK(value[1] < value[0]);
   CHECK(value[0] - value[1] < error[0] + error[1]);
   CHECK_THAT(file.provenance().at("design"),
-             Catch::Contains("with the same 3 deviations the brush differs from the start") &&
+             Catch::Contains("512 deviations the brush differs from the start") &&
                  !Catch::Contains("do not matter"));
+}
+
+TEST_CASE("design: a gain below the least gain keeps the start, and says what the best other brush gains") {
+  const Folder f;
+  const auto found = [&](const char* least, const std::string& name) {
+    return f.run(f.load(fmt::format(R"({{"variables": {{"k_phi": [1.85, 1.95]}}, "budget": 4,
+      "objectives": [{{"minimise": "R_x"}}]{}}})",
+                                    least),
+                        kFew, name));
+  };
+  const auto kept = found("", "kept"), changed = found(R"(, "least_gain": 0.001)", "changed");
+  CHECK(first(kept, "best/k_phi") == 1.9);
+  CHECK(kept.variable("best/k_phi").values.size() > 1);  // then the optimum
+  const results::Array& brush = kept.variable("comparison/brush");
+  REQUIRE(brush.cell(2) == "best_other");
+  const double gain = kept.variable("comparison/gain_1").values[2],
+               start = first(kept, "comparison/objective_1"),
+               other = kept.variable("comparison/objective_1").values[2];
+  CHECK(gain == Approx((start - other) / start));
+  CHECK(gain > 0.001);
+  CHECK(gain < 0.02);
+  CHECK(kept.variable("comparison/gain_1_err").values[2] < gain);
+  CHECK(first(kept, "comparison/gain_1") == 0);
+  CHECK_THAT(kept.provenance().at("design"),
+             Catch::Contains("recommended, the start: k_phi = 1.9") &&
+                 Catch::Contains("the start is as good: nothing gains 2 % (least_gain), and can be kept") &&
+                 Catch::Contains(fmt::format("its gain over the start: {:.2g} +- ", 100 * gain)));
+  CHECK(first(changed, "best/k_phi") == kept.variable("comparison/k_phi").values[2]);
+  CHECK_THAT(changed.provenance().at("design"),
+             Catch::Contains(fmt::format("  gain over the start: {:.2g} +- ", 100 * gain)));
+}
+
+TEST_CASE("design: brushes that cannot carry the load are counted for the recommended brush and the start") {
+  const Folder f;
+  // Some loads are more than these bristles carry, and soft bristles carry less.
+  const auto file =
+      f.run(f.load(R"({"variables": {"k_r": [0.4, 1]}, "budget": 4, "tolerances": {"R_n": {"uniform": 0.9}},
+      "tolerance_samples": 2, "objectives": [{"maximise": "R_x", "of": "nominal"}], "least_gain": 0},
+      "load": {"R_n": 8}, "model": {"k_r": 0.5})",
+                   kFew));
+  const std::vector<double>& unloaded = file.variable("verification/unloaded").values;
+  REQUIRE(file.variable("verification/brush").cell(1) == "start");
+  REQUIRE(first(file, "comparison/k_r") != file.variable("comparison/k_r").values[1]);
+  CHECK(unloaded[0] < unloaded[1]);
+  CHECK(unloaded[0] > 0);
+  const double brushes = first(file, "verification/brushes");
+  CHECK_THAT(
+      file.provenance().at("design"),
+      Catch::Contains(fmt::format(" %; {} of {} brushes cannot carry the load; {} of {} of the start's",
+                                  unloaded[0], brushes, unloaded[1], brushes)));
+}
+
+TEST_CASE("design: a recommended brush that violates a constraint as made is said, and fails the command",
+          "[threads]") {
+  const Folder f;
+  // The greatest friction under a limit, which two deviations of each trial keep and 256 do not.
+  const Experiment e = f.load(R"({"variables": {"k_phi": [1.5, 2.5]}, "budget": 12,
+      "tolerances": {"tau_f": {"normal": 0.1}}, "tolerance_samples": 2,
+      "objectives": [{"maximise": "R_x"}], "constraints": [{"variable": "R_x", "max": 11}]})",
+                              kFew);
+  const run::RunOptions options{.output = f.s.path("e.h5"), .quiet = true};
+  CHECK_FALSE(design::run_design(e, options));
+  CHECK_FALSE(design::run_design(e, options));  // up to date
+  const results::ResultReader file(f.s.path("e.h5"));
+  REQUIRE(file.has("best"));
+  CHECK(first(file, "best/constraint_1") <= 11);
+  CHECK(file.variable("violated/constraint").cell(0) == "constraint_1");
+  CHECK(first(file, "violated/limit") == 11);
+  CHECK(first(file, "violated/value") > 11);
+  CHECK(first(file, "violated/brushes") == first(file, "verification/violated"));
+  CHECK_THAT(
+      file.provenance().at("design"),
+      Catch::Contains(fmt::format("  VIOLATES R_x <= 11: {:.4g} in the worst case, and {} of {} brushes "
+                                  "as made are beyond the limit",
+                                  first(file, "violated/value"), first(file, "violated/brushes"),
+                                  first(file, "verification/brushes"))));
 }
 
 TEST_CASE("design: a start that is the best trial can be kept, although the variables matter") {
@@ -359,10 +435,11 @@ TEST_CASE(
     const auto empty = results::record_of(results::layout_of(sweep), PointResult{}, {});
     std::vector<results::PointRecord> out(points.size(), empty);
     const std::size_t R_x = empty.layout->number("R_x"), R_n = empty.layout->number("R_n"),
-                      phase = empty.layout->number("phase");
+                      phase = empty.layout->number("phase"), status = empty.layout->number("status");
     for (std::size_t i = 0; i < points.size(); ++i) {
       const std::size_t brush = i / 2, scenario = i % 2;
       out[i].values[R_x] = brush < 10 && scenario == 1 ? NAN : 1000 + spread * double(brush);
+      if (brush < 10 && scenario == 1) out[i].values[status] = double(PointStatus::unreachable);
       out[i].values[R_n] = brush == 40 && scenario == 0 ? NAN : brush < 30 ? 2 : 0.5;
       // The brush 100 bounces in one scenario only.
       out[i].values[phase] =
@@ -374,7 +451,10 @@ TEST_CASE(
   const design::Verification found = design::Trials(e, design, solve).verify({{"k_r", 10}});
   CHECK(found.brushes == 256);
   CHECK(found.missing == 11);
+  CHECK(found.unloaded == 10);
   CHECK(found.violated == 20);
+  CHECK(found.beyond.front() == 20);
+  CHECK(found.constraints.front() == 2);
   CHECK(found.bouncing == 100 - 11);
   CHECK(found.in_contact == 155);
   CHECK(found.scenarios.front() == 1);

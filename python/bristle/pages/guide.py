@@ -37,7 +37,7 @@ def story(file):
     """What the design of the example means: friction and load over the lift-off load are its objectives, R_m its first quantity."""
     brushes = table_with(file, "comparison", "objective_1", "objective_2", "constraint_2").set_index(brush="brush")
     margins = table_with(file, "margins", "margin_below").set_index(quantity="quantity")
-    found = table_with(file, "verification", "objective_1", "objective_2", "brushes", "bouncing").isel(solution=0)
+    found = table_with(file, "verification", "objective_1", "objective_2", "brushes", "bouncing").isel(brush=0)
     start, low, high = (brushes.sel(brush=name) for name in ("start", "best_objective_1", "best_objective_2"))
     return f"""The gap of the start jumps if one of its dimensions changes by {percent(start.constraint_2)}, less than the constraint allows. The
 recommended brush, as made, jumps if its radius is {percent(margins.margin_below.sel(quantity="R_m"))} smaller. Of
