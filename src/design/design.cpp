@@ -272,6 +272,7 @@ class Search {
     if (!start || found.chosen.front() == *start || found.trials[*start].violation > 0) return false;
     if (meets_target(design_, recommended(found)) && !meets_target(design_, found.trials[*start]))
       return false;
+    if (start_alone_violates(found)) return false;
     return !is_worth(design_, gains_of(design_, found, recommended_outcome(found)));
   }
 

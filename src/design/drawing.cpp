@@ -26,16 +26,18 @@ double band_of(const Dimension& dimension) {
   return nearest / (std::isnan(dimension.below + dimension.above) ? beyond_one : beyond_either);
 }
 
-// Returns the dimension with the tolerance and the margins of the quantity that determines it.
+// Returns the dimension with the tolerance and the margins of the quantity that determines it, in SI units or
+// without.
 Dimension dimension_of(const Trials& trials, const Findings& found, const std::string& quantity,
                        Dimension dimension) {
+  const std::string label = label_of(quantity);
   for (const experiment::Tolerance& t : trials.design().tolerances)
-    if (t.name == quantity) {
+    if (label_of(t.name) == label) {
       dimension.tolerance = t.width;
       dimension.normal = t.normal;
     }
   for (const Profile& profile : found.profiles)
-    if (profile.quantity == quantity) {
+    if (label_of(profile.quantity) == label) {
       dimension.below = profile.margin_below;
       dimension.above = profile.margin_above;
     }
@@ -64,20 +66,28 @@ std::vector<Dimension> drawing(const Trials& trials, const Findings& found) {
   if (point.si.empty()) return {};
   const double mm = sweep::si_scales(point).length * kMillimetres;
   const double per_metre = kMillimetres / (p.spacing * mm);
-  const auto dimension = [&](const char* quantity, const char* name, const char* meaning, const char* units,
-                             double value) {
-    return dimension_of(trials, found, quantity,
-                        {name, meaning, units, value, kNone, false, kNone, kNone, kNone});
+  std::vector<Dimension> out;
+  std::vector<std::string> drawn;
+  const auto add = [&](const std::string& quantity, const std::string& name, const std::string& meaning,
+                       const std::string& units, double value) {
+    drawn.push_back(label_of(quantity));
+    out.push_back(dimension_of(trials, found, quantity,
+                               {name, meaning, units, value, kNone, false, kNone, kNone, kNone}));
   };
-  return {
-      dimension("r0_m", "length", "length of a bristle", "mm", mm),
-      dimension("R_m", "diameter", "diameter of its shaft", "mm", 2 * p.R * mm),
-      dimension("phi_0_deg", "angle", "angle between bristle and base", "degree", p.phi_0 * kDegrees),
-      dimension("R_c_m", "tip_radius", "radius of its tip", "mm", p.R_c * mm),
-      dimension("spacing_m", "spacing", "distance of neighbouring bristles", "mm", p.spacing * mm),
-      {"density", "bristles per area", "m-2", rounded(per_metre * per_metre), kNone, false, kNone, kNone,
-       kNone},
-  };
+  add("r0_m", "length", "length of a bristle", "mm", mm);
+  add("R_m", "diameter", "diameter of its shaft", "mm", 2 * p.R * mm);
+  add("phi_0_deg", "angle", "angle between bristle and base", "degree", p.phi_0 * kDegrees);
+  add("R_c_m", "tip_radius", "radius of its tip", "mm", p.R_c * mm);
+  add("spacing_m", "spacing", "distance of neighbouring bristles", "mm", p.spacing * mm);
+  out.push_back({"density", "bristles per area", "m-2", rounded(per_metre * per_metre), kNone, false, kNone,
+                 kNone, kNone});
+  for (const std::string& quantity : trials.design().quantities())
+    if (std::ranges::count(drawn, label_of(quantity)) == 0) {
+      const results::Column column = column_of(quantity);
+      add(quantity, label_of(quantity), column.long_name, column.units,
+          recommended(found).nominal.at(quantity));
+    }
+  return out;
 }
 
 results::Dataset drawing_group(const std::vector<Dimension>& dimensions) {
@@ -89,11 +99,24 @@ results::Dataset drawing_group(const std::vector<Dimension>& dimensions) {
     out.add({name, meaning, "", ""}, [&](std::size_t row) { return dimensions[row].*member; });
   };
   add("value", "value in the unit beside it", &Dimension::value);
-  std::vector<std::string> units;
-  for (const Dimension& one : dimensions)
-    if (std::ranges::find(units, one.units) == units.end()) units.push_back(one.units);
-  out.add({"unit", "unit of the value", "", "", results::Number::code, units, ""},
-          [&](std::size_t row) { return std::ranges::find(units, dimensions[row].units) - units.begin(); });
+  // Adds a column of texts as words of a choice, which have no spaces.
+  const auto add_words = [&](const char* name, const char* about, const auto& text) {
+    std::vector<std::string> words, texts;
+    for (const Dimension& one : dimensions) {
+      texts.push_back(text(one));
+      std::ranges::replace(texts.back(), ' ', '_');
+      if (texts.back().empty()) texts.back() = "1";
+      if (std::ranges::count(words, texts.back()) == 0) words.push_back(texts.back());
+    }
+    out.add({name, about, "", "", results::Number::code, words, ""},
+            [&](std::size_t row) { return std::ranges::find(words, texts[row]) - words.begin(); });
+  };
+  add_words("unit", "unit of the value", [](const Dimension& one) { return one.units; });
+  const auto unit_of = [](const Dimension& one) { return readable_unit(one.units, one.value); };
+  add_words("meaning", "meaning of the dimension", [](const Dimension& one) { return one.meaning; });
+  out.add({"shown", "value in the unit for people", "", ""},
+          [&](std::size_t row) { return dimensions[row].value / unit_of(dimensions[row]).size; });
+  add_words("shown_unit", "unit for people", [&](const Dimension& one) { return unit_of(one).name; });
   add("tolerance", "tolerance, relative; NaN: none", &Dimension::tolerance);
   out.add({"tolerance_is", "what the tolerance is", "", "", results::Number::code, kTolerances, ""},
           [&](std::size_t row) { return tolerance_code(dimensions[row]); });
@@ -154,15 +177,15 @@ std::string drawing_text(const std::vector<Dimension>& dimensions, const Orienta
   if (jump) rows.front().insert(rows.front().end(), {"the gap jumps at", "99 % stay with"});
   bool deviates = false;
   for (const Dimension& one : dimensions) {
-    const bool is_density = one.units == "m-2";
-    const double unit = is_density ? 1e4 : 1;  // per m^2
-    const std::string units = is_density ? "per cm^2" : readable_unit(one.units, one.value).name;
-    const auto size = [&](double value) { return fmt::format("{:.4g} {}", value / unit, units); };
+    const ReadableUnit unit = readable_unit(one.units, one.value);
+    const std::string units = unit.name.empty() ? "" : " " + unit.name;
+    const auto size = [&](double value) { return fmt::format("{:.4g}{}", value / unit.size, units); };
     const auto tolerance = [&](double relative) {
       if (std::isnan(relative)) return std::string();
       const bool greatest = !std::isnan(one.tolerance) && !one.normal;
       deviates = deviates || !greatest;
-      return fmt::format("{} {:.2g} {}", greatest ? "+-" : "s.d.", relative * one.value / unit, units);
+      return fmt::format("{} {:.2g}{}", greatest ? "+-" : "s.d.", relative * std::abs(one.value) / unit.size,
+                         units);
     };
     std::vector<std::string> jumps;
     if (!std::isnan(one.below)) jumps.push_back(size(one.value * (1 - one.below)));

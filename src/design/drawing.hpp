@@ -7,7 +7,7 @@
 
 namespace bristle::design {
 
-// A dimension of the recommended brush, for a workshop.
+// A dimension of the recommended brush, or another quantity of the design, for a workshop.
 struct Dimension {
   std::string name, meaning, units;
   double value;
@@ -26,7 +26,8 @@ struct Working {
   double load_over_lift_off;
 };
 
-// Returns the dimensions of the recommended brush. Empty unless the experiment is in SI units.
+// Returns the dimensions of the recommended brush, then all other variables of the design and quantities with
+// a tolerance. Empty unless the experiment is in SI units.
 std::vector<Dimension> drawing(const Trials& trials, const Findings& found);
 
 // Returns the group /drawing of the result. The dimensions must not be empty.

@@ -1,5 +1,7 @@
 #include "design/findings.hpp"
 
+#include "util/units.hpp"
+
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
@@ -66,6 +68,11 @@ const Outcome& recommended_outcome(const Findings& found) {
   return found.verification ? static_cast<const Outcome&>(*found.verification) : recommended(found);
 }
 
+bool start_alone_violates(const Findings& found) {
+  return found.start_verification && found.start_verification->violated > 0 &&
+         found.verification->violated == 0;
+}
+
 std::vector<Broken> broken_constraints(const Design& design, const Findings& found) {
   std::vector<Broken> out;
   for (std::size_t c = 0; c < design.constraints.size(); ++c) {
@@ -104,6 +111,10 @@ results::Column column_of(const std::string& quantity) {
   results::Column out{s.name, s.description, s.symbol, ""};
   out.units = s.units;
   return out;
+}
+
+std::string label_of(const std::string& quantity) {
+  return without_unit(quantity, column_of(quantity).units);
 }
 
 }  // namespace bristle::design

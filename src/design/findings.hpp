@@ -87,6 +87,10 @@ bool is_worth(const Design& design, const std::vector<Gain>& gains);
 // Returns the verification of the recommended trial, or the trial if there is none.
 const Outcome& recommended_outcome(const Findings& found);
 
+// Returns true if brushes made like the start violate a constraint, and none made like the recommended one
+// do.
+bool start_alone_violates(const Findings& found);
+
 // Returns the constraints that the recommended trial violates, or some brush of its verification.
 std::vector<Broken> broken_constraints(const Design& design, const Findings& found);
 
@@ -100,5 +104,8 @@ std::size_t best_within_errors(const Design& design, const std::vector<Trial>& t
 
 // Returns the column of a variable of the design, or of another number that a sweep can vary.
 results::Column column_of(const std::string& quantity);
+
+// Returns what texts call a quantity: its key without the unit.
+std::string label_of(const std::string& quantity);
 
 }  // namespace bristle::design

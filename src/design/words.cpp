@@ -24,11 +24,6 @@ std::string place_of(const Trials& trials, std::size_t scenario) {
   return scenarios.axes.empty() ? "" : " at " + scenarios.place(scenario);
 }
 
-// Returns what the text calls a quantity: its key without the unit.
-std::string label_of(const std::string& quantity) {
-  return without_unit(quantity, column_of(quantity).units);
-}
-
 // Returns a text such as "R = 1 mm (+- 10 %), ...".
 std::string values_text(const Trials& trials, const Trial& trial) {
   std::vector<std::string> parts;
@@ -36,7 +31,7 @@ std::string values_text(const Trials& trials, const Trial& trial) {
     const double value = trial.nominal.at(quantity);
     const ReadableUnit unit = readable_unit(column_of(quantity).units, value);
     std::string part = fmt::format("{} = {:.4g}{}", label_of(quantity), value / unit.size,
-                                   unit.name == "1" ? "" : " " + unit.name);
+                                   unit.name.empty() ? "" : " " + unit.name);
     for (const experiment::Tolerance& t : trials.design().tolerances)
       if (t.name == quantity)
         part += fmt::format(" ({} {:g} %)", t.normal ? "standard deviation" : "+-", 100 * t.width);
@@ -105,7 +100,7 @@ std::string comparison_text(const Trials& trials, const Findings& found) {
   };
   for (const std::string& name : design.quantities()) {
     const ReadableUnit unit = readable_unit(column_of(name).units, shown.front().trial->nominal.at(name));
-    add(unit.name == "1" ? name : fmt::format("{} [{}]", label_of(name), unit.name),
+    add(unit.name.empty() ? name : fmt::format("{} [{}]", label_of(name), unit.name),
         [&](const Trial& t) { return fmt::format("{:.5g}", t.nominal.at(name) / unit.size); });
   }
   for (std::size_t o = 0; o < design.objectives.size(); ++o)
@@ -203,6 +198,10 @@ std::string gain_text(const Trials& trials, const Findings& found) {
       fmt::format("  gain over the start: {}\n", price_text(trials, found, brush, found.verification));
   const std::vector<Gain> gains = gains_of(design, found, brush);
   if (start_of(found)->violation > 0) return out;
+  if (start_alone_violates(found))
+    return out + fmt::format(
+                     "  {} of {} brushes made like the start violate a constraint, and none made like this\n",
+                     found.start_verification->violated, found.start_verification->brushes);
   if (!is_worth(design, gains)) {
     const bool worse =
         std::ranges::all_of(gains, [](const Gain& g) { return g.difference.value < -g.point_error; });

@@ -17,6 +17,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 
 namespace bristle::design_test {
@@ -258,6 +259,25 @@ TEST_CASE("design: a recommended brush that violates a constraint as made is sai
                                   first(file, "verification/brushes"))));
 }
 
+TEST_CASE("design: a start whose brushes violate a constraint is not as good as a brush whose do not",
+          "[threads]") {
+  const Folder f;
+  const auto file = f.run(f.load(R"({"variables": {"k_phi": [1.5, 2.8]}, "budget": 12, "least_gain": 0.9,
+      "tolerances": {"tau_f": {"normal": 0.1}}, "tolerance_samples": 2,
+      "objectives": [{"minimise": "R_x"}], "constraints": [{"variable": "R_x", "max": 11}]})",
+                                 kFew));
+  CHECK(first(file, "best/k_phi") != 1.9);
+  const std::vector<double>& violated = file.variable("verification/violated").values;
+  REQUIRE(violated.size() == 2);
+  CHECK(violated[0] == 0);
+  CHECK(violated[1] > 0);
+  CHECK_THAT(
+      file.provenance().at("design"),
+      Catch::Contains(fmt::format("{} of 256 brushes made like the start violate a constraint, and none "
+                                  "made like this",
+                                  violated[1])));
+}
+
 TEST_CASE("design: a start that is the best trial can be kept, although the variables matter") {
   const Folder f;
   const auto file = f.run(f.load(R"({"variables": {"mu_c": [0.05, 0.2]}, "budget": 8,
@@ -318,6 +338,31 @@ TEST_CASE("design: the drawing of bristles that lean one way says which, and has
   CHECK(first(file, "working_range/velocity") == Approx(10));
   CHECK(first(file, "working_range/load") == Approx(0.6).epsilon(0.05));
   CHECK(std::isnan(first(file, "working_range/load_over_lift_off")));
+}
+
+TEST_CASE("design: the drawing has every variable, in units for people") {
+  const Folder f;
+  const auto file = f.run(f.load(
+      R"({"variables": {"rho_kg_per_m3": [900, 1500], "spacing_m": [0.0033, 0.0036], "E_Pa": [1.1e8, 1.2e8],
+      "k_r_over_k_phi": [9, 11]}, "budget": 1, "objectives": [{"minimise": "R_x"}]})",
+      R"(, "load": {"R_n": null}, "si": {"r0_m": 0.017, "V0_m_per_s": 10, "rho_kg_per_m3": 1000, "E_Pa": 1e8,
+      "nu": 0.4, "R_m": 0.00108, "k_r_over_k_phi": 10, "R_c_m": 0.001, "tau_f_Pa": 1e7, "V_s_m_per_s": 0.1,
+      "R_n_N": 0.6}, "orientation": {"sampling": "list", "theta_0_deg": [20, 80, 150]})"));
+  const results::Array& names = file.variable("drawing/dimension");
+  std::map<std::string, std::size_t> rows;
+  for (std::size_t i = 0; i < names.values.size(); ++i) rows[names.cell(i)] = i;
+  CHECK(rows.size() == 9);  // length, diameter, angle, tip, spacing and density, and three variables
+  for (const auto& [name, quantity] : {std::pair("rho", "rho_kg_per_m3"), std::pair("E", "E_Pa"),
+                                       std::pair("k_r_over_k_phi", "k_r_over_k_phi")})
+    CHECK(file.variable("drawing/value").values.at(rows.at(name)) ==
+          first(file, std::string("best/") + quantity));
+  CHECK(file.variable("drawing/shown").values.at(rows.at("E")) == Approx(first(file, "best/E_Pa") / 1e6));
+  CHECK(file.variable("drawing/shown_unit").cell(rows.at("E")) == "MPa");
+  CHECK(file.variable("drawing/shown_unit").cell(rows.at("k_r_over_k_phi")) == "1");
+  CHECK(file.variable("drawing/shown_unit").cell(rows.at("density")) == "per_cm^2");
+  CHECK(file.variable("drawing/meaning").cell(rows.at("rho")) == "density_of_the_shaft");
+  CHECK_THAT(file.provenance().at("design"),
+             Catch::Contains("density of the shaft") && !Catch::Contains("s.d.: standard deviation"));
 }
 
 TEST_CASE("design: a start beyond a constraint is said, with the nearest trial that meets it") {

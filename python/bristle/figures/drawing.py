@@ -1,31 +1,63 @@
 """The recommended brush of a design to scale, with its dimensions for a workshop."""
 
+import re
+
 import numpy as np
 from matplotlib import patches
 
 from ..errors import BristleError
-from ..plotting.layout import Cell, across, heading, place_cell, sheet
+from ..plotting.layout import HEADER, Cell, across, heading, place_cell, sheet
 from ..plotting.lift_off import PHASES
 from ..plotting.page import points
 from ..plotting.readings import one_page
-from ..plotting.style import BLACK
-from ..results import experiment, flags, place_of, table, table_with
+from ..plotting.remarks import limits_everywhere
+from ..plotting.style import BLACK, VERMILION, lines_within
+from ..results import attribute, experiment, flags, place_of, table, table_with
 
 AXES = []
 STATUSES = False  # no point is marked
 BRISTLES = 4
+GREATEST = "greatest deviation"  # what a tolerance is that is no standard deviation
 ARROW = dict(arrowstyle="<->", color=BLACK, linewidth=0.8, shrinkA=0, shrinkB=0)
-NOTE = ("To scale, undeformed, lengths in millimetres. {} The slab is drawn where it first touches them. s.d.: standard deviation. "
-        "99 % stay with: with such deviations of this dimension alone 99 % of the brushes stay on this side of the jump.")
-# As in the text that `bristle design` prints.
-WORDS = {"length": "length of a bristle", "diameter": "diameter of its shaft", "angle": "angle between bristle and base",
-         "tip_radius": "radius of its tip", "spacing": "distance of neighbouring bristles", "density": "bristles per area"}
-UNITS = {"angle": "degrees", "density": "per cm$^2$"}
+DRAWN = ("length", "diameter", "angle", "tip_radius", "spacing")  # dimensions that the brush is drawn with
+LINE = 0.2  # inches
 
 
 def MARKS(file):
+    """What is drawn and how, and the abbreviations that the lines have."""
     one_way = experiment(file).get("orientation", {}).get("distribution") == "von_mises"
-    return NOTE.format("" if one_way else "Bristles lean in all directions; here all lean to the right.").replace("  ", " ")
+    parts = ["To scale, undeformed, lengths in millimetres.",
+             "" if one_way else "Bristles lean in all directions; here all lean to the right.",
+             "The slab is drawn where it first touches them."]
+    rows = dimensions(file)
+    if any(row.tolerance_is != GREATEST and np.isfinite([row.tolerance, row.band]).any() for row in rows):
+        parts.append("s.d.: standard deviation.")
+    if any(np.isfinite(row.band) for row in rows):
+        parts.append("99 % stay with: with such deviations of this dimension alone 99 % of the brushes stay on this side of the jump.")
+    return " ".join(filter(None, parts))
+
+
+def dimensions(file):
+    """The rows of the group `drawing`, with its codes as words."""
+    group = table_with(file, "drawing", "tolerance", "tolerance_is", "margin_below", "margin_above", "band", "meaning", "shown", "shown_unit")
+    for name in ("tolerance_is", "meaning", "shown_unit"):
+        words, codes = flags(group[name])
+        group = group.assign({name: ("dimension", [words[code].replace("_", " ") for code in codes])})
+    return list(group.to_dataframe().reset_index().itertuples())
+
+
+def warnings(file):
+    """What the title block warns of: constraints that the brush violates, and limits of the model that every point exceeds."""
+    lines = []
+    if (violated := table(file, "violated")) is not None:
+        for row in violated.to_dataframe().reset_index().itertuples():
+            made = f" ({row.brushes} of {int(table(file, 'verification').brushes[0])} brushes as made)" if row.brushes else ""
+            constraint = attribute(table(file, "comparison")[row.constraint], "long_name")
+            lines.append(f"VIOLATES {constraint}: {row.value:.4g}{made}")
+    beyond = limits_everywhere(file)
+    if beyond:
+        lines.append(f"TREND ONLY: {', '.join(beyond)}")
+    return lines
 
 
 @one_page
@@ -33,35 +65,38 @@ def draw(file):
     if table(file, "drawing") is None:
         raise BristleError(f"{place_of(file)}: has no drawing; `bristle design` writes it for an experiment in SI units in which a "
                            "trial meets the constraints")
-    group = table_with(file, "drawing", "value", "tolerance", "tolerance_is", "margin_below", "margin_above", "band")
+    rows = dimensions(file)
     range_of = table_with(file, "working_range", "velocity", "load", "phase", "load_over_lift_off")
-    sizes = {str(name): float(value) for name, value in zip(group["dimension"].values, group["value"].values)}
-    cell, _ = across(1, Cell(9.4, 4.6, 0.4, 0.2, 8.8, 4.0))
-    figure, bottom = sheet(file, cell.width, cell.height, MARKS(file), verdicts=False)
-    axes = place_cell(figure, (0, bottom), cell)
-    right = draw_brush(axes, **sizes)
-    words, codes = flags(group["tolerance_is"])
-    rows = group.assign(tolerance_is=("dimension", [words[code].replace("_", " ") for code in codes])).to_dataframe().reset_index().itertuples()
     phases = dict(enumerate(flags(range_of["phase"])[0]))
-    lines = [*(line_of(row) for row in rows), *(working(row, phases) for row in range_of.to_dataframe().itertuples())]
-    axes.text(right + 0.4 * sizes["length"], 1.15, "\n".join(lines), transform=axes.get_xaxis_transform(), fontsize=points(10), va="top",
-              linespacing=1.4)
+    lines = "\n".join([*(line_of(row) for row in rows), *(working(row, phases) for row in range_of.to_dataframe().itertuples())])
+    height = max(4.0, LINE * (1 + lines.count("\n")))
+    cell, _ = across(1, Cell(9.4, height + 0.6, 0.4, 0.2, 8.8, height))
+    look = dict(fontsize=points(11), weight="bold", color=VERMILION)
+    block = [line for text in warnings(file) for line in lines_within(text, cell.inner_width, look)]
+    figure, bottom = sheet(file, cell.width, cell.height + LINE * len(block), MARKS(file), verdicts=False)
+    axes = place_cell(figure, (0, bottom), cell)
+    right = draw_brush(axes, **{row.dimension: row.shown for row in rows if row.dimension in DRAWN})
+    low, inch = bottom + cell.low, 1 / figure.get_figheight()
+    axes.annotate(lines, (right + 0.4 * rows[0].shown, (low + cell.inner_height / 2) * inch), xycoords=("data", "figure fraction"),
+                  fontsize=points(10), va="center", linespacing=1.4)
+    for i, line in enumerate(reversed(block)):
+        figure.text(0.5, (low + cell.inner_height + 0.2 + LINE * i) * inch, line, ha="center", va="center", gid=HEADER, **look)
     heading(axes, "", labels=["the recommended brush"])
     return figure
 
 
 def line_of(row):
     """A dimension with its tolerance, and where the gap jumps."""
-    size, unit = row.value / (1e4 if row.dimension == "density" else 1), UNITS.get(row.dimension, "mm")
-    lines, limits = [f"{WORDS[row.dimension]}: {size:.4g} {unit}"], []
+    unit = "" if row.shown_unit == "1" else " " + re.sub(r"\^(\d+)", r"$^\1$", row.shown_unit)
+    lines, limits = [f"{row.meaning}: {row.shown:.4g}{unit}"], []
 
     def deviation(relative):
-        kind = "\u00b1" if row.tolerance_is == "greatest deviation" else "s.d."
-        return f"{kind} {relative * size:.2g} {unit}"
+        kind = "\u00b1" if row.tolerance_is == GREATEST else "s.d."
+        return f"{kind} {relative * abs(row.shown):.2g}{unit}"
 
     if np.isfinite(row.tolerance):
         limits.append(deviation(row.tolerance))
-    jumps = [f"{(1 + change) * size:.4g} {unit}" for change in (-row.margin_below, row.margin_above) if np.isfinite(change)]
+    jumps = [f"{(1 + change) * row.shown:.4g}{unit}" for change in (-row.margin_below, row.margin_above) if np.isfinite(change)]
     if jumps:
         limits.append(f"the gap jumps at {' and '.join(jumps)}")
     if limits:
@@ -80,7 +115,7 @@ def working(row, phases):
     return found
 
 
-def draw_brush(axes, length, diameter, angle, tip_radius, spacing, density):
+def draw_brush(axes, length, diameter, angle, tip_radius, spacing):
     """A row of bristles on their base under the slab, with the dimensions; returns its right end."""
     lean = np.radians(angle)
     along, across_shaft = np.array([np.cos(lean), np.sin(lean)]), np.array([np.sin(lean), -np.cos(lean)])

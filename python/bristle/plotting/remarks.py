@@ -34,16 +34,27 @@ def validity_note(file, reading=None):
 
     reading: the choice of bending to which the note is limited.
     """
-    parts = []
+    found = limits(file, reading)
+    parts = [f"{meaning} ({beyond})" for meaning, beyond, _ in found if beyond]
+    return f"Beyond limits of the model, of {found[-1][2]} points with a value: {', '.join(parts)}." if parts else ""
+
+
+def limits_everywhere(file):
+    """The limits of the model that every point with a value exceeds, in words."""
+    return [meaning for meaning, beyond, judged in limits(file) if beyond == judged > 0]
+
+
+def limits(file, reading=None):
+    """For each limit of the model: what is wrong beyond it, the number of points beyond it and of points with a value."""
+    found = []
     for name in (name for name in file if name.startswith("exceeds_")):
         data = file[name].sel(reading or {})
         words = data.attrs["flag_meanings"].split()
         beyond, judged = data == words.index("yes"), data != words.index("unknown")
         if "node" in data.dims:  # of a traced curve
             beyond, judged = beyond.any("node"), judged.any("node")
-        if beyond.any():
-            parts.append(f"{data.attrs['long_name'].partition(': ')[2]} ({int(beyond.sum())})")
-    return f"Beyond limits of the model, of {int(judged.sum())} points with a value: {', '.join(parts)}." if parts else ""
+        found.append((data.attrs["long_name"].partition(": ")[2], int(beyond.sum()), int(judged.sum())))
+    return found
 
 
 def start_note(file):
