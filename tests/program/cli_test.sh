@@ -73,7 +73,7 @@ expect 2 "--only R_x_nrm: there is no such variable (did you mean R_x_norm?)" "$
 expect 2 "/model/k_r: -1 is not allowed" "$bristle" validate experiments/paper.json --set k_r=-1
 expect 2 "rtol may be /orientation/rtol or /integrator/rtol; write --set /orientation/rtol=" \
   "$bristle" validate experiments/paper.json --set rtol=0.1
-expect 0 "scatter, relative, of 16 different bristles: r0 normal with standard deviation 0.1, E uniform within +-0.2" \
+expect 0 "scatter, relative, of 16 different bristles: r0 normal with standard deviation 0.1, E uniform within +- 0.2" \
   "$bristle" validate experiments/paper.json --set '/scatter={"r0":{"normal":0.1},"E":{"uniform":0.2}}'
 expect 2 "no block of an experiment has the key k_rr (did you mean k_r?)" "$bristle" validate experiments/paper.json --set k_rr=1
 

@@ -8,14 +8,19 @@ import pathlib
 import shutil
 import subprocess
 import sys
+from types import SimpleNamespace
 from xml.etree import ElementTree
 
 import h5py
+import numpy as np
+from matplotlib.figure import Figure
 from matplotlib.text import Text
 
 from in_process import SOURCE, called
 from bristle import BristleError, draw, open_result
+from bristle.figures.design import draw_profile, in_units
 from bristle.program import measure
+from bristle.results import table
 
 bristle, folder, design, *results = [pathlib.Path(word).absolute() for word in sys.argv[1:]]
 SUMMARY = "<!-- summary: written by `make findings` -->", "<!-- end of summary -->"
@@ -67,6 +72,18 @@ def check_guide():
         brushes = found["brushes"][0]
     assert " ".join(" ".join(lines).split()) in page
     assert f"Of {brushes} brushes made like it" in page and all(number in page for number in numbers), (numbers, page)
+
+
+def check_profile():
+    """A curve of the figure of a design is broken at a jump beside the recommended brush."""
+    with open_result(design) as file:
+        name = str(table(file, "margins")["quantity"].values[0])
+        profile = in_units(table(file, f"profile_{name}"))
+    x, axes = profile[name].values, Figure().add_subplot()
+    jump = (x[1] + 2 * x[2]) / 3
+    draw_profile(axes, profile, name, 4, SimpleNamespace(margin_below=1 - jump / x[4], margin_above=np.nan))
+    curve, _, dashed, _ = axes.lines
+    assert np.flatnonzero(np.isnan(curve.get_ydata())).tolist() == [2] and np.allclose(dashed.get_xdata(), jump), curve.get_xydata()
 
 
 def check_measure():
@@ -203,6 +220,7 @@ def check_drawings():
 folder.mkdir(parents=True, exist_ok=True)
 check_findings()
 check_guide()
+check_profile()
 check_measure()
 check_inference()
 check_performance()

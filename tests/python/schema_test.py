@@ -56,10 +56,10 @@ def schema():
 
 
 def refusal(path):
-    """The program's message; empty if the experiment is valid, which it may be with warnings."""
+    """The program's message; empty if the experiment is valid with all its tiers, which it may be with other warnings."""
     done = subprocess.run([bristle, "validate", path], capture_output=True, text=True)
     assert done.returncode in (0, 2), (path, done.returncode, done.stderr)
-    return done.stderr.strip() if done.returncode else ""
+    return done.stderr.strip() if done.returncode or "cannot be computed: " in done.stderr else ""
 
 
 def places(value, path=()):
