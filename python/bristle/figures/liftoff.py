@@ -1,4 +1,4 @@
-"""The load of bouncing bristles: its maximum beside a formula, and over the gap beside the stability of steady sliding."""
+"""The load of bouncing bristles: its maximum beside a formula, and the share of time off the slab and the load over the gap."""
 
 import numpy as np
 from matplotlib.lines import Line2D
@@ -13,24 +13,20 @@ from ..plotting.style import BLACK, COLOURS, GREY, Look, described, label
 from ..results import axis_values, dataset, select, select_errors, select_flags
 
 AXES = ["contact", "sample", "z_0_target"]
-VARIABLES = [LIFT_OFF, "growth_rate", "off_slab_share", "R_n"]
-STATICS = "R_n_statics"
+VARIABLES = [LIFT_OFF, "off_slab_share", "R_n"]
 # Of each panel: its heading, and the name of y before the symbol.
 TITLES_OF = {LIFT_OFF: ("largest load of bouncing bristles", "largest load"),
-             "growth_rate": ("growth of disturbances of steady sliding", "growth rate"),
              "off_slab_share": ("share of time with the tip off the slab", "share of time"),
-             "R_n": ("load, and load by statics", "load")}
+             "R_n": ("load", "load")}
 BRUSHES = ["k_r", "k_phi", "mu_c"]  # quantities that tell brushes apart
 SHOWN = 4  # brushes over the gap
 MARKERS = "os^D"
 HOLLOW = "hertz"  # the contact of open marks
-LIMITS = {"growth_rate": 0, "off_slab_share": 0.5}  # grey lines
+LIMITS = {"off_slab_share": 0.5}  # grey lines
 LEGEND_INCHES = 0.35
 NOTES = ["All brushes on which the formula was tested. Black: equality; grey band: the scatter of the formula, {}. {}",
-         "Above the grey line disturbances grow.",
          "Above the grey line bristles count as bouncing.",
-         "Dashed, where they bounce: the load by statics; triangles at the right: the lift-off load by the formula. Only brushes on "
-         "which the formula was tested."]
+         "Triangles at the right: the lift-off load by the formula. Only brushes on which the formula was tested."]
 
 
 def MARKS(file):
@@ -147,15 +143,11 @@ def draw_over_gap(axes, file, name):
             load = select(dataset(file, LIFT_OFF), along, **chosen)
             if not np.isfinite(load).any():
                 continue
-            words, phase = select_flags(file, "phase", along, **chosen)
-            statics = np.where(phase == words.index("bouncing"), select(dataset(file, STATICS), along, **chosen), np.nan)
-            axes.plot(curve.x, statics, "--", color=colour, linewidth=1)
             axes.plot(1.02, np.nanmax(load), "<", color=colour, markersize=7, transform=axes.get_yaxis_transform(), clip_on=False)
         entries |= draw_curve(axes, curve, Look(colour, "-", marker), text, 1.2)
     if name in LIMITS:
         axes.axhline(LIMITS[name], color=GREY, linewidth=0.8, zorder=0)
-    if name != "growth_rate":
-        axes.set_ylim(bottom=0)
+    axes.set_ylim(bottom=0)
     axes.set_xlim(0, 1)
     title_axis(axes, "x", dataset(file, "z_0_target"), "gap")
     return entries

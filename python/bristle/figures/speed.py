@@ -1,4 +1,4 @@
-"""Friction coefficient and gap over the speed in SI units, after loading and after unloading, with the lift-off speeds."""
+"""Friction coefficient and gap over the speed in SI units, after loading and after unloading."""
 
 import numpy as np
 from matplotlib.lines import Line2D
@@ -9,30 +9,19 @@ from ..plotting.layout import Cell, across, corners, heading, legend_at_foot, pl
 from ..plotting.page import lettered, paper_width
 from ..plotting.readings import one_page, reading_name, readings
 from ..plotting.style import BLACK, Look, described, looks, symbol, value_ticks
-from ..results import attribute, axis_values, dataset, select
+from ..results import attribute, axis_values, dataset
 
 AXES = ["path", "R_n_N", "V0_m_per_s"]
 VARIABLES = ["friction_coefficient", "z_0_in_m"]
 TITLES_OF = {"friction_coefficient": "friction coefficient", "z_0_in_m": "gap between slab and ground"}
-LIFT_OFF_SPEED = "lift_off_speed"
 DASHES = {"loading": "-", "unloading": "--"}
 LEGEND_INCHES = 0.35
-NOTE = ("Loads are per bristle. Solid, after loading; dashed, after unloading; where both are the same, solid. Marks at the foot "
-        "with a black rim: the speed by the formula above which the bristles bounce under this load, with its uncertainty as a pale "
-        "bar.")
-UNMARKED = "Loads without a mark: the formula was not tested at their lift-off speed."
+NOTE = "Loads are per bristle. Solid, after loading; dashed, after unloading; where both are the same, solid."
 DOTTED = "Dotted lines join both sides, halfway between the points."
 
 
-def note(file):
-    """NOTE, and why a load has no mark if one has none."""
-    speed = dataset(file, LIFT_OFF_SPEED)
-    marked = np.isfinite(speed).any([name for name in speed.dims if name != "R_n_N"])
-    return NOTE if marked.all() else f"{NOTE} {UNMARKED}"
-
-
 def MARKS(file):
-    return f"Colours and markers tell the loads apart, as in the legend. {note(file)} {BANDS} {JUMPS} {DOTTED}"
+    return f"Colours and markers tell the loads apart, as in the legend. {NOTE} {BANDS} {JUMPS} {DOTTED}"
 
 
 @one_page
@@ -41,7 +30,7 @@ def draw(file):
     cell, columns = across(min(len(panels), 2), Cell(5.2, 4.25, 0.8, 0.75, 4.15, 3.2), 0.7)
     below = LEGEND_INCHES if paper_width() is None else 0
     figure, bottom = sheet(file, cell.width * columns, cell.height * -(-len(panels) // columns) + below,
-                           f"{note(file)}\n{BANDS} {JUMPS} {DOTTED}")
+                           f"{NOTE}\n{BANDS} {JUMPS} {DOTTED}")
     lines, statuses = {}, {}
     for (letter, (reading, name)), corner in zip(panels, corners(len(panels), columns, cell, bottom + below)):
         axes = place_cell(figure, corner, cell)
@@ -56,9 +45,9 @@ def draw(file):
 
 
 def draw_panel(axes, file, name, reading):
-    """Lines of each load, and at the foot its lift-off speed; returns legend entries of the statuses."""
+    """Lines of each load; returns legend entries of the statuses."""
     entries, speed, unit = {}, dataset(file, "V0_m_per_s"), attribute(dataset(file, "R_n_N"), "units")
-    for row, (load, look) in enumerate(looks(axis_values(file, "R_n_N"))):
+    for load, look in looks(axis_values(file, "R_n_N")):
         for path in axis_values(file, "path"):
             curve = joined(read_curve(file, name, "V0_m_per_s", path=path, R_n_N=load, **reading))
             if name == "z_0_in_m":
@@ -66,12 +55,11 @@ def draw_panel(axes, file, name, reading):
             first = path == axis_values(file, "path")[0]
             entries |= draw_curve(axes, curve, Look(look.colour, DASHES[path], look.marker if first else ""),
                                   f"load {load:g} {unit}" if first else None, 1.3)
-        draw_lift_off(axes, file, look, row, R_n_N=load, **reading)
     log_axis(axes, "x", speed)
     title_axis(axes, "x", speed, "speed of the slab")
     top = axes.get_ylim()[1]
     axes.set_yticks(value_ticks().tick_values(0, top))
-    axes.set_ylim(-0.2 * top, top)
+    axes.set_ylim(0, top)
     if name == "z_0_in_m":
         axes.set_ylabel(f"gap {symbol(dataset(file, name))} [mm]")
     else:
@@ -83,17 +71,3 @@ def joined(curve):
     """The curve with its jumps halfway between the points, so that both sides are joined."""
     places = np.sqrt(curve.x[1:] * curve.x[:-1])
     return curve._replace(located=[Jump((int(i),), *[places[i]] * 3) for i in np.flatnonzero(curve.jumps)])
-
-
-def draw_lift_off(axes, file, look, row, **chosen):
-    """The lift-off speed of a load, if it has one, in a row of its own."""
-    speed, error = (select(dataset(file, f"{LIFT_OFF_SPEED}{end}"), ["path", "V0_m_per_s"], **chosen) for end in ("", "_err"))
-    there = np.isfinite(speed)
-    if not there.any():
-        return
-    place, width, height = np.median(speed[there]), np.median(error[there]), 0.025 + 0.035 * row
-    transform = axes.get_xaxis_transform()
-    # The error is the upper part of a factor, by which the formula may be wrong in both directions.
-    axes.plot([place**2 / (place + width), place + width], [height, height], color=look.colour, alpha=0.35, linewidth=4,
-              solid_capstyle="butt", transform=transform)
-    axes.plot(place, height, look.marker, color=look.colour, markeredgecolor=BLACK, markersize=7, transform=transform)
