@@ -39,18 +39,19 @@ function showFacts(answer) {
     part("three").hidden = true;  // it shows another brush
     return;
   }
+  const why = answer.carried ? `No gap carries this load: ${answer.carried}.` : STATUSES[status] ?? status;
   const off = values.off_slab_share[0], unknown = answer.lift_off_unknown;
   const words = { contact: "in contact", bouncing: "bouncing", mixed: "mixed", unknown: "no numbers" }[phase];
   const rigid = values.R_x[0] / values.R_x_norm[0] / values.R_n[0];
   const facts = [row("Friction coefficient", number(values.friction_coefficient), Number.isFinite(rigid) ? `rigid bristles: ${shortly(rigid)}` : "")];
   if (si) facts.push(row("Friction per bristle", prefixed(values.R_x_in_N, "N")));
   if (unknown) facts.push(row("Lift-off load", "unknown", answer.lift_off_unknown));
-  else facts.push(row("Lift-off load", si ? prefixed(values.lift_off_load_in_N, "N") : number(values.lift_off_load), "above it tips stay on the slab"));
+  else facts.push(row("Lift-off load", si ? prefixed(values.lift_off_load_in_N, "N") : number(values.lift_off_load), "of point masses: above it tips stay on the slab"));
   facts.push(row("Gap under the slab", number(values.z_0, "r₀")));
   box.replaceChildren(element("p", { class: `phase ${phase}`, text: words }),
-    element("p", { class: "what", text: off === null ? STATUSES[status] ?? "" : `Tips are off the slab for ${Math.round(100 * off)} % of the time.` }),
+    element("p", { class: "what", text: off === null ? why : `Tips are off the slab for ${Math.round(100 * off)} % of the time.` }),
     element("dl", {}, ...facts));
-  if (status !== "ok") box.append(element("p", { class: "remark", text: STATUSES[status] ?? status }));
+  if (status !== "ok" && off !== null) box.append(element("p", { class: "remark", text: why }));
   if (answer.exceeded.length) box.append(element("div", { class: "remark limits" }, element("b", { text: "Limits of the model exceeded" }),
     element("ul", {}, ...answer.exceeded.map((flag) => element("li", { text: LIMITS[flag] ?? flag })))));
 }

@@ -7,6 +7,7 @@
 #include "bristle/simd/runner.hpp"
 #include "experiment/experiment.hpp"
 #include "experiment/point_checks.hpp"
+#include "results/phases.hpp"
 #include "results/variables.hpp"
 #include "sweep/si.hpp"
 #include "util/error.hpp"
@@ -51,6 +52,9 @@ Json solved(const Sweep& sweep, std::size_t index) {
           {"phase", word(phase_of(result))},
           {"lift_off_unknown", outside_of(lift_off_domain(result.parameters))},
           {"exceeded", exceeded},
+          {"carried", result.status == PointStatus::unreachable
+                          ? results::carried_text(input, result.R_n_largest.value, result.z_0_of_R_n_largest)
+                          : ""},
           {"values", values},
           {"passages", passages_of(recorded, result)}};
 }

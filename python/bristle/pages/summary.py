@@ -4,7 +4,7 @@ import numpy as np
 
 from ..figures.hysteresis import windows
 from ..plotting.verdicts import declared_checks, number, with_uncertainty
-from ..results import as_text, attribute, axis_values, dataset, flags, read, select, setting
+from ..results import as_text, axis_values, dataset, flags, read, select, setting
 from .quantities import (at_most, chosen_at, falls_of_laws, jump_of, listed, measured, on_k_theta, percent,
                          periodic_part, READINGS, short, span, where_saturated)
 
@@ -127,17 +127,14 @@ def sliding_easily(file, _):
         return ""
     return (f"**Bouncing point masses slide easily.** In `make load` (rods, k_r from {k_r[0]:g} to {k_r[-1]:g}) bouncing brushes have {bouncing} times the "
             f"friction of rigid bristles, under loads of at least half the lift-off load; brushes in contact have {contact} times. "
-            "The stiffness decides whether a brush bounces, and changes the friction of either kind of brush less.")
+            "Stiffness decides at which load a brush falls into contact, and changes the friction of either kind less.")
 
 
 def formula(file, _):
-    load = dataset(file, "lift_off_load")
-    of_springs = attribute(load, "long_name").partition(": ")[2]
     scatter = float(np.nanmax(read(file, "lift_off_load_err") / read(file, "lift_off_load")))
-    return ("**A formula says when a brush of point masses bounces.** A brush onto which the slab is lowered bounces if its load per bristle is less than the lift-off "
-            f"load, {of_springs}, with the radial and polar stiffness k_r and k_phi. Its root mean square error is "
-            f"{percent(scatter)} for k_r/k_phi from {TESTED[0]} and local friction from {TESTED[1]} (docs/lift-off.md). Straight slender "
-            "rods have a greater k_r/k_phi, and their mass along their length (docs/limitations.md).")
+    return ("**A formula says when.** Below a certain load per bristle, the lift-off load, a brush of point masses bounces. A formula "
+            f"(docs/lift-off.md) gives this load within {percent(scatter)}, root mean square, for a radial over polar stiffness, k_r/k_phi, of "
+            f"{TESTED[0]} and a local friction of {TESTED[1]}. Straight rods are far stiffer along their axis.")
 
 
 def bristles_that_differ(file, _):
