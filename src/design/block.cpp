@@ -98,17 +98,6 @@ void read_steps(const Node& block, Design& design) {
   }
 }
 
-// Returns the values that the blocks of the experiment give the variables.
-std::map<std::string, double> own_values(const Experiment& experiment, const Design& design) {
-  std::map<std::string, double> out;
-  for (const experiment::Range& range : design.variables)
-    for (const char* block : {"/si", "/model", "/load", "/orientation"})
-      if (const Node value = Node(*experiment.source, block)[range.name];
-          value.exists() && value.value().is_number())
-        out.emplace(range.name, value.as<double>());
-  return out;
-}
-
 }  // namespace
 
 std::pair<double, double> multiples_within(const experiment::Range& range, double step) {
@@ -148,7 +137,9 @@ Design read_design(const Experiment& experiment) {
   design.seed = block.get("seed", std::uint64_t(1));
   design.least_gain = block.get("least_gain", 0.02);
   read_steps(block["round_to"], design);
-  design.start = own_values(experiment, design);
+  for (const experiment::Range& range : design.variables)
+    if (const auto value = experiment::own_value(*experiment.source, range.name))
+      design.start.emplace(range.name, *value);
   read_second_model(block["second_model"], design);
   if (load.has("z_0") && design.jump_margin > 0)
     block["constraints"].fail("jump_margin needs a load R_n: at a given gap, no gap jumps");

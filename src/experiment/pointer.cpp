@@ -37,8 +37,10 @@ std::string with_pointer(const std::string& change) {
   if (found == known.end()) {
     std::vector<std::string> keys;
     for (const auto& [name, pointers] : known) keys.push_back(name);
-    throw InputError(fmt::format("--set {}: no block of an experiment has the key {}{}", printable(change),
-                                 printable(key), did_you_mean(key, keys)));
+    const std::string place = place_in_words(key);
+    throw InputError(
+        fmt::format("--set {}: no block of an experiment has the key {}{}", printable(change), printable(key),
+                    place.empty() ? did_you_mean(key, keys) : fmt::format(" (did you mean {}?)", place)));
   }
   if (found->second.size() > 1)
     throw InputError(fmt::format("--set {}: {} may be {}; write --set {}", printable(change), key,

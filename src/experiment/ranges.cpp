@@ -52,11 +52,8 @@ Range read_range(const Node& place, const std::string& name, std::size_t budget)
 
 // Returns the value that the experiment gives for a quantity. tolerance: place of its tolerance
 double nominal_value(const Node& tolerance, const std::string& name) {
-  for (const char* block : {"/si", "/model", "/load", "/orientation"})
-    if (const Node value = Node(tolerance.document(), block)[name];
-        value.exists() && value.value().is_number())
-      return value.as<double>();
-  tolerance.fail(fmt::format("has no nominal value; give {} in its block, or make it a variable", name));
+  if (const auto value = own_value(tolerance.document(), name)) return *value;
+  tolerance.fail(fmt::format("has no nominal value; give {}, or make it a variable", place_in_words(name)));
 }
 
 Tolerance read_tolerance(const Node& place, const std::string& name, bool is_variable) {
@@ -68,7 +65,7 @@ Tolerance read_tolerance(const Node& place, const std::string& name, bool is_var
     place.fail(
         fmt::format("deviates relative to {}, which is 0, so that every deviation is 0, too; remove it, or "
                     "give {} another value",
-                    name, name));
+                    name, place_in_words(name)));
   if (reach(tolerance) >= 1)
     place.fail(fmt::format("{} is too wide: values could reach zero; allowed: less than {}", tolerance.width,
                            normal ? 0.2 : 1.0));
@@ -76,6 +73,13 @@ Tolerance read_tolerance(const Node& place, const std::string& name, bool is_var
 }
 
 }  // namespace
+
+std::optional<double> own_value(const json::Document& document, const std::string& name) {
+  const Node at(document, pointer_to(name)->to_string());
+  if (name.starts_with(sweep::kScatterPrefix)) return at.exists() ? at.value().front().get<double>() : 0;
+  if (!at.exists() || !at.value().is_number()) return {};
+  return at.as<double>();
+}
 
 double Range::at(double share) const {
   if (share <= 0 || share >= 1) return share <= 0 ? low : high;

@@ -3,6 +3,7 @@
 #include "json/document.hpp"
 #include "sweep/sweep.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,10 @@ struct Ranges {
   // deviations, neighbours and profiles.
   std::vector<sweep::Axis> extremes() const;
 };
+
+// Returns the value that the experiment itself gives a sweepable number: in its block, or the width of the
+// scatter, which is 0 without one. None if it gives no number.
+std::optional<double> own_value(const json::Document& document, const std::string& name);
 
 // Reads the variables and tolerances of /design; they are empty without the block. Throws InputError unless
 // all values that trials may have are in the ranges of their quantities.

@@ -92,20 +92,41 @@ Json assemble() {
   return schema;
 }
 
+// The schemas of what a sweep can vary, and the block of an experiment with its values.
+constexpr std::pair<const char*, const char*> kHomes[] = {
+    {"/definitions/model/properties", "/model"},
+    {"/properties/load/properties", "/load"},
+    {"/properties/orientation/properties", "/orientation"},
+    {"/definitions/si/properties", "/si"},
+    {"/definitions/scatter_widths/properties", "/scatter"}};
+
 }  // namespace
 
 const json::Schema& experiment_schema() {
-  static const json::Schema schema(assemble());
+  static const json::Schema schema(assemble(), place_in_words);
   return schema;
 }
 
 const Json& parameter_schema(const std::string& name) {
-  for (const char* place :
-       {"/definitions/model/properties", "/properties/load/properties", "/properties/orientation/properties",
-        "/definitions/si/properties", "/definitions/scatter_widths/properties"})
+  for (const auto& [place, block] : kHomes)
     if (const Json& properties = experiment_schema().root()[JsonPointer(place)]; properties.contains(name))
       return properties[name];
   throw std::logic_error("no schema for " + name);
+}
+
+std::optional<JsonPointer> pointer_to(const std::string& name) {
+  const std::string prefix = sweep::kScatterPrefix;
+  for (const auto& [place, block] : kHomes)
+    if (experiment_schema().root()[JsonPointer(place)].contains(name))
+      return JsonPointer(block) / (name.starts_with(prefix) ? name.substr(prefix.size()) : name);
+  return {};
+}
+
+std::string place_in_words(const std::string& name) {
+  const auto at = pointer_to(name);
+  if (!at) return "";
+  const std::string text = at->to_string();
+  return name.starts_with(sweep::kScatterPrefix) ? fmt::format("{0}/normal or {0}/uniform", text) : text;
 }
 
 void check_parameter(const json::Node& place, const std::string& parameter, double value) {

@@ -2,6 +2,7 @@
 
 #include "json/schema.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,13 @@ const json::Schema& experiment_schema();
 // Returns the schema of a sweepable number: in the model, load, orientation or si block, or a width of the
 // scatter.
 const Json& parameter_schema(const std::string& name);
+
+// Returns where an experiment gives the value of a sweepable number or choice: /si/R_m, or /scatter/r0 for
+// scatter_r0. None for another name.
+std::optional<JsonPointer> pointer_to(const std::string& name);
+
+// Returns the same in words, with the keys of a scatter; empty for another name.
+std::string place_in_words(const std::string& name);
 
 // Throws InputError at the place if a value is out of the range of the parameter.
 void check_parameter(const json::Node& place, const std::string& parameter, double value);

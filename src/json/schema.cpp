@@ -118,9 +118,13 @@ void Schema::explain(const Node& node, const Json& part) const {
   if (value.is_object() && part.contains("properties")) {
     const auto known = keys_of(part["properties"]);
     for (const auto& [key, child] : value.items())
-      if (!part["properties"].contains(key) && part.value("additionalProperties", Json(true)) == false)
+      if (!part["properties"].contains(key) && part.value("additionalProperties", Json(true)) == false) {
+        const std::string place = elsewhere_ ? elsewhere_(key) : "";
         node[key].fail(
-            fmt::format("unknown key{}; allowed: {}", did_you_mean(key, known), fmt::join(known, ", ")));
+            fmt::format("unknown key{}; allowed: {}",
+                        place.empty() ? did_you_mean(key, known) : fmt::format(" (did you mean {}?)", place),
+                        fmt::join(known, ", ")));
+      }
     if (part.contains("required"))
       for (const std::string key : part["required"])
         if (!value.contains(key))

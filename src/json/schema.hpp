@@ -8,7 +8,9 @@ namespace bristle::json {
 // A JSON schema (draft 7, with references to its own definitions), whose violations are explained in words.
 class Schema {
  public:
-  explicit Schema(Json root) : root_(std::move(root)) {}
+  // Returns where a key belongs that is unknown at its place, in words; empty if it belongs nowhere.
+  using Elsewhere = std::string (*)(const std::string& key);
+  explicit Schema(Json root, Elsewhere elsewhere = nullptr) : root_(std::move(root)), elsewhere_(elsewhere) {}
 
   // Throws InputError for a document that does not match, with source, JSON pointer, the invalid value and
   // what is allowed.
@@ -26,6 +28,7 @@ class Schema {
   void require_short_name(const Node& name) const;
 
   Json root_;
+  Elsewhere elsewhere_;
 };
 
 }  // namespace bristle::json

@@ -508,6 +508,27 @@ TEST_CASE(
   CHECK(design::Trials(e, design, solve).verify({{"k_r", 10}}).brushes > 256);
 }
 
+TEST_CASE("design: the brush's own scatter is the start of a variable and the nominal value of a tolerance") {
+  const Folder f;
+  const char* scatter = R"(, "scatter": {"r0": {"normal": 0.02}, "bristles": 16})";
+  const auto variable = [&](const std::string& more) {
+    return f.load(
+        R"({"variables": {"scatter_r0": [0.01, 0.05], "k_r": [8, 12]}, "budget": 1, "objectives": [{"minimise": "R_x"}]})",
+        more);
+  };
+  using Start = std::map<std::string, double>;
+  CHECK(design::read_design(variable(scatter)).start == Start{{"k_r", 10}, {"scatter_r0", 0.02}});
+  CHECK(design::read_design(variable("")).start == Start{{"k_r", 10}, {"scatter_r0", 0}});
+  const char* tolerance = R"({"variables": {"k_r": [8, 12]}, "tolerances": {"scatter_r0": {"normal": 0.05}},
+      "budget": 1, "objectives": [{"minimise": "R_x"}]})";
+  CHECK(design::read_design(f.load(tolerance, scatter)).tolerances.front().nominal == 0.02);
+  CHECK_THAT(f.error(tolerance), Catch::Contains("deviates relative to scatter_r0, which is 0") &&
+                                     Catch::Contains("give /scatter/r0/normal or /scatter/r0/uniform"));
+  CHECK_THAT(f.error(R"({"variables": {"k_r": [8, 12]}, "tolerances": {"E_Pa": {"normal": 0.05}},
+      "budget": 1, "objectives": [{"minimise": "R_x"}]})"),
+             Catch::Contains("has no nominal value; give /si/E_Pa, or make it a variable"));
+}
+
 TEST_CASE("malformed designs: the message names place, value and remedy") {
   const Folder f;
   const auto with = [](const std::string& variables, const std::string& rest = "") {

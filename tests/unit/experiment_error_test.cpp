@@ -166,6 +166,9 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
        "@/e.json: /record: bristles of a brush with scatter are in units of their own; remove \"bristles\""},
       {with(R"("scatter": {"r_0": {"normal": 0.1}})"),
        "@/e.json: /scatter/r_0: unknown key (did you mean r0?); allowed: bristles, r0, R, E, phi_0_deg"},
+      {with(R"("scatter": {"scatter_r0": 0.1})"),
+       "@/e.json: /scatter/scatter_r0: unknown key (did you mean /scatter/r0/normal or "
+       "/scatter/r0/uniform?); allowed: bristles, r0, R, E, phi_0_deg"},
       {with(R"("scatter": {"r0": {"normal": 0.1, "uniform": 0.1}})"),
        "@/e.json: /scatter/r0: {\"normal\":0.1,\"uniform\":0.1} is not allowed; allowed: an object that is "
        "not "
@@ -330,6 +333,8 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
   }
   CHECK_THAT(error_of(with(R"("model": {"K_R": 1})")),
              Catch::Contains("/model/K_R: unknown key (did you mean k_r?)"));
+  CHECK_THAT(error_of(with(R"("model": {"R_m": 1})")),
+             Catch::Contains("/model/R_m: unknown key (did you mean /si/R_m?); allowed: friction"));
   CHECK_THAT(error_of(with(R"("sweep": {"Mu_C": {"values": [1, 2]}})")),
              Catch::Contains("did you mean mu_c?"));
 }
