@@ -68,6 +68,11 @@ double least_margin(const std::vector<Profile>& profiles) {
 
 Trials::Trials(const Experiment& experiment, const Design& design, Solve solve)
     : experiment_(experiment), design_(design), solve_(std::move(solve)) {
+  for (results::ResultVariable& variable : results::result_variables(experiment.sweep))
+    if (std::ranges::count(design.objectives, variable.name, &Objective::variable) +
+            std::ranges::count(design.constraints, variable.name, &Constraint::variable) >
+        0)
+      judged_.push_back(std::move(variable));
   if (!design_.tolerances.empty())
     deviations_ = sobol_points(design_.tolerance_samples, design_.tolerances.size(), design_.seed);
 }
@@ -171,6 +176,13 @@ std::vector<Trial> Trials::evaluate(const std::vector<Values>& nominal) const {
   return out;
 }
 
+void Trials::add_undefined(Trial& out, const results::PointRecord& point) const {
+  if (std::isnan(value_of(point, "z_0").value)) return;
+  for (const results::ResultVariable& variable : judged_)
+    if (std::isnan(value_of(point, variable.name).value))
+      out.undefined.try_emplace(variable.name, results::why_missing(point, variable));
+}
+
 void Trials::add_objective(Outcome& out, const Objective& objective,
                            const std::vector<std::vector<Estimate>>& values) {
   std::vector<Estimate> by_scenario;
@@ -191,6 +203,7 @@ Trial Trials::judge(const Values& nominal, const Computed* points) const {
   };
   for (std::size_t i = 0; i < samples * scenarios; ++i) {
     out.ambiguous += run::gap_of(points[i].record).undecided;
+    add_undefined(out, points[i].record);
     out.missing += std::ranges::any_of(design_.objectives, [&](const Objective& o) {
       return std::isnan(value_of(points[i].record, o.variable).value);
     });

@@ -44,6 +44,8 @@ struct Trial : Outcome {
   Values nominal;
   double violation = 0;                    // greatest excess, relative to its limit; infinite without values
   std::size_t missing = 0, ambiguous = 0;  // numbers of points
+  // Variables of objectives and constraints without a value at a point that has values, and why.
+  std::map<std::string, std::string> undefined;
 };
 
 // Shows how one quantity changes a trial: the nominal objectives over values of the quantity, and the nearest
@@ -121,6 +123,8 @@ class Trials {
   Values deviated(const Values& nominal, const Point& deviations) const;
   double neighbour(const Values& nominal, const std::string& quantity, double change) const;
   Trial judge(const Values& nominal, const Computed* points) const;
+  // Adds the variables that have no value at a point although it has values.
+  void add_undefined(Trial& out, const results::PointRecord& point) const;
   // Adds an objective to an outcome, with the values by scenario.
   static void add_objective(Outcome& out, const Objective& objective,
                             const std::vector<std::vector<Estimate>>& values);
@@ -136,7 +140,8 @@ class Trials {
   const Experiment& experiment_;
   const Design& design_;
   Solve solve_;
-  std::vector<Point> deviations_;  // points of the unit cube, by tolerance
+  std::vector<results::ResultVariable> judged_;  // variables of the objectives and constraints
+  std::vector<Point> deviations_;                // points of the unit cube, by tolerance
 };
 
 }  // namespace bristle::design

@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace bristle::design {
 namespace {
@@ -259,12 +260,31 @@ std::string counts_text(const Trials& trials, const Findings& found) {
   return out;
 }
 
+// Returns a line for each variable without which trials are left out, although their points have values: why,
+// and in how many trials.
+std::string undefined_text(const Findings& found) {
+  std::map<std::pair<std::string, std::string>, std::size_t> trials_without;
+  for (const Trial& trial : found.trials)
+    if (std::isinf(trial.violation))
+      for (const auto& [variable, why] : trial.undefined) ++trials_without[{variable, why}];
+  std::string out;
+  for (const auto& [what, count] : trials_without)
+    out += fmt::format("  {} has no value in {} of {}, although their points have values: {}\n", what.first,
+                       count, trials_text(found.trials.size()), what.second);
+  return out;
+}
+
 std::string miss_text(const Trials& trials, const Findings& found) {
   const Trial& nearest = found.trials[found.nearest_miss];
-  if (std::isinf(nearest.violation))
-    return "every trial has points without a value (its points are all scenarios, nominal and with all "
-           "deviations); the "
-           "statuses above say why: give other bounds, scenarios or tolerances\n";
+  if (std::isinf(nearest.violation)) {
+    const bool is_explained =
+        std::ranges::none_of(found.trials, [](const Trial& t) { return t.undefined.empty(); });
+    return fmt::format(
+        "every trial has points without a value (its points are all scenarios, nominal and with all "
+        "deviations); the {} above say why: give other {}\n",
+        is_explained ? "lines" : "statuses",
+        is_explained ? "bounds, or another variable" : "bounds, scenarios or tolerances");
+  }
   std::vector<std::string> parts;
   for (std::size_t c = 0; c < nearest.constraints.size(); ++c)
     if (!std::isnan(nearest.constraints[c]))
@@ -327,7 +347,7 @@ std::string front_text(const Trials& trials, const Findings& found) {
 }  // namespace
 
 std::string text_of(const Trials& trials, const Findings& found) {
-  std::string out = counts_text(trials, found) + "\n";
+  std::string out = counts_text(trials, found) + "\n" + undefined_text(found);
   if (found.chosen.empty()) return out + miss_text(trials, found);
   const Trial& best = recommended(found);
   out += fmt::format("recommended, {}{}: {}\n", name_of(found, found.chosen.front()),

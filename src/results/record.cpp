@@ -131,6 +131,16 @@ std::span<const double> PointRecord::at(const std::string& variable) const {
   return std::span(values).subspan(layout->number(variable) * count, count);
 }
 
+std::string why_missing(const PointRecord& record, const ResultVariable& variable) {
+  if (variable.name.find("lift_off") != std::string::npos && record.layout->has("lift_off_domain"))
+    if (const auto domain = LiftOffDomain(std::lround(record.at("lift_off_domain").front()));
+        domain != LiftOffDomain::tested)
+      return outside_of(domain);
+  if (PointStatus(std::lround(record.at("status").front())) == PointStatus::undefined)
+    return "it is a ratio to a load or friction of zero";
+  return variable.why_missing;
+}
+
 PointRecord record_of(const Layout& layout, const PointResult& result, const Recorded& recorded) {
   PointRecord record{layout};
   for (const auto& variable : layout->variables) record.values.push_back(variable.value(result));

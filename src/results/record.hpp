@@ -65,6 +65,10 @@ PointRecord record_of(const Layout& layout, const std::vector<CurveNode>& curve)
 // Returns the record of a point that an error ended: status failed, no values, a curve with one node.
 PointRecord failed_record(const Layout& layout, const std::string& error);
 
+// Returns why a variable has no value at a point that has values, in words: the lift-off load, because its
+// formula was not tested there.
+std::string why_missing(const PointRecord& record, const ResultVariable& variable);
+
 // Reads a point from a result file of this sweep. Throws RunError if it cannot be read.
 PointRecord read_record(const ResultReader& result, const Sweep& sweep, std::size_t index);
 

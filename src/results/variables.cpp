@@ -283,12 +283,15 @@ void add_direction(Variables& variables) {
                        Errors::estimated});
 }
 
-// Adds variables that may be missing at points with values.
+// Adds variables that may be missing at points with values. why: in words; empty: no more than that
 template <class Add>
-void add_that_may_be_missing(Variables& variables, const Add& add) {
+void add_that_may_be_missing(Variables& variables, const Add& add, const std::string& why = "") {
   const std::size_t first = variables.size();
   add(variables);
-  for (std::size_t i = first; i < variables.size(); ++i) variables[i].may_be_missing = true;
+  for (std::size_t i = first; i < variables.size(); ++i) {
+    variables[i].may_be_missing = true;
+    if (!why.empty()) variables[i].why_missing = why;
+  }
 }
 
 }  // namespace
@@ -311,10 +314,10 @@ std::vector<ResultVariable> result_variables(const Sweep& sweep) {
   const bool si = !sweep.base.si.empty();
   const bool von_mises = sweep.base.setup.orientation.distribution == Distribution::von_mises;
   if (searched) {
-    add_that_may_be_missing(variables, add_load_jump);  // only points with a jump have one
-    // Only unreachable points have one.
-    add_that_may_be_missing(variables, [&](Variables& all) { add_largest_load(all, si); });
-    add_that_may_be_missing(variables, add_other_gap);  // only ambiguous points have one
+    add_that_may_be_missing(variables, add_load_jump, "R_n(z_0) does not jump across the load");
+    add_that_may_be_missing(
+        variables, [&](Variables& all) { add_largest_load(all, si); }, "a gap carries the load");
+    add_that_may_be_missing(variables, add_other_gap, "no other gap carries the load");
   }
   if (sweep.on_lattice()) add_that_may_be_missing(variables, add_fluctuations);
   if (si) add_si(variables);

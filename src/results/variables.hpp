@@ -23,6 +23,7 @@ struct ResultVariable : Column {
   std::function<Quantity(const PointResult&)> of;
   Errors errors;
   bool may_be_missing = false;  // the variable is not defined at some points with values
+  std::string why_missing = "it is not defined there (docs/results-format.md)";  // in words
 };
 // Returns the variables of a result of this sweep.
 std::vector<ResultVariable> result_variables(const Sweep& sweep);

@@ -452,6 +452,30 @@ TEST_CASE("design: a trial at which a constraint fails is the nearest miss", "[t
   CHECK_THAT(file.provenance().at("design"), Catch::Contains("the nearest miss is trial"));
 }
 
+TEST_CASE("design: a variable without a value at points with values is named, and why") {
+  const Folder f;
+  // The local friction of a Coulomb law with mu_c = 0.1 is outside the range of the formula.
+  const auto text = [&](const char* name, const char* wanted) {
+    const auto file = f.run(f.load(fmt::format(R"({{"variables": {{"k_r": [8, 12]}}, "budget": 2, {}}},
+        "model": {{"friction": "coulomb", "mu_c": 0.1}})",
+                                               wanted),
+                                   kFew, name));
+    CHECK_FALSE(file.has("best"));
+    return file.provenance().at("design");
+  };
+  const std::string constraint =
+      text("limit", R"("objectives": [{"minimise": "R_x"}], "constraints": [{"variable": "load_over_lift_off",
+          "max": 0.9}])");
+  CHECK_THAT(constraint,
+             Catch::Contains("  load_over_lift_off has no value in 3 of 3 trials, although their points have "
+                             "values: the friction coefficient of rigid bristles at the lift-off load is "
+                             "outside 3 to 20") &&
+                 Catch::Contains("the lines above say why") && !Catch::Contains("statuses"));
+  CHECK_THAT(text("goal", R"("objectives": [{"minimise": "jump_z_0"}])"),
+             Catch::Contains("jump_z_0 has no value in 3 of 3 trials, although their points have values: "
+                             "R_n(z_0) does not jump across the load"));
+}
+
 TEST_CASE("design: trials whose deviations have no value are left out, and the text says so") {
   // These bristles carry 8, but not all the deviations from it, up to 15.
   const Folder f;
