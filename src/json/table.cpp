@@ -98,7 +98,8 @@ Table read_table(const std::string& path) {
                                printable(text)));
     if (cells.size() != names.size())
       fail(number,
-           fmt::format("has {} cells, and the first line names {} columns", cells.size(), names.size()));
+           fmt::format("has {} cells, and the first line names {} columns{}", cells.size(), names.size(),
+                       cells.size() > names.size() ? "; write numbers with a point, such as 0.5" : ""));
     Json row = Json::array();
     for (std::size_t i = has_index ? 1 : 0; i < cells.size(); ++i) {
       if (cells[i].empty())

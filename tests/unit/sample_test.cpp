@@ -113,6 +113,7 @@ TEST_CASE("malformed samples: the message names place, value and remedy") {
   f.s.write("twice.csv", "k_r,k_r\n1,2\n");
   f.s.write("trailing.csv", "# measured\nk_r,mu_c,\n1,1,\n");
   f.s.write("nameless.csv", "k_r,,mu_c\n1,,1\n");
+  f.s.write("commas.csv", "k_r,mu_c\n1,5,0,5\n");
   f.s.write("comma.csv", "k_r,mu_c\n1,1\n2,\"0,5\"\n");
   const auto table = [](const std::string& name) { return R"({"sample": {"table": ")" + name + "\"}}"; };
   const std::string at = "e.json: /sweep/sample/",
@@ -139,6 +140,10 @@ TEST_CASE("malformed samples: the message names place, value and remedy") {
        "others"},
       {table("nameless.csv"),
        "nameless.csv: line 1: column 2 has no name: give it one, or remove its comma from every line"},
+      {table("commas.csv"),
+       "commas.csv: line 2: has 4 cells, and the first line names 2 columns; write numbers with a point, "
+       "such "
+       "as 0.5"},
       {table("comma.csv"),
        "comma.csv: line 3: \"0,5\" has a comma; write numbers with a point, such as 0.5, and without quotes"},
       {table("twice.csv"), "twice.csv: line 1: k_r appears twice"},
