@@ -5,7 +5,7 @@
 DRAWN := $(filter $(basename $(notdir $(wildcard experiments/*.json))),$(basename $(notdir $(wildcard python/bristle/figures/*.py))))
 FIGURES := $(sort $(filter fig%,$(DRAWN)))
 STUDIES := $(sort $(filter-out fig%,$(DRAWN)))
-.PHONY: help packages build test bench accuracy clean figures findings guide assumptions inference report archive verify citation deposit release \
+.PHONY: help packages build test bench accuracy clean figures findings guide assumptions report archive verify citation deposit release \
   sanitize fuzz format tidy coverage $(FIGURES) $(STUDIES)
 JOBS ?= $(shell nproc 2>/dev/null || echo 1)
 BUILD := build
@@ -86,23 +86,15 @@ CHECKED_STUDIES := load liftoff hysteresis scatter chart tuning
 findings: figures $(CHECKED_STUDIES) ## all figures; docs/findings.md, each claim with its verdict and numbers; README's summary
 	@$$($(PLOT_PYTHON)) -m bristle.pages.findings $(patsubst %,results/%$(SUFFIX).h5,$(FIGURES) $(CHECKED_STUDIES)) $(if $(SUFFIX),-o results/findings$(SUFFIX).md --checks results/checks$(SUFFIX).md,--readme README.md)
 
-# The matrices, of which the next two targets draw the pages.
-.PHONY: assumptions-matrix inference-matrix
+# The matrix, of which the next target draws the page.
+.PHONY: assumptions-matrix
 assumptions-matrix: build
 	@test -e results/assumptions.json || echo "Computing the claims under other assumptions, about half an hour on two cores ..."
 	$(BUILD)/bristle assumptions
 
-# The same machinery on joint sets of choices.
-inference-matrix: build
-	@test -e results/inference.json || echo "Computing joint sets of choices, about half an hour on two cores ..."
-	$(BUILD)/bristle assumptions experiments/inference/*.json --only fig3,fig3a,fig4,fig5,fig6,fig7,fig8,fig8c -o results/inference.json
-
 assumptions: assumptions-matrix ## every claim under every alternative to what the paper leaves open: docs/assumptions.md, reference/assumptions.json
 	@$$($(PLOT_PYTHON)) -m bristle.pages.assumptions results/assumptions.json --text docs/assumptions.md --details docs/generated/assumptions.md
 	@cp results/assumptions.json reference/
-
-inference: inference-matrix ## joint sets of choices ranked by the claims they support: docs/inference.md
-	@$$($(PLOT_PYTHON)) -m bristle.pages.inference results/inference.json
 
 guide: design ## docs/your-own-brush.md: what `make design` finds
 	@$$($(PLOT_PYTHON)) -m bristle.pages.guide results/design$(SUFFIX).h5
@@ -212,7 +204,7 @@ archive-check: build
 	@$(BUILD)/bristle archive --check --tier $(TIER)
 
 # What an archive refuses is refused before anything is computed or drawn.
-archive: archive-check figures $(STUDIES) $(if $(SUFFIX),,assumptions-matrix inference-matrix) report ## one citable file of all results: dist/bristle-<version>.tar
+archive: archive-check figures $(STUDIES) $(if $(SUFFIX),,assumptions-matrix) report ## one citable file of all results: dist/bristle-<version>.tar
 	$(BUILD)/bristle archive --tier $(TIER) --figures figures$(SUFFIX) --report report$(SUFFIX)/index.html
 
 # ARCHIVE=FILE is another archive, RERUN=N computes N of its points again.

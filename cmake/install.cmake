@@ -21,7 +21,7 @@ foreach(name paper.json ${references})
     install(FILES experiments/${name} DESTINATION ${data}/experiments)
   endif()
 endforeach()
-install(DIRECTORY experiments/assumptions experiments/inference DESTINATION ${data}/experiments FILES_MATCHING PATTERN "*.json")
+install(DIRECTORY experiments/assumptions DESTINATION ${data}/experiments FILES_MATCHING PATTERN "*.json")
 install(DIRECTORY reference DESTINATION ${data} FILES_MATCHING PATTERN "*.json")
 install(FILES ${PROJECT_BINARY_DIR}/experiment.schema.json DESTINATION ${data})
 # The path that Debian's Python searches below /usr. Below another prefix, PYTHONPATH has to name it.

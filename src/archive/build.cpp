@@ -50,9 +50,9 @@ class Gatherer {
     const auto facts = add_results(payload);
     auto figures = facts;  // the page lists claims, which studies do not have
     std::erase_if(figures, [](const auto& one) { return one.second["figure"] == ""; });
-    if (full()) {  // the page and the matrices are of the full tier
+    if (full()) {  // the page and the matrix are of the full tier
       check_page("docs/findings.md", payload, figures, "make findings");
-      for (const char* name : {"assumptions", "inference"}) add_matrix(name, payload);
+      add_matrix("assumptions", payload);
     }
     add_report(payload);
     std::vector<std::string> reasons;

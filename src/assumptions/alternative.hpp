@@ -2,10 +2,8 @@
 
 #include "json/json.hpp"
 
-#include <array>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace bristle::assumptions {
@@ -21,21 +19,9 @@ struct Alternative {
   Json apply(const std::string& experiment, Json document) const;
 };
 
-// Ranges [from, to] of axes, within which these experiments are checked.
-struct Window {
-  std::string name;
-  std::vector<std::pair<std::string, std::array<double, 2>>> where;
-  std::vector<std::string> experiments;
-};
-
-struct Declarations {
-  Alternative baseline;                   // its changes apply under every alternative
-  std::vector<Alternative> alternatives;  // in the files' order, then the combinations
-  std::vector<Window> windows;            // one without ranges if the files have none
-};
-
-// Reads these files. Throws InputError for a file that does not match the schema, for duplicate names, and
-// for unknown members of a combination.
-Declarations read_declarations(const std::vector<std::string>& files);
+// Reads the alternatives of these files, in the files' order, then the combinations. The first is the
+// baseline, which changes nothing. Throws InputError for a file that does not match the schema, for duplicate
+// names, and for unknown members of a combination.
+std::vector<Alternative> read_alternatives(const std::vector<std::string>& files);
 
 }  // namespace bristle::assumptions

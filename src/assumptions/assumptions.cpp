@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <filesystem>
-#include <iterator>
 #include <map>
 
 namespace bristle::assumptions {
@@ -68,30 +67,14 @@ std::vector<Experiment> chosen_experiments(const AssumptionsOptions& options) {
   return all;
 }
 
-// Throws InputError if an alternative changes, or a window limits, an experiment that does not exist, or if a
-// window limits an axis that none of its experiments sweeps.
-void check_names(const Declarations& declared, const std::vector<Experiment>& all) {
-  const auto check = [&](const Alternative& a, const std::string& where) {
+// Throws InputError if an alternative changes an experiment that does not exist.
+void check_names(const std::vector<Alternative>& alternatives, const std::vector<Experiment>& all) {
+  for (const Alternative& a : alternatives)
     for (const auto& declaration : a.declarations) {
       const Json changes = declaration->value("experiments", Json::object());
       for (const auto& [name, change] : changes.items())
-        require_experiment(all, name, where + "/experiments");
+        require_experiment(all, name, fmt::format("alternative {}: /experiments", a.name));
     }
-  };
-  check(declared.baseline, "/base");
-  for (const Alternative& a : declared.alternatives) check(a, fmt::format("alternative {}: ", a.name));
-  for (const Window& window : declared.windows) {
-    std::vector<std::string> swept;
-    for (const std::string& name : window.experiments) {
-      require_experiment(all, name, fmt::format("window {}: /experiments", window.name));
-      for (const auto& axis : std::ranges::find(all, name, &Experiment::name)->sweep.axes)
-        swept.push_back(axis.name);
-    }
-    for (const auto& [axis, range] : window.where)
-      if (std::ranges::count(swept, axis) == 0)
-        throw InputError(fmt::format("window {}: /where/{}: none of its experiments sweeps {}{}", window.name,
-                                     axis, axis, did_you_mean(axis, swept)));
-  }
 }
 
 // Replaces characters that should not be in the name of a folder.
@@ -142,12 +125,9 @@ class AssumptionsRun {
     matrix_.tier = options.tier;
     matrix_.only = options.only;
     matrix_.inputs_sha256 = inputs_sha256(options);
-    Declarations declared = read_declarations(options.files);
-    check_names(declared, experiments_with_claims(options));
-    matrix_.alternatives = {std::move(declared.baseline)};
-    std::ranges::move(declared.alternatives, std::back_inserter(matrix_.alternatives));
+    matrix_.alternatives = read_alternatives(options.files);
+    check_names(matrix_.alternatives, experiments_with_claims(options));
     check_folders(matrix_.alternatives);
-    matrix_.windows = std::move(declared.windows);
   }
 
   void validate() const {
@@ -212,15 +192,9 @@ class AssumptionsRun {
           experiment,
           {.output = path, .threads = options_.threads, .quiet = true, .arguments = options_.arguments});
     const results::ResultReader result(path);
-    const std::size_t first = row;
-    for (const Window& window : matrix_.windows) {
-      row = first;
-      const bool limited = std::ranges::count(window.experiments, baseline.name) > 0;
-      for (claims::CheckResult& one :
-           claims::evaluate_checks(result, limited ? window.where : decltype(window.where)())) {
-        if (matrix_.rows.size() == row) matrix_.rows.push_back({baseline.name, {}});
-        matrix_.rows[row++].cells.push_back({std::move(one), affected});
-      }
+    for (claims::CheckResult& one : claims::evaluate_checks(result)) {
+      if (matrix_.rows.size() == row) matrix_.rows.push_back({baseline.name, {}});
+      matrix_.rows[row++].cells.push_back({std::move(one), affected});
     }
   }
 

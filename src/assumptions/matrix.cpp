@@ -2,7 +2,6 @@
 
 #include "results/version.hpp"
 #include "run/provenance.hpp"
-#include "util/error.hpp"
 #include "util/sha.hpp"
 
 #include <algorithm>
@@ -44,15 +43,12 @@ Json cell_json(const Cell& cell) {
 // Returns the cells of a document, each with its place and with the names of its values.
 Json named_cells(const Json& document) {
   Json out = Json::array();
-  const Json &windows = document.at("windows"), &keys = document.at("cell_keys");
+  const Json& keys = document.at("cell_keys");
   for (const Json& row : document.at("cells")) {
     const Json& under = row.at("under");
-    if (windows.empty()) throw MalformedError("the matrix has cells, but no windows");
     for (std::size_t i = 0; i < under.size(); ++i) {
-      const std::size_t window = i % windows.size();
-      Json one = {
-          {"check", row.at("check")}, {"alternative", i / windows.size()}, {"window", windows.at(window)}};
-      const Json& cell = under[i].is_null() ? under.at(window) : under[i];
+      Json one = {{"check", row.at("check")}, {"alternative", i}};
+      const Json& cell = under[i].is_null() ? under.at(0) : under[i];
       for (std::size_t k = 0; k < keys.size(); ++k) one[keys[k].get<std::string>()] = cell.at(k);
       one["affected"] = !under[i].is_null();
       out.push_back(one);
@@ -61,18 +57,17 @@ Json named_cells(const Json& document) {
   return out;
 }
 
-// Returns the verdict on a row's check under an alternative, in the first window.
-Verdict verdict_under(const Matrix& matrix, const Matrix::Row& row, std::size_t alternative) {
-  return row.cells[alternative * matrix.windows.size()].result.verdict;
+Verdict verdict_under(const Matrix::Row& row, std::size_t alternative) {
+  return row.cells[alternative].result.verdict;
 }
 
 // Returns the conclusion about one check, with the names of the alternatives that change its verdict.
 Json conclusion_json(const Matrix& matrix, std::size_t index) {
   const Matrix::Row& row = matrix.rows[index];
-  const Verdict baseline = verdict_under(matrix, row, 0);
+  const Verdict baseline = verdict_under(row, 0);
   Json reversing = Json::array(), undecided = Json::array(), choices = Json::array();
   for (std::size_t a = 1; a < matrix.alternatives.size(); ++a) {
-    const Verdict verdict = verdict_under(matrix, row, a);
+    const Verdict verdict = verdict_under(row, a);
     if (verdict == baseline) continue;
     const Alternative& alternative = matrix.alternatives[a];
     (verdict == Verdict::undecided ? undecided : reversing).push_back(alternative.name);
@@ -86,11 +81,11 @@ Json conclusion_json(const Matrix& matrix, std::size_t index) {
 }  // namespace
 
 const char* conclusion(const Matrix& matrix, const Matrix::Row& row) {
-  const Verdict baseline = verdict_under(matrix, row, 0);
+  const Verdict baseline = verdict_under(row, 0);
   if (baseline == Verdict::undecided) return "open";
   const char* out = "robust";
   for (std::size_t a = 1; a < matrix.alternatives.size(); ++a) {
-    const Verdict verdict = verdict_under(matrix, row, a);
+    const Verdict verdict = verdict_under(row, a);
     if (reversed(verdict, baseline)) return "assumption-dependent";
     if (verdict != baseline) out = "weakened";
   }
@@ -109,17 +104,15 @@ Json matrix_json(const Matrix& matrix) {
               {"program", {{"version", run::kVersion}, {"commit", run::kCommit}}},
               {"checks", Json::array()},
               {"alternatives", Json::array()},
-              {"windows", Json::array()},
               {"cell_keys", kCellKeys},
               {"cells", Json::array()},
               {"conclusions", Json::array()}};
   for (const Alternative& a : matrix.alternatives)
     out["alternatives"].push_back(
         {{"name", a.name}, {"choice", a.choice}, {"description", a.description}, {"members", a.members}});
-  for (const Window& window : matrix.windows) out["windows"].push_back(window.name);
   for (std::size_t i = 0; i < matrix.rows.size(); ++i) {
     out["checks"].push_back(check_json(matrix.rows[i]));
-    Json under = Json::array();  // by alternative, then by window
+    Json under = Json::array();  // by alternative
     for (const Cell& cell : matrix.rows[i].cells) under.push_back(cell_json(cell));
     out["cells"].push_back({{"check", i}, {"under", under}});
     out["conclusions"].push_back(conclusion_json(matrix, i));

@@ -9,7 +9,7 @@
 
 namespace bristle::assumptions {
 
-constexpr const char* kMatrixSchema = "bristle-assumptions/3";
+constexpr const char* kMatrixSchema = "bristle-assumptions/4";
 
 // Result of one check under one alternative.
 struct Cell {
@@ -22,18 +22,17 @@ struct Cell {
 struct Matrix {
   struct Row {
     std::string experiment;
-    std::vector<Cell> cells;  // by alternative, then by window
+    std::vector<Cell> cells;  // by alternative
   };
   std::string tier, inputs_sha256;
   std::vector<std::string> only;  // the experiments that were chosen; empty: all
   std::vector<Alternative> alternatives;
-  std::vector<Window> windows;
   std::vector<Row> rows;
 };
 
 // Returns the conclusion about the check of a row: "robust" if no alternative changes the verdict, "weakened"
 // if some leave it undecided, "assumption-dependent" if some reverse it, "open" if the baseline does not
-// decide it. Only the verdicts in the first window count.
+// decide it.
 const char* conclusion(const Matrix& matrix, const Matrix::Row& row);
 
 // Returns the kind of file that a matrix may replace: matrices of any version.
@@ -43,7 +42,7 @@ FileKind replaceable_by_matrix();
 Json matrix_json(const Matrix& matrix);
 
 // Returns the SHA-256 of the checks, alternatives, cells and conclusions of the document of a matrix. Throws
-// Json::exception for another document, MalformedError if it has cells but no windows.
+// Json::exception for another document.
 std::string matrix_payload_sha256(const Json& document);
 
 }  // namespace bristle::assumptions

@@ -32,13 +32,6 @@ Verdict decide(const Measurement& m, double margin) {
   return margin >= m.uncertainty ? Verdict::supported : Verdict::undecided;
 }
 
-// Returns true if the check selects or compares values of this axis.
-bool selects(const Check& check, const std::string& axis) {
-  const auto same = [&](const auto& selection) { return selection.first == axis; };
-  return std::ranges::any_of(check.where, same) ||
-         std::ranges::any_of(check.compare, [&](const auto& pair) { return pair.name == axis; });
-}
-
 // Returns the worse of two verdicts, in the order refuted, undecided, supported.
 Verdict worse(Verdict a, Verdict b) {
   if (a == Verdict::refuted || b == Verdict::refuted) return Verdict::refuted;
@@ -71,10 +64,8 @@ Verdict verdict_on_claim(const std::vector<CheckResult>& checks, const std::stri
 
 }  // namespace
 
-std::vector<CheckResult> evaluate_checks(
-    const results::ResultReader& result,
-    const std::vector<std::pair<std::string, std::array<double, 2>>>& within,
-    const std::string& checks_file) {
+std::vector<CheckResult> evaluate_checks(const results::ResultReader& result,
+                                         const std::string& checks_file) {
   std::vector<CheckResult> out;
   Json document = result.experiment();
   if (!checks_file.empty()) document["checks"] = checks_of(checks_file);
@@ -82,10 +73,7 @@ std::vector<CheckResult> evaluate_checks(
   // The checks of a file are untrusted, and the predicates rely on the validation.
   const Experiment experiment =
       experiment::stored_experiment(document, "full", checks_file.empty() ? result.path() : checks_file);
-  std::vector<Check> checks = read_checks(experiment);
-  for (Check& check : checks)
-    for (const auto& [axis, range] : within)
-      if (experiment.sweep.varies(axis) && !selects(check, axis)) check.where.emplace_back(axis, range);
+  const std::vector<Check> checks = read_checks(experiment);
   validate_checks(experiment, checks);
   for (const Check& check : checks) {
     CheckResult r{check, measure(result, check), 0, Verdict::undecided, Verdict::undecided};

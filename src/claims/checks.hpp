@@ -44,14 +44,11 @@ struct ClaimVerdict {
 // Returns the verdicts on the claims, in the order of their first checks.
 std::vector<ClaimVerdict> claim_verdicts(const std::vector<CheckResult>& checks);
 
-// Evaluates the checks of the experiment that is stored in the result. within: ranges [from, to] that limit
-// axes, except axes that a check selects or compares. checks_file: a JSON file, such as an experiment, whose
-// checks replace the checks of the result; empty for none. Throws InputError if a check names a variable, an
-// axis or a value that the result does not have.
-std::vector<CheckResult> evaluate_checks(
-    const results::ResultReader& result,
-    const std::vector<std::pair<std::string, std::array<double, 2>>>& within = {},
-    const std::string& checks_file = "");
+// Evaluates the checks of the experiment that is stored in the result. checks_file: a JSON file, such as an
+// experiment, whose checks replace the checks of the result; empty for none. Throws InputError if a check
+// names a variable, an axis or a value that the result does not have.
+std::vector<CheckResult> evaluate_checks(const results::ResultReader& result,
+                                         const std::string& checks_file = "");
 
 // Returns the name that pages and figures give to a model of bending: "corrected" for "polar". Returns
 // another reading as it is.

@@ -59,7 +59,7 @@ int export_command(const ExportOptions& options) {
   result.require_intact();
   // Stored verdicts are not trusted: the checks are evaluated again.
   results::Dataset table = options.group == "checks"
-                               ? claims::dataset_of(claims::evaluate_checks(result, {}, options.checks))
+                               ? claims::dataset_of(claims::evaluate_checks(result, options.checks))
                                : results::table_of(result, options.group);
   if (!options.only.empty()) table = reduced(table, options.only, result);
   if (to_standard_output) {

@@ -103,23 +103,6 @@ def check_measure():
         raise AssertionError("an unknown variable was measured")
 
 
-def check_inference():
-    """Of two sets and windows: the printed one is best in the second window, with two claims and a further check."""
-    checks = [{"claim": claim, "role": role} for claim, role in (("1", "main"), ("2", "main"), ("2", "further"))]
-    no, yes = "refuted", "supported"
-    under = [[no, no, yes, yes], [no, no, no, yes], [no, no, no, yes]]  # of each check: the sets, each in both windows
-    cells = [{"check": i, "under": [[verdict, verdict] for verdict in row]} for i, row in enumerate(under)]
-    path = write("matrix.json", {"schema": "bristle-assumptions/3", "payload_sha256": "0123456789abcdef0123", "tier": "study",
-                                 "conclusions": [], "checks": checks,
-                                 "alternatives": [{"name": name, "members": []} for name in ("baseline", "printed")],
-                                 "windows": ["wide", "narrow"], "cell_keys": ["claim_verdict", "verdict"], "cells": cells})
-    page = written("inference", "inference.md", path, "-o", folder)
-    assert "| 1 | printed | narrow | 2, 1 | none | none | | 2 | baseline | wide | 0, 0 | 1 2 | none |" in page, page
-    assert "corrected 0 claims and 0 further checks, as printed 2 claims and 1 further checks. The" in page, page
-    assert "0123456789abcdef." in page
-    assert "```text 12 ++ 2, 1 printed -- 0, 0 baseline ```" in " ".join((folder / "generated/inference.md").read_text().split())
-
-
 def check_performance():
     """The times of a figure are those that time_experiments.py measures."""
     experiments = folder / "experiments"
@@ -222,7 +205,6 @@ check_findings()
 check_guide()
 check_profile()
 check_measure()
-check_inference()
 check_performance()
 check_drawings()
 check_drawing_of_brush()

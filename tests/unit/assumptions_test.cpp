@@ -62,14 +62,12 @@ std::string error_of(SmallStudy& small) {
 }  // namespace
 
 TEST_CASE("assumptions: every alternative of the project leaves its experiments and their checks valid") {
-  for (const std::string folder : {"assumptions", "inference"}) {
-    AssumptionsOptions options;
-    options.experiments = kExperiments;
-    for (const auto& entry : std::filesystem::directory_iterator(kExperiments + "/" + folder))
-      options.files.push_back(entry.path().string());
-    REQUIRE(!options.files.empty());
-    CHECK_NOTHROW(validate_assumptions(options));
-  }
+  AssumptionsOptions options;
+  options.experiments = kExperiments;
+  for (const auto& entry : std::filesystem::directory_iterator(kExperiments + "/assumptions"))
+    options.files.push_back(entry.path().string());
+  REQUIRE(!options.files.empty());
+  CHECK_NOTHROW(validate_assumptions(options));
 }
 
 TEST_CASE("every check is evaluated under every alternative") {
@@ -133,24 +131,6 @@ TEST_CASE(
   CHECK(inputs_sha256(small.options) != before);
 }
 
-TEST_CASE("the conclusions of a matrix with windows are those of the first window") {
-  SmallStudy small;
-  small.options.files.clear();
-  small.declare("windows.json",
-                R"({"schema": "bristle-assumption/1", "choice": "x", "question": "q", "windows": [
-    {"name": "both", "where": {"mu_c": [0.5, 1]}, "experiments": ["a"]},
-    {"name": "last", "where": {"mu_c": [0.9, 1]}, "experiments": ["a"]}],
-    "alternatives": [{"name": "slow", "description": "both", "patch": {"model": {"V_s": 0.02}}}]})");
-  const Matrix m = run_assumptions(small.options);
-  const auto& cells = m.rows[0].cells;  // by alternative, then by window
-  REQUIRE(cells.size() == 4);
-  CHECK(cells[0].result.verdict == Verdict::supported);
-  CHECK(cells[1].result.verdict != Verdict::supported);
-  CHECK(cells[2].result.verdict == Verdict::supported);
-  CHECK(std::string(conclusion(m, m.rows[0])) == "robust");
-  CHECK(matrix_json(m)["conclusions"][0]["conclusion"] == "robust");
-}
-
 TEST_CASE("a second call computes no result again") {
   SmallStudy small;
   run_assumptions(small.options);
@@ -188,10 +168,6 @@ TEST_CASE("mistakes in assumptions are reported before anything is computed") {
        "a tier \"study\" (did you mean a?)"},
       {head + R"("alternatives": [{"name": "idle", "description": "d", "patch": {"model": {"mu_c": 1}}}]})",
        "alternative \"idle\": changes no number of any experiment"},
-      {head + R"("windows": [{"name": "w", "where": {"k_r": [5, 7]}, "experiments": ["bb"]}]})",
-       "window w: /experiments: no experiment bb has claims"},
-      {head + R"("windows": [{"name": "w", "where": {"k_rr": [5, 7]}, "experiments": ["b"]}]})",
-       "window w: /where/k_rr: none of its experiments sweeps k_rr (did you mean k_r?)"},
   };
   for (const Row& row : table) {
     SmallStudy small;
@@ -206,7 +182,7 @@ TEST_CASE("the declared assumptions are valid, and cover every open choice") {
   std::vector<std::string> files;
   for (const auto& entry : std::filesystem::directory_iterator(kExperiments + "/assumptions"))
     files.push_back(entry.path().string());
-  const auto alternatives = read_declarations(files).alternatives;
+  const auto alternatives = read_alternatives(files);
   for (const char* choice :
        {"phi_0", "A", "C", "V_s", "lambda", "alpha", "initial state", "springs of bending", "k_theta",
         "pole rule", "damping", "swept ranges", "together"}) {

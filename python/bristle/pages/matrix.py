@@ -3,15 +3,15 @@
 from ..errors import BristleError
 from ..files import read_json
 
-SCHEMA = "bristle-assumptions/3"
+SCHEMA = "bristle-assumptions/4"
 REMEDY = "`make assumptions` writes it"
 DEFAULT = ["results/assumptions.json", "reference/assumptions.json"]  # of these the first that exists
 TOGETHER = "together"  # the choice of alternatives that combine others
 
 
 def read_matrix(path):
-    """The document; cells: the cells of all windows, with their place and the names of their values; grid[check][alternative]:
-    the cells of the last window, or of the only one. The first alternative is the baseline."""
+    """The document; cells: the cells with their place and the names of their values; grid[check][alternative]: the same cells.
+    The first alternative is the baseline."""
     document = read_json(path, REMEDY)
     schema = document.get("schema") if isinstance(document, dict) else None
     if schema != SCHEMA:
@@ -19,15 +19,14 @@ def read_matrix(path):
     try:
         cells = list(cells_of(document))
         width = len(document["alternatives"])
-        last = [cell for cell in cells if cell["window"] == document["windows"][-1]]
-        grid = [last[i:i + width] for i in range(0, len(last), width)]
+        grid = [cells[i:i + width] for i in range(0, len(cells), width)]
         return {**document, "cells": cells, "grid": grid, "conclusions": document["conclusions"], "tier": document["tier"]}
     except (KeyError, TypeError, ValueError, IndexError) as error:
         raise BristleError(f"{path}: not valid as {schema} ({type(error).__name__}: {error})") from error
 
 
 def cells_of(document):
-    windows, size = document["windows"], len(document["alternatives"]) * len(document["windows"])
+    size = len(document["alternatives"])
     if missing := {"claim_verdict", "verdict"} - set(document["cell_keys"]):
         raise ValueError(f"the cells have no {' and no '.join(sorted(missing))}")
     if [row["check"] for row in document["cells"]] != list(range(len(document["checks"]))):
@@ -36,11 +35,9 @@ def cells_of(document):
         if len(row["under"]) != size:
             raise ValueError(f"check {row['check']} has {len(row['under'])} cells, not {size}")
         for i, cell in enumerate(row["under"]):
-            alternative, window = divmod(i, len(windows))
             # null: the alternative does not change the experiment, so the baseline's cell holds.
-            values = zip(document["cell_keys"], row["under"][window] if cell is None else cell, strict=True)
-            yield {"check": row["check"], "alternative": alternative, "window": windows[window], **dict(values),
-                   "affected": cell is not None}
+            values = zip(document["cell_keys"], row["under"][0] if cell is None else cell, strict=True)
+            yield {"check": row["check"], "alternative": i, **dict(values), "affected": cell is not None}
 
 
 def digest_line(document):
