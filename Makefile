@@ -82,7 +82,7 @@ tutorial: build ## docs/tutorial.ipynb: executes the cells, stores what they pri
 	@$$($(PLOT_PYTHON)) -m bristle.pages.tutorial
 
 # Studies with checks: the findings of this project, and a claim of the conclusions.
-CHECKED_STUDIES := load liftoff hysteresis scatter chart tuning
+CHECKED_STUDIES := load liftoff bouncing hysteresis scatter chart tuning
 findings: figures $(CHECKED_STUDIES) ## all figures; docs/findings.md, each claim with its verdict and numbers; README's summary
 	@$$($(PLOT_PYTHON)) -m bristle.pages.findings $(patsubst %,results/%$(SUFFIX).h5,$(FIGURES) $(CHECKED_STUDIES)) $(if $(SUFFIX),-o results/findings$(SUFFIX).md --checks results/checks$(SUFFIX).md,--readme README.md)
 
