@@ -8,7 +8,7 @@ import sys
 root = pathlib.Path(sys.argv[1])
 page, of_checks = ((root / "docs" / name).read_text(encoding="utf-8") for name in ("findings.md", "generated/checks.md"))
 READINGS = {"polar": "corrected", "polar_as_printed": "as printed", "rod": "rod"}
-VERDICT = r"\**(supported|refuted|undecided)\**"
+VERDICT = r"\**(supported|refuted|undecided|depends)\**"
 
 # (claim, statement with what is measured, readings below it)
 checks = []
@@ -36,16 +36,16 @@ for path in sorted((root / "experiments").glob("*.json")):
         assert quote in " ".join(page.split()), f"docs/findings.md lacks the paper's \"{quote}\": `make findings`"
 # The table of claims, and the explanations below them.
 rows = {row.group(1): row.groups()[2:] for row in re.finditer(rf"^\| (\w+) \| (.+) \| {VERDICT} \| {VERDICT} \| {VERDICT} \|$", page, re.M)}
-own = {row.group(1) for row in re.finditer(r"^\| (F\d) \| .+ \| (?:supported|refuted|undecided|corrected|rod)[^|]* \|$", page, re.M)}
+own = {row.group(1) for row in re.finditer(r"^\| (F\d) \| .+ \| (?:supported|refuted|undecided|depends|corrected|rod)[^|]* \|$", page, re.M)}
 assert set(rows) | own == claims, f"the tables of docs/findings.md lack {sorted(claims - set(rows) - own)}: `make findings`"
 assert not own & set(rows), "findings of this project are not the paper's claims"
 # A finding of this project has a heading in each result that has checks of it.
 headings = re.findall(r"^### F\d: (.+)$", of_checks, re.M)
 assert re.findall(r"^### (\w+): ", page, re.M) == re.findall(r"^### (\w+): ", of_checks, re.M), "the pages have other claims"
 unsupported = sum(verdict != "supported" for verdicts in rows.values() for verdict in verdicts)
-unsupported += sum(3 * ("with every model" in heading) or len(re.findall("refuted|undecided", heading))
+unsupported += sum(3 * ("with every model" in heading) or len(re.findall("refuted|undecided|depends", heading))
                    for heading in headings if not heading.startswith("supported"))
-explained = len(re.findall(r"^Why it is (?:refuted|undecided) with ", of_checks, re.M))
+explained = len(re.findall(r"^Why it (?:is refuted|is undecided|depends) with ", of_checks, re.M))
 assert explained == unsupported, f"{unsupported} verdicts are not \"supported\", {explained} are explained"
 
 # The summary in README.md.

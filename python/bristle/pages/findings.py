@@ -15,11 +15,12 @@ from .explanations import explain_claim, explain_further
 from .markdown import filled, replace_between, table
 from .matrix import DEFAULT
 from .quantities import MATRIX, PROGRAM, READINGS
-from .summary import all_verdicts, claims_of, further, in_context, in_short, own_verdicts, readings_of, verdicts_of
+from .summary import all_verdicts, claims_of, further, in_context, in_short, joint, own_verdicts, readings_of, verdicts_of
 
 INTRODUCTION = """\
 The claims of the paper in the order of its figures, and the verdicts of the computations:
-supported, **refuted**, or undecided within the uncertainty. A claim is named after the figure
+supported, **refuted**, undecided within the uncertainty or because no check of ours decides it, or
+depends: supported under one meaning of the sentence or range, and not under another. A claim is named after the figure
 beside which it stands; claims of Appendix A begin with A, of the abstract with B, of the conclusions
 with C. Findings of this project, which the paper does not claim, begin with F. Every
 claim is checked with three models of bending. Two are readings of the paper, whose Eq. (17) has
@@ -161,7 +162,7 @@ def claim_lines(file, claim, checks):
     for reading, verdict in verdicts.items():
         if verdict != "supported":
             rows = [(check, row) for check, rows in checks for row in rows if row.reading == reading]
-            lines += [f"Why it is {verdict} with the model {READINGS.get(reading, reading)}: {explain_claim(file, rows)}", ""]
+            lines += [f"{why(verdict)} with the model {READINGS.get(reading, reading)}: {by_meaning(rows)}{explain_claim(file, rows)}", ""]
     return lines
 
 
@@ -175,8 +176,22 @@ def paragraph(file, claim, checks):
     if unsupported := [reading for reading, verdict in verdicts.items() if verdict != "supported"]:
         reading = unsupported[-1]
         rows = [(check, row) for check, rows in checks for row in rows if row.reading == reading]
-        text += f" Why it is {verdicts[reading]} with the model {READINGS.get(reading, reading)}: {explain_claim(file, rows)}"
+        text += f" {why(verdicts[reading])} with the model {READINGS.get(reading, reading)}: {by_meaning(rows)}{explain_claim(file, rows)}"
     return [*lines, text, ""]
+
+
+def why(verdict):
+    return "Why it depends" if verdict == "depends" else f"Why it is {verdict}"
+
+
+def by_meaning(pairs):
+    """The verdict under each interpretation of the main checks of one reading; empty if there is one interpretation."""
+    found = {}
+    for check, row in pairs:
+        if row.role == "main":
+            meaning = check.get("interpretation", "")
+            found[meaning] = joint(row.verdict, found.get(meaning, row.verdict))
+    return f"{'; '.join(f'{verdict} if {meaning}' for meaning, verdict in found.items())}. " if len(found) > 1 else ""
 
 
 def sentence(check, rows):
