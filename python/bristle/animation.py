@@ -8,7 +8,7 @@ from collections import namedtuple
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib import patches
-from matplotlib.animation import FFMpegWriter, PillowWriter
+from matplotlib.animation import PillowWriter
 from matplotlib.collections import LineCollection
 from matplotlib.lines import Line2D
 from PIL import Image, ImageSequence
@@ -22,8 +22,7 @@ from .plotting.style import BLACK, GREY, SKY, VERMILION
 from .results import attribute, axis_names, axis_values, dataset, flags, point_numbers, setting
 
 FRAMES, PER_SECOND, DPI = 90, 12, 100
-MP4 = ".mp4"
-IMAGES = {".gif": dict(format="GIF"), ".webp": dict(format="WEBP", lossless=True, method=6, minimize_size=True)}  # by ending
+GIF = ".gif"
 COLOURS = 64  # of all frames, so that the file is small
 # In inches: the width of a view, and with what is between them; places for the azimuths, for time and names, and for the legend.
 WIDE, SIDE, START, HEAD, FOOT = 3.35, 3.45, 0.95, 0.7, 0.8
@@ -47,31 +46,21 @@ def film_path(output, name):
     ending = os.path.splitext(output)[1]
     if os.path.isdir(output) or not ending:
         return os.path.join(output, f"{name}.gif")
-    if ending not in (*IMAGES, MP4):
-        raise BristleError(f"{output}: no animation has the ending {ending}; known are {', '.join((*IMAGES, MP4))}")
-    if ending == MP4 and not FFMpegWriter.isAvailable():
-        raise BristleError(f"{output}: the program ffmpeg, which writes {MP4}, is not installed; on Debian, the package is ffmpeg")
+    if ending != GIF:
+        raise BristleError(f"{output}: an animation has the ending {GIF}, not {ending}")
     return output
 
 
 def write_animation(file, path):
-    """Writes the format of the path's ending."""
-    ending = os.path.splitext(path)[1]
+    """Writes the GIF."""
     with tempfile.TemporaryDirectory() as folder:
-        if ending == MP4:
-            film = os.path.join(folder, "film.mp4")
-            draw_frames(file, film, FFMpegWriter(fps=PER_SECOND))
-            with open(film, "rb") as made:
-                content = made.read()
-        else:
-            film = os.path.join(folder, "film.gif")
-            draw_frames(file, film, PillowWriter(fps=PER_SECOND))
-            content = with_few_colours(film, IMAGES[ending])
-    write_whole(path, content)
+        film = os.path.join(folder, "film.gif")
+        draw_frames(file, film, PillowWriter(fps=PER_SECOND))
+        write_whole(path, with_few_colours(film))
 
 
-def with_few_colours(path, options):
-    """The GIF with the same colours in all frames, without dots that mix them; options: of Pillow's save."""
+def with_few_colours(path):
+    """The GIF with the same colours in all frames, without dots that mix them."""
     with Image.open(path) as made:
         frames = [Image.fromarray(np.asarray(frame.convert("RGB"))) for frame in ImageSequence.Iterator(made)]
         every = made.info["duration"]
@@ -80,7 +69,7 @@ def with_few_colours(path, options):
     palette.putpalette([level for _, colour in most for level in colour])
     first, *others = [frame.quantize(palette=palette, dither=Image.Dither.NONE) for frame in frames]
     out = io.BytesIO()
-    first.save(out, save_all=True, append_images=others, duration=every, loop=0, **options)
+    first.save(out, save_all=True, append_images=others, duration=every, loop=0, format="GIF")
     return out.getvalue()
 
 

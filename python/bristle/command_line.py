@@ -162,8 +162,8 @@ def figure_parser():
     parser.add_argument("--y", metavar="VARIABLE", help=f"what the figures curve and map draw (default: {DEFAULT_Y})")
     parser.add_argument("--caption", action="store_true", help="draws nothing, but prints a caption in LaTeX for each page")
     parser.add_argument("--animate", action="store_true",
-                        help="only fig2 and bristles: the bristles under the moving slab instead of the figure, as FIGURE.gif or as the .gif, .webp or "
-                             ".mp4 that -o names; of the other options it has --reading")
+                        help="only fig2 and bristles: the bristles under the moving slab instead of the figure, as FIGURE.gif or as the file "
+                             "that -o names; of the other options it has --reading")
     parser.add_argument("--format", dest="formats", type=formats, metavar="FORMAT,...", default=["pdf", "png"],
                         help=f"of {', '.join(METADATA)} (default: pdf,png)")
     parser.add_argument("--dpi", type=dpi, default=300, help="pixels per inch of a PNG (default: %(default)s)")

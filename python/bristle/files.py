@@ -13,7 +13,7 @@ from .plotting.style import METADATA
 
 FIGURE_FORMATS = ("pdf", "png")
 # Of formats without lines: what names them, among numbers.
-SIGNATURE = re.compile(rb"(GIF89a)|RIFF....(WEBP)|....(ftyp)", re.DOTALL)
+SIGNATURE = re.compile(rb"(GIF89a)")
 
 
 def read_json(path, remedy):
