@@ -84,7 +84,7 @@ tutorial: build ## docs/tutorial.ipynb: executes the cells, stores what they pri
 # Studies with checks: the findings of this project, and a claim of the conclusions.
 CHECKED_STUDIES := load liftoff bouncing hysteresis scatter chart tuning
 findings: figures $(CHECKED_STUDIES) ## all figures; docs/findings.md, each claim with its verdict and numbers; README's summary
-	@$$($(PLOT_PYTHON)) -m bristle.pages.findings $(patsubst %,results/%$(SUFFIX).h5,$(FIGURES) $(CHECKED_STUDIES)) $(if $(SUFFIX),-o results/findings$(SUFFIX).md --checks results/checks$(SUFFIX).md,--readme README.md)
+	@$$($(PLOT_PYTHON)) -m bristle.pages.findings $(patsubst %,results/%$(SUFFIX).h5,$(FIGURES) $(CHECKED_STUDIES)) $(if $(SUFFIX),-o results/findings$(SUFFIX).md,--readme README.md)
 
 # The matrix, of which the next target draws the page.
 .PHONY: assumptions-matrix
@@ -93,7 +93,7 @@ assumptions-matrix: build
 	$(BUILD)/bristle assumptions
 
 assumptions: assumptions-matrix ## every claim under every alternative to what the paper leaves open: docs/assumptions.md, reference/assumptions.json
-	@$$($(PLOT_PYTHON)) -m bristle.pages.assumptions results/assumptions.json --text docs/assumptions.md --details docs/generated/assumptions.md
+	@$$($(PLOT_PYTHON)) -m bristle.pages.assumptions results/assumptions.json
 	@cp results/assumptions.json reference/
 
 guide: design ## docs/your-own-brush.md: what `make design` finds

@@ -40,16 +40,9 @@ def drawn(*words):
 
 shutil.rmtree(folder, ignore_errors=True)
 folder.mkdir(parents=True)
-done = drawn(source / "reference/assumptions.json", "--text", folder / "made.md", "--details", folder / "made-details.md")
+done = drawn(source / "reference/assumptions.json", "--text", folder / "made.md")
 assert done.returncode == 0, done.stderr
-for made, page in (("made.md", "assumptions.md"), ("made-details.md", "generated/assumptions.md")):
-    assert (folder / made).read_text() == (source / "docs" / page).read_text(), f"docs/{page} is not the text of this matrix"
-# The matrix of signs has each verdict.
-rows = (folder / "made-details.md").read_text().split("```")[1].splitlines()[-len(checks):]
-for row, line in enumerate(rows):
-    cells = [next(c for c in recorded["cells"] if c["check"] == row and c["alternative"] == i) for i in range(len(names))]
-    signs = ["." if i and not cell["affected"] else {"supported": "+", "refuted": "-", "undecided": "?"}[cell["verdict"]] for i, cell in enumerate(cells)]
-    assert line.replace(" ", "").startswith("".join(signs)), line
+assert (folder / "made.md").read_text() == (source / "docs/assumptions.md").read_text(), "docs/assumptions.md is not the text of this matrix"
 # The page names the matrix if the matrix has a digest.
 document = json.loads((source / "reference/assumptions.json").read_text())
 (folder / "digest.json").write_text(json.dumps({**document, "payload_sha256": "0123456789abcdef0123"}))
@@ -57,7 +50,7 @@ assert drawn(folder / "digest.json", "--text", folder / "digest.md").returncode 
 assert "Payload digest of the matrix: 0123456789abcdef." in " ".join((folder / "digest.md").read_text().split())
 (folder / "wrong.json").write_text("{}")
 for wrong in ("none.json", "wrong.json"):
-    done = drawn(folder / wrong)
+    done = drawn(folder / wrong, "--text", folder / "wrong.md")
     assert done.returncode == 2 and "Traceback" not in done.stderr, done.stderr
 
 # Computes Figure 8 under the other rules for the pole again.

@@ -19,6 +19,7 @@ from matplotlib.text import Text
 from in_process import SOURCE, called
 from bristle import BristleError, draw, open_result
 from bristle.figures.design import draw_profile, in_units
+from bristle.plotting.verdicts import measured_text, read_claims
 from bristle.program import measure
 from bristle.results import table
 
@@ -39,21 +40,19 @@ def write(name, document):
 
 
 def check_findings():
-    """Each digest is in the page, each measured number in that of all checks, and the summary in README.md."""
+    """Each digest is in the page, what each main check measured, and the summary in README.md."""
     (folder / "README.md").write_text("\n".join(["before", *SUMMARY, "after"]))
-    page = written("findings", "findings.md", *results, "-o", folder / "findings.md", "--checks", folder / "checks.md",
-                   "--readme", folder / "README.md", "--program", bristle)
-    all_checks = " ".join((folder / "checks.md").read_text(encoding="utf-8").split())
+    page = written("findings", "findings.md", *results, "-o", folder / "findings.md", "--readme", folder / "README.md", "--program", bristle)
     for path in results:
         with h5py.File(path) as file:
             assert f"`{file.attrs['payload_sha256'].decode()[:16]}`" in page, path
-            for measured, uncertain in zip(*(file["checks"][name][()] for name in ("measured", "uncertainty"))):
-                assert f"{measured:.3f} ± {uncertain:.3f}".replace("-", "\u2212") in all_checks, (path, measured)
+        for claim in (one for one in read_claims(open_result(path)) if one.role == "main"):
+            assert f"({claim.required}): " in page and measured_text(claim) in page, (path, claim)
     readme = " ".join((folder / "README.md").read_text(encoding="utf-8").split())
     summary = readme[readme.index(SUMMARY[0]):readme.index(SUMMARY[1])]
     assert "Of the paper's" in summary and summary in page and readme.startswith("before") and readme.endswith("after")
     (folder / "README.md").write_text("no place")
-    done = called("bristle.pages.findings", *results[:1], "-o", folder / "findings.md", "--checks", folder / "checks.md", "--readme", folder / "README.md")
+    done = called("bristle.pages.findings", *results[:1], "-o", folder / "findings.md", "--readme", folder / "README.md")
     assert done.code == 2 and "README.md: has no place to write to" in done.messages, done.messages
 
 

@@ -1,5 +1,4 @@
-"""docs/findings.md from result files: every claim with its verdict and a paragraph; docs/generated/checks.md: all checks
-with their numbers; the summary in README.md."""
+"""docs/findings.md from result files: every claim with its verdict and a paragraph; the summary in README.md."""
 
 import argparse
 import os
@@ -8,10 +7,9 @@ import numpy as np
 
 from ..command_line import run
 from ..files import write_text
-from ..plotting.remarks import pinned_note, start_note, validity_note
-from ..plotting.verdicts import measured_text, p_text
-from ..results import as_text, experiment, open_result, read, status_counts
-from .explanations import explain_claim, explain_further
+from ..plotting.verdicts import measured_text
+from ..results import as_text, open_result, read, status_counts
+from .explanations import explain_claim
 from .markdown import filled, replace_between, table
 from .matrix import DEFAULT
 from .quantities import MATRIX, PROGRAM, READINGS
@@ -34,19 +32,10 @@ another denominator than the kinematics of the azimuth theta:
 
 [claims.md](claims.md) describes how claims are checked, [model.md](model.md) the equations and the
 baseline: the choices for what the paper leaves open. A paragraph has the checks that decide;
-[generated/checks.md](generated/checks.md) has all of them, why each fails under each model, what the
-paper leaves open there, and where a figure is beyond the limits of the model.
-`make findings` writes both pages and the summary in README.md from the result files; no number in
+`bristle check RESULT.h5 --all` prints the further ones, too, which are stricter or explain.
+`make findings` writes this page and the summary in README.md from the result files; no number in
 them is typed. A dash stands for a number that could not be measured: the points have no values
 there, or the uncertainty has no bound.
-"""
-
-ALL_CHECKS = """\
-# All checks
-
-For those who doubt a verdict of [findings.md](../findings.md): every check of every claim with its
-numbers under each model of bending, why it fails, what the paper leaves open, and where a figure is
-beyond the limits of the model. `make findings` writes this page.
 """
 
 BEGIN, END = "<!-- summary: written by `make findings` -->", "<!-- end of summary -->"
@@ -56,7 +45,6 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("results", metavar="RESULT.h5", nargs="+", help="result files in the figures' order")
     parser.add_argument("-o", dest="output", metavar="FILE", default="docs/findings.md")
-    parser.add_argument("--checks", metavar="FILE", default="docs/generated/checks.md", help="page of all checks")
     parser.add_argument("--readme", metavar="FILE", help="document whose summary is replaced")
     parser.add_argument("--program", default=PROGRAM.get(), help="what measures on the results (default: %(default)s)")
     parser.add_argument("--assumptions", metavar="FILE", nargs="+", help="matrices, of which the first that exists is read",
@@ -70,13 +58,11 @@ def main():
     findings = "\n".join(f"- {line}" for line in in_short(found))
     lines = "\n" + filled("\n\n".join([findings, *in_context(found)])) + "\n"
     summary = f"{BEGIN}\n{lines}{END}"
-    sections = [section(file, claims, images, paragraph) for file, claims in found]
+    sections = [section(file, claims, images) for file, claims in found]
     more = "\n".join(f"- {line}" for line in further(found))
     page = filled("\n".join(["# Findings\n\nFor everyone who wants to know what holds.\n\n@summary@\n", INTRODUCTION, overview(found),
                              "## On single claims\n", more + "\n", *sections]))
     write_text(arguments.output, page.replace("@summary@", summary))
-    os.makedirs(os.path.dirname(arguments.checks) or ".", exist_ok=True)
-    write_text(arguments.checks, filled("\n".join([ALL_CHECKS, *(section(file, claims, None, claim_lines) for file, claims in found)])))
     if arguments.readme:
         replace_between(arguments.readme, BEGIN, END, lines)
     checks = sum(len(checks) for _, claims in found for checks in claims.values())
@@ -106,34 +92,15 @@ def emphasised(verdict):
     return f"**{verdict}**" if verdict == "refuted" else verdict
 
 
-def section(file, claims, images, lines_of):
-    """The claims of a figure. images: the folder of its picture on the page of findings; None on the page of all checks, which
-    has what the paper leaves open, and what one must know of the result."""
+def section(file, claims, images):
+    """The claims of a figure; images: the folder of its picture."""
     name, figure = (as_text(file.attrs[key]) for key in ("name", "figure"))
-    lines = [f"## {as_text(file.attrs['title'])}", ""]
-    if images is not None:
-        lines += [provenance(file), ""]
-        if os.path.exists(os.path.join(images, f"{name}.png")):
-            lines += [f"![{figure and 'Figure '}{figure or name}](images/{name}.png)", ""]
+    lines = [f"## {as_text(file.attrs['title'])}", "", provenance(file), ""]
+    if os.path.exists(os.path.join(images, f"{name}.png")):
+        lines += [f"![{figure and 'Figure '}{figure or name}](images/{name}.png)", ""]
     for claim, checks in claims.items():
-        lines += lines_of(file, claim, checks)
-    if images is None:
-        lines += left_open(claims)
-        for note in [*filter(None, [start_note(file), pinned_note(file), validity_note(file)]), *experiment(file).get("notes", [])]:
-            lines += [note, ""]
+        lines += paragraph(file, claim, checks)
     return "\n".join(lines)
-
-
-def left_open(claims):
-    """What the paper leaves open and the checks had to choose, each with the claims that it concerns."""
-    found = {}
-    for check, _ in (pair for checks in claims.values() for pair in checks):
-        for what in filter(None, check.get("leaves_open", "").split("; ")):
-            found.setdefault(what, []).append(check["claim"])
-    if not found:
-        return []
-    return ["The paper leaves open, and it matters here:", "",
-            *(f"- {what} ({', '.join(dict.fromkeys(claims))})" for what, claims in found.items()), ""]
 
 
 def provenance(file):
@@ -146,38 +113,17 @@ def provenance(file):
             f"{contact:.2f} L_x/V_0. Payload SHA-256 `{digest[:16]}`.")
 
 
-def claim_lines(file, claim, checks):
-    """Heading with the verdicts, the paper's sentence, main and further checks, and why a verdict is not "supported"."""
-    verdicts = verdicts_of(checks)
-    lines = [f"### {claim}: {in_words(verdicts)}", "", *quotes(checks)]
-    main = [pair for pair in checks if pair[1][0].role == "main"]
-    further = [pair for pair in checks if pair[1][0].role != "main"]
-    for meaning in dict.fromkeys(check.get("interpretation") for check, _ in main):
-        if meaning:
-            lines += [f"If {meaning}:", ""]
-        lines += [item(file, *pair) for pair in main if pair[0].get("interpretation") == meaning]
-        lines.append("")
-    if further:
-        lines += ["Further checks, which do not decide the verdict:", "", *(item(file, *pair) for pair in further), ""]
-    for reading, verdict in verdicts.items():
-        if verdict != "supported":
-            rows = [(check, row) for check, rows in checks for row in rows if row.reading == reading]
-            lines += [f"{why(verdict)} with the model {READINGS.get(reading, reading)}: {by_meaning(rows)}{explain_claim(file, rows)}", ""]
-    return lines
-
-
 def paragraph(file, claim, checks):
     """Heading with the verdicts, the paper's sentence, and what decides, with the reason under the last model that does not
     support the claim."""
     verdicts = verdicts_of(checks)
     lines = [f"### {claim}: {in_words(verdicts)}", "", *quotes(checks)]
-    main = [pair for pair in checks if pair[1][0].role == "main"]
-    text = " ".join(sentence(*pair) for pair in main)
+    text = " ".join(sentence(*pair) for pair in checks if pair[1][0].role == "main")
     if unsupported := [reading for reading, verdict in verdicts.items() if verdict != "supported"]:
         reading = unsupported[-1]
         rows = [(check, row) for check, rows in checks for row in rows if row.reading == reading]
         text += f" {why(verdicts[reading])} with the model {READINGS.get(reading, reading)}: {by_meaning(rows)}{explain_claim(file, rows)}"
-    return [*lines, text, ""]
+    return [*lines, text.strip(), ""]
 
 
 def why(verdict):
@@ -203,19 +149,6 @@ def sentence(check, rows):
 
 def quotes(checks):
     return [line for check, _ in checks if "quote" in check for line in (f"The paper: \u201c{check['quote']}\u201d", "")]
-
-
-def item(file, check, rows):
-    """An item of a list: the statement, and below it the verdict of each reading with its numbers."""
-    lines = [f"- {check['statement']} ({rows[0].required})"]
-    for row in rows:
-        reading = f"{READINGS.get(row.reading, row.reading)}: " if row.reading else ""
-        measured = measured_text(row) + p_text(row)
-        why = explain_further(file, check, row) if row.role != "main" and row.verdict == "refuted" else ""
-        if check["predicate"] == "rise" and "resolution" in check and not np.isfinite(row.uncertainty):
-            why = f"ln changes by less than {check['resolution']:g} under a law"
-        lines.append(f"  - {reading}{emphasised(row.verdict)}, {measured}{why and '; '}{why}")
-    return "\n".join(lines)
 
 
 if __name__ == "__main__":

@@ -16,21 +16,6 @@ def table(head, *rows):
     return "\n".join(lines)
 
 
-def signs(heads, rows, gaps=()):
-    """A table of signs as plain text: one column for each head, whose letters stand below each other.
-
-    rows: the signs of each row as one text, and what stands after it. gaps: the columns before which there is a space.
-    """
-    tall = max(map(len, heads))
-    above = ["".join(letters) for letters in zip(*(head.rjust(tall) for head in heads))]
-    lines = [(line, "") for line in above] + list(rows)
-    return "\n".join(["```text", *(f"{spaced(line, gaps)}  {after}".rstrip() for line, after in lines), "```"])
-
-
-def spaced(line, gaps):
-    return "".join(" " + letter if column in gaps else letter for column, letter in enumerate(line))
-
-
 def filled(text):
     """The text with its paragraphs and list items (of two levels) wrapped; headings, tables, images and blocks of code stay."""
     return "\n\n".join(fill_block(block) for block in text.rstrip("\n").split("\n\n")) + "\n"

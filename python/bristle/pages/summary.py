@@ -89,7 +89,8 @@ def counts(verdicts, readings):
     by_model = (" and {} depend on the model, on a range or on what is meant, or are undecided" if len(readings) > 1 else
                 " and {} depend on what is meant or are undecided").format(rest)
     model = " with every model of bending" if len(readings) > 1 else ""
-    return (f"Of the paper's {len(verdicts)} claims, {len(holding)} hold{model}, {len(failing)} fail{model}"
+    fails = "fails" if len(failing) == 1 else "fail"
+    return (f"Of the paper's {len(verdicts)} claims, {len(holding)} hold{model}, {len(failing)} {fails}{model}"
             f"{' (' + ', '.join(failing) + ')' if failing else ''}{by_model}.")
 
 

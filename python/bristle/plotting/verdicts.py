@@ -251,7 +251,7 @@ def key_of_signs(claims):
     signs = ", ".join(f"{sign} {verdict}" for verdict, (sign, _) in VERDICT_SIGNS.items())
     further = sum(first(check).role != "main" for check in by_check(claims))
     return "; ".join(filter(None, [signs if reading_words(claims) != [""] else "",
-                                   f"further checks, on which no verdict rests: {further}, in docs/generated/checks.md" if further else ""]))
+                                   f"further checks, on which no verdict rests: {further}, printed by `bristle check --all`" if further else ""]))
 
 
 def draw_row(axes, row, strip, top):
