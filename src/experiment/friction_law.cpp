@@ -1,7 +1,6 @@
 #include "experiment/friction_law.hpp"
 
 #include "experiment/overrides.hpp"
-#include "bristle/model/friction/formula.hpp"
 #include "bristle/model/friction/laws.hpp"
 #include "json/node.hpp"
 
@@ -15,8 +14,6 @@ namespace bristle::experiment {
 namespace {
 
 using json::Node;
-
-constexpr double kFormulaEnd = 10;  // default of /friction_law/to
 
 constexpr double kGreatest = 1e6;  // speed or mu in a table, as in the lists of the schema
 constexpr std::size_t kMostRows = 10000;
@@ -101,7 +98,6 @@ void check(const Curve& curve) {
 }
 
 OwnLaw read_curve(const Node& law) {
-  if (law.has("to")) law["to"].fail("belongs to a formula; the last value of a table holds beyond it");
   Curve curve = law.has("table") ? read_columns(law) : read_lists(law);
   curve.values.linear = law.get<std::string>("between", "pchip") == "linear";
   const bool in_si = curve.speeds == "V_R_m_per_s";
@@ -112,16 +108,6 @@ OwnLaw read_curve(const Node& law) {
     return {modulation_table(curve.values), in_si};
   } catch (const std::invalid_argument& e) {
     curve.list(curve.speeds).fail(e.what());
-  }
-}
-
-OwnLaw read_formula(const Node& law) {
-  if (law.has("between")) law["between"].fail("belongs to a table of V_R and mu, not to a formula");
-  try {
-    return {modulation_table(
-        sampled(parse_formula(law["formula"].as<std::string>(), "V_R"), law.get("to", kFormulaEnd)))};
-  } catch (const std::invalid_argument& e) {
-    law["formula"].fail(e.what());
   }
 }
 
@@ -142,21 +128,21 @@ OwnLaw read_friction_law(const json::Document& d, const std::vector<sweep::Axis>
   if (!json.contains("friction_law")) {
     if (used)
       d.fail(place_of(d, "friction").to_string(),
-             "\"custom\" needs the block /friction_law with V_R and mu, a table, or a formula "
+             "\"custom\" needs the block /friction_law with V_R and mu, or a table "
              "(docs/experiments.md)");
     return {};
   }
   const Node law(d, "/friction_law");
   const bool lists = law.has("mu") && law.has("V_R") != law.has("V_R_m_per_s");
   std::vector<std::string> given;
-  for (const char* key : {"V_R", "V_R_m_per_s", "mu", "table", "formula"})
+  for (const char* key : {"V_R", "V_R_m_per_s", "mu", "table"})
     if (law.has(key)) given.emplace_back(key);
-  if (given.size() != (lists ? 2 : 1) || (!lists && given[0] != "table" && given[0] != "formula"))
+  if (given.size() != (lists ? 2 : 1) || (!lists && given[0] != "table"))
     law.fail(
-        fmt::format("needs mu and one of V_R and V_R_m_per_s, or a table, or a formula, but has {} (a "
+        fmt::format("needs mu and one of V_R and V_R_m_per_s, or a table, but has {} (a "
                     "null removes a key that is inherited)",
                     given.empty() ? "none of them" : fmt::format("{}", fmt::join(given, ", "))));
-  const OwnLaw out = law.has("formula") ? read_formula(law) : read_curve(law);
+  const OwnLaw out = read_curve(law);
   const bool used_by_second = json.value(JsonPointer("/design/second_model/friction"), "") == Custom::name;
   if (!used && !used_by_second)
     law.fail("is the law of no point; choose it by /model/friction: \"custom\", or remove it with null");

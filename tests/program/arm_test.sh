@@ -37,9 +37,6 @@ laws="/sweep={$bendings,\"friction\":{\"values\":[\"nss\",\"coulomb\",\"stribeck
 compare "bendings, friction laws, pinned and reflected bristles" experiments/paper.json --set "$gap" --set "$some" --set "$laws"
 pinned=$("$bristle" info "$result" | sed -n 's/^ *pinned_fraction  *(.*)  *\([0-9.]*\) .. \([0-9.]*\).*/\2/p')
 [ "$(awk -v p="$pinned" 'BEGIN { print (p > 0) }')" = 1 ] || failed "no bristle is pinned"
-own='{"formula":"(0.6+0.5*exp(-V_R/0.05)^2+0.01*log(1+V_R))*tanh(V_R/0.002)"}'
-compare "a formula as friction law" experiments/paper.json --set "$gap" --set "$some" --set /model/friction=custom \
-  --set "/friction_law=$own"
 own='{"V_R":[0,0.002,0.02,0.2,1,3],"mu":[0,1.1,1.3,0.9,0.7,0.6]}'
 compare "values as friction law" experiments/paper.json --set "$gap" --set "$some" --set /model/friction=custom \
   --set "/friction_law=$own"

@@ -1,5 +1,4 @@
 #include "bristle/model/friction/custom.hpp"
-#include "bristle/message.hpp"
 
 #include <math.h>  // Boost 1.74 calls isnan without std::
 
@@ -7,13 +6,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <stdexcept>
 
 namespace bristle {
 namespace {
 
-// Largest errors of mu that the samples and the table may have, as a share of the largest mu.
-constexpr double kSamplingError = 1e-5, kTableError = 1e-4;
+// Largest error of mu that the table may have, as a share of the largest mu.
+constexpr double kTableError = 1e-4;
 
 // mu and its derivative by V_R. At the last speed, beyond which mu is constant, slope is the derivative on
 // the side of lower speeds.
@@ -125,41 +125,6 @@ double fill(std::vector<double>& coefficients, const Law& law, int intervals) {
 }
 
 }  // namespace
-
-FrictionValues sampled(const std::function<double(double)>& mu, double V_end) {
-  constexpr double V_scale = 0.01;  // most values are near it, the default of V_s
-  const double t_end = V_end / (V_end + V_scale);
-  const auto checked = [&](double V_R) {
-    const double value = mu(V_R);
-    if (V_R == 0 && value != 0)
-      throw std::invalid_argument(message(
-          "is ", all_digits(value),
-          " at V_R = 0; a bristle at rest on the slab has no friction, so mu must rise from 0, as with a "
-          "factor tanh(V_R/0.001)"));
-    if (V_R > 0 && !(value > 0 && std::isfinite(value)))
-      throw std::invalid_argument(
-          message("is ", all_digits(value), " at V_R = ", six_digits(V_R),
-                  "; mu must be positive and finite up to V_R = ", six_digits(V_end)));
-    return value;
-  };
-  for (int intervals = kFewestIntervals; intervals <= kMostIntervals; intervals *= 2) {
-    FrictionValues law;
-    for (int i = 0; i <= intervals; ++i) {
-      const double t = t_end * i / intervals;
-      law.V_R.push_back(i < intervals ? V_scale * t / (1 - t) : V_end);
-      law.mu.push_back(checked(law.V_R.back()));
-    }
-    const Interpolant between(law);
-    double worst = 0;
-    for (std::size_t i = 0; i + 1 < law.V_R.size(); ++i) {
-      const double middle = (law.V_R[i] + law.V_R[i + 1]) / 2;
-      worst = std::max(worst, std::abs(between(middle).mu - checked(middle)));
-    }
-    if (worst <= kSamplingError * std::ranges::max(law.mu)) return law;
-  }
-  throw std::invalid_argument(message("changes too steeply with V_R: ", std::to_string(kMostIntervals),
-                                      " values do not describe it"));
-}
 
 std::shared_ptr<const ModulationTable> modulation_table(const FrictionValues& values) {
   const Law law = law_of(values);

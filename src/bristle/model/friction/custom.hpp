@@ -3,7 +3,6 @@
 #include "bristle/model/contact.hpp"
 #include "bristle/model/friction/table.hpp"
 
-#include <functional>
 #include <memory>
 #include <vector>
 
@@ -11,7 +10,7 @@ namespace bristle {
 
 inline double interpolated(const ModulationTable& table, double u) { return table.at(u); }
 
-// The experiment's own law: F_f = mu_c mu(V_R) F_n, where mu is a table or a formula of the experiment
+// The experiment's own law: F_f = mu_c mu(V_R) F_n, where mu is a table of the experiment
 // (docs/experiments.md). The modulation of the law is mu.
 struct Custom {
   static constexpr const char* name = "custom";
@@ -44,11 +43,6 @@ struct FrictionValues {
   std::vector<double> V_R, mu;  // V_R in units of V0 or in m/s, mu dimensionless
   bool linear = false;
 };
-
-// Returns values of mu(V_R) up to V_end at speeds so close that pchip differs from mu by less than 1e-5 of
-// the largest value. Throws std::invalid_argument if mu is not 0 at V_R = 0, elsewhere not positive and
-// finite, or too steep.
-FrictionValues sampled(const std::function<double(double)>& mu, double V_end);
 
 // Returns the table of a law, which both engines evaluate. Its slope is continuous except at the last speed.
 // It rounds the corners of linear interpolation, from which it differs by at most 1e-4 of the largest mu.
