@@ -149,7 +149,8 @@ std::string price_text(const Trials& trials, const Findings& found, const Outcom
     const auto [value, error] = gain.scale > 0 ? gain.relative() : gain.difference;
     if (!(gain.scale > 0)) parts.push_back(estimate_text({value, error}));
     else {
-      const int places = error > 0 ? std::clamp(-int(std::floor(std::log10(100 * error))), 0, 3) : 1;
+      int places = 0;  // of the error's first digit, at most 3
+      for (double digit = 1; places < 3 && 100 * error < digit; digit /= 10) ++places;
       parts.push_back(fmt::format("{:.{}f} +- {:.{}f} %", 100 * value, places, 100 * error, places));
     }
   }

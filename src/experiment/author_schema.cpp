@@ -4,6 +4,7 @@
 #include "sweep/sweepable.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace bristle::experiment {
@@ -91,7 +92,8 @@ Json sweep(const Json& take, const Json& sample) {
 void add_defaults(Json& model) {
   const Parameters defaults;
   for (const Parameter& p : kParameters)
-    model[p.name]["default"] = p.word ? Json(p.word) : Json(defaults.*p.member / p.unit);
+    if (p.word) model[p.name]["default"] = p.word;
+    else if (std::isfinite(defaults.*p.member)) model[p.name]["default"] = defaults.*p.member / p.unit;
   for (const Choice& c : choices()) model[c.name]["default"] = c.words[std::size_t(c.get(defaults))];
 }
 

@@ -140,10 +140,7 @@ for i in 1 2; do "$bristle" run - --shard $i/2 -o results/piped2.h5 <quick.json 
 eval "$(next)" >log 2>&1 || failed "completion from standard input: $(cat log)"
 [ -e results/piped2.h5 ] || failed "no result from standard input"
 
-# The first steps, and the curve that explains a load that no gap carries.
+# The first steps.
 expect 0 "mine.json: written" "$bristle" new mine
 run mine.json --tier smoke
-echo "{ $quick, \"name\": \"heavy\", \"load\": { \"R_n\": 1e6 } }" >heavy.json
-expect 0 '{"R_n": null, "path": null, "trace": {}}' "$bristle" run heavy.json
-run heavy.json --set '/load={"R_n": null, "path": null, "trace": {}}' -o results/curve.h5
 exit $((failures > 0))

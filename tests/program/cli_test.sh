@@ -138,7 +138,7 @@ expect 2 "experiments/mine.json: exists" in_folder "$folder/project" "$program" 
 expect 0 "points, V0_m_per_s" in_folder "$folder/project" sh -c "'$program' new brush --si && '$program' validate experiments/brush.json"
 expect 0 "dimensionless at V0_m_per_s = 30: k_r = 2.09515" in_folder "$folder/project" "$program" validate experiments/brush.json
 brush=(in_folder "$folder/project" "$program" run experiments/brush.json --force --set /sweep=null --set /orientation/rtol=0.05)
-expect 0 "brush.h5: unreachable at the only point: no gap carries the load; use a lower one" "${brush[@]}" --set /si/R_n_N=1000
+expect 0 "brush.h5: unreachable at the only point: the brush carries at most 1.82 N per bristle (gap 0.17 mm); you asked for 1e+03 N" "${brush[@]}" --set /si/R_n_N=1000
 # A file without a name of its own does not replace the result of the file that it extends.
 echo '{"extends": "brush.json", "si": {"R_n_N": 0.5}}' >"$folder/project/experiments/child.json"
 expect 2 "child.json: /name: is missing; with the inherited name brush the result would replace another experiment's" \
@@ -373,7 +373,7 @@ cat >"$folder/weak.json" <<EOF
  "orientation": {"sampling": "list", "theta_0_deg": [20, 80, 150]},
  "design": {"variables": {"k_r": [5, 40]}, "objectives": [{"minimise": "R_x"}], "budget": 2}}
 EOF
-expect 0 "there is nothing to control (docs/lift-off.md)" "$bristle" design "$folder/weak.json" -o "$folder/weak.h5"
+expect 0 "there is nothing to control" "$bristle" design "$folder/weak.json" -o "$folder/weak.h5"
 "$bristle" info "$folder/weak.h5" >"$folder/log"
 grep -q "^recommended, " "$folder/log" || failed "info does not say what the design found"
 

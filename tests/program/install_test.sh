@@ -17,7 +17,7 @@ expect 0 "experiment mine" in_empty bristle info results/mine.h5
 expect 0 "fresh.json: written" in_empty bristle new fresh
 expect 0 "10 points" in_empty bristle validate fresh.json
 expect 0 "39 ok, 4 unreachable, 2 ambiguous" in_empty bristle run "$prefix/share/bristle/experiments/fig4.json" --tier smoke
-expect 0 "$prefix/share/bristle/reference/fig4.json: 2610 values at 45 points: the same, bit for bit" \
+expect 0 "$prefix/share/bristle/reference/fig4.json: 2835 values at 45 points: the same, bit for bit" \
   in_empty bristle check results/fig4-smoke.h5 --report-only
 sed 's/paper.json/papr.json/' "$empty/mine.json" >"$empty/wrong.json"
 expect 2 'wrong.json: /extends: "papr.json" does not exist' in_empty bristle run wrong.json

@@ -46,8 +46,8 @@ TEST_CASE("errors include those of the integrator") {
     CHECK(e.error[k] < 0.1 * std::abs(e.mean[k]) + 1e-3);
   }
   CHECK(e.error[R_N] > 0);
-  CHECK(e.passages == 3 * 3);
-  CHECK(mean.count() == 3 * 3);
+  CHECK(e.passages == 4 * 3);
+  CHECK(mean.count() == 4 * 3);
 }
 
 TEST_CASE("errors include those of the integrator: few nodes and sensitive bristles") {

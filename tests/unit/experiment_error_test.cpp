@@ -78,7 +78,7 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
        "initial_state, pole_rule, k_r, k_theta, k_phi, phi_0_deg, zeta_theta, zeta_phi, mu_c, tau_f, R_c, "
        "E_star, "
        "A, C, V_s, lambda, lambda_z, alpha, beta, s_min, L_x, L_y, spacing, R, "
-       "strain_limit, stretch_limit"},
+       "strain_limit, stretch_limit, pressure_limit"},
       {with(R"("model": {"k_r": "ten"})"),
        "@/e.json: /model/k_r: \"ten\" is not allowed; allowed: a number greater than 0 (radial stiffness, "
        "dimensionless)"},
@@ -140,12 +140,14 @@ TEST_CASE("malformed experiments: the message names file, place, value and what 
        "@/e.json: /sweep/kr: kr cannot be swept (did you mean k_r?); allowed: k_r, k_theta, k_phi, "
        "phi_0_deg, zeta_theta, zeta_phi, mu_c, tau_f, R_c, E_star, A, C, V_s, lambda, lambda_z, alpha, beta, "
        "s_min, "
-       "L_x, L_y, spacing, R, strain_limit, stretch_limit, R_n, nominal_friction, z_0, mean_deg, "
+       "L_x, L_y, spacing, R, strain_limit, stretch_limit, pressure_limit, R_n, nominal_friction, z_0, "
+       "mean_deg, "
        "concentration, seed, rows, scatter_r0, scatter_R, scatter_E, scatter_phi_0_deg, m_kg, rho_kg_per_m3, "
        "r0_m, "
        "V0_m_per_s, E_Pa, nu, "
        "R_m, "
-       "k_r_over_k_phi, k_theta_over_k_phi, k_r_N_per_m, k_theta_N_m, k_phi_N_m, E_star_Pa, tau_f_Pa, R_c_m, "
+       "k_r_over_k_phi, k_theta_over_k_phi, k_r_N_per_m, k_theta_N_m, k_phi_N_m, E_star_Pa, "
+       "pressure_limit_Pa, tau_f_Pa, R_c_m, "
        "V_s_m_per_s, "
        "alpha_J, "
        "beta_J, R_n_N, pressure_Pa, z_0_m, L_x_m, L_y_m, spacing_m, friction, bending, contact, section, "
