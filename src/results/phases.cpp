@@ -96,10 +96,16 @@ std::string load_text(const sweep::PointInput& point, double R_n) {
 std::string carried_text(const sweep::PointInput& asked, double R_n, double z_0) {
   const std::string load = load_text(asked, asked.loading.R_n);
   if (std::isnan(R_n)) return fmt::format("no gap carries {} per bristle", load);
-  return fmt::format(
-      "the brush carries at most {} per bristle (gap {}); you asked for {}", load_text(asked, R_n),
-      asked.si.empty() ? fmt::format("{:.3g}", z_0) : readable(z_0 * sweep::si_scales(asked).length, "m"),
-      load);
+  const std::string most = fmt::format(
+      "{} per bristle (gap {})", load_text(asked, R_n),
+      asked.si.empty() ? fmt::format("{:.3g}", z_0) : readable(z_0 * sweep::si_scales(asked).length, "m"));
+  // Where friction catches the tips of stiff bristles, the load does not rise from 0 at first contact.
+  if (R_n >= asked.loading.R_n)
+    return fmt::format(
+        "the load does not rise from 0 at first contact, so no gap carries as little as {}; the brush "
+        "carries at most {}",
+        load, most);
+  return fmt::format("the brush carries at most {}; you asked for {}", most, load);
 }
 
 std::string Phases::text() const {

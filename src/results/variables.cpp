@@ -230,7 +230,7 @@ void add_largest_load(Variables& variables, bool si) {
   for (const auto& [one, suffix, units, scale] : {std::tuple{load, "_in_N", "N", &SiScales::force},
                                                   std::tuple{gap_of_it, "_in_m", "m", &SiScales::length}}) {
     variables.push_back(in_si({one.name + suffix, one.long_name, without_tilde(one.symbol), one.equation,
-                               units, one.of, [scale](P p) { return p.si.*scale; }}));
+                               units, one.of, [scale = scale](P p) { return p.si.*scale; }}));
     variables.back().errors = one.errors;
   }
 }

@@ -278,7 +278,7 @@ with xarray.open_dataset(result) as ds:
     assert texts(draw(ds)) == expected and texts(draw(ds, "fig4", plain=True)) == texts(fig4.draw(ds, plain=True))
     assert texts(draw(ds.assign_attrs(name="mine"))) == texts(curve.draw(ds))
     assert "the result comes first" in refusal(draw, "fig4", ds)
-    assert "there is no figure fg4; did you mean fig4?; known: bristles, " in refusal(draw, ds, "fg4")
+    assert "there is no figure fg4; did you mean fig4?; known: bouncing, " in refusal(draw, ds, "fg4")
     assert "widht is not an option of this figure; did you mean width?; known: reading, " in refusal(lambda: draw(ds, widht=3))
     assert "there is no variable gama_1; did you mean gamma_1?" in refusal(lambda: draw(ds, "curve", y="gama_1"))
     assert "no reading 'polr'; did you mean polar?; it has: " in refusal(lambda: draw(ds, reading="polr"))

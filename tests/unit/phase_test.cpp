@@ -136,6 +136,9 @@ TEST_CASE("phase: an unreachable load is answered by the load that the brush car
   CHECK(results::carried_text(asked, 2.6321, 0.0123) ==
         "the brush carries at most R_n = 2.63 per bristle (gap 0.0123); you asked for R_n = 5");
   CHECK(results::carried_text(asked, NAN, NAN) == "no gap carries R_n = 5 per bristle");
+  CHECK(results::carried_text(asked, 6, 0.01) ==
+        "the load does not rise from 0 at first contact, so no gap carries as little as R_n = 5; the brush "
+        "carries at most R_n = 6 per bristle (gap 0.01)");
   asked.si = {{"m_kg", 1e-4}, {"r0_m", 0.025}, {"V0_m_per_s", 10}};
   const double unit = 1e-4 * 10 * 10 / 0.025;  // N
   asked.loading.R_n = 0.6 / unit;
