@@ -133,9 +133,9 @@ def sliding_easily(file, _):
 
 def formula(file, _):
     scatter = float(np.nanmax(read(file, "lift_off_load_err") / read(file, "lift_off_load")))
-    return ("**A formula says when.** Below a certain load per bristle, the lift-off load, a brush of point masses bounces. A formula "
-            f"(docs/lift-off.md) gives this load within {percent(scatter)}, root mean square, for a radial over polar stiffness, k_r/k_phi, of "
-            f"{TESTED[0]} and a local friction of {TESTED[1]}. Straight rods are far stiffer along their axis.")
+    return ("**A formula says when.** If the slab is lowered, a brush of point masses bounces below a certain load per bristle, the "
+            f"lift-off load. A formula (docs/lift-off.md) gives this load with a root mean square error of {percent(scatter)} for a radial over "
+            f"polar stiffness, k_r/k_phi, of {TESTED[0]} and a local friction of {TESTED[1]}. Straight rods lie outside this range.")
 
 
 def bristles_that_differ(file, _):
@@ -158,8 +158,9 @@ def weak_friction(file, _):
     return (f"**Weak local friction cannot be controlled if bristles are soft along their axis.** If the local friction is "
             f"{in_two_digits(local[uncontrolled[-1]])} or less, rods with k_r/k_phi = {k_r / setting(file, 'model', 'k_phi'):.3g} have at least "
             f"{percent(least[uncontrolled[-1]])} of the friction of rigid bristles, whatever the load ({loads[0]:g} to {loads[-1]:.3g}; L_x = "
-            f"{setting(file, 'model', 'L_x'):g}). Bristles that are stiff along their axis lock where it exceeds cot(phi_0), "
-            f"{1 / np.tan(np.radians(lean)):.2f} at {lean:g} degrees, vault, and have less.")
+            f"{setting(file, 'model', 'L_x'):g}). Where the local friction exceeds cot(phi_0), {1 / np.tan(np.radians(lean)):.2f} at {lean:g} degrees, "
+            "bristles that are stiff along their axis lock, vault over the vertical, and have less friction, under axial forces that would "
+            "buckle their shafts.")
 
 
 def limits(file, _):
@@ -174,9 +175,9 @@ def limits(file, _):
         place = "every point" if beyond == valued.sum() else f"{beyond} of {int(valued.sum())} points"
         places.setdefault(place, []).append(what)
     parts = [f"at {place} {', and '.join(found)}" for place, found in places.items()]
-    return (f"**Before you trust a number:** in the paper's Figure 4, {'; '.join(parts)}. And all of this holds for point masses: bristles "
+    return (f"**Before you trust a number:** in the paper's Figure 4, {'; '.join(parts)}. And all of this holds only for point masses: bristles "
             "whose tips are heavier than their shafts, or pins in springy sockets. For bristles with their mass along their length, such as "
-            "wires and fibres, the jump and the lift-off load are open, and first computations say that they have none (docs/lift-off.md).")
+            "wires and fibres, it is not settled: the first computations found neither the jump nor the lift-off load (docs/lift-off.md).")
 
 
 def of_each(sentence):
@@ -208,8 +209,8 @@ def one_jump(file, _):
 def two_frictions(file, _):
     def found(reading):
         return " and ".join(windows(file, {"bending": reading}, "k_r")) or "nowhere"
-    return ("**Near the lift-off load a brush of point masses has two frictions.** If the slab was raised from the ground, friction is higher than if it "
-            f"was lowered from above: for rods under a load of {setting(file, 'load', 'R_n'):g}, {found('rod')}.")
+    return ("**Near the lift-off load a brush of point masses has two frictions.** Friction is higher if the slab was raised from the ground than "
+            f"if it was lowered from above: for rods under a load of {setting(file, 'load', 'R_n'):g}, {found('rod')}.")
 
 
 def magnitude(file, verdicts):
