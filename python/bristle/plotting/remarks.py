@@ -3,7 +3,7 @@ where the model is beyond its limits."""
 
 import numpy as np
 
-from ..results import CHOICE_NAMES, axis_names, axis_values, dataset, flags, values
+from ..results import CHOICE_NAMES, axis_names, axis_values, dataset, flags
 
 CRUSHED = "Bristles are crushed upright, not bent, as the slab comes down"
 
