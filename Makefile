@@ -152,11 +152,10 @@ test: build-tests ## what every commit needs: minutes
 test-all: ## everything, nightly and before a release: sanitizers, fuzzers, other compiler, all figures, documents
 	@scripts/install-packages test test-all page
 	@$(MAKE) --no-print-directory build-tests
-	@$(NINJA) bench_engine bench_quadrature bench_sharing scipy_slopes accuracy
+	@$(NINJA) bench_engine bench_quadrature scipy_slopes accuracy
 	@scripts/run-ctest $(BUILD)
 
 DESIGNS := target target_at_jump robust front indices
-SHARING := loads slope load speed hysteresis orientation map
 bench: build ## benchmarks: ratios against peers in the same run, into docs/generated/performance.md
 	@scripts/install-packages bench
 	@scripts/quietly cmake --preset release -G Ninja  # finds peers that have just been installed
@@ -171,26 +170,17 @@ bench: build ## benchmarks: ratios against peers in the same run, into docs/gene
 	$$($(PLOT_PYTHON)) scripts/time_experiments.py $(BUILD)/bristle $(DESIGNS:%=benchmarks/designs/%.json) --threads 1 \
 	  >$(BUILD)/bench/designs.json
 	$$($(PLOT_PYTHON)) scripts/time_build.py >$(BUILD)/bench/build.json
-	@$(MAKE) --no-print-directory measure-commands measure-sharing
+	@$(MAKE) --no-print-directory measure-commands
 	@$$($(PLOT_PYTHON)) -m bristle.pages.performance $(BUILD)/bench
 
-# Of the benchmarks only that of the commands on finished results, or of points that share passages, and its table.
-.PHONY: measure-commands bench-commands measure-sharing bench-sharing
+# Of the benchmarks only that of the commands on finished results, and its table.
+.PHONY: measure-commands bench-commands
 measure-commands: build report-packages
 	@mkdir -p $(BUILD)/bench
 	$$($(PLOT_PYTHON) jinja2 yaml) scripts/time_commands.py $(BUILD)/bristle >$(BUILD)/bench/commands.json
 
 bench-commands: measure-commands
 	@$$($(PLOT_PYTHON)) -m bristle.pages.performance $(BUILD)/bench --only commands
-
-measure-sharing: build
-	@$(NINJA) bench_sharing
-	@mkdir -p $(BUILD)/bench/sharing
-	@cp experiments/*.json benchmarks/sharing/*.json $(BUILD)/bench/sharing/  # they extend each other
-	$(BUILD)/benchmarks/bench_sharing $(SHARING:%=$(BUILD)/bench/sharing/%.json) >$(BUILD)/bench/sharing.json
-
-bench-sharing: measure-sharing
-	@$$($(PLOT_PYTHON)) -m bristle.pages.performance $(BUILD)/bench --only sharing
 
 accuracy: build ## errors of the methods, measured: docs/generated/accuracy.md
 	@$(NINJA) accuracy

@@ -88,7 +88,6 @@ class Search {
         design_(design),
         options_(options),
         journal_(run::journal_path(options.output, {}), run::kCommit, options.force),
-        memo_(options.memo_bytes),
         trials_(experiment, design, solver()) {}
 
   // Returns the text that says what was found, and whether the recommended brush meets the constraints.
@@ -136,7 +135,7 @@ class Search {
   Solve solver() {
     return [this](const Sweep& sweep, const std::vector<std::size_t>& points, Purpose purpose) {
       const bool counted = searching_ && purpose == Purpose::trials;
-      return run::solve_points(sweep, points, options_, journal_, counted ? *progress_ : silent_, memo_);
+      return run::solve_points(sweep, points, options_, journal_, counted ? *progress_ : silent_);
     };
   }
 
@@ -321,7 +320,6 @@ class Search {
   const Design& design_;
   const run::RunOptions& options_;
   results::Journal journal_;
-  run::PassageMemo memo_;
   std::optional<run::Progress> progress_;
   run::Progress silent_{experiment_.name, 0, true};
   bool searching_ = true;

@@ -46,16 +46,15 @@ class Scheduler {
  public:
   using Sink = std::function<void(PointReport&&)>;
   Scheduler(const Sweep& sweep, const std::vector<std::size_t>& points, std::size_t threads, const Sink& sink,
-            const std::function<bool()>& stop, const SchedulerObserver& observer, PassageMemo* memo)
+            const std::function<bool()>& stop, const SchedulerObserver& observer)
       : sweep_(sweep),
         layout_(results::layout_of(sweep)),
-        points_(memo ? memo->share(sweep, points) : points),
+        points_(points),
         threads_(threads),
         sink_(sink),
         stop_(stop),
         observer_(observer),
-        memo_(memo),
-        passages_(threads, memo, sweep.engine) {}
+        passages_(threads) {}
 
   // Solves points on the calling thread, until all points of the sweep are solved.
   void run_thread();
@@ -85,7 +84,6 @@ class Scheduler {
   const Sink& sink_;
   const std::function<bool()>& stop_;
   const SchedulerObserver& observer_;
-  PassageMemo* const memo_;
   PassageQueue passages_;
 
   std::atomic<std::size_t> delivered_ = 0;
@@ -262,13 +260,10 @@ class Scheduler::Worker {
 struct Stopped {};
 
 void Scheduler::solve_sequentially() {
-  const PassageRunner compute = [this, runner = make_runner(sweep_.engine)](const auto& tasks) {
+  const PassageRunner run = [this, runner = make_runner(sweep_.engine)](const auto& tasks) {
     std::vector<Passage> passages = runner(tasks);
     if (ended(tasks.size())) throw Stopped{};
     return passages;
-  };
-  const PassageRunner run = [&](const auto& tasks) {
-    return memo_ ? memo_->run(tasks, sweep_.engine, compute) : compute(tasks);
   };
   try {
     while (const auto index = next_point()) deliver(solve(*index, run));
@@ -294,8 +289,8 @@ int all_cores() { return int(std::max(1u, std::thread::hardware_concurrency()));
 
 bool run_sweep(const Sweep& sweep, const std::vector<std::size_t>& points, int threads,
                const std::function<void(PointReport&&)>& sink, const std::function<bool()>& stop,
-               const SchedulerObserver& observer, PassageMemo* memo) {
-  Scheduler scheduler(sweep, points, std::size_t(threads), sink, stop, observer, memo);
+               const SchedulerObserver& observer) {
+  Scheduler scheduler(sweep, points, std::size_t(threads), sink, stop, observer);
   std::vector<std::thread> others;
   others.reserve(std::size_t(threads));
   try {

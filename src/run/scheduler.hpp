@@ -2,7 +2,6 @@
 
 #include "experiment/experiment.hpp"
 #include "results/record.hpp"
-#include "run/passage_memo.hpp"
 
 #include <functional>
 
@@ -27,10 +26,9 @@ int all_cores();
 // Solves these points of the sweep on `threads` threads. Passes the report of each point to sink when the
 // point is solved, one at a time, in any order. The numbers depend neither on the threads nor on the other
 // points. An error within a point becomes its status. Returns false early when stop() becomes true. Throws
-// the exceptions of sink. memo: has the passages that these points and the points of earlier calls share;
-// null: each point computes all of its passages
+// the exceptions of sink.
 bool run_sweep(const Sweep& sweep, const std::vector<std::size_t>& points, int threads,
                const std::function<void(PointReport&&)>& sink, const std::function<bool()>& stop,
-               const SchedulerObserver& observer = {}, PassageMemo* memo = nullptr);
+               const SchedulerObserver& observer = {});
 
 }  // namespace bristle::run

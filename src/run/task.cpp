@@ -61,8 +61,7 @@ std::string same_command(const RunOptions& options) {
 
 // Computes the missing points and appends each to the journal when it is solved.
 void fill_journal(const Sweep& sweep, const KeyedPoints& points, const std::vector<std::size_t>& missing,
-                  const RunOptions& options, results::Journal& journal, Progress& progress,
-                  PassageMemo& memo) {
+                  const RunOptions& options, results::Journal& journal, Progress& progress) {
   const std::size_t all = points.points().size();
   std::size_t saved = all - missing.size();
   const auto sink = [&](PointReport&& report) {
@@ -82,7 +81,7 @@ void fill_journal(const Sweep& sweep, const KeyedPoints& points, const std::vect
   };
   bool complete = false;
   try {
-    complete = run_sweep(sweep, missing, options.threads, sink, interrupted, {slow, passages}, &memo);
+    complete = run_sweep(sweep, missing, options.threads, sink, interrupted, {slow, passages});
     journal.sync();
   } catch (const RunError& e) {
     throw RunError(e.reason(), saved_text());
@@ -92,17 +91,13 @@ void fill_journal(const Sweep& sweep, const KeyedPoints& points, const std::vect
 
 // Finds the jumps of the gap between the points, which are all in the journal.
 results::Rows find_jumps(const Experiment& experiment, const KeyedPoints& points, results::Journal& journal,
-                         const RunOptions& options, PassageMemo& memo) {
+                         const RunOptions& options) {
   if (experiment.locate_jumps.empty()) return {};
-  // The points between the points of a line have its brush, also if no point of the line was computed by this
-  // run.
-  memo.share(experiment.sweep, points.points());
   const std::string name = fmt::format("{}: jumps along {}", experiment.name, experiment.locate_jumps);
   const auto solve = [&](const Sweep& between, const std::vector<std::size_t>& indices) {
     Progress progress(name, indices.size(), options.quiet);
     std::vector<Gap> gaps;
-    for (const results::PointRecord& record :
-         solve_points(between, indices, options, journal, progress, memo))
+    for (const results::PointRecord& record : solve_points(between, indices, options, journal, progress))
       gaps.push_back(gap_of(record));
     progress.finish();
     return gaps;
@@ -117,11 +112,11 @@ results::Rows find_jumps(const Experiment& experiment, const KeyedPoints& points
 // all in the journal of the result.
 Summary finish(const Experiment& experiment, const RunOptions& options, const KeyedPoints& points,
                results::Journal& journal, const std::map<std::string, std::string>& entries,
-               Progress& progress, PassageMemo& memo) {
+               Progress& progress) {
   const std::string saved =
       fmt::format("all points are saved in {}: {} writes the result", journal.path(), same_command(options));
   try {
-    const results::Rows jumps = find_jumps(experiment, points, journal, options, memo);
+    const results::Rows jumps = find_jumps(experiment, points, journal, options);
     Summary summary = write_result(experiment, options.output, points, jumps, {}, journal, entries, progress);
     for (const auto& [shard, path] : shard_journals(options.output)) journal.remove_copied(path);
     return summary;
@@ -170,11 +165,9 @@ void compute(const Experiment& experiment, const RunOptions& options) {
   const std::size_t all = points.points().size(), found = all - missing.size();
   entries["points_computed"] = fmt::format("{} of {}", missing.size(), all);
   Progress progress(experiment.name, missing.size(), options.quiet);
-  PassageMemo memo(options.memo_bytes);
-  fill_journal(experiment.sweep, points, missing, options, journal, progress, memo);
-  const Summary summary = options.shard
-                              ? summary_of(experiment, points, journal)
-                              : finish(experiment, options, points, journal, entries, progress, memo);
+  fill_journal(experiment.sweep, points, missing, options, journal, progress);
+  const Summary summary = options.shard ? summary_of(experiment, points, journal)
+                                        : finish(experiment, options, points, journal, entries, progress);
   progress.finish();
   summary.report_failures();
   if (options.quiet) return;
@@ -193,12 +186,12 @@ void compute(const Experiment& experiment, const RunOptions& options) {
 
 std::vector<results::PointRecord> solve_points(const Sweep& sweep, const std::vector<std::size_t>& points,
                                                const RunOptions& options, results::Journal& journal,
-                                               Progress& progress, PassageMemo& memo) {
+                                               Progress& progress) {
   const std::set<std::size_t> ascending(points.begin(), points.end());
   const KeyedPoints keyed(sweep, {ascending.begin(), ascending.end()});
   const std::vector<std::size_t> missing = missing_points(keyed, journal, options.force);
   for (std::size_t found = missing.size(); found < ascending.size(); ++found) progress.step();
-  fill_journal(sweep, keyed, missing, options, journal, progress, memo);
+  fill_journal(sweep, keyed, missing, options, journal, progress);
   std::vector<results::PointRecord> records;
   for (const std::size_t point : points)
     records.push_back(journal.read(keyed.key(point), keyed.layout()).record);

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "results/writer.hpp"
-#include "run/passage_memo.hpp"
 #include "run/points.hpp"
 #include "run/progress.hpp"
 #include "run/shard.hpp"
@@ -20,7 +19,6 @@ struct RunOptions {
   bool complete = false;         // write the result of points that are in journals; throw if one is missing
   int threads = all_cores();
   bool force = false, quiet = false;
-  std::size_t memo_bytes = kMemoBytes;   // memory for passages that points share; 0: none are shared
   std::vector<std::string> arguments{};  // arguments of the command line, for the provenance
 };
 
@@ -35,11 +33,10 @@ void run_experiment(const Experiment& experiment, const RunOptions& options);
 void require_no_loss(const Experiment& experiment, const RunOptions& options);
 
 // Returns these points of a sweep, in the same order. Computes only points that no journal in the folder of
-// the result has. Uses output, threads and force of the options. Throws as run_experiment(). memo: see
-// run_sweep()
+// the result has. Uses output, threads and force of the options. Throws as run_experiment().
 std::vector<results::PointRecord> solve_points(const Sweep& sweep, const std::vector<std::size_t>& points,
                                                const RunOptions& options, results::Journal& journal,
-                                               Progress& progress, PassageMemo& memo);
+                                               Progress& progress);
 
 // Writes the result file from the journal, in the order of the points, with jumps, analysis, the groups
 // `more` and the provenance. entries: facts of the provenance

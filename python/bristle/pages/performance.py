@@ -20,8 +20,6 @@ FIGURES_AIM = 400  # s of processor time for all figures of the paper
 COMMAND_AIM = 1  # s of processor time for a command that reads a finished result, without `report`
 JOURNAL_AIM = 5  # s of processor time for a run whose points are all in the journal
 BUILD_AIM, TEST_AIM = 85, 420  # s of processor time in a fresh clone for `make build`, and together with `make test`
-# Aims for the CPU time of points that share passages, over the time without sharing.
-SHARING_AIMS = {"loads": 6 / 23, "slope": 0.6, "load": 0.4, "speed": 0.4, "hysteresis": 0.7, "map": 1.01}
 # Aims for the CPU time of designs and indices on one core, in s.
 DESIGN_AIMS = {"target": 15, "target_at_jump": 15, "robust": 240, "front": 120, "indices": 300}
 
@@ -210,21 +208,8 @@ def command_aims(measured):
                "journal with its digest." if missed else "All meet it."))
 
 
-def sharing_table(measured):
-    """CPU time of experiments whose points share passages, over the time of the same experiments without sharing."""
-    rows = [[one["name"], one["title"], f"{one['cpu_seconds']:.0f}", f"{one['ratio']:.2f}",
-             f"{SHARING_AIMS[one['name']]:.2f}" if one["name"] in SHARING_AIMS else "\u2013", *(f"{one[key]:.0f}" for key in ("MB", "MB_alone"))]
-            for one in measured]
-    missed = [f"`{one['name']}`" for one in measured if round(one["ratio"], 2) > SHARING_AIMS.get(one["name"], np.inf)]
-    return table(["experiment", "what", "CPU, s", "over the time without sharing", "aim", "MB", "MB without"], *rows) + "\n\n" + (
-        f"The aim is missed by {', '.join(missed)}. The scans of the loads have half of their passages in common; but each load is "
-        "met at a gap of its own, and a search that closes in on it passes gaps of its own. So few passages are asked for twice "
-        "that keeping them can cost more than it saves ([numerics.md](../numerics.md)). "
-        if missed else "") + "Equal bits with and without sharing: each pair was compared."
-
-
 # The tables that are also written alone: each has comments around it, which name the file of its numbers.
-ALONE = {"commands": command_table, "sharing": sharing_table}
+ALONE = {"commands": command_table}
 
 
 def marked(name, measured):
@@ -281,7 +266,7 @@ def contact_rows(engine):
             for one in engine["contacts"]]
 
 
-def document(engine, kernels, peers, cases, purposes, figures, designs, build, commands, sharing, note=""):
+def document(engine, kernels, peers, cases, purposes, figures, designs, build, commands, note=""):
     everything = engine["all_kinds"]
     scaling = [[str(s["bristles"]), str(s["threads"]), f"{s['ms_per_bristle']:.3f}"] for s in engine["scaling"]]
     return f"""# Performance
@@ -359,14 +344,6 @@ Relative error, the larger of R_n and R_x, compared with a mean of tolerance 3e-
 ![Error over number of passages](../images/quadrature.png)
 
 {purposes_text(purposes)}
-
-## Points that share passages
-
-Points of one brush that differ in the load, the path or the distribution of azimuths alone take common
-passages from a memo of the run (docs/numerics.md). CPU time on one thread, the median ratio of {len(sharing[0]["ratios"])} pairs,
-and the most memory of a run with and without sharing. No two points of `map` have the same brush.
-
-{marked("sharing", sharing)}
 
 ## Scaling
 
